@@ -1,0 +1,59 @@
+# `make html` builds the site, `make test` checks everything. Both set up .venv by themselves.
+
+PYTHON ?= python3
+PORT ?= 8000
+BIN := .venv/bin
+EXTRAS := plots,docs,notebooks,test,lint
+
+# One stamp for each PYTHON: choosing another one makes the environment anew, as changed pins do.
+VENV := .venv/made-with-$(subst /,_,$(PYTHON))
+
+# Nothing of yours changes what is built here, and nothing here is left in your home.
+export IPYTHONDIR := $(CURDIR)/.venv/ipython
+export JUPYTER_CONFIG_DIR := $(CURDIR)/.venv/jupyter
+export JUPYTER_DATA_DIR := $(CURDIR)/.venv/jupyter-data
+export HYPOTHESIS_STORAGE_DIRECTORY := $(CURDIR)/build/hypothesis
+
+# -T shows which cell of a notebook failed. The parsed pages of a failed build go: Sphinx would not complain about them
+# a second time.
+SPHINX = $(BIN)/sphinx-build -M $@ . build -n -W --keep-going -T || { rm -rf build/doctrees; exit 1; }
+
+# html and doctest share their parsed pages, so one runs after the other.
+.NOTPARALLEL:
+.PHONY: html test doctest linkcheck serve lab bench pins clean
+
+html doctest linkcheck: $(VENV)
+	$(SPHINX)
+
+test: html doctest
+	$(BIN)/ruff check
+	$(BIN)/mypy
+	$(BIN)/pytest
+
+serve: html
+	$(BIN)/python -m http.server --bind 127.0.0.1 --directory build/html $(PORT)
+
+# lab/overrides.json makes notebooks/*.md open as notebooks.
+lab: $(VENV)
+	$(BIN)/jupyter lab --LabApp.app_settings_dir=lab --LabApp.default_url=/lab/tree/notebooks $(ARGS)
+
+bench: $(VENV)
+	$(BIN)/python benchmarks
+
+$(VENV): pyproject.toml constraints.txt
+	@$(PYTHON) -c 'import sys; sys.exit(sys.version_info < (3, 11))' || \
+	  { echo 'rosspin needs Python 3.11 or newer; name one: make PYTHON=python3.12' >&2; exit 1; }
+	@$(PYTHON) -c 'import ensurepip, venv' 2>/dev/null || \
+	  { echo 'Python has no venv; on Debian and Ubuntu: sudo apt-get install python3-venv' >&2; exit 1; }
+	$(PYTHON) -m venv --clear .venv
+	$(BIN)/pip install --quiet --disable-pip-version-check -c constraints.txt -e '.[$(EXTRAS)]'
+	@touch $@
+
+# New pins, on purpose: run it with the oldest Python that rosspin supports, so that newer ones can use them too.
+pins:
+	$(PYTHON) -m venv --clear build/pins
+	build/pins/bin/pip install --quiet '.[$(EXTRAS)]'
+	build/pins/bin/pip freeze --exclude rosspin > constraints.txt
+
+clean:
+	rm -rf build

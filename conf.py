@@ -1,0 +1,56 @@
+"""Sphinx settings: the source folder is the root, and what is made goes into build/."""
+
+import hashlib
+from doctest import DONT_ACCEPT_TRUE_FOR_1
+from pathlib import Path
+
+from sphinx.application import Sphinx
+
+root = Path(__file__).parent
+
+project = "rosspin"
+html_title = "rosspin"
+copyright = "the rosspin contributors. The texts are CC BY 4.0, after a page by Paul N. Beuchat, 2023"
+
+extensions = ["myst_nb", "sphinx.ext.doctest", "sphinx_copybutton", "sphinx_design"]
+include_patterns = ["index.rst", "docs/**.rst", "notebooks/*.md"]
+exclude_patterns = [".venv", "build"]  # not walked through in search of pages
+
+nb_execution_mode = "force"  # runs a notebook whenever its page is read: see setup()
+nb_execution_raise_on_error = True
+nb_execution_timeout = 300  # only a hang should end here, not a busy machine
+nb_merge_streams = True  # a console mixes stdout and stderr
+nb_ipywidgets_js = {}  # the default loads scripts from another host
+
+# Doctests run in the root, whose paths they name. Sphinx's default flags would ignore the text of errors and let
+# "..." stand for anything.
+doctest_global_setup = f"import os; os.chdir({str(root)!r})"
+doctest_default_flags = DONT_ACCEPT_TRUE_FOR_1
+
+html_theme = "pydata_sphinx_theme"
+html_favicon = "docs/_static/favicon.svg"
+html_static_path = ["docs/_static"]
+html_css_files = ["site.css"]
+templates_path = ["docs/_templates"]
+html_sidebars = {"**": ["pages"]}
+html_theme_options = {
+    "navbar_center": [],
+    "article_header_start": [],
+    "secondary_sidebar_items": ["page-toc"],
+    "footer_start": ["copyright"],
+    "footer_end": [],
+}
+html_context = {"default_mode": "auto"}  # light or dark as the reader's system is
+html_show_sourcelink = False
+
+
+def setup(app: Sphinx) -> None:
+    """Read every page again when what the notebooks run has changed, not only their own text.
+
+    Sphinx keeps pages, and with them the outputs of notebooks, until the value of this setting changes. The cache of
+    myst-nb would not do: it sees a notebook's cells only, and its downloads lack their outputs.
+    """
+    found = [*root.glob("src/**/*"), *root.glob("examples/**/*"), root / "constraints.txt"]
+    used = sorted(path for path in found if path.is_file() and path.suffix != ".pyc")
+    digest = hashlib.sha256(b"".join(path.read_bytes() for path in used))
+    app.add_config_value("what_notebooks_run", digest.hexdigest(), "env")

@@ -1,0 +1,30 @@
+#!/usr/bin/env python3
+
+import rospy
+
+
+class SpinnerPyNode:
+    def __init__(self):
+        # Start counting from zero
+        self.counter = 0
+
+    # Respond to the timer
+    def timerCallback(self, event):
+        self.counter += 1
+        # Display the current counter value
+        rospy.loginfo("[SPINNER PY NODE] counter = " + str(self.counter))
+
+
+if __name__ == '__main__':
+    # Take ROS's own arguments (such as __ns:=/mrp); start the node
+    rospy.init_node("spinner_py_node")
+
+    # Display the namespace of the node
+    rospy.loginfo(
+        "[SPINNER PY NODE] namespace of node = " + rospy.get_namespace())
+
+    # Start an instance of the class
+    spinner_py_node = SpinnerPyNode()
+
+    # Keep the process alive until shutdown
+    rospy.spin()

@@ -1,0 +1,66 @@
+"""Read log lines and ticks out of the console text of any runtime, C++ and Python alike."""
+
+from __future__ import annotations
+
+import math
+import re
+from collections.abc import Iterator
+from itertools import pairwise
+from statistics import median
+from typing import NamedTuple
+
+from .run import Tick
+
+__all__ = ["Line", "read_lines", "read_ticks"]
+
+_COLOUR = re.compile(r"\x1b\[[0-9;]*m")
+
+# rospy stamps in microseconds; roscpp in nanoseconds, and it pads the severity. On ROS time a second stamp follows.
+_LINE = re.compile(
+    r"\[ ?(?P<severity>DEBUG|INFO|WARN|ERROR|FATAL)\] "
+    r"\[(?P<wall>\d+\.\d+)(?:, (?P<ros>\d+\.\d+))?\]: (?P<text>.*)"
+)
+
+_COUNTER = re.compile(r"\[(?P<source>[^]]+)\] counter = (?P<number>\d+)")
+
+
+class Line(NamedTuple):
+    """A log line: its severity, its stamp in seconds (ROS time if it has two), its text."""
+
+    severity: str
+    stamp: float
+    text: str
+
+
+def read_lines(console: str) -> Iterator[Line]:
+    """The log lines in a console text; what is no log line is passed over, colour codes are taken off."""
+    for text in console.splitlines():
+        if match := _LINE.search(_COLOUR.sub("", text)):
+            yield Line(match["severity"], float(match["ros"] or match["wall"]), match["text"])
+
+
+def read_ticks(console: str, period: float | None = None, start: float = 0.0) -> tuple[Tick, ...]:
+    """The ticks of nodes that count, from lines such as ``[SPINNER CPP NODE] counter = 3``; the tag is the source.
+
+    ``start`` is the run's start in seconds since the epoch, from which the ticks are counted. They are expected on the
+    grid of ``period`` seconds through the first tick of their source; without it, on that of the median period. How
+    long a tick took is not on the console: its duration is NaN.
+    """
+    found: dict[str, list[tuple[int, float]]] = {}
+    order = []
+    for line in read_lines(console):
+        if match := _COUNTER.match(line.text):
+            source, tick = match["source"], (int(match["number"]), line.stamp - start)
+            found.setdefault(source, []).append(tick)
+            order.append((source, tick))
+    periods = {source: period or _median_period(ticks) for source, ticks in found.items()}
+    ticks = []
+    for source, (number, real) in order:
+        first, origin = found[source][0]
+        ticks.append(Tick(source, number, origin + (number - first) * periods[source], real, math.nan))
+    return tuple(ticks)
+
+
+def _median_period(ticks: list[tuple[int, float]]) -> float:
+    steps = [later - earlier for (_, earlier), (_, later) in pairwise(ticks)]
+    return median(steps) if steps else 0.0

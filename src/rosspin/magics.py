@@ -1,0 +1,67 @@
+"""The cell magics ``%%simulate`` and ``%%measure``: a notebook cell as a node file."""
+
+from __future__ import annotations
+
+import argparse
+import shlex
+import sys
+from collections.abc import Callable, Sequence
+from typing import Any, NoReturn
+
+from IPython.core.error import UsageError
+from IPython.core.magic import Magics as BaseMagics
+from IPython.core.magic import cell_magic, magics_class
+
+from .run import Node, Result, Run, capture, load_source, run_simulated, run_wall
+
+__all__ = ["Magics"]
+
+
+class _Parser(argparse.ArgumentParser):
+    def error(self, message: str) -> NoReturn:
+        raise UsageError(f"{self.prog}: {message}\n{self.format_usage()}")
+
+
+def _parser(name: str) -> _Parser:
+    parser = _Parser(prog=f"%%{name}", add_help=False, allow_abbrev=False)
+    parser.add_argument("seconds", type=float, help="press Ctrl-C after so many seconds")
+    parser.add_argument("--name", default="run", help="the variable that is given the Run (default: run)")
+    parser.add_argument("--quiet", action="store_true", help="do not show the node's console")
+    parser.add_argument("args", nargs="*", help="the node's command line, after --")
+    return parser
+
+
+@magics_class
+class Magics(BaseMagics):
+    """Cell magics that run a cell as a node file, given rosspin's rospy for ``import rospy``."""
+
+    @cell_magic
+    def simulate(self, line: str, cell: str) -> None:
+        """``%%simulate SECONDS [--name NAME] [--quiet] [-- NODE ARGS]``: run the cell in simulated time."""
+
+        def run(node: Node, seconds: float, args: Sequence[str]) -> Result:
+            return run_simulated(node, seconds, args, record=True)
+
+        self._run("simulate", "simulated", run, line, cell)
+
+    @cell_magic
+    def measure(self, line: str, cell: str) -> None:
+        """``%%measure SECONDS [--name NAME] [--quiet] [-- NODE ARGS]``: run the cell on the wall clock."""
+
+        def run(node: Node, seconds: float, args: Sequence[str]) -> Result:
+            return run_wall(node, seconds, args, record=True)
+
+        self._run("measure", "wall", run, line, cell)
+
+    def _run(
+        self, magic: str, runtime: str, run: Callable[[Node, float, Sequence[str]], Result], line: str, cell: str
+    ) -> None:
+        options = _parser(magic).parse_args(shlex.split(line))
+        shell: Any = self.shell
+        filename = f"<cell {shell.execution_count}>"
+        streams = () if options.quiet else (sys.stdout, sys.stderr)
+        with capture(*streams) as console:
+            result = run(load_source(cell, filename), options.seconds, options.args)
+        shell.user_ns[options.name] = Run(
+            console.text(), result.ticks, result.status, runtime, options.seconds, result.start
+        )

@@ -1,0 +1,65 @@
+"""Figures of merit of ticks: periods, lateness, jitter, in numbers and in words."""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+from itertools import pairwise
+from statistics import median
+
+from .run import Tick
+
+__all__ = ["describe_lateness", "describe_periods", "periods", "quantile", "say_time"]
+
+
+def periods(ticks: Sequence[Tick]) -> list[float]:
+    """The times from each tick to the next, in seconds; the ticks are of one source."""
+    return [later.real - earlier.real for earlier, later in pairwise(ticks)]
+
+
+def quantile(values: Sequence[float], share: float) -> float:
+    """The smallest of the values that at least ``share`` (0 to 1) of them do not exceed. No values: ValueError."""
+    if not values:
+        raise ValueError("no values")
+    ordered = sorted(values)
+    return ordered[max(0, -int(-share * len(ordered) // 1) - 1)]
+
+
+def say_time(seconds: float) -> str:
+    """A length of time in the unit that suits it: ``0.5 s``, ``1.3 ms``, ``85 µs``."""
+    for unit, size in (("s", 1.0), ("ms", 1e-3)):
+        if abs(seconds) >= 0.0995 * size:
+            return f"{seconds / size:.3g} {unit}"
+    return f"{seconds * 1e6:.3g} µs" if abs(seconds) >= 0.5e-9 else "0"
+
+
+def describe_lateness(ticks: Sequence[Tick]) -> str:
+    """The lateness of ticks in a sentence."""
+    if not ticks:
+        return "There was no tick."
+    late = [tick.lateness for tick in ticks]
+    if max(map(abs, late)) < 0.5e-6:
+        return f"All of {_count(late)} came when expected."
+    if median(late) < 0.5e-6:
+        return f"Of {_count(late)}, at least half came when expected; the latest was {say_time(max(late))} late."
+    return (
+        f"Of {_count(late)}, half were at most {say_time(median(late))} late, 99 % at most "
+        f"{say_time(quantile(late, 0.99))}, the latest {say_time(max(late))}."
+    )
+
+
+def describe_periods(ticks: Sequence[Tick]) -> str:
+    """The periods between ticks of one source in a sentence: their median and how far the middle 98 % spread."""
+    times = periods(ticks)
+    if not times:
+        return "There was no second tick, so there is no period."
+    middle, low, high = median(times), quantile(times, 0.01), quantile(times, 0.99)
+    if max(times) - min(times) < 1e-6:
+        return f"Every period was {say_time(middle)}: no jitter."
+    return (
+        f"The median period was {middle * 1e3:.3f} ms; 98 % of {len(times)} periods lay between "
+        f"{low * 1e3:.3f} ms and {high * 1e3:.3f} ms, a jitter of {say_time(high - low)}."
+    )
+
+
+def _count(values: Sequence[object]) -> str:
+    return "1 tick" if len(values) == 1 else f"{len(values)} ticks"

@@ -1,0 +1,202 @@
+"""Timing plots of ticks, as vector graphics that follow the page around them: light or dark, wide or narrow."""
+
+from __future__ import annotations
+
+import hashlib
+import html
+import io
+import os
+import re
+from collections.abc import Callable, Mapping, Sequence
+from functools import wraps
+from pathlib import Path
+from typing import Any
+
+import matplotlib
+from matplotlib.axes import Axes
+from matplotlib.figure import Figure as Canvas
+from matplotlib.ticker import MaxNLocator
+
+from .measures import describe_lateness, describe_periods, periods
+from .run import Tick
+
+__all__ = ["Figure", "lateness", "period_histogram", "timeline"]
+
+# Ticks by the name they are to have in the plot, or just ticks, which go by their source.
+Ticks = Sequence[Tick] | Mapping[str, Sequence[Tick]]
+
+# Blue, vermilion and green of Okabe and Ito's colour-blind-safe set: at least 3:1 on white and on near-black alike.
+_COLOURS = ("#0072b2", "#d55e00", "#009e73")
+_MARKERS = ("o", "s", "^")
+
+# Stands for the colour of the text around the plot until the SVG is written.
+_TEXT = "#010203"
+
+_STYLE: Any = {
+    "axes.edgecolor": _TEXT,
+    "axes.labelcolor": _TEXT,
+    "axes.linewidth": 0.6,
+    "axes.spines.right": False,
+    "axes.spines.top": False,
+    "font.size": 10.0,
+    "legend.frameon": False,
+    "legend.handlelength": 1.2,
+    "svg.fonttype": "none",
+    "text.color": _TEXT,
+    "xtick.color": _TEXT,
+    "ytick.color": _TEXT,
+}
+_WIDTH = 4.6  # inches: narrow, so that it need not shrink much on a phone
+
+_STANDALONE = (
+    "<style>svg{color:#1b1b1b;background:#fff}"
+    "@media(prefers-color-scheme:dark){svg{color:#eee;background:#14181e}}</style>"
+)
+
+
+class Figure:
+    """A plot. It shows itself in a notebook; ``alt`` says in words what it shows, ``svg`` is the picture."""
+
+    def __init__(self, svg: str, alt: str) -> None:
+        self.svg = svg
+        self.alt = alt
+
+    def _repr_html_(self) -> str:
+        return f'<figure class="rosspin-plot">{self.svg}</figure>'
+
+    def __repr__(self) -> str:
+        return f"<Figure: {self.alt}>"
+
+    def save(self, path: str | os.PathLike[str]) -> None:
+        """Write the picture to an SVG file that can stand alone, light or dark as its viewer asks."""
+        svg = self.svg.replace(">", f">{_STANDALONE}", 1)
+        svg = svg.replace("font-family: inherit", "font-family: system-ui, sans-serif")
+        Path(path).write_text(f'<?xml version="1.0" encoding="utf-8"?>\n{svg}\n', encoding="utf-8")
+
+
+def _styled(plot: Callable[[Ticks], Figure]) -> Callable[[Ticks], Figure]:
+    @wraps(plot)
+    def styled(ticks: Ticks) -> Figure:
+        with matplotlib.rc_context(_STYLE):
+            return plot(ticks)
+
+    return styled
+
+
+@_styled
+def timeline(ticks: Ticks) -> Figure:
+    """When each tick came, beside the grid on which it was expected; a bar shows how long it took. Time in s."""
+    groups = _groups(ticks)
+    canvas, axes = _canvas(0.95 + 0.4 * len(groups))
+    words = []
+    for row, (name, group) in enumerate(groups.items()):
+        colour, marker = _look(row)
+        axes.vlines([tick.expected for tick in group], row - 0.38, row + 0.38, _TEXT, lw=0.8, alpha=0.55)
+        for tick in group:
+            if tick.duration > 0:
+                axes.barh(row, tick.duration, 0.3, tick.real, color=colour, alpha=0.45, lw=0)
+        axes.plot([tick.real for tick in group], [row] * len(group), marker, color=colour, ms=4.5, lw=0)
+        words.append(_say_timeline(name, group))
+    axes.set_yticks(range(len(groups)), list(groups))
+    axes.set_ylim(len(groups) - 0.5, -0.5)
+    axes.tick_params(axis="y", length=0)
+    axes.spines["left"].set_visible(False)
+    axes.set_xlabel("time (s); line: expected, dot: real")
+    axes.set_xlim(left=min(0.0, *(tick.real for group in groups.values() for tick in group), 0.0))
+    return _figure(canvas, "Timeline. " + " ".join(words))
+
+
+@_styled
+def lateness(ticks: Ticks) -> Figure:
+    """How late each tick was (ms) over the time at which it was expected (s)."""
+    groups = _groups(ticks)
+    canvas, axes = _canvas(2.3)
+    words = []
+    for row, (name, group) in enumerate(groups.items()):
+        colour, marker = _look(row)
+        axes.plot(
+            [tick.expected for tick in group],
+            [tick.lateness * 1e3 for tick in group],
+            marker,
+            color=colour,
+            ms=3 if len(group) <= 200 else 1.5,
+            label=name,
+        )
+        words.append(f"{name}: {describe_lateness(group)}")
+    axes.axhline(0, color=_TEXT, lw=0.6, alpha=0.55)
+    axes.set_xlabel("time expected (s)")
+    axes.set_ylabel("lateness (ms)")
+    if len(groups) > 1:
+        axes.legend(loc="upper left")
+    return _figure(canvas, "Lateness of each tick. " + " ".join(words))
+
+
+@_styled
+def period_histogram(ticks: Ticks) -> Figure:
+    """How often each period (ms) between two ticks occurred."""
+    groups = _groups(ticks)
+    canvas, axes = _canvas(2.3)
+    times = [[period * 1e3 for period in periods(group)] for group in groups.values()]
+    axes.hist(times, bins=40, color=[_look(row)[0] for row in range(len(groups))], label=list(groups))
+    axes.yaxis.set_major_locator(MaxNLocator(integer=True))
+    axes.set_xlabel("period (ms)")
+    axes.set_ylabel("number of periods")
+    if len(groups) > 1:
+        axes.legend()
+    words = [f"{name}: {describe_periods(group)}" for name, group in groups.items()]
+    return _figure(canvas, "Distribution of periods. " + " ".join(words))
+
+
+def _groups(ticks: Ticks) -> dict[str, list[Tick]]:
+    groups: dict[str, list[Tick]] = {}
+    if isinstance(ticks, Mapping):
+        groups = {name: list(group) for name, group in ticks.items()}
+    else:
+        for tick in ticks:
+            groups.setdefault(tick.source, []).append(tick)
+    if not any(groups.values()):
+        raise ValueError("there is no tick to plot")
+    return groups
+
+
+def _look(row: int) -> tuple[str, str]:
+    return _COLOURS[row % len(_COLOURS)], _MARKERS[row % len(_MARKERS)]
+
+
+def _say_timeline(name: str, group: Sequence[Tick]) -> str:
+    if not group:
+        return f"{name}: no tick."
+    span = f"{len(group)} ticks from {group[0].real:.3f} s to {group[-1].real:.3f} s"
+    return f"{name}: {span}. {describe_lateness(group)}"
+
+
+def _canvas(height: float) -> tuple[Canvas, Axes]:
+    canvas = Canvas(figsize=(_WIDTH, height), layout="constrained")
+    axes = canvas.subplots()
+    canvas.patch.set_visible(False)
+    axes.patch.set_visible(False)
+    return canvas, axes
+
+
+def _figure(canvas: Canvas, alt: str) -> Figure:
+    out = io.StringIO()
+    with matplotlib.rc_context({"svg.hashsalt": alt}):
+        canvas.savefig(out, format="svg", metadata={"Date": None, "Creator": None, "Format": None, "Type": None})
+    svg = out.getvalue()
+    svg = svg[svg.index("<svg") :].strip().replace(_TEXT, "currentColor")
+    svg = re.sub(r"font: ([\d.]+px)[^;\"]*", r"font-size: \1", svg)
+    svg = re.sub(r"font-family: [^;\"]*", "font-family: inherit", svg)
+    # Inside of a page this would style all of it.
+    svg = re.sub(r"<defs>\s*<style.*?</style>\s*</defs>", "", svg, count=1, flags=re.DOTALL)
+    # Several plots share a page: their ids must differ.
+    key = hashlib.sha256(svg.encode()).hexdigest()[:8]
+    svg = re.sub(r'\bid="', f'id="{key}-', svg)
+    svg = re.sub(r'(url\(|href=")#', rf"\1#{key}-", svg)
+    box = re.search(r'viewBox="([^"]*)"', svg)
+    assert box is not None
+    opening = (
+        '<svg xmlns="http://www.w3.org/2000/svg" xmlns:xlink="http://www.w3.org/1999/xlink" '
+        f'viewBox="{box[1]}" role="img" aria-label="{html.escape(alt)}" '
+        'style="width: 100%; max-width: 34rem; stroke-linejoin: round; font-family: inherit">'
+    )
+    return Figure(opening + svg[svg.index(">") + 1 :], alt)

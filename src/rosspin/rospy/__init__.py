@@ -1,0 +1,64 @@
+"""The stand-in for rospy: its names and rules for time, on a wall clock or in simulated time.
+
+What it has behaves as in rospy 1.15.15; what it has not raises :class:`NotSimulated`.
+"""
+
+from __future__ import annotations
+
+from typing import NoReturn
+
+from . import client, core, exceptions, names, rostime, timer
+from .client import *
+from .core import *
+from .exceptions import *
+from .names import *
+from .rostime import Duration, Time, get_rostime, get_time
+from .timer import Rate, Timer, sleep
+from .world import NotSimulated
+
+__all__ = [
+    "Duration",
+    "Rate",
+    "Time",
+    "Timer",
+    "get_rostime",
+    "get_time",
+    "sleep",
+    *client.__all__,
+    *core.__all__,
+    *exceptions.__all__,
+    *names.__all__,
+]
+
+# What rospy has beside: topics, services and the master need a real ROS.
+_NOT_SIMULATED = {
+    "AnyMsg",
+    "Header",
+    "MasterProxy",
+    "Message",
+    "Publisher",
+    "Service",
+    "ServiceException",
+    "ServiceProxy",
+    "SubscribeListener",
+    "Subscriber",
+    "get_master",
+    "get_node_uri",
+    "get_published_topics",
+    "get_ros_root",
+    "impl",
+    "msg",
+    "msproxy",
+    "numpy_msg",
+    "parse_rosrpc_uri",
+    "service",
+    "topics",
+    "wait_for_message",
+    "wait_for_service",
+}
+
+
+def __getattr__(name: str) -> NoReturn:
+    if name in _NOT_SIMULATED:
+        raise NotSimulated(f"rospy.{name}")
+    raise AttributeError(f"module 'rospy' has no attribute '{name}'", name=name)

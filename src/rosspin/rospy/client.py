@@ -1,0 +1,233 @@
+"""Starting and spinning a node, and its parameters (sources: rospy/client.py, rospy/msproxy.py)."""
+
+from __future__ import annotations
+
+import logging
+import os
+import warnings
+from collections.abc import Callable
+from typing import Any
+
+from . import names, rosgraph
+from .core import add_client_shutdown_hook, handle_signal, is_shutdown, signal_shutdown
+from .exceptions import ROSException, ROSInitException
+from .rostime import wallsleep
+from .world import World, world
+
+__all__ = [
+    "DEBUG",
+    "ERROR",
+    "FATAL",
+    "INFO",
+    "WARN",
+    "delete_param",
+    "get_param",
+    "get_param_cached",
+    "get_param_names",
+    "has_param",
+    "init_node",
+    "myargv",
+    "on_shutdown",
+    "search_param",
+    "set_param",
+    "spin",
+]
+
+# Levels, numbered as in rosgraph_msgs/Log.
+DEBUG, INFO, WARN, ERROR, FATAL = 1, 2, 4, 8, 16
+
+_LEVELS = {
+    DEBUG: logging.DEBUG,
+    INFO: logging.INFO,
+    WARN: logging.WARNING,
+    ERROR: logging.ERROR,
+    FATAL: logging.CRITICAL,
+}
+
+_unspecified: Any = object()
+
+
+def init_node(
+    name: str,
+    argv: list[str] | None = None,
+    anonymous: bool = False,
+    log_level: int | None = None,
+    disable_rostime: bool = False,
+    disable_rosout: bool = False,
+    disable_signals: bool = False,
+    xmlrpc_port: int = 0,
+    tcpros_port: int = 0,
+) -> None:
+    """Make this process the node ``name``; ``__name:=`` and ``__ns:=`` on the command line ``argv`` override it.
+
+    ``anonymous`` makes the name unique; ``log_level`` is the least severity that is shown (rospy.INFO);
+    ``disable_signals`` leaves SIGINT and SIGTERM to the caller. ``disable_rosout`` and the ports are of no effect, as
+    there is no network. The same call again does nothing. Raises ValueError for an empty name or one with ``/``,
+    ROSException for a second call with other arguments, ROSInitException for private parameters that are no YAML.
+    """
+    here = world()
+    if argv is None:
+        argv = here.argv
+    else:
+        here.mappings = rosgraph.load_mappings(argv)
+    if not name:
+        raise ValueError("name must not be empty")
+    if rosgraph.SEP in name:
+        raise ValueError("namespaces are not allowed in node names")
+    arguments = (name, argv, anonymous, log_level, disable_rostime, disable_signals)
+    if here.init_args is not None:
+        if here.init_args != arguments:
+            raise ROSException(f"rospy.init_node() has already been called with different arguments: {here.init_args}")
+        return
+    here.init_args = arguments
+    if not disable_signals:
+        here.handle_signals(handle_signal)
+
+    if "__name" in here.mappings:
+        name, anonymous = here.mappings["__name"], False
+    if anonymous:
+        name = f"{name}_{os.getpid()}_{here.clock.now() // 1_000_000}"
+    if not rosgraph.is_legal_base_name(name):
+        warnings.warn(
+            f"'{name}' is not a legal ROS base name. This may cause problems with other ROS tools.", stacklevel=2
+        )
+    here.name = rosgraph.resolve_under(name, here.name)
+    here.namespace = rosgraph.namespace(here.name)
+    here.resolved_mappings = rosgraph.resolve_mappings(here.mappings, here.name)
+    for parameter, value in _private_parameters(argv).items():
+        set_param(rosgraph.PRIV_NAME + parameter, value)
+    here.initialized = True
+    here.log_level = logging.INFO if log_level is None else _LEVELS[log_level]
+    here.time_initialized = True
+
+
+def _private_parameters(argv: list[str]) -> dict[str, Any]:
+    """The values of ``_name:=value`` on a command line, read as YAML."""
+    try:
+        pairs = [(name[1:], text) for name, text in rosgraph.split_remappings(argv) if rosgraph.is_parameter(name)]
+        if not pairs:
+            return {}
+        import yaml  # only needed here, and a browser has none
+
+        return {name: yaml.safe_load(text) for name, text in pairs}
+    except Exception as error:
+        raise ROSInitException(f"invalid command-line parameters: {error}") from error
+
+
+def myargv(argv: list[str] | None = None) -> list[str]:
+    """The command line without its remappings."""
+    return [arg for arg in (world().argv if argv is None else argv) if not rosgraph.is_legal_remap(arg)]
+
+
+def on_shutdown(h: Callable[[], Any]) -> None:
+    """Have ``h`` called at shutdown, while ``is_shutdown()`` is still False. What cannot be called: TypeError."""
+    add_client_shutdown_hook(h)
+
+
+def spin() -> None:
+    """Wait until the node is shut down. It runs no callbacks: timers have threads of their own.
+
+    Before ``init_node``: ROSInitException.
+    """
+    if not world().initialized:
+        raise ROSInitException("client code must call rospy.init_node() first")
+    try:
+        while not is_shutdown():
+            wallsleep(0.5)
+    except KeyboardInterrupt:
+        signal_shutdown("keyboard interrupt")
+
+
+# --- parameters -------------------------------------------------------------------------------------------------------
+# A node of its own is its own parameter server: a tree of dictionaries.
+
+
+def _path(name: str) -> list[str]:
+    return [part for part in names.resolve_name(name).split(rosgraph.SEP) if part]
+
+
+def _find(here: World, path: list[str]) -> Any:
+    """The value at a path; KeyError if there is none."""
+    value: Any = here.parameters
+    for part in path:
+        if not isinstance(value, dict):
+            raise KeyError(part)
+        value = value[part]
+    return value
+
+
+def get_param(param_name: str, default: Any = _unspecified) -> Any:
+    """The value of a parameter, a dict for a namespace. None there and no ``default``: KeyError."""
+    try:
+        return _find(world(), _path(param_name))
+    except KeyError:
+        if default is _unspecified:
+            raise KeyError(param_name) from None
+        return default
+
+
+get_param_cached = get_param
+
+
+def set_param(param_name: str, param_value: Any) -> None:
+    """Set a parameter; a dict sets a namespace.
+
+    The value is what XML-RPC would deliver: a tuple comes back as a list; None is a TypeError, an integer of more than
+    32 bits an OverflowError.
+    """
+    from xmlrpc.client import dumps, loads  # slow to import, and most nodes set nothing
+
+    value: Any = loads(dumps((param_value,)))[0][0]
+    path = _path(param_name)
+    tree = world().parameters
+    if not path:
+        tree.clear()
+        tree.update(value)
+        return
+    for part in path[:-1]:
+        if not isinstance(tree.get(part), dict):
+            tree[part] = {}
+        tree = tree[part]
+    tree[path[-1]] = value
+
+
+def has_param(param_name: str) -> bool:
+    """Whether a parameter, or a namespace, is there."""
+    return get_param(param_name, None) is not None
+
+
+def delete_param(param_name: str) -> None:
+    """Remove a parameter or namespace. None there: KeyError."""
+    path = _path(param_name)
+    try:
+        del _find(world(), path[:-1])[path[-1]]
+    except (KeyError, TypeError):
+        raise KeyError(param_name) from None
+
+
+def search_param(param_name: str) -> str | None:
+    """The full name of the nearest parameter of that name, from the node's namespace upwards; None if there is none."""
+    here = world()
+    name = here.mappings.get(param_name, param_name)
+    if rosgraph.is_global(name):
+        return name if has_param(name) else None
+    name = name.removeprefix(rosgraph.PRIV_NAME)
+    namespace = here.name + rosgraph.SEP
+    while True:
+        first = name.split(rosgraph.SEP)[0]
+        if has_param(namespace + first):
+            return namespace + name
+        if namespace == rosgraph.SEP:
+            return None
+        namespace = rosgraph.namespace(namespace)
+
+
+def get_param_names() -> list[str]:
+    """The full names of all parameters."""
+
+    def leaves(prefix: str, value: Any) -> list[str]:
+        if not isinstance(value, dict):
+            return [prefix]
+        return [leaf for key, item in value.items() for leaf in leaves(f"{prefix}/{key}", item)]
+
+    return leaves("", world().parameters)

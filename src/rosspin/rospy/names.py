@@ -1,0 +1,36 @@
+"""The node's own name and names as it sees them (source: rospy/names.py)."""
+
+from __future__ import annotations
+
+from typing import Any
+
+from . import rosgraph
+from .world import world
+
+__all__ = ["get_caller_id", "get_name", "get_namespace", "remap_name", "resolve_name"]
+
+
+def get_namespace() -> str:
+    """The node's namespace; it ends in ``/``."""
+    return world().namespace
+
+
+def get_name() -> str:
+    """The node's full name; ``/unnamed`` before ``init_node``."""
+    return world().name
+
+
+get_caller_id = get_name
+
+
+def resolve_name(name: Any, caller_id: str | None = None) -> str:
+    """A name in full, as seen from the node (or from ``caller_id``), remapped if the command line says so."""
+    here = world()
+    resolved = rosgraph.resolve_under(str(name) if name else "", caller_id or here.name)
+    return here.resolved_mappings.get(resolved, resolved) if name else resolved
+
+
+def remap_name(name: str, caller_id: str | None = None, resolved: bool = True) -> str:
+    """A name in full if the command line remaps it, else as it is."""
+    here = world()
+    return rosgraph.resolve_under(here.mappings[name], caller_id or here.name) if name in here.mappings else name

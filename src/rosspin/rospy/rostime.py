@@ -1,0 +1,99 @@
+"""rospy.Time, rospy.Duration and the current time (source: rospy/rostime.py)."""
+
+from __future__ import annotations
+
+from ..clock import nanoseconds
+from . import exceptions, genpy
+from .world import world
+
+__all__ = ["Duration", "Time", "get_rostime", "get_time", "is_wallclock", "switch_to_wallclock", "wallsleep"]
+
+
+class Duration(genpy.Duration):
+    """A length of time of ``secs`` seconds and ``nsecs`` nanoseconds; it may be negative.
+
+    ``secs`` may be a float if ``nsecs`` is 0 (else ValueError); what is finer than a nanosecond is cut off.
+    """
+
+    __slots__: list[str] = []
+
+    def __repr__(self) -> str:
+        return f"rospy.Duration[{self.to_nsec()}]"
+
+
+class Time(genpy.Time):
+    """A point in time, ``secs`` seconds and ``nsecs`` nanoseconds after the epoch or, when simulated, after the start.
+
+    ``secs`` may be a float if ``nsecs`` is 0 (else ValueError). Negative: TypeError.
+    """
+
+    __slots__: list[str] = []
+
+    def __repr__(self) -> str:
+        return f"rospy.Time[{self.to_nsec()}]"
+
+    @staticmethod
+    def now() -> Time:
+        """The current time. Before ``init_node``: ROSInitException."""
+        return get_rostime()
+
+    @classmethod
+    def from_seconds(cls, float_secs: float) -> Time:
+        """``from_sec`` by its old name."""
+        return cls.from_sec(float_secs)
+
+
+def get_rostime() -> Time:
+    """The current time. Before ``init_node``: ROSInitException."""
+    return Time._of(now_ns())
+
+
+def now_ns() -> int:
+    """The current time in nanoseconds. Before ``init_node``: ROSInitException."""
+    here = world()
+    if not here.time_initialized:
+        raise exceptions.ROSInitException("time is not initialized. Have you called init_node()?")
+    return here.clock.now() if here.ros_time is None else here.ros_time
+
+
+def get_time() -> float:
+    """The current time in seconds. Before ``init_node``: ROSInitException."""
+    return get_rostime().to_sec()
+
+
+def is_wallclock() -> bool:
+    """Whether the node runs on its own clock; if not, on a ROS time that it is told, as from /clock."""
+    return world().ros_time is None
+
+
+def is_rostime_initialized() -> bool:
+    """Whether the time can be asked for."""
+    return world().time_initialized
+
+
+def set_rostime_initialized(val: bool) -> None:
+    """Say whether the time can be asked for."""
+    world().time_initialized = val
+
+
+def _set_rostime(t: Time) -> None:
+    """Set ROS time, as each message on /clock does; sleeping calls wake up to look at it."""
+    if not isinstance(t, genpy.Time):
+        raise ValueError(f"must be Time instance: {t.__class__}")
+    here = world()
+    here.ros_time = t.to_nsec()
+    here.ros_time_changed.notify_all()
+
+
+def switch_to_wallclock() -> None:
+    """Go back from ROS time to the node's own clock."""
+    here = world()
+    here.ros_time = None
+    here.ros_time_changed.notify_all()
+
+
+def wallsleep(duration: float) -> None:
+    """Sleep on the node's own clock, for ``duration`` seconds (negative: ValueError)."""
+    if duration < 0:
+        raise ValueError("sleep length must be non-negative")
+    world().clock.sleep(nanoseconds(duration))

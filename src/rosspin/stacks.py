@@ -1,0 +1,37 @@
+"""Suspend one Python call stack and go on with another.
+
+The only module that knows how this is done: with greenlet, so that every stack lives in one thread and gives way only
+where it asks to.
+"""
+
+from __future__ import annotations
+
+import contextvars
+from collections.abc import Callable
+from typing import Any, cast
+
+from greenlet import getcurrent, greenlet
+
+__all__ = ["Stack", "StackExit", "current"]
+
+
+class StackExit(BaseException):
+    """Thrown into a stack that is to end now; nothing but its own ``finally`` blocks should see it."""
+
+
+class Stack(greenlet):
+    """A call stack that can be suspended; it begins at its first ``switch()``.
+
+    ``switch()`` suspends the caller and goes on with this stack; ``throw(exception)`` likewise, but raises there. When
+    ``function`` has returned, or raised, the stack ``home`` goes on (or raises). ``dead`` says that it has.
+    """
+
+    def __init__(self, function: Callable[[], Any], home: Stack) -> None:
+        super().__init__(function, home)
+        # A thread would begin with an empty context; a stack is a continuation of what started it.
+        self.gr_context = contextvars.copy_context()
+
+
+def current() -> Stack:
+    """The stack that is running; what was not made as a Stack can at least be switched to."""
+    return cast(Stack, getcurrent())

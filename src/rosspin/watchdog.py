@@ -1,0 +1,82 @@
+"""Ends a simulated run whose node never sleeps: no time passes there, so nothing else could end it."""
+
+from __future__ import annotations
+
+import ctypes
+import signal
+import sys
+import threading
+import traceback
+from collections.abc import Callable
+from types import FrameType
+from typing import Any
+
+__all__ = ["Stuck", "Watchdog"]
+
+# Looked at so often (s), so many times: under 5 s in all. A machine that stands still itself counts as one look.
+_INTERVAL = 0.4
+_LOOKS = 9
+
+
+class Stuck(BaseException):
+    """Raised in the node's code when it has been found stuck."""
+
+
+class Watchdog:
+    """Raises :class:`Stuck` in the thread that made it when ``sign_of_life()`` has not changed for some seconds.
+
+    A thread that is importing something is left alone. ``stack`` is then where it was stuck, outermost frame first.
+    Use it in a ``with``.
+    """
+
+    def __init__(self, sign_of_life: Callable[[], int]) -> None:
+        self._sign_of_life = sign_of_life
+        self._thread = threading.current_thread()
+        self._done = threading.Event()
+        self._watcher = threading.Thread(target=self._watch, daemon=True)
+        self._previous: Any = None
+        self.stack: traceback.StackSummary | None = None
+
+    def __enter__(self) -> Watchdog:
+        if self._thread is threading.main_thread():
+            # Only a signal also ends calls that block, such as threading.Event().wait().
+            self._previous = signal.signal(signal.SIGINT, self._on_signal)
+        self._watcher.start()
+        return self
+
+    def __exit__(self, *error: object) -> None:
+        self._done.set()
+        self._watcher.join()
+        if self._thread is threading.main_thread():
+            signal.signal(signal.SIGINT, self._previous)
+
+    def _on_signal(self, number: int, frame: FrameType | None) -> None:
+        if self._done.is_set():
+            return
+        if self.stack is not None:
+            raise Stuck
+        if callable(self._previous):
+            self._previous(number, frame)
+
+    def _watch(self) -> None:
+        ident = self._thread.ident
+        assert ident is not None
+        last, looks = -1, 0
+        while not self._done.wait(_INTERVAL):
+            seen, last = last, self._sign_of_life()
+            frame = sys._current_frames().get(ident)
+            looks = 0 if last != seen or _is_importing(frame) else looks + 1
+            if looks >= _LOOKS:
+                self.stack = traceback.extract_stack(frame)
+                if self._thread is threading.main_thread():
+                    signal.pthread_kill(ident, signal.SIGINT)
+                else:
+                    ctypes.pythonapi.PyThreadState_SetAsyncExc(ctypes.c_ulong(ident), ctypes.py_object(Stuck))
+
+
+def _is_importing(frame: FrameType | None) -> bool:
+    while frame:
+        if frame.f_code.co_filename == "<frozen importlib._bootstrap>":
+            return True
+        frame = frame.f_back
+    return False

@@ -1,0 +1,81 @@
+"""`make lab` starts a JupyterLab in which notebooks/*.md open as notebooks. Asked of the real server."""
+
+from __future__ import annotations
+
+import json
+import os
+import signal
+import socket
+import subprocess
+import time
+from collections.abc import Iterator
+from pathlib import Path
+from typing import Any
+from urllib.error import URLError
+from urllib.request import Request, urlopen
+
+import pytest
+from conftest import ROOT
+
+TOKEN = "a-token-for-this-test"
+PATIENCE = 120  # seconds until a server that does not answer is given up
+
+
+@pytest.fixture(scope="module")
+def lab(tmp_path_factory: pytest.TempPathFactory) -> Iterator[str]:
+    """The address of a JupyterLab started as a reader starts it, with an empty home."""
+    with socket.socket() as probe:
+        probe.bind(("127.0.0.1", 0))
+        port = probe.getsockname()[1]
+    home = tmp_path_factory.mktemp("home")
+    log = home.with_suffix(".log")
+    arguments = f"--no-browser --port={port} --ServerApp.port_retries=0 --IdentityProvider.token={TOKEN}"
+    if os.geteuid() == 0:
+        arguments += " --allow-root"
+    with log.open("w") as output:
+        process = subprocess.Popen(
+            ["make", "lab", f"ARGS={arguments}"], cwd=ROOT, env=os.environ | {"HOME": str(home)},
+            stdout=output, stderr=subprocess.STDOUT, start_new_session=True,
+        )  # fmt: skip
+    try:
+        address = f"http://127.0.0.1:{port}"
+        _wait(process, address, log)
+        yield address
+    finally:
+        os.killpg(process.pid, signal.SIGTERM)
+        process.wait(PATIENCE)
+    assert not list(home.iterdir()), "JupyterLab wrote into the reader's home"
+
+
+def _wait(process: subprocess.Popen[bytes], address: str, log: Path) -> None:
+    end = time.monotonic() + PATIENCE
+    while process.poll() is None and time.monotonic() < end:
+        try:
+            _ask(address, "api/status")
+            return
+        except URLError:
+            time.sleep(0.1)
+    pytest.fail(f"JupyterLab did not start:\n{log.read_text()}")
+
+
+def _ask(address: str, path: str) -> Any:
+    with urlopen(Request(f"{address}/{path}", headers={"Authorization": f"token {TOKEN}"})) as answer:
+        return json.load(answer)
+
+
+def test_markdown_opens_as_a_notebook(lab: str) -> None:
+    viewers = _ask(lab, "lab/api/settings/@jupyterlab/docmanager-extension:plugin")["schema"]["properties"]
+    assert viewers["defaultViewers"]["default"]["markdown"] == "Jupytext Notebook"
+
+
+def test_the_viewer_is_there(lab: str) -> None:
+    """Jupytext's extension, which brings the viewer of that name, is part of the page that Lab serves."""
+    with urlopen(Request(f"{lab}/lab", headers={"Authorization": f"token {TOKEN}"})) as answer:
+        assert b"jupyterlab-jupytext" in answer.read()
+
+
+@pytest.mark.parametrize("name", [path.name for path in sorted((ROOT / "notebooks").glob("*.md"))])
+def test_notebook_is_a_notebook(lab: str, name: str) -> None:
+    model = _ask(lab, f"api/contents/notebooks/{name}?type=notebook")
+    assert model["type"] == "notebook"
+    assert {"code", "markdown"} <= {cell["cell_type"] for cell in model["content"]["cells"]}

@@ -1,0 +1,207 @@
+"""The listings: what the pages show is what the files hold, and the marked lines are the ones that a step adds."""
+
+import difflib
+import os
+import re
+import xml.etree.ElementTree as ElementTree
+from pathlib import Path
+from typing import NamedTuple
+
+import pytest
+
+ROOT = Path(__file__).parents[1]
+EXAMPLES = ROOT / "examples"
+PACKAGE = EXAMPLES / "my_robotics_pkg"
+PAGES = sorted((ROOT / "docs").rglob("*.rst"))
+TUTORIAL = ROOT / "docs" / "tutorial.rst"
+
+# Each step of the tutorial and the listing that it starts from, below examples/.
+STARTS_FROM = {
+    "steps/1_class.py": "my_robotics_pkg/src/plain_py_node.py",
+    "steps/2_callback.py": "steps/1_class.py",
+    "my_robotics_pkg/src/spinner_py_node.py": "steps/2_callback.py",
+    "steps/2_callback.cpp": "my_robotics_pkg/src/plain_cpp_node.cpp",
+    "my_robotics_pkg/src/spinner_cpp_node.cpp": "steps/2_callback.cpp",
+    "my_robotics_pkg/src/spinner_rate_py_node.py": "my_robotics_pkg/src/plain_py_node.py",
+    "my_robotics_pkg/src/spinner_rate_cpp_node.cpp": "my_robotics_pkg/src/plain_cpp_node.cpp",
+}
+PYTHON = sorted(EXAMPLES.rglob("*.py"))
+
+
+class Listing(NamedTuple):
+    """A literalinclude: the file that it shows, and its options."""
+
+    path: Path
+    options: dict[str, str]
+
+    @property
+    def name(self) -> str:
+        return self.path.relative_to(EXAMPLES).as_posix()
+
+    @property
+    def marked(self) -> set[int]:
+        """Numbers of the emphasised lines."""
+        lines: set[int] = set()
+        for part in filter(None, self.options.get("emphasize-lines", "").split(",")):
+            first, _, last = part.partition("-")
+            lines.update(range(int(first), int(last or first) + 1))
+        return lines
+
+    @property
+    def shown(self) -> list[str]:
+        """The lines that the page shows."""
+        lines = self.path.read_text().splitlines()
+        if "start-at" in self.options:
+            lines = lines[next(i for i, line in enumerate(lines) if self.options["start-at"] in line) :]
+        if "end-at" in self.options:
+            lines = lines[: next(i for i, line in enumerate(lines) if self.options["end-at"] in line) + 1]
+        if "lines" in self.options:
+            lines = lines[: int(self.options["lines"])]  # "1" is all that the pages use
+        return lines
+
+
+def listings(page: Path) -> list[Listing]:
+    found = []
+    for match in re.finditer(r"^( *)\.\. literalinclude:: (.+)\n((?:\1 +:.+\n)*)", page.read_text(), re.MULTILINE):
+        options = dict(re.findall(r":([a-z-]+): *(.*)", match[3]))
+        found.append(Listing((page.parent / match[2]).resolve(), options))
+    return found
+
+
+def added(old: Path, new: Path) -> set[int]:
+    """Numbers of the lines of `new` that `old` has not, or has otherwise."""
+    matcher = difflib.SequenceMatcher(None, old.read_text().splitlines(), new.read_text().splitlines(), autojunk=False)
+    return {line for tag, _, _, j1, j2 in matcher.get_opcodes() if tag != "equal" for line in range(j1 + 1, j2 + 1)}
+
+
+@pytest.mark.parametrize("step", STARTS_FROM)
+def test_marked_lines_are_the_ones_that_the_step_adds(step: str) -> None:
+    marked = [listing.marked for listing in listings(TUTORIAL) if listing.name == step and listing.marked]
+    assert marked == [added(EXAMPLES / STARTS_FROM[step], EXAMPLES / step)]
+
+
+def test_only_steps_have_marked_lines() -> None:
+    assert {listing.name for listing in listings(TUTORIAL) if listing.marked} == set(STARTS_FROM)
+
+
+def test_every_step_and_node_is_shown() -> None:
+    shown = {listing.path for page in PAGES for listing in listings(page)}
+    files = {*EXAMPLES.glob("steps/*"), *PACKAGE.glob("src/*"), *PACKAGE.glob("launch/*")}
+    assert files - shown == set()
+
+
+@pytest.mark.parametrize("page", PAGES, ids=lambda page: page.stem)
+def test_code_on_pages_comes_from_files(page: Path) -> None:
+    inline = re.findall(
+        r"^ *\.\. (?:code|code-block|sourcecode):: *(?:cpp|c\+\+|python|cmake|xml)\b.*", page.read_text(), re.M
+    )
+    assert inline == []
+    assert all(listing.path.is_file() for listing in listings(page))
+
+
+def test_cmake_lines() -> None:
+    cmake = [listing.shown for listing in listings(TUTORIAL) if listing.path.name == "CMakeLists.txt"]
+    lines = [
+        "add_executable(spinner_cpp_node src/spinner_cpp_node.cpp)",
+        "add_dependencies(spinner_cpp_node ${catkin_EXPORTED_TARGETS})",
+        "target_link_libraries(spinner_cpp_node ${catkin_LIBRARIES})",
+    ]
+    assert cmake == [lines, *([line] for line in lines)]  # the TL;DR, then one by one
+
+
+def test_every_cpp_node_is_built_and_every_node_installed() -> None:
+    cmake = (PACKAGE / "CMakeLists.txt").read_text()
+    for node in PACKAGE.glob("src/*.cpp"):
+        assert f"add_executable({node.stem} src/{node.name})" in cmake
+        assert re.search(rf"install\(TARGETS [^)]*\b{node.stem}\b", cmake)
+    for node in PACKAGE.glob("src/*.py"):
+        assert re.search(rf"catkin_install_python\([^)]*\bsrc/{node.name}\b", cmake)
+
+
+@pytest.mark.parametrize("path", PYTHON, ids=lambda path: path.name)
+def test_python_listing(path: Path) -> None:
+    text = path.read_text()
+    compile(text, path, "exec")
+    assert text.startswith("#!/usr/bin/env python3\n")
+    assert os.access(path, os.X_OK)
+    assert ">>>" not in text
+    assert not re.search(r";\s*$|\t", text, re.MULTILINE)
+
+
+@pytest.mark.parametrize("kind", ["plain", "spinner"])
+def test_launch_file(kind: str) -> None:
+    launch = ElementTree.parse(PACKAGE / "launch" / f"{kind}.launch").getroot()
+    assert launch.tag == "launch"
+    (group,) = launch
+    assert (group.tag, group.attrib) == ("group", {"ns": "mrp"})
+    assert [(node.tag, node.attrib) for node in group] == [
+        ("node", {"name": name, "pkg": "my_robotics_pkg", "type": file, "output": "screen"})
+        for name, file in [(f"{kind}_cpp_node", f"{kind}_cpp_node"), (f"{kind}_py_node", f"{kind}_py_node.py")]
+    ]
+
+
+# The names and messages of the original page.
+@pytest.mark.parametrize(
+    ("name", "parts"),
+    [
+        (
+            "my_robotics_pkg/src/spinner_cpp_node.cpp",
+            [
+                'ros::init(argc, argv, "spinner_cpp_node")',
+                'ros::NodeHandle nh("~")',
+                '"[SPINNER CPP NODE] namespace of nh = " << nh.getNamespace()',
+                "void timerCallback(const ros::TimerEvent&)",
+                '"[SPINNER CPP NODE] counter = " << counter',
+                "timer_delta_t_in_seconds = 0.5;",
+                "timer_is_one_shot = false;",
+            ],
+        ),
+        (
+            "my_robotics_pkg/src/spinner_py_node.py",
+            [
+                "class SpinnerPyNode:",
+                'rospy.init_node("spinner_py_node")',
+                '"[SPINNER PY NODE] namespace of node = " + rospy.get_namespace()',
+                "def timerCallback(self, event):",
+                '"[SPINNER PY NODE] counter = " + str(self.counter)',
+                "timer_delta_t_in_seconds = 0.5\n",
+                "spinner_py_node = SpinnerPyNode()",
+            ],
+        ),
+        (
+            "my_robotics_pkg/src/spinner_rate_cpp_node.cpp",
+            [
+                'ros::init(argc, argv, "spinner_cpp_node")',
+                "loop_frequency_in_hz = 2.0;",
+                "ros::Rate loop_rate(loop_frequency_in_hz)",
+                "while (ros::ok())",
+                '"[SPINNER CPP NODE] counter = " << counter',
+                "ros::spinOnce();",
+                "loop_rate.sleep();",
+            ],
+        ),
+        (
+            "my_robotics_pkg/src/spinner_rate_py_node.py",
+            [
+                'rospy.init_node("spinner_py_node")',
+                "loop_frequency_in_hz = 2.0\n",
+                "loop_rate = rospy.Rate(loop_frequency_in_hz)",
+                "while not rospy.is_shutdown():",
+                '"[SPINNER PY NODE] counter = " + str(counter)',
+                "loop_rate.sleep()",
+            ],
+        ),
+    ],
+)
+def test_names_and_messages_are_those_of_the_original(name: str, parts: list[str]) -> None:
+    text = (EXAMPLES / name).read_text()
+    assert [part for part in parts if part not in text] == []
+
+
+def test_a_ros_timer_is_never_global() -> None:
+    """A global ros::Timer aborts the process at Ctrl-C, and `ros::ok` without brackets never ends it."""
+    for path in EXAMPLES.rglob("*.cpp"):
+        text = path.read_text()
+        assert not re.search(r"^(static )?ros::Timer ", text, re.MULTILINE)
+        assert not re.search(r"ros::ok\b(?!\()", text)
+        assert "ros/package.h" not in text

@@ -1,0 +1,215 @@
+"""The built site keeps what it promises: read from its files, without a browser."""
+
+from __future__ import annotations
+
+import json
+import pickle
+import re
+import shlex
+import subprocess
+import sys
+from collections.abc import Iterator
+from pathlib import Path
+from urllib.parse import unquote, urlsplit
+
+import pytest
+from bs4 import BeautifulSoup, Tag
+from conftest import ROOT, SITE
+from docutils import nodes
+
+NOTEBOOKS = sorted(path.stem for path in (ROOT / "notebooks").glob("*.md"))
+SOURCES = [
+    path.relative_to(ROOT).with_suffix("").as_posix()
+    for path in [ROOT / "index.rst", *sorted(ROOT.glob("docs/**/*.rst")), *sorted(ROOT.glob("notebooks/*.md"))]
+]
+
+# What a browser loads by itself, as (selector, attribute).
+LOADED = [
+    *((tag, "src") for tag in ("script", "img", "iframe", "audio", "video", "source", "embed", "input")),
+    *((f"link[rel~={rel}]", "href") for rel in ("stylesheet", "icon", "manifest", "preload", "modulepreload")),
+    *((f"link[rel~={rel}]", "href") for rel in ("prefetch", "preconnect", "dns-prefetch")),
+    *((tag, "srcset") for tag in ("img", "source")),
+    *((tag, attribute) for tag in ("image", "use") for attribute in ("href", "xlink:href")),
+    ("object", "data"),
+    ("video", "poster"),
+]
+FOREIGN = re.compile(r"\s*(?:[a-z]+:)?//", re.IGNORECASE)
+FOREIGN_IN_CSS = re.compile(r"""(?:url\(\s*|@import\s+)["']?(?:[a-z]+:)?//[^)"';]*""", re.IGNORECASE)
+FOREIGN_IN_JS = re.compile(
+    r"""(?:\bimport\b\s*\(?|\bfrom\b|\bfetch\s*\(|\bimportScripts\s*\(|\bnew\s+(?:Worker|WebSocket|EventSource)\s*\("""
+    r"""|\.open\s*\(\s*["'][A-Z]+["']\s*,|\.(?:src|href)\s*=)\s*["'`](?:[a-z]+:)?//[^"'`]*""",
+    re.IGNORECASE,
+)
+
+
+@pytest.fixture(scope="session")
+def pages(site: Path) -> dict[Path, BeautifulSoup]:
+    """Every built page, parsed, by its path."""
+    files = [path for path in sorted(site.rglob("*.html")) if "_static" not in path.parts]
+    return {path: BeautifulSoup(path.read_text(encoding="utf-8"), "html.parser") for path in files}
+
+
+def _page(name: str) -> BeautifulSoup:
+    return BeautifulSoup((SITE / f"{name}.html").read_text(encoding="utf-8"), "html.parser")
+
+
+@pytest.mark.parametrize("name", sorted({"index", "docs/tutorial", "notebooks/timer", "notebooks/rate", *SOURCES}))
+def test_page_is_built(site: Path, name: str) -> None:
+    assert (site / f"{name}.html").is_file()
+
+
+def test_links_lead_somewhere(pages: dict[Path, BeautifulSoup]) -> None:
+    anchors = {
+        path: {str(tag[name]) for name in ("id", "name") for tag in page.select(f"[{name}]")}
+        for path, page in pages.items()
+    }
+    broken = []
+    for path, page in pages.items():
+        for tag in page.select("[href], [src]"):
+            target = str(tag.get("href") or tag.get("src"))
+            url = urlsplit(target)
+            if url.scheme or url.netloc or target == "#":  # "#" is a button of the theme
+                continue
+            file = (path.parent / unquote(url.path)).resolve() if url.path else path
+            found = file.is_file() and (not url.fragment or unquote(url.fragment) in anchors.get(file, ()))
+            if not found:
+                broken.append(f"{path.relative_to(SITE)}: {target}")
+    assert not broken
+
+
+def _alternative(tag: Tag) -> str | None:
+    """The text that stands for an image, "" where it is marked as decoration, None where nothing is said."""
+    if any(parent.get("aria-hidden") == "true" for parent in [tag, *tag.parents]):
+        return ""
+    if tag.name == "img":
+        return str(tag.get("alt", "")).strip() or None
+    label = str(tag.get("aria-label", "")).strip()
+    return label if tag.get("role") == "img" and label else None
+
+
+def test_images_say_what_they_show(pages: dict[Path, BeautifulSoup]) -> None:
+    poor = []
+    for path, page in pages.items():
+        for tag in page.select("img, svg"):
+            text = _alternative(tag)
+            if text is None or re.search(r"\.(svg|png|jpe?g|gif|webp)$|[0-9a-f]{16}", text, re.IGNORECASE):
+                poor.append(f"{path.relative_to(SITE)}: {text!r} for {str(tag)[:120]}")
+    assert not poor
+
+
+def test_pages_load_nothing_from_elsewhere(pages: dict[Path, BeautifulSoup]) -> None:
+    foreign = []
+    for path, page in pages.items():
+        loaded = [str(tag[name]) for selector, name in LOADED for tag in page.select(selector) if tag.get(name)]
+        inline = [tag.get_text() for tag in page.select("style")] + [str(tag["style"]) for tag in page.select("[style]")]
+        scripts = [tag.get_text() for tag in page.select("script")]
+        found = [url for url in loaded if any(FOREIGN.match(part) for part in url.split(","))]
+        found += [hit for text in inline for hit in FOREIGN_IN_CSS.findall(text)]
+        found += [hit for text in scripts for hit in FOREIGN_IN_JS.findall(text)]
+        foreign += [f"{path.relative_to(SITE)}: {hit}" for hit in found]
+    assert not foreign
+
+
+def test_styles_and_scripts_load_nothing_from_elsewhere(site: Path) -> None:
+    patterns = {".css": FOREIGN_IN_CSS, ".svg": FOREIGN_IN_CSS, ".js": FOREIGN_IN_JS, ".mjs": FOREIGN_IN_JS}
+    foreign = [
+        f"{path.relative_to(site)}: {hit}"
+        for path in sorted(site.rglob("*"))
+        if path.suffix in patterns
+        for hit in patterns[path.suffix].findall(path.read_text(encoding="utf-8"))
+    ]
+    assert not foreign
+
+
+@pytest.mark.parametrize(
+    ("pattern", "text"),
+    [
+        (FOREIGN_IN_CSS, "@import 'https://fonts.example/a.css';"),
+        (FOREIGN_IN_CSS, "src: url(//fonts.example/a.woff2)"),
+        (FOREIGN_IN_JS, 'import x from "https://cdn.example/x.js"'),
+        (FOREIGN_IN_JS, "fetch('//api.example')"),
+        (FOREIGN_IN_JS, 'script.src = "https://cdn.example/x.js"'),
+    ],
+)
+def test_a_foreign_host_would_be_noticed(pattern: re.Pattern[str], text: str) -> None:
+    assert pattern.search(text)
+    assert not pattern.search(text.replace("https:", "").replace("//", "/").replace("@import '/", "@import '"))
+
+
+@pytest.mark.parametrize("name", NOTEBOOKS)
+def test_notebook_can_be_downloaded_executed(site: Path, name: str) -> None:
+    links = [str(tag["href"]) for tag in _page(f"notebooks/{name}").select("a.download[href$='.ipynb']")]
+    assert links, "the page offers no .ipynb: write {nb-download}`" + name + ".ipynb`"
+    notebook = json.loads((site / "notebooks" / links[0]).read_text(encoding="utf-8"))
+    cells = [cell for cell in notebook["cells"] if cell["cell_type"] == "code"]
+    outputs = [output for cell in cells for output in cell["outputs"]]
+    assert outputs
+    assert all(cell["execution_count"] for cell in cells)
+    assert not [output for output in outputs if output["output_type"] == "error"]
+
+
+def _literals(name: str) -> Iterator[tuple[nodes.Element, bool]]:
+    """The literal texts of a page, and whether the doctest builder runs them (by its own rule)."""
+    doctree = pickle.loads((ROOT / "build" / "doctrees" / f"{name}.doctree").read_bytes())
+    for node in doctree.findall(lambda node: isinstance(node, nodes.FixedTextElement)):
+        yield node, isinstance(node, nodes.doctest_block) or node.get("testnodetype") == "doctest"
+
+
+@pytest.mark.parametrize("name", SOURCES)
+def test_every_prompt_on_the_site_is_run(site: Path, name: str) -> None:
+    """No ``>>>`` stands where the doctest builder would not collect it, and none is told to skip."""
+    prompt = re.compile(r"^ *>>> ", re.MULTILINE)
+    literals = list(_literals(name))
+    shown = [node.astext() for node, run in literals if not run and prompt.search(node.astext())]
+    assert not shown, "a block with >>> that never runs: make it a doctest block"
+    run = "\n".join(str(node.get("test", node.astext())) for node, run in literals if run)
+    source = next(ROOT.glob(f"{name}.*")).read_text(encoding="utf-8")
+    assert len(prompt.findall(run)) == len(prompt.findall(source)), "a >>> outside a doctest block never runs"
+    assert not re.search(r"doctest: *\+SKIP|^ *:skipif:", source, re.MULTILINE)
+
+
+def _commands() -> dict[str, str]:
+    """The commands that README and the site tell a reader to type, each with where it stands."""
+    readme = (ROOT / "README.md").read_text(encoding="utf-8")
+    code = re.findall(r"```\w*\n(.*?)```|`([^`\n]+)`", readme, re.DOTALL)
+    texts = {"README.md": [text for pair in code for text in pair]}
+    for name in SOURCES:
+        if (SITE / f"{name}.html").exists():
+            texts[name] = [tag.get_text() for tag in _page(name).select("pre, code")]
+    found: dict[str, str] = {}
+    for place, literals in texts.items():
+        for line in "\n".join(literals).replace("\\\n", " ").splitlines():
+            command = line.strip().removeprefix("$ ")
+            if re.match(r"make [a-z]|rosspin run |\S*python3? -m rosspin run ", command):
+                found.setdefault(command, place)
+    return found
+
+
+def test_readme_shows_its_commands() -> None:
+    assert {"make html", "make test"} <= _commands().keys()
+
+
+@pytest.mark.parametrize("command", [command for command in _commands() if command.startswith("make ")])
+def test_make_command_exists(command: str) -> None:
+    subprocess.run([*shlex.split(command), "--dry-run"], cwd=ROOT, check=True, capture_output=True)
+
+
+@pytest.mark.parametrize("command", [command for command in _commands() if " run " in command])
+def test_run_command_works(command: str, tmp_path: Path) -> None:
+    """Typed as it stands, in a folder that has the examples; a run without an end is given one."""
+    (tmp_path / "examples").symlink_to(ROOT / "examples")
+    arguments = shlex.split(command.partition(" run ")[2])
+    end = [] if "--seconds" in arguments else ["--seconds", "1"]
+    run = subprocess.run(
+        [sys.executable, "-m", "rosspin", "run", *end, *arguments],
+        cwd=tmp_path, capture_output=True, text=True, timeout=60,
+    )  # fmt: skip
+    assert run.returncode == 0, run.stderr
+    assert "counter = 1" in run.stdout + run.stderr
+
+
+def test_readme_links_lead_somewhere() -> None:
+    readme = (ROOT / "README.md").read_text(encoding="utf-8")
+    targets = [target for target in re.findall(r"\]\(([^)]+)\)", readme) if not urlsplit(target).scheme]
+    assert targets
+    assert not [target for target in targets if not (ROOT / target).is_file()]
