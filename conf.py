@@ -12,7 +12,7 @@ project = "rosspin"
 html_title = "rosspin"
 copyright = "the rosspin contributors. The texts are CC BY 4.0, after a page by Paul N. Beuchat, 2023"
 
-extensions = ["myst_nb", "sphinx.ext.doctest", "sphinx_copybutton", "sphinx_design"]
+extensions = ["myst_nb", "rosspin.sphinx_pages", "sphinx.ext.doctest", "sphinx_copybutton", "sphinx_design"]
 include_patterns = ["index.rst", "docs/**.rst", "notebooks/*.md"]
 exclude_patterns = [".venv", "build"]  # not walked through in search of pages
 

@@ -11,6 +11,7 @@ import pytest
 
 ROOT = Path(__file__).parent.parent
 SITE = ROOT / "build" / "html"
+DOCTREES = ROOT / "build" / "doctrees"
 
 
 def _lacks_ros1() -> str:
@@ -61,6 +62,6 @@ def chromium(require: Callable[[str], None]) -> str:
 @pytest.fixture(scope="session")
 def site() -> Path:
     """The folder of the built site."""
-    if not (SITE / "index.html").exists():
-        pytest.fail("the site is not built: run `make html` first")
+    if not ((SITE / "index.html").exists() and DOCTREES.exists()):  # a failed build leaves no doctrees
+        pytest.fail("the site is not built, or not to its end: run `make html` first")
     return SITE

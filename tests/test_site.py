@@ -14,7 +14,7 @@ from urllib.parse import unquote, urlsplit
 
 import pytest
 from bs4 import BeautifulSoup, Tag
-from conftest import ROOT, SITE
+from conftest import DOCTREES, ROOT, SITE
 from docutils import nodes
 
 NOTEBOOKS = sorted(path.stem for path in (ROOT / "notebooks").glob("*.md"))
@@ -101,7 +101,8 @@ def test_pages_load_nothing_from_elsewhere(pages: dict[Path, BeautifulSoup]) -> 
     foreign = []
     for path, page in pages.items():
         loaded = [str(tag[name]) for selector, name in LOADED for tag in page.select(selector) if tag.get(name)]
-        inline = [tag.get_text() for tag in page.select("style")] + [str(tag["style"]) for tag in page.select("[style]")]
+        inline = [tag.get_text() for tag in page.select("style")]
+        inline += [str(tag["style"]) for tag in page.select("[style]")]
         scripts = [tag.get_text() for tag in page.select("script")]
         found = [url for url in loaded if any(FOREIGN.match(part) for part in url.split(","))]
         found += [hit for text in inline for hit in FOREIGN_IN_CSS.findall(text)]
@@ -150,7 +151,7 @@ def test_notebook_can_be_downloaded_executed(site: Path, name: str) -> None:
 
 def _literals(name: str) -> Iterator[tuple[nodes.Element, bool]]:
     """The literal texts of a page, and whether the doctest builder runs them (by its own rule)."""
-    doctree = pickle.loads((ROOT / "build" / "doctrees" / f"{name}.doctree").read_bytes())
+    doctree = pickle.loads((DOCTREES / f"{name}.doctree").read_bytes())
     for node in doctree.findall(lambda node: isinstance(node, nodes.FixedTextElement)):
         yield node, isinstance(node, nodes.doctest_block) or node.get("testnodetype") == "doctest"
 
@@ -200,10 +201,8 @@ def test_run_command_works(command: str, tmp_path: Path) -> None:
     (tmp_path / "examples").symlink_to(ROOT / "examples")
     arguments = shlex.split(command.partition(" run ")[2])
     end = [] if "--seconds" in arguments else ["--seconds", "1"]
-    run = subprocess.run(
-        [sys.executable, "-m", "rosspin", "run", *end, *arguments],
-        cwd=tmp_path, capture_output=True, text=True, timeout=60,
-    )  # fmt: skip
+    typed = [sys.executable, "-m", "rosspin", "run", *end, *arguments]
+    run = subprocess.run(typed, cwd=tmp_path, capture_output=True, text=True, timeout=60)
     assert run.returncode == 0, run.stderr
     assert "counter = 1" in run.stdout + run.stderr
 

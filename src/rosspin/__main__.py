@@ -4,26 +4,32 @@ from __future__ import annotations
 
 import argparse
 import os
+import signal
 import sys
 import traceback
 from collections.abc import Sequence
 
+from . import ros1
+from .doctor import report
 from .rospy.threads import own_frames
 from .rospy.world import NotSimulated
-from .run import TimeStandsStill, load, run_simulated, run_wall
+from .run import Result, Run, load, run_simulated, run_wall, split_words
 
 __all__ = ["main"]
 
 
 def main(argv: Sequence[str] | None = None) -> int:
     """Run the command line ``argv`` (default: the process's own); the exit status."""
-    options = _parser().parse_args(argv)
+    own, node_args = split_words(sys.argv[1:] if argv is None else argv)
+    options = _parser().parse_args(own)
     try:
-        return _run(options)
-    except (OSError, ValueError, SyntaxError, NotSimulated, TimeStandsStill, ImportError) as error:
+        return int(options.do(options, node_args))
+    except (OSError, ValueError, SyntaxError, RuntimeError, ImportError) as error:
         sys.stdout.flush()
         print(f"rosspin: {_say(error)}", file=sys.stderr)
         return 1
+    except KeyboardInterrupt:
+        return 128 + signal.SIGINT
 
 
 def _parser() -> argparse.ArgumentParser:
@@ -35,27 +41,44 @@ def _parser() -> argparse.ArgumentParser:
         "run",
         help="run a node file",
         description="Run a node file as rospy would: on the wall clock until Ctrl-C, or in simulated time.",
+        usage="%(prog)s FILE [--seconds S] [--simulated | --ros1] [--plot FILE.svg] [-- NODE ARGS]",
+        epilog="What follows -- is the node's own command line, such as __ns:=/mrp _rate:=10.",
         allow_abbrev=False,
     )
-    run.add_argument("file", metavar="FILE", help="the node, a Python file")
+    run.add_argument("file", metavar="FILE", help="the node, a Python file; with --ros1 also a C++ or launch file")
     run.add_argument("--seconds", type=float, metavar="S", help="press Ctrl-C after S seconds")
-    run.add_argument("--simulated", action="store_true", help="in simulated time, which takes next to none")
+    where = run.add_mutually_exclusive_group()
+    where.add_argument("--simulated", action="store_true", help="in simulated time, which takes next to none")
+    where.add_argument("--ros1", action="store_true", help="on the real ROS 1, where it is installed")
     run.add_argument("--plot", metavar="FILE.svg", help="draw the node's ticks into this file")
-    run.add_argument("args", nargs="*", metavar="NODE ARGS", help="the node's own command line, after --")
+    run.set_defaults(do=_run)
+    doctor = commands.add_parser("doctor", help="say what can run here", description="Say what can run here.")
+    doctor.set_defaults(do=_doctor)
     return parser
 
 
-def _run(options: argparse.Namespace) -> int:
+def _doctor(options: argparse.Namespace, args: Sequence[str]) -> int:
+    for line in report():
+        print(line)
+    return 0
+
+
+def _run(options: argparse.Namespace, args: Sequence[str]) -> int:
     if options.simulated and options.seconds is None:
         raise ValueError("--simulated needs --seconds: nobody can press Ctrl-C in simulated time")
     if options.plot is not None:
         _check_plot(options.plot)
-    node = load(options.file)
     record = options.plot is not None
-    if options.simulated:
-        result = run_simulated(node, options.seconds, options.args, record)
+    result: Result | Run
+    if options.ros1:
+        # Whatever asks this process to end asks the nodes to.
+        for number in (signal.SIGTERM, signal.SIGHUP):
+            signal.signal(number, signal.default_int_handler)
+        result = ros1.launch(options.file, options.seconds, args, sys.stdout)
+    elif options.simulated:
+        result = run_simulated(load(options.file), options.seconds, args, record)
     else:
-        result = run_wall(node, options.seconds, options.args, record)
+        result = run_wall(load(options.file), options.seconds, args, record)
     if options.plot is not None:
         if not result.ticks:
             raise ValueError(f"{options.plot} is not written: the node did not tick")

@@ -1,4 +1,4 @@
-"""The cell magics ``%%simulate`` and ``%%measure``: a notebook cell as a node file."""
+"""The cell magics ``%%simulate``, ``%%measure`` and ``%%answer``: a notebook cell as a node file."""
 
 from __future__ import annotations
 
@@ -12,9 +12,13 @@ from IPython.core.error import UsageError
 from IPython.core.magic import Magics as BaseMagics
 from IPython.core.magic import cell_magic, magics_class
 
-from .run import Node, Result, Run, capture, load_source, run_simulated, run_wall
+from .exercises import Feedback, check
+from .run import Node, Result, Run, capture, load_source, run_simulated, run_wall, split_words
 
 __all__ = ["Magics"]
+
+# So much of an answer's console is shown: enough for the error in a node that prints without end.
+_MOST_LINES = 30
 
 
 class _Parser(argparse.ArgumentParser):
@@ -27,7 +31,6 @@ def _parser(name: str) -> _Parser:
     parser.add_argument("seconds", type=float, help="press Ctrl-C after so many seconds")
     parser.add_argument("--name", default="run", help="the variable that is given the Run (default: run)")
     parser.add_argument("--quiet", action="store_true", help="do not show the node's console")
-    parser.add_argument("args", nargs="*", help="the node's command line, after --")
     return parser
 
 
@@ -53,15 +56,29 @@ class Magics(BaseMagics):
 
         self._run("measure", "wall", run, line, cell)
 
+    @cell_magic
+    def answer(self, line: str, cell: str) -> Feedback:
+        """``%%answer NUMBER``: check the cell, a node file, as the answer to an exercise."""
+        try:
+            feedback = check(int(line), cell)
+        except ValueError as error:
+            raise UsageError(f"%%answer NUMBER: {error}") from None
+        lines = feedback.console.splitlines(keepends=True)
+        print("".join(lines[:_MOST_LINES]), end="")
+        if len(lines) > _MOST_LINES:
+            print(f"... and {len(lines) - _MOST_LINES} more lines")
+        return feedback
+
     def _run(
         self, magic: str, runtime: str, run: Callable[[Node, float, Sequence[str]], Result], line: str, cell: str
     ) -> None:
-        options = _parser(magic).parse_args(shlex.split(line))
+        own, args = split_words(shlex.split(line))
+        options = _parser(magic).parse_args(own)
         shell: Any = self.shell
         filename = f"<cell {shell.execution_count}>"
         streams = () if options.quiet else (sys.stdout, sys.stderr)
         with capture(*streams) as console:
-            result = run(load_source(cell, filename), options.seconds, options.args)
+            result = run(load_source(cell, filename), options.seconds, args)
         shell.user_ns[options.name] = Run(
             console.text(), result.ticks, result.status, runtime, options.seconds, result.start
         )

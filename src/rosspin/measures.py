@@ -8,12 +8,32 @@ from statistics import median
 
 from .run import Tick
 
-__all__ = ["describe_lateness", "describe_periods", "periods", "quantile", "say_time"]
+__all__ = ["describe_lateness", "describe_periods", "lost", "periods", "quantile", "say_time"]
 
 
 def periods(ticks: Sequence[Tick]) -> list[float]:
     """The times from each tick to the next, in seconds; the ticks are of one source."""
     return [later.real - earlier.real for earlier, later in pairwise(ticks)]
+
+
+def lost(ticks: Sequence[Tick], period: float) -> list[float]:
+    """The times (s) on the grid of ``period`` seconds through the first expected tick that no tick made up for.
+
+    Each tick makes up for the latest time that was due when it came and that no tick before it made up for. The ticks
+    are of one source.
+    """
+    if not ticks:
+        return []
+    origin = ticks[0].expected
+    unserved: list[int] = []
+    due = 0
+    for tick in ticks:
+        while origin + due * period <= tick.real + 1e-3 * period:
+            unserved.append(due)
+            due += 1
+        if unserved:
+            unserved.pop()
+    return [origin + number * period for number in unserved]
 
 
 def quantile(values: Sequence[float], share: float) -> float:

@@ -10,17 +10,19 @@ import re
 from collections.abc import Callable, Mapping, Sequence
 from functools import wraps
 from pathlib import Path
-from typing import Any
+from typing import Any, ParamSpec
 
 import matplotlib
 from matplotlib.axes import Axes
 from matplotlib.figure import Figure as Canvas
 from matplotlib.ticker import MaxNLocator
 
-from .measures import describe_lateness, describe_periods, periods
+from .measures import describe_lateness, describe_periods, lost, periods
 from .run import Tick
 
 __all__ = ["Figure", "lateness", "period_histogram", "timeline"]
+
+P = ParamSpec("P")
 
 # Ticks by the name they are to have in the plot, or just ticks, which go by their source.
 Ticks = Sequence[Tick] | Mapping[str, Sequence[Tick]]
@@ -74,35 +76,46 @@ class Figure:
         Path(path).write_text(f'<?xml version="1.0" encoding="utf-8"?>\n{svg}\n', encoding="utf-8")
 
 
-def _styled(plot: Callable[[Ticks], Figure]) -> Callable[[Ticks], Figure]:
+def _styled(plot: Callable[P, Figure]) -> Callable[P, Figure]:
     @wraps(plot)
-    def styled(ticks: Ticks) -> Figure:
+    def styled(*args: P.args, **kwargs: P.kwargs) -> Figure:
         with matplotlib.rc_context(_STYLE):
-            return plot(ticks)
+            return plot(*args, **kwargs)
 
     return styled
 
 
 @_styled
-def timeline(ticks: Ticks) -> Figure:
-    """When each tick came, beside the grid on which it was expected; a bar shows how long it took. Time in s."""
+def timeline(ticks: Ticks, period: float | None = None) -> Figure:
+    """When each tick came, beside the grid on which it was expected; a bar shows how long it took. Time in s.
+
+    With ``period`` (s) the grid has a line for every period, also where no tick came, and lost ticks are crossed out.
+    """
     groups = _groups(ticks)
     canvas, axes = _canvas(0.95 + 0.4 * len(groups))
     words = []
     for row, (name, group) in enumerate(groups.items()):
         colour, marker = _look(row)
-        axes.vlines([tick.expected for tick in group], row - 0.38, row + 0.38, _TEXT, lw=0.8, alpha=0.55)
+        gone = lost(group, period) if period else []
+        expected = {tick.expected for tick in group if not period} | set(gone)
+        if period and group:
+            last = max(group[-1].real, group[0].expected)
+            steps = int((last - group[0].expected) / period + 1e-3) + 1
+            expected |= {group[0].expected + step * period for step in range(steps)}
+        axes.vlines(sorted(expected), row - 0.38, row + 0.38, _TEXT, lw=0.8, alpha=0.55)
+        axes.plot(gone, [row] * len(gone), "x", color=_TEXT, ms=5, lw=0)
         for tick in group:
             if tick.duration > 0:
                 axes.barh(row, tick.duration, 0.3, tick.real, color=colour, alpha=0.45, lw=0)
         axes.plot([tick.real for tick in group], [row] * len(group), marker, color=colour, ms=4.5, lw=0)
-        words.append(_say_timeline(name, group))
+        words.append(_say_timeline(name, group) + (f" Lost ticks: {len(gone)}." if period else ""))
     axes.set_yticks(range(len(groups)), list(groups))
     axes.set_ylim(len(groups) - 0.5, -0.5)
     axes.tick_params(axis="y", length=0)
     axes.spines["left"].set_visible(False)
-    axes.set_xlabel("time (s); line: expected, dot: real")
-    axes.set_xlim(left=min(0.0, *(tick.real for group in groups.values() for tick in group), 0.0))
+    axes.set_xlabel("time (s); line: expected, mark: real" + (", cross: lost" if period else ""))
+    axes.margins(x=0.03)
+    axes.axvline(0, lw=0)  # the run began at 0
     return _figure(canvas, "Timeline. " + " ".join(words))
 
 
@@ -167,6 +180,8 @@ def _say_timeline(name: str, group: Sequence[Tick]) -> str:
     if not group:
         return f"{name}: no tick."
     span = f"{len(group)} ticks from {group[0].real:.3f} s to {group[-1].real:.3f} s"
+    if len(group) == 1:
+        span = f"1 tick at {group[0].real:.3f} s"
     return f"{name}: {span}. {describe_lateness(group)}"
 
 

@@ -152,6 +152,7 @@ def measure(node: NodeLike, seconds: float, args: Sequence[str] = ()) -> Run:
     As :func:`simulate`, but it takes that long, and must be called in the main thread (else RuntimeError).
     """
     loaded = load(node)
+    _duration(seconds)  # run_wall takes None as for ever
     with capture() as console:
         result = run_wall(loaded, seconds, args, record=True)
     return Run(console.text(), result.ticks, result.status, "wall", seconds, result.start)
@@ -271,6 +272,12 @@ def _where(node: Node, stack: Sequence[traceback.FrameSummary]) -> str:
     return ""
 
 
+def split_words(words: Sequence[str]) -> tuple[Sequence[str], Sequence[str]]:
+    """A command line in two: rosspin's own words and, after ``--``, the node's."""
+    at = words.index("--") if "--" in words else len(words)
+    return words[:at], words[at + 1 :]
+
+
 def _duration(seconds: float) -> int:
     if not (isinstance(seconds, (int, float)) and math.isfinite(seconds) and seconds >= 0):
         raise ValueError(f"seconds must be a number from 0 up, not {seconds!r}")
@@ -300,8 +307,8 @@ def _run_main(node: Node, world: World) -> int:
 
 
 def _is_ros_package(name: str) -> bool:
-    root = name.partition(".")[0]
-    return root in _ROS_PACKAGES or root.endswith("_msgs")
+    root, _, rest = name.partition(".")
+    return root in _ROS_PACKAGES or root.endswith("_msgs") or (root == "rospy" and rest in rospy.NOT_SIMULATED)
 
 
 def _result(status: int, world: World, start: int) -> Result:
@@ -342,14 +349,18 @@ def _process_of(node: Node, args: Sequence[str]) -> Iterator[None]:
         finally:
             sys.argv, sys.path[:] = argv, path
             for name in [name for name in sys.modules if name not in modules]:
-                if name in _ROSPY or _lies_in(node.folder, sys.modules[name]):
+                if name in _ROSPY or _lies_in(node.folder, name):
                     del sys.modules[name]
             sys.modules.update({name: modules[name] for name in ("__main__", *_ROSPY) if name in modules})
 
 
-def _lies_in(folder: str | None, module: ModuleType) -> bool:
-    file = getattr(module, "__file__", None)
-    return folder is not None and file is not None and os.path.dirname(os.path.abspath(file)) == folder
+def _lies_in(folder: str | None, name: str) -> bool:
+    """Whether a module is, or belongs to, a neighbour of the node; a virtual environment below its folder is none."""
+    file: str | None = getattr(sys.modules[name], "__file__", None)
+    if folder is None or file is None:
+        return False
+    neighbour = os.path.join(folder, name.partition(".")[0])
+    return os.path.abspath(file).startswith((neighbour + ".", neighbour + os.sep))
 
 
 class Console:

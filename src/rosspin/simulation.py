@@ -11,7 +11,6 @@ import traceback
 from collections.abc import Callable
 from contextvars import ContextVar
 from heapq import heapify, heappop, heappush, heappushpop
-from math import inf
 
 from .stacks import Stack, StackExit, current
 
@@ -22,6 +21,9 @@ running: ContextVar[Simulation | None] = ContextVar("running", default=None)
 
 # So many wake-ups in a row without the time moving are a loop that never sleeps.
 STANDSTILL = 100_000
+
+# Added to its order, this makes a wake-up the last at its time.
+_LAST = 1 << 62
 
 # Stacks that could not be ended. Kept, because dropping the last reference would throw into them once more.
 _abandoned: list[Stack] = []
@@ -44,7 +46,7 @@ class Simulation:
 
     def __init__(self) -> None:
         self._now = 0
-        self._heap: list[tuple[int, float, Stack]] = []
+        self._heap: list[tuple[int, int, Stack]] = []
         self._sleeps = 0
         self._last_move = 0
         self._home = current()
@@ -60,15 +62,21 @@ class Simulation:
         me = current()
         if self._closed:
             self._home.switch()
-        wake = self._now + ns if ns > 0 else self._now
+        now = self._now
+        wake = now + ns if ns > 0 else now
         self._sleeps = order = self._sleeps + 1
-        when, _, stack = heappushpop(self._heap, (wake, order, me))
-        if when > self._now:
+        due = heappushpop(self._heap, (wake, order, me))
+        when, _, stack = due
+        if when > now:
             self._now = when
             self._last_move = order
         elif order - self._last_move > STANDSTILL:
             self._home.throw(Standstill(traceback.extract_stack(), self._stacks.get(me, "")))
         if stack is not me:
+            if not stack:
+                # A stack begins as deep in calls as what starts it. Only run() is never deeper than before.
+                heappush(self._heap, due)
+                stack = self._home
             stack.switch()
         if self._interrupts and me in self._interrupts:
             self._interrupts.pop(me)()
@@ -84,7 +92,8 @@ class Simulation:
 
     def at(self, when: int, function: Callable[[], None]) -> None:
         """Call ``function`` at the time ``when`` (ns), after everything that falls due then."""
-        heappush(self._heap, (when, inf, self._stack(function, "")))
+        self._sleeps += 1
+        heappush(self._heap, (when, _LAST + self._sleeps, self._stack(function, "")))
 
     def wake(self, stack: Stack) -> None:
         """End the sleep of ``stack`` now."""
@@ -122,7 +131,8 @@ class Simulation:
             try:
                 function()
             except BaseException:
-                self.failed = self._stacks[stack]
+                if not self._closed:
+                    self.failed = self._stacks[stack]
                 raise
             finally:
                 del self._stacks[stack]

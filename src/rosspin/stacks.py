@@ -23,7 +23,8 @@ class Stack(greenlet):
     """A call stack that can be suspended; it begins at its first ``switch()``.
 
     ``switch()`` suspends the caller and goes on with this stack; ``throw(exception)`` likewise, but raises there. When
-    ``function`` has returned, or raised, the stack ``home`` goes on (or raises). ``dead`` says that it has.
+    ``function`` has returned, or raised, the stack ``home`` goes on (or raises). ``dead`` says that it has. A stack is
+    true from its beginning to its end.
     """
 
     def __init__(self, function: Callable[[], Any], home: Stack) -> None:
@@ -32,6 +33,5 @@ class Stack(greenlet):
         self.gr_context = contextvars.copy_context()
 
 
-def current() -> Stack:
-    """The stack that is running; what was not made as a Stack can at least be switched to."""
-    return cast(Stack, getcurrent())
+current = cast(Callable[[], Stack], getcurrent)
+"""The stack that is running; what was not made as a Stack can at least be switched to."""

@@ -31,7 +31,7 @@ __all__ = [
 ]
 
 # What rospy has beside: topics, services and the master need a real ROS.
-_NOT_SIMULATED = {
+NOT_SIMULATED = {
     "AnyMsg",
     "Header",
     "MasterProxy",
@@ -59,6 +59,6 @@ _NOT_SIMULATED = {
 
 
 def __getattr__(name: str) -> NoReturn:
-    if name in _NOT_SIMULATED:
+    if name in NOT_SIMULATED:
         raise NotSimulated(f"rospy.{name}")
     raise AttributeError(f"module 'rospy' has no attribute '{name}'", name=name)

@@ -6,6 +6,7 @@ import logging
 import os
 import warnings
 from collections.abc import Callable
+from copy import deepcopy
 from typing import Any
 
 from . import names, rosgraph
@@ -159,7 +160,7 @@ def _find(here: World, path: list[str]) -> Any:
 def get_param(param_name: str, default: Any = _unspecified) -> Any:
     """The value of a parameter, a dict for a namespace. None there and no ``default``: KeyError."""
     try:
-        return _find(world(), _path(param_name))
+        return deepcopy(_find(world(), _path(param_name)))
     except KeyError:
         if default is _unspecified:
             raise KeyError(param_name) from None
@@ -175,6 +176,11 @@ def set_param(param_name: str, param_value: Any) -> None:
     The value is what XML-RPC would deliver: a tuple comes back as a list; None is a TypeError, an integer of more than
     32 bits an OverflowError.
     """
+    if not rosgraph.is_legal_name(param_name):
+        warnings.warn(
+            f"'{param_name}' is not a legal ROS graph resource name. This may cause problems with other ROS tools",
+            stacklevel=2,
+        )
     from xmlrpc.client import dumps, loads  # slow to import, and most nodes set nothing
 
     value: Any = loads(dumps((param_value,)))[0][0]
@@ -206,12 +212,16 @@ def delete_param(param_name: str) -> None:
 
 
 def search_param(param_name: str) -> str | None:
-    """The full name of the nearest parameter of that name, from the node's namespace upwards; None if there is none."""
+    """The full name of the nearest parameter of that name, from the node's namespace upwards; None if there is none.
+
+    A private name: ROSException.
+    """
     here = world()
     name = here.mappings.get(param_name, param_name)
-    if rosgraph.is_global(name):
-        return name if has_param(name) else None
-    name = name.removeprefix(rosgraph.PRIV_NAME)
+    if rosgraph.is_private(name):
+        raise ROSException("cannot search for parameter: Internal failure: invalid key")
+    if not name or rosgraph.is_global(name):
+        return name if name and has_param(name) else None
     namespace = here.name + rosgraph.SEP
     while True:
         first = name.split(rosgraph.SEP)[0]

@@ -7,7 +7,6 @@ import os
 import sys
 import threading
 import time
-import traceback
 from collections.abc import Callable, Hashable
 from types import FrameType
 from typing import Any
@@ -71,7 +70,7 @@ def _log(level: int, msg: Any, args: tuple[Any, ...], kwargs: dict[str, Any]) ->
     message = _message(level, msg, args, kwargs) if args or kwargs else str(msg)
     line_format = os.environ.get("ROSCONSOLE_FORMAT", _DEFAULT_FORMAT)
     severity, colour = _SEVERITY[level]
-    if line_format == _DEFAULT_FORMAT:
+    if line_format == _DEFAULT_FORMAT and "${" not in message:
         line = f"[{severity}] [{_stamp(here)}]: {message}\n"
     else:
         line = _fill(line_format, here, severity, message, f"rosout.{name}" if name else "rosout") + "\n"
@@ -87,12 +86,7 @@ def _message(level: int, msg: Any, args: tuple[Any, ...], kwargs: dict[str, Any]
     elif exc_info and not isinstance(exc_info, tuple):
         exc_info = sys.exc_info()
     record = logging.LogRecord("rosout", level, "", 0, msg, args, exc_info)
-    try:
-        return logging.Formatter().format(record)
-    except Exception:
-        # As logging does: the mistake is reported, the line is lost, the node goes on.
-        traceback.print_exc()
-        return str(msg)
+    return logging.Formatter().format(record)
 
 
 def _stamp(here: World) -> str:

@@ -53,3 +53,8 @@ class TransportTerminated(TransportException):
 
 class TransportInitError(TransportException):
     """A transport could not be set up."""
+
+
+# Tracebacks call them as on a real ROS.
+for _name in __all__:
+    globals()[_name].__module__ = "rospy.exceptions"

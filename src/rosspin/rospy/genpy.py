@@ -82,7 +82,7 @@ class TVal:
 
     # Times compare with times and durations with durations; a mixture is a TypeError, or unequal.
     def __eq__(self, other: object) -> bool:
-        return _kind(self) is _kind(other) and self.to_nsec() == other.to_nsec()  # type: ignore[attr-defined]
+        return _kind(self) is _kind(other) and self.__getstate__() == other.__getstate__()
 
     def __lt__(self, other: Any) -> bool:
         return self.to_nsec() < other.to_nsec() if _kind(self) is _kind(other) else NotImplemented

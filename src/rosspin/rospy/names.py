@@ -26,8 +26,17 @@ get_caller_id = get_name
 def resolve_name(name: Any, caller_id: str | None = None) -> str:
     """A name in full, as seen from the node (or from ``caller_id``), remapped if the command line says so."""
     here = world()
-    resolved = rosgraph.resolve_under(str(name) if name else "", caller_id or here.name)
-    return here.resolved_mappings.get(resolved, resolved) if name else resolved
+    node = caller_id or here.name
+    if not name:
+        return rosgraph.namespace(node)
+    full = rosgraph.canonicalize_name(str(name))
+    if rosgraph.is_private(full):
+        # Joined, as rospy does it: "~/rate" is "/rate".
+        rest = full[1:]
+        resolved = rest if rosgraph.is_global(rest) else node + rosgraph.SEP + rest
+    else:
+        resolved = rosgraph.resolve_under(full, node)
+    return here.resolved_mappings.get(resolved, resolved)
 
 
 def remap_name(name: str, caller_id: str | None = None, resolved: bool = True) -> str:

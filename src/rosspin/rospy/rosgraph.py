@@ -11,12 +11,18 @@ PRIV_NAME = "~"
 REMAP = ":="
 
 _REMAPPING = re.compile(r"([~/A-Za-z]|_|__)[\w/]*:=.*")
+_NAME = re.compile(r"[~/A-Za-z][\w/]*")
 _BASE_NAME = re.compile(r"[A-Za-z]\w*")
 
 
 def is_legal_remap(arg: str) -> bool:
     """Whether an argument is a remapping, such as ``__ns:=/mrp`` or ``_rate:=10``."""
     return bool(_REMAPPING.fullmatch(arg))
+
+
+def is_legal_name(name: str) -> bool:
+    """Whether a name may stand for something in the graph; the empty one stands for the namespace."""
+    return not name or bool(_NAME.fullmatch(name)) and "//" not in name
 
 
 def is_legal_base_name(name: str) -> bool:

@@ -1,0 +1,29 @@
+"""What can run on this machine, and what to install for what cannot."""
+
+from __future__ import annotations
+
+import importlib.util
+import shutil
+from collections.abc import Iterator
+
+from . import ros1
+
+__all__ = ["report"]
+
+_APT = "on Debian and Ubuntu: sudo apt-get install"
+_BROWSERS = ("chromium", "chromium-browser", "google-chrome")
+
+
+def report() -> Iterator[str]:
+    """A line for each runtime: its name, yes or no, and after a no what to install."""
+    lacking = [name for name in ("greenlet", "yaml") if not importlib.util.find_spec(name)]
+    yield _line("stand-in", lacking, "pip install greenlet PyYAML")
+    yield _line("rospy", ros1.missing(cpp=False), f"{_APT} python3-rospy python3-roslaunch python3-rosmaster")
+    yield _line("roscpp", ros1.missing(), f"{_APT} {ros1.APT}")
+    lacking = [] if importlib.util.find_spec("rclpy") else ["rclpy"]
+    yield _line("rclpy", lacking, "on Linux, with Python 3.10 to 3.13: pip install ros-rclpy ros-rmw-fastrtps-cpp")
+    yield _line("browser", [] if any(map(shutil.which, _BROWSERS)) else ["Chromium"], f"{_APT} chromium")
+
+
+def _line(runtime: str, lacking: list[str], remedy: str) -> str:
+    return f"{runtime:<9} no   lacks {', '.join(lacking)}; {remedy}" if lacking else f"{runtime:<9} yes"

@@ -1,0 +1,102 @@
+"""Sphinx extension: what the pages need to show runs."""
+
+from __future__ import annotations
+
+import os
+import traceback
+from contextlib import chdir
+from typing import ClassVar, cast
+
+from docutils import nodes
+from docutils.parsers.rst import directives
+from pygments.lexer import inherit
+from pygments.lexers.python import PythonLexer
+from pygments.token import Keyword
+from sphinx.application import Sphinx
+from sphinx.environment import BuildEnvironment
+from sphinx.errors import ExtensionError
+from sphinx.util.docutils import SphinxDirective, SphinxRole
+from sphinx.util.typing import ExtensionMetadata
+
+from .plots import timeline
+from .run import simulate
+
+__all__ = ["setup"]
+
+
+class TicksDirective(SphinxDirective):
+    """``.. ticks:: FILE`` with ``:seconds: S``: runs a node file in simulated time and draws its timeline.
+
+    FILE is relative to the page. More than one file, each on a line of the content as ``NAME: FILE``, share one plot.
+    """
+
+    has_content = True
+    optional_arguments = 1
+    final_argument_whitespace = True
+    option_spec: ClassVar = {"seconds": lambda text: float(directives.unchanged_required(text))}
+
+    def run(self) -> list[nodes.Node]:
+        """The plot, as inline SVG."""
+        rows = [line.split(": ", 1) for line in self.content] or [["", self.arguments[0]]]
+        ticks = {}
+        for name, file in rows:
+            relative, path = self.env.relfn2path(file)
+            self.env.note_dependency(relative)
+            run = simulate(os.fspath(path), self.options["seconds"])
+            ticks[name or run.ticks[0].source] = run.ticks
+        return [nodes.raw("", timeline(ticks)._repr_html_(), format="html")]
+
+
+class FactsDirective(SphinxDirective):
+    """``.. facts::``: Python that is run and not shown, in the source folder. What fails in it fails the build.
+
+    Its names are there for the facts after it on the page and for the role ``fact``.
+    """
+
+    has_content = True
+
+    def run(self) -> list[nodes.Node]:
+        """Nothing to see."""
+        file, line = self.get_source_info()
+        code = "\n" * self.content_offset + "\n".join(self.content)
+        try:
+            with chdir(self.env.srcdir):
+                exec(compile(code, file, "exec"), _facts(self.env))
+        except Exception as error:
+            trace = "".join(traceback.format_exception(error))
+            raise ExtensionError(f"{file}:{line}: a fact does not hold\n{trace}") from error
+        return []
+
+
+class FactRole(SphinxRole):
+    """``fact``, with an expression and a format as in an f-string: a value made from the page's facts."""
+
+    def run(self) -> tuple[list[nodes.Node], list[nodes.system_message]]:
+        """The value as text."""
+        try:
+            text = eval(f'f"""{{{self.text}}}"""', _facts(self.env))
+        except Exception as error:
+            file, line = self.get_source_info()
+            raise ExtensionError(f"{file}:{line}: no fact {self.text!r}: {error}") from error
+        return [nodes.Text(text)], []
+
+
+def _facts(env: BuildEnvironment) -> dict[str, object]:
+    return cast(dict[str, object], env.temp_data.setdefault("facts", {}))
+
+
+class CellLexer(PythonLexer):
+    """Python as in the cells of a notebook, where a line may begin with a magic."""
+
+    name = "IPython cell"
+    aliases: ClassVar = ["ipython3"]
+    tokens: ClassVar = {"root": [(r"^%%?\w+", Keyword.Namespace), inherit]}
+
+
+def setup(app: Sphinx) -> ExtensionMetadata:
+    """Add the directives ``ticks`` and ``facts``, the role ``fact`` and the highlighting of notebook cells."""
+    app.add_directive("ticks", TicksDirective)
+    app.add_directive("facts", FactsDirective)
+    app.add_role("fact", FactRole())
+    app.add_lexer("ipython3", CellLexer)
+    return {"parallel_read_safe": False, "parallel_write_safe": True}

@@ -1,0 +1,81 @@
+"""What the scenarios share. A line that begins with @ holds times, which the test compares with a tolerance; every other
+line must be the same on each runtime, byte for byte."""
+
+import threading
+import time
+
+import rospy
+
+P = 0.4  # the period of timers and rates, s
+
+_zero = [0.0]
+
+
+def begin(name, **options):
+    """Start the node ``name``; times count from here."""
+    rospy.init_node(name, **options)
+    try:
+        threading.Thread(target=_watch, daemon=True).start()
+    except NotImplementedError:
+        pass  # simulated: no thread, and no machine that could stall
+    _zero[0] = rospy.get_time()
+    print("@zero", flush=True)
+
+
+def _watch():
+    """Print when this process has not been running for a while: what came late then is no fault of rospy's."""
+    while True:
+        before = time.monotonic()
+        time.sleep(0.01)
+        late = time.monotonic() - before - 0.01
+        if late > 0.02:
+            print("@stall %.3f" % late, flush=True)
+
+
+def now():
+    """Seconds since the beginning."""
+    return rospy.get_time() - _zero[0]
+
+
+def mark(label, *times):
+    """Print times (now, if none is given): Time since the beginning, numbers and None as they are."""
+    print("@" + label, *[_seconds(value) for value in times or (now(),)], flush=True)
+
+
+def _seconds(value):
+    if value is None:
+        return "None"
+    return "%.4f" % (value.to_sec() - _zero[0] if hasattr(value, "to_sec") else value)
+
+
+def mark_event(label, event):
+    """Print every field of a TimerEvent."""
+    mark(
+        label,
+        event.last_expected,
+        event.last_real,
+        event.current_expected,
+        event.current_real,
+        event.last_duration,
+    )
+
+
+def block(periods):
+    """Take so many periods of time, on the wall; ~jitter (s) comes on top."""
+    time.sleep(periods * P + rospy.get_param("~jitter", 0.0))
+
+
+def end_after(periods):
+    """Let so many periods go by, then shut the node down."""
+    time.sleep(periods * P)
+    print("@end %.4f" % now(), flush=True)
+    rospy.signal_shutdown("end of the scenario")
+
+
+def attempt(text, names=None):
+    """Print an expression and its value, or the exception that it raises."""
+    try:
+        value = repr(eval(text, {"rospy": rospy, **(names or {})}))
+    except Exception as error:
+        value = "%s: %s" % (type(error).__name__, error)
+    print(text, "->", value, flush=True)

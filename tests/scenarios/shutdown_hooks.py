@@ -1,0 +1,33 @@
+"""Hooks run in the order of their registration, one that raises does not keep the next from it, one too late runs at once."""
+
+import rospy
+from scenario import begin, block, mark
+
+
+def hook(name, periods=0.0):
+    def run():
+        print("hook", name, rospy.is_shutdown(), rospy.core.is_shutdown_requested(), flush=True)
+        block(periods)
+        mark(name)
+
+    return run
+
+
+def broken():
+    print("hook broken", flush=True)
+    raise ValueError("a hook that is broken")
+
+
+begin("shutdown_hooks")
+rospy.on_shutdown(hook("first"))
+rospy.on_shutdown(hook("second", 1.5))
+rospy.on_shutdown(hook("third"))
+try:
+    rospy.on_shutdown("no function")
+except TypeError as error:
+    print("TypeError:", error)
+block(1)
+rospy.signal_shutdown("reason")
+rospy.signal_shutdown("again")
+print("is_shutdown", rospy.is_shutdown(), flush=True)
+rospy.on_shutdown(hook("late"))

@@ -1,0 +1,27 @@
+"""A callback ends the node; spin returns, the hook runs first."""
+
+import rospy
+from scenario import P, begin, block, mark, mark_event
+
+calls = []
+
+
+def hook():
+    print("hook: is_shutdown", rospy.is_shutdown(), flush=True)
+    mark("hook")
+
+
+def callback(event):
+    calls.append(event)
+    mark_event("tick", event)
+    if len(calls) == 3:
+        rospy.signal_shutdown("enough")
+        print("after: is_shutdown", rospy.is_shutdown(), flush=True)
+
+
+begin("signal_shutdown_in_callback")
+rospy.on_shutdown(hook)
+rospy.Timer(rospy.Duration(P), callback)
+rospy.spin()
+print("spin has returned", flush=True)
+block(2)

@@ -1,0 +1,84 @@
+"""Figures of merit, and the sentences made from them."""
+
+from __future__ import annotations
+
+import pytest
+from hypothesis import given, settings
+from hypothesis import strategies as st
+
+from rosspin import Tick
+from rosspin.measures import describe_lateness, describe_periods, lost, periods, quantile, say_time
+
+
+def ticks(*reals: float, period: float = 0.5) -> list[Tick]:
+    return [Tick("A", n, n * period, real, 0.0) for n, real in enumerate(reals, 1)]
+
+
+def test_periods_are_between_neighbours() -> None:
+    assert periods(ticks(0.5, 1.0, 1.75)) == [0.5, 0.75]
+    assert periods(ticks(0.5)) == periods([]) == []
+
+
+@settings(max_examples=80, deadline=None)
+@given(st.lists(st.floats(-10, 10), min_size=1, max_size=30), st.integers(0, 8))
+def test_a_quantile_is_the_smallest_value_that_enough_do_not_exceed(values: list[float], eighths: int) -> None:
+    share = eighths / 8
+    enough = [value for value in values if sum(other <= value for other in values) >= share * len(values)]
+    assert quantile(values, share) == min(enough)
+
+
+def test_no_values_have_no_quantile() -> None:
+    with pytest.raises(ValueError, match="no values"):
+        quantile([], 0.5)
+
+
+@pytest.mark.parametrize(
+    ("reals", "gone"),
+    [
+        ([0.5, 1.0, 1.5, 2.2, 2.5, 3.0], []),
+        ([0.5, 1.0, 1.5, 2.7, 2.7, 3.0], []),  # caught up
+        ([0.5, 1.0, 1.5, 3.7, 4.2, 4.7], [2.0, 2.5, 3.0]),  # three were due, one came
+        ([], []),
+    ],
+)
+def test_lost_ticks(reals: list[float], gone: list[float]) -> None:
+    assert lost(ticks(*reals), 0.5) == gone
+
+
+@pytest.mark.parametrize(
+    ("seconds", "words"),
+    [
+        (2, "2 s"),
+        (0.5, "0.5 s"),
+        (0.0999, "0.0999 s"),
+        (0.05, "50 ms"),
+        (0.00131, "1.31 ms"),
+        (85e-6, "85 µs"),
+        (-0.002, "-2 ms"),
+        (1e-9, "0.001 µs"),
+        (0, "0"),
+        (1e-12, "0"),
+    ],
+)
+def test_times_in_words(seconds: float, words: str) -> None:
+    assert say_time(seconds) == words
+
+
+def test_lateness_in_words() -> None:
+    assert describe_lateness([]) == "There was no tick."
+    assert describe_lateness(ticks(0.5)) == "All of 1 tick came when expected."
+    assert describe_lateness(ticks(0.5, 1.0)) == "All of 2 ticks came when expected."
+    assert describe_lateness(ticks(0.5, 1.0, 1.7)) == (
+        "Of 3 ticks, at least half came when expected; the latest was 0.2 s late."
+    )
+    assert describe_lateness(ticks(0.501, 1.002, 1.503)) == (
+        "Of 3 ticks, half were at most 2 ms late, 99 % at most 3 ms, the latest 3 ms."
+    )
+
+
+def test_periods_in_words() -> None:
+    assert describe_periods(ticks(0.5)) == "There was no second tick, so there is no period."
+    assert describe_periods(ticks(0.5, 1.0, 1.5)) == "Every period was 0.5 s: no jitter."
+    assert describe_periods(ticks(0.5, 1.0, 1.51)) == (
+        "The median period was 505.000 ms; 98 % of 2 periods lay between 500.000 ms and 510.000 ms, a jitter of 10 ms."
+    )

@@ -1,0 +1,497 @@
+"""simulate and measure: what a run gives, and that it leaves nothing behind."""
+
+from __future__ import annotations
+
+import math
+import os
+import random
+import signal
+import sys
+import threading
+import time
+from pathlib import Path
+from textwrap import dedent
+from typing import Any
+
+import pytest
+
+import rosspin
+from rosspin import NotSimulated, Tick, TimeStandsStill, measure, rospy, simulate
+from rosspin.run import load, run_simulated
+
+EXAMPLES = Path(__file__).parent.parent / "examples" / "my_robotics_pkg" / "src"
+TIMER_NODE, RATE_NODE = EXAMPLES / "spinner_py_node.py", EXAMPLES / "spinner_rate_py_node.py"
+
+
+@pytest.fixture
+def write(tmp_path: Path) -> Any:
+    """Writes a node file; its path."""
+
+    def write(text: str, name: str = "node.py") -> Path:
+        path = tmp_path / name
+        path.write_text(dedent(text), encoding="utf-8")
+        return path
+
+    return write
+
+
+# --- the examples -----------------------------------------------------------------------------------------------------
+
+
+def counters(*times: float) -> str:
+    return "".join(f"[INFO] [{time:.6f}]: [SPINNER PY NODE] counter = {n}\n" for n, time in enumerate(times, 1))
+
+
+NAMESPACE = "[INFO] [0.000000]: [SPINNER PY NODE] namespace of node = /\n"
+
+
+def test_the_timer_node_counts_from_one_period_on() -> None:
+    run = simulate(TIMER_NODE, 2.0)
+    assert run.console == NAMESPACE + counters(0.5, 1.0, 1.5, 2.0)
+    assert run.ticks == tuple(Tick("timerCallback", n, n / 2, n / 2, 0.0) for n in range(1, 5))
+    assert (run.status, run.runtime, run.seconds, run.start) == (0, "simulated", 2.0, 0.0)
+
+
+def test_the_rate_node_counts_from_zero_on() -> None:
+    run = simulate(RATE_NODE, 2.0)
+    assert run.console == NAMESPACE + counters(0.0, 0.5, 1.0, 1.5, 2.0)
+    # The last pass sleeps on when Ctrl-C comes, and ends its sleep.
+    assert run.ticks == tuple(Tick("Rate", n, (n - 1) / 2, (n - 1) / 2, 0.0) for n in range(1, 6))
+    assert run.status == 0
+
+
+@pytest.mark.parametrize("node", [TIMER_NODE, RATE_NODE], ids=lambda path: path.stem)
+def test_the_same_run_gives_the_same_bytes(node: Path) -> None:
+    assert simulate(node, 100) == simulate(node, 100)
+
+
+def test_arguments_reach_the_node() -> None:
+    assert "namespace of node = /mrp/\n" in simulate(TIMER_NODE, 0, ["__ns:=/mrp"]).console
+
+
+# --- the end of a run -------------------------------------------------------------------------------------------------
+
+
+@pytest.mark.parametrize(("seconds", "ticks"), [(0, 0), (0.499999999, 0), (0.5, 1), (0.999999999, 1), (1, 2), (1.0, 2)])
+def test_what_falls_due_exactly_at_the_end_still_runs(seconds: float, ticks: int) -> None:
+    assert len(simulate(TIMER_NODE, seconds).ticks) == ticks
+
+
+def test_what_falls_due_at_the_end_runs_to_its_own_end() -> None:
+    def node() -> None:
+        rospy.init_node("node")
+        rospy.Timer(rospy.Duration(0.5), lambda event: (rospy.sleep(0.05), rospy.loginfo("done")))
+        rospy.spin()
+
+    # Like a thread on a real ROS, while the main thread is still on its way out.
+    assert simulate(node, 0.5).console == "[INFO] [0.550000]: done\n"
+
+
+def test_no_timer_calls_back_after_ctrl_c() -> None:
+    def node() -> None:
+        rospy.init_node("node")
+        rospy.Timer(rospy.Duration(0.01), lambda event: None)
+        rospy.spin()
+
+    assert simulate(node, 1.0).ticks[-1].real == 1.0
+
+
+def test_a_node_that_ends_earlier_ends_the_run() -> None:
+    def node() -> None:
+        rospy.init_node("node")
+        rospy.Timer(rospy.Duration(1), lambda event: None)
+        rospy.sleep(3.5)
+
+    assert len(simulate(node, 1e9).ticks) == 3
+
+
+def test_a_tick_that_has_not_ended_has_no_duration() -> None:
+    def node() -> None:
+        rospy.init_node("node")
+        rospy.Timer(rospy.Duration(0.5), lambda event: rospy.sleep(100))
+        rospy.spin()
+
+    (tick,) = simulate(node, 1).ticks
+    assert math.isnan(tick.duration)
+    assert tick.lateness == 0.0
+
+
+def test_before_init_node_ctrl_c_is_python_s_own() -> None:
+    run = simulate(lambda: time.sleep(100), 1)
+    assert run.console.startswith("Traceback (most recent call last):\n")
+    assert run.console.endswith("KeyboardInterrupt\n")
+    assert run.status == 130
+
+
+def test_a_node_deaf_to_ctrl_c_is_killed() -> None:
+    def node() -> None:
+        rospy.init_node("node")
+        while True:
+            rospy.sleep(1)
+
+    run = simulate(node, 2)
+    assert run.status == 137
+    assert run.console == (
+        "rosspin: Ctrl-C at 2 s did not end the node; killed 17 s later, as roslaunch does. "
+        "Does its loop ask rospy.is_shutdown()?\n"
+    )
+
+
+@pytest.mark.parametrize(
+    ("code", "status", "console"),
+    [
+        ("", 0, ""),
+        ("raise SystemExit", 0, ""),
+        ("raise SystemExit(0)", 0, ""),
+        ("raise SystemExit(3)", 3, ""),
+        ("import sys; sys.exit('no robot')", 1, "no robot\n"),
+        ("import rospy; raise rospy.ROSInterruptException('over')", 1, None),
+    ],
+)
+def test_exit_statuses(write: Any, code: str, status: int, console: str | None) -> None:
+    run = simulate(write(code), 1)
+    assert run.status == status
+    assert console is None or run.console == console
+
+
+def test_an_exception_in_main_shows_the_node_s_own_frames(write: Any) -> None:
+    path = write(
+        """
+        import rospy
+
+        def pick(robots):
+            return robots["arm"]
+
+        rospy.init_node("node")
+        rospy.on_shutdown(lambda: print("hook"))
+        pick({})
+        """
+    )
+    run = simulate(path, 1)
+    assert run.status == 1
+    lines = [line for line in run.console.splitlines() if set(line) - set(" ^~")]
+    assert lines == [
+        "Traceback (most recent call last):",
+        f'  File "{path}", line 9, in <module>',
+        "    pick({})",
+        f'  File "{path}", line 5, in pick',
+        '    return robots["arm"]',
+        "KeyError: 'arm'",
+        "hook",
+    ]
+
+
+# --- virtual time -----------------------------------------------------------------------------------------------------
+
+
+def test_the_time_module_is_virtual_in_a_simulated_run() -> None:
+    seen = []
+
+    def node() -> None:
+        for _ in range(2):
+            seen.append([time.time(), time.monotonic(), time.perf_counter()])
+            seen.append([time.time_ns() / 1e9, time.monotonic_ns() / 1e9, time.perf_counter_ns() / 1e9])
+            time.sleep(1.5)
+        with pytest.raises(ValueError, match="^sleep length must be non-negative$"):
+            time.sleep(-1)
+        with pytest.raises(TypeError, match="^'<' not supported between instances of 'str' and 'int'$"):
+            time.sleep("1")
+
+    before = time.time, time.sleep, threading.Thread.start
+    assert simulate(node, 10).status == 0
+    assert seen == [[0.0] * 3] * 2 + [[1.5] * 3] * 2
+    assert (time.time, time.sleep, threading.Thread.start) == before
+    assert time.time() > 1e9
+
+
+def test_names_taken_from_the_time_module_are_virtual_too(write: Any) -> None:
+    path = write("from time import sleep, time\nsleep(2.5)\nprint(time())")
+    assert simulate(path, 10).console == "2.5\n"
+
+
+def test_a_thread_of_the_node_s_own_is_not_simulated() -> None:
+    def node() -> None:
+        threading.Thread(target=print).start()
+
+    with pytest.raises(NotSimulated, match=r"^threading\.Thread is not simulated; run this node on a real ROS$"):
+        simulate(node, 1)
+
+
+def test_other_threads_keep_the_real_time() -> None:
+    seen: list[float] = []
+
+    def node() -> None:
+        ask.set()
+        answered.wait(30)
+
+    def outside() -> None:
+        ask.wait(30)
+        seen.append(time.time())
+        answered.set()
+
+    ask, answered = threading.Event(), threading.Event()
+    thread = threading.Thread(target=outside)
+    thread.start()
+    simulate(node, 1)
+    thread.join()
+    assert seen[0] > 1e9
+
+
+# --- clean worlds -----------------------------------------------------------------------------------------------------
+
+
+def test_two_runs_do_not_see_each_other(write: Any) -> None:
+    path = write(
+        """
+        import rospy
+        print(rospy.core.is_shutdown(), rospy.get_name())
+        rospy.init_node("node")
+        print(rospy.has_param("~p"), rospy.get_time())
+        rospy.set_param("~p", 1)
+        for _ in range(2):
+            rospy.loginfo_once("once")
+            rospy.loginfo_throttle(60, "throttled")
+        rospy.on_shutdown(lambda: print("hook"))
+        rospy.Timer(rospy.Duration(1), lambda event: 1 / 0)
+        rospy.sleep(1.5)
+        """
+    )
+    first, second = simulate(path, 10), simulate(path, 10)
+    assert first == second
+    assert first.console.startswith("False /unnamed\nFalse 0.0\n")
+    assert [first.console.count(text) for text in ("]: once\n", "]: throttled\n")] == [1, 1]
+    assert "Exception in thread Thread-1:" in first.console
+    assert first.console.endswith("hook\n")
+
+
+def test_a_run_leaves_the_process_as_it_was(write: Any) -> None:
+    write("value = 1", "neighbour.py")
+    path = write("import sys, rospy, rospy.rostime, neighbour\nsys.path.append('x')\nsys.argv.append('y')\nsys.exit(5)")
+    before = sys.argv, sys.argv[:], sys.path[:], sys.stdout, sys.stderr, set(sys.modules), sys.modules["__main__"]
+    handlers = signal.getsignal(signal.SIGINT), signal.getsignal(signal.SIGTERM)
+    for run in (simulate, measure):
+        assert run(path, 1).status == 5
+        after = sys.argv, sys.argv[:], sys.path[:], sys.stdout, sys.stderr, set(sys.modules), sys.modules["__main__"]
+        assert after == before
+        assert (signal.getsignal(signal.SIGINT), signal.getsignal(signal.SIGTERM)) == handlers
+    assert "rospy" not in sys.modules or not sys.modules["rospy"].__name__.startswith("rosspin")
+
+
+def test_a_rospy_that_was_imported_before_comes_back(monkeypatch: pytest.MonkeyPatch, write: Any) -> None:
+    monkeypatch.setitem(sys.modules, "rospy", sys)  # whatever it was
+    assert simulate(write("import rospy; print(rospy.__name__)"), 1).console == "rosspin.rospy\n"
+    assert sys.modules["rospy"] is sys
+
+
+def test_a_neighbour_of_the_node_is_imported_anew(write: Any) -> None:
+    node = write("import neighbour\nneighbour.values.append(1)\nprint(neighbour.values)")
+    write("values = []", "neighbour.py")
+    assert simulate(node, 1).console == simulate(node, 1).console == "[1]\n"
+    os.unlink(node.parent / "neighbour.py")
+    (node.parent / "neighbour").mkdir()
+    write("values = [0]", "neighbour/__init__.py")
+    assert simulate(node, 1).console == simulate(node, 1).console == "[0, 1]\n"
+
+
+def test_a_file_is_main(write: Any) -> None:
+    path = write("import __main__, sys\nx = 1\nprint(__name__, __file__ == sys.argv[0], __main__.x, sys.argv[1:])")
+    assert simulate(path, 1, ["a", "_b:=c"]).console == "__main__ True 1 ['a', '_b:=c']\n"
+
+
+def test_a_function_is_a_node_too() -> None:
+    def my_node() -> None:
+        import rospy
+
+        assert rospy is rosspin.rospy
+        assert sys.argv == ["my_node", "__ns:=/mrp"]
+        rospy.init_node("node")
+        print(rospy.get_name())
+
+    assert simulate(my_node, 1, ["__ns:=/mrp"]).console == "/mrp/node\n"
+
+
+def test_outside_of_a_run_the_stand_in_is_on_the_wall_clock() -> None:
+    with pytest.raises(rospy.ROSInitException):
+        rospy.Time.now()
+    assert rospy.get_name() == "/unnamed"
+
+
+# --- what is no run ---------------------------------------------------------------------------------------------------
+
+
+@pytest.mark.parametrize("run", [simulate, measure])
+@pytest.mark.parametrize("seconds", [-1, -0.001, math.nan, math.inf, "2", None])
+def test_bad_seconds(run: Any, seconds: Any) -> None:
+    with pytest.raises(ValueError, match="^seconds must be a number from 0 up, not "):
+        run(lambda: None, seconds)
+
+
+@pytest.mark.parametrize("run", [simulate, measure])
+def test_bad_files(run: Any, write: Any) -> None:
+    with pytest.raises(FileNotFoundError):
+        run("no/such/file.py", 1)
+    with pytest.raises(IsADirectoryError):
+        run(Path(__file__).parent, 1)
+    with pytest.raises(SyntaxError):
+        run(write("def ("), 1)
+    with pytest.raises(SyntaxError, match="null bytes"):
+        run(write("x = 1\0"), 1)
+
+
+def test_a_module_of_ros_is_not_simulated(write: Any) -> None:
+    for module in ("std_msgs.msg", "tf2_ros", "my_robot_msgs.msg"):
+        package = module.partition(".")[0]
+        with pytest.raises(NotSimulated, match=rf"^{package}(\.msg)? is not simulated; run this node on a real ROS$"):
+            simulate(write(f"import {module}"), 1)
+    assert simulate(write("import no_such_module"), 1).status == 1
+
+
+def test_a_publisher_is_not_simulated_wherever_it_is_met() -> None:
+    def in_a_callback() -> None:
+        rospy.init_node("node")
+        rospy.Timer(rospy.Duration(1), lambda event: rospy.Publisher)
+        rospy.spin()
+
+    for node in (lambda: rospy.Publisher, in_a_callback):
+        with pytest.raises(NotSimulated, match=r"^rospy\.Publisher is not simulated; run this node on a real ROS$"):
+            simulate(node, 10)
+
+
+def test_a_loop_that_sleeps_no_time_is_found_with_its_line(write: Any) -> None:
+    path = write("import rospy\nrospy.init_node('n')\nwhile True:\n    rospy.sleep(0)\n")
+    with pytest.raises(TimeStandsStill, match=r"node\.py:4: simulated time stands still at 0\.0 s"):
+        simulate(path, 10)
+
+
+def test_a_timer_without_a_period_is_found_with_its_line(write: Any) -> None:
+    path = write("import rospy\nrospy.init_node('n')\nrospy.Timer(rospy.Duration(-1), print)\nrospy.spin()\n")
+    with pytest.raises(TimeStandsStill, match=r"node\.py:3: simulated time stands still"):
+        simulate(path, 10)
+
+
+def test_a_busy_callback_is_found_in_the_end(write: Any) -> None:
+    path = write(
+        """
+        import rospy
+
+        def callback(event):
+            try:
+                while True: pass
+            except Exception:
+                pass
+
+        rospy.init_node("node")
+        rospy.Timer(rospy.Duration(0.5), callback)
+        rospy.spin()
+        """
+    )
+    with pytest.raises(TimeStandsStill, match=r"node\.py:6: simulated time stands still at 0\.5 s"):
+        simulate(path, 10)
+
+
+def test_after_an_error_the_next_run_is_as_ever() -> None:
+    with pytest.raises(NotSimulated):
+        simulate(lambda: rospy.Publisher, 1)
+    assert simulate(TIMER_NODE, 2).console == NAMESPACE + counters(0.5, 1.0, 1.5, 2.0)
+
+
+def test_ticks_are_recorded_only_if_asked_for() -> None:
+    assert run_simulated(load(lambda: None), 1, (), record=False).ticks == ()
+
+
+def test_randomness_is_the_node_s_own_affair() -> None:
+    """A seeded node gives the same run every time, on any number of timers."""
+
+    def node() -> None:
+        numbers = random.Random(1)
+        rospy.init_node("node")
+        for _ in range(20):
+            rospy.Timer(rospy.Duration(numbers.uniform(0.05, 0.5)), lambda event: rospy.sleep(numbers.uniform(0, 1)))
+        rospy.spin()
+
+    assert simulate(node, 5) == simulate(node, 5)
+
+
+# --- the wall clock: counts and patterns, no timings ------------------------------------------------------------------
+
+
+def test_measure_runs_the_timer_node_for_real() -> None:
+    def node() -> None:
+        rospy.init_node("node")
+        rospy.Timer(rospy.Duration(0.02), lambda event: rospy.loginfo("tick"))
+        rospy.spin()
+
+    before = time.time()
+    run = measure(node, 0.3)
+    assert (run.status, run.runtime, run.seconds) == (0, "wall", 0.3)
+    assert before <= run.start <= time.time()
+    assert [tick.number for tick in run.ticks] == list(range(1, len(run.ticks) + 1))
+    assert 1 <= len(run.ticks) <= 25
+    assert run.console.count("tick\n") == len(run.ticks)
+    # None is early: a timer only ever sleeps too long. (Its period begins a moment after its thread does.)
+    assert all(tick.lateness > -0.001 for tick in run.ticks)
+
+
+def test_measure_runs_a_rate_loop_until_ctrl_c() -> None:
+    def node() -> None:
+        rospy.init_node("node")
+        rate = rospy.Rate(50)
+        while not rospy.is_shutdown():
+            rate.sleep()
+        print("left")
+
+    run = measure(node, 0.2)
+    assert (run.status, run.console) == (0, "left\n")
+    assert run.ticks[0].expected == run.ticks[0].real
+    assert run.ticks[0].source == "Rate"
+
+
+def test_on_the_wall_a_slow_callback_is_followed_by_the_same_pattern() -> None:
+    """As simulated: periods apart enough that no busy machine confuses them."""
+    calls: list[float] = []
+
+    def callback(event: Any) -> None:
+        calls.append(event.current_real.to_sec())
+        if len(calls) == 2:
+            rospy.sleep(0.8)
+
+    def node() -> None:
+        rospy.init_node("node")
+        rospy.Timer(rospy.Duration(0.2), callback)
+        while len(calls) < 4:
+            rospy.sleep(0.01)
+
+    measure(node, 60)
+    # More than three periods: the next call comes at once, the one after it a whole period later.
+    assert calls[2] - calls[1] >= 0.8
+    assert calls[3] - calls[2] >= 0.19
+
+
+def test_measure_needs_the_main_thread() -> None:
+    errors = []
+
+    def elsewhere() -> None:
+        with pytest.raises(RuntimeError, match="in the main thread only"):
+            measure(lambda: None, 1)
+        errors.append(simulate(TIMER_NODE, 2).status)  # simulated time does not mind
+
+    thread = threading.Thread(target=elsewhere)
+    thread.start()
+    thread.join()
+    assert errors == [0]
+
+
+def test_the_threads_of_a_wall_run_do_not_outlive_it() -> None:
+    calls: list[int] = []
+
+    def node() -> None:
+        rospy.init_node("node")
+        rospy.Timer(rospy.Duration(0.01), lambda event: calls.append(1))
+        rospy.sleep(0.1)
+
+    before = threading.active_count()
+    measure(node, 60)
+    seen = len(calls)
+    while threading.active_count() > before:
+        time.sleep(0.01)
+    assert len(calls) <= seen + 1
