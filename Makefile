@@ -49,7 +49,7 @@ $(VENV): pyproject.toml constraints.txt
 	$(BIN)/pip install --quiet --disable-pip-version-check -c constraints.txt -e '.[$(EXTRAS)]'
 	@touch $@
 
-# New pins, on purpose: run it with the oldest Python that rosspin supports, so that newer ones can use them too.
+# New pins, on purpose. Run it with the oldest Python there is (Debian 12 has 3.11.2): newer ones can use them too.
 pins:
 	$(PYTHON) -m venv --clear build/pins
 	build/pins/bin/pip install --quiet '.[$(EXTRAS)]'

@@ -81,7 +81,7 @@ def test_a_simulated_run_prints_the_console() -> None:
 
 
 def test_on_the_wall_stamps_are_since_the_epoch(capfd: pytest.CaptureFixture[str]) -> None:
-    assert main(["run", RATE_NODE, "--seconds", "0.1"]) == 0
+    assert main(["run", RATE_NODE, "--seconds", "0.7"]) == 0
     lines = capfd.readouterr().out.splitlines()
     assert len(lines) >= 2
     for line in lines:

@@ -3,11 +3,14 @@
 from __future__ import annotations
 
 import math
+from pathlib import Path
 
 import pytest
 
 from rosspin import Tick, simulate
 from rosspin.console import Line, read_lines, read_ticks
+
+TIMER_NODE = Path(__file__).parent.parent / "examples" / "my_robotics_pkg" / "src" / "spinner_py_node.py"
 
 # Both nodes under roslaunch: roscpp's colours, padding and nanoseconds, and what is no log line.
 LAUNCHED = (
@@ -62,6 +65,6 @@ def test_one_tick_and_none() -> None:
 
 
 def test_the_console_of_a_simulated_run_gives_its_ticks() -> None:
-    run = simulate("examples/my_robotics_pkg/src/spinner_py_node.py", 3)
+    run = simulate(TIMER_NODE, 3)
     read = read_ticks(run.console, period=0.5)
     assert [Tick("timerCallback", *tick[1:4], 0.0) for tick in read] == list(run.ticks)

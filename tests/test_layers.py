@@ -27,6 +27,7 @@ LAYERS = [
     "ros1",
     "doctor",
     "exercises",
+    "machine",
     "magics",
     "sphinx_pages",
     "__init__",

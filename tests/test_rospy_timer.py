@@ -508,6 +508,33 @@ def test_a_jump_back_ends_a_sleep(sleep: Callable[[], None], raises: bool) -> No
     assert simulate(node, 100).console == ""
 
 
+def test_a_jump_back_between_two_sleeps_begins_a_period() -> None:
+    def node() -> None:
+        rospy.init_node("node")
+        tell(20)
+        rate = rospy.Rate(2)
+        tell(5)
+        start_thread(lambda: tell(*steps(5, 6)))
+        rate.sleep()
+        assert rospy.get_time() == 5.5
+
+    assert simulate(node, 100).console == ""
+
+
+def test_a_rate_that_resets_begins_a_period_at_the_jump() -> None:
+    def node() -> None:
+        rospy.init_node("node")
+        tell(20)
+        rate = rospy.Rate(2, reset=True)
+        start_thread(lambda: tell(20, *steps(5, 6)))
+        rate.sleep()
+        rospy.sleep(0.2)  # work in the new period
+        rate.sleep()
+        assert rospy.get_time() == 5.5
+
+    assert simulate(node, 100).console == ""
+
+
 def test_shutdown_ends_a_sleep_on_ros_time_only() -> None:
     def told() -> None:
         rospy.init_node("node")

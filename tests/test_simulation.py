@@ -89,7 +89,8 @@ def test_a_condition_wakes_at_its_time_or_at_the_first_notification(waits: list[
     def waiter(number: int, longest: int) -> None:
         condition.wait(longest)
         woken[number] = simulation.now()
-        simulation.sleep(FOREVER)  # a later notification must not end this
+        simulation.sleep(FOREVER)
+        woken[number] = "woken by a notification that it no longer waited for"
 
     def main(stack: object) -> None:
         for number, longest in enumerate(waits):

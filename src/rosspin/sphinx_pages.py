@@ -3,7 +3,10 @@
 from __future__ import annotations
 
 import os
+import subprocess
+import sys
 import traceback
+from collections.abc import Iterable, Iterator
 from contextlib import chdir
 from typing import ClassVar, cast
 
@@ -18,6 +21,7 @@ from sphinx.errors import ExtensionError
 from sphinx.util.docutils import SphinxDirective, SphinxRole
 from sphinx.util.typing import ExtensionMetadata
 
+from . import machine, rospy
 from .plots import timeline
 from .run import simulate
 
@@ -85,6 +89,67 @@ def _facts(env: BuildEnvironment) -> dict[str, object]:
     return cast(dict[str, object], env.temp_data.setdefault("facts", {}))
 
 
+class UsageDirective(SphinxDirective):
+    """``.. usage:: run``: what ``rosspin run --help`` prints, in 80 columns."""
+
+    optional_arguments = 1
+
+    def run(self) -> list[nodes.Node]:
+        """The text, as it is."""
+        command = [sys.executable, "-m", "rosspin", *self.arguments, "--help"]
+        environment = {**os.environ, "COLUMNS": "80", "NO_COLOR": "1"}
+        text = subprocess.run(command, env=environment, check=True, capture_output=True, text=True).stdout
+        return [nodes.literal_block(text, text, language="text")]
+
+
+class RospyNamesDirective(SphinxDirective):
+    """``.. rospy-names::``: the names of the stand-in, all or in part, or with ``:missing:`` those it has not."""
+
+    option_spec: ClassVar = {"missing": directives.flag}
+
+    def run(self) -> list[nodes.Node]:
+        """A table, or the missing names in a row."""
+        if "missing" in self.options:
+            names = ", ".join(f"``{name}``" for name in sorted(rospy.NOT_SIMULATED))
+            return self.parse_text_to_nodes(names)
+        rows = [(f"``{name}``", *_rospy_name(name)) for name in sorted(rospy.__all__, key=str.lower)]
+        return self.parse_text_to_nodes(_table("Name", "There", "What it does", rows=rows))
+
+
+def _rospy_name(name: str) -> tuple[str, str]:
+    """Whether a name is there in full, and what it does: the first paragraph of its docstring, and what is lacking."""
+    value = getattr(rospy, name)
+    words = " ".join((value.__doc__ or "").partition("\n\n")[0].split())
+    if isinstance(value, int):
+        words = f"A severity ({value}), for the ``log_level`` of ``init_node``."
+    lacking = rospy.IN_PART.get(name)
+    return ("in part", f"{words} *{lacking}*") if lacking else ("yes", words)
+
+
+class MachineDirective(SphinxDirective):
+    """``.. machine:: matplotlib Sphinx``: the machine that builds this page, and the versions of these packages."""
+
+    has_content = False
+    optional_arguments = 1
+    final_argument_whitespace = True
+
+    def run(self) -> list[nodes.Node]:
+        """A table."""
+        self.env.note_reread()  # another machine, another Python: read in each build
+        packages = "".join(self.arguments).split()
+        return self.parse_text_to_nodes(_table("What", "Value", rows=machine.describe(packages).items()))
+
+
+def _table(*headings: str, rows: Iterable[Iterable[str]]) -> str:
+    def lines() -> Iterator[str]:
+        yield from (".. list-table::", "   :header-rows: 1", "   :widths: auto", "")
+        for row in (headings, *rows):
+            for column, cell in enumerate(row):
+                yield f"   {' ' if column else '*'} - {cell}"
+
+    return "\n".join(lines())
+
+
 class CellLexer(PythonLexer):
     """Python as in the cells of a notebook, where a line may begin with a magic."""
 
@@ -94,9 +159,12 @@ class CellLexer(PythonLexer):
 
 
 def setup(app: Sphinx) -> ExtensionMetadata:
-    """Add the directives ``ticks`` and ``facts``, the role ``fact`` and the highlighting of notebook cells."""
+    """Add the directives and the role above, and the highlighting of notebook cells."""
     app.add_directive("ticks", TicksDirective)
     app.add_directive("facts", FactsDirective)
+    app.add_directive("usage", UsageDirective)
+    app.add_directive("rospy-names", RospyNamesDirective)
+    app.add_directive("machine", MachineDirective)
     app.add_role("fact", FactRole())
     app.add_lexer("ipython3", CellLexer)
     return {"parallel_read_safe": False, "parallel_write_safe": True}

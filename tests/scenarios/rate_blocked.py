@@ -16,3 +16,4 @@ while now() < 9.25 * P:
     mark("slept", before, now())
     if result is not None:
         print("sleep returned", result)
+mark("end")

@@ -22,6 +22,7 @@ def loop(event):
 
 begin("ros_time_rate")
 rospy.Timer(rospy.Duration(0.1), loop, oneshot=True)
+block(0.125)
 set_time(Time(0))
 for seconds in (0, 10, 11, 12.5, 13, 20, 5, 6, 7):
     block(1)

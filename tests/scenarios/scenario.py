@@ -1,6 +1,7 @@
 """What the scenarios share. A line that begins with @ holds times, which the test compares with a tolerance; every other
 line must be the same on each runtime, byte for byte."""
 
+import sys
 import threading
 import time
 
@@ -19,7 +20,7 @@ def begin(name, **options):
     except NotImplementedError:
         pass  # simulated: no thread, and no machine that could stall
     _zero[0] = rospy.get_time()
-    print("@zero", flush=True)
+    _write("@zero")
 
 
 def _watch():
@@ -28,8 +29,8 @@ def _watch():
         before = time.monotonic()
         time.sleep(0.01)
         late = time.monotonic() - before - 0.01
-        if late > 0.02:
-            print("@stall %.3f" % late, flush=True)
+        if late > 0.01:
+            _write("@stall %.3f" % late)
 
 
 def now():
@@ -39,7 +40,13 @@ def now():
 
 def mark(label, *times):
     """Print times (now, if none is given): Time since the beginning, numbers and None as they are."""
-    print("@" + label, *[_seconds(value) for value in times or (now(),)], flush=True)
+    _write(" ".join(["@" + label, *[_seconds(value) for value in times or (now(),)]]))
+
+
+def _write(line):
+    # In one go, so that the lines of several threads do not mix.
+    sys.stdout.write(line + "\n")
+    sys.stdout.flush()
 
 
 def _seconds(value):
@@ -68,7 +75,7 @@ def block(periods):
 def end_after(periods):
     """Let so many periods go by, then shut the node down."""
     time.sleep(periods * P)
-    print("@end %.4f" % now(), flush=True)
+    mark("end")
     rospy.signal_shutdown("end of the scenario")
 
 

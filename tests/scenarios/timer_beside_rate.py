@@ -23,3 +23,4 @@ while now() < 9.25 * P:
     if number == 2:
         block(2.5)
     rate.sleep()
+mark("end")

@@ -11,3 +11,4 @@ while now() < 9 * P:
     mark("quick")
     slow.sleep()
     mark("slow")
+mark("end")

@@ -10,9 +10,8 @@ from copy import deepcopy
 from typing import Any
 
 from . import names, rosgraph
-from .core import add_client_shutdown_hook, handle_signal, is_shutdown, signal_shutdown
+from .core import add_client_shutdown_hook, handle_signal, signal_shutdown
 from .exceptions import ROSException, ROSInitException
-from .rostime import wallsleep
 from .world import World, world
 
 __all__ = [
@@ -130,11 +129,12 @@ def spin() -> None:
 
     Before ``init_node``: ROSInitException.
     """
-    if not world().initialized:
+    here = world()
+    if not here.initialized:
         raise ROSInitException("client code must call rospy.init_node() first")
     try:
-        while not is_shutdown():
-            wallsleep(0.5)
+        while not here.shutdown:
+            here.clock.sleep(500_000_000)
     except KeyboardInterrupt:
         signal_shutdown("keyboard interrupt")
 

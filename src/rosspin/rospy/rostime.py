@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from ..clock import nanoseconds
-from . import exceptions, genpy
+from . import genpy
 from .world import world
 
 __all__ = ["Duration", "Time", "get_rostime", "get_time", "is_wallclock", "switch_to_wallclock", "wallsleep"]
@@ -45,15 +45,7 @@ class Time(genpy.Time):
 
 def get_rostime() -> Time:
     """The current time. Before ``init_node``: ROSInitException."""
-    return Time._of(now_ns())
-
-
-def now_ns() -> int:
-    """The current time in nanoseconds. Before ``init_node``: ROSInitException."""
-    here = world()
-    if not here.time_initialized:
-        raise exceptions.ROSInitException("time is not initialized. Have you called init_node()?")
-    return here.clock.now() if here.ros_time is None else here.ros_time
+    return Time._of(world().now())
 
 
 def get_time() -> float:

@@ -85,4 +85,7 @@ def own_frames(trace: TracebackType | None) -> TracebackType | None:
 def print_traceback() -> None:
     """Print the exception being handled on stderr, with the node's own frames."""
     kind, error, trace = sys.exc_info()
-    sys.stderr.write("".join(traceback.format_exception(kind, error, own_frames(trace))))
+    assert kind is not None and error is not None
+    printed = traceback.TracebackException(kind, error, own_frames(trace))
+    printed.stack = printed.stack or traceback.StackSummary()  # the heading is there even if no frame is
+    sys.stderr.write("".join(printed.format()))

@@ -7,11 +7,10 @@ from typing import Any
 
 from ..clock import nanoseconds
 from . import genpy
-from .core import is_shutdown
 from .exceptions import ROSInterruptException, ROSTimeMovedBackwardsException
-from .rostime import Duration, Time, now_ns
+from .rostime import Duration, Time
 from .threads import start_thread
-from .world import world
+from .world import World, world
 
 __all__ = ["Rate", "Timer", "TimerEvent", "sleep"]
 
@@ -24,7 +23,7 @@ class Rate:
     """
 
     def __init__(self, hz: float, reset: bool = False) -> None:
-        self._last = now_ns()
+        self._last = world().now()
         self._period = int(1e9 / hz)
         self._reset = reset
         self._source = ""
@@ -43,7 +42,7 @@ class Rate:
 
     def remaining(self) -> genpy.Duration:
         """How long ``sleep`` would sleep now; negative after an overrun."""
-        return Duration._of(self._remaining(now_ns()))
+        return Duration._of(self._remaining(world().now()))
 
     def _remaining(self, now: int) -> int:
         if self._last > now:  # the clock went back
@@ -57,31 +56,31 @@ class Rate:
         from its end, and those missed are lost. Raises ROSTimeMovedBackwardsException and ROSInterruptException as
         :func:`sleep` does.
         """
-        self._record_pass()
-        self.wait()
-        self._pass_start = now_ns()
+        here = world()
+        self._record_pass(here)
+        self.wait(here)
+        self._pass_start = here.now()
 
-    def wait(self) -> None:
+    def wait(self, here: World) -> None:
         """What ``sleep`` does, for a loop whose passes are not ticks of their own."""
-        now = now_ns()
+        now = here.now()
         try:
-            _sleep(self._remaining(now))
+            _sleep(here, self._remaining(now))
         except ROSTimeMovedBackwardsException:
             if not self._reset:
                 raise
-            self._last = now_ns()
+            self._last = here.now()
             return
         self._last += self._period
         if now - self._last > 2 * self._period:
             self._last = now
 
-    def _record_pass(self) -> None:
-        here = world()
+    def _record_pass(self, here: World) -> None:
         if here.ticks is not None:
             self._source = self._source or here.source("Rate")
             expected = self._start + self._passes * self._period
             self._passes += 1
-            duration = now_ns() - self._pass_start
+            duration = here.now() - self._pass_start
             here.ticks.append([self._source, self._passes, expected, self._pass_start, duration])
 
 
@@ -92,22 +91,21 @@ def sleep(duration: float | genpy.Duration) -> None:
     ROSInterruptException at shutdown and ROSTimeMovedBackwardsException when the time goes back.
     """
     if isinstance(duration, genpy.Duration):
-        _sleep(duration.to_nsec())
+        _sleep(world(), duration.to_nsec())
     else:
-        _sleep(-1 if duration < 0 else nanoseconds(duration))
+        _sleep(world(), -1 if duration < 0 else nanoseconds(duration))
 
 
-def _sleep(ns: int) -> None:
-    here = world()
+def _sleep(here: World, ns: int) -> None:
     if here.ros_time is None:
         here.clock.sleep(ns)
         return
     while here.ros_time == 0 and not here.shutdown:  # no time has been told yet
         here.ros_time_changed.wait(300_000_000)
-    began = now_ns()
-    while began <= now_ns() < began + ns and not here.shutdown:
+    began = here.now()
+    while began <= here.now() < began + ns and not here.shutdown:
         here.ros_time_changed.wait(500_000_000)
-    if (now := now_ns()) < began:
+    if (now := here.now()) < began:
         raise ROSTimeMovedBackwardsException((began - now) / 1e9)
     if here.shutdown:
         raise ROSInterruptException("ROS shutdown request")
@@ -176,26 +174,26 @@ class Timer:
 
     def run(self) -> None:
         """What the timer's thread does."""
+        here = world()
         rate = Rate(1.0 / self._period.to_sec(), self._reset)
         period = self._period.to_nsec()
-        expected = now_ns() + period
+        expected = here.now() + period
         last_expected: Time | None = None
         last_real: Time | None = None
         last_duration: float | None = None
-        here = world()
         ticks = here.ticks
         source = here.source(getattr(self._callback, "__name__", type(self._callback).__name__))
         number = 0
-        while not is_shutdown() and not self._shutdown:
+        while not here.shutdown and not self._shutdown:
             try:
-                rate.wait()
+                rate.wait(here)
             except ROSInterruptException:
-                if is_shutdown():
+                if here.shutdown:
                     break
                 raise
             if self._shutdown or here.over:
                 break
-            real = now_ns()
+            real = here.now()
             began = here.clock.now()
             current_expected, current_real = Time._of(expected), Time._of(real)
             number += 1

@@ -13,6 +13,7 @@ from typing import Any
 
 from ..clock import Clock, WallClock
 from . import rosgraph
+from .exceptions import ROSInitException
 
 __all__ = ["NotSimulated", "World", "current", "world"]
 
@@ -69,6 +70,12 @@ class World:
         self.ticks: list[Record] | None = None  # None: nobody asks for them
         self._sources: dict[str, int] = {}
         self.threads = 0
+
+    def now(self) -> int:
+        """ROS time as told by /clock, else the clock's, in ns. Before ``init_node``: ROSInitException."""
+        if not self.time_initialized:
+            raise ROSInitException("time is not initialized. Have you called init_node()?")
+        return self.clock.now() if self.ros_time is None else self.ros_time
 
     def source(self, name: str) -> str:
         """A name for something that ticks, made different from those given before: Rate, Rate 2, ..."""

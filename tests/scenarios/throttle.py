@@ -3,7 +3,7 @@
 import rospy
 from scenario import P, begin, mark, now
 
-begin("log_throttle")
+begin("throttle")
 rate = rospy.Rate(1 / P)
 number = 0
 while now() < 9.25 * P:
@@ -18,3 +18,4 @@ while now() < 9.25 * P:
     for line in "ab":
         rospy.loginfo_throttle(3.5 * P, "in a loop: " + line)
     rate.sleep()
+mark("end")

@@ -1,0 +1,46 @@
+"""Parameters: what is set comes back, what is not there is a KeyError, private ones come from the command line."""
+
+import rospy
+from scenario import attempt
+
+rospy.init_node("values_parameters")
+for name in ("rate", "text", "yes", "list", "tree", "nothing", "empty", "float", "quoted", "date"):
+    attempt("rospy.get_param('~%s')" % name)
+for text in """
+rospy.get_param('~none', 5)
+rospy.get_param('~none', None)
+rospy.has_param('~rate')
+rospy.has_param('~none')
+rospy.set_param('~tuple', (1, 2))
+rospy.get_param('~tuple')
+rospy.set_param('~none', None)
+rospy.set_param('~big', 2**40)
+rospy.set_param('~small', 2**31 - 1)
+rospy.get_param('~small')
+rospy.set_param('~deep/er', 1)
+rospy.get_param('~deep')
+rospy.get_param('~deep/er')
+rospy.get_param('~deep/er/est')
+rospy.set_param('~deep', {'a': {'b': 2}, 'c': 'x'})
+rospy.get_param('~deep/a/b')
+rospy.get_param('~deep/er')
+rospy.has_param('~deep/a')
+rospy.delete_param('~rate')
+rospy.delete_param('~rate')
+rospy.has_param('~rate')
+rospy.get_param('~rate')
+rospy.get_param_cached('~text')
+rospy.set_param('~uni', 'Grüße')
+rospy.get_param('~uni')
+rospy.search_param('~uni')
+rospy.search_param('uni')
+rospy.search_param('nowhere')
+rospy.set_param('~object', object())
+rospy.get_param(1)
+rospy.set_param('~float', 0.1)
+rospy.get_param('~float')
+rospy.set_param('~bool', True)
+rospy.get_param('~bool')
+sorted(name for name in rospy.get_param_names() if name.startswith('/values_parameters'))
+""".strip().splitlines():
+    attempt(text)

@@ -1,0 +1,315 @@
+"""The stand-in is held to the real rospy: the same scenario files on both, in simulated time and on the wall clock.
+
+A scenario's times are compared with those of its simulated run, which are exact: as many marks of each label, each less
+than TOLERANCE off. Blocks are chosen so that every decision (overrun or not) has a wide margin, which is tested, too. A
+process that the machine has not let run for a while says so; then a difference is tried again, not allowed.
+"""
+
+from __future__ import annotations
+
+import difflib
+import os
+import random
+import re
+import shutil
+import sys
+from collections.abc import Callable, Iterator
+from concurrent.futures import Future, ThreadPoolExecutor
+from pathlib import Path
+from typing import NamedTuple
+
+import pytest
+
+from rosspin import ros1, simulate
+
+SCENARIOS = Path(__file__).parent / "scenarios"
+SOURCE = Path(__file__).parents[1] / "src"
+
+P = 0.4  # the period in the scenarios, s
+TOLERANCE = 0.3 * P
+JITTER = 0.01  # what each block may take longer (s) and the scenario still count; a process later than that has stalled
+CTRL_C = 3.6 * P
+LONGEST = 12.0  # s of a scenario that ends by itself
+TRIES = 6
+AT_ONCE = 8
+RUNTIMES = ("ros1", "wall")
+
+SEED = int(os.environ.get("ROSSPIN_SEED") or random.SystemRandom().randrange(10**6))
+RANDOM = 12
+
+
+class Scenario(NamedTuple):
+    """A scenario file with its node args, which are a part of its name."""
+
+    file: str
+    args: tuple[str, ...] = ()
+
+    @property
+    def name(self) -> str:
+        return re.sub(r"\W+", "_", "_".join((self.file, *self.args)))
+
+    @property
+    def is_timed(self) -> bool:
+        """Whether it is about times; its node may then have any name."""
+        return not self.file.startswith(("values", "log_", "exit", "main"))
+
+    @property
+    def end(self) -> float | None:
+        """When Ctrl-C comes, in those that are about it."""
+        return CTRL_C if self.file.startswith("ctrl_c") else None
+
+
+def _with(name: str, values: tuple[float, ...], *more: str) -> list[tuple[str, ...]]:
+    return [(f"_{name}:={value}", *more) for value in values]
+
+
+# Lengths, in periods, around the limits of 1, 2 and 3.
+_LENGTHS = (0.5, 0.7, 1.3, 1.6, 2.4, 2.7, 3.3, 3.6, 4.4, 5.6)
+
+_ARGS: dict[str, list[tuple[str, ...]]] = {
+    "timer_blocked_once": _with("block", _LENGTHS),
+    "timer_blocked_always": _with("block", (0.5, 1.6, 3.5)),
+    "rate_blocked": _with("block", _LENGTHS, "_pass:=2") + _with("block", (0.5, 1.6, 3.5), "_pass:=0"),
+    "ros_time_backward": [("_reset:=false",), ("_reset:=true",)],
+    "values_names": [
+        (),
+        ("__ns:=/mrp", "chatter:=other", "plain"),
+        ("__ns:=a/b", "__name:=renamed", "/chatter:=/x/y", "_p:=1", "--flag"),
+        ("__ns:=/", "~a:=b", "bad:=two:=three"),
+    ],
+    "values_parameters": [
+        (
+            *("_rate:=10", "_text:=word", "_yes:=true", "_list:=[1, 2.5, a]", "_tree:={a: {b: 1}}"),
+            *("_empty:=''", "_float:=1e3", "_quoted:='10'"),
+        )
+    ],
+    "values_bad_parameter": [("_a:={",)],
+    "log_levels": [(level,) for level in ("DEBUG", "INFO", "WARN", "ERROR", "FATAL")],
+    "exit_status": [("0",), ("3",)],
+}
+
+SCENARIO_LIST = [
+    Scenario(file.stem, args)
+    for file in sorted(SCENARIOS.glob("*.py"))
+    if file.stem != "scenario"
+    for args in _ARGS.get(file.stem, [()])
+]
+
+
+class Outcome(NamedTuple):
+    """What a scenario gave: exit status, lines that must be the same, times by label, whether the machine stalled."""
+
+    status: int
+    text: str
+    marks: dict[str, list[list[float | None]]]
+    end: float | None
+    stalled: bool
+
+
+def _outcome(console: str, status: int, end: float | None) -> Outcome:
+    text: list[str] = []
+    marks: dict[str, list[list[float | None]]] = {}
+    # After Ctrl-C a real node closes its connections first: a timer may be called once more.
+    stalled = False
+    for line in console.splitlines():
+        label, *words = line[1:].split() if line.startswith("@") else [""]
+        if not label:
+            text.append(line)
+        elif label == "stall":
+            stalled = True
+        elif label == "zero":
+            pass
+        elif label == "end":
+            end = float(words[0])
+        else:
+            marks.setdefault(label, []).append([None if word == "None" else float(word) for word in words])
+    return Outcome(status, _normal("\n".join(text)), marks, end, stalled)
+
+
+def _normal(text: str) -> str:
+    """What differs from run to run: stamps, thread numbers, and the frames of rospy and of Python in a traceback."""
+    text = re.sub(r"\[\d+\.\d{6}(, \d+\.\d{6})?\]", lambda stamp: f"[STAMP{', ROS' if stamp[1] else ''}]", text)
+    text = re.sub(r"Thread-\d+", "Thread-N", text)
+    text = re.sub(r"\[DEBUG\].*(init_node|bind|bound|URL|Service instance).*\n", "", text)  # of rospy's own network
+    # The code lines and the marks below them depend on Python's version.
+    text = re.sub(r'^  File ".*/scenarios/(\w+\.py)", (line \d+.*)\n(?:    .*\n)*', r"  \1, \2\n", text, flags=re.M)
+    return re.sub(r'^  File ".*\n(?:    .*\n)*', "", text, flags=re.M)
+
+
+def _simulated(folder: Path, scenario: Scenario, *args: str) -> Outcome:
+    run = simulate(folder / f"{scenario.file}.py", scenario.end or LONGEST, _args(scenario, *args))
+    return _outcome(run.console, run.status, scenario.end)
+
+
+def _args(scenario: Scenario, *more: str) -> list[str]:
+    # Nodes of one master need names of their own; those that are about names keep theirs.
+    own = [f"__name:={scenario.name}"] if scenario.is_timed else []
+    return [*scenario.args, *own, *more]
+
+
+def differences(exact: Outcome, other: Outcome) -> list[str]:
+    """What `other` has otherwise than the simulated run."""
+    found = []
+    if other.status != exact.status:
+        found.append(f"status {other.status} for {exact.status}")
+    if other.text != exact.text:
+        lines = difflib.unified_diff(exact.text.splitlines(), other.text.splitlines(), "simulated", "other", n=0)
+        found += [line.rstrip("\n") for line in lines]
+    for label in {**exact.marks, **other.marks}:
+        found += _differences(label, exact.marks.get(label, []), other.marks.get(label, []), exact.end)
+    return found
+
+
+def _differences(
+    label: str, exact: list[list[float | None]], other: list[list[float | None]], end: float | None
+) -> Iterator[str]:
+    # What falls due as the scenario ends may or may not come.
+    if len(exact[0] if exact else ()) == 1 and end == CTRL_C:
+        end = None
+    sure = [row for row in exact if end is None or (row[3] if len(row) == 5 else row[0]) < end - TOLERANCE]
+    if not len(sure) <= len(other) <= (len(exact) + 1 if end is not None else len(exact)):
+        yield f"{label}: {len(other)} marks for {len(exact)}: {other} for {exact}"
+    for number, (row, reference) in enumerate(zip(other, exact), 1):
+        if [value is None for value in row] != [value is None for value in reference] or any(
+            abs(a - b) >= TOLERANCE for a, b in zip(row, reference) if a is not None and b is not None
+        ):
+            yield f"{label} {number}: {row} for {reference}"
+
+
+# --- random scenarios -------------------------------------------------------------------------------------------------
+
+_RANDOM_TIMER = '''"""Made at random from seed {seed}."""
+
+import rospy
+from scenario import P, begin, block, end_after, mark_event
+
+
+def callback(name, blocks):
+    calls = []
+
+    def call(event):
+        calls.append(event)
+        mark_event(name, event)
+        block(blocks[len(calls) - 1] if len(calls) <= len(blocks) else 0)
+
+    return call
+
+
+begin("{name}")
+{timers}
+end_after(10.25)
+'''
+
+_RANDOM_RATE = '''"""Made at random from seed {seed}."""
+
+import rospy
+from scenario import P, begin, block, mark
+
+begin("{name}")
+rate = rospy.Rate({hz} / P)
+for periods in {blocks}:
+    mark("pass")
+    block(periods)
+    rate.sleep()
+mark("end_of_loop")
+'''
+
+
+def _make_random(folder: Path, seed: int) -> Scenario:
+    """A scenario that a little lateness does not change, drawn until there is one."""
+    draw = random.Random(seed)
+    scenario = Scenario(f"random_{seed}")
+    while True:
+        blocks = [[draw.choice((0, 0, *_LENGTHS)) for _ in range(6)] for _ in range(draw.randint(1, 4))]
+        if draw.random() < 0.5:
+            timers = "\n".join(
+                f"rospy.Timer(rospy.Duration({draw.choice((1, 1.5, 2))} * P), callback('timer{number}', {lengths}))"
+                for number, lengths in enumerate(blocks)
+            )
+            text = _RANDOM_TIMER.format(seed=seed, name=scenario.name, timers=timers)
+        else:
+            text = _RANDOM_RATE.format(seed=seed, name=scenario.name, hz=draw.choice((1, 0.5)), blocks=blocks[0])
+        (folder / f"{scenario.file}.py").write_text(text)
+        exact = _simulated(folder, scenario)
+        if not any(differences(exact, _simulated(folder, scenario, f"_jitter:={jitter}")) for jitter in (JITTER / 4, JITTER)):
+            return scenario
+
+
+# --- the runs ---------------------------------------------------------------------------------------------------------
+
+
+class Lab:
+    """Runs scenarios on the real rospy and on the stand-in's wall clock, some at a time, each until it is sure."""
+
+    def __init__(self, folder: Path, workspace: ros1.Workspace, pool: ThreadPoolExecutor) -> None:
+        self.folder = folder
+        self._workspace = workspace
+        self._pool = pool
+        self._results: dict[tuple[Scenario, str], Future[list[str]]] = {}
+
+    def submit(self, scenario: Scenario) -> None:
+        exact = _simulated(self.folder, scenario)
+        for runtime in RUNTIMES:
+            self._results[scenario, runtime] = self._pool.submit(self._compare, scenario, runtime, exact)
+
+    def result(self, scenario: Scenario, runtime: str) -> list[str]:
+        """How the run differed from the simulated one."""
+        return self._results[scenario, runtime].result()
+
+    def _compare(self, scenario: Scenario, runtime: str, exact: Outcome) -> list[str]:
+        for _ in range(TRIES):
+            outcome = self._run(scenario, runtime)
+            found = differences(exact, outcome)
+            if not found or not outcome.stalled:
+                break
+        return found
+
+    def _run(self, scenario: Scenario, runtime: str) -> Outcome:
+        file = str(self.folder / f"{scenario.file}.py")
+        command = ["python3", file] if runtime == "ros1" else [sys.executable, "-m", "rosspin", "run", file, "--"]
+        begins = re.compile("@zero") if "begin(" in Path(file).read_text() else None
+        output = self._workspace.run([*command, *_args(scenario)], scenario.end or LONGEST, begins=begins)
+        return _outcome(output.console, output.status, scenario.end)
+
+
+@pytest.fixture(scope="module")
+def lab(require: Callable[[str], None], tmp_path_factory: pytest.TempPathFactory) -> Iterator[Lab]:
+    require("ros1")
+    print(f"random scenarios from seed {SEED}; to repeat them: ROSSPIN_SEED={SEED}")
+    folder = tmp_path_factory.mktemp("lab") / "scenarios"
+    shutil.copytree(SCENARIOS, folder, ignore=shutil.ignore_patterns("__pycache__"))
+    for number in range(RANDOM):
+        _make_random(folder, SEED + number)
+    with pytest.MonkeyPatch.context() as patch, ros1.Workspace() as workspace:
+        patch.setenv("PYTHONPATH", str(SOURCE))
+        workspace.start_master()
+        with ThreadPoolExecutor(AT_ONCE) as pool:
+            lab = Lab(folder, workspace, pool)
+            for scenario in ALL:
+                lab.submit(scenario)
+            try:
+                yield lab
+            finally:
+                pool.shutdown(cancel_futures=True)
+
+
+ALL = [*SCENARIO_LIST, *(Scenario(f"random_{SEED + number}") for number in range(RANDOM))]
+
+
+def _id(scenario: Scenario) -> str:
+    return scenario.name
+
+
+@pytest.mark.parametrize("runtime", RUNTIMES)
+@pytest.mark.parametrize("scenario", ALL, ids=_id)
+def test_scenario(lab: Lab, scenario: Scenario, runtime: str) -> None:
+    """The real rospy, and the stand-in on the wall clock, do what the stand-in does in simulated time."""
+    assert lab.result(scenario, runtime) == []
+
+
+@pytest.mark.parametrize("scenario", [scenario for scenario in SCENARIO_LIST if scenario.is_timed], ids=_id)
+def test_a_little_lateness_changes_no_scenario(scenario: Scenario) -> None:
+    """The margins: else a busy machine could make a difference that rospy did not."""
+    exact = _simulated(SCENARIOS, scenario)
+    for jitter in (JITTER / 4, JITTER):
+        assert differences(exact, _simulated(SCENARIOS, scenario, f"_jitter:={jitter}")) == []
