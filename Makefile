@@ -3,6 +3,8 @@
 PYTHON ?= python3
 PORT ?= 8000
 BIN := .venv/bin
+ROS1 := build-essential catkin libroscpp-dev python3-roslaunch python3-rosmaster python3-rospy rosbash
+SUDO := $(if $(filter-out 0,$(shell id -u)),sudo)
 EXTRAS := plots,docs,notebooks,test,lint
 
 # One stamp for each PYTHON: choosing another one makes the environment anew, as changed pins do.
@@ -20,7 +22,7 @@ SPHINX = $(BIN)/sphinx-build -M $@ . build -n -W --keep-going -T || { rm -rf bui
 
 # html and doctest share their parsed pages, so one runs after the other.
 .NOTPARALLEL:
-.PHONY: html test doctest linkcheck serve lab bench pins clean
+.PHONY: html test doctest linkcheck serve lab bench ros1 record pins clean
 
 html doctest linkcheck: $(VENV)
 	$(SPHINX)
@@ -48,6 +50,16 @@ $(VENV): pyproject.toml constraints.txt
 	$(PYTHON) -m venv --clear .venv
 	$(BIN)/pip install --quiet --disable-pip-version-check -c constraints.txt -e '.[$(EXTRAS)]'
 	@touch $@
+
+# The real ROS 1, which Debian and Ubuntu have in their archives; none of the other targets needs it.
+ros1:
+	@command -v apt-get >/dev/null || \
+	  { echo 'ROS 1 is in the archives of Debian and Ubuntu only; install $(ROS1) there' >&2; exit 1; }
+	$(SUDO) apt-get install --yes $(ROS1)
+
+# Anew, on the real ROS 1: the runs that pages show where none is installed.
+record: $(VENV)
+	$(BIN)/python benchmarks/record.py
 
 # New pins, on purpose. Run it with the oldest Python there is (Debian 12 has 3.11.2): newer ones can use them too.
 pins:

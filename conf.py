@@ -12,7 +12,8 @@ project = "rosspin"
 html_title = "rosspin"
 copyright = "the rosspin contributors. The texts are CC BY 4.0, after a page by Paul N. Beuchat, 2023"
 
-extensions = ["myst_nb", "rosspin.sphinx_pages", "sphinx.ext.doctest", "sphinx_copybutton", "sphinx_design"]
+extensions = ["myst_nb", "rosspin.sphinx_pages", "sphinx.ext.autodoc", "sphinx.ext.doctest"]
+extensions += ["sphinx_copybutton", "sphinx_design"]
 include_patterns = ["index.rst", "docs/**.rst", "notebooks/*.md"]
 exclude_patterns = [".venv", "build"]  # not walked through in search of pages
 
@@ -21,6 +22,9 @@ nb_execution_raise_on_error = True
 nb_execution_timeout = 300  # only a hang should end here, not a busy machine
 nb_merge_streams = True  # a console mixes stdout and stderr
 nb_ipywidgets_js = {}  # the default loads scripts from another host
+
+maximum_signature_line_length = 100  # a longer one has a line for each parameter
+nitpick_ignore_regex = [("py:.*", r"(?!rosspin\b).*")]  # the names of other projects have their pages elsewhere
 
 # Doctests run in the root, whose paths they name. Sphinx's default flags would ignore the text of errors and let
 # "..." stand for anything.

@@ -90,7 +90,7 @@ WRONG = [
     (1, {"rospy.Duration(timer_delta_t_in_seconds)": "timer_delta_t_in_seconds"}, "has no attribute 'to_sec'"),
     (2, {", oneshot=True": ""}, "counter 2 came at 3 s; it should not come"),
     (2, {"= 1.5": "= 0.5"}, "counter 1 came at 0.5 s, not at 1.5 s"),
-    (2, {"oneshot=True": "oneshot"}, "NameError: name 'oneshot' is not defined` in line 8"),
+    (2, {"oneshot=True": "oneshot"}, "NameError: name 'oneshot' is not defined` in line 10"),
     (3, {"== 5": "> 5"}, "counter 6 came at 3 s; it should not come"),
     (3, {"self.timer.shutdown()": "rospy.signal_shutdown('five')"}, "The heartbeat: counter"),
     (

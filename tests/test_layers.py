@@ -14,6 +14,7 @@ PACKAGE = Path(__file__).parent.parent / "src" / "rosspin"
 
 # From the bottom up: a module may import what stands before it.
 LAYERS = [
+    "jspi",
     "stacks",
     "clock",
     "simulation",
@@ -23,6 +24,7 @@ LAYERS = [
     "run",
     "console",
     "measures",
+    "page",
     "plots",
     "ros1",
     "doctor",
@@ -30,6 +32,7 @@ LAYERS = [
     "machine",
     "magics",
     "sphinx_pages",
+    "sphinx_live",
     "__init__",
     "__main__",
 ]
@@ -39,8 +42,10 @@ KEEPERS = {
     "greenlet": {"stacks"},
     "matplotlib": {"plots", "__main__"},
     "IPython": {"magics"},
-    "sphinx": {"sphinx_pages"},
-    "docutils": {"sphinx_pages"},
+    "js": {"jspi", "page"},
+    "pyodide": {"jspi", "page"},
+    "sphinx": {"sphinx_pages", "sphinx_live"},
+    "docutils": {"sphinx_pages", "sphinx_live"},
     "yaml": {"rospy.client"},
 }
 
@@ -106,7 +111,7 @@ def test_the_stand_in_does_not_know_how_stacks_switch() -> None:
 
 
 def test_simulation_and_clock_do_not_know_rospy() -> None:
-    for module in ("stacks", "clock", "simulation", "watchdog"):
+    for module in ("jspi", "stacks", "clock", "simulation", "watchdog"):
         assert not {name for name in imports(module) if layer(name) == "rospy"}
 
 

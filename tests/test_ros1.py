@@ -142,9 +142,11 @@ def test_compile_error_is_the_compilers_own(tmp_path: Path) -> None:
 def empty_package(folder: Path) -> Path:
     package = folder / "lab"
     package.mkdir()
-    package.joinpath("package.xml").write_text(PROBES.joinpath("package.xml").read_text().replace("timing_probes", "lab"))
-    lines = ["cmake_minimum_required(VERSION 3.0.2)", "project(lab)", "find_package(catkin REQUIRED)", "catkin_package()"]
-    package.joinpath("CMakeLists.txt").write_text("\n".join(lines))
+    xml = PROBES.joinpath("package.xml").read_text()
+    package.joinpath("package.xml").write_text(xml.replace("timing_probes", "lab"))
+    package.joinpath("CMakeLists.txt").write_text(
+        "cmake_minimum_required(VERSION 3.0.2)\nproject(lab)\nfind_package(catkin REQUIRED)\ncatkin_package()\n"
+    )
     return package
 
 
@@ -265,6 +267,10 @@ def test_a_signal_ends_everything(file: str, number: signal.Signals, when: str, 
     console += process.communicate()[0]
     assert process.returncode == (0 if when == "running" else 130)
     assert "Traceback" not in console
+
+
+def test_make_ros1_installs_what_the_error_names() -> None:
+    assert f"ROS1 := {ros1.APT}\n" in ROOT.joinpath("Makefile").read_text()
 
 
 def test_doctor(capsys: pytest.CaptureFixture[str]) -> None:

@@ -6,14 +6,11 @@ import argparse
 import os
 import signal
 import sys
-import traceback
 from collections.abc import Sequence
 
 from . import ros1
 from .doctor import report
-from .rospy.threads import own_frames
-from .rospy.world import NotSimulated
-from .run import Result, Run, load, run_simulated, run_wall, split_words
+from .run import Result, Run, load, run_simulated, run_wall, say_error, split_words
 
 __all__ = ["main"]
 
@@ -26,7 +23,7 @@ def main(argv: Sequence[str] | None = None) -> int:
         return int(options.do(options, node_args))
     except (OSError, ValueError, SyntaxError, RuntimeError, ImportError) as error:
         sys.stdout.flush()
-        print(f"rosspin: {_say(error)}", file=sys.stderr)
+        print(f"rosspin: {say_error(error)}", file=sys.stderr)
         return 1
     except KeyboardInterrupt:
         return 128 + signal.SIGINT
@@ -98,18 +95,6 @@ def _check_plot(path: str) -> None:
         import matplotlib  # noqa: F401
     except ModuleNotFoundError:
         raise ImportError("--plot needs matplotlib: pip install matplotlib") from None
-
-
-def _say(error: Exception) -> str:
-    if isinstance(error, SyntaxError):
-        return "".join(traceback.format_exception_only(error)).strip()
-    if isinstance(error, OSError) and error.filename:
-        return f"{error.filename}: {error.strerror}"
-    if isinstance(error, NotSimulated):
-        trace = own_frames((error.__cause__ or error).__traceback__)
-        places = [frame for frame in traceback.extract_tb(trace) if not frame.filename.startswith("<frozen")]
-        return f"{places[-1].filename}:{places[-1].lineno}: {error}" if places else str(error)
-    return str(error)
 
 
 if __name__ == "__main__":

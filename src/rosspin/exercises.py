@@ -132,7 +132,7 @@ class _Answer:
                 self.console, self._ran = console.text(), True
         run = Run(console.text(), result.ticks, result.status, "simulated", seconds)
         if failure := _failure(run):
-            raise _Fails(f"{started} {failure}", "Read the last lines of the console: they name the line.")
+            raise _Fails(f"{started} {failure}")
         return run
 
 
@@ -145,7 +145,7 @@ def _load(source: Any) -> Node:
         node = load_source(source, _FILENAME)
         constants = [part for part in ast.walk(ast.parse(source)) if isinstance(part, ast.Constant)]
     except SyntaxError as error:
-        raise _Fails(f"Line {error.lineno} is not Python: {_plain(error.msg)}.", "Nothing was run.") from None
+        raise _Fails(f"Line {error.lineno} is not Python: {_plain(error.msg)}.") from None
     except (ValueError, RecursionError, MemoryError) as error:
         raise _Fails(f"This is not Python: {_plain(str(error))}.") from None
     if gaps := [part.lineno for part in constants if part.value is ...]:

@@ -8,7 +8,7 @@ from statistics import median
 
 from .run import Tick
 
-__all__ = ["describe_lateness", "describe_periods", "lost", "periods", "quantile", "say_time"]
+__all__ = ["describe_lateness", "describe_periods", "describe_timeline", "lost", "periods", "quantile", "say_time"]
 
 
 def periods(ticks: Sequence[Tick]) -> list[float]:
@@ -50,6 +50,16 @@ def say_time(seconds: float) -> str:
         if abs(seconds) >= 0.0995 * size:
             return f"{seconds / size:.3g} {unit}"
     return f"{seconds * 1e6:.3g} µs" if abs(seconds) >= 0.5e-9 else "0"
+
+
+def describe_timeline(name: str, group: Sequence[Tick]) -> str:
+    """The ticks of one source in a sentence or two: how many, from when to when, and how late."""
+    if not group:
+        return f"{name}: no tick."
+    span = f"{len(group)} ticks from {group[0].real:.3f} s to {group[-1].real:.3f} s"
+    if len(group) == 1:
+        span = f"1 tick at {group[0].real:.3f} s"
+    return f"{name}: {span}. {describe_lateness(group)}"
 
 
 def describe_lateness(ticks: Sequence[Tick]) -> str:

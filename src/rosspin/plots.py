@@ -17,7 +17,7 @@ from matplotlib.axes import Axes
 from matplotlib.figure import Figure as Canvas
 from matplotlib.ticker import MaxNLocator
 
-from .measures import describe_lateness, describe_periods, lost, periods
+from .measures import describe_lateness, describe_periods, describe_timeline, lost, periods
 from .run import Tick
 
 __all__ = ["Figure", "lateness", "period_histogram", "timeline"]
@@ -108,7 +108,7 @@ def timeline(ticks: Ticks, period: float | None = None) -> Figure:
             if tick.duration > 0:
                 axes.barh(row, tick.duration, 0.3, tick.real, color=colour, alpha=0.45, lw=0)
         axes.plot([tick.real for tick in group], [row] * len(group), marker, color=colour, ms=4.5, lw=0)
-        words.append(_say_timeline(name, group) + (f" Lost ticks: {len(gone)}." if period else ""))
+        words.append(describe_timeline(name, group) + (f" Lost ticks: {len(gone)}." if period else ""))
     axes.set_yticks(range(len(groups)), list(groups))
     axes.set_ylim(len(groups) - 0.5, -0.5)
     axes.tick_params(axis="y", length=0)
@@ -174,15 +174,6 @@ def _groups(ticks: Ticks) -> dict[str, list[Tick]]:
 
 def _look(row: int) -> tuple[str, str]:
     return _COLOURS[row % len(_COLOURS)], _MARKERS[row % len(_MARKERS)]
-
-
-def _say_timeline(name: str, group: Sequence[Tick]) -> str:
-    if not group:
-        return f"{name}: no tick."
-    span = f"{len(group)} ticks from {group[0].real:.3f} s to {group[-1].real:.3f} s"
-    if len(group) == 1:
-        span = f"1 tick at {group[0].real:.3f} s"
-    return f"{name}: {span}. {describe_lateness(group)}"
 
 
 def _canvas(height: float) -> tuple[Canvas, Axes]:

@@ -115,14 +115,15 @@ def launch(
 ) -> Run:
     """Run a launch file of a catkin package, or one node file (``.py`` or ``.cpp``), on the real ROS 1.
 
-    ``seconds`` after the first node has been started Ctrl-C is pressed; a real Ctrl-C ends the run early, in the same
-    way. A run without ``seconds`` ends by that, or with its nodes. What does not end is killed, when roslaunch would.
+    ``seconds`` after the first node has been started Ctrl-C is pressed. A run without ``seconds`` ends by a real
+    Ctrl-C, or with its nodes. What does not end is killed, when roslaunch would.
     ``args`` are a launch file's own (``"name:=value"``) or the node's (``"__ns:=/mrp"``). The console is also passed on
     to ``onward``, as it comes. A node that died, or was killed, is named in the console's last lines, and its exit
     status is the run's.
 
     Raises :class:`Ros1Missing`, :class:`BuildFailed`, OSError for a file that cannot be read, ValueError for one that
-    cannot be run and for negative ``seconds``, RuntimeError if ROS does not start.
+    cannot be run and for negative ``seconds``, RuntimeError if ROS does not start, KeyboardInterrupt for a Ctrl-C
+    before ``seconds`` are over.
     """
     if seconds is not None and not 0 <= seconds < math.inf:
         raise ValueError(f"seconds must be a number from 0 up, not {seconds!r}")
@@ -276,7 +277,8 @@ class Workspace:
     ) -> Output:
         """Run a command until it ends or ``seconds`` are over, then press Ctrl-C; ``patience`` says what comes after.
 
-        The seconds count from the first line of the console that matches ``begins``, or else from the start.
+        The seconds count from the first line of the console that matches ``begins``, or else from the start. A real
+        Ctrl-C ends the command in the same way; one that cuts ``seconds`` short goes on to the caller after that.
         """
         process = self._start(command, stdout=subprocess.PIPE, stderr=subprocess.STDOUT)
         console = _Console(process, onward, begins)
@@ -284,14 +286,12 @@ class Workspace:
             if begins is not None and not console.begun.wait(_START_PATIENCE):
                 raise RuntimeError(f"{command[0]} did not start anything:\n{console.text()}")
             process.wait(seconds)
-        except (subprocess.TimeoutExpired, KeyboardInterrupt):
-            for number, wait in patience or _PATIENCE:
-                process.send_signal(number)
-                try:
-                    process.wait(wait)
-                    break
-                except subprocess.TimeoutExpired:
-                    pass
+        except subprocess.TimeoutExpired:
+            _end(process, patience or _PATIENCE)
+        except KeyboardInterrupt:
+            _end(process, patience or _PATIENCE)
+            if seconds is not None:
+                raise
         return Output(console.text(), _status(process.wait()), console.start)
 
     def _start(self, command: Sequence[str], stdout: int, stderr: int | None = None) -> subprocess.Popen[bytes]:
@@ -359,6 +359,17 @@ class _Console:
         except OSError:  # nobody listens any more, as after `| head`
             self._onward = None
             self._process.send_signal(signal.SIGINT)
+
+
+def _end(process: subprocess.Popen[bytes], patience: Sequence[tuple[signal.Signals, float]]) -> None:
+    """End a process with one signal after another, each given its time (s)."""
+    for number, wait in patience:
+        process.send_signal(number)
+        try:
+            process.wait(wait)
+            return
+        except subprocess.TimeoutExpired:
+            pass
 
 
 def _signal_all(processes: Callable[[], Iterator[int]], number: signal.Signals, patience: float) -> None:

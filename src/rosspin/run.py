@@ -23,7 +23,7 @@ from typing import Any, NamedTuple, TextIO
 from . import rospy
 from .clock import NS, WallClock, nanoseconds
 from .rospy import client, core, exceptions, genpy, names, rostime, timer
-from .rospy.threads import print_traceback
+from .rospy.threads import own_frames, print_traceback
 from .rospy.world import Handler, NotSimulated, World, current, handle_process_signals
 from .simulation import Simulation, Standstill
 from .stacks import Stack
@@ -166,10 +166,17 @@ class Result(NamedTuple):
     start: float
 
 
-def run_simulated(node: Node, seconds: float, args: Sequence[str], record: bool) -> Result:
+def run_simulated(
+    node: Node,
+    seconds: float,
+    args: Sequence[str],
+    record: bool,
+    simulation: Simulation | None = None,
+    watchdog_kind: type[Watchdog] = Watchdog,
+) -> Result:
     """Run a loaded node in simulated time; its console goes where ``sys.stdout`` and ``sys.stderr`` do."""
     until = _duration(seconds)
-    simulation = Simulation()
+    simulation = simulation or Simulation()
     handlers: list[Handler] = []
     status = 0
 
@@ -193,7 +200,7 @@ def run_simulated(node: Node, seconds: float, args: Sequence[str], record: bool)
         world = World(simulation, sys.argv, handlers.append)
         world.ticks = [] if record else None
         try:
-            with Watchdog(lambda: simulation.now() // _LEAST_STEP) as watchdog:
+            with watchdog_kind(lambda: simulation.now() // _LEAST_STEP) as watchdog:
                 simulation.run(main)
         except _Killed:
             status = _say_killed(seconds)
@@ -270,6 +277,19 @@ def _where(node: Node, stack: Sequence[traceback.FrameSummary]) -> str:
         if frame.filename == node.filename:
             return f"{frame.filename}:{frame.lineno}"
     return ""
+
+
+def say_error(error: Exception) -> str:
+    """What ends a run, or keeps it from beginning, in words: with the place in the node's file if it has one."""
+    if isinstance(error, SyntaxError):
+        return "".join(traceback.format_exception_only(error)).strip()
+    if isinstance(error, OSError) and error.filename:
+        return f"{error.filename}: {error.strerror}"
+    if isinstance(error, NotSimulated):
+        trace = own_frames((error.__cause__ or error).__traceback__)
+        places = [frame for frame in traceback.extract_tb(trace) if not frame.filename.startswith("<frozen")]
+        return f"{places[-1].filename}:{places[-1].lineno}: {error}" if places else str(error)
+    return str(error)
 
 
 def split_words(words: Sequence[str]) -> tuple[Sequence[str], Sequence[str]]:

@@ -1,4 +1,4 @@
-"""Simulated time: a heap of wake-ups over suspended stacks. Time jumps to the next one.
+"""Simulated time: a heap of wake-ups over suspended stacks. Time jumps to the next one, or is paced.
 
 Nothing runs in parallel and nothing waits: a stack runs until it sleeps, then the stack that is due next goes on, and
 the time is what that stack was waiting for. Of several due at the same time, the one that fell asleep first goes first,
@@ -14,7 +14,7 @@ from heapq import heapify, heappop, heappush, heappushpop
 
 from .stacks import Stack, StackExit, current
 
-__all__ = ["Simulation", "Standstill", "running"]
+__all__ = ["PacedSimulation", "Simulation", "Standstill", "running"]
 
 # The simulation whose stack this is; None outside of any.
 running: ContextVar[Simulation | None] = ContextVar("running", default=None)
@@ -120,10 +120,13 @@ class Simulation:
                     raise RuntimeError(f"nothing is left to happen at {self._now / 1e9} s, and the node still waits")
                 when, _, due = heappop(self._heap)
                 if when > self._now:
-                    self._now, self._last_move = when, self._sleeps
+                    self._move(when)
                 due.switch()
         finally:
             self._close()
+
+    def _move(self, when: int) -> None:
+        self._now, self._last_move = when, self._sleeps
 
     def _stack(self, function: Callable[[], None], name: str) -> Stack:
         def run() -> None:
@@ -155,6 +158,23 @@ class Simulation:
             if not stack.dead:
                 _abandoned.append(stack)
         self._heap.clear()
+
+
+class PacedSimulation(Simulation):
+    """A simulation that does not jump: ``wait(when)`` is called before the time becomes ``when`` (ns)."""
+
+    def __init__(self, wait: Callable[[int], None]) -> None:
+        super().__init__()
+        self._wait = wait
+
+    def sleep(self, ns: int) -> None:
+        wake = self._now + max(ns, 0)
+        self._wait(min(wake, self._heap[0][0]) if self._heap else wake)
+        super().sleep(ns)
+
+    def _move(self, when: int) -> None:
+        self._wait(when)
+        super()._move(when)
 
 
 class _Condition:

@@ -90,40 +90,49 @@ def _facts(env: BuildEnvironment) -> dict[str, object]:
 
 
 class UsageDirective(SphinxDirective):
-    """``.. usage:: run``: what ``rosspin run --help`` prints, in 80 columns."""
+    """``.. usage:: run``: what ``rosspin run --help`` prints, in 72 columns."""
 
     optional_arguments = 1
 
     def run(self) -> list[nodes.Node]:
         """The text, as it is."""
         command = [sys.executable, "-m", "rosspin", *self.arguments, "--help"]
-        environment = {**os.environ, "COLUMNS": "80", "NO_COLOR": "1"}
+        environment = {**os.environ, "COLUMNS": "72", "NO_COLOR": "1"}
         text = subprocess.run(command, env=environment, check=True, capture_output=True, text=True).stdout
         return [nodes.literal_block(text, text, language="text")]
 
 
 class RospyNamesDirective(SphinxDirective):
-    """``.. rospy-names::``: the names of the stand-in, all or in part, or with ``:missing:`` those it has not."""
+    """``.. rospy-names:: full``: the names that it has; ``part``: those it has in part; ``none``: those it has not."""
 
-    option_spec: ClassVar = {"missing": directives.flag}
+    required_arguments = 1
 
     def run(self) -> list[nodes.Node]:
-        """A table, or the missing names in a row."""
-        if "missing" in self.options:
-            names = ", ".join(f"``{name}``" for name in sorted(rospy.NOT_SIMULATED))
-            return self.parse_text_to_nodes(names)
-        rows = [(f"``{name}``", *_rospy_name(name)) for name in sorted(rospy.__all__, key=str.lower)]
-        return self.parse_text_to_nodes(_table("Name", "There", "What it does", rows=rows))
+        """A table of what the names do, by their docstrings, or of what is lacking; the missing ones are a row."""
+        match self.arguments[0]:
+            case "full":
+                names = sorted(set(rospy.__all__) - rospy.IN_PART.keys(), key=str.lower)
+                text = _table("Name", "What it does", rows=[(_code(name), _rospy_does(name)) for name in names])
+            case "part":
+                lacking: dict[str, list[str]] = {}
+                for name, what in sorted(rospy.IN_PART.items()):
+                    lacking.setdefault(what, []).append(name)
+                text = _table("Names", "What is different", rows=[(_code(*lacking[what]), what) for what in lacking])
+            case _:
+                text = _code(*sorted(rospy.NOT_SIMULATED, key=str.lower))
+        return self.parse_text_to_nodes(text)
 
 
-def _rospy_name(name: str) -> tuple[str, str]:
-    """Whether a name is there in full, and what it does: the first paragraph of its docstring, and what is lacking."""
+def _code(*names: str) -> str:
+    return ", ".join(f"``{name}``" for name in names)
+
+
+def _rospy_does(name: str) -> str:
+    """The first paragraph of a name's docstring."""
     value = getattr(rospy, name)
-    words = " ".join((value.__doc__ or "").partition("\n\n")[0].split())
     if isinstance(value, int):
-        words = f"A severity ({value}), for the ``log_level`` of ``init_node``."
-    lacking = rospy.IN_PART.get(name)
-    return ("in part", f"{words} *{lacking}*") if lacking else ("yes", words)
+        return f"A severity, {value}, for the ``log_level`` of ``init_node``."
+    return " ".join((value.__doc__ or "").partition("\n\n")[0].split())
 
 
 class MachineDirective(SphinxDirective):

@@ -35,6 +35,8 @@ class Watchdog:
         self._done = threading.Event()
         self._watcher = threading.Thread(target=self._watch, daemon=True)
         self._previous: Any = None
+        self._last = -1
+        self._looks = 0
         self.stack: traceback.StackSummary | None = None
 
     def __enter__(self) -> Watchdog:
@@ -58,16 +60,20 @@ class Watchdog:
         if callable(self._previous):
             self._previous(number, frame)
 
+    def look(self, frame: FrameType | None) -> bool:
+        """Look at the thread, which runs ``frame``: whether it has been without a sign of life for too many looks."""
+        seen, self._last = self._last, self._sign_of_life()
+        self._looks = 0 if self._last != seen or _is_importing(frame) else self._looks + 1
+        if self._looks < _LOOKS:
+            return False
+        self.stack = traceback.extract_stack(frame)
+        return True
+
     def _watch(self) -> None:
         ident = self._thread.ident
         assert ident is not None
-        last, looks = -1, 0
         while not self._done.wait(_INTERVAL):
-            seen, last = last, self._sign_of_life()
-            frame = sys._current_frames().get(ident)
-            looks = 0 if last != seen or _is_importing(frame) else looks + 1
-            if looks >= _LOOKS:
-                self.stack = traceback.extract_stack(frame)
+            if self.look(sys._current_frames().get(ident)):
                 if self._thread is threading.main_thread():
                     signal.pthread_kill(ident, signal.SIGINT)
                 else:

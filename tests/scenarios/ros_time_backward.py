@@ -1,7 +1,7 @@
 """On a ROS time that jumps backward: a timer's thread dies, one with reset goes on from there."""
 
 import rospy
-from scenario import P, begin, block
+from scenario import begin, block
 
 Time = rospy.Time
 set_time = rospy.rostime._set_rostime

@@ -1,7 +1,7 @@
 """On a ROS time that jumps forward: a timer gives two calls, and the rest is lost."""
 
 import rospy
-from scenario import P, begin, block
+from scenario import begin, block
 
 Time = rospy.Time
 set_time = rospy.rostime._set_rostime

@@ -1,5 +1,8 @@
-"""What the scenarios share. A line that begins with @ holds times, which the test compares with a tolerance; every other
-line must be the same on each runtime, byte for byte."""
+"""What the scenarios share.
+
+A line that begins with @ holds times, which the test compares with a tolerance; every other line must be the same on
+each runtime, byte for byte.
+"""
 
 import sys
 import threading
@@ -30,7 +33,7 @@ def _watch():
         time.sleep(0.01)
         late = time.monotonic() - before - 0.01
         if late > 0.01:
-            _write("@stall %.3f" % late)
+            _write(f"@stall {late:.3f}")
 
 
 def now():
@@ -52,7 +55,7 @@ def _write(line):
 def _seconds(value):
     if value is None:
         return "None"
-    return "%.4f" % (value.to_sec() - _zero[0] if hasattr(value, "to_sec") else value)
+    return f"{value.to_sec() - _zero[0] if hasattr(value, 'to_sec') else value:.4f}"
 
 
 def mark_event(label, event):
@@ -84,5 +87,5 @@ def attempt(text, names=None):
     try:
         value = repr(eval(text, {"rospy": rospy, **(names or {})}))
     except Exception as error:
-        value = "%s: %s" % (type(error).__name__, error)
+        value = f"{type(error).__name__}: {error}"
     print(text, "->", value, flush=True)

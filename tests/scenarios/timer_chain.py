@@ -6,7 +6,7 @@ from scenario import P, begin, end_after, mark_event
 
 def link(number):
     def callback(event):
-        mark_event("link%d" % number, event)
+        mark_event(f"link{number}", event)
         if number < 5:
             rospy.Timer(rospy.Duration(P * (1 + number % 2)), link(number + 1), oneshot=True)
 

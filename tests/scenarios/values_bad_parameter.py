@@ -1,6 +1,5 @@
 """A private parameter on the command line that is no YAML."""
 
-import rospy
 from scenario import attempt
 
 attempt("rospy.init_node('values_bad_parameter')")

@@ -1,6 +1,5 @@
 """Every value and error of Duration."""
 
-import rospy
 from scenario import attempt
 
 for text in """

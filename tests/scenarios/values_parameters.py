@@ -5,7 +5,7 @@ from scenario import attempt
 
 rospy.init_node("values_parameters")
 for name in ("rate", "text", "yes", "list", "tree", "nothing", "empty", "float", "quoted", "date"):
-    attempt("rospy.get_param('~%s')" % name)
+    attempt(f"rospy.get_param('~{name}')")
 for text in """
 rospy.get_param('~none', 5)
 rospy.get_param('~none', None)

@@ -15,12 +15,12 @@ int main(int argc, char* argv[])
   ros::Duration period(nh.param("period", 0.5));
   ros::WallDuration block(nh.param("block", 0.0));
   int block_call = nh.param("block_call", 0);
-  ros::Time start = ros::Time::now();
-  std::printf("start,%.6f\n", start.toSec());
   ros::Time last_expected, last_real;
   double last_duration = 0.0;
 
   ros::Rate rate(period);
+  ros::Time start = ros::Time::now();
+  std::printf("start,%.6f\n", start.toSec());
   for (int number = 1; ros::ok(); number++)
   {
     ros::Time real = ros::Time::now();

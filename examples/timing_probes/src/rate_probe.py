@@ -13,11 +13,11 @@ if __name__ == "__main__":
     period = rospy.get_param("~period", 0.5)
     block = rospy.get_param("~block", 0.0)
     block_call = rospy.get_param("~block_call", 0)
-    start = rospy.get_time()
-    print("start,%.6f" % start, flush=True)
     last = ["", "", ""]
 
     rate = rospy.Rate(1.0 / period)
+    start = rospy.get_time()
+    print("start,%.6f" % start, flush=True)
     number = 0
     while not rospy.is_shutdown():
         number += 1

@@ -61,14 +61,14 @@ NOT_SIMULATED = {
 IN_PART = {
     **dict.fromkeys(
         (name for name in core.__all__ if name.startswith("log")),
-        "On the console only: nothing goes to /rosout or into a log file.",
+        "On the console only: nothing goes to ``/rosout`` or into a log file.",
     ),
     **dict.fromkeys(
         (name for name in client.__all__ if "param" in name),
         "The node has parameters of its own: there is no server through which nodes share them.",
     ),
-    "Timer": "It is no threading.Thread, and has of one only is_alive, join, name and run.",
-    "init_node": "There is no network: disable_rosout and the ports change nothing.",
+    "Timer": "It is no ``threading.Thread``; of one it has ``is_alive``, ``join``, ``name`` and ``run``.",
+    "init_node": "There is no network: ``disable_rosout`` and the ports change nothing.",
 }
 
 

@@ -111,7 +111,7 @@ def _private_parameters(argv: list[str]) -> dict[str, Any]:
 
         return {name: yaml.safe_load(text) for name, text in pairs}
     except Exception as error:
-        raise ROSInitException(f"invalid command-line parameters: {error}") from error
+        raise ROSInitException(f"invalid command-line parameters: {error}")
 
 
 def myargv(argv: list[str] | None = None) -> list[str]:

@@ -89,3 +89,4 @@ def print_traceback() -> None:
     printed = traceback.TracebackException(kind, error, own_frames(trace))
     printed.stack = printed.stack or traceback.StackSummary()  # the heading is there even if no frame is
     sys.stderr.write("".join(printed.format()))
+    world().errors.append(error)

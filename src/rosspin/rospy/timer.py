@@ -119,8 +119,6 @@ class TimerEvent:
     took, in seconds.
     """
 
-    __slots__ = ["current_expected", "current_real", "last_duration", "last_expected", "last_real"]
-
     def __init__(
         self,
         last_expected: Time | None,

@@ -60,6 +60,7 @@ class World:
         self.over = False  # the run has ended: no timer calls back any more
         self.shutdown_hooks: list[Callable[[], None]] = []
 
+        self.errors: list[BaseException] = []  # those whose tracebacks were printed
         self.failure: NotSimulated | None = None  # met in a thread; the run ends with it
 
         self.log_level: int | None = None  # None: logging is not set up yet

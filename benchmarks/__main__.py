@@ -1,0 +1,13 @@
+"""``make bench``: what rosspin costs, as ratios of two things measured in the same run, each with its goal."""
+
+import day
+import lateness
+import ros1_beside
+import site_build
+import ticks
+
+print(__doc__, "Times are in brackets: they are this machine's.\n", sep="\n", flush=True)
+for part in (ticks.report, day.report, lateness.report, ros1_beside.report, site_build.report):
+    for line in part():
+        print(line, flush=True)
+    print()

@@ -1,0 +1,40 @@
+"""Measuring by turns, and a line of the report."""
+
+from __future__ import annotations
+
+import gc
+from collections.abc import Callable
+from statistics import median
+
+Times = dict[str, list[float]]
+
+
+def by_turns(rounds: int, clock: Callable[[], float], functions: dict[str, Callable[[], object]]) -> Times:
+    """The times that each function took, in the unit of ``clock``, one from each round.
+
+    In a round each runs once, so that whatever else the machine does meets them all.
+    """
+    times: Times = {name: [] for name in functions}
+    for _ in range(rounds):
+        for name, function in functions.items():
+            gc.collect()  # nobody tidies up after the one before
+            start = clock()
+            function()
+            times[name].append(clock() - start)
+    return times
+
+
+def ratio(times: Times, name: str, other: str) -> float:
+    """The median over the rounds of what ``name`` took to what ``other`` took."""
+    return median(one / another for one, another in zip(times[name], times[other]))
+
+
+def line(what: str, value: float, *, most: float | None = None, least: float | None = None, times: str = "") -> str:
+    """A line of the report: a ratio, the goal that it should not exceed or fall below, the times it is made of."""
+    goal = ""
+    if most is not None:
+        goal = f"at most {most:,g}: {'holds' if value <= most else 'MISSED'}"
+    if least is not None:
+        goal = f"at least {least:,g}: {'holds' if value >= least else 'MISSED'}"
+    number = f"{value:,.0f}" if value >= 1000 else f"{value:.2g}" if value < 0.1 else f"{value:.2f}"
+    return f"{what:<56} {number:>8}   {goal:<22} {f'({times})' if times else ''}".rstrip()

@@ -1,0 +1,158 @@
+"""Record a fixed set of runs on the real ROS 1 into examples/recordings, each with its provenance.
+
+`make record` runs all of it, `python benchmarks/record.py NAME...` what is named. One run at a time, so that they do
+not disturb each other; what else the machine is doing is on record as its load.
+"""
+
+from __future__ import annotations
+
+import csv
+import json
+import os
+import platform
+import re
+import subprocess
+import sys
+from collections.abc import Iterator
+from datetime import UTC, datetime
+from pathlib import Path
+from typing import Any, NamedTuple
+
+from rosspin import ros1
+from rosspin.recordings import COLUMNS
+
+EXAMPLES = Path(__file__).parents[1] / "examples"
+RECORDINGS = EXAMPLES / "recordings"
+PROBES = EXAMPLES / "timing_probes"
+LAUNCH_FILE = EXAMPLES / "my_robotics_pkg" / "launch" / "spinner.launch"
+
+PERIOD = 0.5  # s, at 2 Hz
+
+
+class Plan(NamedTuple):
+    """A run of a probe: its program, its parameters, how long (s), and what is to be seen."""
+
+    program: str
+    parameters: dict[str, Any]
+    seconds: float
+    what: str
+
+
+def _plans() -> Iterator[tuple[str, Plan]]:
+    for language, suffix in (("cpp", ""), ("py", ".py")):
+        timer, rate = f"timer_probe{suffix}", f"rate_probe{suffix}"
+        yield f"timer_{language}_2hz", Plan(timer, {"period": PERIOD}, 5.2, "a timer at 2 Hz")
+        yield f"rate_{language}_2hz", Plan(rate, {"period": PERIOD}, 5.2, "a Rate loop at 2 Hz")
+        yield f"timer_{language}_50hz", Plan(timer, {"period": 0.02}, 10.0, "a timer at 50 Hz")
+        yield f"rate_{language}_50hz", Plan(rate, {"period": 0.02}, 10.0, "a Rate loop at 50 Hz")
+        for periods in (1.4, 2.4, 4.4):
+            parameters = {"period": PERIOD, "block": periods * PERIOD, "block_call": 3}
+            what = f"a timer at 2 Hz whose callback number 3 takes {periods} periods"
+            yield f"timer_{language}_blocks_once_{periods}", Plan(timer, parameters, 6.2, what)
+        parameters = {"period": PERIOD, "block": 1.6 * PERIOD}
+        what = "a timer at 2 Hz whose callback always takes 1.6 periods"
+        yield f"timer_{language}_blocks_always_1.6", Plan(timer, parameters, 6.2, what)
+    parameters = {**parameters, "second_timer": True}
+    what = "two timers at 2 Hz, the callback of the first always takes 1.6 periods"
+    yield "two_timers_py", Plan("timer_probe.py", parameters, 6.2, f"{what}; rospy has a thread for each")
+    yield "two_timers_cpp_spin", Plan("timer_probe", parameters, 6.2, f"{what}; under ros::spin")
+    parameters = {**parameters, "threads": 2}
+    yield "two_timers_cpp_async", Plan("timer_probe", parameters, 6.2, f"{what}; under AsyncSpinner(2)")
+
+
+PLANS = dict(_plans())
+
+
+def record_probe(workspace: ros1.Workspace, name: str) -> None:
+    """Run a probe and write its ticks, counted from the moment before its timer or loop began."""
+    plan = PLANS[name]
+    load = os.getloadavg()
+    parameters = [f"_{key}:={str(value).lower()}" for key, value in plan.parameters.items()]
+    # The master keeps the parameters of a node for the next one of its name.
+    own_name = f"__name:={re.sub(r'[^a-z0-9]', '_', name)}"
+    if plan.program.endswith(".py"):
+        command = ["python3", str(PROBES / "src" / plan.program)]
+    else:
+        command = [str(workspace.folder / "devel/lib/timing_probes" / plan.program)]
+    output = workspace.run([*command, *parameters, own_name], plan.seconds, begins=re.compile("^start,"))
+    rows = [line.split(",") for line in output.console.splitlines() if line.count(",") in (1, len(COLUMNS) - 1)]
+    if not rows or rows[0][0] != "start" or output.status:
+        raise RuntimeError(f"{name} failed with status {output.status}:\n{output.console}")
+    start = float(rows[0][1])
+    with (RECORDINGS / f"{name}.csv").open("w", newline="") as text:
+        writer = csv.writer(text, lineterminator="\n")
+        writer.writerow(COLUMNS)
+        for source, number, *times, last_duration in rows[1:]:
+            since = [f"{float(time) - start:.6f}" if time else "" for time in times]
+            writer.writerow([source, number, *since, last_duration])
+    command_line = ["rosrun", "timing_probes", plan.program, *parameters]
+    _write_provenance(name, plan.what, command_line, start, plan.seconds, output.status, load)
+
+
+def record_launch() -> None:
+    """Launch both nodes of the tutorial and keep their console, from the first of them on."""
+    load = os.getloadavg()
+    run = ros1.launch(LAUNCH_FILE, 3.2)
+    console = run.console[re.search(r".*process\[mrp/", run.console).start() :]  # type: ignore[union-attr]
+    (RECORDINGS / "launch.txt").write_text(console)
+    command = ["roslaunch", "my_robotics_pkg", "spinner.launch"]
+    _write_provenance("launch", "both nodes of the tutorial", command, run.start, run.seconds, run.status, load)
+
+
+def _write_provenance(
+    name: str, what: str, command: list[str], start: float, seconds: float, status: int, load: tuple[float, ...]
+) -> None:
+    provenance = {
+        "what": what,
+        "command": " ".join(command),
+        "seconds": seconds,
+        "status": status,
+        "start": start,
+        "date": datetime.fromtimestamp(start, UTC).isoformat(timespec="seconds"),
+        **_machine(),
+        "load_before": [round(value, 2) for value in load],
+    }
+    (RECORDINGS / f"{name}.json").write_text(json.dumps(provenance, indent=2) + "\n")
+
+
+def _machine() -> dict[str, Any]:
+    """Versions and hardware; not whose machine it is."""
+    processor = re.search(r"^model name\s*: (.*)$", Path("/proc/cpuinfo").read_text(), re.MULTILINE)
+    return {
+        "ros": _first_line("rosversion", "roscpp"),
+        "python": _first_line("/usr/bin/python3", "--version").removeprefix("Python "),
+        "compiler": _first_line("c++", "--version"),
+        "system": platform.freedesktop_os_release()["PRETTY_NAME"],
+        "kernel": platform.release(),
+        "processor": processor[1] if processor else platform.machine(),
+        "cores": os.cpu_count(),
+    }
+
+
+def _first_line(*command: str) -> str:
+    return subprocess.run(command, check=True, capture_output=True, text=True).stdout.splitlines()[0]
+
+
+def main(names: list[str]) -> None:
+    """Record what is named, all if nothing is."""
+    if lacking := ros1.missing():
+        raise SystemExit(f"record: {ros1.Ros1Missing(lacking)}")
+    if unknown := set(names) - {"launch", *PLANS}:
+        raise SystemExit(f"record: there is no {', '.join(sorted(unknown))}; there are launch, {', '.join(PLANS)}")
+    RECORDINGS.mkdir(exist_ok=True)
+    if not names or "launch" in names:
+        record_launch()
+    probes = [name for name in PLANS if name in names or not names]
+    if not probes:
+        return
+    with ros1.Workspace() as workspace:
+        workspace.add_package(PROBES)
+        workspace.build()
+        workspace.start_master()
+        for name in probes:
+            print(name, flush=True)
+            record_probe(workspace, name)
+
+
+if __name__ == "__main__":
+    main(sys.argv[1:])

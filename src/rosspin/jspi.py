@@ -1,0 +1,90 @@
+"""Suspend one Python call stack and go on with another in a web page, where there are no threads and no greenlet.
+
+There Python is WebAssembly, whose call stacks the browser can suspend until a promise is kept (JSPI, JavaScript Promise
+Integration). Each stack is a task of its own; all but one of them wait for a promise.
+"""
+
+from __future__ import annotations
+
+import asyncio
+import contextvars
+from collections.abc import Callable
+from typing import Any
+
+from js import Promise
+from pyodide.ffi import run_sync
+
+__all__ = ["Stack", "current"]
+
+
+class Stack:
+    """As :class:`rosspin.stacks.Stack`."""
+
+    def __init__(self, function: Callable[[], Any], home: Stack | None) -> None:
+        self.dead = False
+        self._function = function
+        self._home = home
+        self._context = contextvars.copy_context()
+        self._started = False
+        self._resume: Callable[[], None] | None = None
+        self._error: BaseException | None = None
+
+    def __bool__(self) -> bool:
+        return self._started and not self.dead
+
+    def switch(self) -> None:
+        """Suspend the caller and go on with this stack."""
+        _switch(self, None)
+
+    def throw(self, error: BaseException | type[BaseException]) -> None:
+        """Suspend the caller and raise ``error`` in this stack."""
+        _switch(self, error() if isinstance(error, type) else error)
+
+    async def _run(self) -> None:
+        error = None
+        try:
+            self._raise()
+            self._function()
+        except BaseException as raised:
+            error = raised
+        self.dead = True
+        assert self._home is not None
+        self._home._go_on(error)
+
+    def _go_on(self, error: BaseException | None) -> None:
+        """Let this stack run as soon as the running one is suspended or ends."""
+        global _running
+        _running = self
+        self._error = error
+        if self._resume:
+            self._resume()
+        else:
+            self._started = True
+            asyncio.get_running_loop().create_task(self._run(), context=self._context)
+
+    def _raise(self) -> None:
+        error, self._error = self._error, None
+        if error is not None:
+            raise error
+
+
+# What runs before any stack was made: the code that the page calls.
+_running = Stack(lambda: None, None)
+_running._started = True
+
+
+def _switch(stack: Stack, error: BaseException | None) -> None:
+    if stack.dead:
+        raise RuntimeError("this stack has ended")
+    me = _running
+    turn = Promise.withResolvers()
+    me._resume = turn.resolve
+    stack._go_on(error)
+    run_sync(turn.promise)
+    me._resume = None
+    me._raise()
+
+
+def current() -> Stack:
+    """The stack that is running."""
+    return _running

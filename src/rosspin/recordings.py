@@ -1,0 +1,84 @@
+"""Read runs that were recorded on the real ROS, for machines that have none."""
+
+from __future__ import annotations
+
+import csv
+import json
+import math
+import os
+import re
+from collections.abc import Iterator, Mapping
+from dataclasses import dataclass, field
+from datetime import UTC, datetime
+from pathlib import Path
+from typing import Any
+
+from .console import read_ticks
+from .machine import describe
+from .run import Run, Tick
+
+__all__ = ["COLUMNS", "Recording", "live_caption", "load"]
+
+# A row for each tick; times in seconds since the run's start, empty for what a first tick has not.
+COLUMNS = [
+    "source",
+    "number",
+    "last_expected",
+    "last_real",
+    "current_expected",
+    "current_real",
+    "last_duration",
+]
+
+
+@dataclass(frozen=True)
+class Recording(Run):
+    """A run that was recorded; ``provenance`` says what ran, where and when, on which versions, beside which load."""
+
+    provenance: Mapping[str, Any] = field(default_factory=dict, repr=False)
+
+    @property
+    def caption(self) -> str:
+        """Where the figures come from, in words for a reader."""
+        p = self.provenance
+        return f"recorded on {p['date'][:10]} on ROS {p['ros']}, {p['system']}, {p['processor']} ({p['cores']} cores)"
+
+
+def live_caption(run: Run) -> str:
+    """Where a run on the real ROS comes from that was made just now, in the words of a recording's caption."""
+    here = describe()
+    version = re.search(r"/rosversion: (\S+)", run.console)  # roslaunch says so among its parameters
+    ros = f" on ROS {version[1]}" if version else ""
+    date = datetime.fromtimestamp(run.start, UTC).date()
+    return f"made live on {date}{ros}, {here['System']}, {here['Processor']} ({here['Cores']} cores)"
+
+
+def load(path: str | os.PathLike[str]) -> Recording:
+    """The recording in a ``.csv`` file (ticks) or a ``.txt`` file (a console), with the ``.json`` file beside it.
+
+    Raises OSError for a file that cannot be read, ValueError for one that is no recording.
+    """
+    file = Path(path)
+    provenance = json.loads(file.with_suffix(".json").read_text())
+    start = provenance["start"]
+    if file.suffix == ".csv":
+        console, ticks = "", tuple(_ticks(file))
+    elif file.suffix == ".txt":
+        console = file.read_text()
+        ticks = read_ticks(console, start=start)
+    else:
+        raise ValueError(f"{file}: a recording is a .csv or a .txt file")
+    return Recording(console, ticks, provenance["status"], "ros1", provenance["seconds"], start, provenance)
+
+
+def _ticks(file: Path) -> Iterator[Tick]:
+    with file.open(newline="") as text:
+        reader = csv.DictReader(text)
+        if reader.fieldnames != COLUMNS:
+            raise ValueError(f"{file}: the columns must be {','.join(COLUMNS)}")
+        rows = list(reader)
+    # How long a tick took is what the next one of its source says.
+    durations = {(row["source"], int(row["number"]) - 1): float(row["last_duration"] or "nan") for row in rows}
+    for row in rows:
+        key = row["source"], int(row["number"])
+        yield Tick(*key, float(row["current_expected"]), float(row["current_real"]), durations.get(key, math.nan))

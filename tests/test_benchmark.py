@@ -1,0 +1,85 @@
+"""The parts of the benchmark run, at tiny sizes; what they measure is nobody's success or failure."""
+
+from __future__ import annotations
+
+import importlib
+import re
+from pathlib import Path
+from typing import Any
+
+import pytest
+
+ROOT = Path(__file__).parent.parent
+
+
+@pytest.fixture
+def part(monkeypatch: pytest.MonkeyPatch) -> Any:
+    """``part("ticks")`` is a module of the benchmark."""
+    monkeypatch.syspath_prepend(ROOT / "benchmarks")
+    return importlib.import_module
+
+
+def test_the_three_runtimes_make_the_same_ticks(part: Any) -> None:
+    ticks = part("ticks")
+    periods = [5_000_000, 6_000_000, 7_000_000]
+    assert ticks.in_simpy(periods, 4) == ticks.on_the_clock(periods, 4) == 12
+    assert ticks.with_timers([5_000_000] * 3, 4) == 12
+
+
+def test_ticks_are_compared_for_each_number_of_timers(part: Any) -> None:
+    title, *lines = part("ticks").report(sizes=(1, 3), ticks=30, rounds=3)
+    assert [line.count("at most") for line in lines] == [1] * 5
+    assert "3 timers, the bare clock / SimPy" in lines[2] and "3 timers / 1" in lines[4]
+
+
+def test_a_day_is_complete_and_leaves_no_memory(part: Any) -> None:
+    day = part("day")
+    title, speed, memory = day.report(hours=0.1, rounds=1)
+    assert "720 counters" in title
+    assert "at least 20,000" in speed
+    assert "at most 0.01" in memory
+    held, left = day.memory(360.0)
+    assert left < held / 10
+
+
+def test_a_day_that_lacks_a_counter_is_an_error(part: Any, monkeypatch: pytest.MonkeyPatch) -> None:
+    day = part("day")
+    monkeypatch.setattr(day, "PERIOD", 0.25)
+    with pytest.raises(AssertionError, match="not 8 counters"):
+        day.spin(2.0)
+
+
+def test_lateness_is_compared_with_deadlines(part: Any) -> None:
+    title, *lines = part("lateness").report(turns=[(50, 0.2)], rounds=1)
+    assert [re.sub(" of .* ticks", "", line[:40]).split()[:4] for line in lines] == [
+        ["50", "Hz,", f"{quantile},", name] for quantile in ("p50", "p99") for name in ("Timer", "Rate")
+    ]
+    assert all(re.search(r"\(.* (ms|µs|s) / .* (ms|µs|s)\)$", line) for line in lines)
+
+
+def test_the_build_is_compared_with_its_notebooks(part: Any, tmp_path: Path) -> None:
+    site_build = part("site_build")
+    source, folder = tmp_path / "source", tmp_path / "built"
+    source.mkdir()
+    (source / "conf.py").write_text("extensions = ['myst_nb']\nnb_execution_mode = 'force'\n")
+    (source / "index.md").write_text(
+        "---\nfile_format: mystnb\nkernelspec: {name: python3}\n---\n# A notebook\n\n```{code-cell}\n1 + 1\n```\n"
+    )
+    took = site_build.build(source, folder)
+    executed = site_build.execution_times(folder)
+    assert list(executed) == ["index"]
+    assert 0 < executed["index"] < took
+
+
+@pytest.mark.parametrize(
+    ("value", "goal", "expected"),
+    [
+        (0.5, {"most": 1}, "0.50   at most 1: holds"),
+        (1.5, {"most": 1}, "1.50   at most 1: MISSED"),
+        (30_000.0, {"least": 20_000}, "30,000   at least 20,000: holds"),
+        (7.0, {"least": 20_000}, "7.00   at least 20,000: MISSED"),
+        (2.0, {}, "2.00"),
+    ],
+)
+def test_a_line_says_whether_its_goal_holds(part: Any, value: float, goal: Any, expected: str) -> None:
+    assert part("ratios").line("what", value, **goal).endswith(expected)

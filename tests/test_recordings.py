@@ -1,0 +1,107 @@
+"""The recordings: complete, small, and of runs that went as runs on ROS do."""
+
+import json
+import math
+from pathlib import Path
+
+import pytest
+
+from rosspin import recordings
+
+FOLDER = Path(__file__).parents[1] / "examples" / "recordings"
+FILES = sorted([*FOLDER.glob("*.csv"), *FOLDER.glob("*.txt")])
+
+NAMES = {
+    "launch.txt",
+    *(
+        f"{what}_{language}_{hertz}hz.csv"
+        for what in ("timer", "rate")
+        for language in ("cpp", "py")
+        for hertz in (2, 50)
+    ),
+    *(f"timer_{language}_blocks_once_{periods}.csv" for language in ("cpp", "py") for periods in (1.4, 2.4, 4.4)),
+    *(f"timer_{language}_blocks_always_1.6.csv" for language in ("cpp", "py")),
+    *(f"two_timers_{how}.csv" for how in ("py", "cpp_spin", "cpp_async")),
+}
+
+# The second tick train of a run in which callback number 3, due at 1.5 s, takes so many periods of 0.5 s.
+AFTER = {
+    ("cpp", 1.4): [2.2, 2.5, 3.0],
+    ("cpp", 2.4): [2.7, 3.2, 3.7],
+    ("cpp", 4.4): [3.7, 4.2, 4.7],
+    ("py", 1.4): [2.2, 2.5, 3.0],
+    ("py", 2.4): [2.7, 2.7, 3.0],
+    ("py", 4.4): [3.7, 4.2, 4.7],
+}
+
+
+def test_the_set_is_complete() -> None:
+    assert {file.name for file in FILES} == NAMES
+    assert {file.stem for file in FOLDER.glob("*.json")} == {file.stem for file in FILES}
+
+
+@pytest.mark.parametrize("file", FILES, ids=lambda file: file.name)
+def test_recording(file: Path) -> None:
+    run = recordings.load(file)
+    assert file.stat().st_size < 100_000
+    assert (run.runtime, run.status) == ("ros1", 0)
+    assert 0 <= min(tick.real for tick in run.ticks) and max(tick.real for tick in run.ticks) < run.seconds + 1
+    for source in {tick.source for tick in run.ticks}:
+        numbers = [tick.number for tick in run.ticks if tick.source == source]
+        assert numbers == list(range(1, len(numbers) + 1))
+    keys = {
+        "what",
+        "command",
+        "date",
+        "ros",
+        "python",
+        "compiler",
+        "system",
+        "kernel",
+        "processor",
+        "cores",
+        "load_before",
+    }
+    assert keys <= run.provenance.keys()
+    assert run.caption.startswith("recorded on 20")
+    assert run.provenance["ros"] in run.caption
+
+
+@pytest.mark.parametrize(("language", "periods"), AFTER)
+def test_ticks_after_a_block(language: str, periods: float) -> None:
+    run = recordings.load(FOLDER / f"timer_{language}_blocks_once_{periods}.csv")
+    blocked, *after = run.ticks[2:6]
+    assert blocked.duration == pytest.approx(periods * 0.5, abs=0.05)
+    assert [tick.real for tick in after] == pytest.approx(AFTER[language, periods], abs=0.1)
+
+
+def test_who_waits_for_a_slow_callback() -> None:
+    def periods(name: str) -> list[float]:
+        ticks = [tick for tick in recordings.load(FOLDER / name).ticks if tick.source == "secondCallback"]
+        return [later.real - earlier.real for earlier, later in zip(ticks, ticks[1:])]
+
+    assert max(periods("two_timers_cpp_spin.csv")) > 0.7
+    assert max(periods("two_timers_cpp_async.csv")) < 0.6
+    assert max(periods("two_timers_py.csv")) < 0.6
+
+
+def test_what_is_no_recording(tmp_path: Path) -> None:
+    (tmp_path / "a.json").write_text(json.dumps({"start": 0.0, "status": 0, "seconds": 1.0}))
+    (tmp_path / "a.csv").write_text("number\n1\n")
+    with pytest.raises(ValueError, match="columns"):
+        recordings.load(tmp_path / "a.csv")
+    with pytest.raises(ValueError, match="recording is"):
+        recordings.load(tmp_path / "a.svg")
+    with pytest.raises(FileNotFoundError):
+        recordings.load(tmp_path / "b.csv")
+
+
+def test_a_first_and_a_last_tick(tmp_path: Path) -> None:
+    (tmp_path / "a.json").write_text(json.dumps({"start": 5.0, "status": 0, "seconds": 1.0}))
+    rows = ["timer,1,,,0.5,0.6,", "other,1,,,0.5,0.7,", "timer,2,0.5,0.6,1.0,1.1,0.25"]
+    (tmp_path / "a.csv").write_text("\n".join([",".join(recordings.COLUMNS), *rows]))
+    run = recordings.load(tmp_path / "a.csv")
+    assert run.start == 5.0
+    assert run.ticks[0] == ("timer", 1, 0.5, 0.6, 0.25)
+    assert [tick.source for tick in run.ticks] == ["timer", "other", "timer"]
+    assert all(math.isnan(tick.duration) for tick in run.ticks[1:])
