@@ -31,10 +31,12 @@ def ratio(times: Times, name: str, other: str) -> float:
 
 def line(what: str, value: float, *, most: float | None = None, least: float | None = None, times: str = "") -> str:
     """A line of the report: a ratio, the goal that it should not exceed or fall below, the times it is made of."""
+    digits = 0 if value >= 1000 else 2 if value >= 0.1 else 7
+    shown = round(value, digits)  # what is judged is what is read
     goal = ""
     if most is not None:
-        goal = f"at most {most:,g}: {'holds' if value <= most else 'MISSED'}"
+        goal = f"at most {most:,g}: {'holds' if shown <= most else 'MISSED'}"
     if least is not None:
-        goal = f"at least {least:,g}: {'holds' if value >= least else 'MISSED'}"
-    number = f"{value:,.0f}" if value >= 1000 else f"{value:.2g}" if value < 0.1 else f"{value:.2f}"
-    return f"{what:<56} {number:>8}   {goal:<22} {f'({times})' if times else ''}".rstrip()
+        goal = f"at least {least:,g}: {'holds' if shown >= least else 'MISSED'}"
+    number = f"{shown:,.{digits}f}" if digits < 7 else f"{shown:.2g}"
+    return f"{what:<58} {number:>8}   {goal:<22} {f'({times})' if times else ''}".rstrip()

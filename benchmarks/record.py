@@ -7,18 +7,21 @@ not disturb each other; what else the machine is doing is on record as its load.
 from __future__ import annotations
 
 import csv
+import io
 import json
 import os
-import platform
 import re
 import subprocess
 import sys
+import time
 from collections.abc import Iterator
 from datetime import UTC, datetime
 from pathlib import Path
 from typing import Any, NamedTuple
 
 from rosspin import ros1
+from rosspin.console import read_lines
+from rosspin.machine import describe
 from rosspin.recordings import COLUMNS
 
 EXAMPLES = Path(__file__).parents[1] / "examples"
@@ -99,6 +102,65 @@ def record_launch() -> None:
     _write_provenance("launch", "both nodes of the tutorial", command, run.start, run.seconds, run.status, load)
 
 
+def record_endings() -> None:
+    """Press Ctrl-C on the tutorial's C++ nodes, and on the same nodes with a line as the original page has it."""
+    load, start = os.getloadavg(), time.time()
+    source = EXAMPLES / "my_robotics_pkg" / "src"
+    rate = (source / "spinner_rate_cpp_node.cpp").read_text()
+    timer = (source / "spinner_cpp_node.cpp").read_text()
+    nodes = {
+        "local_timer": timer,
+        "global_timer": "#include <ros/ros.h>\nros::Timer timer_for_counting;\n"
+        + timer.replace("  ros::Timer timer_for", "  timer_for"),
+        "call_ros_ok": rate,
+        "name_ros_ok": rate.replace("while (ros::ok())", "while (ros::ok)"),
+    }
+    with ros1.Workspace() as workspace, (RECORDINGS / "endings.csv").open("w", newline="") as text:
+        files = [workspace.folder / f"{name}.cpp" for name in nodes]
+        for file in files:
+            file.write_text(nodes[file.stem])
+        workspace.add_nodes("endings", *files)
+        workspace.build()
+        workspace.start_master()
+        writer = csv.writer(text, lineterminator="\n")
+        writer.writerow(["node", "status", "seconds_after_ctrl_c"])
+        for file in files:
+            begun = time.monotonic()
+            output = workspace.run([str(workspace.folder / "devel/lib/endings" / file.stem)], 2.2)
+            writer.writerow([file.stem, output.status, f"{time.monotonic() - begun - 2.2:.2f}"])
+    _write_provenance("endings", "C++ nodes at Ctrl-C", ["rosrun", "endings", "NODE"], start, 2.2, 0, load)
+
+
+class _Arrivals(io.StringIO):
+    """Notes how long after its stamp the first counter came."""
+
+    delay: float | None = None
+
+    def write(self, text: str) -> int:
+        if self.delay is None and "counter = 1" in text:
+            self.delay = time.time() - next(read_lines(text)).stamp
+        return super().write(text)
+
+
+def record_pipe() -> None:
+    """Let the tutorial's nodes print into a pipe, as they are and told to write each line at once."""
+    load, start = os.getloadavg(), time.time()
+    unset = ["env", "-u", "PYTHONUNBUFFERED", "-u", "ROSCONSOLE_STDOUT_LINE_BUFFERED"]
+    package = EXAMPLES / "my_robotics_pkg"
+    with ros1.Workspace() as workspace, (RECORDINGS / "pipe.csv").open("w", newline="") as text:
+        program = workspace.executable(package / "src" / "spinner_cpp_node.cpp")
+        workspace.start_master()
+        commands = {"roscpp": [str(program)], "rospy": ["python3", str(package / "src" / "spinner_py_node.py")]}
+        writer = csv.writer(text, lineterminator="\n")
+        writer.writerow(["language", "told", "seconds_late"])
+        for language, command in commands.items():
+            for told, before in (("no", unset), ("yes", [])):
+                arrivals = _Arrivals()
+                workspace.run([*before, *command], 5.2, arrivals)
+                writer.writerow([language, told, f"{arrivals.delay or 0:.2f}"])
+    _write_provenance("pipe", "INFO lines through a pipe", ["rosrun", "my_robotics_pkg", "NODE"], start, 5.2, 0, load)
+
+
 def _write_provenance(
     name: str, what: str, command: list[str], start: float, seconds: float, status: int, load: tuple[float, ...]
 ) -> None:
@@ -117,15 +179,14 @@ def _write_provenance(
 
 def _machine() -> dict[str, Any]:
     """Versions and hardware; not whose machine it is."""
-    processor = re.search(r"^model name\s*: (.*)$", Path("/proc/cpuinfo").read_text(), re.MULTILINE)
+    here = describe()
     return {
         "ros": _first_line("rosversion", "roscpp"),
         "python": _first_line("/usr/bin/python3", "--version").removeprefix("Python "),
         "compiler": _first_line("c++", "--version"),
-        "system": platform.freedesktop_os_release()["PRETTY_NAME"],
-        "kernel": platform.release(),
-        "processor": processor[1] if processor else platform.machine(),
-        "cores": os.cpu_count(),
+        "system": here["System"],
+        "processor": here["Processor"],
+        "cores": here["Cores"],
     }
 
 
@@ -133,15 +194,20 @@ def _first_line(*command: str) -> str:
     return subprocess.run(command, check=True, capture_output=True, text=True).stdout.splitlines()[0]
 
 
+OTHERS = {"launch": record_launch, "endings": record_endings, "pipe": record_pipe}
+
+
 def main(names: list[str]) -> None:
     """Record what is named, all if nothing is."""
     if lacking := ros1.missing():
         raise SystemExit(f"record: {ros1.Ros1Missing(lacking)}")
-    if unknown := set(names) - {"launch", *PLANS}:
-        raise SystemExit(f"record: there is no {', '.join(sorted(unknown))}; there are launch, {', '.join(PLANS)}")
+    if unknown := set(names) - {*OTHERS, *PLANS}:
+        raise SystemExit(f"record: there is no {', '.join(sorted(unknown))}; there are {', '.join([*OTHERS, *PLANS])}")
     RECORDINGS.mkdir(exist_ok=True)
-    if not names or "launch" in names:
-        record_launch()
+    for name, record in OTHERS.items():
+        if not names or name in names:
+            print(name, flush=True)
+            record()
     probes = [name for name in PLANS if name in names or not names]
     if not probes:
         return

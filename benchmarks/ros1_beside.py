@@ -40,7 +40,7 @@ rospy.signal_shutdown("")
 
 def report(
     turns: Sequence[tuple[int, float]] = ((2, 5.0), (50, 2.0), (500, 1.0)),
-    rounds: int = 4,
+    rounds: int = 2,
     loads: Sequence[int] = (1, 10, 100),
     scenarios: Sequence[Sequence[str]] = SCENARIOS,
 ) -> Iterator[str]:

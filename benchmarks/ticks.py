@@ -15,7 +15,7 @@ from rosspin.simulation import Simulation
 NS = 1_000_000_000
 
 
-def report(sizes: Sequence[int] = (1, 100, 1000), ticks: int = 100_000, rounds: int = 11) -> Iterator[str]:
+def report(sizes: Sequence[int] = (1, 100, 1000), ticks: int = 200_000, rounds: int = 7) -> Iterator[str]:
     """The lines of the report; each measurement makes ``ticks`` ticks."""
     functions: dict[str, Callable[[], object]] = {}
     for size in sizes:

@@ -59,12 +59,18 @@ _STANDALONE = (
 class Figure:
     """A plot. It shows itself in a notebook; ``alt`` says in words what it shows, ``svg`` is the picture."""
 
-    def __init__(self, svg: str, alt: str) -> None:
+    def __init__(self, svg: str, alt: str, caption: str = "") -> None:
         self.svg = svg
         self.alt = alt
+        self.caption = caption
+
+    def captioned(self, caption: str) -> Figure:
+        """The same plot with a line below it, which says where its data come from."""
+        return Figure(self.svg, self.alt, caption)
 
     def _repr_html_(self) -> str:
-        return f'<figure class="rosspin-plot">{self.svg}</figure>'
+        caption = f"<figcaption>{html.escape(self.caption)}</figcaption>" if self.caption else ""
+        return f'<figure class="rosspin-plot">{self.svg}{caption}</figure>'
 
     def __repr__(self) -> str:
         return f"<Figure: {self.alt}>"

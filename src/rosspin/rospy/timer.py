@@ -173,6 +173,7 @@ class Timer:
     def run(self) -> None:
         """What the timer's thread does."""
         here = world()
+        clock = here.clock
         rate = Rate(1.0 / self._period.to_sec(), self._reset)
         period = self._period.to_nsec()
         expected = here.now() + period
@@ -192,14 +193,14 @@ class Timer:
             if self._shutdown or here.over:
                 break
             real = here.now()
-            began = here.clock.now()
+            began = clock.now()
             current_expected, current_real = Time._of(expected), Time._of(real)
             number += 1
             if ticks is not None:
                 tick = [source, number, expected, real, None]
                 ticks.append(tick)
             self._callback(TimerEvent(last_expected, last_real, current_expected, current_real, last_duration))
-            duration = here.clock.now() - began
+            duration = clock.now() - began
             if ticks is not None:
                 tick[4] = duration
             if self._oneshot:
