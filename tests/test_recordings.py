@@ -9,7 +9,8 @@ import pytest
 from rosspin import recordings
 
 FOLDER = Path(__file__).parents[1] / "examples" / "recordings"
-FILES = sorted([*FOLDER.glob("*.csv"), *FOLDER.glob("*.txt")])
+TABLES = {"endings.csv", "pipe.csv"}  # what is no run's ticks; docs/how-timing-works.rst checks what they say
+FILES = sorted(file for file in [*FOLDER.glob("*.csv"), *FOLDER.glob("*.txt")] if file.name not in TABLES)
 
 NAMES = {
     "launch.txt",
@@ -37,7 +38,7 @@ AFTER = {
 
 def test_the_set_is_complete() -> None:
     assert {file.name for file in FILES} == NAMES
-    assert {file.stem for file in FOLDER.glob("*.json")} == {file.stem for file in FILES}
+    assert {file.stem for file in FOLDER.glob("*.json")} == {Path(name).stem for name in NAMES | TABLES}
 
 
 @pytest.mark.parametrize("file", FILES, ids=lambda file: file.name)
@@ -57,7 +58,6 @@ def test_recording(file: Path) -> None:
         "python",
         "compiler",
         "system",
-        "kernel",
         "processor",
         "cores",
         "load_before",
