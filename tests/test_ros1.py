@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import importlib
 import io
 import os
 import re
@@ -234,7 +235,9 @@ def test_an_error_ends_everything(leaves_nothing: Path) -> None:
 def test_a_console_that_is_closed_ends_the_run(leaves_nothing: Path) -> None:
     class Closed(io.StringIO):
         def write(self, text: str) -> int:
-            raise BrokenPipeError
+            if "counter = 2" in text:
+                raise BrokenPipeError
+            return len(text)
 
     run = ros1.launch(PACKAGE / "src" / "spinner_py_node.py", onward=Closed())
     assert run.status == 0
@@ -317,3 +320,16 @@ def test_a_slow_callback_re_phases_a_cpp_timer(strict: ros1.Workspace) -> None:
     assert expected[3] - expected[2] > 0.8  # rewritten: rospy's would be 0.2
     assert expected[4] - expected[3] == pytest.approx(0.2, abs=1e-5)
     assert float(rows[2][6]) >= 0.88  # only profile.last_duration shows it
+
+
+# --- the benchmark ----------------------------------------------------------------------------------------------------
+
+
+def test_the_benchmark_measures_all_three(monkeypatch: pytest.MonkeyPatch) -> None:
+    """At a tiny size; what it measures is nobody's success or failure."""
+    monkeypatch.syspath_prepend(ROOT / "benchmarks")
+    report = importlib.import_module("ros1_beside").report
+    title, *lines = report(turns=((50, 0.5),), rounds=1, loads=(1,), scenarios=(("timer_oneshot.py",),))
+    assert len(lines) == 10
+    assert sum("at most 1" in line for line in lines) == 2
+    assert sum("stand-in / roscpp" in line for line in lines) == 4

@@ -28,7 +28,10 @@ __all__ = ["APT", "BuildFailed", "Ros1Missing", "Workspace", "launch", "missing"
 # What to install on Debian and Ubuntu.
 APT = "build-essential catkin libroscpp-dev python3-roslaunch python3-rosmaster python3-rospy rosbash"
 
-# As roslaunch does it: so many seconds for a node to end at SIGINT, then at SIGTERM, before it is killed.
+# Signals that ask a process to end, and how long (s) each is given to be heeded.
+Patience = Sequence[tuple[signal.Signals, float]]
+
+# As roslaunch does it: for a node.
 _PATIENCE = ((signal.SIGINT, 15.0), (signal.SIGTERM, 2.0), (signal.SIGKILL, 5.0))
 
 # roslaunch itself may take that long and a little more, for the nodes and then for its master.
@@ -273,23 +276,24 @@ class Workspace:
         seconds: float | None,
         onward: TextIO | None = None,
         begins: re.Pattern[str] | None = None,
-        patience: Sequence[tuple[signal.Signals, float]] | None = None,
+        patience: Patience | None = None,
     ) -> Output:
         """Run a command until it ends or ``seconds`` are over, then press Ctrl-C; ``patience`` says what comes after.
 
         The seconds count from the first line of the console that matches ``begins``, or else from the start. A real
         Ctrl-C ends the command in the same way; one that cuts ``seconds`` short goes on to the caller after that.
         """
+        patience = patience or _PATIENCE
         process = self._start(command, stdout=subprocess.PIPE, stderr=subprocess.STDOUT)
-        console = _Console(process, onward, begins)
+        console = _Console(process, onward, begins, patience)
         try:
             if begins is not None and not console.begun.wait(_START_PATIENCE):
                 raise RuntimeError(f"{command[0]} did not start anything:\n{console.text()}")
             process.wait(seconds)
         except subprocess.TimeoutExpired:
-            _end(process, patience or _PATIENCE)
+            _end(process, patience)
         except KeyboardInterrupt:
-            _end(process, patience or _PATIENCE)
+            _end(process, patience)
             if seconds is not None:
                 raise
         return Output(console.text(), _status(process.wait()), console.start)
@@ -322,7 +326,13 @@ class Workspace:
 class _Console:
     """Collects what a process prints, and passes it on, in a thread."""
 
-    def __init__(self, process: subprocess.Popen[bytes], onward: TextIO | None, begins: re.Pattern[str] | None) -> None:
+    def __init__(
+        self,
+        process: subprocess.Popen[bytes],
+        onward: TextIO | None,
+        begins: re.Pattern[str] | None,
+        patience: Patience,
+    ) -> None:
         assert process.stdout is not None
         self.start = time.time()
         self.begun = threading.Event()
@@ -330,6 +340,7 @@ class _Console:
         self._pipe = process.stdout
         self._onward = onward
         self._begins = begins
+        self._patience = patience
         self._lines: list[str] = []
         self._thread = threading.Thread(target=self._read, daemon=True)
         self._thread.start()
@@ -358,10 +369,10 @@ class _Console:
             self._onward.flush()
         except OSError:  # nobody listens any more, as after `| head`
             self._onward = None
-            self._process.send_signal(signal.SIGINT)
+            threading.Thread(target=_end, args=(self._process, self._patience), daemon=True).start()
 
 
-def _end(process: subprocess.Popen[bytes], patience: Sequence[tuple[signal.Signals, float]]) -> None:
+def _end(process: subprocess.Popen[bytes], patience: Patience) -> None:
     """End a process with one signal after another, each given its time (s)."""
     for number, wait in patience:
         process.send_signal(number)
