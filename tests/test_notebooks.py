@@ -1,0 +1,49 @@
+"""What is tracked and could go stale: the nodes in the notebooks, their frame of text, and the README's picture."""
+
+from __future__ import annotations
+
+import io
+import re
+from contextlib import redirect_stdout
+from pathlib import Path
+
+import jupytext
+import pytest
+from conftest import ROOT
+
+from rosspin.__main__ import main
+
+NOTEBOOKS = sorted(path.stem for path in (ROOT / "notebooks").glob("*.md"))
+NODES = {"timer": "spinner_py_node.py", "rate": "spinner_rate_py_node.py"}
+
+
+def cells(name: str, kind: str) -> list[str]:
+    notebook = jupytext.read(ROOT / "notebooks" / f"{name}.md")
+    return [cell.source for cell in notebook.cells if cell.cell_type == kind]
+
+
+@pytest.mark.parametrize("name", NODES)
+def test_the_node_is_the_tutorials(name: str) -> None:
+    node = (ROOT / "examples/my_robotics_pkg/src" / NODES[name]).read_text(encoding="utf-8")
+    simulated = [cell for cell in cells(name, "code") if cell.startswith("%%simulate")]
+    assert [cell.partition("\n")[2].strip() for cell in simulated] == [node.strip()]
+
+
+@pytest.mark.parametrize("name", NOTEBOOKS)
+def test_it_begins_with_what_it_is_for_and_ends_with_where_next(name: str) -> None:
+    texts = cells(name, "markdown")
+    for promise in ("What you will do", "What you will learn", "What you need", "Time"):
+        assert f"**{promise}**" in texts[0]
+    assert re.search(r"\d+ (to \d+ )?minutes", texts[0])
+    assert texts[-1].startswith("## Where next") or "\n## Where next\n" in texts[-1]
+
+
+def test_the_readmes_picture_is_what_its_command_draws(tmp_path: Path) -> None:
+    picture = tmp_path / "timing.svg"
+    node = ROOT / "examples/my_robotics_pkg/src/spinner_py_node.py"
+    with redirect_stdout(io.StringIO()):
+        assert main(["run", str(node), "--simulated", "--seconds", "5", "--plot", str(picture)]) == 0
+    drawn = picture.read_text(encoding="utf-8")
+    assert drawn == (ROOT / "docs/timing.svg").read_text(encoding="utf-8")
+    label = re.search(r'aria-label="([^"]*)"', drawn)
+    assert label and f"![{label[1]}](docs/timing.svg)" in (ROOT / "README.md").read_text(encoding="utf-8")
