@@ -9,6 +9,7 @@ import signal
 import sys
 import threading
 import time
+from collections.abc import Callable
 from pathlib import Path
 from textwrap import dedent
 from typing import Any
@@ -503,3 +504,32 @@ def test_the_threads_of_a_wall_run_do_not_outlive_it() -> None:
         thread.join(60)
         assert not thread.is_alive()
     assert len(calls) <= seen + 1
+
+
+def test_what_a_node_sets_in_the_environment_ends_with_its_run() -> None:
+    def node() -> None:
+        os.environ["ROSCONSOLE_FORMAT"] = "${message}"
+
+    simulate(node, 1)
+    assert "ROSCONSOLE_FORMAT" not in os.environ
+
+
+def test_runs_in_several_threads_take_turns() -> None:
+    def node(word: str) -> Callable[[], None]:
+        def main() -> None:
+            for _ in range(200):
+                print(word)
+
+        return main
+
+    consoles: dict[str, str] = {}
+    words = ["a", "b", "c"]
+    threads = [
+        threading.Thread(target=lambda word=word: consoles.update({word: simulate(node(word), 1).console}))
+        for word in words
+    ]
+    for thread in threads:
+        thread.start()
+    for thread in threads:
+        thread.join()
+    assert consoles == {word: f"{word}\n" * 200 for word in words}

@@ -359,7 +359,7 @@ _one_at_a_time = threading.RLock()
 def _process_of(node: Node, args: Sequence[str]) -> Iterator[None]:
     """Within this context the process looks as it does to a node: command line, path, ``import rospy``."""
     with _one_at_a_time:
-        argv, path, modules = sys.argv, sys.path[:], dict(sys.modules)
+        argv, path, modules, environ = sys.argv, sys.path[:], dict(sys.modules), dict(os.environ)
         sys.argv = [node.argv0, *args]
         if node.folder is not None:
             sys.path.insert(0, node.folder)
@@ -368,6 +368,9 @@ def _process_of(node: Node, args: Sequence[str]) -> Iterator[None]:
             yield
         finally:
             sys.argv, sys.path[:] = argv, path
+            if os.environ != environ:
+                os.environ.clear()
+                os.environ.update(environ)
             for name in [name for name in sys.modules if name not in modules]:
                 if name in _ROSPY or _lies_in(node.folder, name):
                     del sys.modules[name]
@@ -413,10 +416,11 @@ class _Stream(io.TextIOBase):
 @contextmanager
 def capture(stdout: TextIO | None = None, stderr: TextIO | None = None) -> Iterator[Console]:
     """Within this context, what is printed goes to a :class:`Console`, and from there on to what is given."""
-    before = sys.stdout, sys.stderr
     console = Console(stdout, stderr)
-    sys.stdout, sys.stderr = console.stdout, console.stderr
-    try:
-        yield console
-    finally:
-        sys.stdout, sys.stderr = before
+    with _one_at_a_time:
+        before = sys.stdout, sys.stderr
+        sys.stdout, sys.stderr = console.stdout, console.stderr
+        try:
+            yield console
+        finally:
+            sys.stdout, sys.stderr = before
