@@ -10,6 +10,9 @@ EXTRAS := plots,docs,notebooks,test,lint
 # One stamp for each PYTHON: choosing another one makes the environment anew, as changed pins do.
 VENV := .venv/made-with-$(subst /,_,$(PYTHON))
 
+NPM := build/npm/node_modules/.package-lock.json
+WEB := build/web/live/live.js
+
 # Nothing of yours changes what is built here, and nothing here is left in your home.
 export IPYTHONDIR := $(CURDIR)/.venv/ipython
 export JUPYTER_CONFIG_DIR := $(CURDIR)/.venv/jupyter
@@ -26,6 +29,18 @@ SPHINX = $(BIN)/sphinx-build -M $@ . build -n -W --keep-going -T || { rm -rf bui
 
 html doctest linkcheck: $(VENV)
 	$(SPHINX)
+
+html: $(WEB)
+
+# What runs in the page: made anew only when its sources change, its packages only when their pins do.
+$(WEB): $(NPM) web/build.mjs $(wildcard web/src/*) $(wildcard src/rosspin/*.py src/rosspin/rospy/*.py)
+	$(BIN)/node web/build.mjs build/npm build/web/live
+
+$(NPM): web/package.json web/package-lock.json web/.npmrc | $(VENV)
+	mkdir -p build/npm
+	cp $^ build/npm
+	cd build/npm && $(CURDIR)/$(BIN)/npm ci
+	@touch $@
 
 test: html doctest
 	$(BIN)/ruff check

@@ -12,7 +12,7 @@ project = "rosspin"
 html_title = "rosspin"
 copyright = "the rosspin contributors. The texts are CC BY 4.0, after a page by Paul N. Beuchat, 2023"
 
-extensions = ["myst_nb", "rosspin.sphinx_pages", "sphinx.ext.autodoc", "sphinx.ext.doctest"]
+extensions = ["myst_nb", "rosspin.sphinx_pages", "rosspin.sphinx_live", "sphinx.ext.autodoc", "sphinx.ext.doctest"]
 extensions += ["sphinx_copybutton", "sphinx_design"]
 include_patterns = ["index.rst", "docs/**.rst", "notebooks/*.md"]
 exclude_patterns = [".venv", "build"]  # not walked through in search of pages
@@ -23,7 +23,6 @@ nb_execution_timeout = 300  # only a hang should end here, not a busy machine
 nb_merge_streams = True  # a console mixes stdout and stderr
 nb_ipywidgets_js = {}  # the default loads scripts from another host
 
-maximum_signature_line_length = 100  # a longer one has a line for each parameter
 nitpick_ignore_regex = [("py:.*", r"(?!rosspin\b).*")]  # the names of other projects have their pages elsewhere
 
 # Doctests run in the root, whose paths they name. Sphinx's default flags would ignore the text of errors and let
@@ -34,6 +33,8 @@ doctest_default_flags = DONT_ACCEPT_TRUE_FOR_1
 html_theme = "pydata_sphinx_theme"
 html_favicon = "docs/_static/favicon.svg"
 html_static_path = ["docs/_static"]
+if (root / "build/web").exists():  # what runs in the page, from `make html`; the doctests do without
+    html_static_path.append("build/web")
 html_css_files = ["site.css"]
 templates_path = ["docs/_templates"]
 html_sidebars = {"**": ["pages"]}

@@ -4,10 +4,14 @@ from __future__ import annotations
 
 import os
 import shutil
-from collections.abc import Callable
+import threading
+from collections.abc import Callable, Iterator
+from functools import partial
+from http.server import SimpleHTTPRequestHandler, ThreadingHTTPServer
 from pathlib import Path
 
 import pytest
+from playwright.sync_api import Browser, Page, sync_playwright
 
 ROOT = Path(__file__).parent.parent
 SITE = ROOT / "build" / "html"
@@ -65,3 +69,54 @@ def site() -> Path:
     if not ((SITE / "index.html").exists() and DOCTREES.exists()):  # a failed build leaves no doctrees
         pytest.fail("the site is not built, or not to its end: run `make html` first")
     return SITE
+
+
+# --- the site in Chromium ---------------------------------------------------------------------------------------------
+
+# Chromium would otherwise look for updates and the like by itself; without a screen it has no GPU.
+FLAGS = [
+    "--no-sandbox",
+    "--disable-gpu",
+    "--disable-quic",
+    "--disable-background-networking",
+    "--disable-component-update",
+    "--disable-sync",
+]
+
+
+class _Quiet(SimpleHTTPRequestHandler):
+    def log_message(self, *args: object) -> None:
+        pass
+
+
+@pytest.fixture(scope="module")
+def address(site: Path) -> Iterator[str]:
+    """The site on a local server."""
+    with ThreadingHTTPServer(("127.0.0.1", 0), partial(_Quiet, directory=str(site))) as server:
+        threading.Thread(target=server.serve_forever, daemon=True).start()
+        yield f"http://127.0.0.1:{server.server_port}/"
+        server.shutdown()
+
+
+@pytest.fixture(scope="module")
+def browser(chromium: str) -> Iterator[Browser]:
+    """One browser for all pages."""
+    with sync_playwright() as playwright:
+        browser = playwright.chromium.launch(executable_path=chromium, args=FLAGS)
+        yield browser
+        browser.close()
+
+
+def faults(page: Page, address: str) -> list[str]:
+    """A list to which all is added that goes wrong in a page from now on: what it asks of another host, too."""
+    wrong: list[str] = []
+
+    def note(bad: bool, what: str) -> None:
+        if bad:
+            wrong.append(what)
+
+    page.on("request", lambda request: note(not request.url.startswith((address, "data:", "blob:")), request.url))
+    page.on("response", lambda response: note(response.status >= 400, f"{response.status} {response.url}"))
+    page.on("console", lambda message: note(message.type == "error", message.text))
+    page.on("pageerror", lambda error: note(True, str(error)))
+    return wrong

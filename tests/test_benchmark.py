@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import importlib
 import re
+from collections.abc import Callable
 from pathlib import Path
 from typing import Any
 
@@ -83,3 +84,10 @@ def test_the_build_is_compared_with_its_notebooks(part: Any, tmp_path: Path) -> 
 )
 def test_a_line_says_whether_its_goal_holds(part: Any, value: float, goal: Any, expected: str) -> None:
     assert part("ratios").line("what", value, **goal).endswith(expected)
+
+
+def test_the_page_is_measured(part: Any, site: Path, require: Callable[[str], None]) -> None:
+    require("browser")
+    lines = list(part("live").report(rounds=1, seconds=1.0, pause=0.0))
+    assert sum("at most" in line for line in lines) == 5
+    assert "10 ticks" in lines[-1]

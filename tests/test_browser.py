@@ -2,64 +2,18 @@
 
 from __future__ import annotations
 
-import threading
-from collections.abc import Iterator
-from functools import partial
-from http.server import SimpleHTTPRequestHandler, ThreadingHTTPServer
 from pathlib import Path
 from typing import Literal
 
 import pytest
-from playwright.sync_api import Browser, Page, sync_playwright
-
-# Chromium would otherwise look for updates and the like by itself; without a screen it has no GPU.
-FLAGS = [
-    "--no-sandbox",
-    "--disable-gpu",
-    "--disable-quic",
-    "--disable-background-networking",
-    "--disable-component-update",
-    "--disable-sync",
-]
+from conftest import faults
+from playwright.sync_api import Browser, Page
 
 
-class _Quiet(SimpleHTTPRequestHandler):
-    def log_message(self, *args: object) -> None:
-        pass
-
-
-@pytest.fixture(scope="module")
-def address(site: Path) -> Iterator[str]:
-    """The site on a local server."""
-    with ThreadingHTTPServer(("127.0.0.1", 0), partial(_Quiet, directory=str(site))) as server:
-        threading.Thread(target=server.serve_forever, daemon=True).start()
-        yield f"http://127.0.0.1:{server.server_port}/"
-        server.shutdown()
-
-
-@pytest.fixture(scope="module")
-def browser(chromium: str) -> Iterator[Browser]:
-    """One browser for all pages."""
-    with sync_playwright() as playwright:
-        browser = playwright.chromium.launch(executable_path=chromium, args=FLAGS)
-        yield browser
-        browser.close()
-
-
-def _open(page: Page, url: str) -> list[str]:
+def _open(page: Page, address: str, name: str) -> list[str]:
     """Open a page and scroll to its end; what goes wrong in it is added to the list, now and later."""
-    wrong: list[str] = []
-    host = url[: url.index("/", len("http://")) + 1]
-
-    def note(bad: bool, what: str) -> None:
-        if bad:
-            wrong.append(what)
-
-    page.on("request", lambda request: note(not request.url.startswith((host, "data:", "blob:")), request.url))
-    page.on("response", lambda response: note(not response.ok, f"{response.status} {response.url}"))
-    page.on("console", lambda message: note(message.type == "error", message.text))
-    page.on("pageerror", lambda error: note(True, str(error)))
-    page.goto(url)
+    wrong = faults(page, address)
+    page.goto(address + name)
     page.evaluate("window.scrollTo(0, document.body.scrollHeight)")
     return wrong
 
@@ -92,10 +46,10 @@ def test_pages(site: Path, address: str, browser: Browser, width: int, scheme: L
     names = [path.relative_to(site).as_posix() for path in sorted(site.rglob("*.html")) if "_static" not in path.parts]
     with browser.new_context(viewport={"width": width, "height": 844}, color_scheme=scheme) as context:
         pages = {name: context.new_page() for name in names}
-        faults = {name: _open(page, address + name) for name, page in pages.items()}
+        wrong = {name: _open(page, address, name) for name, page in pages.items()}
         for name, page in pages.items():
             page.wait_for_load_state("networkidle")
-            faults[name] += page.evaluate(TOO_WIDE) + page.evaluate(FAINT)
+            wrong[name] += page.evaluate(TOO_WIDE) + page.evaluate(FAINT)
             if page.evaluate("document.documentElement.dataset.theme") != scheme:
-                faults[name].append(f"the page is not {scheme}")
-    assert not {name: wrong for name, wrong in faults.items() if wrong}
+                wrong[name].append(f"the page is not {scheme}")
+    assert not {name: found for name, found in wrong.items() if found}

@@ -75,7 +75,7 @@ def test_an_error_in_the_node_is_printed_and_does_not_stop_the_notebook(
     out, err = capsys.readouterr()
     assert out == ""
     assert err.startswith('Traceback (most recent call last):\n  File "<cell ')
-    assert '>", line 3, in <module>\n    rospy.Rate(0)\n' in err
+    assert '>", line 4, in <module>\n    rospy.Rate(0)\n' in err
     assert err.endswith("ZeroDivisionError: float division by zero\n")
     assert shell.user_ns["run"].status == 1
 

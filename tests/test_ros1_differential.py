@@ -107,18 +107,19 @@ class Outcome(NamedTuple):
     stalled: bool
 
 
+# A mark is written in one go; it may stand within a line that another thread writes in several, as a traceback's are.
+_MARK = re.compile(r"@(\w+)((?: (?:None|-?\d+\.\d+))*)\n")
+
+
 def _outcome(console: str, status: int, end: float | None) -> Outcome:
-    text: list[str] = []
     marks: dict[str, list[list[float | None]]] = {}
-    for line in console.splitlines():
-        label, *words = line[1:].split() if line.startswith("@") else [""]
-        if not label:
-            text.append(line)
-        elif label == "end":
-            end = float(words[0])
+    for label, words in _MARK.findall(console):
+        times = [None if word == "None" else float(word) for word in words.split()]
+        if label == "end":
+            end = times[0]
         elif label not in ("zero", "stall"):
-            marks.setdefault(label, []).append([None if word == "None" else float(word) for word in words])
-    return Outcome(status, _normal("\n".join(text)), marks, end, "@stall" in console)
+            marks.setdefault(label, []).append(times)
+    return Outcome(status, _normal(_MARK.sub("", console)), marks, end, "@stall" in console)
 
 
 def _normal(text: str) -> str:

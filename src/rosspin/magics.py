@@ -78,7 +78,8 @@ class Magics(BaseMagics):
         filename = f"<cell {shell.execution_count}>"
         streams = () if options.quiet else (sys.stdout, sys.stderr)
         with capture(*streams) as console:
-            result = run(load_source(cell, filename), options.seconds, args)
+            # The line of the magic counts, so that the line numbers of a traceback are those of the cell.
+            result = run(load_source(f"\n{cell}", filename), options.seconds, args)
         shell.user_ns[options.name] = Run(
             console.text(), result.ticks, result.status, runtime, options.seconds, result.start
         )

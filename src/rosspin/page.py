@@ -10,7 +10,7 @@ import json
 import os
 import signal
 import sys
-from collections.abc import Callable
+from collections.abc import Callable, Sequence
 from contextlib import redirect_stderr, redirect_stdout
 from itertools import groupby
 from typing import Any
@@ -32,8 +32,10 @@ __all__ = ["run"]
 _MOST_TICKS = 2000
 
 
-def run(source: str, filename: str, seconds: float, speed: float, page: Any) -> str:
+def run(source: str, filename: str, seconds: float, args: Sequence[str], speed: float, page: Any) -> str:
     """Run the node in the text ``source`` for ``seconds``, ``speed`` times as fast as real time; 0: at once.
+
+    ``args`` are its command line. Private parameters there need PyYAML, which the page does not have.
 
     ``page`` is a JavaScript object: its ``print(text, isError)`` is given what the node prints and its
     ``tick(source, number, expected, real)`` each tick that begins (s), both as they happen; ``wait(ms)`` is a promise
@@ -45,7 +47,7 @@ def run(source: str, filename: str, seconds: float, speed: float, page: Any) -> 
     with redirect_stdout(_Stream(page, False)), redirect_stderr(_Stream(page, True)):
         try:
             node = there.seen_by(load_source(source, filename))
-            result = run_simulated(node, seconds, (), True, there.simulation, _Watchdog)
+            result = run_simulated(node, seconds, list(args), True, there.simulation, _Watchdog)
         except (ValueError, SyntaxError, NotSimulated, TimeStandsStill) as error:
             print(say_error(error), file=sys.stderr)
             if isinstance(error, SyntaxError):

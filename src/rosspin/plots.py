@@ -9,6 +9,7 @@ import os
 import re
 from collections.abc import Callable, Mapping, Sequence
 from functools import wraps
+from itertools import pairwise
 from pathlib import Path
 from typing import Any, ParamSpec
 
@@ -113,7 +114,9 @@ def timeline(ticks: Ticks, period: float | None = None) -> Figure:
         for tick in group:
             if tick.duration > 0:
                 axes.barh(row, tick.duration, 0.3, tick.real, color=colour, alpha=0.45, lw=0)
-        axes.plot([tick.real for tick in group], [row] * len(group), marker, color=colour, ms=4.5, lw=0)
+        # Ticks at the same time are drawn one above the other.
+        heights = [row - 0.24 * (tick.real - before.real < 1e-3) for before, tick in pairwise(group)]
+        axes.plot([tick.real for tick in group], [row, *heights][: len(group)], marker, color=colour, ms=4.5, lw=0)
         words.append(describe_timeline(name, group) + (f" Lost ticks: {len(gone)}." if period else ""))
     axes.set_yticks(range(len(groups)), list(groups))
     axes.set_ylim(len(groups) - 0.5, -0.5)

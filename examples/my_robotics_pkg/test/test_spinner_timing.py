@@ -24,6 +24,7 @@ def test_it_ends_at_ctrl_c():
     run = simulate(SRC / "spinner_py_node.py", 1.0)
     assert run.status == 0
     assert "Traceback" not in run.console
+    assert "Exception in thread" not in run.console
 
 
 @pytest.mark.parametrize("frequency", [1, 10, 50])

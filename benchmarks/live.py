@@ -1,0 +1,124 @@
+"""The listings that run in the page, in Chromium: how long a reader waits, how much is loaded, how late ticks are."""
+
+from __future__ import annotations
+
+import gzip
+import re
+import shutil
+import threading
+from collections.abc import Iterator
+from functools import partial
+from http.server import SimpleHTTPRequestHandler, ThreadingHTTPServer
+from pathlib import Path
+from statistics import median
+from urllib.parse import unquote, urlsplit
+
+from playwright.sync_api import Browser, Page, sync_playwright
+from ratios import line
+
+from rosspin.measures import quantile, say_time
+
+SITE = Path(__file__).parent.parent / "build" / "html"
+TUTORIAL = "docs/tutorial.html"
+FLAGS = ["--no-sandbox", "--disable-gpu", "--disable-background-networking", "--disable-component-update"]
+
+# The last listing of the tutorial, whose first counter comes at once: click, and wait for a text. By the page's clock.
+CLICK = """([button, text]) => new Promise(resolve => {
+    const cell = [...document.querySelectorAll("div.live")].at(-1)
+    const start = performance.now()
+    const look = () => cell.textContent.includes(text, cell.querySelector("pre").textContent.length)
+        ? resolve((performance.now() - start) / 1e3) : setTimeout(look, 1)
+    ;[...cell.querySelectorAll("button")].find(found => found.textContent === button).click()
+    look()
+})"""
+
+# Tells the page's own time at each tick; that of the run begins when the node does.
+TICKER = """
+import rospy
+from js import performance
+
+rospy.init_node("ticker")
+rospy.Timer(rospy.Duration(0.1), lambda event: print(performance.now()))
+rospy.spin()
+"""
+RUN_TICKER = """([address, source, seconds]) => new Promise(resolve => {
+    const worker = new Worker(address, { type: "module" })
+    const times = []
+    worker.onmessage = ({ data }) => {
+        if (data.kind === "batch") times.push(...data.chunks.map(([, text]) => Number(text)).filter(time => time))
+        if (data.kind === "end") resolve(times)
+    }
+    worker.postMessage({ source, filename: "ticker.py", seconds, args: [], speed: 1 })
+})"""
+
+
+def report(rounds: int = 5, seconds: float = 20.0, pause: float = 6.0) -> Iterator[str]:
+    """The lines of the report. ``pause`` (s) is how long a reader looks on before Stop: a spare worker starts then."""
+    chromium = shutil.which("chromium") or shutil.which("chromium-browser") or shutil.which("google-chrome")
+    yield "Python in the page, in Chromium"
+    if not chromium or not (SITE / TUTORIAL).exists():
+        yield "  not measured: it needs Chromium, and the site that `make html` builds"
+        return
+    handler = partial(_Quiet, directory=str(SITE))
+    with _Server(("127.0.0.1", 0), handler) as server, sync_playwright() as playwright:
+        threading.Thread(target=server.serve_forever, daemon=True).start()
+        browser = playwright.chromium.launch(executable_path=chromium, args=FLAGS)
+        yield from _report(browser, f"http://127.0.0.1:{server.server_port}/", rounds, seconds, pause)
+        browser.close()
+        server.shutdown()
+
+
+def _report(browser: Browser, address: str, rounds: int, seconds: float, pause: float) -> Iterator[str]:
+    weights, ready, cold, warm, stopped, again, loaded = [], [], [], [], [], [], []
+    for _ in range(rounds):
+        with browser.new_context() as context:
+            page = context.new_page()
+            asked: set[str] = set()  # by a second worker again, but then it comes from the browser's cache
+            page.on("request", lambda request, asked=asked: asked.add(urlsplit(request.url).path))
+            page.goto(address + TUTORIAL, wait_until="networkidle")
+            weights.append(_weight(asked))
+            ready.append(page.evaluate("performance.getEntriesByType('navigation')[0].domContentLoadedEventEnd") / 1e3)
+            asked.clear()
+            cold.append(_click(page, "Run", "counter = 1"))
+            loaded.append(_weight(asked))
+            page.wait_for_timeout(pause * 1e3)
+            stopped.append(_click(page, "Stop", "stopped"))
+            again.append(_click(page, "Run", "counter = 1"))
+            page.get_by_text(re.compile("^done: ")).wait_for(state="attached")
+            warm.append(_click(page, "Run", "counter = 1"))
+    with browser.new_context() as context:
+        page = context.new_page()
+        page.goto(address + TUTORIAL)
+        times = page.evaluate(RUN_TICKER, [f"{address}_static/live/worker.js", TICKER, seconds])
+    late = [time / 1e3 - number * 0.1 for number, time in enumerate(times)]
+    late = [value - min(late) for value in late]
+
+    yield f"  the page untouched: {max(weights) / 1e6:.2f} MB gzipped, ready after {median(ready):.2f} s"
+    yield line("  s from click to counter 1, cold", median(cold), most=4)
+    yield line("  s from click to counter 1, warm", median(warm), most=0.5)
+    yield line("  s from Stop to stopped", median(stopped), most=0.1)
+    yield line("  s from click to counter 1, after Stop", median(again), most=0.5)
+    yield line("  MB gzipped, loaded by the first click", max(loaded) / 1e6, most=7)
+    middle, high = say_time(median(late)), say_time(quantile(late, 0.95))
+    yield f"  10 Hz timer, {len(late)} ticks, later than the earliest of them: median {middle}, p95 {high}"
+
+
+def _click(page: Page, button: str, text: str) -> float:
+    took: float = page.evaluate(CLICK, [button, text])
+    return took
+
+
+def _weight(paths: set[str]) -> int:
+    """The bytes of these files of the site, gzipped."""
+    files = [SITE / unquote(path.lstrip("/")) for path in paths]
+    return sum(len(gzip.compress(file.read_bytes())) for file in files if file.is_file())
+
+
+class _Server(ThreadingHTTPServer):
+    def handle_error(self, *args: object) -> None:
+        pass  # Stop ends a worker that may still be loading
+
+
+class _Quiet(SimpleHTTPRequestHandler):
+    def log_message(self, *args: object) -> None:
+        pass

@@ -1,0 +1,433 @@
+"""The listings that run in the page: run, edited, stopped and reset in Chromium, with the keyboard alone, too."""
+
+from __future__ import annotations
+
+import json
+import re
+from collections.abc import Iterator
+from pathlib import Path
+from typing import Literal
+
+import pytest
+from conftest import ROOT, faults
+from playwright.sync_api import Browser, BrowserContext, Locator, Page, expect
+from test_browser import FAINT, TOO_WIDE
+
+from rosspin import simulate
+from rosspin.sphinx_live import policy
+
+TUTORIAL = "docs/tutorial.html"
+EXAMPLES = ROOT / "examples"
+
+# The listings of the tutorial that can be run, in their order.
+LISTINGS = [
+    "my_robotics_pkg/src/spinner_py_node.py",
+    "steps/1_class.py",
+    "steps/2_callback.py",
+    "my_robotics_pkg/src/spinner_py_node.py",
+    "my_robotics_pkg/src/spinner_rate_py_node.py",
+]
+TIMER, RATE = 3, 4
+PATIENCE = 120_000  # ms until something that does not come is given up
+
+
+class Cell:
+    """A listing of the page that can be run, as a reader sees it."""
+
+    def __init__(self, page: Page, index: int) -> None:
+        self.page = page
+        self.element = page.locator("div.live").nth(index)
+        self.console = self.element.get_by_role("log", name="Console")
+        self.status = self.element.get_by_role("status")
+        self.plot = self.element.locator("figure svg")
+        self.editor = self.element.get_by_role("textbox")
+
+    def button(self, name: str) -> Locator:
+        return self.element.get_by_role("button", name=re.compile(f"^{name} .*py$"))
+
+    def run(self, seconds: float = 2, speed: str = "instantly") -> None:
+        self.element.get_by_role("spinbutton").fill(str(seconds))
+        self.element.get_by_role("combobox").select_option(speed)
+        self.button("Run").click()
+
+    def write(self, text: str) -> None:
+        """Replace the code."""
+        self.button("Edit").click()
+        self.editor.press("Control+a")
+        self.page.keyboard.insert_text(text)
+
+    def ends(self, status: str) -> str:
+        """Wait until the status line begins with these words; the text on the console."""
+        expect(self.status).to_have_text(re.compile(f"^{status}"), timeout=PATIENCE)
+        return self.text()
+
+    def text(self) -> str:
+        return self.element.locator(".live-console pre").text_content() or ""
+
+
+@pytest.fixture
+def context(browser: Browser) -> Iterator[BrowserContext]:
+    """A reader who comes for the first time."""
+    with browser.new_context(viewport={"width": 1280, "height": 900}) as context:
+        context.set_default_timeout(PATIENCE)
+        yield context
+
+
+@pytest.fixture(scope="module")
+def opened(browser: Browser, address: str) -> Iterator[tuple[Page, list[str]]]:
+    """The tutorial, and what went wrong in it. It stays open, so that Python need not start for each test."""
+    with browser.new_context(viewport={"width": 1280, "height": 900}) as context:
+        context.set_default_timeout(PATIENCE)
+        page = context.new_page()
+        wrong = faults(page, address)
+        open_tutorial(page, address)
+        yield page, wrong
+
+
+@pytest.fixture
+def page(opened: tuple[Page, list[str]]) -> Iterator[Page]:
+    """The tutorial with its Python tabs open and its cells as at first; nothing may go wrong in it."""
+    page, wrong = opened
+    for index in range(len(LISTINGS)):
+        Cell(page, index).button("Reset").dispatch_event("click")
+    yield page
+    assert not wrong
+
+
+def open_tutorial(page: Page, address: str) -> None:
+    page.goto(address + TUTORIAL)
+    page.locator(".sd-tab-label", has_text="Python").first.click()
+
+
+def node(body: str) -> str:
+    """A node file around some lines."""
+    return f'import rospy\n\nrospy.init_node("a_node")\n{body}\n'
+
+
+# --- before it is touched ---------------------------------------------------------------------------------------------
+
+
+def test_listing_costs_two_small_requests_until_it_is_touched(context: BrowserContext, address: str) -> None:
+    page = context.new_page()
+    found: dict[str, int] = {}
+    page.on("response", lambda response: found.update({response.url: len(response.body())}))
+    page.goto(address + TUTORIAL, wait_until="networkidle")
+    ours = {url: size for url, size in found.items() if "/live/" in url}
+    assert len(ours) <= 2
+    assert sum(ours.values()) < 20_000
+
+
+def test_pages_without_such_a_listing_load_nothing(site: Path) -> None:
+    text = (site / "index.html").read_text(encoding="utf-8")
+    assert "live/live" not in text
+
+
+def test_listing_is_the_file(page: Page) -> None:
+    shown = page.locator("div.live > .highlight > pre").evaluate_all("found => found.map(pre => pre.textContent)")
+    assert shown == [(EXAMPLES / name).read_text(encoding="utf-8") for name in LISTINGS]
+
+
+# --- run --------------------------------------------------------------------------------------------------------------
+
+
+@pytest.mark.parametrize("index", range(len(LISTINGS)))
+def test_run(page: Page, index: int) -> None:
+    """The page prints what the same file prints in simulated time elsewhere, and draws its ticks."""
+    cell = Cell(page, index)
+    cell.run(2)
+    run = simulate(EXAMPLES / LISTINGS[index], 2)
+    assert cell.ends("done") == run.console
+    if run.ticks:
+        expect(cell.status).to_have_text(f"done: {len(run.ticks)} ticks")
+        expect(cell.plot).to_have_attribute("aria-label", re.compile(f"{run.ticks[0].source}: {len(run.ticks)} ticks"))
+    else:
+        expect(cell.plot).to_have_count(0)
+
+
+def test_run_in_real_time(page: Page) -> None:
+    cell = Cell(page, TIMER)
+    cell.run(1.5, "real time")
+    expect(cell.status).to_have_text(re.compile("^starting Python|^running"))
+    assert cell.ends("done") == simulate(EXAMPLES / LISTINGS[TIMER], 1.5).console
+    ticks = cell.plot.locator("circle")
+    expect(ticks).to_have_count(3)
+
+
+def test_two_at_once(page: Page) -> None:
+    cells = [Cell(page, TIMER), Cell(page, RATE)]
+    for cell in cells:
+        cell.run(3, "real time")
+    for cell, index in zip(cells, (TIMER, RATE), strict=True):
+        assert cell.ends("done") == simulate(EXAMPLES / LISTINGS[index], 3).console
+
+
+def test_bad_seconds(page: Page) -> None:
+    cell = Cell(page, TIMER)
+    cell.run(-1)
+    assert cell.ends("error: seconds") == ""
+
+
+# --- edit -------------------------------------------------------------------------------------------------------------
+
+
+def test_edit(page: Page, address: str) -> None:
+    """The reader changes 0.5 to 0.1. The edit survives a reload, Copy copies it, Reset brings the original back."""
+    cell = Cell(page, TIMER)
+    original = (EXAMPLES / LISTINGS[TIMER]).read_text(encoding="utf-8")
+    edited = original.replace("0.5", "0.1")
+    cell.write(edited)
+    cell.element.get_by_role("spinbutton").fill("1")
+    cell.element.get_by_role("combobox").select_option("instantly")
+    cell.editor.press("Control+Enter")
+    assert cell.ends("done: 10 ticks").count("counter = ") == 10
+
+    open_tutorial(page, address)
+    assert cell.element.locator("pre").first.text_content() == edited
+    page.context.grant_permissions(["clipboard-read", "clipboard-write"])
+    cell.element.locator("pre").first.hover()
+    cell.element.locator("button.copybtn").click()
+    assert page.evaluate("navigator.clipboard.readText()") == edited.rstrip("\n")
+    other = Cell(page, 0)
+    assert other.element.locator("pre").first.text_content() == original
+
+    cell.button("Reset").click()
+    assert cell.element.locator("pre").first.text_content() == original
+    expect(cell.element.locator("pre .k").first).to_be_visible()
+    open_tutorial(page, address)
+    assert cell.element.locator("pre").first.text_content() == original
+
+
+def test_keyboard_alone(page: Page) -> None:
+    """From the heading by Tab into the cell; Enter, Escape, Tab and Ctrl-Enter do the rest."""
+    cell = Cell(page, TIMER)
+    cell.button("Run").focus()
+    for name in ("Stop", "Edit"):
+        page.keyboard.press("Tab")
+        expect(cell.button(name)).to_be_focused()
+    page.keyboard.press("Enter")
+    expect(cell.editor).to_be_focused()
+    page.keyboard.press("Control+End")
+    page.keyboard.type("# mine")
+    page.keyboard.press("Tab")
+    expect(cell.editor).to_be_focused()
+    page.keyboard.press("Control+Enter")
+    expect(cell.status).to_have_text(re.compile("^starting Python|^running"))
+    page.keyboard.press("Escape")
+    expect(cell.button("Run")).to_be_focused()
+    page.keyboard.press("Tab")
+    page.keyboard.press("Enter")
+    cell.ends("stopped")
+    for _ in range(2):
+        page.keyboard.press("Tab")
+    expect(cell.button("Reset")).to_be_focused()
+    page.keyboard.press("Enter")
+    expect(cell.editor).to_have_count(0)
+    expect(cell.button("Reset")).to_be_focused()
+
+
+# --- stop -------------------------------------------------------------------------------------------------------------
+
+
+def test_stop_ends_a_busy_loop_and_the_next_run_starts(page: Page) -> None:
+    cell = Cell(page, TIMER)
+    cell.write("print('busy')\nwhile True:\n    pass\n")
+    cell.run(2)
+    expect(cell.console).to_contain_text("busy", timeout=PATIENCE)
+    cell.button("Stop").click()
+    expect(cell.status).to_have_text("stopped")
+    cell.write("print('next')\n")
+    cell.button("Run").click()
+    assert cell.ends("done") == "next\n"
+
+
+def test_stop_in_real_time(page: Page) -> None:
+    cell = Cell(page, TIMER)
+    cell.run(1000, "real time")
+    expect(cell.console).to_contain_text("counter = 1", timeout=PATIENCE)
+    cell.button("Stop").click()
+    expect(cell.status).to_have_text("stopped")
+    before = cell.text()
+    page.wait_for_timeout(700)
+    assert cell.text() == before
+
+
+# --- what goes wrong --------------------------------------------------------------------------------------------------
+
+
+@pytest.mark.parametrize("line", ["while True:\n    print('flood')", "while True:\n    rospy.loginfo('flood')"])
+def test_flood(page: Page, line: str) -> None:
+    """The page answers all the while, keeps the last lines only, and the run comes to its end."""
+    cell = Cell(page, TIMER)
+    cell.write(node(line))
+    cell.run(2)
+    expect(cell.console).to_contain_text("earlier lines are left out", timeout=PATIENCE)
+    assert page.evaluate("1 + 1") == 2
+    assert "simulated time stands still at 0.0 s" in cell.ends("error")
+    assert cell.text().count("\n") <= 1000
+
+
+@pytest.mark.parametrize(
+    ("code", "status", "sentence"),
+    [
+        (node("rospy.Rate(0)"), "error", "There is no frequency of 0 Hz"),
+        (node("rospy.Timer(rospy.Duration(0), print)\nrospy.spin()"), "done", "There is no frequency of 0 Hz"),
+        (node("rospy.Timer(0.5, print)\nrospy.spin()"), "done", "rospy.Timer(rospy.Duration(0.5), callback)"),
+        ("import rospy\nprint('a'\n", "error", "SyntaxError: '(' was never closed\nPython could not read"),
+        ("import numpy\n", "error", "but no numpy. Run the node on your own computer"),
+        ("import std_msgs.msg\n", "error", "std_msgs is not simulated; run this node on a real ROS"),
+        (node("rospy.Publisher"), "error", "node.py:4: rospy.Publisher is not simulated; run this node on a real ROS"),
+        (node("while True: pass"), "error", "node.py:4: simulated time stands still at 0.0 s"),
+        (node("while not rospy.is_shutdown():\n    rospy.sleep(0)"), "error", "node.py:5: simulated time stands still"),
+        (node("1 / 0"), "error", "ZeroDivisionError"),
+        (node("input()"), "error", "EOFError"),
+    ],
+)
+def test_errors_end_in_a_sentence_that_helps(page: Page, code: str, status: str, sentence: str) -> None:
+    cell = Cell(page, TIMER)
+    cell.write(code)
+    cell.run(2)
+    console = cell.ends(status)
+    assert sentence in console
+    assert "rosspin/" not in console and "pyodide" not in console
+    assert cell.console.locator(".stderr").count()
+
+
+def test_traceback_shows_the_readers_lines_only(page: Page) -> None:
+    cell = Cell(page, TIMER)
+    cell.write(node("def f(event):\n    g()\ndef g():\n    raise KeyError('mine')\nf(None)"))
+    cell.run(2)
+    lines = re.findall(r'  File "(.*)", line (\d+)', cell.ends("error"))
+    assert lines == [("spinner_py_node.py", line) for line in ("8", "5", "7")]
+
+
+def test_last_line_without_its_end_is_shown(page: Page) -> None:
+    cell = Cell(page, TIMER)
+    cell.write("import sys\nprint('out', end='')\nprint('err', end='', file=sys.stderr)")
+    cell.run(2)
+    assert cell.ends("done") == "outerr"
+    assert cell.console.locator(".stderr").all_text_contents() == ["err"]
+
+
+def test_output_is_text(page: Page) -> None:
+    cell = Cell(page, TIMER)
+    html = "<img src=x onerror=\"document.title='taken'\"><b>bold</b>"
+    cell.write(f"print('''{html}''')")
+    cell.run(2)
+    assert cell.ends("done") == html + "\n"
+    assert cell.console.locator("img, b").count() == 0
+
+
+def test_a_run_finds_a_clean_world(page: Page) -> None:
+    cell = Cell(page, TIMER)
+    cell.write(
+        "import os, rospy\nprint(rospy.get_name(), os.environ.get('MINE'))\nos.environ['MINE'] = '1'\n" + node("")
+    )
+    for _ in range(2):
+        cell.run(2)
+        assert cell.ends("done") == "/unnamed None\n"
+
+
+def test_python_breaks_down(context: BrowserContext, address: str) -> None:
+    """It says so on the console of the page, and the next run finds a Python of its own."""
+    page = context.new_page()
+    open_tutorial(page, address)
+    cell = Cell(page, TIMER)
+    cell.write("import os\nos.abort()")
+    cell.run(2)
+    assert "Python itself broke down" in cell.ends("error")
+    cell.write("print('next')")
+    cell.run(2)
+    assert cell.ends("done") == "next\n"
+
+
+# --- where Python cannot run ------------------------------------------------------------------------------------------
+
+
+def _is_plain(page: Page, line: str) -> None:
+    listing = page.locator("div.live").nth(1)
+    expect(listing.locator("pre")).to_contain_text("class SpinnerPyNode")
+    expect(page.get_by_text(line).nth(1)).to_be_visible()
+    expect(listing.get_by_role("button", name="Run")).to_have_count(0)
+
+
+def test_opened_as_a_file(context: BrowserContext, site: Path) -> None:
+    page = context.new_page()
+    page.goto((site / TUTORIAL).as_uri())
+    _is_plain(page, "Serve the site instead: make serve")
+
+
+def test_without_jspi(context: BrowserContext, address: str) -> None:
+    page = context.new_page()
+    page.add_init_script("delete WebAssembly.Suspending")
+    page.goto(address + TUTORIAL)
+    _is_plain(page, "This browser cannot run this listing: it lacks JSPI")
+
+
+def test_without_javascript(browser: Browser, address: str) -> None:
+    with browser.new_context(java_script_enabled=False) as context:
+        page = context.new_page()
+        page.goto(address + TUTORIAL)
+        _is_plain(page, "To run this listing here, the page needs JavaScript.")
+
+
+# --- what the page may do ---------------------------------------------------------------------------------------------
+
+
+@pytest.mark.parametrize(
+    "attempt",
+    [
+        "fetch('https://example.org/')",
+        "import('https://example.org/a.js')",
+        "Promise.resolve(new Worker('data:text/javascript,'))",
+        "new Promise(resolve => setTimeout(() => { resolve(); Function('') }))",
+    ],
+)
+def test_policy_forbids(context: BrowserContext, address: str, attempt: str) -> None:
+    page = context.new_page()
+    page.goto(address + TUTORIAL)
+    page.evaluate("window.blocked = []; addEventListener('securitypolicyviolation', e => blocked.push(e.blockedURI))")
+    page.evaluate(f"async () => {{ try {{ await {attempt} }} catch {{}} }}")
+    page.wait_for_timeout(100)
+    assert page.evaluate("blocked.length") == 1
+
+
+def test_policy_forbids_other_inline_scripts(context: BrowserContext, address: str) -> None:
+    page = context.new_page()
+    page.goto(address + TUTORIAL)
+    page.evaluate("document.body.append(Object.assign(document.createElement('script'), {text: 'window.mine = 1'}))")
+    assert page.evaluate("window.mine") is None
+
+
+def test_every_page_has_its_policy(site: Path) -> None:
+    """What may be loaded comes from the site itself; inline scripts are those of the page, by their hashes."""
+    for path in site.rglob("*.html"):
+        if "_static" not in path.parts:
+            text = path.read_text(encoding="utf-8")
+            (found,) = re.findall(r'<meta http-equiv="Content-Security-Policy" content="(.*?)"', text)
+            assert found == policy(text)
+            assert not re.search(r"https?:|\*|'unsafe-eval'|script-src[^;]*'unsafe-inline'", found)
+            assert not re.search(r"<[^>]* on[a-z]+=", text), "an inline handler, which the policy forbids"
+
+
+def test_lock_file_has_no_addresses() -> None:
+    lock = json.loads((ROOT / "web" / "package-lock.json").read_text(encoding="utf-8"))
+    assert "node_modules/pyodide" in lock["packages"]
+    assert not [name for name, package in lock["packages"].items() if "resolved" in package]
+
+
+# --- how it looks -----------------------------------------------------------------------------------------------------
+
+
+@pytest.mark.parametrize("scheme", ["light", "dark"])
+@pytest.mark.parametrize("width", [390, 1280])
+def test_looks(browser: Browser, address: str, width: int, scheme: Literal["light", "dark"]) -> None:
+    """An open cell with its editor, console and plot fits a phone, and its text stands out in light and in dark."""
+    with browser.new_context(viewport={"width": width, "height": 900}, color_scheme=scheme) as context:
+        page = context.new_page()
+        open_tutorial(page, address)
+        cell = Cell(page, TIMER)
+        cell.write(node("rospy.logerr('late')\nrospy.Timer(rospy.Duration(0.1), lambda event: None)\nrospy.spin()"))
+        cell.run(2)
+        cell.ends("done")
+        expect(cell.plot).to_be_visible()
+        assert page.evaluate(TOO_WIDE) + page.evaluate(FAINT) == []

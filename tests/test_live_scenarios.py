@@ -1,0 +1,97 @@
+"""The stand-in is the same in the page: each scenario prints in Chromium what it prints in simulated time elsewhere."""
+
+from __future__ import annotations
+
+import os
+import re
+from collections.abc import Callable, Iterator
+from typing import Any
+from unittest import mock
+
+import pytest
+from conftest import ROOT, faults
+from playwright.sync_api import Browser
+from test_ros1_differential import LONGEST, SCENARIO_LIST, SCENARIOS, Scenario
+
+from rosspin import simulate
+
+# Jobs for the worker that the page's cells use; what one prints and how it ended.
+RUN_JOBS = """address => {
+    const worker = new Worker(address, { type: "module" })
+    window.runJob = job => new Promise(resolve => {
+        let console = ""
+        worker.onmessage = ({ data }) => {
+            if (data.kind === "batch") console += data.chunks.map(([, text]) => text).join("")
+            if (data.kind === "end") resolve([console, data.result])
+            if (data.kind === "failed") resolve([data.reason, {}])
+        }
+        worker.postMessage(job)
+    })
+}"""
+
+# Beside the scenarios stands a module that they share. The page has no PyYAML; these parameters are JSON, too.
+PRELUDE = """
+import site
+for name, text in {files}.items():
+    with open(f"{{site.getsitepackages()[0]}}/{{name}}", "w") as file:
+        file.write(text)
+"""
+FILES = {
+    "scenario.py": (SCENARIOS / "scenario.py").read_text(encoding="utf-8"),
+    "yaml.py": "from json import loads as safe_load\n",
+}
+
+# Not JSON, or made from the process's number.
+NOT_HERE = ("values_parameters", "values_bad_parameter", "values_names", "values_anonymous")
+CHOSEN = [scenario for scenario in SCENARIO_LIST if scenario.file not in NOT_HERE]
+
+
+@pytest.fixture(scope="module")
+def run_in_page(browser: Browser, address: str) -> Iterator[Callable[..., tuple[str, dict[str, Any]]]]:
+    """Run a text as a node in the page: its console and its result. All runs share one worker."""
+    with browser.new_context() as context:
+        page = context.new_page()
+        wrong = faults(page, address)
+        page.goto(address + "docs/tutorial.html")
+        page.evaluate(RUN_JOBS, f"{address}_static/live/worker.js")
+
+        def run(source: str, name: str, seconds: float, args: tuple[str, ...] = ()) -> tuple[str, dict[str, Any]]:
+            job = {"source": source, "filename": name, "seconds": seconds, "args": args, "speed": 0}
+            console, result = page.evaluate("job => runJob(job)", job)
+            return console, result
+
+        run(PRELUDE.format(files=FILES), "prelude.py", 1)
+        yield run
+        assert not wrong
+
+
+# What the page adds at the end, for a reader who does not know what the error means.
+HINTS = ("There is no frequency of 0 Hz", "The period of a rospy.Timer is a Duration")
+
+
+def _lines(console: str) -> list[str]:
+    """The lines of a console, without what depends on Python's version: code in tracebacks, one message."""
+    text = re.sub(r'^(  File ").*?([^/"]+", line .*)\n(?:    .*\n)*', r"\1\2\n", console, flags=re.MULTILINE)
+    text = text.replace("float division by zero", "division by zero")
+    return [line for line in text.splitlines() if not line.startswith(HINTS)]
+
+
+@pytest.mark.parametrize("scenario", CHOSEN, ids=lambda scenario: scenario.name)
+def test_scenario(run_in_page: Callable[..., tuple[str, dict[str, Any]]], scenario: Scenario) -> None:
+    path = SCENARIOS / f"{scenario.file}.py"
+    seconds = scenario.end or LONGEST
+    with mock.patch.dict(os.environ):
+        run = simulate(path, seconds, scenario.args)
+    console, result = run_in_page(path.read_text(encoding="utf-8"), path.name, seconds, scenario.args)
+    assert _lines(console) == _lines(run.console)
+    assert result["status"] == run.status
+    ticks = [list(tick[:4]) for tick in run.ticks]
+    assert [tick[:4] for tick in result.get("ticks", ())] == ticks
+
+
+@pytest.mark.parametrize("path", sorted(ROOT.glob("examples/**/spinner*.py")), ids=lambda path: path.name)
+def test_example(run_in_page: Callable[..., tuple[str, dict[str, Any]]], path: Any) -> None:
+    run = simulate(path, 60, ["__ns:=/mrp"])
+    console, result = run_in_page(path.read_text(encoding="utf-8"), path.name, 60, ("__ns:=/mrp",))
+    assert console == run.console
+    assert result["ticks"] == [list(tick) for tick in run.ticks]

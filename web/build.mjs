@@ -1,0 +1,60 @@
+// Builds what runs in the reader's page: node build.mjs PACKAGES OUT, from web/src, src/rosspin and the npm packages in
+// the folder PACKAGES, into the folder OUT.
+
+import { cpSync, existsSync, mkdirSync, readFileSync, readdirSync, rmSync, writeFileSync } from "node:fs"
+import { createRequire } from "node:module"
+import path from "node:path"
+
+const here = import.meta.dirname
+const [packages, out] = process.argv.slice(2).map((folder) => path.resolve(folder))
+const { build } = createRequire(path.join(packages, "package.json"))("esbuild")
+
+rmSync(out, { recursive: true, force: true })
+mkdirSync(out, { recursive: true })
+
+const common = {
+  bundle: true,
+  minify: true,
+  target: "es2022",
+  outdir: out,
+  nodePaths: [path.join(packages, "node_modules")],
+  metafile: true,
+  logLevel: "warning",
+}
+// Loaded with the page, as a classic script: a page opened from a file has no modules, and has to say so.
+await build({ ...common, entryPoints: ["live.js", "live.css"].map((name) => path.join(here, "src", name)) })
+// Loaded when a listing is touched.
+const { metafile } = await build({
+  ...common,
+  format: "esm",
+  external: ["./pyodide.mjs"],
+  entryPoints: ["editor.js", "worker.js"].map((name) => path.join(here, "src", name)),
+})
+
+for (const name of ["pyodide.mjs", "pyodide.asm.mjs", "pyodide.asm.wasm", "python_stdlib.zip"]) {
+  cpSync(path.join(packages, "node_modules/pyodide", name), path.join(out, name))
+}
+
+// The stand-in, without what a page does not need: path in the package -> text.
+const left_out = /^(__main__|doctor|exercises|machine|magics|plots|recordings|ros1|sphinx_pages)\.py$/
+const source = path.join(here, "../src/rosspin")
+const files = readdirSync(source, { recursive: true })
+  .map((file) => file.split(path.sep).join("/"))
+  .filter((file) => file.endsWith(".py") && !left_out.test(file))
+  .sort()
+const texts = Object.fromEntries(files.map((file) => [file, readFileSync(path.join(source, file), "utf8")]))
+writeFileSync(path.join(out, "rosspin.json"), JSON.stringify(texts))
+
+// What is bundled keeps its licence.
+const used = new Set(["pyodide"])
+for (const file of Object.keys(metafile.inputs)) {
+  const found = file.match(/node_modules\/((?:@[^/]+\/)?[^/]+)/)
+  if (found) used.add(found[1])
+}
+const licences = [...used].sort().map((name) => {
+  const folder = path.join(packages, "node_modules", name)
+  const { version, license } = JSON.parse(readFileSync(path.join(folder, "package.json"), "utf8"))
+  const file = path.join(folder, "LICENSE")
+  return `${name} ${version}: ${license}\n\n${existsSync(file) ? readFileSync(file, "utf8") : ""}`
+})
+writeFileSync(path.join(out, "licences.txt"), licences.join("\n\n"))

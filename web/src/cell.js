@@ -1,0 +1,205 @@
+// A listing that can be edited and run: its buttons, its status line, what its runs show.
+
+import { Console } from "./console.js"
+import { Plot } from "./plot.js"
+import { release, start, warmUp } from "./workers.js"
+
+/** An element with these properties and children. */
+function make(tag, properties = {}, ...children) {
+  const element = Object.assign(document.createElement(tag), properties)
+  element.append(...children)
+  return element
+}
+
+/** A short text that differs when the given one does (FNV-1a). */
+function fingerprint(text) {
+  let hash = 0x811c9dc5
+  for (const character of text) hash = Math.imul(hash ^ character.codePointAt(0), 0x01000193)
+  return (hash >>> 0).toString(16)
+}
+
+export class Cell {
+  #base
+  #pre
+  #original
+  #highlighted
+  #key
+  #name
+  #editor = null
+  #worker = null
+  #runs = 0
+
+  /**
+   * @param {HTMLElement} listing what Sphinx made of a listing
+   * @param {number} index the how manyeth on its page
+   * @param {string} base the address of the folder that our files are in
+   * @param {string} missing why Python cannot run here; "" if it can
+   */
+  constructor(listing, index, base, missing) {
+    this.#base = base
+    this.#pre = listing.querySelector("pre")
+    this.#original = this.#pre.textContent
+    this.#highlighted = [...this.#pre.childNodes]
+    this.#key = `rosspin:${location.pathname}:${index}:${fingerprint(this.#original)}`
+    const caption = listing.parentElement.querySelector(".code-block-caption .caption-text")
+    this.#name = (caption?.textContent ?? "node.py").trim().split("/").at(-1)
+    if (missing) {
+      listing.append(make("p", { className: "live-missing", textContent: missing }))
+      return
+    }
+    this.#build(listing)
+    const edited = this.#stored()
+    if (edited !== null) this.#show(edited)
+    this.#say(edited === null ? "" : "as you edited it")
+  }
+
+  #build(listing) {
+    const button = (text, act) => {
+      const element = make("button", { type: "button", textContent: text })
+      element.setAttribute("aria-label", `${text} ${this.#name}`)
+      element.addEventListener("click", () => element.ariaDisabled !== "true" && act())
+      return element
+    }
+    this.run = button("Run", () => this.#run())
+    this.stop = button("Stop", () => this.#stop())
+    this.edit = button("Edit", () => this.#edit())
+    this.reset = button("Reset", () => this.#reset())
+    this.seconds = make("input", { type: "number", min: "0", max: "3600", step: "any", value: "10" })
+    this.speed = make("select", {})
+    for (const [text, speed] of [["real time", 1], ["10 times as fast", 10], ["instantly", 0]]) {
+      this.speed.append(make("option", { textContent: text, value: speed }))
+    }
+    this.speed.ariaLabel = "Speed"
+    this.status = make("span", { className: "live-status" })
+    this.status.role = "status"
+    const bar = make("div", { className: "live-bar" }, this.run, this.stop, this.edit, this.reset)
+    bar.role = "group"
+    bar.ariaLabel = `Run ${this.#name} in this page`
+    bar.append(make("label", {}, this.seconds, " s"), this.speed, this.status)
+    this.console = new Console(`Console of ${this.#name}`)
+    this.plot = new Plot()
+    listing.append(make("div", { className: "live-cell" }, bar, this.console.element, this.plot.element))
+    this.#pre.addEventListener("click", () => getSelection().isCollapsed && this.#edit())
+  }
+
+  /** The text as it is now. */
+  get #text() {
+    return this.#editor ? this.#editor.text() : this.#pre.textContent
+  }
+
+  /** Say where the cell is; its buttons follow. */
+  #say(status) {
+    this.status.textContent = status
+    this.stop.ariaDisabled = String(this.#worker === null)
+    this.reset.ariaDisabled = String(this.#text === this.#original && this.console.empty)
+  }
+
+  // --- the text ---
+
+  /** Show a text of the reader's in place of the original. The Copy button copies what stands here. */
+  #show(text) {
+    this.#pre.textContent = text
+  }
+
+  #stored() {
+    try {
+      return localStorage.getItem(this.#key)
+    } catch {
+      return null // the reader does not let pages keep anything
+    }
+  }
+
+  #store(text) {
+    try {
+      if (text === this.#original) localStorage.removeItem(this.#key)
+      else localStorage.setItem(this.#key, text)
+    } catch {
+      // The edit lasts as long as the page.
+    }
+  }
+
+  async #edit() {
+    this.#warmUp()
+    if (!this.#editor) {
+      const { open } = await import(`${this.#base}editor.js`)
+      if (this.#editor) return
+      this.#editor = open(this.#text, `Code of ${this.#name}. Escape leaves the editor.`, {
+        changed: (text) => {
+          this.#show(text)
+          this.#store(text)
+          this.reset.ariaDisabled = "false"
+        },
+        run: () => this.#run(),
+        leave: () => this.run.focus(),
+      })
+      this.#pre.before(this.#editor.element)
+      this.#pre.hidden = true
+    }
+    this.#editor.focus()
+  }
+
+  #reset() {
+    this.#end()
+    this.#editor?.element.remove()
+    this.#editor = null
+    this.#pre.replaceChildren(...this.#highlighted)
+    this.#pre.hidden = false
+    this.#store(this.#original)
+    this.console.clear()
+    this.plot.clear()
+    this.#say("")
+  }
+
+  // --- runs ---
+
+  #warmUp() {
+    warmUp(this.#base)
+  }
+
+  async #run() {
+    this.#end()
+    const number = ++this.#runs
+    const seconds = this.seconds.valueAsNumber
+    if (!this.seconds.checkValidity() || Number.isNaN(seconds)) {
+      this.#say("error: seconds must be a number from 0 to 3600")
+      return
+    }
+    this.console.clear()
+    this.plot.clear()
+    const job = { source: this.#text, filename: this.#name, seconds, args: [], speed: Number(this.speed.value) }
+    this.#worker = start(this.#base, job, (message) => number === this.#runs && this.#hear(message))
+    this.#say("starting Python")
+  }
+
+  #hear(message) {
+    if (message.kind === "begun") {
+      this.#say("running")
+    } else if (message.kind === "batch") {
+      this.console.print(message.chunks, message.leftOut)
+      this.plot.add(message.ticks)
+    } else if (message.kind === "end") {
+      release(this.#worker)
+      this.#worker = null
+      const { status, count, ticks, alternative } = message.result
+      if (count) this.plot.finish(ticks, alternative)
+      if (status === 0) this.#say(count ? `done: ${count} tick${count === 1 ? "" : "s"}` : "done")
+      else this.#say("error: see the console")
+    } else {
+      this.#end()
+      this.console.print([[true, `${message.reason}\n`]], 0)
+      this.#say("error: Python stopped")
+    }
+  }
+
+  #stop() {
+    this.#end()
+    this.#say("stopped")
+  }
+
+  /** End the run, if there is one, at once. */
+  #end() {
+    this.#runs++
+    this.#worker?.end()
+    this.#worker = null
+  }
+}

@@ -1,0 +1,59 @@
+// The editor, loaded when a reader first wants to change a listing.
+
+import { defaultKeymap, history, historyKeymap, indentWithTab } from "@codemirror/commands"
+import { python } from "@codemirror/lang-python"
+import { bracketMatching, indentUnit, syntaxHighlighting } from "@codemirror/language"
+import { EditorState } from "@codemirror/state"
+import { EditorView, keymap } from "@codemirror/view"
+import { tagHighlighter, tags } from "@lezer/highlight"
+
+// The classes that Pygments gives to the plain listing, so that the theme colours both alike, in light and in dark.
+const likeTheListing = tagHighlighter([
+  { tag: tags.comment, class: "c1" },
+  { tag: tags.string, class: "s2" },
+  { tag: tags.number, class: "mf" },
+  { tag: tags.keyword, class: "k" },
+  { tag: [tags.bool, tags.null, tags.self], class: "kc" },
+  { tag: tags.operatorKeyword, class: "ow" },
+  { tag: [tags.operator, tags.definitionOperator], class: "o" },
+  { tag: tags.function(tags.definition(tags.variableName)), class: "nf" },
+  { tag: tags.definition(tags.className), class: "nc" },
+  { tag: tags.meta, class: "nd" },
+])
+
+/**
+ * An editor with a text, known to screen readers by a label. It calls `changed(text)` on each change, `run()` on
+ * Ctrl-Enter and `leave()` on Escape.
+ */
+export function open(text, label, { changed, run, leave }) {
+  const command = (act) => () => {
+    act()
+    return true
+  }
+  const view = new EditorView({
+    state: EditorState.create({
+      doc: text,
+      extensions: [
+        keymap.of([
+          { key: "Ctrl-Enter", mac: "Cmd-Enter", run: command(run) },
+          { key: "Escape", run: command(leave) },
+          indentWithTab,
+          ...defaultKeymap,
+          ...historyKeymap,
+        ]),
+        history(),
+        bracketMatching(),
+        indentUnit.of("    "),
+        python(),
+        syntaxHighlighting(likeTheListing),
+        EditorView.contentAttributes.of({ "aria-label": label, spellcheck: "false" }),
+        EditorView.updateListener.of((update) => update.docChanged && changed(update.state.doc.toString())),
+      ],
+    }),
+  })
+  return {
+    element: view.dom,
+    text: () => view.state.doc.toString(),
+    focus: () => view.focus(),
+  }
+}

@@ -1,0 +1,107 @@
+// The ticks of a run as they come, in the look of the site's figures: a line where a tick was expected, a dot where it
+// came, a bar for how long it took.
+
+const COLOURS = ["#0072b2", "#d55e00", "#009e73"]
+const WIDTH = 331
+const ROW = 29
+const MOST_TICKS = 2000
+
+/** An SVG element. */
+function draw(tag, attributes, ...children) {
+  const element = document.createElementNS("http://www.w3.org/2000/svg", tag)
+  for (const [name, value] of Object.entries(attributes)) element.setAttribute(name, value)
+  element.append(...children)
+  return element
+}
+
+/** A mark for a tick: a dot in the first row, a square in the second, a triangle in the third. */
+function mark(row, x, y) {
+  const fill = COLOURS[row % COLOURS.length]
+  const shape = row % COLOURS.length
+  if (shape === 1) return draw("rect", { x: x - 2, y: y - 2, width: 4, height: 4, fill })
+  if (shape === 2) return draw("path", { d: `M${x} ${y - 2.6}l2.6 4.6h-5.2z`, fill })
+  return draw("circle", { cx: x, cy: y, r: 2.2, fill })
+}
+
+/** The step between the numbers on an axis of that length: 1, 2 or 5 times a power of ten, 4 to 10 of them. */
+function step(length) {
+  const power = 10 ** Math.floor(Math.log10(length / 4))
+  return [5, 2, 1].map((factor) => factor * power).find((size) => length / size >= 4)
+}
+
+export class Plot {
+  #ticks = []
+  #frame = 0
+
+  constructor() {
+    this.element = document.createElement("figure")
+    this.element.className = "rosspin-plot"
+    this.clear()
+  }
+
+  clear() {
+    cancelAnimationFrame(this.#frame)
+    this.#frame = 0
+    this.#ticks = []
+    this.element.hidden = true
+    this.element.replaceChildren()
+  }
+
+  /** Add ticks, each [source, number, expected, real, duration] in seconds. */
+  add(ticks) {
+    if (!ticks.length) return
+    this.#ticks.push(...ticks.slice(-MOST_TICKS))
+    this.#ticks.splice(0, this.#ticks.length - MOST_TICKS)
+    this.#frame ||= requestAnimationFrame(() => {
+      this.#frame = 0
+      this.#paint("Timeline of a run that goes on.")
+    })
+  }
+
+  /** Draw the ticks of a run that has ended, which are now known in full; `alternative` says what they show. */
+  finish(ticks, alternative) {
+    this.clear()
+    this.#ticks = ticks
+    this.#paint(`Timeline. ${alternative}`)
+  }
+
+  #paint(alternative) {
+    const sources = [...new Set(this.#ticks.map(([source]) => source))]
+    const left = 14 + 5.4 * Math.max(...sources.map((source) => source.length))
+    const bottom = ROW * sources.length + 4
+    const first = this.#ticks[0][1] === 1 ? 0 : Math.min(...this.#ticks.map(([, , expected]) => expected))
+    const last = Math.max(first + 1, ...this.#ticks.map(([, , expected, real, duration]) => Math.max(expected, real + duration)))
+    const x = (time) => (left + ((time - first) / (last - first)) * (WIDTH - left - 10)).toFixed(2)
+
+    const axis = draw("g", { stroke: "currentColor", "stroke-width": 0.6 })
+    axis.append(draw("path", { d: `M${x(first)} ${bottom}H${WIDTH - 4}` }))
+    const texts = draw("g", { fill: "currentColor", "font-size": 10, "text-anchor": "middle" })
+    const size = step(last - first)
+    for (let n = Math.ceil(first / size); n * size <= last + 1e-9; n++) {
+      axis.append(draw("path", { d: `M${x(n * size)} ${bottom}v3.5` }))
+      texts.append(draw("text", { x: x(n * size), y: bottom + 14 }, String(Number((n * size).toPrecision(12)))))
+    }
+    texts.append(draw("text", { x: (left + WIDTH) / 2, y: bottom + 28 }, "time (s); line: expected, dot: real"))
+
+    const grid = draw("g", { stroke: "currentColor", "stroke-width": 0.8, "stroke-opacity": 0.55 })
+    const bars = draw("g", { "fill-opacity": 0.45 })
+    const marks = draw("g", {})
+    sources.forEach((source, row) => {
+      texts.append(draw("text", { x: left - 8, y: ROW * (row + 0.5) + 3.5, "text-anchor": "end" }, source))
+    })
+    for (const [source, , expected, real, duration] of this.#ticks) {
+      const row = sources.indexOf(source)
+      const y = ROW * (row + 0.5)
+      grid.append(draw("path", { d: `M${x(expected)} ${y - 11}v22` }))
+      if (duration > 0) {
+        const width = (x(real + duration) - x(real)).toFixed(2)
+        bars.append(draw("rect", { x: x(real), y: y - 4.5, width, height: 9, fill: COLOURS[row % COLOURS.length] }))
+      }
+      marks.append(mark(row, x(real) * 1, y))
+    }
+    const picture = draw("svg", { viewBox: `0 0 ${WIDTH} ${bottom + 34}`, role: "img", "aria-label": alternative })
+    picture.append(grid, bars, marks, axis, texts)
+    this.element.replaceChildren(picture)
+    this.element.hidden = false
+  }
+}

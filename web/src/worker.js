@@ -1,0 +1,114 @@
+// Python in a worker. It is sent one job at a time, and sends what comes of it.
+
+import { info } from "pyodide/pyodide-lock.json"
+import { loadPyodide } from "./pyodide.mjs"
+
+// What is printed is sent so often (ms), and no more than so much (characters) of it at a time.
+const INTERVAL = 50
+const MOST = 50_000
+
+// Python is interrupted so often (ms) while it does not give way: see _Watchdog in src/rosspin/page.py.
+const LOOK = 400
+
+/** What Python sees of the page. What it prints and when it ticks is gathered, so that a flood does not drown it. */
+class Page {
+  #chunks = []
+  #size = 0
+  #leftOut = 0
+  #ticks = []
+  #sent = 0
+  #timer = null
+
+  print(text, isError) {
+    this.#chunks.push([isError, text])
+    this.#size += text.length
+    while (this.#size > MOST && this.#chunks.length > 1) {
+      const [, dropped] = this.#chunks.shift()
+      this.#size -= dropped.length
+      this.#leftOut += dropped.split("\n").length - 1
+    }
+    this.#soon()
+  }
+
+  tick(source, number, expected, real) {
+    this.#ticks.push([source, number, expected, real, 0])
+    this.#soon()
+  }
+
+  wait(ms) {
+    return new Promise((resolve) => setTimeout(resolve, ms))
+  }
+
+  #soon() {
+    const left = this.#sent + INTERVAL - performance.now()
+    if (left <= 0) this.send()
+    else this.#timer ??= setTimeout(() => this.send(), left)
+  }
+
+  send() {
+    clearTimeout(this.#timer)
+    this.#timer = null
+    this.#sent = performance.now()
+    if (this.#chunks.length || this.#ticks.length) {
+      postMessage({ kind: "batch", chunks: this.#chunks, leftOut: this.#leftOut, ticks: this.#ticks })
+    }
+    this.#chunks = []
+    this.#size = this.#leftOut = 0
+    this.#ticks = []
+  }
+}
+
+/** Stands for the shared memory through which Python is told of signals: it looks there every now and then. */
+const signals = {
+  last: Infinity,
+  get 0() {
+    if (performance.now() < this.last + LOOK) return 0
+    this.last = performance.now()
+    return 2 // SIGINT
+  },
+  set 0(_) {},
+}
+
+async function boot() {
+  const loading = fetch(new URL("rosspin.json", import.meta.url)).then((response) => response.json())
+  const lockFileContents = JSON.stringify({ info, packages: {} })
+  const python = await loadPyodide({ lockFileContents, checkAPIVersion: false })
+  const folder = python.runPython("import site; site.getsitepackages()[0]")
+  for (const [name, text] of Object.entries(await loading)) {
+    const path = `${folder}/rosspin/${name}`
+    python.FS.mkdirTree(path.slice(0, path.lastIndexOf("/")))
+    python.FS.writeFile(path, text)
+  }
+  const { run } = python.pyimport("rosspin.page")
+  python.setInterruptBuffer(signals)
+  python.setStdin({ stdin: () => null }) // there is nobody to ask: EOFError
+  return run
+}
+
+function fail(error) {
+  postMessage({ kind: "failed", reason: `Python itself broke down: ${error}` })
+}
+
+const booting = boot()
+booting.then(
+  () => postMessage({ kind: "ready" }),
+  (error) => postMessage({ kind: "failed", reason: `Python could not be started: ${error}` }),
+)
+
+addEventListener("message", async ({ data: { source, filename, seconds, args, speed } }) => {
+  const run = await booting
+  const page = new Page()
+  try {
+    signals.last = performance.now()
+    const result = JSON.parse(await run.callPromising(source, filename, seconds, args, speed, page))
+    signals.last = Infinity
+    page.send()
+    postMessage({ kind: "end", result })
+  } catch (error) {
+    page.send()
+    fail(error)
+  }
+})
+
+// What breaks Python itself, such as os.abort(), ends no run; it shows here.
+addEventListener("unhandledrejection", ({ reason }) => fail(reason))
