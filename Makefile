@@ -34,7 +34,7 @@ html: $(WEB)
 
 # What runs in the page: made anew only when its sources change, its packages only when their pins do.
 $(WEB): $(NPM) web/build.mjs $(wildcard web/src/*) $(wildcard src/rosspin/*.py src/rosspin/rospy/*.py)
-	$(BIN)/node web/build.mjs build/npm build/web/live
+	$(BIN)/node web/build.mjs build/npm "$$($(BIN)/python -c 'import yaml; print(*yaml.__path__)')" build/web/live
 
 $(NPM): web/package.json web/package-lock.json web/.npmrc | $(VENV)
 	mkdir -p build/npm
@@ -64,6 +64,9 @@ $(VENV): pyproject.toml constraints.txt
 	  { echo 'Python has no venv; on Debian and Ubuntu: sudo apt-get install python3-venv' >&2; exit 1; }
 	$(PYTHON) -m venv --clear .venv
 	$(BIN)/pip install --quiet --disable-pip-version-check -c constraints.txt -e '.[$(EXTRAS)]'
+	@# A kernel need not warn that it talks to its own machine in plain text.
+	@mkdir -p $(IPYTHONDIR)/profile_default
+	@echo 'c.IPKernelApp.log_level = "ERROR"' > $(IPYTHONDIR)/profile_default/ipython_kernel_config.py
 	@touch $@
 
 # The real ROS 1, which Debian and Ubuntu have in their archives; none of the other targets needs it.

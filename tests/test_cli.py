@@ -159,6 +159,20 @@ def test_a_plot_is_an_svg_file_and_always_the_same(tmp_path: Path) -> None:
     assert "timerCallback: 4 ticks from 0.500 s to 2.000 s" in root.attrib["aria-label"]
 
 
+def test_a_plot_is_also_put_into_words(tmp_path: Path, capsys: pytest.CaptureFixture[str]) -> None:
+    assert main(["run", TIMER_NODE, "--simulated", "--seconds", "2", "--plot", str(tmp_path / "a.svg")]) == 0
+    assert capsys.readouterr().err == (
+        "rosspin: timerCallback: 4 ticks from 0.500 s to 2.000 s. All of 4 ticks came when expected. "
+        "Every period was 0.5 s: no jitter.\n"
+    )
+
+
+@pytest.mark.parametrize("name", ["node.cpp", "nodes.launch"])
+def test_what_needs_the_real_ros_says_so(capsys: pytest.CaptureFixture[str], name: str) -> None:
+    assert main(["run", name, "--simulated", "--seconds", "1"]) == 1
+    assert capsys.readouterr().err == f"rosspin: {name}: C++ nodes and launch files need the real ROS 1: add --ros1\n"
+
+
 @pytest.mark.parametrize(
     ("plot", "text"),
     [
@@ -308,9 +322,9 @@ def test_bad_seconds(capsys: pytest.CaptureFixture[str], args: list[str], text: 
         ([], "the following arguments are required: COMMAND"),
         (["walk"], "invalid choice: 'walk'"),
         (["run"], "the following arguments are required: FILE"),
-        (["run", TIMER_NODE, "--fast"], "unrecognized arguments: --fast"),
-        (["run", TIMER_NODE, "--sim", "--seconds", "1"], "unrecognized arguments: --sim"),
-        (["run", TIMER_NODE, "_rate:=10"], "unrecognized arguments: _rate:=10"),
+        (["run", TIMER_NODE, "--fast"], "unknown arguments: --fast"),
+        (["run", TIMER_NODE, "--sim", "--seconds", "1"], "unknown arguments: --sim"),
+        (["run", TIMER_NODE, "_rate:=10"], "unknown arguments: _rate:=10"),
         (["run", TIMER_NODE, "--seconds", "two"], "argument --seconds: invalid float value: 'two'"),
         (["run", TIMER_NODE, "--seconds"], "argument --seconds: expected one argument"),
     ],

@@ -12,8 +12,11 @@ import pytest
 from conftest import ROOT, faults
 from playwright.sync_api import Browser, BrowserContext, Locator, Page, expect
 from test_browser import FAINT, TOO_WIDE
+from test_exercises import CELLS, NUMBERS, answer_in
+from test_live_scenarios import lines_of
 
 from rosspin import simulate
+from rosspin.exercises import check
 from rosspin.sphinx_live import policy
 
 TUTORIAL = "docs/tutorial.html"
@@ -43,7 +46,7 @@ class Cell:
         self.editor = self.element.get_by_role("textbox")
 
     def button(self, name: str) -> Locator:
-        return self.element.get_by_role("button", name=re.compile(f"^{name} .*py$"))
+        return self.element.get_by_role("button", name=re.compile(f"^{name} "))
 
     def run(self, seconds: float = 2, speed: str = "instantly") -> None:
         self.element.get_by_role("spinbutton").fill(str(seconds))
@@ -223,6 +226,71 @@ def test_keyboard_alone(page: Page) -> None:
     page.keyboard.press("Enter")
     expect(cell.editor).to_have_count(0)
     expect(cell.button("Reset")).to_be_focused()
+
+
+# --- cells of notebooks -----------------------------------------------------------------------------------------------
+
+
+@pytest.fixture(scope="module")
+def exercises(browser: Browser, address: str) -> Iterator[Page]:
+    """The page of exercises; nothing may go wrong in it."""
+    with browser.new_context(viewport={"width": 1280, "height": 900}) as context:
+        context.set_default_timeout(PATIENCE)
+        page = context.new_page()
+        wrong = faults(page, address)
+        page.goto(address + "notebooks/exercises.html")
+        yield page
+        assert not wrong
+
+
+def exercise(page: Page, number: int) -> Cell:
+    return Cell(page, number - 1 if number < 7 else number)  # one cell before the 7th is no exercise
+
+
+@pytest.mark.parametrize("number", NUMBERS)
+def test_exercise_is_checked(exercises: Page, number: int) -> None:
+    """The page says of an answer what a notebook says of it."""
+    cell = exercise(exercises, number)
+    for answer, status in zip(CELLS[number], ("not yet", "right"), strict=True):
+        if status == "right":
+            cell.write(answer.source)
+        cell.button("Run").click()
+        said = cell.ends(f"Exercise {number}: {status}.")
+        feedback = check(number, f"\n{answer_in(answer)}")
+        console = feedback.shown_console()
+        assert lines_of(said) == lines_of((f"{console}\n" if console else "") + f"{feedback}\n")
+    expect(cell.element.get_by_role("spinbutton")).to_have_count(0)
+
+
+def test_answer_to_no_exercise(exercises: Page) -> None:
+    cell = exercise(exercises, 1)
+    for first, said in (
+        ("%%answer 99", "there is no exercise 99"),
+        ("%%answer", "a first line can be %%simulate SECONDS or %%answer NUMBER"),
+        ("%%measure 2", "a first line can be %%simulate SECONDS or %%answer NUMBER"),
+    ):
+        cell.write(f"{first}\nimport rospy\n")
+        cell.button("Run").click()
+        assert said in cell.ends("error")
+    cell.button("Reset").click()
+
+
+@pytest.mark.parametrize(("notebook", "seconds"), [("timer", 2.0), ("rate", 2.0)])
+def test_simulated_cell(context: BrowserContext, address: str, notebook: str, seconds: float) -> None:
+    """It runs for the seconds in its first line, and what it printed when the site was built makes way."""
+    page = context.new_page()
+    page.goto(f"{address}notebooks/{notebook}.html")
+    cell, output = Cell(page, 0), page.locator("div.cell:has(div.live) > .cell_output")
+    cell.element.get_by_role("combobox").select_option("instantly")
+    cell.button("Run").click()
+    text = cell.element.locator("pre").first.text_content() or ""
+    file = {"timer": "spinner_py_node", "rate": "spinner_rate_py_node"}[notebook]
+    run = simulate(EXAMPLES / f"my_robotics_pkg/src/{file}.py", seconds)
+    assert text.startswith(f"%%simulate {seconds}")
+    assert cell.ends(f"done: {len(run.ticks)} ticks") == run.console
+    expect(output).to_be_hidden()
+    cell.button("Reset").click()
+    expect(output).to_be_visible()
 
 
 # --- stop -------------------------------------------------------------------------------------------------------------

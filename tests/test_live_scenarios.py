@@ -29,21 +29,17 @@ RUN_JOBS = """address => {
     })
 }"""
 
-# Beside the scenarios stands a module that they share. The page has no PyYAML; these parameters are JSON, too.
+# Beside the scenarios stands a module that they share.
 PRELUDE = """
 import site
 for name, text in {files}.items():
     with open(f"{{site.getsitepackages()[0]}}/{{name}}", "w") as file:
         file.write(text)
 """
-FILES = {
-    "scenario.py": (SCENARIOS / "scenario.py").read_text(encoding="utf-8"),
-    "yaml.py": "from json import loads as safe_load\n",
-}
+FILES = {"scenario.py": (SCENARIOS / "scenario.py").read_text(encoding="utf-8")}
 
-# Not JSON, or made from the process's number.
-NOT_HERE = ("values_parameters", "values_bad_parameter", "values_names", "values_anonymous")
-CHOSEN = [scenario for scenario in SCENARIO_LIST if scenario.file not in NOT_HERE]
+# An anonymous name is made from the number of the process.
+CHOSEN = [scenario for scenario in SCENARIO_LIST if scenario.file != "values_anonymous"]
 
 
 @pytest.fixture(scope="module")
@@ -66,10 +62,10 @@ def run_in_page(browser: Browser, address: str) -> Iterator[Callable[..., tuple[
 
 
 # What the page adds at the end, for a reader who does not know what the error means.
-HINTS = ("There is no frequency of 0 Hz", "The period of a rospy.Timer is a Duration")
+HINTS = ("There is no frequency of 0 Hz", "The period of a rospy.Timer is a Duration", "Give a timer the callback")
 
 
-def _lines(console: str) -> list[str]:
+def lines_of(console: str) -> list[str]:
     """The lines of a console, without what depends on Python's version: code in tracebacks, one message."""
     text = re.sub(r'^(  File ").*?([^/"]+", line .*)\n(?:    .*\n)*', r"\1\2\n", console, flags=re.MULTILINE)
     text = text.replace("float division by zero", "division by zero")
@@ -83,7 +79,7 @@ def test_scenario(run_in_page: Callable[..., tuple[str, dict[str, Any]]], scenar
     with mock.patch.dict(os.environ):
         run = simulate(path, seconds, scenario.args)
     console, result = run_in_page(path.read_text(encoding="utf-8"), path.name, seconds, scenario.args)
-    assert _lines(console) == _lines(run.console)
+    assert lines_of(console) == lines_of(run.console)
     assert result["status"] == run.status
     ticks = [list(tick[:4]) for tick in run.ticks]
     assert [tick[:4] for tick in result.get("ticks", ())] == ticks

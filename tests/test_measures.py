@@ -72,7 +72,10 @@ def test_lateness_in_words() -> None:
         "Of 3 ticks, at least half came when expected; the latest was 0.2 s late."
     )
     assert describe_lateness(ticks(0.501, 1.002, 1.503)) == (
-        "Of 3 ticks, half were at most 2 ms late, 99 % at most 3 ms, the latest 3 ms."
+        "Of 3 ticks, half were at most 2 ms late, the latest 3 ms."
+    )
+    assert describe_lateness(ticks(*(n * 0.502 for n in range(1, 202)))) == (
+        "Of 201 ticks, half were at most 0.202 s late, 99 % at most 0.398 s, the latest 0.402 s."
     )
 
 
@@ -80,5 +83,8 @@ def test_periods_in_words() -> None:
     assert describe_periods(ticks(0.5)) == "There was no second tick, so there is no period."
     assert describe_periods(ticks(0.5, 1.0, 1.5)) == "Every period was 0.5 s: no jitter."
     assert describe_periods(ticks(0.5, 1.0, 1.51)) == (
-        "The median period was 505.000 ms; 98 % of 2 periods lay between 500.000 ms and 510.000 ms, a jitter of 10 ms."
+        "The median period was 505.000 ms; all 2 periods lay between 500.000 ms and 510.000 ms, a jitter of 10 ms."
+    )
+    assert describe_periods(ticks(*(n * 0.5 + 0.01 * (n == 50) for n in range(1, 151)))) == (
+        "The median period was 500.000 ms; 98 % of 149 periods lay between 500.000 ms and 500.000 ms, a jitter of 0."
     )

@@ -325,8 +325,9 @@ def test_a_slow_callback_re_phases_a_cpp_timer(strict: ros1.Workspace) -> None:
 # --- the benchmark ----------------------------------------------------------------------------------------------------
 
 
-def test_the_benchmark_measures_all_three(monkeypatch: pytest.MonkeyPatch) -> None:
+def test_the_benchmark_measures_all_three(monkeypatch: pytest.MonkeyPatch, require: Callable[[str], None]) -> None:
     """At a tiny size; what it measures is nobody's success or failure."""
+    require("ros1")
     monkeypatch.syspath_prepend(ROOT / "benchmarks")
     report = importlib.import_module("ros1_beside").report
     title, *lines = report(turns=((50, 0.5),), rounds=1, loads=(1,), scenarios=(("timer_oneshot.py",),))

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import re
 from collections.abc import Callable
 from typing import Any
 
@@ -280,7 +281,8 @@ def dies(period: Any) -> Run:
 def test_a_timer_with_a_bad_period_dies_alone(period: Any, last_line: str) -> None:
     run = dies(period)
     assert run.status == 0
-    assert run.console.startswith("Exception in thread Thread-1:\n")
+    assert run.console.startswith("Exception in thread Thread-1:\nTraceback")
+    assert re.search(r'  File ".*", line \d+, in node, which made this timer\n    timer = rospy.Timer\(', run.console)
     assert run.console.endswith(last_line + "\n")
 
 

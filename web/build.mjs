@@ -1,12 +1,12 @@
-// Builds what runs in the reader's page: node build.mjs PACKAGES OUT, from web/src, src/rosspin and the npm packages in
-// the folder PACKAGES, into the folder OUT.
+// Builds what runs in the reader's page: node build.mjs PACKAGES YAML OUT, from web/src, src/rosspin, the npm packages in
+// the folder PACKAGES and PyYAML, whose package is the folder YAML, into the folder OUT.
 
 import { cpSync, existsSync, mkdirSync, readFileSync, readdirSync, rmSync, writeFileSync } from "node:fs"
 import { createRequire } from "node:module"
 import path from "node:path"
 
 const here = import.meta.dirname
-const [packages, out] = process.argv.slice(2).map((folder) => path.resolve(folder))
+const [packages, yaml, out] = process.argv.slice(2).map((folder) => path.resolve(folder))
 const { build } = createRequire(path.join(packages, "package.json"))("esbuild")
 
 rmSync(out, { recursive: true, force: true })
@@ -35,14 +35,16 @@ for (const name of ["pyodide.mjs", "pyodide.asm.mjs", "pyodide.asm.wasm", "pytho
   cpSync(path.join(packages, "node_modules/pyodide", name), path.join(out, name))
 }
 
-// The stand-in, without what a page does not need: path in the package -> text.
-const left_out = /^(__main__|doctor|exercises|machine|magics|plots|recordings|ros1|sphinx_pages)\.py$/
-const source = path.join(here, "../src/rosspin")
-const files = readdirSync(source, { recursive: true })
-  .map((file) => file.split(path.sep).join("/"))
-  .filter((file) => file.endsWith(".py") && !left_out.test(file))
-  .sort()
-const texts = Object.fromEntries(files.map((file) => [file, readFileSync(path.join(source, file), "utf8")]))
+// The stand-in, without what a page does not need, and the one package that it needs: path -> text.
+const left_out = /^(__main__|doctor|machine|magics|plots|recordings|ros1|sphinx_pages)\.py$/
+const texts = {}
+for (const folder of [path.join(here, "../src/rosspin"), yaml]) {
+  for (const file of readdirSync(folder, { recursive: true }).sort()) {
+    const name = file.split(path.sep).join("/")
+    if (!name.endsWith(".py") || left_out.test(name)) continue
+    texts[`${path.basename(folder)}/${name}`] = readFileSync(path.join(folder, file), "utf8")
+  }
+}
 writeFileSync(path.join(out, "rosspin.json"), JSON.stringify(texts))
 
 // What is bundled keeps its licence.
@@ -57,4 +59,7 @@ const licences = [...used].sort().map((name) => {
   const file = path.join(folder, "LICENSE")
   return `${name} ${version}: ${license}\n\n${existsSync(file) ? readFileSync(file, "utf8") : ""}`
 })
+const installed = path.dirname(yaml)
+const [about] = readdirSync(installed).filter((name) => /^pyyaml-.*\.dist-info$/i.test(name))
+licences.push(`PyYAML: MIT\n\n${readFileSync(path.join(installed, about, "licenses/LICENSE"), "utf8")}`)
 writeFileSync(path.join(out, "licences.txt"), licences.join("\n\n"))

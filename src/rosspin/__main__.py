@@ -10,6 +10,7 @@ from collections.abc import Sequence
 
 from . import ros1
 from .doctor import report
+from .measures import by_source, describe_periods, describe_timeline
 from .run import Result, Run, load, run_simulated, run_wall, say_error, split_words
 
 __all__ = ["main"]
@@ -18,7 +19,9 @@ __all__ = ["main"]
 def main(argv: Sequence[str] | None = None) -> int:
     """Run the command line ``argv`` (default: the process's own); the exit status."""
     own, node_args = split_words(sys.argv[1:] if argv is None else argv)
-    options = _parser().parse_args(own)
+    options, unknown = _parser().parse_known_args(own)
+    if unknown:
+        options.parser.error(f"unknown arguments: {' '.join(unknown)} (the node's own come after --)")
     try:
         return int(options.do(options, node_args))
     except (OSError, ValueError, SyntaxError, RuntimeError, ImportError) as error:
@@ -47,10 +50,10 @@ def _parser() -> argparse.ArgumentParser:
     where = run.add_mutually_exclusive_group()
     where.add_argument("--simulated", action="store_true", help="in simulated time, which takes next to none")
     where.add_argument("--ros1", action="store_true", help="on the real ROS 1, where it is installed")
-    run.add_argument("--plot", metavar="FILE.svg", help="draw the node's ticks into this file")
-    run.set_defaults(do=_run)
+    run.add_argument("--plot", metavar="FILE.svg", help="draw the node's ticks into this file, and describe them")
+    run.set_defaults(do=_run, parser=run)
     doctor = commands.add_parser("doctor", help="say what can run here", description="Say what can run here.")
-    doctor.set_defaults(do=_doctor)
+    doctor.set_defaults(do=_doctor, parser=doctor)
     return parser
 
 
@@ -63,6 +66,8 @@ def _doctor(options: argparse.Namespace, args: Sequence[str]) -> int:
 def _run(options: argparse.Namespace, args: Sequence[str]) -> int:
     if options.simulated and options.seconds is None:
         raise ValueError("--simulated needs --seconds: nobody can press Ctrl-C in simulated time")
+    if not options.ros1 and options.file.endswith((".cpp", ".launch")):
+        raise ValueError(f"{options.file}: C++ nodes and launch files need the real ROS 1: add --ros1")
     if options.plot is not None:
         _check_plot(options.plot)
     record = options.plot is not None
@@ -82,6 +87,8 @@ def _run(options: argparse.Namespace, args: Sequence[str]) -> int:
         from .plots import timeline
 
         timeline(result.ticks).save(options.plot)
+        for source, ticks in by_source(result.ticks).items():
+            print(f"rosspin: {describe_timeline(source, ticks)} {describe_periods(ticks)}", file=sys.stderr)
     return result.status
 
 

@@ -1,7 +1,7 @@
 """The checks of the exercises in ``notebooks/exercises.md``.
 
-An answer is the text of a node file, or a prediction. A check runs it in simulated time and says what is right, what is
-wrong, and how to go on; whatever the answer is, it raises nothing.
+An answer is a text: a node file, or predictions as assignments. A check runs it in simulated time and says what is
+right, what is wrong, and how to go on; whatever the answer is, it raises nothing.
 """
 
 from __future__ import annotations
@@ -10,14 +10,16 @@ import ast
 import math
 import os
 import re
+import sys
 from collections.abc import Callable, Iterator, Sequence
 from contextlib import contextmanager
 from dataclasses import dataclass, field
 from itertools import islice
 from typing import Any, NamedTuple
 
+from .advice import advice
 from .console import read_lines, read_ticks
-from .rospy.world import NotSimulated
+from .rospy.world import NotSimulated, World, world
 from .run import Node, Run, Tick, TimeStandsStill, capture, load_source, run_simulated, simulate
 
 __all__ = ["Feedback", "Finding", "check"]
@@ -31,6 +33,9 @@ _TRACE = re.compile(
     r"(?P<frames>(?:^ .*\n)*)(?P<error>^\S.*$)",
     re.MULTILINE,
 )
+
+# So many lines of a console are shown.
+_MOST_LINES = 30
 
 # Nobody means a time difference below this (s).
 _CLOSE = 1e-3
@@ -62,8 +67,19 @@ class Feedback:
         """Whether everything is right."""
         return all(finding.right for finding in self.findings)
 
+    @property
+    def verdict(self) -> str:
+        """Right or not yet, in words."""
+        return f"Exercise {self.number}: {'right' if self.passed else 'not yet'}."
+
+    def shown_console(self) -> str:
+        """The console as far as it is worth showing: enough for an error, of a node that prints without end not all."""
+        lines = self.console.splitlines(keepends=True)
+        more = f"... and {len(lines) - _MOST_LINES} more lines\n" if len(lines) > _MOST_LINES else ""
+        return "".join(lines[:_MOST_LINES]) + more
+
     def _repr_markdown_(self) -> str:
-        lines = [f"**Exercise {self.number}: {'right' if self.passed else 'not yet'}.**", ""]
+        lines = [f"**{self.verdict}**", ""]
         for right, text, _ in self.findings:
             lines.append(f"- {'Right' if right else 'Wrong'}: {text[0].upper()}{text[1:]}")
         if not self.passed:
@@ -76,28 +92,24 @@ class Feedback:
     __str__ = __repr__
 
 
-def check(number: int, *answers: Any) -> Feedback:
-    """Check the answers to an exercise: the text of a node file, or predictions, as many as it asks for.
+def check(number: int, answer: Any) -> Feedback:
+    """Check the answer to an exercise, a text; one that is ``...`` is not right yet.
 
-    One that is left out, or is still ``...``, is not right yet. Raises ValueError for a number that no exercise has,
-    TypeError for too many answers.
+    Raises ValueError for a number that no exercise has.
     """
     if number not in _EXERCISES:
         raise ValueError(f"there is no exercise {number!r}: they are numbered 1 to {max(_EXERCISES)}")
     exercise = _EXERCISES[number]
-    if len(answers) > exercise.answers:
-        raise TypeError(f"exercise {number} takes {exercise.answers} answers, not {len(answers)}")
-    answers += (...,) * (exercise.answers - len(answers))
-    answer = _Answer(answers)
+    given = _Answer(answer)
     findings: list[Finding] = []
     try:
         # One by one: what was found before an answer fails is kept.
-        for finding in exercise.find(answer):
+        for finding in exercise.find(given):
             findings.append(finding)
     except _Fails as failure:
         findings.append(failure.finding)
     hint = next((finding.hint for finding in findings if not finding.right and finding.hint), exercise.hint)
-    return Feedback(number, tuple(findings), hint, answer.console)
+    return Feedback(number, tuple(findings), hint, given.console)
 
 
 # --- running an answer ------------------------------------------------------------------------------------------------
@@ -111,20 +123,45 @@ class _Fails(Exception):
 
 
 class _Answer:
-    """The answers to one exercise; ``run`` runs the first as a node. ``console`` is that of the first run."""
+    """The answer to one exercise. ``console`` is that of its first run."""
 
-    def __init__(self, values: Sequence[Any]) -> None:
-        self.values = values
+    def __init__(self, text: Any) -> None:
+        self._text = text
         self.console = ""
         self._ran = False
 
     def run(self, seconds: float, *args: str) -> Run:
-        """Run the node in simulated time. A node that cannot be run, or fails, ends the check."""
-        node = _load(self.values[0])
+        """Run the answer as a node in simulated time. A node that cannot be run, or fails, ends the check."""
+        node = _load(self._text)
+        if gaps := _gaps(self._text):
+            lines = f"line {gaps[0]}" if len(gaps) == 1 else f"lines {', '.join(map(str, gaps))}"
+            raise _Fails(f"There is still a gap, `...`, in {lines}.")
+        return self._run(node, seconds, args)
+
+    def variables(self) -> dict[str, Any]:
+        """The variables that the answer assigns. One that cannot be run, or fails, ends the check."""
+        node = _load(self._text)
+        found: dict[str, Any] = {}
+
+        def main() -> None:
+            node.main()
+            found.update(vars(sys.modules["__main__"]))
+
+        self._run(node._replace(main=main), 0.0, ())
+        return found
+
+    def _run(self, node: Node, seconds: float, args: Sequence[str]) -> Run:
         started = f"Started with `{' '.join(args)}`, the" if args else "The"
+        here: World | None = None
+
+        def main() -> None:
+            nonlocal here
+            here = world()
+            node.main()
+
         try:
             with capture() as console, _plain_environment():
-                result = run_simulated(node, seconds, args, record=True)
+                result = run_simulated(node._replace(main=main), seconds, args, record=True)
         except (TimeStandsStill, NotSimulated, RuntimeError) as error:
             raise _Fails(f"{started} node cannot be run: `{_plain(str(error))}`", _hint_for(error)) from None
         finally:
@@ -132,26 +169,27 @@ class _Answer:
                 self.console, self._ran = console.text(), True
         run = Run(console.text(), result.ticks, result.status, "simulated", seconds)
         if failure := _failure(run):
-            raise _Fails(f"{started} {failure}")
+            raise _Fails(f"{started} {failure}", _hint_for_errors(here.errors if here else ()))
         return run
 
 
 def _load(source: Any) -> Node:
     if source is ... or source is None:
-        raise _Fails("There is no answer yet.", "Write the node in a cell that begins with `%%answer`.")
+        raise _Fails("There is no answer yet.", "Write it in a cell that begins with `%%answer`.")
     if not isinstance(source, str):
-        raise _Fails(f"The answer is the text of a node file, not {_a(source)}.")
+        raise _Fails(f"The answer is a text, not {_a(source)}.")
+    read = "Python could not read the answer, so nothing ran. An error may be in the line before."
     try:
-        node = load_source(source, _FILENAME)
-        constants = [part for part in ast.walk(ast.parse(source)) if isinstance(part, ast.Constant)]
+        return load_source(source, _FILENAME)
     except SyntaxError as error:
-        raise _Fails(f"Line {error.lineno} is not Python: {_plain(error.msg)}.") from None
+        raise _Fails(f"Line {error.lineno} is not Python: {_plain(error.msg)}.", read) from None
     except (ValueError, RecursionError, MemoryError) as error:
-        raise _Fails(f"This is not Python: {_plain(str(error))}.") from None
-    if gaps := [part.lineno for part in constants if part.value is ...]:
-        lines = f"line {gaps[0]}" if len(gaps) == 1 else f"lines {', '.join(map(str, gaps))}"
-        raise _Fails(f"There is still a gap, `...`, in {lines}.")
-    return node
+        raise _Fails(f"This is not Python: {_plain(str(error))}.", read) from None
+
+
+def _gaps(source: str) -> list[int]:
+    """The lines in which there still is a gap."""
+    return [node.lineno for node in ast.walk(ast.parse(source)) if isinstance(node, ast.Constant) and node.value is ...]
 
 
 @contextmanager
@@ -174,6 +212,15 @@ def _failure(run: Run) -> str:
     if "did not end the node" in run.console:
         return "node did not end at Ctrl-C: its loop does not ask `rospy.is_shutdown()`."
     return f"node ended with status {run.status} instead of 0." if run.status else ""
+
+
+def _hint_for_errors(errors: Sequence[BaseException]) -> str:
+    if not errors:
+        return ""
+    if isinstance(errors[-1], (AttributeError, ImportError, NameError)):
+        missing = "Python names what it did not find. Is it spelt as it is where it was made, with its `self.`?"
+        return advice(errors[-1]) or missing
+    return advice(errors[-1])
 
 
 def _hint_for(error: Exception) -> str:
@@ -238,17 +285,16 @@ def _s(seconds: float) -> str:
 class _Exercise(NamedTuple):
     find: Callable[[_Answer], Iterator[Finding]]
     hint: str
-    answers: int
 
 
 _EXERCISES: dict[int, _Exercise] = {}
 
 
 def _exercise(
-    number: int, hint: str, answers: int = 1
+    number: int, hint: str
 ) -> Callable[[Callable[[_Answer], Iterator[Finding]]], Callable[[_Answer], Iterator[Finding]]]:
     def add(find: Callable[[_Answer], Iterator[Finding]]) -> Callable[[_Answer], Iterator[Finding]]:
-        _EXERCISES[number] = _Exercise(find, hint, answers)
+        _EXERCISES[number] = _Exercise(find, hint)
         return find
 
     return add
@@ -332,10 +378,12 @@ _BELIEFS = {
 }
 
 
-@_exercise(7, "The callback ends at 1.5 s plus the time it blocks. Which ticks were due by then?", 2)
+@_exercise(7, "The callback ends at 1.5 s plus the time it blocks. Which ticks were due by then?")
 def _ticks_after_a_slow_callback(answer: _Answer) -> Iterator[Finding]:
-    for blocks_for, value in zip(_BELIEFS, answer.values, strict=True):
+    variables = answer.variables()
+    for blocks_for, beliefs in _BELIEFS.items():
         what = f"blocked for {_s(blocks_for)}"
+        value = variables.get(f"after_{blocks_for}_seconds".replace(".", "_"))
         if value is ... or value is None:
             yield Finding(False, f"{what}: there is no prediction yet.")
             continue
@@ -345,7 +393,7 @@ def _ticks_after_a_slow_callback(answer: _Answer) -> Iterator[Finding]:
             yield Finding(False, text, "Write it as `[1.0, 2.0, 3.0]`.")
             continue
         real = [tick.real for tick in simulate(_blocking_node(blocks_for), 5.0).ticks[3:6]]
-        yield _compare_prediction(what, predicted, real, _BELIEFS[blocks_for])
+        yield _compare_prediction(what, predicted, real, beliefs)
 
 
 def _blocking_node(seconds: float) -> Callable[[], None]:

@@ -17,9 +17,6 @@ from .run import Node, Result, Run, capture, load_source, run_simulated, run_wal
 
 __all__ = ["Magics"]
 
-# So much of an answer's console is shown: enough for the error in a node that prints without end.
-_MOST_LINES = 30
-
 
 class _Parser(argparse.ArgumentParser):
     def error(self, message: str) -> NoReturn:
@@ -32,6 +29,11 @@ def _parser(name: str) -> _Parser:
     parser.add_argument("--name", default="run", help="the variable that is given the Run (default: run)")
     parser.add_argument("--quiet", action="store_true", help="do not show the node's console")
     return parser
+
+
+def _below_its_magic(cell: str) -> str:
+    """The text of a cell with an empty line for the magic's, so that the line numbers are those of the cell."""
+    return f"\n{cell}"
 
 
 @magics_class
@@ -60,13 +62,10 @@ class Magics(BaseMagics):
     def answer(self, line: str, cell: str) -> Feedback:
         """``%%answer NUMBER``: check the cell, a node file, as the answer to an exercise."""
         try:
-            feedback = check(int(line), cell)
+            feedback = check(int(line), _below_its_magic(cell))
         except ValueError as error:
             raise UsageError(f"%%answer NUMBER: {error}") from None
-        lines = feedback.console.splitlines(keepends=True)
-        print("".join(lines[:_MOST_LINES]), end="")
-        if len(lines) > _MOST_LINES:
-            print(f"... and {len(lines) - _MOST_LINES} more lines")
+        print(feedback.shown_console(), end="")
         return feedback
 
     def _run(
@@ -78,8 +77,7 @@ class Magics(BaseMagics):
         filename = f"<cell {shell.execution_count}>"
         streams = () if options.quiet else (sys.stdout, sys.stderr)
         with capture(*streams) as console:
-            # The line of the magic counts, so that the line numbers of a traceback are those of the cell.
-            result = run(load_source(f"\n{cell}", filename), options.seconds, args)
+            result = run(load_source(_below_its_magic(cell), filename), options.seconds, args)
         shell.user_ns[options.name] = Run(
             console.text(), result.ticks, result.status, runtime, options.seconds, result.start
         )

@@ -8,7 +8,27 @@ from statistics import median
 
 from .run import Tick
 
-__all__ = ["describe_lateness", "describe_periods", "describe_timeline", "lost", "periods", "quantile", "say_time"]
+__all__ = [
+    "by_source",
+    "describe_lateness",
+    "describe_periods",
+    "describe_timeline",
+    "lost",
+    "periods",
+    "quantile",
+    "say_time",
+]
+
+# Fewer have no hundredth part to speak of.
+_MANY = 100
+
+
+def by_source(ticks: Sequence[Tick]) -> dict[str, list[Tick]]:
+    """The ticks of each source, in the order in which the sources ticked first."""
+    groups: dict[str, list[Tick]] = {}
+    for tick in ticks:
+        groups.setdefault(tick.source, []).append(tick)
+    return groups
 
 
 def periods(ticks: Sequence[Tick]) -> list[float]:
@@ -71,22 +91,26 @@ def describe_lateness(ticks: Sequence[Tick]) -> str:
         return f"All of {_count(late)} came when expected."
     if median(late) < 0.5e-6:
         return f"Of {_count(late)}, at least half came when expected; the latest was {say_time(max(late))} late."
+    most = f"99 % at most {say_time(quantile(late, 0.99))}, " if len(late) >= _MANY else ""
     return (
-        f"Of {_count(late)}, half were at most {say_time(median(late))} late, 99 % at most "
-        f"{say_time(quantile(late, 0.99))}, the latest {say_time(max(late))}."
+        f"Of {_count(late)}, half were at most {say_time(median(late))} late, {most}the latest {say_time(max(late))}."
     )
 
 
 def describe_periods(ticks: Sequence[Tick]) -> str:
-    """The periods between ticks of one source in a sentence: their median and how far the middle 98 % spread."""
+    """The periods between ticks of one source in a sentence: their median and how far they spread.
+
+    Of many, the hundredth part at either end is left out.
+    """
     times = periods(ticks)
     if not times:
         return "There was no second tick, so there is no period."
     middle, low, high = median(times), quantile(times, 0.01), quantile(times, 0.99)
     if max(times) - min(times) < 1e-6:
         return f"Every period was {say_time(middle)}: no jitter."
+    share = f"98 % of {len(times)}" if len(times) >= _MANY else f"all {len(times)}"
     return (
-        f"The median period was {middle * 1e3:.3f} ms; 98 % of {len(times)} periods lay between "
+        f"The median period was {middle * 1e3:.3f} ms; {share} periods lay between "
         f"{low * 1e3:.3f} ms and {high * 1e3:.3f} ms, a jitter of {say_time(high - low)}."
     )
 

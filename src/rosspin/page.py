@@ -8,23 +8,22 @@ from __future__ import annotations
 import io
 import json
 import os
-import signal
+import shlex
 import sys
-from collections.abc import Callable, Sequence
+from collections.abc import Sequence
 from contextlib import redirect_stderr, redirect_stdout
-from itertools import groupby
 from typing import Any
 
 from js import performance
 from pyodide.ffi import run_sync
 
+from .advice import advice
 from .clock import NS
-from .measures import describe_timeline
-from .rospy.threads import own_frames
+from .exercises import check
+from .measures import by_source, describe_timeline
 from .rospy.world import NotSimulated, World, world
-from .run import Node, Tick, TimeStandsStill, load_source, run_simulated, say_error
+from .run import Node, TimeStandsStill, load_source, run_simulated, say_error, split_words
 from .simulation import PacedSimulation, Simulation
-from .watchdog import Stuck, Watchdog
 
 __all__ = ["run"]
 
@@ -35,19 +34,24 @@ _MOST_TICKS = 2000
 def run(source: str, filename: str, seconds: float, args: Sequence[str], speed: float, page: Any) -> str:
     """Run the node in the text ``source`` for ``seconds``, ``speed`` times as fast as real time; 0: at once.
 
-    ``args`` are its command line. Private parameters there need PyYAML, which the page does not have.
+    ``args`` are its command line. A text that begins with ``%%simulate SECONDS -- ARGS`` brings its own; one that
+    begins with ``%%answer NUMBER`` is checked as the answer to an exercise.
 
     ``page`` is a JavaScript object: its ``print(text, isError)`` is given what the node prints and its
     ``tick(source, number, expected, real)`` each tick that begins (s), both as they happen; ``wait(ms)`` is a promise
-    that is kept after so long. The result, as JSON: the exit ``status``, the last ``ticks`` with their durations, their
-    ``count``, and a text ``alternative`` to their plot. Errors end on the console and give status 1.
+    that is kept after so long. The result, as JSON: the exit ``status``, a ``verdict`` on an answer, the last ``ticks``
+    with their durations, their ``count``, and a text ``alternative`` to their plot. Errors end on the console and give
+    status 1.
     """
-    there = _There(page, speed)
     environment = dict(os.environ)
     with redirect_stdout(_Stream(page, False)), redirect_stderr(_Stream(page, True)):
         try:
-            node = there.seen_by(load_source(source, filename))
-            result = run_simulated(node, seconds, list(args), True, there.simulation, _Watchdog)
+            magic, words, node_args = _magic(source)
+            if magic == "answer":
+                return json.dumps(_check(words, source))
+            if magic == "simulate":
+                seconds, args = float(words[0]), node_args
+            return json.dumps(_run(source, filename, seconds, args, speed, page))
         except (ValueError, SyntaxError, NotSimulated, TimeStandsStill) as error:
             print(say_error(error), file=sys.stderr)
             if isinstance(error, SyntaxError):
@@ -56,17 +60,46 @@ def run(source: str, filename: str, seconds: float, args: Sequence[str], speed: 
         finally:
             os.environ.clear()  # the next run in this page is to find what this one found
             os.environ.update(environment)
-        for hint in dict.fromkeys(map(_hint, there.world.errors if there.world else ())):
-            if hint:
-                print(hint, file=sys.stderr)
-    return json.dumps(
-        {
-            "status": result.status,
-            "count": len(result.ticks),
-            "ticks": [[*tick[:4], tick.duration if tick.duration >= 0 else 0] for tick in result.ticks[-_MOST_TICKS:]],
-            "alternative": _describe(result.ticks),
-        }
-    )
+
+
+def _magic(source: str) -> tuple[str, Sequence[str], Sequence[str]]:
+    """The cell magic in the first line, its words, and those after ``--``; no magic: three times nothing."""
+    first = source.partition("\n")[0]
+    if not first.startswith("%%"):
+        return "", (), ()
+    (magic, *words), args = split_words(shlex.split(first[2:]) or [""])
+    if magic not in ("simulate", "answer") or not words:
+        raise ValueError(f"{first}: here a first line can be %%simulate SECONDS or %%answer NUMBER")
+    return magic, words, args
+
+
+def _node(text: str) -> str:
+    """A text without its magic; the lines below it keep their numbers."""
+    return text if not text.startswith("%%") else "\n" + text.partition("\n")[2]
+
+
+def _check(words: Sequence[str], source: str) -> dict[str, Any]:
+    feedback = check(int(words[0]), _node(source))
+    if console := feedback.shown_console():
+        print(console)
+    print(feedback)
+    return {"status": 0, "verdict": feedback.verdict}
+
+
+def _run(source: str, filename: str, seconds: float, args: Sequence[str], speed: float, page: Any) -> dict[str, Any]:
+    there = _There(page, speed)
+    node = there.seen_by(load_source(_node(source), filename))
+    result = run_simulated(node, seconds, list(args), True, there.simulation)
+    for hint in dict.fromkeys(map(_hint, there.world.errors if there.world else ())):
+        if hint:
+            print(hint, file=sys.stderr)
+    groups = by_source(result.ticks)
+    return {
+        "status": result.status,
+        "count": len(result.ticks),
+        "ticks": [[*tick[:4], tick.duration if tick.duration >= 0 else 0] for tick in result.ticks[-_MOST_TICKS:]],
+        "alternative": " ".join(describe_timeline(source, group) for source, group in groups.items()),
+    }
 
 
 class _There:
@@ -112,45 +145,10 @@ class _Stream(io.TextIOBase):
         return len(text)
 
 
-class _Watchdog(Watchdog):
-    """Without threads: ``web/worker.js`` interrupts Python again and again while it does not give way."""
-
-    def __enter__(self) -> _Watchdog:
-        self._previous = signal.signal(signal.SIGINT, self._on_interrupt)
-        return self
-
-    def __exit__(self, *error: object) -> None:
-        signal.signal(signal.SIGINT, self._previous)
-
-    def _on_interrupt(self, number: int, frame: Any) -> None:
-        if self.look(frame):
-            raise Stuck
-
-
-def _describe(ticks: tuple[Tick, ...]) -> str:
-    by_source: Callable[[Tick], str] = lambda tick: tick.source  # noqa: E731
-    groups = groupby(sorted(ticks, key=by_source), by_source)
-    return " ".join(describe_timeline(source, list(group)) for source, group in groups)
-
-
 def _hint(error: BaseException) -> str:
-    """What a reader may want to know of an error, beside its own words; "" if there is nothing to say."""
     if isinstance(error, ModuleNotFoundError):
         return (
             f"This page has rospy's stand-in and Python's standard library, but no {error.name}. "
             "Run the node on your own computer: python -m rosspin run FILE"
         )
-    ours = error.__traceback__ is not None and _ends_in_rospy(error)
-    if ours and isinstance(error, ZeroDivisionError):
-        return "There is no frequency of 0 Hz and no period of 0 s: give rospy.Rate and rospy.Timer more than 0."
-    if ours and isinstance(error, AttributeError) and error.name == "to_sec":
-        return "The period of a rospy.Timer is a Duration: rospy.Timer(rospy.Duration(0.5), callback)"
-    return ""
-
-
-def _ends_in_rospy(error: BaseException) -> bool:
-    """Whether an error was raised by the stand-in, not by a line of the node."""
-    trace = error.__traceback__
-    while trace and trace.tb_next:
-        trace = trace.tb_next
-    return trace is not None and own_frames(trace) is None
+    return advice(error)

@@ -18,7 +18,7 @@ from matplotlib.axes import Axes
 from matplotlib.figure import Figure as Canvas
 from matplotlib.ticker import MaxNLocator
 
-from .measures import describe_lateness, describe_periods, describe_timeline, lost, periods
+from .measures import by_source, describe_lateness, describe_periods, describe_timeline, lost, periods
 from .run import Tick
 
 __all__ = ["Figure", "lateness", "period_histogram", "timeline"]
@@ -170,12 +170,8 @@ def period_histogram(ticks: Ticks) -> Figure:
 
 
 def _groups(ticks: Ticks) -> dict[str, list[Tick]]:
-    groups: dict[str, list[Tick]] = {}
-    if isinstance(ticks, Mapping):
-        groups = {name: list(group) for name, group in ticks.items()}
-    else:
-        for tick in ticks:
-            groups.setdefault(tick.source, []).append(tick)
+    named = ticks if isinstance(ticks, Mapping) else by_source(ticks)
+    groups = {name: list(group) for name, group in named.items()}
     if not any(groups.values()):
         raise ValueError("there is no tick to plot")
     return groups

@@ -28,7 +28,7 @@ from .rospy.world import Handler, NotSimulated, World, current, handle_process_s
 from .simulation import Simulation, Standstill
 from .stacks import Stack
 from .virtual_time import virtual_time
-from .watchdog import Stuck, Watchdog
+from .watchdog import Stuck, watch
 
 __all__ = ["Node", "Run", "Tick", "TimeStandsStill", "load", "measure", "simulate"]
 
@@ -172,7 +172,6 @@ def run_simulated(
     args: Sequence[str],
     record: bool,
     simulation: Simulation | None = None,
-    watchdog_kind: type[Watchdog] = Watchdog,
 ) -> Result:
     """Run a loaded node in simulated time; its console goes where ``sys.stdout`` and ``sys.stderr`` do."""
     until = _duration(seconds)
@@ -200,7 +199,7 @@ def run_simulated(
         world = World(simulation, sys.argv, handlers.append)
         world.ticks = [] if record else None
         try:
-            with watchdog_kind(lambda: simulation.now() // _LEAST_STEP) as watchdog:
+            with watch(lambda: simulation.now() // _LEAST_STEP) as watchdog:
                 simulation.run(main)
         except _Killed:
             status = _say_killed(seconds)

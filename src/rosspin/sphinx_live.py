@@ -1,6 +1,7 @@
 """Sphinx extension: listings that can be run in the page, and what the pages allow themselves to load.
 
-A listing of the class ``live`` (``:class: live`` on its literalinclude) is run by ``web/``, which finds it in the page.
+A listing of the class ``live`` (``:class: live`` on its literalinclude, the tag ``live`` on a notebook cell) is run
+by ``web/``, which finds it in the page.
 """
 
 from __future__ import annotations
@@ -36,10 +37,18 @@ _CHARSET = '<meta charset="utf-8" />'
 
 def setup(app: Sphinx) -> ExtensionMetadata:
     """Connect what follows."""
+    app.connect("doctree-read", _mark_cells)
     app.connect("doctree-resolved", _say_what_is_missing)
     app.connect("html-page-context", _add_files)
     app.connect("build-finished", _finish_pages)
     return {"parallel_read_safe": True, "parallel_write_safe": True}
+
+
+def _mark_cells(app: Sphinx, doctree: nodes.document) -> None:
+    for cell in doctree.findall(nodes.container):
+        if "tag_live" in cell["classes"]:
+            code = next(cell.findall(nodes.literal_block))
+            code["classes"].append("live")
 
 
 def _live_listings(app: Sphinx, doctree: nodes.document | None) -> list[nodes.literal_block]:

@@ -25,6 +25,9 @@ export class Cell {
   #highlighted
   #key
   #name
+  #answers // whether it is an answer to an exercise, which is checked rather than run
+  #simulates // whether its first line says for how long it runs
+  #output // of a notebook's cell: what it printed when the site was built
   #editor = null
   #worker = null
   #runs = 0
@@ -42,7 +45,11 @@ export class Cell {
     this.#highlighted = [...this.#pre.childNodes]
     this.#key = `rosspin:${location.pathname}:${index}:${fingerprint(this.#original)}`
     const caption = listing.parentElement.querySelector(".code-block-caption .caption-text")
-    this.#name = (caption?.textContent ?? "node.py").trim().split("/").at(-1)
+    const [, magic, number] = this.#original.match(/^%%(\w+) (\S+)/) ?? []
+    this.#answers = magic === "answer"
+    this.#simulates = magic === "simulate"
+    this.#name = this.#answers ? `answer ${number}` : (caption?.textContent ?? "node.py").trim().split("/").at(-1)
+    this.#output = listing.closest(".cell")?.querySelector(".cell_output")
     if (missing) {
       listing.append(make("p", { className: "live-missing", textContent: missing }))
       return
@@ -75,7 +82,9 @@ export class Cell {
     const bar = make("div", { className: "live-bar" }, this.run, this.stop, this.edit, this.reset)
     bar.role = "group"
     bar.ariaLabel = `Run ${this.#name} in this page`
-    bar.append(make("label", {}, this.seconds, " s"), this.speed, this.status)
+    if (!this.#answers && !this.#simulates) bar.append(make("label", {}, this.seconds, " s"))
+    if (!this.#answers) bar.append(this.speed)
+    bar.append(this.status)
     this.console = new Console(`Console of ${this.#name}`)
     this.plot = new Plot()
     listing.append(make("div", { className: "live-cell" }, bar, this.console.element, this.plot.element))
@@ -145,12 +154,18 @@ export class Cell {
     this.#pre.replaceChildren(...this.#highlighted)
     this.#pre.hidden = false
     this.#store(this.#original)
-    this.console.clear()
-    this.plot.clear()
+    this.#clear(false)
     this.#say("")
   }
 
   // --- runs ---
+
+  /** Take away what the last run showed. What the cell printed when the site was built makes way for a run. */
+  #clear(runs) {
+    this.console.clear()
+    this.plot.clear()
+    if (this.#output) this.#output.hidden = runs
+  }
 
   #warmUp() {
     warmUp(this.#base)
@@ -164,8 +179,7 @@ export class Cell {
       this.#say("error: seconds must be a number from 0 to 3600")
       return
     }
-    this.console.clear()
-    this.plot.clear()
+    this.#clear(true)
     const job = { source: this.#text, filename: this.#name, seconds, args: [], speed: Number(this.speed.value) }
     this.#worker = start(this.#base, job, (message) => number === this.#runs && this.#hear(message))
     this.#say("starting Python")
@@ -180,9 +194,10 @@ export class Cell {
     } else if (message.kind === "end") {
       release(this.#worker)
       this.#worker = null
-      const { status, count, ticks, alternative } = message.result
+      const { status, verdict, count, ticks, alternative } = message.result
       if (count) this.plot.finish(ticks, alternative)
-      if (status === 0) this.#say(count ? `done: ${count} tick${count === 1 ? "" : "s"}` : "done")
+      if (verdict) this.#say(verdict)
+      else if (status === 0) this.#say(count ? `done: ${count} tick${count === 1 ? "" : "s"}` : "done")
       else this.#say("error: see the console")
     } else {
       this.#end()

@@ -7,7 +7,7 @@ import { loadPyodide } from "./pyodide.mjs"
 const INTERVAL = 50
 const MOST = 50_000
 
-// Python is interrupted so often (ms) while it does not give way: see _Watchdog in src/rosspin/page.py.
+// Python is interrupted so often (ms) while it does not give way: see src/rosspin/watchdog.py.
 const LOOK = 400
 
 /** What Python sees of the page. What it prints and when it ticks is gathered, so that a flood does not drown it. */
@@ -75,7 +75,7 @@ async function boot() {
   const python = await loadPyodide({ lockFileContents, checkAPIVersion: false })
   const folder = python.runPython("import site; site.getsitepackages()[0]")
   for (const [name, text] of Object.entries(await loading)) {
-    const path = `${folder}/rosspin/${name}`
+    const path = `${folder}/${name}`
     python.FS.mkdirTree(path.slice(0, path.lastIndexOf("/")))
     python.FS.writeFile(path, text)
   }

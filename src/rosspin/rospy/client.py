@@ -107,7 +107,7 @@ def _private_parameters(argv: list[str]) -> dict[str, Any]:
         pairs = [(name[1:], text) for name, text in rosgraph.split_remappings(argv) if rosgraph.is_parameter(name)]
         if not pairs:
             return {}
-        import yaml  # only needed here, and a browser has none
+        import yaml  # only needed here, and many nodes do without
 
         return {name: yaml.safe_load(text) for name, text in pairs}
     except Exception as error:

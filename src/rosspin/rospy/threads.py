@@ -47,13 +47,16 @@ def start_thread(function: Callable[[], None]) -> Thread:
             here.shutdown = True
         except (Exception, KeyboardInterrupt):
             sys.stderr.write(f"Exception in thread {thread.name}:\n")
-            print_traceback()
+            print_traceback(made)
         finally:
             thread.alive = False
             thread.ended.notify_all()
 
     caller = own_frame(sys._getframe())
-    here.clock.start(run, f"{caller.f_code.co_filename}:{caller.f_lineno}")
+    made = traceback.FrameSummary(
+        caller.f_code.co_filename, caller.f_lineno, f"{caller.f_code.co_name}, which made this timer", lookup_line=False
+    )
+    here.clock.start(run, f"{made.filename}:{made.lineno}")
     return thread
 
 
@@ -82,11 +85,15 @@ def own_frames(trace: TracebackType | None) -> TracebackType | None:
     return kept
 
 
-def print_traceback() -> None:
-    """Print the exception being handled on stderr, with the node's own frames."""
+def print_traceback(made: traceback.FrameSummary | None = None) -> None:
+    """Print the exception being handled on stderr, with the node's own frames.
+
+    If it has none, as when the callback cannot be called, the frame ``made`` is shown, in which its thread was started.
+    """
     kind, error, trace = sys.exc_info()
     assert kind is not None and error is not None
     printed = traceback.TracebackException(kind, error, own_frames(trace))
-    printed.stack = printed.stack or traceback.StackSummary()  # the heading is there even if no frame is
+    # The heading is there even if no frame is.
+    printed.stack = printed.stack or traceback.StackSummary.from_list([made] if made else [])
     sys.stderr.write("".join(printed.format()))
     world().errors.append(error)
