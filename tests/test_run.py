@@ -155,6 +155,12 @@ def test_exit_statuses(write: Any, code: str, status: int, console: str | None) 
     assert console is None or run.console == console
 
 
+def test_a_run_within_a_simulated_run_is_an_error() -> None:
+    run = simulate(lambda: simulate(print, 1.0), 1.0)
+    assert run.status == 1
+    assert run.console.endswith("RuntimeError: a node that runs in simulated time cannot start a run of its own\n")
+
+
 def test_an_exception_in_main_shows_the_node_s_own_frames(write: Any) -> None:
     path = write(
         """

@@ -25,7 +25,7 @@ from .clock import NS, WallClock, nanoseconds
 from .rospy import client, core, exceptions, genpy, names, rostime, timer
 from .rospy.threads import own_frames, print_traceback
 from .rospy.world import Handler, NotSimulated, World, current, handle_process_signals
-from .simulation import Simulation, Standstill
+from .simulation import Simulation, Standstill, running
 from .stacks import Stack
 from .virtual_time import virtual_time
 from .watchdog import Stuck, watch
@@ -357,6 +357,8 @@ _one_at_a_time = threading.RLock()
 @contextmanager
 def _process_of(node: Node, args: Sequence[str]) -> Iterator[None]:
     """Within this context the process looks as it does to a node: command line, path, ``import rospy``."""
+    if running.get():
+        raise RuntimeError("a node that runs in simulated time cannot start a run of its own")
     with _one_at_a_time:
         argv, path, modules, environ = sys.argv, sys.path[:], dict(sys.modules), dict(os.environ)
         sys.argv = [node.argv0, *args]
