@@ -6,7 +6,7 @@ from pathlib import Path
 
 import pytest
 
-from rosspin import recordings
+from rosspin import Run, recordings
 
 FOLDER = Path(__file__).parents[1] / "examples" / "recordings"
 TABLES = {"endings.csv", "pipe.csv"}  # what is no run's ticks; docs/how-timing-works.rst checks what they say
@@ -65,6 +65,16 @@ def test_recording(file: Path) -> None:
     assert keys <= run.provenance.keys()
     assert run.caption.startswith("recorded on 20")
     assert run.provenance["ros"] in run.caption
+    assert run.short_caption.startswith(run.caption[: len("recorded on 2026-11-21")])
+    assert len(run.short_caption) < 80  # a line below a figure
+
+
+def test_the_caption_of_a_run_made_now() -> None:
+    run = Run("PARAMETERS\n * /rosversion: 1.15.15\n", (), 0, "ros1", 5.0, start=86400.0)
+    long, short = recordings.live_caption(run), recordings.live_caption(run, short=True)
+    assert long.startswith("made live on 1970-01-02 on ROS 1.15.15, ")
+    assert short.startswith("made live on 1970-01-02, ")
+    assert long.endswith(short.partition(", ")[2])
 
 
 @pytest.mark.parametrize(("language", "periods"), AFTER)

@@ -149,7 +149,7 @@ def lateness(ticks: Ticks) -> Figure:
     axes.set_xlabel("time expected (s)")
     axes.set_ylabel("lateness (ms)")
     if len(groups) > 1:
-        axes.legend(loc="upper left")
+        canvas.legend(loc="outside upper left", ncols=len(groups))  # where no mark can be
     return _figure(canvas, "Lateness of each tick. " + " ".join(words))
 
 
@@ -164,7 +164,7 @@ def period_histogram(ticks: Ticks) -> Figure:
     axes.set_xlabel("period (ms)")
     axes.set_ylabel("number of periods")
     if len(groups) > 1:
-        axes.legend()
+        canvas.legend(loc="outside upper left", ncols=len(groups))
     words = [f"{name}: {describe_periods(group)}" for name, group in groups.items()]
     return _figure(canvas, "Distribution of periods. " + " ".join(words))
 

@@ -43,14 +43,21 @@ class Recording(Run):
         p = self.provenance
         return f"recorded on {p['date'][:10]} on ROS {p['ros']}, {p['system']}, {p['processor']} ({p['cores']} cores)"
 
+    @property
+    def short_caption(self) -> str:
+        """The same without the versions, for a page that says them once."""
+        p = self.provenance
+        return f"recorded on {p['date'][:10]}, {p['processor']} ({p['cores']} cores)"
 
-def live_caption(run: Run) -> str:
+
+def live_caption(run: Run, short: bool = False) -> str:
     """Where a run on the real ROS comes from that was made just now, in the words of a recording's caption."""
     here = describe()
     version = re.search(r"/rosversion: (\S+)", run.console)  # roslaunch says so among its parameters
     ros = f" on ROS {version[1]}" if version else ""
+    versions = "" if short else f"{ros}, {here['System']}"
     date = datetime.fromtimestamp(run.start, UTC).date()
-    return f"made live on {date}{ros}, {here['System']}, {here['Processor']} ({here['Cores']} cores)"
+    return f"made live on {date}{versions}, {here['Processor']} ({here['Cores']} cores)"
 
 
 def load(path: str | os.PathLike[str]) -> Recording:
