@@ -1,4 +1,4 @@
-"""The timing of the spinner nodes, in simulated time: it needs no ROS, and nobody waits for it."""
+"""The timing of the spinner nodes, in simulated time: no ROS, no waiting."""
 
 from pathlib import Path
 
@@ -29,7 +29,8 @@ def test_it_ends_at_ctrl_c():
 
 @pytest.mark.parametrize("frequency", [1, 10, 50])
 def test_it_takes_its_frequency_from_the_parameter(frequency):
-    run = simulate(SRC / "spinner_param_py_node.py", 1.0, args=[f"_frequency:={frequency}"])
+    node = SRC / "spinner_param_py_node.py"
+    run = simulate(node, 1.0, args=[f"_frequency:={frequency}"])
     assert len(run.ticks) == frequency
 
 
