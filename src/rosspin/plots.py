@@ -123,6 +123,7 @@ def timeline(ticks: Ticks, period: float | None = None) -> Figure:
     axes.tick_params(axis="y", length=0)
     axes.spines["left"].set_visible(False)
     axes.set_xlabel("time (s); line: expected, mark: real" + (", cross: lost" if period else ""))
+    axes.use_sticky_edges = False  # a bar that begins at 0 would cut the mark there in half
     axes.margins(x=0.03)
     axes.axvline(0, lw=0)  # the run began at 0
     return _figure(canvas, "Timeline. " + " ".join(words))
