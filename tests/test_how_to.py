@@ -42,6 +42,8 @@ def test_the_example_test_passes_by_the_commands_on_the_page(tmp_path: Path) -> 
     environment = {name: value for name, value in os.environ.items() if not name.startswith("PYTHON")}
     for command in elsewhere:
         run = subprocess.run(command, shell=True, cwd=tmp_path, env=environment, capture_output=True, text=True)
+        if "NewConnectionError" in run.stderr:
+            pytest.skip("pip can reach no package index")
         assert run.returncode == 0, run.stdout + run.stderr
     assert "7 passed" in run.stdout
 

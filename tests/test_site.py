@@ -212,3 +212,12 @@ def test_readme_links_lead_somewhere() -> None:
     targets = [target for target in re.findall(r"\]\(([^)]+)\)", readme) if not urlsplit(target).scheme]
     assert targets
     assert not [target for target in targets if not (ROOT / target).is_file()]
+
+
+def test_no_number_in_how_timing_works_is_typed() -> None:
+    """Each is filled in from a run or a recording."""
+    text = (ROOT / "docs" / "how-timing-works.rst").read_text(encoding="utf-8")
+    prose = re.sub(r"^\.\. facts::\n(?:\n|   .*\n)+", "", text, flags=re.MULTILINE)
+    prose = re.sub(r":\w+:`[^`]*`|``[^`]*``|^ +:[\w-]+: \d+$", "", prose, flags=re.MULTILINE)
+    assert len(prose) > 3000
+    assert re.findall(r".*\d.*", prose) == []

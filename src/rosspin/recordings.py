@@ -51,7 +51,7 @@ class Recording(Run):
 
 
 def live_caption(run: Run, short: bool = False) -> str:
-    """Where a run on the real ROS comes from that was made just now, in the words of a recording's caption."""
+    """Where a run comes from that was made on a clock just now, in the words of a recording's caption."""
     here = describe()
     version = re.search(r"/rosversion: (\S+)", run.console)  # roslaunch says so among its parameters
     ros = f" on ROS {version[1]}" if version else ""

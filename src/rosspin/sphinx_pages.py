@@ -48,7 +48,7 @@ class TicksDirective(SphinxDirective):
             self.env.note_dependency(relative)
             run = simulate(os.fspath(path), self.options["seconds"])
             ticks[name or run.ticks[0].source] = run.ticks
-        return [nodes.raw("", timeline(ticks)._repr_html_(), format="html")]
+        return [nodes.raw("", timeline(ticks).captioned("simulated")._repr_html_(), format="html")]
 
 
 class FactsDirective(SphinxDirective):
