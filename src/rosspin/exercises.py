@@ -182,7 +182,8 @@ def _load(source: Any) -> Node:
     try:
         return load_source(source, _FILENAME)
     except SyntaxError as error:
-        raise _Fails(f"Line {error.lineno} is not Python: {_plain(error.msg)}.", read) from None
+        said = _plain(error.msg)  # may end in a question
+        raise _Fails(f"Line {error.lineno} is not Python: {said}{'' if said.endswith('?') else '.'}", read) from None
     except (ValueError, RecursionError, MemoryError) as error:
         raise _Fails(f"This is not Python: {_plain(str(error))}.", read) from None
 

@@ -34,7 +34,7 @@ export class Cell {
 
   /**
    * @param {HTMLElement} listing what Sphinx made of a listing
-   * @param {number} index the how manyeth on its page
+   * @param {number} index its number on the page
    * @param {string} base the address of the folder that our files are in
    * @param {string} missing why Python cannot run here; "" if it can
    */
