@@ -162,7 +162,7 @@ def test_a_plot_is_an_svg_file_and_always_the_same(tmp_path: Path) -> None:
 def test_a_plot_is_also_put_into_words(tmp_path: Path, capsys: pytest.CaptureFixture[str]) -> None:
     assert main(["run", TIMER_NODE, "--simulated", "--seconds", "2", "--plot", str(tmp_path / "a.svg")]) == 0
     assert capsys.readouterr().err == (
-        "rosspin: timerCallback: 4 ticks from 0.500 s to 2.000 s. All of 4 ticks came when expected. "
+        f"{tmp_path}/a.svg: timerCallback: 4 ticks from 0.500 s to 2.000 s. All of 4 ticks came when expected. "
         "Every period was 0.5 s: no jitter.\n"
     )
 

@@ -194,6 +194,8 @@ def test_no_prediction_is_too_strange(value: str) -> None:
         ("(self)", "A timer hands its callback one argument"),
         ("rospy.log_info", "Python names what it did not find"),
         ("class SpinnerPyNode", "Python could not read the answer"),
+        ("    pass", "The node ended by itself"),
+        ("    # init_node", 'Call rospy.init_node("a_name")'),
     ],
 )
 def test_an_error_has_a_hint_of_its_own(wrong: str, hint: str) -> None:
@@ -204,6 +206,8 @@ def test_an_error_has_a_hint_of_its_own(wrong: str, hint: str) -> None:
         "(self)": "(self, event)",
         "rospy.log_info": "rospy.loginfo",
         "class SpinnerPyNode": "class SpinnerPyNode:",
+        "    pass": "    rospy.spin()",
+        "    # init_node": '    rospy.init_node("spinner_py_node")',
     }[wrong]
     assert right in good
     assert hint in check(3, good.replace(right, wrong)).hint

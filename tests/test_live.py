@@ -262,16 +262,44 @@ def test_exercise_is_checked(exercises: Page, number: int) -> None:
     expect(cell.element.get_by_role("spinbutton")).to_have_count(0)
 
 
-def test_answer_to_no_exercise(exercises: Page) -> None:
+def test_answer_has_its_first_line(exercises: Page) -> None:
     cell = exercise(exercises, 1)
-    for first, said in (
+    for first in ("%%answer 2", "%%answer", "# mine", ""):
+        cell.write(f"{first}\nimport rospy\n")
+        cell.button("Run").click()
+        assert cell.ends("error: the first line must be %%answer 1") == ""
+    cell.button("Reset").click()
+
+
+@pytest.mark.parametrize(
+    ("first", "said"),
+    [
         ("%%answer 99", "there is no exercise 99"),
         ("%%answer", "a first line can be %%simulate SECONDS or %%answer NUMBER"),
         ("%%measure 2", "a first line can be %%simulate SECONDS or %%answer NUMBER"),
-    ):
-        cell.write(f"{first}\nimport rospy\n")
-        cell.button("Run").click()
-        assert said in cell.ends("error")
+        ("%%simulate nan", "seconds must be a number from 0 up, not nan"),
+    ],
+)
+def test_first_line_that_cannot_be(page: Page, first: str, said: str) -> None:
+    cell = Cell(page, TIMER)
+    cell.write(f"{first}\nimport rospy\n")
+    cell.run(1)
+    assert said in cell.ends("error")
+
+
+def test_ticks_at_the_same_time_are_drawn_apart(exercises: Page) -> None:
+    """The plot of the blocking node shows both ticks at 2.7 s."""
+    cell = Cell(exercises, 6)
+    cell.write((cell.element.locator("pre").first.text_content() or "").replace("0.7", "1.2"))
+    cell.element.get_by_role("combobox").select_option("instantly")
+    cell.button("Run").click()
+    cell.ends("done: 7 ticks")
+    places = cell.plot.locator("circle").evaluate_all(
+        "all => all.map(c => c.getAttribute('cx') + ' ' + c.getAttribute('cy'))"
+    )
+    assert len(set(places)) == 7
+    assert len({place.split()[0] for place in places}) == 6
+    expect(cell.element.locator("figcaption")).to_contain_text("simulated")
     cell.button("Reset").click()
 
 
@@ -337,11 +365,21 @@ def test_flood(page: Page, line: str) -> None:
 @pytest.mark.parametrize(
     ("code", "status", "sentence"),
     [
-        (node("rospy.Rate(0)"), "error", "There is no frequency of 0 Hz"),
-        (node("rospy.Timer(rospy.Duration(0), print)\nrospy.spin()"), "done", "There is no frequency of 0 Hz"),
-        (node("rospy.Timer(0.5, print)\nrospy.spin()"), "done", "rospy.Timer(rospy.Duration(0.5), callback)"),
+        (node("rospy.Rate(0)"), "error: see", "There is no frequency of 0 Hz"),
+        (
+            node("rospy.Timer(rospy.Duration(0), print)\nrospy.spin()"),
+            "done, but with an error",
+            "There is no frequency of 0 Hz",
+        ),
+        (
+            node("rospy.Timer(0.5, print)\nrospy.spin()"),
+            "done, but with an error",
+            "rospy.Timer(rospy.Duration(0.5), callback)",
+        ),
         ("import rospy\nprint('a'\n", "error", "SyntaxError: '(' was never closed\nPython could not read"),
         ("import numpy\n", "error", "but no numpy. Run the node on your own computer"),
+        ("import rospy\nrospy.Rate(2)\n", "error", 'Call rospy.init_node("a_name") before anything else'),
+        ("import std_msgs.msg\n", "error", "python -m rosspin run --ros1 FILE"),
         ("import std_msgs.msg\n", "error", "std_msgs is not simulated; run this node on a real ROS"),
         (node("rospy.Publisher"), "error", "node.py:4: rospy.Publisher is not simulated; run this node on a real ROS"),
         (node("while True: pass"), "error", "node.py:4: simulated time stands still at 0.0 s"),

@@ -88,7 +88,7 @@ def _run(options: argparse.Namespace, args: Sequence[str]) -> int:
 
         timeline(result.ticks).save(options.plot)
         for source, ticks in by_source(result.ticks).items():
-            print(f"rosspin: {describe_timeline(source, ticks)} {describe_periods(ticks)}", file=sys.stderr)
+            print(f"{options.plot}: {describe_timeline(source, ticks)} {describe_periods(ticks)}", file=sys.stderr)
     return result.status
 
 

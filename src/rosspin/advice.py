@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from .rospy.exceptions import ROSInitException
 from .rospy.threads import own_frames
 
 __all__ = ["advice"]
@@ -11,6 +12,8 @@ def advice(error: BaseException) -> str:
     """A sentence on an error that a node has run into; "" if there is nothing to say."""
     if not _ends_in_rospy(error):
         return ""
+    if isinstance(error, ROSInitException):
+        return 'Call rospy.init_node("a_name") before anything else of rospy.'
     if isinstance(error, ZeroDivisionError):
         return "There is no frequency of 0 Hz and no period of 0 s: give rospy.Rate and rospy.Timer more than 0."
     if isinstance(error, AttributeError) and error.name == "to_sec":

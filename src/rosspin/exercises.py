@@ -18,6 +18,7 @@ from itertools import islice
 from typing import Any, NamedTuple
 
 from .advice import advice
+from .clock import NS
 from .console import read_lines, read_ticks
 from .rospy.world import NotSimulated, World, world
 from .run import Node, Run, Tick, TimeStandsStill, capture, load_source, run_simulated, simulate
@@ -36,6 +37,8 @@ _TRACE = re.compile(
 
 # So many lines of a console are shown.
 _MOST_LINES = 30
+
+_ENDS_EARLY = "The node ended by itself, before its time was over. Does its main part come to `rospy.spin()`?"
 
 # Nobody means a time difference below this (s).
 _CLOSE = 1e-3
@@ -109,6 +112,8 @@ def check(number: int, answer: Any) -> Feedback:
     except _Fails as failure:
         findings.append(failure.finding)
     hint = next((finding.hint for finding in findings if not finding.right and finding.hint), exercise.hint)
+    if given.ended_early:
+        hint = _ENDS_EARLY
     return Feedback(number, tuple(findings), hint, given.console)
 
 
@@ -128,6 +133,7 @@ class _Answer:
     def __init__(self, text: Any) -> None:
         self._text = text
         self.console = ""
+        self.ended_early = False  # whether a run of it was over before its time, without a tick and without an error
         self._ran = False
 
     def run(self, seconds: float, *args: str) -> Run:
@@ -158,6 +164,7 @@ class _Answer:
             nonlocal here
             here = world()
             node.main()
+            self.ended_early |= here.clock.now() < seconds * NS and not here.ticks
 
         try:
             with capture() as console, _plain_environment():
@@ -339,7 +346,9 @@ def _rate_to_timer(answer: _Answer) -> Iterator[Finding]:
         yield Finding(False, "no timer calls back.", spin)
 
 
-@_exercise(5, "`rospy.get_param(name, default)`; the name of a private parameter begins with `~`.")
+@_exercise(
+    5, "`rospy.get_param(name, default)`; the name of a private parameter begins with `~`; the default is in Hz, too."
+)
 def _frequency_from_a_parameter(answer: _Answer) -> Iterator[Finding]:
     yield _on_time(_counters(answer.run(2.0)), _grid(0.5, 2.0), "Without the parameter")
     private = "Does the name begin with `~`? Is it a frequency that you read, and a period that the timer is given?"

@@ -39,9 +39,9 @@ def run(source: str, filename: str, seconds: float, args: Sequence[str], speed: 
 
     ``page`` is a JavaScript object: its ``print(text, isError)`` is given what the node prints and its
     ``tick(source, number, expected, real)`` each tick that begins (s), both as they happen; ``wait(ms)`` is a promise
-    that is kept after so long. The result, as JSON: the exit ``status``, a ``verdict`` on an answer, the last ``ticks``
-    with their durations, their ``count``, and a text ``alternative`` to their plot. Errors end on the console and give
-    status 1.
+    that is kept after so long. The result, as JSON: the exit ``status``, the number of ``errors`` in its threads, a
+    ``verdict`` on an answer, the last ``ticks`` with their durations, their ``count``, and a text ``alternative`` to
+    their plot. Errors end on the console and give status 1.
     """
     environment = dict(os.environ)
     with redirect_stdout(_Stream(page, False)), redirect_stderr(_Stream(page, True)):
@@ -56,6 +56,8 @@ def run(source: str, filename: str, seconds: float, args: Sequence[str], speed: 
             print(say_error(error), file=sys.stderr)
             if isinstance(error, SyntaxError):
                 print("Python could not read this line, so nothing ran.", file=sys.stderr)
+            if isinstance(error, NotSimulated):
+                print("On a computer that has ROS 1: python -m rosspin run --ros1 FILE", file=sys.stderr)
             return json.dumps({"status": 1})
         finally:
             os.environ.clear()  # the next run in this page is to find what this one found
@@ -96,6 +98,7 @@ def _run(source: str, filename: str, seconds: float, args: Sequence[str], speed:
     groups = by_source(result.ticks)
     return {
         "status": result.status,
+        "errors": len(there.world.errors) if there.world else 0,
         "count": len(result.ticks),
         "ticks": [[*tick[:4], tick.duration if tick.duration >= 0 else 0] for tick in result.ticks[-_MOST_TICKS:]],
         "alternative": " ".join(describe_timeline(source, group) for source, group in groups.items()),

@@ -4,6 +4,9 @@ import { Console } from "./console.js"
 import { Plot } from "./plot.js"
 import { release, start, warmUp } from "./workers.js"
 
+/** For how long (s) a node runs, unless the reader says otherwise. */
+const SECONDS = "10"
+
 /** An element with these properties and children. */
 function make(tag, properties = {}, ...children) {
   const element = Object.assign(document.createElement(tag), properties)
@@ -71,7 +74,7 @@ export class Cell {
     this.stop = button("Stop", () => this.#stop())
     this.edit = button("Edit", () => this.#edit())
     this.reset = button("Reset", () => this.#reset())
-    this.seconds = make("input", { type: "number", min: "0", max: "3600", step: "any", value: "10" })
+    this.seconds = make("input", { type: "number", min: "0", max: "3600", step: "any", value: SECONDS })
     this.speed = make("select", {})
     for (const [text, speed] of [["real time", 1], ["10 times as fast", 10], ["instantly", 0]]) {
       this.speed.append(make("option", { textContent: text, value: speed }))
@@ -154,6 +157,7 @@ export class Cell {
     this.#pre.replaceChildren(...this.#highlighted)
     this.#pre.hidden = false
     this.#store(this.#original)
+    this.seconds.value = SECONDS
     this.#clear(false)
     this.#say("")
   }
@@ -175,11 +179,15 @@ export class Cell {
     this.#end()
     const number = ++this.#runs
     const seconds = this.seconds.valueAsNumber
+    this.#clear(true)
+    if (this.#answers && !this.#text.startsWith(`%%${this.#name}\n`)) {
+      this.#say(`error: the first line must be %%${this.#name}`)
+      return
+    }
     if (!this.seconds.checkValidity() || Number.isNaN(seconds)) {
       this.#say("error: seconds must be a number from 0 to 3600")
       return
     }
-    this.#clear(true)
     const job = { source: this.#text, filename: this.#name, seconds, args: [], speed: Number(this.speed.value) }
     this.#worker = start(this.#base, job, (message) => number === this.#runs && this.#hear(message))
     this.#say("starting Python")
@@ -194,9 +202,10 @@ export class Cell {
     } else if (message.kind === "end") {
       release(this.#worker)
       this.#worker = null
-      const { status, verdict, count, ticks, alternative } = message.result
+      const { status, errors, verdict, count, ticks, alternative } = message.result
       if (count) this.plot.finish(ticks, alternative)
       if (verdict) this.#say(verdict)
+      else if (status === 0 && errors) this.#say("done, but with an error: see the console")
       else if (status === 0) this.#say(count ? `done: ${count} tick${count === 1 ? "" : "s"}` : "done")
       else this.#say("error: see the console")
     } else {

@@ -81,7 +81,7 @@ export class Plot {
       axis.append(draw("path", { d: `M${x(n * size)} ${bottom}v3.5` }))
       texts.append(draw("text", { x: x(n * size), y: bottom + 14 }, String(Number((n * size).toPrecision(12)))))
     }
-    texts.append(draw("text", { x: (left + WIDTH) / 2, y: bottom + 28 }, "time (s); line: expected, dot: real"))
+    texts.append(draw("text", { x: (left + WIDTH) / 2, y: bottom + 28 }, "time (s); line: expected, mark: real"))
 
     const grid = draw("g", { stroke: "currentColor", "stroke-width": 0.8, "stroke-opacity": 0.55 })
     const bars = draw("g", { "fill-opacity": 0.45 })
@@ -89,6 +89,7 @@ export class Plot {
     sources.forEach((source, row) => {
       texts.append(draw("text", { x: left - 8, y: ROW * (row + 0.5) + 3.5, "text-anchor": "end" }, source))
     })
+    const latest = new Map()
     for (const [source, , expected, real, duration] of this.#ticks) {
       const row = sources.indexOf(source)
       const y = ROW * (row + 0.5)
@@ -97,11 +98,16 @@ export class Plot {
         const width = (x(real + duration) - x(real)).toFixed(2)
         bars.append(draw("rect", { x: x(real), y: y - 4.5, width, height: 9, fill: COLOURS[row % COLOURS.length] }))
       }
-      marks.append(mark(row, x(real) * 1, y))
+      // Ticks at the same time are drawn one above the other.
+      const together = real - (latest.get(source) ?? -1) < 1e-3
+      latest.set(source, real)
+      marks.append(mark(row, x(real) * 1, together ? y - 7 : y))
     }
     const picture = draw("svg", { viewBox: `0 0 ${WIDTH} ${bottom + 34}`, role: "img", "aria-label": alternative })
     picture.append(grid, bars, marks, axis, texts)
-    this.element.replaceChildren(picture)
+    const caption = document.createElement("figcaption")
+    caption.textContent = "simulated: this clock has no jitter, at whichever speed it runs"
+    this.element.replaceChildren(picture, caption)
     this.element.hidden = false
   }
 }
