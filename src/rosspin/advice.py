@@ -12,7 +12,7 @@ def advice(error: BaseException) -> str:
     """A sentence on an error that a node has run into; "" if there is nothing to say."""
     if not _ends_in_rospy(error):
         return ""
-    if isinstance(error, ROSInitException):
+    if isinstance(error, ROSInitException) and "Have you called init_node()" in str(error):
         return 'Call rospy.init_node("a_name") before anything else of rospy.'
     if isinstance(error, ZeroDivisionError):
         return "There is no frequency of 0 Hz and no period of 0 s: give rospy.Rate and rospy.Timer more than 0."
