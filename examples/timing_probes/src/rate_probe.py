@@ -16,7 +16,7 @@ if __name__ == "__main__":
     last = ["", "", ""]
 
     rate = rospy.Rate(1.0 / period)
-    start = rospy.get_time()
+    start = rate.last_time.to_sec()  # its grid begins when it was made
     print("start,%.6f" % start, flush=True)
     number = 0
     while not rospy.is_shutdown():
