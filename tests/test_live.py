@@ -166,8 +166,12 @@ def test_two_at_once(page: Page) -> None:
 
 def test_bad_seconds(page: Page) -> None:
     cell = Cell(page, TIMER)
+    cell.run(1)
+    assert cell.ends("done")
     cell.run(-1)
     assert cell.ends("error: seconds") == ""
+    cell.button("Reset").click()
+    expect(cell.element.get_by_role("spinbutton")).to_have_value("10")
 
 
 # --- edit -------------------------------------------------------------------------------------------------------------

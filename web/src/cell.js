@@ -103,7 +103,8 @@ export class Cell {
   #say(status) {
     this.status.textContent = status
     this.stop.ariaDisabled = String(this.#worker === null)
-    this.reset.ariaDisabled = String(this.#text === this.#original && this.console.empty)
+    const untouched = this.#text === this.#original && this.seconds.value === SECONDS
+    this.reset.ariaDisabled = String(untouched && this.console.empty)
   }
 
   // --- the text ---
