@@ -12,7 +12,7 @@ project = "rosspin"
 html_title = "rosspin"
 copyright = "the rosspin contributors. The texts are CC BY 4.0, after a page by Paul N. Beuchat, 2023"
 
-extensions = ["myst_nb", "rosspin.sphinx_pages", "rosspin.sphinx_live", "sphinx.ext.autodoc", "sphinx.ext.doctest"]
+extensions = ["myst_nb", "rosspin.site.pages", "rosspin.site.live", "sphinx.ext.autodoc", "sphinx.ext.doctest"]
 extensions += ["sphinx_copybutton", "sphinx_design"]
 include_patterns = ["index.rst", "docs/**.rst", "notebooks/*.md"]
 exclude_patterns = [".venv", "build"]  # not walked through in search of pages

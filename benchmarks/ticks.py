@@ -10,7 +10,7 @@ import simpy
 from ratios import by_turns, line, ratio
 
 from rosspin import rospy, simulate
-from rosspin.simulation import Simulation
+from rosspin.clocks.simulation import Simulation
 
 NS = 1_000_000_000
 

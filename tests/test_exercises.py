@@ -274,9 +274,7 @@ def test_the_magic_counts_as_a_line(shell: InteractiveShell) -> None:
     assert "in line 2." in repr(shell.run_cell_magic("answer", "1", "1 / 0"))
 
 
-def test_the_magic_cuts_an_endless_console_short(
-    shell: InteractiveShell, capsys: pytest.CaptureFixture[str]
-) -> None:
+def test_the_magic_cuts_an_endless_console_short(shell: InteractiveShell, capsys: pytest.CaptureFixture[str]) -> None:
     shell.run_cell_magic("answer", "1", "for n in range(1000):\n    print(n)")
     lines = capsys.readouterr().out.splitlines()
     assert len(lines) < 100

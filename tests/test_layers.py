@@ -14,13 +14,12 @@ PACKAGE = Path(__file__).parent.parent / "src" / "rosspin"
 
 # From the bottom up: a module may import what stands before it.
 LAYERS = [
-    "jspi",
-    "stacks",
-    "clock",
-    "simulation",
+    "ticks",
+    "frames",
+    "clocks",
+    "world",
     "rospy",
-    "virtual_time",
-    "watchdog",
+    "process",
     "run",
     "console",
     "measures",
@@ -32,22 +31,20 @@ LAYERS = [
     "recordings",
     "exercises",
     "page",
-    "magics",
-    "sphinx_pages",
-    "sphinx_live",
+    "site",
     "__init__",
     "__main__",
 ]
 
 # Packages that only these modules may import.
 KEEPERS = {
-    "greenlet": {"stacks"},
+    "greenlet": {"clocks.stacks"},
     "matplotlib": {"plots", "__main__"},
-    "IPython": {"magics"},
-    "js": {"jspi", "page"},
-    "pyodide": {"jspi", "page"},
-    "sphinx": {"sphinx_pages", "sphinx_live"},
-    "docutils": {"sphinx_pages", "sphinx_live"},
+    "IPython": {"site.magics"},
+    "js": {"clocks.jspi", "page"},
+    "pyodide": {"clocks.jspi", "page"},
+    "sphinx": {"site.pages", "site.live"},
+    "docutils": {"site.pages", "site.live"},
     "yaml": {"rospy.client"},
 }
 
@@ -92,7 +89,7 @@ def test_imports_point_down(module: str) -> None:
     height = LAYERS.index(layer(module))
     above = {name for name in imports(module) & MODULES.keys() if LAYERS.index(layer(name)) > height}
     if module == "__init__":
-        above -= {"magics"}  # only when IPython loads them
+        above -= {"site.magics"}  # only when IPython loads them
     assert not above
 
 
@@ -106,15 +103,15 @@ def test_who_may_import_what(package: str) -> None:
     assert {module for module in MODULES if package in imports(module)} <= KEEPERS[package]
 
 
-def test_the_stand_in_does_not_know_how_stacks_switch() -> None:
+def test_the_stand_in_knows_only_the_time_of_a_clock() -> None:
     for module in MODULES:
         if layer(module) == "rospy":
-            assert not imports(module) & {"stacks", "simulation", "run"}
+            assert {name for name in imports(module) if layer(name) == "clocks"} <= {"clocks.clock"}
 
 
-def test_simulation_and_clock_do_not_know_rospy() -> None:
-    for module in ("jspi", "stacks", "clock", "simulation", "watchdog"):
-        assert not {name for name in imports(module) if layer(name) == "rospy"}
+def test_data_are_below_the_simulator() -> None:
+    for module in ("console", "measures", "plots", "recordings"):
+        assert {layer(name) for name in imports(module) & MODULES.keys()} <= {"ticks", "console", "measures", "machine"}
 
 
 def test_importing_rosspin_needs_greenlet_and_little_else() -> None:

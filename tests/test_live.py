@@ -17,7 +17,7 @@ from test_live_scenarios import lines_of
 
 from rosspin import simulate
 from rosspin.exercises import check
-from rosspin.sphinx_live import policy
+from rosspin.site.live import policy
 
 TUTORIAL = "docs/tutorial.html"
 EXAMPLES = ROOT / "examples"

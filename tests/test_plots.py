@@ -53,7 +53,7 @@ def test_a_period_draws_the_whole_grid_and_crosses_out_the_lost_ticks() -> None:
 
 
 def test_the_alternative_is_on_the_picture(plot: Callable[..., Figure]) -> None:
-    figure = plot(ticks("a<b & \"c\""))
+    figure = plot(ticks('a<b & "c"'))
     root = parse(figure)
     assert root.attrib["role"] == "img"
     assert root.attrib["aria-label"] == figure.alt

@@ -13,7 +13,9 @@ from typing import Any
 import pytest
 
 from rosspin import NotSimulated, rospy, simulate
-from rosspin.run import load, run_simulated
+from rosspin.clocks.simulation import Simulation
+from rosspin.process import load
+from rosspin.run import run_node
 
 LEVELS = ["debug", "info", "warn", "err", "fatal"]
 
@@ -47,10 +49,7 @@ def test_a_line_has_severity_and_six_digits_of_time_and_debug_is_hidden() -> Non
             getattr(rospy, f"log{level}")("%s %d", level, 7)
 
     assert console(node) == (
-        "[INFO] [0.500000]: info 7\n"
-        "[WARN] [0.500000]: warn 7\n"
-        "[ERROR] [0.500000]: err 7\n"
-        "[FATAL] [0.500000]: fatal 7\n"
+        "[INFO] [0.500000]: info 7\n[WARN] [0.500000]: warn 7\n[ERROR] [0.500000]: err 7\n[FATAL] [0.500000]: fatal 7\n"
     )
 
 
@@ -78,7 +77,7 @@ def everything() -> None:
 
 
 def test_warnings_and_above_go_to_stderr(capsys: pytest.CaptureFixture[str]) -> None:
-    run_simulated(load(everything), 1, (), False)
+    run_node(load(everything), 1, (), Simulation(), record=False)
     captured = capsys.readouterr()
     assert captured.out == "[INFO] [0.000000]: info\n"
     assert [line.split()[0] for line in captured.err.splitlines()] == ["[WARN]", "[ERROR]", "[FATAL]"]
@@ -93,7 +92,7 @@ def test_colours_on_a_terminal_only(monkeypatch: pytest.MonkeyPatch) -> None:
     out, err = Terminal(), Terminal()
     monkeypatch.setattr(sys, "stdout", out)
     monkeypatch.setattr(sys, "stderr", err)
-    run_simulated(load(everything), 1, (), False)
+    run_node(load(everything), 1, (), Simulation(), record=False)
     assert out.getvalue() == "[INFO] [0.000000]: info\n"
     assert err.getvalue() == (
         "\033[33m[WARN] [0.000000]: warn\n\033[0m"

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import re
+import threading
 from collections.abc import Callable
 from typing import Any
 
@@ -12,7 +13,6 @@ from hypothesis import strategies as st
 
 from rosspin import Run, TimeStandsStill, rospy, simulate
 from rosspin.rospy import rostime
-from rosspin.rospy.threads import start_thread
 
 NS = 10**9
 some = settings(max_examples=100, deadline=None)
@@ -432,6 +432,12 @@ def tell(*times: float) -> None:
         rostime.wallsleep(0.1)
 
 
+def tell_later(*times: float) -> None:
+    """As tell, once the others are asleep."""
+    rostime.wallsleep(0.05)
+    tell(*times)
+
+
 def on_ros_time(setup: Callable[[], Any], *times: float) -> tuple[list[float], str]:
     """When, in ROS time, the timers that ``setup`` makes tick, while the time is told; and the console."""
 
@@ -496,7 +502,7 @@ def test_a_jump_back_ends_a_sleep(sleep: Callable[[], None], raises: bool) -> No
     def node() -> None:
         rospy.init_node("node")
         tell(20)
-        start_thread(lambda: tell(20.1, 18))
+        threading.Thread(target=lambda: tell_later(20.1, 18), daemon=True).start()
         try:
             sleep()
         except rospy.ROSTimeMovedBackwardsException as error:
@@ -516,7 +522,7 @@ def test_a_jump_back_between_two_sleeps_begins_a_period() -> None:
         tell(20)
         rate = rospy.Rate(2)
         tell(5)
-        start_thread(lambda: tell(*steps(5, 6)))
+        threading.Thread(target=lambda: tell_later(*steps(5, 6)), daemon=True).start()
         rate.sleep()
         assert rospy.get_time() == 5.5
 
@@ -528,7 +534,7 @@ def test_a_rate_that_resets_begins_a_period_at_the_jump() -> None:
         rospy.init_node("node")
         tell(20)
         rate = rospy.Rate(2, reset=True)
-        start_thread(lambda: tell(20, *steps(5, 6)))
+        threading.Thread(target=lambda: tell_later(20, *steps(5, 6)), daemon=True).start()
         rate.sleep()
         rospy.sleep(0.2)  # work in the new period
         rate.sleep()

@@ -6,7 +6,8 @@ import pytest
 from hypothesis import given, settings
 from hypothesis import strategies as st
 
-from rosspin.simulation import Simulation, Standstill
+from rosspin.clocks.simulation import Simulation, Standstill
+from rosspin.clocks.stacks import Program, Stack
 
 FOREVER = 10**15
 
@@ -38,12 +39,12 @@ def simulated(stacks: list[list[int]]) -> list[tuple[int, int]]:
             simulation.sleep(length)
             woken.append((simulation.now(), number))
 
-    def main(stack: object) -> None:
+    def main() -> None:
         for number in range(len(stacks)):
-            simulation.start(lambda number=number: sleeper(number), f"stack {number}")
+            simulation.start(lambda number=number: sleeper(number), Program(), f"stack {number}")
         simulation.sleep(FOREVER)
 
-    simulation.run(main)
+    simulation.run(main, Program(), 0)
     return woken
 
 
@@ -69,39 +70,43 @@ def test_several_deep_in_calls_wake_in_any_order() -> None:
         if calls == 5:
             woken.append(length)
 
-    def main(stack: object) -> None:
+    def main() -> None:
         for length in (3, 1, 2):
-            simulation.start(lambda length=length: deep(5 + length, length), "")
+            simulation.start(lambda length=length: deep(5 + length, length), Program(), "")
         simulation.sleep(2)  # the stack of length 2 falls asleep after this one
         assert woken == [1]
         simulation.sleep(10)
 
-    simulation.run(main)
+    simulation.run(main, Program(), 0)
     assert woken == [1, 2, 3]
 
 
 @settings(max_examples=100, deadline=None)
 @given(st.lists(st.integers(1, 40), max_size=5), st.lists(st.integers(1, 12), max_size=4))
-def test_a_condition_wakes_at_its_time_or_at_the_first_notification(waits: list[int], gaps: list[int]) -> None:
-    simulation, woken = Simulation(), {}
-    condition = simulation.condition()
+def test_a_wait_ends_at_its_time_or_when_it_is_woken(waits: list[int], gaps: list[int]) -> None:
+    simulation, ended = Simulation(), {}
+    stacks: list[Stack] = []
 
     def waiter(number: int, longest: int) -> None:
-        condition.wait(longest)
-        woken[number] = simulation.now()
+        ended[number] = simulation.wait(longest), simulation.now()
         simulation.sleep(FOREVER)
-        woken[number] = "woken by a notification that it no longer waited for"
+        ended[number] = "woken when it no longer waited"
 
-    def main(stack: object) -> None:
+    def main() -> None:
         for number, longest in enumerate(waits):
-            simulation.start(lambda number=number, longest=longest: waiter(number, longest), "")
+            stacks.append(
+                simulation.start(lambda number=number, longest=longest: waiter(number, longest), Program(), "")
+            )
         for gap in gaps:
             simulation.sleep(gap)
-            condition.notify_all()
+            for stack in stacks:
+                simulation.wake(stack)
         simulation.sleep(1000)
 
-    simulation.run(main)
-    assert woken == {number: min([longest, *gaps[:1]]) for number, longest in enumerate(waits)}
+    simulation.run(main, Program(), 0)
+    first = gaps[0] if gaps else FOREVER
+    # Main fell asleep first: of two at one time it goes on first.
+    assert ended == {number: (first <= longest, min(longest, first)) for number, longest in enumerate(waits)}
 
 
 @settings(max_examples=100, deadline=None)
@@ -113,8 +118,8 @@ def test_an_interrupted_sleep_goes_on_after_the_handler(length: int, when: int, 
         handled.append(simulation.now())
         simulation.sleep(handling)
 
-    def main(stack: object) -> None:
-        simulation.at(when, lambda: simulation.interrupt(stack, handler))
+    def main() -> None:
+        simulation.at(when, lambda: simulation.interrupt(simulation.main, handler))
         simulation.sleep(length)
         if when < length:
             assert handled == [when]
@@ -122,7 +127,7 @@ def test_an_interrupted_sleep_goes_on_after_the_handler(length: int, when: int, 
         else:
             assert (handled, simulation.now()) == ([], length)
 
-    simulation.run(main)
+    simulation.run(main, Program(), 0)
 
 
 def test_an_exception_from_the_handler_ends_the_sleep() -> None:
@@ -131,13 +136,13 @@ def test_an_exception_from_the_handler_ends_the_sleep() -> None:
     def handler() -> None:
         raise KeyboardInterrupt
 
-    def main(stack: object) -> None:
-        simulation.at(3, lambda: simulation.interrupt(stack, handler))
+    def main() -> None:
+        simulation.at(3, lambda: simulation.interrupt(simulation.main, handler))
         with pytest.raises(KeyboardInterrupt):
             simulation.sleep(10)
         assert simulation.now() == 3
 
-    simulation.run(main)
+    simulation.run(main, Program(), 0)
 
 
 def test_at_comes_after_everything_that_falls_due_then() -> None:
@@ -149,14 +154,14 @@ def test_at_comes_after_everything_that_falls_due_then() -> None:
             order.append(step)
             simulation.sleep(0)
 
-    def main(stack: object) -> None:
+    def main() -> None:
         simulation.at(5, lambda: order.append("at"))
         simulation.at(5, lambda: order.append("at, too"))
-        simulation.start(sleeper, "")
+        simulation.start(sleeper, Program(), "")
         simulation.sleep(5)
         simulation.sleep(1)
 
-    simulation.run(main)
+    simulation.run(main, Program(), 0)
     assert order == [0, 1, 2, "at", "at, too"]
 
 
@@ -169,14 +174,14 @@ def test_sleeping_no_time_for_ever_is_a_standstill(length: int) -> None:
         while True:
             simulation.sleep(length)
 
-    def main(stack: object) -> None:
-        simulation.start(never_sleeps, "the culprit")
+    def main() -> None:
+        simulation.start(never_sleeps, Program(), "the culprit")
         simulation.sleep(FOREVER)
 
     with pytest.raises(Standstill) as caught:
-        simulation.run(main)
-    assert caught.value.name == "the culprit"
-    assert any(frame.name == "never_sleeps" for frame in caught.value.stack)
+        simulation.run(main, Program(), 0)
+    assert caught.value.place == "the culprit"
+    assert any(place.call == "simulation.sleep(length)" for place in caught.value.places)
     assert simulation.now() == 3
 
 
@@ -196,11 +201,11 @@ def test_the_end_of_main_ends_the_others_through_their_finally() -> None:
         finally:
             said.append("finally")
 
-    def main(stack: object) -> None:
-        simulation.start(sleeper, "")
+    def main() -> None:
+        simulation.start(sleeper, Program(), "")
         simulation.sleep(1)
 
-    simulation.run(main)
+    simulation.run(main, Program(), 0)
     assert said == ["finally"]
     assert simulation.now() == 1
 
@@ -216,11 +221,11 @@ def test_a_finally_that_sleeps_does_not_hold_up_the_end() -> None:
             simulation.sleep(1)
             said.append("after")
 
-    def main(stack: object) -> None:
-        simulation.start(sleeper, "")
+    def main() -> None:
+        simulation.start(sleeper, Program(), "")
         simulation.sleep(1)
 
-    simulation.run(main)
+    simulation.run(main, Program(), 0)
     assert said == ["before"]
 
 
@@ -231,22 +236,22 @@ def test_an_exception_ends_the_run_and_names_its_stack() -> None:
         simulation.sleep(2)
         raise LookupError("lost")
 
-    def main(stack: object) -> None:
-        simulation.start(fails, "the one that fails")
+    def main() -> None:
+        simulation.start(fails, Program(), "the one that fails")
         simulation.sleep(FOREVER)
 
     with pytest.raises(LookupError, match="lost"):
-        simulation.run(main)
+        simulation.run(main, Program(), 0)
     assert simulation.failed == "the one that fails"
 
 
 def test_a_simulation_can_run_inside_of_another() -> None:
     outer, seen = Simulation(), []
 
-    def main(stack: object) -> None:
+    def main() -> None:
         outer.sleep(7)
         seen.append(simulated([[3], [1]]))
         seen.append(outer.now())
 
-    outer.run(main)
+    outer.run(main, Program(), 0)
     assert seen == [[(0, 0), (0, 1), (1, 1), (3, 0)], 7]

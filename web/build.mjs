@@ -35,13 +35,12 @@ for (const name of ["pyodide.mjs", "pyodide.asm.mjs", "pyodide.asm.wasm", "pytho
   cpSync(path.join(packages, "node_modules/pyodide", name), path.join(out, name))
 }
 
-// The stand-in, without what a page does not need, and the one package that it needs: path -> text.
-const left_out = /^(__main__|doctor|machine|magics|plots|recordings|ros1|sphinx_pages)\.py$/
+// The stand-in, without what only Sphinx and Jupyter need, and the one package that it needs: path -> text.
 const texts = {}
 for (const folder of [path.join(here, "../src/rosspin"), yaml]) {
   for (const file of readdirSync(folder, { recursive: true }).sort()) {
     const name = file.split(path.sep).join("/")
-    if (!name.endsWith(".py") || left_out.test(name)) continue
+    if (!name.endsWith(".py") || name.startsWith("site/")) continue
     texts[`${path.basename(folder)}/${name}`] = readFileSync(path.join(folder, file), "utf8")
   }
 }

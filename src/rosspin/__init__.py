@@ -4,14 +4,15 @@ from __future__ import annotations
 
 from typing import Any
 
-from .rospy.world import NotSimulated
-from .run import Run, Tick, TimeStandsStill, measure, simulate
+from .run import TimeStandsStill, measure, simulate
+from .ticks import Run, Tick
+from .world import NotSimulated
 
 __all__ = ["NotSimulated", "Run", "Tick", "TimeStandsStill", "measure", "simulate"]
 
 
 def load_ipython_extension(shell: Any) -> None:
     """``%load_ext rosspin``: the cell magics ``%%simulate`` and ``%%measure``."""
-    from .magics import Magics
+    from .site.magics import Magics
 
     shell.register_magics(Magics)

@@ -9,9 +9,13 @@ import sys
 from collections.abc import Sequence
 
 from . import ros1
+from .clocks.clock import Clock, WallClock
+from .clocks.simulation import Simulation
 from .doctor import report
 from .measures import by_source, describe_periods, describe_timeline
-from .run import Result, Run, load, run_simulated, run_wall, say_error, split_words
+from .process import load
+from .run import Result, run_node, say_error, split_words
+from .ticks import Run
 
 __all__ = ["main"]
 
@@ -77,10 +81,9 @@ def _run(options: argparse.Namespace, args: Sequence[str]) -> int:
         for number in (signal.SIGTERM, signal.SIGHUP):
             signal.signal(number, signal.default_int_handler)
         result = ros1.launch(options.file, options.seconds, args, sys.stdout)
-    elif options.simulated:
-        result = run_simulated(load(options.file), options.seconds, args, record)
     else:
-        result = run_wall(load(options.file), options.seconds, args, record)
+        clock: Clock = Simulation() if options.simulated else WallClock()
+        result = run_node(load(options.file), options.seconds, args, clock, record, process=True)
     if options.plot is not None:
         if not result.ticks:
             raise ValueError(f"{options.plot} is not written: the node did not tick")

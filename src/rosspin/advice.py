@@ -2,8 +2,8 @@
 
 from __future__ import annotations
 
+from .frames import node_frames
 from .rospy.exceptions import ROSInitException
-from .rospy.threads import own_frames
 
 __all__ = ["advice"]
 
@@ -12,7 +12,7 @@ def advice(error: BaseException) -> str:
     """A sentence on an error that a node has run into; "" if there is nothing to say."""
     if not _ends_in_rospy(error):
         return ""
-    if isinstance(error, ROSInitException) and "Have you called init_node()" in str(error):
+    if isinstance(error, ROSInitException) and "init_node()" in str(error):
         return 'Call rospy.init_node("a_name") before anything else of rospy.'
     if isinstance(error, ZeroDivisionError):
         return "There is no frequency of 0 Hz and no period of 0 s: give rospy.Rate and rospy.Timer more than 0."
@@ -30,4 +30,4 @@ def _ends_in_rospy(error: BaseException) -> bool:
     trace = error.__traceback__
     while trace and trace.tb_next:
         trace = trace.tb_next
-    return trace is not None and own_frames(trace) is None
+    return trace is not None and node_frames(trace) is None

@@ -9,7 +9,7 @@ from itertools import pairwise
 from statistics import median
 from typing import NamedTuple
 
-from .run import Tick
+from .ticks import Tick
 
 __all__ = ["Line", "read_lines", "read_ticks"]
 

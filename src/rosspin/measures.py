@@ -6,7 +6,7 @@ from collections.abc import Sequence
 from itertools import pairwise
 from statistics import median
 
-from .run import Tick
+from .ticks import Tick
 
 __all__ = [
     "by_source",

@@ -12,18 +12,19 @@ import shlex
 import sys
 from collections.abc import Sequence
 from contextlib import redirect_stderr, redirect_stdout
-from typing import Any
+from typing import Any, cast
 
 from js import performance
 from pyodide.ffi import run_sync
 
 from .advice import advice
-from .clock import NS
+from .clocks.clock import NS
+from .clocks.simulation import PacedSimulation, Simulation
 from .exercises import check
 from .measures import by_source, describe_timeline
-from .rospy.world import NotSimulated, World, world
-from .run import Node, TimeStandsStill, load_source, run_simulated, say_error, split_words
-from .simulation import PacedSimulation, Simulation
+from .process import load_source
+from .run import TimeStandsStill, run_node, say_error, split_words
+from .world import NotSimulated, World
 
 __all__ = ["run"]
 
@@ -65,7 +66,7 @@ def run(source: str, filename: str, seconds: float, args: Sequence[str], speed: 
 
 
 def _magic(source: str) -> tuple[str, Sequence[str], Sequence[str]]:
-    """The cell magic in the first line, its words, and those after ``--``; no magic: three times nothing."""
+    """The cell magic in the first line, its words, and those after ``--``; empty where there is none."""
     first = source.partition("\n")[0]
     if not first.startswith("%%"):
         return "", (), ()
@@ -89,39 +90,30 @@ def _check(words: Sequence[str], source: str) -> dict[str, Any]:
 
 
 def _run(source: str, filename: str, seconds: float, args: Sequence[str], speed: float, page: Any) -> dict[str, Any]:
-    there = _There(page, speed)
-    node = there.seen_by(load_source(_node(source), filename))
-    result = run_simulated(node, seconds, list(args), True, there.simulation)
-    for hint in dict.fromkeys(map(_hint, there.world.errors if there.world else ())):
+    pacer = _Pacer(page, speed)
+    result = run_node(load_source(_node(source), filename), seconds, list(args), pacer.simulation)
+    for hint in dict.fromkeys(map(_hint, result.world.errors)):
         if hint:
             print(hint, file=sys.stderr)
     groups = by_source(result.ticks)
     return {
         "status": result.status,
-        "errors": len(there.world.errors) if there.world else 0,
+        "errors": len(result.world.errors),
         "count": len(result.ticks),
         "ticks": [[*tick[:4], tick.duration if tick.duration >= 0 else 0] for tick in result.ticks[-_MOST_TICKS:]],
         "alternative": " ".join(describe_timeline(source, group) for source, group in groups.items()),
     }
 
 
-class _There:
-    """A run's side that the page sees: its clock, which keeps pace with the page's, and its ticks as they begin."""
+class _Pacer:
+    """Makes a simulation keep pace with the page's clock, and shows the page each tick as it begins."""
 
     def __init__(self, page: Any, speed: float) -> None:
-        self.world: World | None = None
         self.simulation: Simulation = PacedSimulation(self._wait) if speed else Simulation()
         self._page = page
         self._speed = speed
         self._start = performance.now()
         self._shown = 0
-
-    def seen_by(self, node: Node) -> Node:
-        def main() -> None:
-            self.world = world()
-            node.main()
-
-        return node._replace(main=main)
 
     def _wait(self, when: int) -> None:
         self._show_ticks()
@@ -130,8 +122,8 @@ class _There:
             run_sync(self._page.wait(ahead))
 
     def _show_ticks(self) -> None:
-        ticks = self.world.ticks if self.world else None
-        for source, number, expected, real, _ in (ticks or ())[self._shown :]:
+        ticks = cast(World, self.simulation.main.program).ticks or ()
+        for source, number, expected, real, _ in ticks[self._shown :]:
             self._page.tick(source, number, expected / NS, real / NS)
             self._shown += 1
 

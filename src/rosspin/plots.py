@@ -19,7 +19,7 @@ from matplotlib.figure import Figure as Canvas
 from matplotlib.ticker import MaxNLocator
 
 from .measures import by_source, describe_lateness, describe_periods, describe_timeline, lost, periods
-from .run import Tick
+from .ticks import Tick
 
 __all__ = ["Figure", "lateness", "period_histogram", "timeline"]
 

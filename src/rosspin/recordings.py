@@ -15,7 +15,7 @@ from typing import Any
 
 from .console import read_ticks
 from .machine import describe
-from .run import Run, Tick
+from .ticks import Run, Tick
 
 __all__ = ["COLUMNS", "Recording", "live_caption", "load"]
 

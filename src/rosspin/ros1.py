@@ -21,7 +21,7 @@ from pathlib import Path
 from typing import NamedTuple, TextIO
 
 from .console import read_ticks
-from .run import Run
+from .ticks import Run
 
 __all__ = ["APT", "BuildFailed", "Ros1Missing", "Workspace", "launch", "missing"]
 

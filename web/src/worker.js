@@ -7,7 +7,7 @@ import { loadPyodide } from "./pyodide.mjs"
 const INTERVAL = 50
 const MOST = 50_000
 
-// Python is interrupted so often (ms) while it does not give way: see src/rosspin/watchdog.py.
+// Python is interrupted so often (ms) while it does not give way: see src/rosspin/clocks/watchdog.py.
 const LOOK = 400
 
 /** What Python sees of the page. What it prints and when it ticks is gathered, so that a flood does not drown it. */

@@ -5,16 +5,17 @@ What it has behaves as in rospy 1.15.15; what it has not raises :class:`NotSimul
 
 from __future__ import annotations
 
+import sys
 from typing import NoReturn
 
-from . import client, core, exceptions, names, rostime, timer
+from ..world import NotSimulated
+from . import client, core, exceptions, genpy, names, rostime, timer
 from .client import *
 from .core import *
 from .exceptions import *
 from .names import *
 from .rostime import Duration, Time, get_rostime, get_time
 from .timer import Rate, Timer, sleep
-from .world import NotSimulated
 
 __all__ = [
     "Duration",
@@ -67,8 +68,19 @@ IN_PART = {
         (name for name in client.__all__ if "param" in name),
         "The node has parameters of its own: there is no server through which nodes share them.",
     ),
-    "Timer": "It is no ``threading.Thread``; of one it has ``is_alive``, ``join``, ``name`` and ``run``.",
     "init_node": "There is no network: ``disable_rosout`` and the ports change nothing.",
+}
+
+# What a node may import, by its name on a real ROS.
+MODULES = {
+    "rospy": sys.modules[__name__],
+    "genpy": genpy,
+    "rospy.client": client,
+    "rospy.core": core,
+    "rospy.exceptions": exceptions,
+    "rospy.names": names,
+    "rospy.rostime": rostime,
+    "rospy.timer": timer,
 }
 
 

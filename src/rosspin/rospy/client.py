@@ -12,7 +12,7 @@ from typing import Any
 from . import names, rosgraph
 from .core import add_client_shutdown_hook, handle_signal, signal_shutdown
 from .exceptions import ROSException, ROSInitException
-from .world import World, world
+from .state import State, handle_signals, state
 
 __all__ = [
     "DEBUG",
@@ -65,40 +65,40 @@ def init_node(
     there is no network. The same call again does nothing. Raises ValueError for an empty name or one with ``/``,
     ROSException for a second call with other arguments, ROSInitException for private parameters that are no YAML.
     """
-    here = world()
+    node = state()
     if argv is None:
-        argv = here.argv
+        argv = node.world.argv
     else:
-        here.mappings = rosgraph.load_mappings(argv)
+        node.mappings = rosgraph.load_mappings(argv)
     if not name:
         raise ValueError("name must not be empty")
     if rosgraph.SEP in name:
         raise ValueError("namespaces are not allowed in node names")
     arguments = (name, argv, anonymous, log_level, disable_rostime, disable_signals)
-    if here.init_args is not None:
-        if here.init_args != arguments:
-            raise ROSException(f"rospy.init_node() has already been called with different arguments: {here.init_args}")
+    if node.init_args is not None:
+        if node.init_args != arguments:
+            raise ROSException(f"rospy.init_node() has already been called with different arguments: {node.init_args}")
         return
-    here.init_args = arguments
+    node.init_args = arguments
     if not disable_signals:
-        here.handle_signals(handle_signal)
+        handle_signals(handle_signal)
 
-    if "__name" in here.mappings:
-        name, anonymous = here.mappings["__name"], False
+    if "__name" in node.mappings:
+        name, anonymous = node.mappings["__name"], False
     if anonymous:
-        name = f"{name}_{os.getpid()}_{here.clock.now() // 1_000_000}"
+        name = f"{name}_{os.getpid()}_{node.clock.now() // 1_000_000}"
     if not rosgraph.is_legal_base_name(name):
         warnings.warn(
             f"'{name}' is not a legal ROS base name. This may cause problems with other ROS tools.", stacklevel=2
         )
-    here.name = rosgraph.resolve_under(name, here.name)
-    here.namespace = rosgraph.namespace(here.name)
-    here.resolved_mappings = rosgraph.resolve_mappings(here.mappings, here.name)
+    node.name = rosgraph.resolve_under(name, node.name)
+    node.namespace = rosgraph.namespace(node.name)
+    node.resolved_mappings = rosgraph.resolve_mappings(node.mappings, node.name)
     for parameter, value in _private_parameters(argv).items():
         set_param(rosgraph.PRIV_NAME + parameter, value)
-    here.initialized = True
-    here.log_level = logging.INFO if log_level is None else _LEVELS[log_level]
-    here.time_initialized = True
+    node.initialized = True
+    node.log_level = logging.INFO if log_level is None else _LEVELS[log_level]
+    node.time_initialized = True
 
 
 def _private_parameters(argv: list[str]) -> dict[str, Any]:
@@ -107,7 +107,7 @@ def _private_parameters(argv: list[str]) -> dict[str, Any]:
         pairs = [(name[1:], text) for name, text in rosgraph.split_remappings(argv) if rosgraph.is_parameter(name)]
         if not pairs:
             return {}
-        import yaml  # only needed here, and many nodes do without
+        import yaml  # only needed node, and many nodes do without
 
         return {name: yaml.safe_load(text) for name, text in pairs}
     except Exception as error:
@@ -116,7 +116,7 @@ def _private_parameters(argv: list[str]) -> dict[str, Any]:
 
 def myargv(argv: list[str] | None = None) -> list[str]:
     """The command line without its remappings."""
-    return [arg for arg in (world().argv if argv is None else argv) if not rosgraph.is_legal_remap(arg)]
+    return [arg for arg in (state().world.argv if argv is None else argv) if not rosgraph.is_legal_remap(arg)]
 
 
 def on_shutdown(h: Callable[[], Any]) -> None:
@@ -129,12 +129,12 @@ def spin() -> None:
 
     Before ``init_node``: ROSInitException.
     """
-    here = world()
-    if not here.initialized:
+    node = state()
+    if not node.initialized:
         raise ROSInitException("client code must call rospy.init_node() first")
     try:
-        while not here.shutdown:
-            here.clock.sleep(500_000_000)
+        while not node.shutdown:
+            node.clock.sleep(500_000_000)
     except KeyboardInterrupt:
         signal_shutdown("keyboard interrupt")
 
@@ -147,9 +147,9 @@ def _path(name: str) -> list[str]:
     return [part for part in names.resolve_name(name).split(rosgraph.SEP) if part]
 
 
-def _find(here: World, path: list[str]) -> Any:
+def _find(node: State, path: list[str]) -> Any:
     """The value at a path; KeyError if there is none."""
-    value: Any = here.parameters
+    value: Any = node.parameters
     for part in path:
         if not isinstance(value, dict):
             raise KeyError(part)
@@ -160,7 +160,7 @@ def _find(here: World, path: list[str]) -> Any:
 def get_param(param_name: str, default: Any = _unspecified) -> Any:
     """The value of a parameter, a dict for a namespace. None there and no ``default``: KeyError."""
     try:
-        return deepcopy(_find(world(), _path(param_name)))
+        return deepcopy(_find(state(), _path(param_name)))
     except KeyError:
         if default is _unspecified:
             raise KeyError(param_name) from None
@@ -185,7 +185,7 @@ def set_param(param_name: str, param_value: Any) -> None:
 
     value: Any = loads(dumps((param_value,)))[0][0]
     path = _path(param_name)
-    tree = world().parameters
+    tree = state().parameters
     if not path:
         tree.clear()
         tree.update(value)
@@ -206,7 +206,7 @@ def delete_param(param_name: str) -> None:
     """Remove a parameter or namespace. None there: KeyError."""
     path = _path(param_name)
     try:
-        del _find(world(), path[:-1])[path[-1]]
+        del _find(state(), path[:-1])[path[-1]]
     except (KeyError, TypeError):
         raise KeyError(param_name) from None
 
@@ -216,13 +216,13 @@ def search_param(param_name: str) -> str | None:
 
     A private name: ROSException.
     """
-    here = world()
-    name = here.mappings.get(param_name, param_name)
+    node = state()
+    name = node.mappings.get(param_name, param_name)
     if rosgraph.is_private(name):
         raise ROSException("cannot search for parameter: Internal failure: invalid key")
     if not name or rosgraph.is_global(name):
         return name if name and has_param(name) else None
-    namespace = here.name + rosgraph.SEP
+    namespace = node.name + rosgraph.SEP
     while True:
         first = name.split(rosgraph.SEP)[0]
         if has_param(namespace + first):
@@ -240,4 +240,4 @@ def get_param_names() -> list[str]:
             return [prefix]
         return [leaf for key, item in value.items() for leaf in leaves(f"{prefix}/{key}", item)]
 
-    return leaves("", world().parameters)
+    return leaves("", state().parameters)

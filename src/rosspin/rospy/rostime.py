@@ -2,9 +2,9 @@
 
 from __future__ import annotations
 
-from ..clock import nanoseconds
+from ..clocks.clock import nanoseconds
 from . import genpy
-from .world import world
+from .state import state
 
 __all__ = ["Duration", "Time", "get_rostime", "get_time", "is_wallclock", "switch_to_wallclock", "wallsleep"]
 
@@ -45,7 +45,7 @@ class Time(genpy.Time):
 
 def get_rostime() -> Time:
     """The current time. Before ``init_node``: ROSInitException."""
-    return Time._of(world().now())
+    return Time._of(state().now())
 
 
 def get_time() -> float:
@@ -55,37 +55,33 @@ def get_time() -> float:
 
 def is_wallclock() -> bool:
     """Whether the node runs on its own clock; if not, on a ROS time that it is told, as from /clock."""
-    return world().ros_time is None
+    return state().ros_time is None
 
 
 def is_rostime_initialized() -> bool:
     """Whether the time can be asked for."""
-    return world().time_initialized
+    return state().time_initialized
 
 
 def set_rostime_initialized(val: bool) -> None:
     """Say whether the time can be asked for."""
-    world().time_initialized = val
+    state().time_initialized = val
 
 
 def _set_rostime(t: Time) -> None:
     """Set ROS time, as each message on /clock does; sleeping calls wake up to look at it."""
     if not isinstance(t, genpy.Time):
         raise ValueError(f"must be Time instance: {t.__class__}")
-    here = world()
-    here.ros_time = t.to_nsec()
-    here.ros_time_changed.notify_all()
+    state().set_ros_time(t.to_nsec())
 
 
 def switch_to_wallclock() -> None:
     """Go back from ROS time to the node's own clock."""
-    here = world()
-    here.ros_time = None
-    here.ros_time_changed.notify_all()
+    state().set_ros_time(None)
 
 
 def wallsleep(duration: float) -> None:
     """Sleep on the node's own clock, for ``duration`` seconds (negative: ValueError)."""
     if duration < 0:
         raise ValueError("sleep length must be non-negative")
-    world().clock.sleep(nanoseconds(duration))
+    state().clock.sleep(nanoseconds(duration))

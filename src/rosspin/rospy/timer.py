@@ -2,15 +2,18 @@
 
 from __future__ import annotations
 
+import sys
+import threading
+import traceback
 from collections.abc import Callable
 from typing import Any
 
-from ..clock import nanoseconds
+from ..clocks.clock import nanoseconds
+from ..frames import node_frame
 from . import genpy
 from .exceptions import ROSInterruptException, ROSTimeMovedBackwardsException
 from .rostime import Duration, Time
-from .threads import start_thread
-from .world import World, world
+from .state import State, state
 
 __all__ = ["Rate", "Timer", "TimerEvent", "sleep"]
 
@@ -23,7 +26,7 @@ class Rate:
     """
 
     def __init__(self, hz: float, reset: bool = False) -> None:
-        self._last = world().now()
+        self._last = state().now()
         self._period = int(1e9 / hz)
         self._reset = reset
         self._source = ""
@@ -42,7 +45,7 @@ class Rate:
 
     def remaining(self) -> genpy.Duration:
         """How long ``sleep`` would sleep now; negative after an overrun."""
-        return Duration._of(self._remaining(world().now()))
+        return Duration._of(self._remaining(state().now()))
 
     def _remaining(self, now: int) -> int:
         if self._last > now:  # the clock went back
@@ -56,32 +59,33 @@ class Rate:
         from its end, and those missed are lost. Raises ROSTimeMovedBackwardsException and ROSInterruptException as
         :func:`sleep` does.
         """
-        here = world()
-        self._record_pass(here)
-        self.wait(here)
-        self._pass_start = here.now()
+        node = state()
+        self._record_pass(node)
+        self.wait(node)
+        self._pass_start = node.now()
 
-    def wait(self, here: World) -> None:
+    def wait(self, node: State) -> None:
         """What ``sleep`` does, for a loop whose passes are not ticks of their own."""
-        now = here.now()
+        now = node.now()
         try:
-            _sleep(here, self._remaining(now))
+            _sleep(node, self._remaining(now))
         except ROSTimeMovedBackwardsException:
             if not self._reset:
                 raise
-            self._last = here.now()
+            self._last = node.now()
             return
         self._last += self._period
         if now - self._last > 2 * self._period:
             self._last = now
 
-    def _record_pass(self, here: World) -> None:
-        if here.ticks is not None:
-            self._source = self._source or here.source("Rate")
+    def _record_pass(self, node: State) -> None:
+        ticks = node.world.ticks
+        if ticks is not None:
+            self._source = self._source or node.world.source("Rate")
             expected = self._start + self._passes * self._period
             self._passes += 1
-            duration = here.now() - self._pass_start
-            here.ticks.append([self._source, self._passes, expected, self._pass_start, duration])
+            duration = node.now() - self._pass_start
+            ticks.append([self._source, self._passes, expected, self._pass_start, duration])
 
 
 def sleep(duration: float | genpy.Duration) -> None:
@@ -91,23 +95,23 @@ def sleep(duration: float | genpy.Duration) -> None:
     ROSInterruptException at shutdown and ROSTimeMovedBackwardsException when the time goes back.
     """
     if isinstance(duration, genpy.Duration):
-        _sleep(world(), duration.to_nsec())
+        _sleep(state(), duration.to_nsec())
     else:
-        _sleep(world(), -1 if duration < 0 else nanoseconds(duration))
+        _sleep(state(), -1 if duration < 0 else nanoseconds(duration))
 
 
-def _sleep(here: World, ns: int) -> None:
-    if here.ros_time is None:
-        here.clock.sleep(ns)
+def _sleep(node: State, ns: int) -> None:
+    if node.ros_time is None:
+        node.clock.sleep(ns)
         return
-    while here.ros_time == 0 and not here.shutdown:  # no time has been told yet
-        here.ros_time_changed.wait(300_000_000)
-    began = here.now()
-    while began <= here.now() < began + ns and not here.shutdown:
-        here.ros_time_changed.wait(500_000_000)
-    if (now := here.now()) < began:
+    while node.ros_time == 0 and not node.shutdown:  # no time has been told yet
+        node.wait_for_ros_time(0.3)
+    began = node.now()
+    while began <= node.now() < began + ns and not node.shutdown:
+        node.wait_for_ros_time(0.5)
+    if (now := node.now()) < began:
         raise ROSTimeMovedBackwardsException((began - now) / 1e9)
-    if here.shutdown:
+    if node.shutdown:
         raise ROSInterruptException("ROS shutdown request")
 
 
@@ -134,37 +138,32 @@ class TimerEvent:
         self.last_duration = last_duration
 
 
-class Timer:
+class Timer(threading.Thread):
     """Calls ``callback(TimerEvent)`` every ``period``, first after one period, in a thread of its own.
 
-    The thread starts at once and needs no reference to be kept. It paces itself by a Rate, so that what is said there
-    of overruns holds here; ``current_expected`` is never adjusted to an overrun. With ``oneshot`` there is one call. An
-    exception in the callback is printed and ends this timer alone; so do a period of 0 (ZeroDivisionError) and one that
-    is no Duration (AttributeError).
+    The thread is a daemon, starts at once and needs no reference to be kept. It paces itself by a Rate, so that what is
+    said there of overruns holds here; ``current_expected`` is never adjusted to an overrun. With ``oneshot`` there is
+    one call. An exception in the callback is printed and ends this timer alone; so do a period of 0 (ZeroDivisionError)
+    and one that is no Duration (AttributeError).
     """
 
     def __init__(
         self, period: genpy.Duration, callback: Callable[[TimerEvent], Any], oneshot: bool = False, reset: bool = False
     ) -> None:
+        super().__init__(daemon=True)
         self._period = period
         self._callback = callback
         self._oneshot = oneshot
         self._reset = reset
         self._shutdown = False
-        self._thread = start_thread(self.run)
-
-    @property
-    def name(self) -> str:
-        """The name of the timer's thread."""
-        return self._thread.name
-
-    def is_alive(self) -> bool:
-        """Whether the timer's thread has not ended."""
-        return self._thread.alive
-
-    def join(self, timeout: float | None = None) -> None:
-        """Wait until the timer's thread has ended, at most ``timeout`` seconds."""
-        self._thread.join(timeout)
+        caller = node_frame(sys._getframe())
+        self.made = traceback.FrameSummary(
+            caller.f_code.co_filename,
+            caller.f_lineno,
+            f"{caller.f_code.co_name}, which made this timer",
+            lookup_line=False,
+        )
+        self.start()
 
     def shutdown(self) -> None:
         """Stop calling back; a timer that sleeps sees it when it wakes up."""
@@ -172,27 +171,27 @@ class Timer:
 
     def run(self) -> None:
         """What the timer's thread does."""
-        here = world()
-        clock = here.clock
+        node = state()
+        clock = node.clock
         rate = Rate(1.0 / self._period.to_sec(), self._reset)
         period = self._period.to_nsec()
-        expected = here.now() + period
+        expected = node.now() + period
         last_expected: Time | None = None
         last_real: Time | None = None
         last_duration: float | None = None
-        ticks = here.ticks
-        source = here.source(getattr(self._callback, "__name__", type(self._callback).__name__))
+        ticks = node.world.ticks
+        source = node.world.source(getattr(self._callback, "__name__", type(self._callback).__name__))
         number = 0
-        while not here.shutdown and not self._shutdown:
+        while not node.shutdown and not self._shutdown:
             try:
-                rate.wait(here)
+                rate.wait(node)
             except ROSInterruptException:
-                if here.shutdown:
+                if node.shutdown:
                     break
                 raise
-            if self._shutdown or here.over:
+            if self._shutdown or node.world.interrupted:
                 break
-            real = here.now()
+            real = node.now()
             began = clock.now()
             current_expected, current_real = Time._of(expected), Time._of(real)
             number += 1

@@ -21,9 +21,9 @@ from sphinx.errors import ExtensionError
 from sphinx.util.docutils import SphinxDirective, SphinxRole
 from sphinx.util.typing import ExtensionMetadata
 
-from . import machine, rospy
-from .plots import timeline
-from .run import simulate
+from .. import machine, rospy
+from ..plots import timeline
+from ..run import simulate
 
 __all__ = ["setup"]
 

@@ -7,24 +7,27 @@ Integration). Each stack is a task of its own; all but one of them wait for a pr
 from __future__ import annotations
 
 import asyncio
-import contextvars
+import sys
 from collections.abc import Callable
+from contextvars import Context
+from types import FrameType
 from typing import Any
 
 from js import Promise
 from pyodide.ffi import run_sync
 
-__all__ = ["Stack", "current"]
+__all__ = ["Switched", "current"]
 
 
-class Stack:
-    """As :class:`rosspin.stacks.Stack`."""
+class Switched:
+    """As :class:`rosspin.clocks.stacks.Switched`."""
 
-    def __init__(self, function: Callable[[], Any], home: Stack | None) -> None:
+    def __init__(self, function: Callable[[], Any], home: Switched | None) -> None:
         self.dead = False
         self._function = function
         self._home = home
-        self._context = contextvars.copy_context()
+        self.frame: FrameType | None = None
+        self._context = Context()
         self._started = False
         self._resume: Callable[[], None] | None = None
         self._error: BaseException | None = None
@@ -69,14 +72,15 @@ class Stack:
 
 
 # What runs before any stack was made: the code that the page calls.
-_running = Stack(lambda: None, None)
+_running = Switched(lambda: None, None)
 _running._started = True
 
 
-def _switch(stack: Stack, error: BaseException | None) -> None:
+def _switch(stack: Switched, error: BaseException | None) -> None:
     if stack.dead:
         raise RuntimeError("this stack has ended")
     me = _running
+    me.frame = sys._getframe(1)
     turn = Promise.withResolvers()
     me._resume = turn.resolve
     stack._go_on(error)
@@ -85,6 +89,6 @@ def _switch(stack: Stack, error: BaseException | None) -> None:
     me._raise()
 
 
-def current() -> Stack:
+def current() -> Switched:
     """The stack that is running."""
     return _running

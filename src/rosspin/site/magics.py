@@ -5,15 +5,18 @@ from __future__ import annotations
 import argparse
 import shlex
 import sys
-from collections.abc import Callable, Sequence
 from typing import Any, NoReturn
 
 from IPython.core.error import UsageError
 from IPython.core.magic import Magics as BaseMagics
 from IPython.core.magic import cell_magic, magics_class
 
-from .exercises import Feedback, check
-from .run import Node, Result, Run, capture, load_source, run_simulated, run_wall, split_words
+from ..clocks.clock import Clock, WallClock
+from ..clocks.simulation import Simulation
+from ..exercises import Feedback, check
+from ..process import capture, load_source
+from ..run import run_node, split_words
+from ..ticks import Run
 
 __all__ = ["Magics"]
 
@@ -43,20 +46,12 @@ class Magics(BaseMagics):
     @cell_magic
     def simulate(self, line: str, cell: str) -> None:
         """``%%simulate SECONDS [--name NAME] [--quiet] [-- NODE ARGS]``: run the cell in simulated time."""
-
-        def run(node: Node, seconds: float, args: Sequence[str]) -> Result:
-            return run_simulated(node, seconds, args, record=True)
-
-        self._run("simulate", "simulated", run, line, cell)
+        self._run("simulate", "simulated", Simulation(), line, cell)
 
     @cell_magic
     def measure(self, line: str, cell: str) -> None:
         """``%%measure SECONDS [--name NAME] [--quiet] [-- NODE ARGS]``: run the cell on the wall clock."""
-
-        def run(node: Node, seconds: float, args: Sequence[str]) -> Result:
-            return run_wall(node, seconds, args, record=True)
-
-        self._run("measure", "wall", run, line, cell)
+        self._run("measure", "wall", WallClock(), line, cell)
 
     @cell_magic
     def answer(self, line: str, cell: str) -> Feedback:
@@ -68,16 +63,14 @@ class Magics(BaseMagics):
         print(feedback.shown_console(), end="")
         return feedback
 
-    def _run(
-        self, magic: str, runtime: str, run: Callable[[Node, float, Sequence[str]], Result], line: str, cell: str
-    ) -> None:
+    def _run(self, magic: str, runtime: str, clock: Clock, line: str, cell: str) -> None:
         own, args = split_words(shlex.split(line))
         options = _parser(magic).parse_args(own)
         shell: Any = self.shell
         filename = f"<cell {shell.execution_count}>"
         streams = () if options.quiet else (sys.stdout, sys.stderr)
         with capture(*streams) as console:
-            result = run(load_source(_below_its_magic(cell), filename), options.seconds, args)
+            result = run_node(load_source(_below_its_magic(cell), filename), options.seconds, args, clock)
         shell.user_ns[options.name] = Run(
             console.text(), result.ticks, result.status, runtime, options.seconds, result.start
         )

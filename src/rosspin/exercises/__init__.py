@@ -17,11 +17,13 @@ from dataclasses import dataclass, field
 from itertools import islice
 from typing import Any, NamedTuple
 
-from .advice import advice
-from .clock import NS
-from .console import read_lines, read_ticks
-from .rospy.world import NotSimulated, World, world
-from .run import Node, Run, Tick, TimeStandsStill, capture, load_source, run_simulated, simulate
+from ..advice import advice
+from ..clocks.simulation import Simulation
+from ..console import read_lines, read_ticks
+from ..process import Node, capture, load_source
+from ..run import TimeStandsStill, run_node, simulate
+from ..ticks import Run, Tick
+from ..world import NotSimulated
 
 __all__ = ["Feedback", "Finding", "check"]
 
@@ -158,17 +160,9 @@ class _Answer:
 
     def _run(self, node: Node, seconds: float, args: Sequence[str]) -> Run:
         started = f"Started with `{' '.join(args)}`, the" if args else "The"
-        here: World | None = None
-
-        def main() -> None:
-            nonlocal here
-            here = world()
-            node.main()
-            self.ended_early |= here.clock.now() < seconds * NS and not here.ticks
-
         try:
             with capture() as console, _plain_environment():
-                result = run_simulated(node._replace(main=main), seconds, args, record=True)
+                result = run_node(node, seconds, args, Simulation())
         except (TimeStandsStill, NotSimulated, RuntimeError) as error:
             raise _Fails(f"{started} node cannot be run: `{_plain(str(error))}`", _hint_for(error)) from None
         finally:
@@ -176,7 +170,8 @@ class _Answer:
                 self.console, self._ran = console.text(), True
         run = Run(console.text(), result.ticks, result.status, "simulated", seconds)
         if failure := _failure(run):
-            raise _Fails(f"{started} {failure}", _hint_for_errors(here.errors if here else ()))
+            raise _Fails(f"{started} {failure}", _hint_for_errors(result.world.errors))
+        self.ended_early |= not result.world.interrupted and not result.ticks
         return run
 
 

@@ -1,0 +1,1 @@
+"""What time is: the clock on the wall, simulated time, and what of Python runs on either."""

@@ -1,0 +1,61 @@
+"""What a clock is, and the one on the wall.
+
+Times are integer nanoseconds, as in ROS: since the epoch on the wall, since the start of the run when simulated.
+"""
+
+from __future__ import annotations
+
+import time
+from typing import Protocol
+
+__all__ = ["NS", "Clock", "WallClock", "nanoseconds"]
+
+NS = 1_000_000_000
+
+
+def nanoseconds(seconds: float) -> int:
+    """A length of time in integer nanoseconds.
+
+    Raises, with the words of ``time.sleep``: ValueError for NaN, OverflowError for what no clock can hold, TypeError
+    for what is not a number.
+    """
+    if isinstance(seconds, int):
+        ns = seconds * NS
+    else:
+        if seconds != seconds:
+            raise ValueError("Invalid value NaN (not a number)")
+        if not isinstance(seconds, float):
+            seconds = _number(seconds)
+        ns = round(seconds * NS) if abs(seconds) < 2**63 else 2**63
+    if not -(2**63) <= ns < 2**63:
+        raise OverflowError("timestamp out of range for platform time_t")
+    return ns
+
+
+def _number(value: object) -> float:
+    if hasattr(value, "__float__") or hasattr(value, "__index__"):
+        return float(value)  # type: ignore[arg-type]
+    raise TypeError(f"'{type(value).__name__}' object cannot be interpreted as an integer")
+
+
+class Clock(Protocol):
+    """What a stand-in needs of time. All else of it is Python's: threads, locks and conditions run on either clock."""
+
+    def now(self) -> int:
+        """The time, in ns."""
+
+    def sleep(self, ns: int) -> None:
+        """Suspend the caller for ``ns`` nanoseconds; others run meanwhile. 0 or less only lets others run."""
+
+
+class WallClock:
+    """Real time."""
+
+    def now(self) -> int:
+        """The time since the epoch, in ns."""
+        return time.time_ns()
+
+    def sleep(self, ns: int) -> None:
+        """Suspend the calling thread for ``ns`` nanoseconds."""
+        if ns > 0:
+            time.sleep(ns / NS)

@@ -1,0 +1,72 @@
+"""End code that does not want to end: that catches every exception and goes on."""
+
+from __future__ import annotations
+
+import ctypes
+import sys
+from _thread import get_ident
+from collections.abc import Iterator
+from contextlib import contextmanager
+from types import FrameType
+from typing import Any
+
+__all__ = ["Ended", "end_thread", "ending_here"]
+
+# Modules whose frames are left to come to their own end: they put in order what others rely on.
+_SPARED = (__name__.partition(".")[0], "threading", "concurrent", "contextlib")
+
+# Threads in which code is being ended.
+_ending: set[int] = set()
+
+
+class Ended(BaseException):
+    """Raised in code that is to end now. If it is caught there, it is raised again on the next line.
+
+    For that the thread is traced from the moment in which the exception is made. A trace function that raises is
+    dropped by Python, so a caught exception sets it once more when it goes.
+    """
+
+    def __init__(self) -> None:
+        super().__init__()
+        _ending.add(get_ident())
+        _trace()
+
+    def __del__(self) -> None:
+        if get_ident() in _ending:
+            _trace()
+
+
+def _trace() -> None:
+    sys.settrace(_raise)
+    frame: FrameType | None = sys._getframe(2)
+    while frame:
+        if not _is_spared(frame):
+            frame.f_trace = _raise
+        frame = frame.f_back
+
+
+def _raise(frame: FrameType, event: str, arg: Any) -> Any:
+    if event in ("call", "line") and not _is_spared(frame) and get_ident() in _ending:
+        raise Ended
+    return _raise
+
+
+def _is_spared(frame: FrameType) -> bool:
+    return str(frame.f_globals.get("__name__", "")).partition(".")[0] in _SPARED
+
+
+@contextmanager
+def ending_here() -> Iterator[None]:
+    """Where this context ends, an :class:`Ended` that leaves it has done its work: its thread goes on as before."""
+    trace = sys.gettrace()
+    try:
+        yield
+    finally:
+        if get_ident() in _ending:
+            _ending.discard(get_ident())
+            sys.settrace(trace)
+
+
+def end_thread(ident: int) -> None:
+    """Raise :class:`Ended` in another thread, as soon as it is not in a call that blocks."""
+    ctypes.pythonapi.PyThreadState_SetAsyncExc(ctypes.c_ulong(ident), ctypes.py_object(Ended))

@@ -1,0 +1,196 @@
+"""Run a program under a clock: it is sent Ctrl-C in the end, and is killed if it does not heed it."""
+
+from __future__ import annotations
+
+import os
+import select
+import signal
+import sys
+import threading
+import time
+from _thread import get_ident
+from collections.abc import Callable, Iterator
+from contextlib import contextmanager
+from typing import Any
+
+from ..frames import Place, places
+from .clock import NS
+from .ending import Ended, end_thread, ending_here
+from .signals import Died, send, simulated_signals
+from .simulation import Simulation
+from .stacks import Program, Stack, current, enter
+from .threads import followed_threads, simulated_threads
+from .virtual_time import virtual_time
+from .watchdog import watch
+
+__all__ = ["Died", "Killed", "end_program", "run_on_the_wall", "run_simulated"]
+
+# A run that does not get on by so much (ns) in seconds of real time will not end.
+_LEAST_STEP = 1_000_000
+
+# Ends what blocks in the main thread. Programs leave it alone.
+_END: int = getattr(signal, "SIGRTMAX", 0) or getattr(signal, "SIGUSR2", signal.SIGINT)
+
+# After a program was killed, calls that heed no signal are given so long (s).
+_DEAF = 1.0
+
+
+def end_program() -> None:
+    """End the program that the caller belongs to, at once: what runs it is left by :class:`Ended`."""
+    if isinstance(current(), Stack):
+        raise Ended
+    signal.pthread_kill(threading.main_thread().ident or 0, _END)
+
+
+class Killed(Exception):
+    """A program did not end at Ctrl-C. ``waited`` says where its threads were: name, and frames innermost first."""
+
+    def __init__(self, waited: list[tuple[str, list[Place]]]) -> None:
+        super().__init__()
+        self.waited = waited
+
+
+def run_simulated(
+    main: Callable[[], object], program: Program, simulation: Simulation, until: int, patience: int
+) -> None:
+    """Run ``main`` as a program on a simulated clock. Ctrl-C comes at ``until``, and ``patience`` later Killed (ns).
+
+    Also raises :class:`Died`, and what :class:`Simulation` and :class:`Watchdog` raise.
+    """
+
+    def kill() -> None:
+        raise Killed([(_name(stack.ident), places(stack.frame)) for stack in simulation.suspended() if stack.ident])
+
+    def press_ctrl_c() -> None:
+        program.interrupted = True
+        send(simulation.main, signal.SIGINT)
+
+    simulation.at(until, press_ctrl_c)
+    simulation.at(until + patience, kill)
+    ident = threading.main_thread().ident or 0
+    with watch(lambda: simulation.now() // _LEAST_STEP):
+        with simulated_threads(), virtual_time(), simulated_signals():
+            simulation.run(main, program, ident)
+
+
+def _name(ident: int) -> str:
+    thread = threading._active.get(ident)  # type: ignore[attr-defined]
+    return thread.name if thread else f"thread {ident}"
+
+
+def run_on_the_wall(
+    main: Callable[[], object], program: Program, until: int | None, patience: int, give_up: Callable[[Killed], None]
+) -> None:
+    """Run ``main`` as a program on the wall clock, in the main thread (else RuntimeError); otherwise as run_simulated.
+
+    Ctrl-C comes ``until`` ns after the start, if that is not None, or from whoever runs this process. If even then the
+    main thread stays in a call that heeds no signal, ``give_up`` is called, in another thread.
+    """
+    if threading.current_thread() is not threading.main_thread():
+        raise RuntimeError("a node runs on the wall clock in the main thread only: it handles signals there")
+    alarm = _Alarm(program, None if until is None else until / NS, patience / NS, give_up)
+    with _own_signals(), alarm, followed_threads():
+        before = enter(program)
+        try:
+            with ending_here():
+                main()
+        except Ended:
+            if alarm.waited:
+                raise Killed(alarm.waited) from None
+            raise
+        finally:
+            enter(before)
+            for ident in list(program.idents):
+                end_thread(ident)
+
+
+@contextmanager
+def _own_signals() -> Iterator[None]:
+    """Within this context SIGINT and SIGTERM do what they do in a fresh Python; then their handlers are as before."""
+    before = {number: signal.getsignal(number) for number in (signal.SIGINT, signal.SIGTERM, _END)}
+    over = False
+
+    def on_signal(number: int, frame: Any) -> None:
+        if not over:
+            raise KeyboardInterrupt
+
+    signal.signal(signal.SIGINT, on_signal)
+    signal.signal(_END, _end)
+    try:
+        yield
+    finally:
+        over = True
+        for number, handler in before.items():
+            signal.signal(number, handler)
+
+
+def _end(number: int, frame: Any) -> None:
+    raise Ended
+
+
+class _Alarm:
+    """Presses Ctrl-C when it is time, and kills a program that has not ended ``patience`` seconds after a Ctrl-C.
+
+    It learns of any Ctrl-C through a pipe, into which Python writes each signal that it receives, whatever handles it.
+    """
+
+    def __init__(
+        self, program: Program, until: float | None, patience: float, give_up: Callable[[Killed], None]
+    ) -> None:
+        self.waited: list[tuple[str, list[Place]]] = []
+        self._program = program
+        self._until = until
+        self._patience = patience
+        self._give_up = give_up
+        self._ident = get_ident()
+        self._thread = threading.Thread(target=self._run, daemon=True)
+
+    def __enter__(self) -> None:
+        self._read, self._write = os.pipe()
+        os.set_blocking(self._write, False)
+        self._before = signal.set_wakeup_fd(self._write, warn_on_full_buffer=False)
+        self._thread.start()
+
+    def __exit__(self, *error: object) -> None:
+        signal.set_wakeup_fd(self._before)
+        os.write(self._write, b"\0")
+        self._thread.join()
+        os.close(self._read)
+        os.close(self._write)
+
+    def _run(self) -> None:
+        interrupted = self._wait_for_ctrl_c(self._until)
+        if interrupted is None:
+            return
+        self._program.interrupted = True
+        if not interrupted:
+            signal.pthread_kill(self._ident, signal.SIGINT)
+        if self._is_over(self._patience):
+            return
+        frames = sys._current_frames()
+        idents = [self._ident, *self._program.idents]
+        self.waited = [(_name(ident), places(frames.get(ident))) for ident in idents]
+        deadline = time.monotonic() + _DEAF
+        while not self._is_over(0.1):
+            signal.pthread_kill(self._ident, _END)
+            if time.monotonic() > deadline:
+                self._give_up(Killed(self.waited))
+
+    def _wait_for_ctrl_c(self, timeout: float | None) -> bool | None:
+        """Whether somebody pressed Ctrl-C within so many seconds; None if the program has ended."""
+        deadline = None if timeout is None else time.monotonic() + timeout
+        while select.select([self._read], [], [], None if deadline is None else max(deadline - time.monotonic(), 0))[0]:
+            received = os.read(self._read, 4096)
+            if b"\0" in received:
+                return None
+            if signal.SIGINT in received:
+                return True
+        return False
+
+    def _is_over(self, timeout: float) -> bool:
+        """Whether the program ends within so many seconds."""
+        deadline = time.monotonic() + timeout
+        while select.select([self._read], [], [], max(deadline - time.monotonic(), 0))[0]:
+            if b"\0" in os.read(self._read, 4096):
+                return True
+        return False

@@ -1,0 +1,279 @@
+"""Simulated time: a heap of wake-ups over suspended stacks. Time jumps to the next one, or is paced.
+
+Nothing runs in parallel and nothing waits: a stack runs until it sleeps or waits for another, then the stack that is
+due next goes on, and the time is what that stack was waiting for. Of several due at the same time, the one that began
+to wait first goes first, so that the same run gives the same result every time.
+"""
+
+from __future__ import annotations
+
+import contextlib
+import io
+import sys
+from collections.abc import Callable
+from heapq import heapify, heappop, heappush, heappushpop
+from itertools import count
+from typing import cast
+
+from ..frames import Place, places
+from .clock import NS
+from .ending import ending_here
+from .stacks import Program, Stack, StackExit, Switched, current
+
+__all__ = ["PacedSimulation", "Simulation", "Standstill"]
+
+# So many wake-ups in a row without the time moving are a loop that never sleeps: ten thousand threads that begin, meet
+# and end at one time take a tenth of it.
+STANDSTILL = 1_000_000
+
+# Added to its order, this makes a wake-up the last at its time.
+_LAST = 1 << 62
+
+# The first thread's ident; the operating system gives none like it.
+_FIRST_IDENT = 1 << 32
+
+# Stacks that could not be ended. Kept, because dropping the last reference would throw into them once more.
+_abandoned: list[Stack] = []
+
+
+class Standstill(Exception):
+    """The time does not move on. ``places`` is what was running, innermost first, ``place`` what had started it."""
+
+    def __init__(self, places: list[Place], place: str) -> None:
+        super().__init__()
+        self.places = places
+        self.place = place
+
+
+class Simulation:
+    """A clock on which sleeping takes no time. ``now`` and ``sleep`` are those of :class:`rosspin.clocks.clock.Clock`.
+
+    All but ``now`` and ``at`` are for the stacks of the simulation, which ``run`` and ``start`` make.
+    """
+
+    def __init__(self) -> None:
+        self._now = 0
+        self._heap: list[tuple[int, int, Stack]] = []
+        self._order = 0  # of the newest wake-up: the smaller goes first
+        self._cancelled: set[int] = set()  # wake-ups in the heap that are not to happen
+        self._last_move = 0
+        self._home: Switched = current()
+        self._stacks: dict[Stack, None] = {}  # those that have not ended, in the order of their beginning
+        self._idents = count(_FIRST_IDENT)
+        self._closed = False
+        self.main: Stack
+        self.failed = ""  # the place of the stack that an exception ended
+
+    def now(self) -> int:
+        """The time, in ns."""
+        return self._now
+
+    def seconds(self) -> float:
+        """The time, in s."""
+        return self._now / NS
+
+    def sleep(self, ns: int) -> None:
+        """Suspend the caller for ``ns`` nanoseconds; others run meanwhile. 0 or less only lets others run."""
+        me = current()
+        if self._closed:
+            self._home.switch()
+        now = self._now
+        wake = now + ns if ns > 0 else now
+        self._order = order = self._order + 1
+        if self._cancelled:
+            self._drop_cancelled()
+        due = heappushpop(self._heap, (wake, order, cast(Stack, me)))
+        when, _, stack = due
+        if when > now:
+            self._now = when
+            self._last_move = order
+        elif order - self._last_move > STANDSTILL:
+            self._stand_still(me)
+        if stack is not me:
+            if not stack:
+                # A stack begins as deep in calls as what starts it. Only run() is never deeper than before.
+                heappush(self._heap, due)
+                self._home.switch()
+            else:
+                stack.switch()
+        if me.interrupt:  # type: ignore[attr-defined]
+            self._handle_interrupt(me)  # type: ignore[arg-type]
+            # As after a signal (PEP 475), the rest of the sleep is still to come.
+            if self._now < wake:
+                self.sleep(wake - self._now)
+
+    def wait(self, ns: int | None = None) -> bool:
+        """Suspend the caller until another one wakes it, at most for ``ns`` nanoseconds; whether it was woken."""
+        me = current()
+        assert isinstance(me, Stack)
+        until = None if ns is None else self._now + ns
+        me.waits = True
+        while True:
+            if self._closed:
+                self._home.switch()
+            if until is not None:
+                me.ticket = self._schedule(until, me)
+            try:
+                self._go_on(me)
+                me.ticket = 0
+                if me.interrupt:
+                    self._handle_interrupt(me)
+                    if me.waits and (until is None or self._now < until):
+                        continue
+            except BaseException:
+                me.waits = False
+                raise
+            woken, me.waits = not me.waits, False
+            return woken
+
+    def wake(self, stack: Stack) -> None:
+        """Let a stack go on that waits."""
+        if stack.waits:
+            stack.waits = False
+            if not stack.interrupt:
+                self._resume(stack)
+
+    def start(self, function: Callable[[], object], program: Program, place: str) -> Stack:
+        """Run ``function`` on a stack of its own, beginning when the caller gives way."""
+        stack = self._stack(function, program, next(self._idents), place)
+        self._schedule(self._now, stack)
+        return stack
+
+    def at(self, when: int, function: Callable[[], object]) -> None:
+        """Call ``function`` at the time ``when`` (ns), after everything that falls due then."""
+        self._order += 1
+        stack = self._stack(function, Program(), 0, "")
+        heappush(self._heap, (when, _LAST + self._order, stack))
+
+    def interrupt(self, stack: Stack, handler: Callable[[], None]) -> None:
+        """Call ``handler`` on a suspended stack, as a signal handler: its sleep, or its wait, goes on afterwards."""
+        if not stack.interrupt:
+            if not stack.waits:
+                stack.ticket = next((order for _, order, each in self._heap if each is stack), 0)
+            self._resume(stack)
+        stack.interrupt = handler
+
+    def run(self, main: Callable[[], object], program: Program, ident: int) -> None:
+        """Run ``main`` on a stack, ``main``, and all that it starts, until it returns; ``ident`` is the thread's.
+
+        Raises what ``main`` raises, :class:`Standstill`, and RuntimeError if no stack is left that could go on.
+        """
+        self._home = current()
+        self.main = self._stack(main, program, ident, "")
+        self._schedule(self._now, self.main)
+        try:
+            with ending_here():
+                while not self.main.dead:
+                    due = self._next()
+                    if due is None:
+                        raise RuntimeError(f"nothing is left to happen at {self.seconds()} s, and the node still waits")
+                    due[2].switch()
+        finally:
+            self._close()
+
+    def suspended(self) -> list[Stack]:
+        """The stacks that have begun and not ended, in the order of their beginning."""
+        return [stack for stack in self._stacks if stack]
+
+    def _handle_interrupt(self, me: Stack) -> None:
+        handler, me.interrupt = me.interrupt, None
+        assert handler
+        handler()
+
+    def _resume(self, stack: Stack) -> None:
+        """Schedule a stack for now that may be in the heap for later."""
+        if stack.ticket:
+            self._cancelled.add(stack.ticket)
+            stack.ticket = 0
+            if len(self._cancelled) > 1000 + len(self._heap) // 2:
+                self._heap[:] = [entry for entry in self._heap if entry[1] not in self._cancelled]
+                heapify(self._heap)
+                self._cancelled.clear()
+        self._schedule(self._now, stack)
+
+    def _drop_cancelled(self) -> None:
+        """Leave in front of the heap what is to happen next."""
+        heap, cancelled = self._heap, self._cancelled
+        while heap and heap[0][1] in cancelled:
+            cancelled.remove(heappop(heap)[1])
+
+    def _next(self) -> tuple[int, int, Stack] | None:
+        """The next wake-up, taken off the heap, with the time moved on to it; None if there is none."""
+        self._drop_cancelled()
+        if not self._heap:
+            return None
+        due = heappop(self._heap)
+        if due[0] > self._now:
+            self._move(due[0])
+        elif self._order - self._last_move > STANDSTILL:
+            self._stand_still(due[2])
+        return due
+
+    def _go_on(self, me: Stack) -> None:
+        """Go on with the stack that is due next."""
+        due = self._next()
+        if due is None:
+            self._home.switch()
+        elif due[2] is not me:
+            if due[2]:
+                due[2].switch()
+            else:
+                heappush(self._heap, due)
+                self._home.switch()
+
+    def _stand_still(self, me: Switched) -> None:
+        self._home.throw(Standstill(places(sys._getframe()), getattr(me, "place", "")))
+
+    def _move(self, when: int) -> None:
+        self._now, self._last_move = when, self._order
+
+    def _stack(self, function: Callable[[], object], program: Program, ident: int, place: str) -> Stack:
+        def run() -> None:
+            try:
+                function()
+            except BaseException:
+                if not self._closed:
+                    self.failed = place
+                raise
+            finally:
+                del self._stacks[stack]
+
+        stack = Stack(run, self._home, self, program, ident, place)
+        self._stacks[stack] = None
+        return stack
+
+    def _schedule(self, when: int, stack: Stack) -> int:
+        self._order += 1
+        heappush(self._heap, (when, self._order, stack))
+        return self._order
+
+    def _close(self) -> None:
+        """End the stacks that are left. What they still print is for nobody: Python's daemon threads just stop."""
+        self._closed = True
+        with contextlib.redirect_stdout(io.StringIO()), contextlib.redirect_stderr(io.StringIO()):
+            for stack in list(self._stacks):
+                try:
+                    stack.throw(StackExit)
+                except (StackExit, Exception):
+                    pass
+                if not stack.dead:
+                    _abandoned.append(stack)
+        self._heap.clear()
+
+
+class PacedSimulation(Simulation):
+    """A simulation that does not jump: ``pace(when)`` is called before the time becomes ``when`` (ns)."""
+
+    def __init__(self, pace: Callable[[int], None]) -> None:
+        super().__init__()
+        self._pace = pace
+
+    def sleep(self, ns: int) -> None:
+        wake = self._now + max(ns, 0)
+        self._drop_cancelled()
+        self._pace(min(wake, self._heap[0][0]) if self._heap else wake)
+        super().sleep(ns)
+
+    def _move(self, when: int) -> None:
+        self._pace(when)
+        super()._move(when)

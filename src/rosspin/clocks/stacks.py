@@ -1,0 +1,107 @@
+"""Suspend one Python call stack and go on with another; and which program the calling code belongs to.
+
+The only module that knows how stacks switch: with greenlet, so that all of them live in one thread and give way only
+where they ask to. In a web page there is no greenlet; there it is done by :mod:`rosspin.clocks.jspi`.
+"""
+
+from __future__ import annotations
+
+import signal
+import sys
+import threading
+from collections.abc import Callable
+from contextvars import Context
+from itertools import count
+from types import FrameType
+from typing import TYPE_CHECKING, Any, cast
+
+if TYPE_CHECKING:
+    from .simulation import Simulation
+
+__all__ = ["Program", "Stack", "StackExit", "current", "enter", "whose"]
+
+
+class StackExit(BaseException):
+    """Thrown into a stack that is to end now; nothing but its own ``finally`` blocks should see it."""
+
+
+class Program:
+    """What runs as one program: its stacks, or threads, belong to it, and so does what they start.
+
+    ``interrupted`` is true once Ctrl-C has come at the end of its time; ``ending`` once it waits for its last threads,
+    as Python does at the end of a program. ``handlers`` are its signal handlers, if it is simulated.
+    """
+
+    def __init__(self) -> None:
+        self.interrupted = False
+        self.ending = False
+        self.thread_numbers = count(1)
+        self.pool_numbers = count()
+        self.handlers: dict[int, Any] = {signal.SIGINT: signal.default_int_handler}
+        self.idents: set[int] = set()  # of the threads that it started and that have not ended
+
+
+if sys.platform == "emscripten":
+    from .jspi import Switched, current
+else:
+    from greenlet import getcurrent, greenlet
+
+    class Switched(greenlet):
+        """A call stack that can be suspended; it begins at its first ``switch()``.
+
+        ``switch()`` suspends the caller and goes on with this stack; ``throw(exception)`` likewise, but raises there.
+        When ``function`` has returned, or raised, the stack ``home`` goes on (or raises). ``dead`` says that it has. A
+        stack is true from its beginning to its end.
+        """
+
+        def __init__(self, function: Callable[[], Any], home: Switched) -> None:
+            super().__init__(function, home)
+            self.gr_context = Context()  # as a thread's: empty
+
+        @property
+        def frame(self) -> FrameType | None:
+            """Where it is suspended."""
+            return self.gr_frame
+
+    current = cast(Callable[[], Switched], getcurrent)
+    """The stack that is running; what was not made as a Stack can at least be switched to."""
+
+
+class Stack(Switched):
+    """A stack of a program on a simulated clock.
+
+    ``ident`` is what ``threading.get_ident()`` is there; ``place`` is the line that started it, as ``file:line``.
+    """
+
+    ticket = 0  # the number of its wake-up, while it waits with a time limit
+    waits = False  # whether it waits for somebody to wake it
+    interrupt: Callable[[], None] | None = None  # what it is to call as soon as it goes on
+
+    def __init__(
+        self, function: Callable[[], Any], home: Switched, clock: Simulation, program: Program, ident: int, place: str
+    ) -> None:
+        super().__init__(function, home)
+        self.clock = clock
+        self.program = program
+        self.ident = ident
+        self.place = place
+
+
+class _Here(threading.local):
+    program: Program | None = None
+
+
+# Of a thread of the operating system, whatever is on it.
+_here = _Here()
+
+
+def whose() -> Program | None:
+    """The program that the calling code belongs to; None outside of all runs."""
+    stack = current()
+    return stack.program if isinstance(stack, Stack) else _here.program
+
+
+def enter(program: Program | None) -> Program | None:
+    """Let the calling thread of the operating system belong to ``program``; what it belonged to before."""
+    before, _here.program = _here.program, program
+    return before

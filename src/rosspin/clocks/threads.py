@@ -1,0 +1,357 @@
+"""Python's own threads, locks and queues on a simulated clock, and whom the threads of a node belong to.
+
+A few primitives are replaced for the stacks of simulations: the lock, the start of a thread, its ident, and the clock
+that ``threading`` and ``queue`` read. Event, Condition, Semaphore, Barrier, Timer, Queue and ThreadPoolExecutor are
+plain Python over these and follow by themselves. Whatever runs outside of a simulation is given the real ones.
+"""
+
+from __future__ import annotations
+
+import _thread
+import _threading_local
+import concurrent.futures.thread as pools
+import queue
+import sys
+import threading
+from collections import deque
+from collections.abc import Callable, Iterator
+from contextlib import contextmanager
+from typing import Any
+
+from ..frames import called_from
+from .clock import nanoseconds
+from .ending import Ended, ending_here
+from .patches import Patch, either, patched
+from .stacks import Program, Stack, StackExit, current, enter, whose
+
+__all__ = ["followed_threads", "join_threads", "simulated_threads"]
+
+_real_lock = _thread.allocate_lock
+_real_rlock = _thread.RLock
+_real_ident = _thread.get_ident
+
+
+class Lock:
+    """A lock whose waiters, if they are stacks, wait in simulated time. For all others it is a plain lock.
+
+    As with CPython's locks, one that is released goes to whoever asks for it first, not to the one that has waited
+    longest: a thread that releases a lock and takes it again at once can keep others out.
+    """
+
+    __slots__ = ("__weakref__", "_lock", "_waiting")
+
+    def __new__(cls) -> Any:
+        return object.__new__(cls) if isinstance(current(), Stack) else _real_lock()
+
+    def __init__(self) -> None:
+        self._lock = _real_lock()
+        self._waiting: deque[Stack] = deque()
+
+    def acquire(self, blocking: bool = True, timeout: float = -1) -> bool:
+        """As ``threading.Lock.acquire``."""
+        if timeout != -1:
+            _check_timeout(blocking, timeout)
+        if self._lock.acquire(False):
+            return True
+        return self._wait(timeout) if blocking else False
+
+    __enter__ = acquire
+
+    def _wait(self, timeout: float) -> bool:
+        stack = current()
+        if not isinstance(stack, Stack):
+            return self._lock.acquire(True, timeout)
+        clock = stack.clock
+        until = None if timeout == -1 else clock.now() + nanoseconds(timeout)
+        while True:
+            self._waiting.append(stack)
+            try:
+                woken = clock.wait(None if until is None else until - clock.now())
+            except BaseException:
+                if stack in self._waiting:
+                    self._waiting.remove(stack)
+                elif not self._lock.locked():
+                    self._wake()  # it was this one's turn
+                raise
+            if not woken:
+                self._waiting.remove(stack)
+            if self._lock.acquire(False):
+                return True
+            if not woken:
+                return False
+
+    def release(self) -> None:
+        """As ``threading.Lock.release``."""
+        self._lock.release()
+        if self._waiting:
+            self._wake()
+
+    def _wake(self) -> None:
+        if self._waiting:
+            stack = self._waiting.popleft()
+            stack.clock.wake(stack)
+
+    def __exit__(self, *error: object) -> None:
+        self.release()
+
+    def locked(self) -> bool:
+        """Whether somebody has it."""
+        return self._lock.locked()
+
+    def __repr__(self) -> str:
+        return repr(self._lock)
+
+
+def _check_timeout(blocking: bool, timeout: float) -> None:
+    if not blocking:
+        raise ValueError("can't specify a timeout for a non-blocking call")
+    if timeout < 0:
+        raise ValueError("timeout value must be a non-negative number")
+    if timeout > threading.TIMEOUT_MAX:
+        raise OverflowError("timeout value is too large")
+
+
+class RLock(threading._PyRLock):  # type: ignore[name-defined,misc]
+    """The standard library's own in Python, over :class:`Lock`."""
+
+    def __new__(cls) -> Any:
+        return object.__new__(cls) if isinstance(current(), Stack) else _real_rlock()
+
+    def acquire(self, blocking: bool = True, timeout: float = -1) -> bool:
+        """As ``threading.RLock.acquire``."""
+        return bool(super().acquire(blocking, timeout))
+
+    __enter__ = acquire
+
+
+class _Handle:
+    """What Python 3.13 and newer keep of a thread (``_thread._ThreadHandle``)."""
+
+    def __new__(cls) -> Any:
+        return object.__new__(cls) if isinstance(current(), Stack) else threading_handle()
+
+    def __init__(self) -> None:
+        self.ident = 0
+        self._ended = Lock()
+        self._ended.acquire()
+
+    def is_done(self) -> bool:
+        return not self._ended.locked()
+
+    def join(self, timeout: float | None = None) -> None:
+        if self._ended.acquire(True, -1 if timeout is None or timeout < 0 else timeout):
+            self._ended.release()
+
+    def _set_done(self) -> None:
+        if self._ended.locked():
+            self._ended.release()
+
+
+threading_handle: Callable[[], Any] = getattr(_thread, "_ThreadHandle", _Handle)
+
+
+# --- starting threads -------------------------------------------------------------------------------------------------
+
+
+def _start(real: Callable[..., Any]) -> Callable[..., Any]:
+    """``_thread.start_new_thread``: a stack for a stack; else a thread, of the program that its starter belongs to."""
+
+    def start_new_thread(function: Callable[..., Any], args: Any, kwargs: Any = {}) -> int:
+        stack = current()
+        if isinstance(stack, Stack):
+            return _start_stack(stack, lambda: _run(function, args, kwargs)).ident
+        program = whose()
+        if program is None:
+            return int(real(function, args, kwargs))
+        return int(real(_follow(program, function), args, kwargs))
+
+    return start_new_thread
+
+
+def _start_joinable(real: Callable[..., Any]) -> Callable[..., Any]:
+    """``_thread.start_joinable_thread`` (Python 3.13 and newer), likewise."""
+
+    def start_joinable_thread(function: Callable[[], Any], handle: Any = None, daemon: bool = True) -> Any:
+        stack = current()
+        if not isinstance(stack, Stack):
+            program = whose()
+            return real(function if program is None else _follow(program, function), handle=handle, daemon=daemon)
+        if not isinstance(handle, _Handle):  # the thread was made outside of the run
+            handle = _Handle()
+            function.__self__._handle = function.__self__._os_thread_handle = handle  # type: ignore[attr-defined]
+
+        def run() -> None:
+            try:
+                _run(function, (), {})
+            finally:
+                handle._set_done()
+
+        handle.ident = _start_stack(stack, run).ident
+        return handle
+
+    return start_joinable_thread
+
+
+def _set_tstate_lock(thread: Any) -> None:
+    """``Thread._set_tstate_lock`` (Python 3.12 and older): the lock that is released when the thread has ended.
+
+    Unlike the real one it is in no list that all threads share: the list is gone through whenever a thread starts.
+    """
+    stack = current()
+    assert isinstance(stack, Stack)
+    thread._tstate_lock = stack.ended = Lock()  # type: ignore[attr-defined]
+    thread._tstate_lock.acquire()
+
+
+def _start_stack(starter: Stack, function: Callable[[], None]) -> Stack:
+    program = starter.program
+
+    def run() -> None:
+        try:
+            function()
+        finally:
+            program.idents.discard(stack.ident)
+            ended = getattr(stack, "ended", None)
+            if ended is not None:
+                ended.release()
+
+    caller = called_from(sys._getframe())
+    stack = starter.clock.start(run, program, f"{caller.f_code.co_filename}:{caller.f_lineno}")
+    program.idents.add(stack.ident)
+    return stack
+
+
+def _run(function: Callable[..., Any], args: Any, kwargs: Any) -> None:
+    """What the interpreter does with the function of a thread."""
+    try:
+        function(*args, **kwargs)
+    except (SystemExit, StackExit):
+        pass
+    except Ended:
+        raise
+    except BaseException as error:
+        sys.unraisablehook(_Unraisable(error, function))  # type: ignore[arg-type]
+
+
+class _Unraisable:
+    """An exception that ends a thread which ``threading`` knows nothing of (``sys.UnraisableHookArgs``)."""
+
+    err_msg = "Exception ignored in thread started by"
+
+    def __init__(self, error: BaseException, function: Callable[..., Any]) -> None:
+        self.exc_type, self.exc_value, self.exc_traceback = type(error), error, error.__traceback__
+        self.object = function
+
+
+def _follow(program: Program, function: Callable[..., Any]) -> Callable[..., Any]:
+    """A function for a thread on the wall clock, which is to belong to a program and to end with it."""
+
+    def run(*args: Any, **kwargs: Any) -> None:
+        enter(program)
+        ident = _real_ident()
+        program.idents.add(ident)
+        try:
+            with ending_here():
+                function(*args, **kwargs)
+        except (StackExit, Ended):
+            pass
+        finally:
+            program.idents.discard(ident)
+
+    return run
+
+
+def join_threads(program: Program) -> None:
+    """What Python does at the end of a program: wait for its pools, then for its threads that are no daemons."""
+    program.ending = True
+    for thread, work in list(pools._threads_queues.items()):
+        if thread.ident in program.idents:
+            work.put(None)
+            thread.join()
+    while waited_for := [
+        thread for thread in threading.enumerate() if thread.ident in program.idents and not thread.daemon
+    ]:
+        for thread in waited_for:
+            thread.join()
+
+
+class _Ending:
+    """In place of ``concurrent.futures.thread._shutdown``: whether the caller's program takes no more work."""
+
+    def __init__(self, real: bool) -> None:
+        self._real = real
+
+    def __bool__(self) -> bool:
+        program = whose()
+        return self._real if program is None else program.ending
+
+
+# --- what is replaced -------------------------------------------------------------------------------------------------
+
+
+def _ident(stack: Stack) -> int:
+    return stack.ident
+
+
+def _seconds(stack: Stack) -> float:
+    return stack.clock.seconds()
+
+
+def _enumerate(stack: Stack) -> list[threading.Thread]:
+    threads = list(threading._active.values()) + list(threading._limbo)  # type: ignore[attr-defined]
+    return [thread for thread in threads if thread is threading.main_thread() or thread.ident in stack.program.idents]
+
+
+def _active_count(stack: Stack) -> int:
+    return len(_enumerate(stack))
+
+
+_FOLLOWED: list[Patch] = [
+    (_thread, "start_new_thread", _start),
+    (_thread, "start_new", _start),
+    (_thread, "start_joinable_thread", _start_joinable),
+    (threading, "_start_new_thread", _start),
+    (threading, "_start_joinable_thread", _start_joinable),
+    (pools, "_shutdown", _Ending),
+]
+
+_SIMULATED: list[Patch] = [
+    *_FOLLOWED,
+    (_thread, "allocate_lock", lambda real: Lock),
+    (_thread, "allocate", lambda real: Lock),
+    (_thread, "RLock", lambda real: RLock),
+    (_thread, "get_ident", either(_ident)),
+    (threading, "Lock", lambda real: Lock),
+    (threading, "_allocate_lock", lambda real: Lock),
+    (threading, "_CRLock", lambda real: RLock),
+    (threading, "_ThreadHandle", lambda real: _Handle),
+    (threading.Thread, "_set_tstate_lock", either(lambda stack, thread: _set_tstate_lock(thread))),
+    (threading, "get_ident", either(_ident)),
+    (threading, "_set_name", either(lambda stack, name: None)),  # of a thread of the operating system
+    (threading, "_time", either(_seconds)),
+    (threading, "enumerate", either(_enumerate)),
+    (threading, "active_count", either(_active_count)),
+    (threading, "_counter", either(lambda stack: next(stack.program.thread_numbers))),
+    (threading, "local", lambda real: _threading_local.local),
+    (queue, "time", either(_seconds)),
+    (queue, "SimpleQueue", lambda real: queue._PySimpleQueue),  # type: ignore[attr-defined]
+    (
+        pools.ThreadPoolExecutor,
+        "_counter",
+        lambda real: staticmethod(either(lambda stack: next(stack.program.pool_numbers))(real)),
+    ),
+]
+
+
+@contextmanager
+def followed_threads() -> Iterator[None]:
+    """Within this context, threads that a thread of a program starts belong to the program, too."""
+    with patched(_FOLLOWED):
+        yield
+
+
+@contextmanager
+def simulated_threads() -> Iterator[None]:
+    """Within this context, the threads, locks and queues that stacks make are simulated."""
+    with patched(_SIMULATED):
+        yield

@@ -1,0 +1,95 @@
+"""Frames and tracebacks as the author of a node wants to see them: without those of this package."""
+
+from __future__ import annotations
+
+import linecache
+import traceback
+from collections.abc import Callable
+from itertools import islice
+from types import CodeType, FrameType, TracebackType
+from typing import NamedTuple
+
+__all__ = ["Place", "called_from", "format_error", "node_frame", "node_frames", "places"]
+
+_PACKAGE = __name__.rpartition(".")[0]
+
+# What starts a thread stands above the node's frames there.
+_STARTERS = {"threading", "concurrent.futures.thread"}
+
+
+def _is_ours(frame: FrameType) -> bool:
+    module = frame.f_globals.get("__name__", "")
+    return bool(module == _PACKAGE or module.startswith(_PACKAGE + "."))
+
+
+def _starts_threads(frame: FrameType) -> bool:
+    return frame.f_globals.get("__name__") in _STARTERS
+
+
+def node_frame(frame: FrameType) -> FrameType:
+    """The innermost frame that is the node's, from ``frame`` outwards: the line of the node that is being run."""
+    return _outwards(frame, _is_ours)
+
+
+def called_from(frame: FrameType) -> FrameType:
+    """As ``node_frame``, but also past the standard library's frames that start a thread."""
+    return _outwards(frame, lambda each: _is_ours(each) or _starts_threads(each))
+
+
+def _outwards(frame: FrameType, skipped: Callable[[FrameType], bool]) -> FrameType:
+    while skipped(frame) and frame.f_back:
+        frame = frame.f_back
+    return frame
+
+
+def node_frames(trace: TracebackType | None) -> TracebackType | None:
+    """A traceback without the frames of this package, and without those above the node's that started its thread."""
+    while trace and (_is_ours(trace.tb_frame) or _starts_threads(trace.tb_frame)):
+        trace = trace.tb_next
+    frames = []
+    while trace:
+        if not _is_ours(trace.tb_frame):
+            frames.append(trace)
+        trace = trace.tb_next
+    kept = None
+    for each in reversed(frames):
+        kept = TracebackType(kept, each.tb_frame, each.tb_lasti, each.tb_lineno)
+    return kept
+
+
+def format_error(error: BaseException, made: traceback.FrameSummary | None = None) -> str:
+    """An exception as Python prints it, with the node's frames.
+
+    If it has none, as when a callback cannot be called, the frame ``made`` is shown, in which its thread was started.
+    """
+    printed = traceback.TracebackException(type(error), error, node_frames(error.__traceback__))
+    # The heading is there even if no frame is.
+    printed.stack = printed.stack or traceback.StackSummary.from_list([made] if made else [])
+    return "".join(printed.format())
+
+
+class Place(NamedTuple):
+    """A line of code that is being run, and the ``call`` in it that has not returned, as it is written there."""
+
+    filename: str
+    line: int
+    call: str
+
+
+def places(frame: FrameType | None) -> list[Place]:
+    """Where a stack of frames is, innermost first."""
+    found = []
+    while frame:
+        code, line = frame.f_code, frame.f_lineno or 0
+        found.append(Place(code.co_filename, line, _call(code, frame.f_lasti)))
+        frame = frame.f_back
+    return found
+
+
+def _call(code: CodeType, at: int) -> str:
+    """The source text of the instruction ``at``; a text of several lines is cut after the first."""
+    line, end_line, column, end = next(islice(code.co_positions(), at // 2, None), (None,) * 4)
+    if line is None or column is None:
+        return ""
+    text = linecache.getline(code.co_filename, line).rstrip("\n").encode()
+    return (text[column:end] if line == end_line else text[column:] + b" ...").decode(errors="replace")

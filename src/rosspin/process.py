@@ -1,0 +1,230 @@
+"""A node's code, and the process as it sees it: command line, modules, streams, folder, the end of its threads."""
+
+from __future__ import annotations
+
+import atexit
+import codecs
+import io
+import linecache
+import os
+import sys
+import threading
+import tokenize
+import traceback
+from collections.abc import Callable, Iterator, Mapping, Sequence
+from contextlib import ExitStack, contextmanager, redirect_stderr, redirect_stdout
+from pathlib import Path
+from types import CodeType, ModuleType
+from typing import Any, NamedTuple, TextIO
+from unittest import mock
+
+from .clocks.ending import Ended
+from .clocks.patches import Patch, patched
+from .clocks.programs import end_program
+from .clocks.stacks import StackExit, whose
+from .frames import format_error
+from .world import NotSimulated, World
+
+__all__ = ["Capture", "Node", "NodeLike", "capture", "load", "load_source", "print_error", "process_of", "run_at_exit"]
+
+
+# --- a node's code ----------------------------------------------------------------------------------------------------
+
+
+class Node(NamedTuple):
+    """What can be run: the node's own code, the first word of its command line, the file that the code is in."""
+
+    main: Callable[[], Any]
+    argv0: str
+    filename: str
+    folder: str | None  # of the node file: its neighbours can be imported
+
+
+NodeLike = str | os.PathLike[str] | Callable[[], Any]
+
+
+def load(node: NodeLike) -> Node:
+    """A file, or a function, as a node. OSError if the file cannot be read, SyntaxError if it is not Python."""
+    if callable(node):
+        code = getattr(node, "__code__", None)
+        return Node(node, getattr(node, "__name__", "node"), code.co_filename if code else "", None)
+    path = os.fspath(node)
+    with tokenize.open(path) as file:
+        return load_source(file.read(), path)
+
+
+def load_source(source: str, filename: str) -> Node:
+    """The node in a text. SyntaxError if it is not Python."""
+    code = compile(source, filename, "exec", dont_inherit=True)
+    linecache.cache[filename] = (len(source), None, source.splitlines(keepends=True), filename)
+    folder = str(Path(filename).resolve().parent) if os.path.exists(filename) else None
+    return Node(lambda: _execute(code, filename), filename, filename, folder)
+
+
+def _execute(code: CodeType, filename: str) -> None:
+    module = ModuleType("__main__")
+    module.__file__ = filename
+    sys.modules["__main__"] = module
+    exec(code, module.__dict__)
+
+
+# --- the process around it --------------------------------------------------------------------------------------------
+
+# A run changes what the whole process shares, so there is one at a time.
+_one_at_a_time = threading.RLock()
+
+
+@contextmanager
+def process_of(node: Node, args: Sequence[str], modules: Mapping[str, ModuleType]) -> Iterator[None]:
+    """Within this context the process is the node's: its command line, its path, and ``modules`` by their names.
+
+    Whatever the node changes in it is as before afterwards: environment, working directory, modules of its folder.
+    """
+    if whose() is not None:
+        raise RuntimeError("a node cannot start a run of its own")
+    with _one_at_a_time, ExitStack() as stack:
+        argv, path, before, folder = sys.argv, sys.path[:], dict(sys.modules), os.getcwd()
+        stack.enter_context(mock.patch.dict(os.environ))
+        stack.enter_context(mock.patch.object(sys, "excepthook", sys.__excepthook__))
+        stack.enter_context(patched(_PATCHES))
+        sys.argv = [node.argv0, *args]
+        if node.folder is not None:
+            sys.path.insert(0, node.folder)
+        sys.modules.update(modules)
+        try:
+            yield
+        finally:
+            os.chdir(folder)
+            sys.argv, sys.path[:] = argv, path
+            for name in [name for name in sys.modules if name not in before]:
+                if name in modules or _lies_in(node.folder, name):
+                    del sys.modules[name]
+            sys.modules.update({name: before[name] for name in ("__main__", *modules) if name in before})
+
+
+def _lies_in(folder: str | None, name: str) -> bool:
+    """Whether a module is, or belongs to, a neighbour of the node; a virtual environment below its folder is none."""
+    file: str | None = getattr(sys.modules[name], "__file__", None)
+    if folder is None or file is None:
+        return False
+    neighbour = os.path.join(folder, name.partition(".")[0])
+    return os.path.abspath(file).startswith((neighbour + ".", neighbour + os.sep))
+
+
+def print_error(world: World, error: BaseException, made: traceback.FrameSummary | None = None) -> None:
+    """Print an exception that nobody caught on stderr, with the node's frames, and keep it."""
+    sys.stderr.write(format_error(error, made))
+    world.errors.append(error)
+
+
+def _excepthook(real: Callable[[Any], None]) -> Callable[[Any], None]:
+    """``threading.excepthook`` for the threads of nodes: what ends a run goes on, the rest is printed."""
+
+    def excepthook(args: Any) -> None:
+        world, error = whose(), args.exc_value
+        if isinstance(error, Ended):
+            raise error
+        if not isinstance(world, World):
+            real(args)
+        elif isinstance(error, NotSimulated):
+            world.failure = world.failure or error
+            end_program()
+        elif not isinstance(error, (StackExit, SystemExit)):
+            sys.stderr.write(f"Exception in thread {args.thread.name}:\n")
+            print_error(world, error, getattr(args.thread, "made", None))
+
+    return excepthook
+
+
+def _register(real: Callable[..., Any]) -> Callable[..., Any]:
+    """``atexit.register``: what a node registers is called at the end of its run."""
+
+    def register(function: Callable[..., Any], *args: Any, **kwargs: Any) -> Callable[..., Any]:
+        world = whose()
+        if isinstance(world, World):
+            world.at_exit.append((function, args, kwargs))
+        else:
+            real(function, *args, **kwargs)
+        return function
+
+    return register
+
+
+def _unregister(real: Callable[..., Any]) -> Callable[..., Any]:
+    def unregister(function: Callable[..., Any]) -> None:
+        world = whose()
+        if isinstance(world, World):
+            world.at_exit[:] = [entry for entry in world.at_exit if entry[0] != function]
+        else:
+            real(function)
+
+    return unregister
+
+
+_PATCHES: list[Patch] = [
+    (threading, "excepthook", _excepthook),
+    (atexit, "register", _register),
+    (atexit, "unregister", _unregister),
+]
+
+
+def run_at_exit(world: World) -> None:
+    """Call what the node registered with ``atexit``, the last first; exceptions are printed."""
+    while world.at_exit:
+        function, args, kwargs = world.at_exit.pop()
+        try:
+            function(*args, **kwargs)
+        except (Ended, StackExit):
+            raise
+        except SystemExit:
+            pass
+        except BaseException as error:
+            sys.stderr.write(f"Exception ignored in atexit callback: {function!r}\n")
+            print_error(world, error)
+
+
+# --- its streams ------------------------------------------------------------------------------------------------------
+
+
+class Capture:
+    """What is written to two streams, in its order; it is passed on to ``stdout`` and ``stderr`` if these are given."""
+
+    def __init__(self, stdout: TextIO | None = None, stderr: TextIO | None = None) -> None:
+        self._chunks: list[bytes] = []
+        self.stdout = _stream(self._chunks, stdout)
+        self.stderr = _stream(self._chunks, stderr)
+
+    def text(self) -> str:
+        """All of it."""
+        return b"".join(self._chunks).decode(errors="replace")
+
+
+def _stream(chunks: list[bytes], onward: TextIO | None) -> TextIO:
+    sink: Any = _Sink(chunks, onward)
+    return io.TextIOWrapper(sink, encoding="utf-8", errors="backslashreplace", newline="\n", write_through=True)
+
+
+class _Sink(io.BufferedIOBase):
+    """The bytes of a stream, for nodes that write some: ``sys.stdout.buffer``."""
+
+    def __init__(self, chunks: list[bytes], onward: TextIO | None) -> None:
+        self._chunks = chunks
+        self._onward = onward
+        self._decode = codecs.getincrementaldecoder("utf-8")(errors="replace").decode
+
+    def writable(self) -> bool:
+        return True
+
+    def write(self, data: Any) -> int:
+        self._chunks.append(bytes(data))
+        if self._onward is not None:
+            self._onward.write(self._decode(data))
+        return len(data)
+
+
+@contextmanager
+def capture(stdout: TextIO | None = None, stderr: TextIO | None = None) -> Iterator[Capture]:
+    """Within this context, what is printed goes to a :class:`Capture`, and from there on to what is given."""
+    captured = Capture(stdout, stderr)
+    with _one_at_a_time, redirect_stdout(captured.stdout), redirect_stderr(captured.stderr):
+        yield captured

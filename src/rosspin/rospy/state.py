@@ -1,0 +1,86 @@
+"""What rospy keeps of a node: there in module variables, here one for each node of a run."""
+
+from __future__ import annotations
+
+import signal
+import threading
+from collections.abc import Callable
+from typing import Any
+
+from ..world import World, current_world
+from . import rosgraph
+from .exceptions import ROSInitException
+
+__all__ = ["State", "handle_signals", "state"]
+
+Handler = Callable[[int, Any], None]
+
+
+class State:
+    """A node's name, parameters, log and time, and whether it is to shut down."""
+
+    def __init__(self, world: World) -> None:
+        self.world = world
+        self.clock = world.clock
+        argv = world.argv
+
+        self.time_initialized = False
+        self.ros_time: int | None = None  # as set by /clock; None: the node's own clock
+        self.ros_time_changed = threading.Condition()
+
+        self.mappings = rosgraph.load_mappings(argv)
+        self.resolved_mappings: dict[str, str] = {}
+        self.namespace = rosgraph.get_ros_namespace(argv)
+        self.name = self.namespace + "unnamed"
+        self.parameters: dict[str, Any] = {}
+
+        self.init_args: tuple[Any, ...] | None = None
+        self.initialized = False
+
+        self.shutdown_lock = threading.Lock()
+        self.shutdown_requested = False
+        self.shutdown = False
+        self.shutdown_hooks: list[Callable[[], None]] = []
+
+        self.log_level: int | None = None  # None: logging is not set up yet
+        self.log_times: dict[object, Any] = {}
+        self.log_messages: dict[object, str] = {}
+        self.logged_once: set[object] = set()
+
+    def now(self) -> int:
+        """ROS time as told by /clock, else the clock's, in ns. Before ``init_node``: ROSInitException."""
+        if not self.time_initialized:
+            raise ROSInitException("time is not initialized. Have you called init_node()?")
+        return self.clock.now() if self.ros_time is None else self.ros_time
+
+    def wait_for_ros_time(self, seconds: float) -> None:
+        """Wait until ROS time is told anew, at most so long."""
+        with self.ros_time_changed:
+            self.ros_time_changed.wait(seconds)
+
+    def set_ros_time(self, ns: int | None) -> None:
+        """Tell the ROS time, None for the node's own clock, to all who wait."""
+        with self.ros_time_changed:
+            self.ros_time = ns
+            self.ros_time_changed.notify_all()
+
+
+def state() -> State:
+    """The state of the node that asks. Outside of a run: RuntimeError."""
+    return current_world().part(State)
+
+
+def handle_signals(handler: Handler) -> None:
+    """Register ``handler`` for SIGINT and SIGTERM; handlers that were there are called after it."""
+    for number in (signal.SIGTERM, signal.SIGINT):
+        previous = signal.getsignal(number)
+
+        def chained(sig: int, frame: Any, previous: Any = previous) -> None:
+            handler(sig, frame)
+            if callable(previous):
+                try:
+                    previous(sig, frame)
+                except KeyboardInterrupt:
+                    pass
+
+        signal.signal(number, chained)

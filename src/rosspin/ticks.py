@@ -1,0 +1,45 @@
+"""What a run gives: its console, its ticks, its status. Pure data, below everything else."""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+from dataclasses import dataclass, field
+from typing import NamedTuple
+
+__all__ = ["Run", "Tick"]
+
+
+class Tick(NamedTuple):
+    """One call of a timer's callback, or one pass of a loop. Times are in seconds since the run began.
+
+    ``source`` is what ticked, ``number`` counts from 1, ``expected`` is when it should have begun and ``real`` when it
+    did, ``duration`` how long it took (s; NaN if it had not ended when the run did).
+    """
+
+    source: str
+    number: int
+    expected: float
+    real: float
+    duration: float
+
+    @property
+    def lateness(self) -> float:
+        """real - expected, in seconds."""
+        return self.real - self.expected
+
+
+@dataclass(frozen=True)
+class Run:
+    """What a node did in one run.
+
+    ``console`` is what it printed, stdout and stderr in their order; ``ticks`` are in the order in which they began;
+    ``status`` is its exit status; ``runtime`` says where it ran ("simulated", "wall", "ros1"); ``seconds`` is the time
+    after which Ctrl-C was pressed; ``start`` is when the run began, in seconds since the epoch (0.0 when simulated).
+    """
+
+    console: str = field(repr=False)
+    ticks: Sequence[Tick] = field(repr=False)
+    status: int
+    runtime: str
+    seconds: float
+    start: float = 0.0

@@ -1,0 +1,62 @@
+"""A node in one run: what every ROS keeps of it, and what each keeps for itself."""
+
+from __future__ import annotations
+
+from collections.abc import Callable
+from typing import Any, TypeVar
+
+from .clocks.clock import Clock
+from .clocks.stacks import Program, whose
+
+__all__ = ["NotSimulated", "Record", "World", "current_world"]
+
+Part = TypeVar("Part")
+
+# A tick as it is recorded: source, number, expected, real and duration in ns; the duration is None while it runs.
+Record = list[Any]
+
+
+class NotSimulated(NotImplementedError):
+    """The node asks for something that only a real ROS has."""
+
+    def __init__(self, name: str) -> None:
+        super().__init__(f"{name} is not simulated; run this node on a real ROS")
+
+
+class World(Program):
+    """A node's world: the clock that it runs on, its command line ``argv``, and what is recorded of it.
+
+    ``record`` says whether anybody asks for its ticks.
+    """
+
+    def __init__(self, clock: Clock, argv: list[str], record: bool) -> None:
+        super().__init__()
+        self.clock = clock
+        self.argv = argv
+        self.errors: list[BaseException] = []  # those whose tracebacks were printed
+        self.failure: NotSimulated | None = None  # met in a thread, and the end of the run
+        self.ticks: list[Record] | None = [] if record else None
+        self.at_exit: list[tuple[Callable[..., Any], tuple[Any, ...], dict[str, Any]]] = []
+        self._sources: dict[str, int] = {}
+        self._parts: dict[type, Any] = {}
+
+    def source(self, name: str) -> str:
+        """A name for something that ticks, made different from those given before: Rate, Rate 2, ..."""
+        count = self._sources[name] = self._sources.get(name, 0) + 1
+        return name if count == 1 else f"{name} {count}"
+
+    def part(self, kind: type[Part]) -> Part:
+        """What one ROS keeps of this node: ``kind(world)``, made when it is first asked for."""
+        try:
+            return self._parts[kind]  # type: ignore[no-any-return]
+        except KeyError:
+            part = self._parts[kind] = kind(self)  # type: ignore[call-arg]
+            return part
+
+
+def current_world() -> World:
+    """The world of the node that asks. Outside of a run: RuntimeError."""
+    world = whose()
+    if isinstance(world, World):
+        return world
+    raise RuntimeError("no node runs here: a stand-in needs a run (rosspin.simulate, rosspin.measure, rosspin run)")
