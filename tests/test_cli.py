@@ -14,8 +14,8 @@ from typing import Any
 
 import pytest
 
-from rosspin.clocks import watchdog
 from rosspin.__main__ import main
+from rosspin.clocks import watchdog
 
 SOURCES = Path(__file__).parent.parent / "examples" / "my_robotics_pkg" / "src"
 TIMER_NODE, RATE_NODE = str(SOURCES / "spinner_py_node.py"), str(SOURCES / "spinner_rate_py_node.py")
