@@ -1,4 +1,4 @@
-"""default_int_handler put back after init_node: Ctrl-C is a KeyboardInterrupt again, which spin turns into a shutdown."""
+"""default_int_handler put back after init_node: Ctrl-C is a KeyboardInterrupt, for which spin shuts the node down."""
 
 import signal
 

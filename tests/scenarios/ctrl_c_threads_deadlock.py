@@ -3,7 +3,7 @@
 import threading
 
 import rospy
-from scenario import P, begin, block, mark, say
+from scenario import P, begin, block, mark, mark_event, say
 
 left, right = threading.Lock(), threading.Lock()
 
@@ -22,6 +22,6 @@ def callback(name, first, second):
 begin("ctrl_c_threads_deadlock")
 rospy.Timer(rospy.Duration(P), callback("left", left, right))
 rospy.Timer(rospy.Duration(P), callback("right", right, left))
-rospy.Timer(rospy.Duration(1.25 * P), lambda event: mark("tick"))
+rospy.Timer(rospy.Duration(1.25 * P), lambda event: mark_event("tick", event))
 rospy.spin()
 say("spin has returned")

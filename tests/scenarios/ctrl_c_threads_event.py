@@ -3,11 +3,10 @@
 import threading
 
 import rospy
-from scenario import begin, mark, say
+from scenario import begin, say
 
 stop = threading.Event()
 begin("ctrl_c_threads_event")
 rospy.on_shutdown(stop.set)
 say("woken", stop.wait())
-mark("woken")
 say("is_shutdown", rospy.is_shutdown())

@@ -3,7 +3,7 @@
 import threading
 
 import rospy
-from scenario import begin, block, mark, say
+from scenario import begin, block, say
 
 lock = threading.Lock()
 
@@ -19,5 +19,5 @@ rospy.on_shutdown(lambda: say("hook", lock.locked()))
 threading.Thread(target=hold).start()
 block(0.5)
 with lock:
-    mark("locked")
+    say("locked")
 say("is_shutdown", rospy.is_shutdown())

@@ -2,7 +2,7 @@
 
 import threading
 
-from scenario import block, begin, mark
+from scenario import begin, block, mark
 
 
 def work():

@@ -3,7 +3,7 @@
 import threading
 
 import rospy
-from scenario import P, begin, mark, say
+from scenario import P, begin, mark, mark_event, say
 
 
 def loop():
@@ -16,6 +16,6 @@ def loop():
 
 begin("ctrl_c_threads_outlive_main")
 rospy.on_shutdown(lambda: say("hook", threading.current_thread().name))
-rospy.Timer(rospy.Duration(1.5 * P), lambda event: mark("tick"))
+rospy.Timer(rospy.Duration(1.5 * P), lambda event: mark_event("tick", event))
 threading.Thread(target=loop).start()
 say("the main ends")

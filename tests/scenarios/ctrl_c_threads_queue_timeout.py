@@ -5,11 +5,12 @@ import queue
 import rospy
 from scenario import P, begin, mark, say
 
-values = queue.SimpleQueue()
+values = queue.Queue()
 begin("ctrl_c_threads_queue_timeout")
 while not rospy.is_shutdown():
+    mark("pass")
     try:
         values.get(timeout=P)
     except queue.Empty:
-        mark("empty")
+        pass
 say("the loop has ended")

@@ -2,7 +2,7 @@
 
 import threading
 
-from scenario import attempt, begin, block, mark, say, until
+from scenario import attempt, begin, mark, say, until
 
 lock = threading.RLock()
 

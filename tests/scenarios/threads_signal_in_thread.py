@@ -8,11 +8,14 @@ from scenario import say
 
 
 def start():
-    for call in (lambda: signal.signal(signal.SIGINT, signal.SIG_DFL), lambda: rospy.init_node("threads_signal_in_thread")):
-        try:
-            call()
-        except ValueError as error:
-            say(error)
+    try:
+        signal.signal(signal.SIGINT, signal.SIG_DFL)
+    except ValueError as error:
+        say(error)
+    try:
+        rospy.init_node("threads_signal_in_thread")
+    except ValueError as error:
+        say(error)
 
 
 thread = threading.Thread(target=start)
