@@ -4,7 +4,7 @@ import contextvars
 import threading
 
 import rospy
-from scenario import P, begin, end_after, say, until
+from scenario import P, begin, block, end_after, say, until
 
 name = contextvars.ContextVar("name", default="nobody")
 
@@ -35,5 +35,6 @@ def callback(event):
 
 seen = []
 rospy.Timer(rospy.Duration(P), callback)
-end_after(3.5)
+block(3.5)
 say(seen, name.get())
+end_after(0)

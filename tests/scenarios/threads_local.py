@@ -3,7 +3,7 @@
 import threading
 
 import rospy
-from scenario import P, begin, end_after, say, until
+from scenario import P, begin, block, end_after, say, until
 
 
 class Settings(threading.local):
@@ -41,8 +41,9 @@ for worker in workers:
 for worker in workers:
     worker.join()
 say(sorted(results.items()), own.name, settings.gain, settings.calls)
-rospy.Timer(rospy.Duration(P), callback)
+rospy.Timer(rospy.Duration(2 * P), callback)
 until(2.5)
-rospy.Timer(rospy.Duration(P), callback)
-end_after(2.25)
+rospy.Timer(rospy.Duration(2 * P), callback)
+block(4.75)
 say(calls, settings.calls)
+end_after(0)
