@@ -87,6 +87,7 @@ _ARGS: dict[str, list[tuple[str, ...]]] = {
     "values_bad_parameter": [("_a:={",)],
     "log_levels": [(level,) for level in ("DEBUG", "INFO", "WARN", "ERROR", "FATAL")],
     "exit_status": [("0",), ("3",)],
+    "threads_outlive_main_that_exits": [("soft",), ("hard",)],
 }
 
 SCENARIO_LIST = [

@@ -75,6 +75,16 @@ def block(periods):
     time.sleep(periods * P + rospy.get_param("~jitter", 0.0))
 
 
+def until(periods):
+    """Let time go by until so many periods after the beginning; ~jitter comes on top."""
+    block(max(0.0, periods - now() / P))
+
+
+def say(*words):
+    """Print words in one go, so that the lines of several threads do not mix."""
+    _write(" ".join(str(word) for word in words))
+
+
 def end_after(periods):
     """Let so many periods go by, then shut the node down."""
     time.sleep(periods * P)

@@ -1,0 +1,1 @@
+"""Neighbour modules that some scenarios import."""
