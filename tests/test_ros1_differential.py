@@ -126,6 +126,7 @@ def _outcome(console: str, status: int, end: float | None) -> Outcome:
 def _normal(text: str) -> str:
     """What differs from run to run: stamps, thread numbers, and the frames of rospy and of Python in a traceback."""
     text = re.sub(r"\[\d+\.\d{6}(, \d+\.\d{6})?\]", lambda stamp: f"[STAMP{', ROS' if stamp[1] else ''}]", text)
+    text = re.sub(r"^rosspin: .*\n", "", text, flags=re.M)  # why it was killed
     text = re.sub(r"Thread-\d+", "Thread-N", text)
     # The stand-in names the line that made a timer where rospy shows only frames of its own.
     text = re.sub(r'^  File ".*, which made this timer\n(?:    .*\n)*', "", text, flags=re.M)

@@ -16,7 +16,7 @@ from .clocks.ending import Ended
 from .clocks.programs import Died, Killed, run_on_the_wall, run_simulated
 from .clocks.simulation import Simulation, Standstill
 from .clocks.stacks import StackExit
-from .clocks.threads import join_threads
+from .clocks.threads import begin_main, end_main
 from .clocks.watchdog import Stuck
 from .frames import Place, node_frames
 from .process import Node, NodeLike, capture, load, print_error, process_of, run_at_exit
@@ -128,6 +128,7 @@ def run_node(
 def _run_main(node: Node, world: World) -> int:
     """Do with a node's code what the interpreter does with a program; the exit status."""
     status = 0
+    begin_main(world)
     try:
         node.main()
     except SystemExit as error:
@@ -146,7 +147,7 @@ def _run_main(node: Node, world: World) -> int:
             world.errors.append(error)
         status = 128 + signal.SIGINT if type(error) is KeyboardInterrupt else 1
     try:
-        join_threads(world)
+        end_main(world)
     except KeyboardInterrupt as error:
         sys.stderr.write("Exception ignored in: <module 'threading'>\n")
         print_error(world, error)
@@ -185,14 +186,15 @@ def _duration(seconds: float) -> int:
 
 
 def _say_killed(node: Node, seconds: float | None, killed: Killed) -> int:
-    at = "" if seconds is None else f" at {seconds} s"
+    at = "" if seconds is None else f" at {seconds:.10g} s"
     sys.stderr.write(
         f"rosspin: Ctrl-C{at} did not end the node; killed {PATIENCE} s later, as roslaunch does. "
         "Does its loop ask rospy.is_shutdown()?\n"
     )
     for name, places in killed.waited:
-        if place := _of_node(node, places):
-            sys.stderr.write(f"rosspin: {name} was at {_say_place(place)}\n")
+        place = _of_node(node, places)
+        where = f"was at {_say_place(place)}" if place else "had done its work and waited for other threads"
+        sys.stderr.write(f"rosspin: {name} {where}\n")
     return 128 + signal.SIGKILL
 
 

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import _thread
 import os
 import signal
 import sys
@@ -62,6 +63,11 @@ def _raise_signal(stack: Stack, number: int) -> None:
         send(main, number)
 
 
+def _interrupt_main(stack: Stack, number: int = signal.SIGINT) -> None:
+    """As a signal, but it wakes nobody: it is handled when the main stack goes on."""
+    stack.clock.main.interrupt = lambda: _handle(stack.program, number)
+
+
 def _kill(real: Callable[[int, int], None]) -> Callable[[int, int], None]:
     def virtual(stack: Stack, pid: int, number: int) -> None:
         if pid == os.getpid():
@@ -77,6 +83,7 @@ _PATCHES: list[Patch] = [
     (signal, "getsignal", either(_getsignal)),
     (signal, "raise_signal", either(_raise_signal)),
     (os, "kill", _kill),
+    (_thread, "interrupt_main", either(_interrupt_main)),
 ]
 
 

@@ -38,6 +38,7 @@ class Program:
         self.thread_numbers = count(1)
         self.pool_numbers = count()
         self.handlers: dict[int, Any] = {signal.SIGINT: signal.default_int_handler}
+        self.main_ended: Any = None  # a lock, held by the main thread for as long as it runs the program's own code
         self.idents: set[int] = set()  # of the threads that it started and that have not ended
 
 
@@ -75,6 +76,7 @@ class Stack(Switched):
 
     ticket = 0  # the number of its wake-up, while it waits with a time limit
     waits = False  # whether it waits for somebody to wake it
+    polled = -1  # when (ns) it last looked in vain for something
     interrupt: Callable[[], None] | None = None  # what it is to call as soon as it goes on
 
     def __init__(

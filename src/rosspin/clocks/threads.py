@@ -18,17 +18,20 @@ from collections.abc import Callable, Iterator
 from contextlib import contextmanager
 from typing import Any
 
-from ..frames import called_from
-from .clock import nanoseconds
+from ..frames import called_from, format_error
+from .clock import NS, nanoseconds
 from .ending import Ended, ending_here
 from .patches import Patch, either, patched
 from .stacks import Program, Stack, StackExit, current, enter, whose
 
-__all__ = ["followed_threads", "join_threads", "simulated_threads"]
+__all__ = ["begin_main", "end_main", "followed_threads", "simulated_threads"]
 
 _real_lock = _thread.allocate_lock
 _real_rlock = _thread.RLock
 _real_ident = _thread.get_ident
+
+# What a look costs (ns) in a loop that only looks: about as much as on a real machine.
+_POLL = 1_000
 
 
 class Lock:
@@ -53,7 +56,10 @@ class Lock:
             _check_timeout(blocking, timeout)
         if self._lock.acquire(False):
             return True
-        return self._wait(timeout) if blocking else False
+        if blocking and timeout:
+            return self._wait(timeout)
+        _poll()
+        return False
 
     __enter__ = acquire
 
@@ -63,6 +69,8 @@ class Lock:
             return self._lock.acquire(True, timeout)
         clock = stack.clock
         until = None if timeout == -1 else clock.now() + nanoseconds(timeout)
+        if until == clock.now():
+            _poll()
         while True:
             self._waiting.append(stack)
             try:
@@ -94,12 +102,27 @@ class Lock:
     def __exit__(self, *error: object) -> None:
         self.release()
 
+    @property  # type: ignore[misc]
+    def __class__(self) -> type:  # for isinstance(lock, _thread.LockType)
+        return type(self._lock)
+
     def locked(self) -> bool:
         """Whether somebody has it."""
         return self._lock.locked()
 
     def __repr__(self) -> str:
         return repr(self._lock)
+
+
+def _poll() -> None:
+    """Somebody looked in vain. The first look at one time is free; more of them are a loop, and have to cost time."""
+    stack = current()
+    if isinstance(stack, Stack):
+        now = stack.clock.now()
+        if stack.polled == now:
+            stack.clock.sleep(_POLL)
+        else:
+            stack.polled = now
 
 
 def _check_timeout(blocking: bool, timeout: float) -> None:
@@ -159,6 +182,8 @@ def _start(real: Callable[..., Any]) -> Callable[..., Any]:
     def start_new_thread(function: Callable[..., Any], args: Any, kwargs: Any = {}) -> int:
         stack = current()
         if isinstance(stack, Stack):
+            if not callable(function):
+                raise TypeError("first arg must be callable")
             return _start_stack(stack, lambda: _run(function, args, kwargs)).ident
         program = whose()
         if program is None:
@@ -212,7 +237,7 @@ def _start_stack(starter: Stack, function: Callable[[], None]) -> Stack:
         finally:
             program.idents.discard(stack.ident)
             ended = getattr(stack, "ended", None)
-            if ended is not None:
+            if ended is not None and ended.locked():  # an interrupted join() releases it, too
                 ended.release()
 
     caller = called_from(sys._getframe())
@@ -230,21 +255,16 @@ def _run(function: Callable[..., Any], args: Any, kwargs: Any) -> None:
     except Ended:
         raise
     except BaseException as error:
-        sys.unraisablehook(_Unraisable(error, function))  # type: ignore[arg-type]
-
-
-class _Unraisable:
-    """An exception that ends a thread which ``threading`` knows nothing of (``sys.UnraisableHookArgs``)."""
-
-    err_msg = "Exception ignored in thread started by"
-
-    def __init__(self, error: BaseException, function: Callable[..., Any]) -> None:
-        self.exc_type, self.exc_value, self.exc_traceback = type(error), error, error.__traceback__
-        self.object = function
+        sys.stderr.write(f"Exception ignored in thread started by: {function!r}\n{format_error(error)}")
 
 
 def _follow(program: Program, function: Callable[..., Any]) -> Callable[..., Any]:
     """A function for a thread on the wall clock, which is to belong to a program and to end with it."""
+    thread = getattr(function, "__self__", None)
+    if isinstance(thread, threading.Thread):
+        report = thread._invoke_excepthook  # type: ignore[attr-defined]
+        # That it was ended is no news.
+        thread._invoke_excepthook = lambda *args: isinstance(sys.exception(), Ended) or report(*args)  # type: ignore[attr-defined]
 
     def run(*args: Any, **kwargs: Any) -> None:
         enter(program)
@@ -261,15 +281,24 @@ def _follow(program: Program, function: Callable[..., Any]) -> Callable[..., Any
     return run
 
 
-def join_threads(program: Program) -> None:
+def begin_main(program: Program) -> None:
+    """Call this in the main thread of a program before its own code."""
+    program.main_ended = threading.Lock()
+    program.main_ended.acquire()
+
+
+def end_main(program: Program) -> None:
     """What Python does at the end of a program: wait for its pools, then for its threads that are no daemons."""
     program.ending = True
+    program.main_ended.release()
     for thread, work in list(pools._threads_queues.items()):
         if thread.ident in program.idents:
             work.put(None)
             thread.join()
     while waited_for := [
-        thread for thread in threading.enumerate() if thread.ident in program.idents and not thread.daemon
+        thread
+        for thread in threading.enumerate()
+        if thread.ident in program.idents and thread.is_alive() and not thread.daemon
     ]:
         for thread in waited_for:
             thread.join()
@@ -293,8 +322,42 @@ def _ident(stack: Stack) -> int:
     return stack.ident
 
 
-def _seconds(stack: Stack) -> float:
-    return stack.clock.seconds()
+class _Moment:
+    """A time by which ``threading`` and ``queue`` compute deadlines: exact, so that a wait to a deadline reaches it."""
+
+    __slots__ = ("ns",)
+
+    def __init__(self, ns: int) -> None:
+        self.ns = ns
+
+    def __add__(self, seconds: float) -> _Moment:
+        return _Moment(self.ns + nanoseconds(seconds))
+
+    def __sub__(self, other: _Moment) -> float:
+        return (self.ns - other.ns) / NS
+
+
+def _moment(stack: Stack) -> _Moment:
+    return _Moment(stack.clock.now())
+
+
+def _is_alive(real: Callable[[Any], bool]) -> Callable[[Any], bool]:
+    def is_alive(thread: threading.Thread) -> bool:
+        program = whose()
+        return real(thread) if program is None or thread is not threading.main_thread() else not program.ending
+
+    return is_alive
+
+
+def _join(real: Callable[..., None]) -> Callable[..., None]:
+    def join(thread: threading.Thread, timeout: float | None = None) -> None:
+        program = whose()
+        if program is None or thread is not threading.main_thread() or thread is threading.current_thread():
+            real(thread, timeout)
+        elif program.main_ended.acquire(timeout=-1 if timeout is None else max(timeout, 0)):
+            program.main_ended.release()
+
+    return join
 
 
 def _enumerate(stack: Stack) -> list[threading.Thread]:
@@ -312,6 +375,8 @@ _FOLLOWED: list[Patch] = [
     (_thread, "start_joinable_thread", _start_joinable),
     (threading, "_start_new_thread", _start),
     (threading, "_start_joinable_thread", _start_joinable),
+    (threading.Thread, "is_alive", _is_alive),
+    (threading.Thread, "join", _join),
     (pools, "_shutdown", _Ending),
 ]
 
@@ -328,12 +393,12 @@ _SIMULATED: list[Patch] = [
     (threading.Thread, "_set_tstate_lock", either(lambda stack, thread: _set_tstate_lock(thread))),
     (threading, "get_ident", either(_ident)),
     (threading, "_set_name", either(lambda stack, name: None)),  # of a thread of the operating system
-    (threading, "_time", either(_seconds)),
+    (threading, "_time", either(_moment)),
     (threading, "enumerate", either(_enumerate)),
     (threading, "active_count", either(_active_count)),
     (threading, "_counter", either(lambda stack: next(stack.program.thread_numbers))),
     (threading, "local", lambda real: _threading_local.local),
-    (queue, "time", either(_seconds)),
+    (queue, "time", either(_moment)),
     (queue, "SimpleQueue", lambda real: queue._PySimpleQueue),  # type: ignore[attr-defined]
     (
         pools.ThreadPoolExecutor,
