@@ -13,7 +13,6 @@ import sys
 from collections.abc import Callable
 from heapq import heapify, heappop, heappush, heappushpop
 from itertools import count
-from typing import cast
 
 from ..frames import Place, places
 from .clock import NS
@@ -74,15 +73,13 @@ class Simulation:
 
     def sleep(self, ns: int) -> None:
         """Suspend the caller for ``ns`` nanoseconds; others run meanwhile. 0 or less only lets others run."""
+        if self._cancelled or self._closed:
+            self._drop_cancelled()
         me = current()
-        if self._closed:
-            self._home.switch()
         now = self._now
         wake = now + ns if ns > 0 else now
         self._order = order = self._order + 1
-        if self._cancelled:
-            self._drop_cancelled()
-        due = heappushpop(self._heap, (wake, order, cast(Stack, me)))
+        due = heappushpop(self._heap, (wake, order, me))  # type: ignore[misc]
         when, _, stack = due
         if when > now:
             self._now = when
@@ -109,8 +106,6 @@ class Simulation:
         until = None if ns is None else self._now + ns
         me.waits = True
         while True:
-            if self._closed:
-                self._home.switch()
             if until is not None:
                 me.ticket = self._schedule(until, me)
             try:
@@ -192,7 +187,9 @@ class Simulation:
         self._schedule(self._now, stack)
 
     def _drop_cancelled(self) -> None:
-        """Leave in front of the heap what is to happen next."""
+        """Leave in front of the heap what is to happen next; when all is over, nothing."""
+        if self._closed and current() is not self._home:
+            self._home.switch()
         heap, cancelled = self._heap, self._cancelled
         while heap and heap[0][1] in cancelled:
             cancelled.remove(heappop(heap)[1])

@@ -55,6 +55,8 @@ else:
         stack is true from its beginning to its end.
         """
 
+        __slots__ = ()
+
         def __init__(self, function: Callable[[], Any], home: Switched) -> None:
             super().__init__(function, home)
             self.gr_context = Context()  # as a thread's: empty
@@ -74,10 +76,7 @@ class Stack(Switched):
     ``ident`` is what ``threading.get_ident()`` is there; ``place`` is the line that started it, as ``file:line``.
     """
 
-    ticket = 0  # the number of its wake-up, while it waits with a time limit
-    waits = False  # whether it waits for somebody to wake it
-    polled = -1  # when (ns) it last looked in vain for something
-    interrupt: Callable[[], None] | None = None  # what it is to call as soon as it goes on
+    __slots__ = ("clock", "ended", "ident", "interrupt", "place", "polled", "program", "ticket", "waits")
 
     def __init__(
         self, function: Callable[[], Any], home: Switched, clock: Simulation, program: Program, ident: int, place: str
@@ -87,6 +86,11 @@ class Stack(Switched):
         self.program = program
         self.ident = ident
         self.place = place
+        self.ticket = 0  # the number of its wake-up, while it waits with a time limit
+        self.waits = False  # whether it waits for somebody to wake it
+        self.polled = -1  # when (ns) it last looked in vain for something
+        self.interrupt: Callable[[], None] | None = None  # what it is to call as soon as it goes on
+        self.ended: Any = None  # a lock that is released when it has ended
 
 
 class _Here(threading.local):

@@ -224,7 +224,7 @@ def _set_tstate_lock(thread: Any) -> None:
     """
     stack = current()
     assert isinstance(stack, Stack)
-    thread._tstate_lock = stack.ended = Lock()  # type: ignore[attr-defined]
+    thread._tstate_lock = stack.ended = Lock()
     thread._tstate_lock.acquire()
 
 
@@ -236,9 +236,8 @@ def _start_stack(starter: Stack, function: Callable[[], None]) -> Stack:
             function()
         finally:
             program.idents.discard(stack.ident)
-            ended = getattr(stack, "ended", None)
-            if ended is not None and ended.locked():  # an interrupted join() releases it, too
-                ended.release()
+            if stack.ended is not None and stack.ended.locked():  # an interrupted join() releases it, too
+                stack.ended.release()
 
     caller = called_from(sys._getframe())
     stack = starter.clock.start(run, program, f"{caller.f_code.co_filename}:{caller.f_lineno}")

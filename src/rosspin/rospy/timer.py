@@ -66,14 +66,18 @@ class Rate:
 
     def wait(self, node: State) -> None:
         """What ``sleep`` does, for a loop whose passes are not ticks of their own."""
-        now = node.now()
-        try:
-            _sleep(node, self._remaining(now))
-        except ROSTimeMovedBackwardsException:
-            if not self._reset:
-                raise
-            self._last = node.now()
-            return
+        if node.ros_time is None:
+            now = node.clock.now()
+            node.clock.sleep(self._remaining(now))
+        else:
+            now = node.now()
+            try:
+                _sleep(node, self._remaining(now))
+            except ROSTimeMovedBackwardsException:
+                if not self._reset:
+                    raise
+                self._last = node.now()
+                return
         self._last += self._period
         if now - self._last > 2 * self._period:
             self._last = now
@@ -191,8 +195,8 @@ class Timer(threading.Thread):
                 raise
             if self._shutdown or node.world.interrupted:
                 break
-            real = node.now()
             began = clock.now()
+            real = began if node.ros_time is None else node.now()
             current_expected, current_real = Time._of(expected), Time._of(real)
             number += 1
             if ticks is not None:
