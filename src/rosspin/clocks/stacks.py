@@ -76,7 +76,7 @@ class Stack(Switched):
     ``ident`` is what ``threading.get_ident()`` is there; ``place`` is the line that started it, as ``file:line``.
     """
 
-    __slots__ = ("clock", "ended", "ident", "interrupt", "place", "polled", "program", "ticket", "waits")
+    __slots__ = ("clock", "ended", "ident", "interrupt", "place", "polled", "polls", "program", "ticket", "waits")
 
     def __init__(
         self, function: Callable[[], Any], home: Switched, clock: Simulation, program: Program, ident: int, place: str
@@ -89,6 +89,7 @@ class Stack(Switched):
         self.ticket = 0  # the number of its wake-up, while it waits with a time limit
         self.waits = False  # whether it waits for somebody to wake it
         self.polled = -1  # when (ns) it last looked in vain for something
+        self.polls = 0  # how often it did so at that time
         self.interrupt: Callable[[], None] | None = None  # what it is to call as soon as it goes on
         self.ended: Any = None  # a lock that is released when it has ended
 

@@ -30,8 +30,10 @@ _real_lock = _thread.allocate_lock
 _real_rlock = _thread.RLock
 _real_ident = _thread.get_ident
 
-# What a look costs (ns) in a loop that only looks: about as much as on a real machine.
+# What a look costs (ns) in a loop that only looks: about as much as on a real machine. No node that does not loop looks
+# so often at one time.
 _POLL = 1_000
+_FREE_POLLS = 1_000
 
 
 class Lock:
@@ -110,19 +112,21 @@ class Lock:
         """Whether somebody has it."""
         return self._lock.locked()
 
+    _is_owned = locked  # for Condition, which would else try to acquire it
+
     def __repr__(self) -> str:
         return repr(self._lock)
 
 
 def _poll() -> None:
-    """Somebody looked in vain. The first look at one time is free; more of them are a loop, and have to cost time."""
+    """Somebody looked in vain. Some looks at one time are free; more of them are a loop, and have to cost time."""
     stack = current()
     if isinstance(stack, Stack):
         now = stack.clock.now()
-        if stack.polled == now:
+        stack.polls = stack.polls + 1 if stack.polled == now else 1
+        stack.polled = now
+        if stack.polls > _FREE_POLLS:
             stack.clock.sleep(_POLL)
-        else:
-            stack.polled = now
 
 
 def _check_timeout(blocking: bool, timeout: float) -> None:
