@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import linecache
+import os
 import traceback
 from collections.abc import Callable
 from itertools import islice
@@ -12,6 +13,7 @@ from typing import NamedTuple
 __all__ = ["Place", "called_from", "format_error", "node_frame", "node_frames", "places"]
 
 _PACKAGE = __name__.rpartition(".")[0]
+_LIBRARY = os.path.dirname(traceback.__file__) + os.sep
 
 # What starts a thread stands above the node's frames there.
 _STARTERS = {"threading", "concurrent.futures.thread"}
@@ -32,8 +34,8 @@ def node_frame(frame: FrameType) -> FrameType:
 
 
 def called_from(frame: FrameType) -> FrameType:
-    """As ``node_frame``, but also past the standard library's frames that start a thread."""
-    return _outwards(frame, lambda each: _is_ours(each) or _starts_threads(each))
+    """As ``node_frame``, but also past the frames of the standard library."""
+    return _outwards(frame, lambda each: _is_ours(each) or each.f_code.co_filename.startswith(_LIBRARY))
 
 
 def _outwards(frame: FrameType, skipped: Callable[[FrameType], bool]) -> FrameType:

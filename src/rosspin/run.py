@@ -219,17 +219,19 @@ def _say_place(place: Place) -> str:
 def _stands_still(node: Node, places: Sequence[Place], fallback: str, clock: Clock, waits: bool) -> TimeStandsStill:
     now = f"simulated time stands still at {clock.now() / NS} s"
     place = _of_node(node, places)
-    if waits and place:
-        return TimeStandsStill(
-            f"{_say_place(place)}: {now}, because this waits in real time, of which the simulation knows nothing. "
+    if waits:
+        where = _say_place(place) if place else fallback
+        why = (
+            "because this waits in real time, of which the simulation knows nothing. "
             "Run the node on the wall clock, or leave out what waits."
         )
-    where = f"{place.filename}:{place.line}" if place else fallback
-    return TimeStandsStill(
-        f"{where}{': ' if where else ''}{now}, because the node goes on "
-        "without sleeping. Sleep in every loop (rate.sleep(), rospy.sleep(0.1)), and give timers and rates a "
-        "period above 0."
-    )
+    else:
+        where = f"{place.filename}:{place.line}" if place else fallback
+        why = (
+            "because the node goes on without sleeping. Sleep in every loop (rate.sleep(), rospy.sleep(0.1)), "
+            "and give timers and rates a period above 0."
+        )
+    return TimeStandsStill(f"{where}{': ' if where else ''}{now}, {why}")
 
 
 def say_error(error: Exception) -> str:
