@@ -128,6 +128,7 @@ def _normal(text: str) -> str:
     text = re.sub(r"\[\d+\.\d{6}(, \d+\.\d{6})?\]", lambda stamp: f"[STAMP{', ROS' if stamp[1] else ''}]", text)
     text = re.sub(r"^rosspin: .*\n", "", text, flags=re.M)  # why it was killed
     text = re.sub(r"Thread-\d+", "Thread-N", text)
+    text = re.sub(r"^rosspin: .*\n", "", text, flags=re.M)  # who was killed, and where it waited
     # The stand-in names the line that made a timer where rospy shows only frames of its own.
     text = re.sub(r'^  File ".*, which made this timer\n(?:    .*\n)*', "", text, flags=re.M)
     text = re.sub(r"\[DEBUG\].*(init_node|bind|bound|URL|Service instance).*\n", "", text)  # of rospy's own network
