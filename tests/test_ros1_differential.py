@@ -20,6 +20,7 @@ from typing import NamedTuple
 from unittest import mock
 
 import pytest
+from conftest import SEED
 
 from rosspin import ros1, simulate
 
@@ -35,7 +36,6 @@ TRIES = 6
 AT_ONCE = 8
 RUNTIMES = ("ros1", "wall")
 
-SEED = int(os.environ.get("ROSSPIN_SEED") or random.SystemRandom().randrange(10**6))
 RANDOM = 12
 
 
@@ -280,7 +280,6 @@ class Lab:
 @pytest.fixture(scope="module")
 def lab(require: Callable[[str], None], tmp_path_factory: pytest.TempPathFactory) -> Iterator[Lab]:
     require("ros1")
-    print(f"random scenarios from seed {SEED}; to repeat them: ROSSPIN_SEED={SEED}")
     folder = tmp_path_factory.mktemp("lab") / "scenarios"
     shutil.copytree(SCENARIOS, folder, ignore=shutil.ignore_patterns("__pycache__"))
     for number in range(RANDOM):
