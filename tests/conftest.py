@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import os
+import random
 import shutil
 import threading
 from collections.abc import Callable, Iterator
@@ -11,7 +12,11 @@ from http.server import SimpleHTTPRequestHandler, ThreadingHTTPServer
 from pathlib import Path
 
 import pytest
+from hypothesis import settings
 from playwright.sync_api import Browser, Page, sync_playwright
+
+# What random tests draw from: of Hypothesis, too, if it is asked for. CI always draws the same, as Hypothesis does there.
+SEED = int(os.environ.get("ROSSPIN_SEED") or (0 if "CI" in os.environ else random.SystemRandom().randrange(10**6)))
 
 ROOT = Path(__file__).parent.parent
 SITE = ROOT / "build" / "html"
@@ -34,11 +39,19 @@ LACKS: dict[str, Callable[[], str]] = {
 }
 
 
+def pytest_report_header() -> str:
+    return f"random tests: ROSSPIN_SEED={SEED}"
+
+
 def _required() -> set[str]:
     return set(os.environ.get("ROSSPIN_REQUIRE", "").replace(",", " ").split())
 
 
-def pytest_configure() -> None:
+@pytest.hookimpl(tryfirst=True)
+def pytest_configure(config: pytest.Config) -> None:
+    if "ROSSPIN_SEED" in os.environ:
+        settings.load_profile("default")  # CI's takes no seed
+        config.option.hypothesis_seed = SEED
     if unknown := _required() - LACKS.keys():
         raise pytest.UsageError(f"ROSSPIN_REQUIRE knows {', '.join(LACKS)}; not {', '.join(sorted(unknown))}")
 

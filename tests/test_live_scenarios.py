@@ -29,14 +29,18 @@ RUN_JOBS = """address => {
     })
 }"""
 
-# Beside the scenarios stands a module that they share.
+# Beside the scenarios stands a module that they share, and a package.
 PRELUDE = """
-import site
+import pathlib, site
 for name, text in {files}.items():
-    with open(f"{{site.getsitepackages()[0]}}/{{name}}", "w") as file:
-        file.write(text)
+    path = pathlib.Path(site.getsitepackages()[0], name)
+    path.parent.mkdir(exist_ok=True)
+    path.write_text(text)
 """
-FILES = {"scenario.py": (SCENARIOS / "scenario.py").read_text(encoding="utf-8")}
+FILES = {
+    str(path.relative_to(SCENARIOS)): path.read_text(encoding="utf-8")
+    for path in (SCENARIOS / "scenario.py", *SCENARIOS.glob("robot/*.py"))
+}
 
 # An anonymous name is made from the number of the process.
 CHOSEN = [scenario for scenario in SCENARIO_LIST if scenario.file != "values_anonymous"]

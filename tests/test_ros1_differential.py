@@ -20,6 +20,7 @@ from typing import NamedTuple
 from unittest import mock
 
 import pytest
+from conftest import SEED
 
 from rosspin import ros1, simulate
 
@@ -35,7 +36,6 @@ TRIES = 6
 AT_ONCE = 8
 RUNTIMES = ("ros1", "wall")
 
-SEED = int(os.environ.get("ROSSPIN_SEED") or random.SystemRandom().randrange(10**6))
 RANDOM = 12
 
 
@@ -128,6 +128,7 @@ def _normal(text: str) -> str:
     text = re.sub(r"\[\d+\.\d{6}(, \d+\.\d{6})?\]", lambda stamp: f"[STAMP{', ROS' if stamp[1] else ''}]", text)
     text = re.sub(r"^rosspin: .*\n", "", text, flags=re.M)  # why it was killed
     text = re.sub(r"Thread-\d+", "Thread-N", text)
+    text = re.sub(r"^rosspin: .*\n", "", text, flags=re.M)  # who was killed, and where it waited
     # The stand-in names the line that made a timer where rospy shows only frames of its own.
     text = re.sub(r'^  File ".*, which made this timer\n(?:    .*\n)*', "", text, flags=re.M)
     text = re.sub(r"\[DEBUG\].*(init_node|bind|bound|URL|Service instance).*\n", "", text)  # of rospy's own network
@@ -279,7 +280,6 @@ class Lab:
 @pytest.fixture(scope="module")
 def lab(require: Callable[[str], None], tmp_path_factory: pytest.TempPathFactory) -> Iterator[Lab]:
     require("ros1")
-    print(f"random scenarios from seed {SEED}; to repeat them: ROSSPIN_SEED={SEED}")
     folder = tmp_path_factory.mktemp("lab") / "scenarios"
     shutil.copytree(SCENARIOS, folder, ignore=shutil.ignore_patterns("__pycache__"))
     for number in range(RANDOM):

@@ -22,7 +22,5 @@ try:
     worker.join()
 except KeyboardInterrupt:
     mark("caught")
-    say("caught", rospy.is_shutdown(), worker.is_alive())
+    say("caught", rospy.is_shutdown())
     rospy.signal_shutdown("Ctrl-C")
-worker.join()
-say("joined")

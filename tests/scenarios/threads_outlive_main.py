@@ -11,7 +11,7 @@ def work():
         block(1.2)
         mark("work")
     timer.shutdown()
-    say("is_shutdown", rospy.is_shutdown(), "main", threading.main_thread().is_alive())
+    say("is_shutdown", rospy.is_shutdown())
 
 
 begin("threads_outlive_main")

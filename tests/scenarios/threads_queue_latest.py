@@ -3,7 +3,7 @@
 import queue
 
 import rospy
-from scenario import P, begin, mark, say
+from scenario import P, begin, block, mark, say
 
 latest = queue.Queue(1)
 
@@ -20,7 +20,8 @@ def callback(event):
 begin("threads_queue_latest")
 counter, dropped, taken = [], [], []
 rospy.Timer(rospy.Duration(P), callback)
-rate = rospy.Rate(0.4 / P)
+block(0.5)
+rate = rospy.Rate(1 / (3 * P))
 for _ in range(3):
     rate.sleep()
     taken.append(latest.get())

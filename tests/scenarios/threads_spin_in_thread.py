@@ -12,10 +12,11 @@ def spin():
 
 
 begin("threads_spin_in_thread")
-rospy.Timer(rospy.Duration(P), lambda event: mark("tick"))
+timer = rospy.Timer(rospy.Duration(P), lambda event: mark("tick"))
 spinner = threading.Thread(target=spin)
 spinner.start()
-block(2.5)
+block(3.4)
+timer.shutdown()
 rospy.signal_shutdown("the main has had enough")
 spinner.join()
 say("alive", spinner.is_alive(), rospy.is_shutdown())
