@@ -5,10 +5,11 @@ import lateness
 import live
 import ros1_beside
 import site_build
+import threads
 import ticks
 
 print(__doc__, "Times are in brackets: they are this machine's.\n", sep="\n", flush=True)
-for part in (ticks.report, day.report, lateness.report, ros1_beside.report, site_build.report, live.report):
+for part in (ticks.report, threads.report, day.report, lateness.report, ros1_beside.report, site_build.report, live.report):
     for line in part():
         print(line, flush=True)
     print()

@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import time
 from collections.abc import Callable, Iterator, Sequence
+from functools import partial
 from statistics import median
 
 import simpy
@@ -11,6 +12,7 @@ from ratios import by_turns, line, ratio
 
 from rosspin import rospy, simulate
 from rosspin.clocks.simulation import Simulation
+from rosspin.clocks.stacks import Program
 
 NS = 1_000_000_000
 
@@ -20,7 +22,7 @@ def report(sizes: Sequence[int] = (1, 100, 1000), ticks: int = 200_000, rounds: 
     functions: dict[str, Callable[[], object]] = {}
     for size in sizes:
         for name, runtime in (("SimPy", in_simpy), ("clock", on_the_clock), ("Timer", with_timers)):
-            functions[f"{name} {size}"] = lambda runtime=runtime, size=size: runtime(_periods(size), ticks // size)
+            functions[f"{name} {size}"] = partial(runtime, _periods(size), ticks // size)
     # The processor's time: on a busy machine the clock's includes that of others.
     times = by_turns(rounds, time.process_time, functions)
 
@@ -41,7 +43,7 @@ def report(sizes: Sequence[int] = (1, 100, 1000), ticks: int = 200_000, rounds: 
         yield line(
             f"  {timers}, rospy.Timer with an empty callback / SimPy",
             ratio(times, timer, simpys),
-            most=5,
+            most=4.5,
             times=f"{each(timer)} / {each(simpys)}",
         )
     few, many = f"Timer {sizes[0]}", f"Timer {sizes[-1]}"
@@ -77,7 +79,7 @@ def in_simpy(periods: Sequence[int], ticks: int) -> int:
 
 def on_the_clock(periods: Sequence[int], ticks: int) -> int:
     """The same in stacks on rosspin's own simulated clock."""
-    simulation = Simulation()
+    simulation, program = Simulation(), Program()
     count = 0
 
     def stack(period: int) -> None:
@@ -86,12 +88,12 @@ def on_the_clock(periods: Sequence[int], ticks: int) -> int:
             simulation.sleep(period)
             count += 1
 
-    def main(_: object) -> None:
+    def main() -> None:
         for period in periods:
-            simulation.start(lambda period=period: stack(period), "")
+            simulation.start(partial(stack, period), program, "")
         simulation.sleep(max(periods) * ticks + 1)
 
-    simulation.run(main)
+    simulation.run(main, program, 0)
     return count
 
 
