@@ -19,12 +19,24 @@ def test_periods_are_between_neighbours() -> None:
     assert periods(ticks(0.5)) == periods([]) == []
 
 
-@settings(max_examples=80, deadline=None)
-@given(st.lists(st.floats(-10, 10), min_size=1, max_size=30), st.integers(0, 8))
-def test_a_quantile_is_the_smallest_value_that_enough_do_not_exceed(values: list[float], eighths: int) -> None:
-    share = eighths / 8
-    enough = [value for value in values if sum(other <= value for other in values) >= share * len(values)]
-    assert quantile(values, share) == min(enough)
+@settings(max_examples=200, deadline=None)
+@given(st.lists(st.floats(-10, 10), min_size=1, max_size=150), st.integers(0, 1000))
+def test_a_quantile_is_the_smallest_value_that_is_no_less_than_its_share(values: list[float], permille: int) -> None:
+    enough = [value for value in values if 1000 * sum(other <= value for other in values) >= permille * len(values)]
+    assert quantile(values, permille / 1000) == min(enough)
+
+
+def test_a_share_counts_as_it_is_written() -> None:
+    # 0.07 * 100 is 7.000000000000001 in floats, 0.58 * 50 is 28.999999999999996.
+    assert [quantile(range(1, 101), percent / 100) for percent in range(1, 101)] == list(range(1, 101))
+    assert quantile(range(1, 51), 0.58) == 29
+    assert quantile(range(1, 101), 0) == 1
+
+
+@pytest.mark.parametrize("share", [-0.1, 1.01, 7, float("nan")])
+def test_a_share_is_from_0_to_1(share: float) -> None:
+    with pytest.raises(ValueError, match="a share is from 0 to 1, not"):
+        quantile([1.0], share)
 
 
 def test_no_values_have_no_quantile() -> None:

@@ -11,7 +11,7 @@ from typing import Any
 import matplotlib
 import pytest
 
-from rosspin import Tick
+from rosspin import Tick, plots
 from rosspin.plots import Figure, lateness, period_histogram, timeline
 
 PLOTS = [timeline, lateness, period_histogram]
@@ -127,6 +127,20 @@ def test_bars_are_as_long_as_the_callbacks() -> None:
 
     assert bars([0.0, float("nan")]) == 0
     assert bars([0.5, 0.2]) == 2
+
+
+def test_many_ticks_are_drawn_by_as_few_artists_as_few(monkeypatch: pytest.MonkeyPatch) -> None:
+    """An artist for each tick makes a plot of thousands slow."""
+    counts = []
+
+    def count_artists(canvas: plots.Canvas, alt: str) -> Figure:
+        counts.append(len(canvas.axes[0].get_children()))
+        return Figure("", alt)
+
+    monkeypatch.setattr(plots, "_figure", count_artists)
+    for count in (2, 300):
+        timeline(ticks(count=count) + ticks("Rate", count=count), 0.5)
+    assert counts[0] == counts[1]
 
 
 def test_one_tick_is_enough_and_none_are_too_few(plot: Callable[..., Figure]) -> None:

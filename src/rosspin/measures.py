@@ -2,7 +2,9 @@
 
 from __future__ import annotations
 
+import math
 from collections.abc import Sequence
+from fractions import Fraction
 from itertools import pairwise
 from statistics import median
 
@@ -57,11 +59,17 @@ def lost(ticks: Sequence[Tick], period: float) -> list[float]:
 
 
 def quantile(values: Sequence[float], share: float) -> float:
-    """The smallest of the values that at least ``share`` (0 to 1) of them do not exceed. No values: ValueError."""
+    """The smallest of the values that is no less than ``share`` of them, from 0 for the least to 1 for the greatest.
+
+    ``share`` counts as it is written in decimals: 0.07 of a hundred values are seven of them, although the float is a
+    little more. No values, or another share: ValueError.
+    """
     if not values:
         raise ValueError("no values")
-    ordered = sorted(values)
-    return ordered[max(0, -int(-share * len(ordered) // 1) - 1)]
+    if not 0 <= share <= 1:
+        raise ValueError(f"a share is from 0 to 1, not {share!r}")
+    count = math.ceil(Fraction(str(share)) * len(values))
+    return sorted(values)[max(count, 1) - 1]
 
 
 def say_time(seconds: float) -> str:

@@ -111,9 +111,9 @@ def timeline(ticks: Ticks, period: float | None = None) -> Figure:
             expected |= {group[0].expected + step * period for step in range(steps)}
         axes.vlines(sorted(expected), row - 0.38, row + 0.38, _TEXT, lw=0.8, alpha=0.55)
         axes.plot(gone, [row] * len(gone), "x", color=_TEXT, ms=5, lw=0)
-        for tick in group:
-            if tick.duration > 0:
-                axes.barh(row, tick.duration, 0.3, tick.real, color=colour, alpha=0.45, lw=0)
+        # One collection: an artist for each bar takes ten times as long.
+        bars = [(tick.real, tick.duration) for tick in group if tick.duration > 0]
+        axes.broken_barh(bars, (row - 0.15, 0.3), color=colour, alpha=0.45, lw=0)
         # Ticks at the same time are drawn one above the other.
         heights = [row - 0.24 * (tick.real - before.real < 1e-3) for before, tick in pairwise(group)]
         axes.plot([tick.real for tick in group], [row, *heights][: len(group)], marker, color=colour, ms=4.5, lw=0)
