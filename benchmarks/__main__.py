@@ -9,7 +9,7 @@ import threads
 import ticks
 
 print(__doc__, "Times are in brackets: they are this machine's.\n", sep="\n", flush=True)
-for part in (ticks.report, threads.report, day.report, lateness.report, ros1_beside.report, site_build.report, live.report):
-    for line in part():
+for part in (ticks, threads, day, lateness, ros1_beside, site_build, live):
+    for line in part.report():
         print(line, flush=True)
     print()

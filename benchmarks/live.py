@@ -4,23 +4,20 @@ from __future__ import annotations
 
 import gzip
 import re
-import shutil
-import threading
 from collections.abc import Iterator
-from functools import partial
-from http.server import SimpleHTTPRequestHandler, ThreadingHTTPServer
 from pathlib import Path
 from statistics import median
 from urllib.parse import unquote, urlsplit
 
-from playwright.sync_api import Browser, Page, sync_playwright
+from in_chromium import launched, served
+from playwright.sync_api import Browser, Page
 from ratios import line
 
+from rosspin.doctor import chromium
 from rosspin.measures import quantile, say_time
 
 SITE = Path(__file__).parent.parent / "build" / "html"
 TUTORIAL = "docs/tutorial.html"
-FLAGS = ["--no-sandbox", "--disable-gpu", "--disable-background-networking", "--disable-component-update"]
 
 # The last listing of the tutorial, whose first counter comes at once: click, and wait for a text. By the page's clock.
 CLICK = """([button, text]) => new Promise(resolve => {
@@ -54,18 +51,13 @@ RUN_TICKER = """([address, source, seconds]) => new Promise(resolve => {
 
 def report(rounds: int = 5, seconds: float = 20.0, pause: float = 6.0) -> Iterator[str]:
     """The lines of the report. ``pause`` (s) is how long a reader looks on before Stop: a spare worker starts then."""
-    chromium = shutil.which("chromium") or shutil.which("chromium-browser") or shutil.which("google-chrome")
+    executable = chromium()
     yield "Python in the page, in Chromium"
-    if not chromium or not (SITE / TUTORIAL).exists():
+    if not executable or not (SITE / TUTORIAL).exists():
         yield "  not measured: it needs Chromium, and the site that `make html` builds"
         return
-    handler = partial(_Quiet, directory=str(SITE))
-    with _Server(("127.0.0.1", 0), handler) as server, sync_playwright() as playwright:
-        threading.Thread(target=server.serve_forever, daemon=True).start()
-        browser = playwright.chromium.launch(executable_path=chromium, args=FLAGS)
-        yield from _report(browser, f"http://127.0.0.1:{server.server_port}/", rounds, seconds, pause)
-        browser.close()
-        server.shutdown()
+    with served(SITE) as address, launched(executable) as browser:
+        yield from _report(browser, address, rounds, seconds, pause)
 
 
 def _report(browser: Browser, address: str, rounds: int, seconds: float, pause: float) -> Iterator[str]:
@@ -112,13 +104,3 @@ def _weight(paths: set[str]) -> int:
     """The bytes of these files of the site, gzipped."""
     files = [SITE / unquote(path.lstrip("/")) for path in paths]
     return sum(len(gzip.compress(file.read_bytes())) for file in files if file.is_file())
-
-
-class _Server(ThreadingHTTPServer):
-    def handle_error(self, *args: object) -> None:
-        pass  # Stop ends a worker that may still be loading
-
-
-class _Quiet(SimpleHTTPRequestHandler):
-    def log_message(self, *args: object) -> None:
-        pass

@@ -5,15 +5,15 @@ from __future__ import annotations
 import os
 import random
 import shutil
-import threading
 from collections.abc import Callable, Iterator
-from functools import partial
-from http.server import SimpleHTTPRequestHandler, ThreadingHTTPServer
 from pathlib import Path
 
 import pytest
 from hypothesis import settings
-from playwright.sync_api import Browser, Page, sync_playwright
+from in_chromium import launched, served
+from playwright.sync_api import Browser, Page
+
+from rosspin import doctor
 
 # What random tests draw from: of Hypothesis, too, if it is asked for. CI always draws the same, as Hypothesis does there.
 SEED = int(os.environ.get("ROSSPIN_SEED") or (0 if "CI" in os.environ else random.SystemRandom().randrange(10**6)))
@@ -28,14 +28,10 @@ def _lacks_ros1() -> str:
     return f"ROS 1 is not installed (no {', '.join(commands)})" if commands else ""
 
 
-def _browser() -> str | None:
-    return shutil.which("chromium") or shutil.which("chromium-browser") or shutil.which("google-chrome")
-
-
 # What a test may ask for, and why it is not here ("" if it is).
 LACKS: dict[str, Callable[[], str]] = {
     "ros1": _lacks_ros1,
-    "browser": lambda: "" if _browser() else "Chromium is not installed",
+    "browser": lambda: "" if doctor.chromium() else "Chromium is not installed",
 }
 
 
@@ -71,7 +67,7 @@ def require() -> Callable[[str], None]:
 def chromium(require: Callable[[str], None]) -> str:
     """The path of Chromium."""
     require("browser")
-    path = _browser()
+    path = doctor.chromium()
     assert path
     return path
 
@@ -86,42 +82,23 @@ def site() -> Path:
 
 # --- the site in Chromium ---------------------------------------------------------------------------------------------
 
-# Chromium would otherwise look for updates and the like by itself; without a screen it has no GPU.
-FLAGS = [
-    "--no-sandbox",
-    "--disable-gpu",
-    "--disable-quic",
-    "--disable-background-networking",
-    "--disable-component-update",
-    "--disable-sync",
-]
-
-
-class _Quiet(SimpleHTTPRequestHandler):
-    def log_message(self, *args: object) -> None:
-        pass
-
 
 @pytest.fixture(scope="module")
 def address(site: Path) -> Iterator[str]:
     """The site on a local server."""
-    with ThreadingHTTPServer(("127.0.0.1", 0), partial(_Quiet, directory=str(site))) as server:
-        threading.Thread(target=server.serve_forever, daemon=True).start()
-        yield f"http://127.0.0.1:{server.server_port}/"
-        server.shutdown()
+    with served(site) as address:
+        yield address
 
 
 @pytest.fixture(scope="module")
 def browser(chromium: str) -> Iterator[Browser]:
     """One browser for all pages."""
-    with sync_playwright() as playwright:
-        browser = playwright.chromium.launch(executable_path=chromium, args=FLAGS)
+    with launched(chromium) as browser:
         yield browser
-        browser.close()
 
 
 def faults(page: Page, address: str) -> list[str]:
-    """A list to which all is added that goes wrong in a page from now on: what it asks of another host, too."""
+    """A list to which all is added that goes wrong in a page from now on, what it asks of another host included."""
     wrong: list[str] = []
 
     def note(bad: bool, what: str) -> None:

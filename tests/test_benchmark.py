@@ -2,39 +2,48 @@
 
 from __future__ import annotations
 
-import importlib
 import re
 from collections.abc import Callable
 from pathlib import Path
 from typing import Any
 
+import day
+import lateness
+import live
 import pytest
+import ratios
+import site_build
+import threads
+import ticks
 
-ROOT = Path(__file__).parent.parent
-
-
-@pytest.fixture
-def part(monkeypatch: pytest.MonkeyPatch) -> Any:
-    """``part("ticks")`` is a module of the benchmark."""
-    monkeypatch.syspath_prepend(ROOT / "benchmarks")
-    return importlib.import_module
+from rosspin import Run
 
 
-def test_the_three_runtimes_make_the_same_ticks(part: Any) -> None:
-    ticks = part("ticks")
+def test_the_three_runtimes_make_the_same_ticks() -> None:
     periods = [5_000_000, 6_000_000, 7_000_000]
     assert ticks.in_simpy(periods, 4) == ticks.on_the_clock(periods, 4) == 12
     assert ticks.with_timers([5_000_000] * 3, 4) == 12
 
 
-def test_ticks_are_compared_for_each_number_of_timers(part: Any) -> None:
-    title, *lines = part("ticks").report(sizes=(1, 3), ticks=30, rounds=3)
+def test_ticks_are_compared_for_each_number_of_timers() -> None:
+    title, *lines = ticks.report(sizes=(1, 3), ticks=30, rounds=3)
     assert [line.count("at most") for line in lines] == [1] * 5
     assert "3 timers, the bare clock / SimPy" in lines[2] and "3 timers / 1" in lines[4]
 
 
-def test_a_day_is_complete_and_leaves_no_memory(part: Any) -> None:
-    day = part("day")
+def test_threads_and_locks_are_compared() -> None:
+    title, lock, thread = threads.report(pairs=100, few=2, many=4, rounds=1)
+    assert "simulated / real" in lock and "at most 10" in lock
+    assert "4 in one run / 2" in thread and "at most 2" in thread
+
+
+def test_threads_that_do_not_end_are_an_error(monkeypatch: pytest.MonkeyPatch) -> None:
+    monkeypatch.setattr(threads, "simulate", lambda node, seconds: Run("", (), 0, "simulated", seconds))
+    with pytest.raises(AssertionError, match="not 2 threads that ended at 1 s"):
+        threads.start_threads(2)
+
+
+def test_a_day_is_complete_and_leaves_no_memory() -> None:
     title, speed, memory = day.report(hours=0.1, rounds=1)
     assert "720 counters" in title
     assert "at least 20,000" in speed
@@ -43,23 +52,21 @@ def test_a_day_is_complete_and_leaves_no_memory(part: Any) -> None:
     assert left < held / 10
 
 
-def test_a_day_that_lacks_a_counter_is_an_error(part: Any, monkeypatch: pytest.MonkeyPatch) -> None:
-    day = part("day")
+def test_a_day_that_lacks_a_counter_is_an_error(monkeypatch: pytest.MonkeyPatch) -> None:
     monkeypatch.setattr(day, "PERIOD", 0.25)
     with pytest.raises(AssertionError, match="not 8 counters"):
         day.spin(2.0)
 
 
-def test_lateness_is_compared_with_deadlines(part: Any) -> None:
-    title, *lines = part("lateness").report(turns=[(50, 0.2)], rounds=1)
+def test_lateness_is_compared_with_deadlines() -> None:
+    title, *lines = lateness.report(turns=[(50, 0.2)], rounds=1)
     assert [re.sub(" of .* ticks", "", line[:40]).split()[:4] for line in lines] == [
         ["50", "Hz,", f"{quantile},", name] for quantile in ("p50", "p99") for name in ("Timer", "Rate")
     ]
     assert all(re.search(r"\(.* (ms|µs|s) / .* (ms|µs|s)\)$", line) for line in lines)
 
 
-def test_the_build_is_compared_with_its_notebooks(part: Any, tmp_path: Path) -> None:
-    site_build = part("site_build")
+def test_the_build_is_compared_with_its_notebooks(tmp_path: Path) -> None:
     source, folder = tmp_path / "source", tmp_path / "built"
     source.mkdir()
     (source / "conf.py").write_text("extensions = ['myst_nb']\nnb_execution_mode = 'force'\n")
@@ -82,12 +89,12 @@ def test_the_build_is_compared_with_its_notebooks(part: Any, tmp_path: Path) -> 
         (2.0, {}, "2.00"),
     ],
 )
-def test_a_line_says_whether_its_goal_holds(part: Any, value: float, goal: Any, expected: str) -> None:
-    assert part("ratios").line("what", value, **goal).endswith(expected)
+def test_a_line_says_whether_its_goal_holds(value: float, goal: Any, expected: str) -> None:
+    assert ratios.line("what", value, **goal).endswith(expected)
 
 
-def test_the_page_is_measured(part: Any, site: Path, require: Callable[[str], None]) -> None:
+def test_the_page_is_measured(site: Path, require: Callable[[str], None]) -> None:
     require("browser")
-    lines = list(part("live").report(rounds=1, seconds=1.0, pause=0.0))
+    lines = list(live.report(rounds=1, seconds=1.0, pause=0.0))
     assert sum("at most" in line for line in lines) == 5
     assert "10 ticks" in lines[-1]

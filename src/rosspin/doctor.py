@@ -8,10 +8,14 @@ from collections.abc import Iterator
 
 from . import ros1
 
-__all__ = ["report"]
+__all__ = ["chromium", "report"]
 
 _APT = "on Debian and Ubuntu: sudo apt-get install"
-_BROWSERS = ("chromium", "chromium-browser", "google-chrome")
+
+
+def chromium() -> str | None:
+    """The path of Chromium, or of its sibling Chrome; None if neither is installed."""
+    return shutil.which("chromium") or shutil.which("chromium-browser") or shutil.which("google-chrome")
 
 
 def report() -> Iterator[str]:
@@ -22,7 +26,7 @@ def report() -> Iterator[str]:
     yield _line("roscpp", ros1.missing(), f"{_APT} {ros1.APT}")
     lacking = [] if importlib.util.find_spec("rclpy") else ["rclpy"]
     yield _line("rclpy", lacking, "on Linux, with Python 3.10 to 3.13: pip install ros-rclpy ros-rmw-fastrtps-cpp")
-    yield _line("browser", [] if any(map(shutil.which, _BROWSERS)) else ["Chromium"], f"{_APT} chromium")
+    yield _line("browser", [] if chromium() else ["Chromium"], f"{_APT} chromium")
 
 
 def _line(runtime: str, lacking: list[str], remedy: str) -> str:
