@@ -9,7 +9,7 @@ import sys
 from typing import NoReturn
 
 from ..world import NotSimulated
-from . import client, core, exceptions, genpy, names, rostime, timer
+from . import client, core, exceptions, genpy, names, rostime, timer, validators
 from .client import *
 from .core import *
 from .exceptions import *
@@ -75,9 +75,11 @@ IN_PART = {
 MODULES = {
     "rospy": sys.modules[__name__],
     "genpy": genpy,
+    "genpy.rostime": genpy,
     "rospy.client": client,
     "rospy.core": core,
     "rospy.exceptions": exceptions,
+    "rospy.impl.validators": validators,
     "rospy.names": names,
     "rospy.rostime": rostime,
     "rospy.timer": timer,

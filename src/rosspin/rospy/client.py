@@ -69,7 +69,7 @@ def init_node(
     if argv is None:
         argv = node.world.argv
     else:
-        node.mappings = rosgraph.load_mappings(argv)
+        names.reload_mappings(argv)
     if not name:
         raise ValueError("name must not be empty")
     if rosgraph.SEP in name:
@@ -91,17 +91,16 @@ def init_node(
         warnings.warn(
             f"'{name}' is not a legal ROS base name. This may cause problems with other ROS tools.", stacklevel=2
         )
-    node.name = rosgraph.resolve_under(name, node.name)
-    node.namespace = rosgraph.namespace(node.name)
-    node.resolved_mappings = rosgraph.resolve_mappings(node.mappings, node.name)
-    for parameter, value in _private_parameters(argv).items():
+    names._set_caller_id(rosgraph.resolve_name(name, node.name))
+    names.initialize_mappings(node.name)
+    for parameter, value in load_command_line_node_params(argv).items():
         set_param(rosgraph.PRIV_NAME + parameter, value)
     node.initialized = True
     node.log_level = logging.INFO if log_level is None else _LEVELS[log_level]
     node.time_initialized = True
 
 
-def _private_parameters(argv: list[str]) -> dict[str, Any]:
+def load_command_line_node_params(argv: list[str]) -> dict[str, Any]:
     """The values of ``_name:=value`` on a command line, read as YAML."""
     try:
         pairs = [(name[1:], text) for name, text in rosgraph.split_remappings(argv) if rosgraph.is_parameter(name)]

@@ -13,8 +13,11 @@ from typing import Any
 
 from ..frames import format_error, node_frame
 from .genpy import Duration
+from .names import valid_name
+from .rosgraph import SEP
 from .rostime import get_rostime, wallsleep
 from .state import State, state
+from .validators import ParameterInvalid, Validator
 
 __all__ = [
     "is_shutdown",
@@ -225,6 +228,32 @@ logdebug_throttle, loginfo_throttle, logwarn_throttle, logerr_throttle, logfatal
 logdebug_once, loginfo_once, logwarn_once, logerr_once, logfatal_once = _family(
     "_once", _once, "As {name}, but from this line of the node only the first time."
 )
+
+
+# --- the node ---------------------------------------------------------------------------------------------------------
+
+
+def is_initialized() -> bool:
+    """Whether ``init_node`` has been called."""
+    return state().initialized
+
+
+def set_initialized(initialized: bool) -> None:
+    """Say whether the node is initialised."""
+    state().initialized = initialized
+
+
+def is_topic(param_name: str) -> Validator:
+    """A check for names of topics, which gives them back in full. It raises ParameterInvalid."""
+    check = valid_name(param_name)
+
+    def validator(param_value: Any, caller_id: str) -> str:
+        name = str(check(param_value, caller_id))
+        if param_value == SEP:
+            raise ParameterInvalid(f"ERROR: parameter [{param_name}] cannot be the global namespace")
+        return name
+
+    return validator
 
 
 # --- shutdown ---------------------------------------------------------------------------------------------------------

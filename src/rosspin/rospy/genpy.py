@@ -5,8 +5,9 @@ Two values keep genpy's class, as they do on a real ROS: the difference of two t
 
 from __future__ import annotations
 
+import sys
 from numbers import Integral, Real
-from typing import Any, TypeVar
+from typing import Any, ClassVar, TypeVar
 
 __all__ = ["Duration", "TVal", "Time"]
 
@@ -22,7 +23,9 @@ class TVal:
     ``secs`` may be a float if ``nsecs`` is 0 (else ValueError); its fraction is cut off, not rounded, to nanoseconds.
     """
 
-    __slots__ = ["nsecs", "secs"]
+    __slots__ = ["secs", "nsecs"]
+    _slot_types = ["int32", "int32"]  # what a message says of its fields, too
+    _comparable: ClassVar[type[TVal]]
 
     def __init__(self, secs: float = 0, nsecs: float = 0) -> None:
         if not isinstance(secs, Integral):
@@ -71,6 +74,9 @@ class TVal:
     def __str__(self) -> str:
         return str(self.to_nsec())
 
+    def __repr__(self) -> str:
+        return f"genpy.TVal[{self.to_nsec()}]"
+
     def __bool__(self) -> bool:
         return self.secs != 0 or self.nsecs != 0
 
@@ -82,19 +88,19 @@ class TVal:
 
     # Times compare with times and durations with durations; a mixture is a TypeError, or unequal.
     def __eq__(self, other: object) -> bool:
-        return _kind(self) is _kind(other) and self.__getstate__() == other.__getstate__()
+        return isinstance(other, self._comparable) and self.__getstate__() == other.__getstate__()
 
     def __lt__(self, other: Any) -> bool:
-        return self.to_nsec() < other.to_nsec() if _kind(self) is _kind(other) else NotImplemented
+        return self.to_nsec() < other.to_nsec() if isinstance(other, self._comparable) else NotImplemented
 
     def __le__(self, other: Any) -> bool:
-        return self.to_nsec() <= other.to_nsec() if _kind(self) is _kind(other) else NotImplemented
+        return self.to_nsec() <= other.to_nsec() if isinstance(other, self._comparable) else NotImplemented
 
     def __gt__(self, other: Any) -> bool:
-        return self.to_nsec() > other.to_nsec() if _kind(self) is _kind(other) else NotImplemented
+        return self.to_nsec() > other.to_nsec() if isinstance(other, self._comparable) else NotImplemented
 
     def __ge__(self, other: Any) -> bool:
-        return self.to_nsec() >= other.to_nsec() if _kind(self) is _kind(other) else NotImplemented
+        return self.to_nsec() >= other.to_nsec() if isinstance(other, self._comparable) else NotImplemented
 
 
 class Duration(TVal):
@@ -186,5 +192,6 @@ def _split(seconds: float) -> tuple[int, int]:
     return secs, int((seconds - secs) * 1_000_000_000)
 
 
-def _kind(value: object) -> type | None:
-    return Time if isinstance(value, Time) else Duration if isinstance(value, Duration) else None
+TVal._comparable, Duration._comparable, Time._comparable = TVal, Duration, Time
+
+rostime = sys.modules[__name__]  # where genpy has them

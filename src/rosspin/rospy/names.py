@@ -1,13 +1,32 @@
-"""The node's own name and names as it sees them (source: rospy/names.py)."""
+"""The node's own name, and names as it sees them (source: rospy/names.py)."""
 
 from __future__ import annotations
 
 from typing import Any
 
 from . import rosgraph
+from .exceptions import ROSException
+from .rosgraph import (
+    ANYTYPE,
+    GLOBALNS,
+    REMAP,
+    SEP,
+    canonicalize_name,
+    get_ros_namespace,
+    is_global,
+    is_private,
+    isstring,
+    load_mappings,
+    make_global_ns,
+    namespace,
+    ns_join,
+)
 from .state import state
+from .validators import ParameterInvalid, Validator
 
 __all__ = ["get_caller_id", "get_name", "get_namespace", "remap_name", "resolve_name"]
+
+TOPIC_ANYTYPE = SERVICE_ANYTYPE = ANYTYPE
 
 
 def get_namespace() -> str:
@@ -23,23 +42,123 @@ def get_name() -> str:
 get_caller_id = get_name
 
 
+def _set_caller_id(caller_id: str) -> None:
+    """Give the node a full name, and with it a namespace."""
+    node = state()
+    node.name, node.namespace = caller_id, namespace(caller_id)
+
+
+# --- names in full ----------------------------------------------------------------------------------------------------
+
+
 def resolve_name(name: Any, caller_id: str | None = None) -> str:
     """A name in full, as seen from the node (or from ``caller_id``), remapped if the command line says so."""
     own = state()
     node = caller_id or own.name
     if not name:
-        return rosgraph.namespace(node)
-    full = rosgraph.canonicalize_name(str(name))
-    if rosgraph.is_private(full):
+        return namespace(node)
+    resolved = canonicalize_name(str(name))
+    if is_private(resolved):
         # Joined, as rospy does it: "~/rate" is "/rate".
-        rest = full[1:]
-        resolved = rest if rosgraph.is_global(rest) else node + rosgraph.SEP + rest
-    else:
-        resolved = rosgraph.resolve_under(full, node)
+        resolved = ns_join(node, resolved[1:])
+    elif not is_global(resolved):
+        resolved = namespace(node) + resolved
     return own.resolved_mappings.get(resolved, resolved)
+
+
+def resolve_name_without_node_name(name: str) -> str:
+    """A name in full as long as the node has no name, remapped likewise. Private: ValueError."""
+    if is_private(name):
+        raise ValueError("~name topics cannot be created before init_node() has been called")
+    node = ns_join(get_namespace(), "node")
+    resolved = rosgraph.resolve_name(name, node)
+    for source, target in state().mappings.items():
+        if rosgraph.resolve_name(source, node) == resolved:
+            return rosgraph.resolve_name(target, node)
+    return resolved
 
 
 def remap_name(name: str, caller_id: str | None = None, resolved: bool = True) -> str:
     """A name in full if the command line remaps it, else as it is."""
     node = state()
-    return rosgraph.resolve_under(node.mappings[name], caller_id or node.name) if name in node.mappings else name
+    return rosgraph.resolve_name(node.mappings[name], caller_id or node.name) if name in node.mappings else name
+
+
+def scoped_name(caller_id: str, name: str) -> str:
+    """A global name as seen from the namespace of ``caller_id``, in which it must be. No full name: ROSException."""
+    if not is_global(caller_id):
+        raise ROSException("caller_id must be global")
+    return canonicalize_name(name)[len(namespace(caller_id)) :]
+
+
+# --- remappings -------------------------------------------------------------------------------------------------------
+
+
+def get_mappings() -> dict[str, str]:
+    """The remappings of the command line, as they are written there."""
+    return state().mappings
+
+
+def get_resolved_mappings() -> dict[str, str]:
+    """The remappings of the command line in full; there are none before ``init_node``."""
+    return state().resolved_mappings
+
+
+def reload_mappings(argv: list[str]) -> None:
+    """Take the remappings of another command line."""
+    state().mappings = load_mappings(argv)
+
+
+def initialize_mappings(node_name: str) -> None:
+    """Resolve the remappings for a node of that full name; ``__name`` and the like stay as they are."""
+    node = state()
+    node.resolved_mappings = {
+        source if source.startswith("__") else rosgraph.resolve_name(source, node_name): target
+        if source.startswith("__")
+        else rosgraph.resolve_name(target, node_name)
+        for source, target in node.mappings.items()
+    }
+
+
+# --- checks of arguments ----------------------------------------------------------------------------------------------
+
+
+def valid_name_validator_unresolved(param_name: str, param_value: Any, caller_id: str) -> str:
+    """``param_value``, if it is a text without a colon or a space, which a URI would have. Else ParameterInvalid."""
+    value = _text(param_name, param_value)
+    if ":" in value or " " in value:
+        raise ParameterInvalid(f"ERROR: parameter [{param_name}] contains illegal chars")
+    return value
+
+
+def valid_name_validator_resolved(param_name: str, param_value: Any, caller_id: str) -> str:
+    """The same, in full for the node of the full name ``caller_id``; remappings are not looked at."""
+    return rosgraph.resolve_name(valid_name_validator_unresolved(param_name, param_value, caller_id), caller_id)
+
+
+def valid_name(param_name: str, resolve: bool = True) -> Validator:
+    """A check for names, which gives them back in full (or as they are). It raises ParameterInvalid."""
+    check = valid_name_validator_resolved if resolve else valid_name_validator_unresolved
+
+    def validator(param_value: Any, caller_id: str) -> str:
+        return check(param_name, param_value, caller_id)
+
+    return validator
+
+
+def global_name(param_name: str) -> Validator:
+    """A check for names that begin with ``/``, which gives them back. It raises ParameterInvalid."""
+
+    def validator(param_value: Any, caller_id: str) -> str:
+        value = _text(param_name, param_value)
+        if not is_global(value):
+            raise ParameterInvalid(f"ERROR: parameter [{param_name}] must be a globally referenced name")
+        return value
+
+    return validator
+
+
+def _text(param_name: str, value: Any) -> str:
+    if not value or not isstring(value):
+        raise ParameterInvalid(f"ERROR: parameter [{param_name}] must be a non-empty string")
+    return str(value)

@@ -5,39 +5,46 @@ from __future__ import annotations
 import os
 import re
 import sys
+from collections.abc import Mapping
 
-SEP = "/"
+SEP = GLOBALNS = "/"
 PRIV_NAME = "~"
 REMAP = ":="
+ANYTYPE = "*"  # of a topic: whichever type it has
 
 _REMAPPING = re.compile(r"([~/A-Za-z]|_|__)[\w/]*:=.*")
 _NAME = re.compile(r"[~/A-Za-z][\w/]*")
 _BASE_NAME = re.compile(r"[A-Za-z]\w*")
 
 
-def is_legal_remap(arg: str) -> bool:
+def isstring(s: object) -> bool:
+    """Whether a value is a text."""
+    return isinstance(s, str)
+
+
+def is_legal_remap(arg: str | None) -> bool:
     """Whether an argument is a remapping, such as ``__ns:=/mrp`` or ``_rate:=10``."""
-    return bool(_REMAPPING.fullmatch(arg))
+    return arg is not None and bool(_REMAPPING.fullmatch(arg))
 
 
-def is_legal_name(name: str) -> bool:
+def is_legal_name(name: str | None) -> bool:
     """Whether a name may stand for something in the graph; the empty one stands for the namespace."""
-    return not name or bool(_NAME.fullmatch(name)) and "//" not in name
+    return name is not None and (not name or bool(_NAME.fullmatch(name)) and "//" not in name)
 
 
-def is_legal_base_name(name: str) -> bool:
+def is_legal_base_name(name: str | None) -> bool:
     """Whether a name is a letter followed by letters, digits and underscores."""
-    return bool(_BASE_NAME.fullmatch(name))
+    return name is not None and bool(_BASE_NAME.fullmatch(name))
 
 
-def is_global(name: str) -> bool:
+def is_global(name: str | None) -> bool:
     """Whether a name begins with ``/``."""
-    return name.startswith(SEP)
+    return bool(name) and name[0] == SEP  # type: ignore[index]
 
 
-def is_private(name: str) -> bool:
+def is_private(name: str | None) -> bool:
     """Whether a name begins with ``~``."""
-    return name.startswith(PRIV_NAME)
+    return bool(name) and name[0] == PRIV_NAME  # type: ignore[index]
 
 
 def split_remappings(argv: list[str]) -> list[tuple[str, str]]:
@@ -66,12 +73,15 @@ def load_mappings(argv: list[str]) -> dict[str, str]:
     return mappings
 
 
-def get_ros_namespace(argv: list[str]) -> str:
-    """The namespace set by ``__ns:=`` or ROS_NAMESPACE, beginning and ending in ``/``. Private: ValueError."""
-    for arg in argv:
+def get_ros_namespace(env: Mapping[str, str] | None = None, argv: list[str] | None = None) -> str:
+    """The namespace set by ``__ns:=`` or ROS_NAMESPACE, beginning and ending in ``/``. Private: ValueError.
+
+    ``env`` stands in for the environment, ``argv`` for the command line.
+    """
+    for arg in sys.argv if argv is None else argv:
         if arg.startswith("__ns:="):
             return make_global_ns(arg.removeprefix("__ns:="))
-    return make_global_ns(os.environ.get("ROS_NAMESPACE", SEP))
+    return make_global_ns((os.environ if env is None else env).get("ROS_NAMESPACE", GLOBALNS))
 
 
 def make_global_ns(name: str) -> str:
@@ -83,8 +93,19 @@ def make_global_ns(name: str) -> str:
     return name if name.endswith(SEP) else name + SEP
 
 
+def ns_join(ns: str, name: str) -> str:
+    """A name below a namespace. One that is global or private stays as it is."""
+    if is_private(name) or is_global(name) or not ns:
+        return name
+    return ns + name if ns == PRIV_NAME or ns.endswith(SEP) else ns + SEP + name
+
+
 def namespace(name: str) -> str:
-    """The namespace that holds a name, ending in ``/``."""
+    """The namespace that holds a name, ending in ``/``. None: ValueError; anything else that is no text: TypeError."""
+    if name is None:
+        raise ValueError("name")
+    if not isstring(name):
+        raise TypeError("name")
     name = name.removesuffix(SEP)
     return name[: name.rfind(SEP) + 1] or SEP
 
@@ -96,23 +117,11 @@ def canonicalize_name(name: str) -> str:
     return (SEP if is_global(name) else "") + SEP.join(part for part in name.split(SEP) if part)
 
 
-def resolve_under(name: str, node: str) -> str:
-    """A name in full, for the node of that full name; remappings are not looked at."""
+def resolve_name(name: str, namespace_: str) -> str:
+    """A name in full, for the node of the full name ``namespace_``; remappings are not looked at."""
     if not name:
-        return namespace(node)
+        return namespace(namespace_)
     name = canonicalize_name(name)
-    if is_global(name):
-        return name
     if is_private(name):
-        return canonicalize_name(node + SEP + name[1:])
-    return namespace(node) + name
-
-
-def resolve_mappings(mappings: dict[str, str], node: str) -> dict[str, str]:
-    """Remappings with both sides in full; ``__name`` and the like stay as they are."""
-    return {
-        source if source.startswith("__") else resolve_under(source, node): target
-        if source.startswith("__")
-        else resolve_under(target, node)
-        for source, target in mappings.items()
-    }
+        return canonicalize_name(namespace_ + SEP + name[1:])
+    return name if is_global(name) else namespace(namespace_) + name

@@ -30,7 +30,7 @@ class State:
 
         self.mappings = rosgraph.load_mappings(argv)
         self.resolved_mappings: dict[str, str] = {}
-        self.namespace = rosgraph.get_ros_namespace(argv)
+        self.namespace = rosgraph.get_ros_namespace(argv=argv)
         self.name = self.namespace + "unnamed"
         self.parameters: dict[str, Any] = {}
 
