@@ -15,7 +15,7 @@ from playwright.sync_api import Browser, Page
 
 from rosspin import doctor
 
-# What random tests draw from: of Hypothesis, too, if it is asked for. CI always draws the same, as Hypothesis does there.
+# What random tests draw from, Hypothesis's too if it is asked for. CI always draws the same, as Hypothesis does there.
 SEED = int(os.environ.get("ROSSPIN_SEED") or (0 if "CI" in os.environ else random.SystemRandom().randrange(10**6)))
 
 ROOT = Path(__file__).parent.parent

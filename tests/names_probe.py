@@ -1,6 +1,6 @@
 """A node that draws names and times at random and prints what comes of them: ``names_probe.py SEED COUNT``.
 
-It needs no master. The numbers are drawn before anything is called, so that one difference causes no others.
+It needs no master. All of it is drawn before it is used, so that one difference causes no others.
 """
 
 from __future__ import annotations
@@ -22,6 +22,7 @@ from rospy.impl.validators import non_empty
 
 seed, count = int(sys.argv[1]), int(sys.argv[2])
 draw = random.Random(seed)
+sys.stderr = sys.stdout  # of a bad remapping in its place
 
 
 def show(what: str, function: Callable[..., Any], *args: Any) -> None:
@@ -29,12 +30,14 @@ def show(what: str, function: Callable[..., Any], *args: Any) -> None:
     try:
         result = describe(function(*args))
     except Exception as error:
-        result = f"{type(error).__name__}: {error}"
+        result = type(error).__name__
+        if not isinstance(error, (ArithmeticError, AttributeError, TypeError)):  # Python's own texts change
+            result += f": {error}"
     print(what, *map(describe, args), "->", result)
 
 
 def describe(value: Any) -> str:
-    """A value in words that are the same in both: types of fields, too; what is only looked at as true is that."""
+    """A value in words, with its class and its fields if it is a time."""
     if isinstance(value, genpy.rostime.TVal):
         return f"{value!r} {type(value).__name__} {value.secs!r} {value.nsecs!r}"
     return repr(value)
@@ -112,7 +115,7 @@ OPERATORS = [
     *(operator.add, operator.sub, operator.mul, operator.truediv, operator.floordiv, operator.mod, divmod),
     *(operator.eq, operator.ne, operator.lt, operator.le, operator.gt, operator.ge),
 ]
-METHODS = ["is_zero", "to_sec", "to_nsec", "to_time", "canon", "__str__", "__repr__", "__hash__", "__bool__"]
+METHODS = ["is_zero", "to_sec", "to_nsec", "to_time", "canon", "__str__", "__repr__", "__bool__"]
 
 
 def any_number() -> Any:
@@ -133,7 +136,7 @@ def any_value() -> Any:
         value = kind(*fields)
     except (TypeError, ValueError):
         value = kind()
-    if draw.random() < 0.1 and kind is not genpy.rostime.TVal:  # an old copy of another program, say
+    if draw.random() < 0.1 and kind is not genpy.rostime.TVal:  # as a program may set them
         value.set(*by_hand)
     return value
 
@@ -151,6 +154,8 @@ for _ in range(count):
         show(function.__name__, function, copy.copy(one), copy.copy(other))
     for name in METHODS:
         show(name, call(name), copy.copy(one))
+    if isinstance(one, genpy.rostime.TVal):
+        show("hash", hash, one)
     show("negative", operator.neg, one)
     show("absolute", abs, one)
     show("pickled", lambda value: pickle.loads(pickle.dumps(value)), one)
