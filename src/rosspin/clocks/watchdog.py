@@ -8,6 +8,7 @@ import threading
 import time
 from _thread import get_ident
 from collections.abc import Callable
+from time import perf_counter
 from types import FrameType
 from typing import Any
 
@@ -59,8 +60,8 @@ class Watchdog:
                 raise KeyboardInterrupt from None
 
     def _busy_until_now(self) -> float:
-        """For how long (s) the thread that is watched has had the processor."""
-        return time.thread_time()
+        """For how long (s) the thread that is watched has had the processor. In a page it always has."""
+        return perf_counter()
 
     def _is_stuck(self, frame: FrameType | None) -> bool:
         """Look at the code, which is at ``frame``: whether it has been without a sign of life for too many looks."""
