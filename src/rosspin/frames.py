@@ -10,7 +10,7 @@ from itertools import islice
 from types import CodeType, FrameType, TracebackType
 from typing import NamedTuple
 
-__all__ = ["Place", "called_from", "format_error", "node_frame", "node_frames", "places"]
+__all__ = ["Place", "called_from", "format_error", "node_frame", "node_frames", "places", "trail"]
 
 _PACKAGE = __name__.rpartition(".")[0]
 _LIBRARY = os.path.dirname(traceback.__file__) + os.sep
@@ -78,14 +78,22 @@ class Place(NamedTuple):
     call: str
 
 
-def places(frame: FrameType | None) -> list[Place]:
-    """Where a stack of frames is, innermost first."""
+# The codes of a stack of frames and where they are in them, innermost first: instruction and line.
+Trail = list[tuple[CodeType, int, int]]
+
+
+def trail(frame: FrameType | None) -> Trail:
+    """Where a stack of frames is, in a form that can be kept while it goes on."""
     found = []
     while frame:
-        code, line = frame.f_code, frame.f_lineno or 0
-        found.append(Place(code.co_filename, line, _call(code, frame.f_lasti)))
+        found.append((frame.f_code, frame.f_lasti, frame.f_lineno or 0))
         frame = frame.f_back
     return found
+
+
+def places(trail: Trail) -> list[Place]:
+    """A trail in places of source files, innermost first."""
+    return [Place(code.co_filename, line, _call(code, at)) for code, at, line in trail]
 
 
 def _call(code: CodeType, at: int) -> str:

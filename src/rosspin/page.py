@@ -9,6 +9,7 @@ import io
 import json
 import os
 import shlex
+import signal
 import sys
 from collections.abc import Sequence
 from contextlib import redirect_stderr, redirect_stdout
@@ -27,6 +28,9 @@ from .run import TimeStandsStill, run_node, say_error, split_words
 from .world import NotSimulated, World
 
 __all__ = ["run"]
+
+# The page interrupts whatever does not give way, for the watchdog of a run to look at it; the rest is to go on.
+signal.signal(signal.SIGINT, signal.SIG_IGN)
 
 # A plot shows no more ticks than this, the last ones.
 _MOST_TICKS = 2000

@@ -10,11 +10,12 @@ import asyncio
 import sys
 from collections.abc import Callable
 from contextvars import Context
-from types import FrameType
 from typing import Any
 
 from js import Promise
 from pyodide.ffi import run_sync
+
+from ..frames import Trail, trail
 
 __all__ = ["Switched", "current"]
 
@@ -26,7 +27,7 @@ class Switched:
         self.dead = False
         self._function = function
         self._home = home
-        self.frame: FrameType | None = None
+        self.trail: Trail = []  # where it is suspended: its frames cannot be looked at then
         self._context = Context()
         self._started = False
         self._resume: Callable[[], None] | None = None
@@ -80,7 +81,7 @@ def _switch(stack: Switched, error: BaseException | None) -> None:
     if stack.dead:
         raise RuntimeError("this stack has ended")
     me = _running
-    me.frame = sys._getframe(1)
+    me.trail = trail(sys._getframe(1))
     turn = Promise.withResolvers()
     me._resume = turn.resolve
     stack._go_on(error)

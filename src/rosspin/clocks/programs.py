@@ -13,7 +13,7 @@ from collections.abc import Callable, Iterator
 from contextlib import contextmanager
 from typing import Any
 
-from ..frames import Place, places
+from ..frames import Place, places, trail
 from .clock import NS
 from .ending import Ended, end_thread, ending_here
 from .signals import Died, send, simulated_signals
@@ -59,7 +59,7 @@ def run_simulated(
     """
 
     def kill() -> None:
-        raise Killed([(_name(stack.ident), places(stack.frame)) for stack in simulation.suspended() if stack.ident])
+        raise Killed([(_name(stack.ident), places(stack.trail)) for stack in simulation.suspended() if stack.ident])
 
     def press_ctrl_c() -> None:
         program.interrupted = True
@@ -169,7 +169,7 @@ class _Alarm:
             return
         frames = sys._current_frames()
         idents = [self._ident, *self._program.idents]
-        self.waited = [(_name(ident), places(frames.get(ident))) for ident in idents]
+        self.waited = [(_name(ident), places(trail(frames.get(ident)))) for ident in idents]
         deadline = time.monotonic() + _DEAF
         while not self._is_over(0.1):
             signal.pthread_kill(self._ident, _END)

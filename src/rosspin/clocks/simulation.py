@@ -14,7 +14,7 @@ from collections.abc import Callable
 from heapq import heapify, heappop, heappush, heappushpop
 from itertools import count
 
-from ..frames import Place, places
+from ..frames import Place, places, trail
 from .clock import NS
 from .ending import ending_here
 from .stacks import Program, Stack, StackExit, Switched, current
@@ -219,7 +219,7 @@ class Simulation:
                 self._home.switch()
 
     def _stand_still(self, me: Switched) -> None:
-        self._home.throw(Standstill(places(sys._getframe()), getattr(me, "place", "")))
+        self._home.throw(Standstill(places(trail(sys._getframe())), getattr(me, "place", "")))
 
     def _move(self, when: int) -> None:
         self._now, self._last_move = when, self._order

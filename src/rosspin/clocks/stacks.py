@@ -12,8 +12,9 @@ import threading
 from collections.abc import Callable
 from contextvars import Context
 from itertools import count
-from types import FrameType
 from typing import TYPE_CHECKING, Any, cast
+
+from ..frames import Trail, trail
 
 if TYPE_CHECKING:
     from .simulation import Simulation
@@ -62,9 +63,9 @@ else:
             self.gr_context = Context()  # as a thread's: empty
 
         @property
-        def frame(self) -> FrameType | None:
+        def trail(self) -> Trail:
             """Where it is suspended."""
-            return self.gr_frame
+            return trail(self.gr_frame)
 
     current = cast(Callable[[], Switched], getcurrent)
     """The stack that is running; what was not made as a Stack can at least be switched to."""

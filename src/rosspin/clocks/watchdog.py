@@ -12,7 +12,7 @@ from time import perf_counter
 from types import FrameType
 from typing import Any
 
-from ..frames import Place, places
+from ..frames import Place, places, trail
 from .ending import Ended, end_thread
 
 __all__ = ["Stuck", "Watchdog", "watch"]
@@ -75,7 +75,7 @@ class Watchdog:
             return False
         if self._stuck is None:
             worked = self._busy_until_now() - self._worked
-            self._stuck = Stuck(places(frame), waits=worked < _BUSY * _LOOKS * _INTERVAL)
+            self._stuck = Stuck(places(trail(frame)), waits=worked < _BUSY * _LOOKS * _INTERVAL)
         return True
 
 
