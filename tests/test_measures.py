@@ -49,12 +49,26 @@ def test_no_values_have_no_quantile() -> None:
     [
         ([0.5, 1.0, 1.5, 2.2, 2.5, 3.0], []),
         ([0.5, 1.0, 1.5, 2.7, 2.7, 3.0], []),  # caught up
-        ([0.5, 1.0, 1.5, 3.7, 4.2, 4.7], [2.0, 2.5, 3.0]),  # three were due, one came
+        ([0.5, 1.0, 1.5, 3.7, 4.2, 4.7], [2.5, 3.0, 3.5]),  # at 3.7 the tick due at 2.0, and then a new grid
+        ([0.5, 1.3, 2.1, 2.9, 3.7, 4.5], [3.0, 3.5]),  # 1.2 s late at last: too late
         ([], []),
     ],
 )
-def test_lost_ticks(reals: list[float], gone: list[float]) -> None:
+def test_ticks_that_rospy_loses(reals: list[float], gone: list[float]) -> None:
     assert lost(ticks(*reals), 0.5) == gone
+
+
+@pytest.mark.parametrize(
+    ("times", "gone"),
+    [
+        ([(1.5, 1.5), (2.7, 2.7), (3.2, 3.2), (3.7, 3.7)], [2.0]),
+        ([(1.5, 1.5), (3.7, 3.7), (4.2, 4.2)], [2.0, 2.5, 3.0]),
+        ([(0.5, 1.3), (1.0, 2.1), (2.1, 2.9), (2.6, 3.7), (3.7, 4.5)], [1.5, 3.0]),  # queued behind another timer
+        ([(0.5, 5.5), (5.5, 10.5), (10.5, 15.5)], [*(n / 2 for n in range(2, 11)), *(n / 2 for n in range(12, 21))]),
+    ],
+)
+def test_ticks_that_roscpp_loses(times: list[tuple[float, float]], gone: list[float]) -> None:
+    assert lost([Tick("A", n, *pair, 0.0) for n, pair in enumerate(times, 1)], 0.5) == gone
 
 
 @pytest.mark.parametrize(

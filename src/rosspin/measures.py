@@ -39,23 +39,25 @@ def periods(ticks: Sequence[Tick]) -> list[float]:
 
 
 def lost(ticks: Sequence[Tick], period: float) -> list[float]:
-    """The times (s) on the grid of ``period`` seconds through the first expected tick that no tick made up for.
+    """The times (s) that a timer or a rate skipped, on the grid of ``period`` seconds through the first expected tick.
 
-    Each tick makes up for the latest time that was due when it came and that no tick before it made up for. The ticks
-    are of one source.
+    A tick stands for the last time on the grid that is not after the one at which it was expected; a time that no tick
+    stands for, though a later one has its tick, is lost. The ticks are of one source.
     """
     if not ticks:
         return []
-    origin = ticks[0].expected
-    unserved: list[int] = []
-    due = 0
+    origin = previous = ticks[0].expected
+    moved = 0.0
+    served = []
     for tick in ticks:
-        while origin + due * period <= tick.real + 1e-3 * period:
-            unserved.append(due)
-            due += 1
-        if unserved:
-            unserved.pop()
-    return [origin + number * period for number in unserved]
+        if tick.expected - previous > 1.5 * period:  # roscpp and rclpy move ``expected`` to the new grid
+            moved = 0.0
+        due = tick.expected + moved
+        served.append(int((due - origin) / period + 1e-3))
+        if tick.real - due > 2 * period:  # rospy leaves it as it was: see ``rospy.Rate.sleep``
+            moved = tick.real - tick.expected
+        previous = tick.expected
+    return [origin + number * period for number in sorted({*range(served[-1])} - {*served})]
 
 
 def quantile(values: Sequence[float], share: float) -> float:
