@@ -110,7 +110,7 @@ def timeline(ticks: Ticks, period: float | None = None) -> Figure:
             steps = int((last - group[0].expected) / period + 1e-3) + 1
             expected |= {group[0].expected + step * period for step in range(steps)}
         axes.vlines(sorted(expected), row - 0.38, row + 0.38, _TEXT, lw=0.8, alpha=0.55)
-        axes.plot(gone, [row] * len(gone), "x", color=_TEXT, ms=5, lw=0)
+        axes.plot(gone, [row + 0.27] * len(gone), "x", color=_TEXT, ms=5, lw=0)
         # One collection: an artist for each bar takes ten times as long.
         bars = [(tick.real, tick.duration) for tick in group if tick.duration > 0]
         axes.broken_barh(bars, (row - 0.15, 0.3), color=colour, alpha=0.45, lw=0)
