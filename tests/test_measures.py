@@ -91,26 +91,28 @@ def test_times_in_words(seconds: float, words: str) -> None:
 
 
 def test_lateness_in_words() -> None:
-    assert describe_lateness([]) == "There was no tick."
-    assert describe_lateness(ticks(0.5)) == "All of 1 tick came when expected."
-    assert describe_lateness(ticks(0.5, 1.0)) == "All of 2 ticks came when expected."
+    assert describe_lateness([]) == "There were no ticks."
+    assert describe_lateness(ticks(0.5)) == "The only tick was on time."
+    assert describe_lateness(ticks(0.7)) == "The only tick was 0.2 s late."
+    assert describe_lateness(ticks(0.5, 1.0)) == "All 2 ticks were on time."
     assert describe_lateness(ticks(0.5, 1.0, 1.7)) == (
-        "Of 3 ticks, at least half came when expected; the latest was 0.2 s late."
+        "At least half of the 3 ticks were on time; the latest was 0.2 s late."
     )
     assert describe_lateness(ticks(0.501, 1.002, 1.503)) == (
-        "Of 3 ticks, half were at most 2 ms late, the latest 3 ms."
+        "Half of the 3 ticks were at most 2 ms late; the latest was 3 ms late."
     )
     assert describe_lateness(ticks(*(n * 0.502 for n in range(1, 202)))) == (
-        "Of 201 ticks, half were at most 0.202 s late, 99 % at most 0.398 s, the latest 0.402 s."
+        "Half of the 201 ticks were at most 0.202 s late and 99 % at most 0.398 s; the latest was 0.402 s late."
     )
 
 
 def test_periods_in_words() -> None:
-    assert describe_periods(ticks(0.5)) == "There was no second tick, so there is no period."
-    assert describe_periods(ticks(0.5, 1.0, 1.5)) == "Every period was 0.5 s: no jitter."
+    assert describe_periods(ticks(0.5)) == "There was no second tick, and so no period."
+    assert describe_periods(ticks(0.5, 1.0, 1.5)) == "Every period was 0.5 s; there was no jitter."
     assert describe_periods(ticks(0.5, 1.0, 1.51)) == (
-        "The median period was 505.000 ms; all 2 periods lay between 500.000 ms and 510.000 ms, a jitter of 10 ms."
+        "The median period was 505.000 ms; all 2 periods lay between 500.000 ms and 510.000 ms: a jitter of 10 ms."
     )
     assert describe_periods(ticks(*(n * 0.5 + 0.01 * (n == 50) for n in range(1, 151)))) == (
-        "The median period was 500.000 ms; 98 % of 149 periods lay between 500.000 ms and 500.000 ms, a jitter of 0."
+        "The median period was 500.000 ms; 98 % of the 149 periods lay between 500.000 ms and 500.000 ms: "
+        "a jitter of 0."
     )
