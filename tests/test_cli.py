@@ -162,8 +162,8 @@ def test_a_plot_is_an_svg_file_and_always_the_same(tmp_path: Path) -> None:
 def test_a_plot_is_also_put_into_words(tmp_path: Path, capsys: pytest.CaptureFixture[str]) -> None:
     assert main(["run", TIMER_NODE, "--simulated", "--seconds", "2", "--plot", str(tmp_path / "a.svg")]) == 0
     assert capsys.readouterr().err == (
-        f"{tmp_path}/a.svg: timerCallback: 4 ticks from 0.500 s to 2.000 s. All of 4 ticks came when expected. "
-        "Every period was 0.5 s: no jitter.\n"
+        f"{tmp_path}/a.svg: timerCallback: 4 ticks from 0.500 s to 2.000 s. All 4 ticks were on time. "
+        "Every period was 0.5 s; there was no jitter.\n"
     )
 
 
@@ -176,7 +176,7 @@ def test_what_needs_the_real_ros_says_so(capsys: pytest.CaptureFixture[str], nam
 @pytest.mark.parametrize(
     ("plot", "text"),
     [
-        ("ticks.png", "rosspin: --plot ticks.png: the name must end in .svg\n"),
+        ("ticks.png", "rosspin: --plot ticks.png: the file name must end in .svg\n"),
         ("no/such/folder/a.svg", "rosspin: --plot no/such/folder/a.svg: there is no such folder\n"),
     ],
 )
@@ -190,7 +190,7 @@ def test_without_ticks_there_is_no_plot_but_the_console_is_there(
 ) -> None:
     plot = tmp_path / "a.svg"
     assert main(["run", write("print('hello')"), "--simulated", "--seconds", "2", "--plot", str(plot)]) == 1
-    assert capsys.readouterr() == ("hello\n", f"rosspin: {plot} is not written: the node did not tick\n")
+    assert capsys.readouterr() == ("hello\n", f"rosspin: {plot} was not written: the node did not tick\n")
     assert not plot.exists()
 
 
@@ -251,7 +251,7 @@ def test_an_exception_in_main_shows_the_node_s_own_frames(capsys: pytest.Capture
 
 
 STILL = (
-    "simulated time stands still at 0.0 s, because the node goes on without sleeping. Sleep in every loop "
+    "simulated time stands still at 0.0 s, because the node keeps running without sleeping. Sleep in every loop "
     "(rate.sleep(), rospy.sleep(0.1)), and give timers and rates a period above 0.\n"
 )
 
@@ -302,11 +302,11 @@ def test_what_is_outside_of_the_stand_in(
     ("args", "text"),
     [
         (["run", TIMER_NODE, "--simulated"], "--simulated needs --seconds: nobody can press Ctrl-C in simulated time"),
-        (["run", TIMER_NODE, "--simulated", "--seconds", "-1"], "seconds must be a number from 0 up, not -1.0"),
-        (["run", TIMER_NODE, "--simulated", "--seconds", "nan"], "seconds must be a number from 0 up, not nan"),
-        (["run", TIMER_NODE, "--seconds", "nan"], "seconds must be a number from 0 up, not nan"),
-        (["run", TIMER_NODE, "--seconds", "inf"], "seconds must be a number from 0 up, not inf"),
-        (["run", TIMER_NODE, "--seconds=-0.5"], "seconds must be a number from 0 up, not -0.5"),
+        (["run", TIMER_NODE, "--simulated", "--seconds", "-1"], "seconds must be a number of at least 0, not -1.0"),
+        (["run", TIMER_NODE, "--simulated", "--seconds", "nan"], "seconds must be a number of at least 0, not nan"),
+        (["run", TIMER_NODE, "--seconds", "nan"], "seconds must be a number of at least 0, not nan"),
+        (["run", TIMER_NODE, "--seconds", "inf"], "seconds must be a number of at least 0, not inf"),
+        (["run", TIMER_NODE, "--seconds=-0.5"], "seconds must be a number of at least 0, not -0.5"),
     ],
 )
 def test_bad_seconds(capsys: pytest.CaptureFixture[str], args: list[str], text: str) -> None:

@@ -190,8 +190,8 @@ def test_no_prediction_is_too_strange(value: str) -> None:
     ("wrong", "hint"),
     [
         ("0.5", "a Duration: rospy.Timer(rospy.Duration(0.5), callback)"),
-        ("None", "Give a timer the callback itself"),
-        ("(self)", "A timer hands its callback one argument"),
+        ("None", "Pass a timer the callback itself"),
+        ("(self)", "A timer passes its callback one argument"),
         ("rospy.log_info", "Python names what it did not find"),
         ("class SpinnerPyNode", "Python could not read the answer"),
         ("    pass", "The node ended by itself"),

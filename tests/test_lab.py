@@ -17,6 +17,7 @@ from urllib.request import Request, urlopen
 
 import pytest
 from conftest import ROOT
+from playwright.sync_api import Browser, expect
 
 TOKEN = "a-token-for-this-test"
 PATIENCE = 120  # seconds until a server that does not answer is given up
@@ -88,3 +89,14 @@ def test_notebook_is_a_notebook(lab: str, name: str) -> None:
     model = _ask(lab, f"api/contents/notebooks/{name}?type=notebook")
     assert model["type"] == "notebook"
     assert {"code", "markdown"} <= {cell["cell_type"] for cell in model["content"]["cells"]}
+
+
+def test_a_link_opens_the_next_notebook(lab: str, browser: Browser) -> None:
+    """A plain Markdown link works in JupyterLab, too: there it opens the file, as a notebook."""
+    page = browser.new_page()
+    page.set_default_timeout(PATIENCE * 1e3)
+    page.goto(f"{lab}/lab/tree/notebooks/timer.md?token={TOKEN}")
+    page.locator(".jp-MarkdownOutput").get_by_role("link", name="the rate notebook").click()
+    title = page.locator(".jp-Notebook:visible h1")
+    expect(title).to_contain_text("Spin in a loop with a rate", timeout=PATIENCE * 1e3)
+    page.close()

@@ -281,7 +281,7 @@ def test_answer_has_its_first_line(exercises: Page) -> None:
         ("%%answer 99", "there is no exercise 99"),
         ("%%answer", "a first line can be %%simulate SECONDS or %%answer NUMBER"),
         ("%%measure 2", "a first line can be %%simulate SECONDS or %%answer NUMBER"),
-        ("%%simulate nan", "seconds must be a number from 0 up, not nan"),
+        ("%%simulate nan", "seconds must be a number of at least 0, not nan"),
     ],
 )
 def test_first_line_that_cannot_be(page: Page, first: str, said: str) -> None:
@@ -369,11 +369,11 @@ def test_flood(page: Page, line: str) -> None:
 @pytest.mark.parametrize(
     ("code", "status", "sentence"),
     [
-        (node("rospy.Rate(0)"), "error: see", "There is no frequency of 0 Hz"),
+        (node("rospy.Rate(0)"), "error: see", "Nothing can have a frequency of 0 Hz"),
         (
             node("rospy.Timer(rospy.Duration(0), print)\nrospy.spin()"),
             "done, but with an error",
-            "There is no frequency of 0 Hz",
+            "Nothing can have a frequency of 0 Hz",
         ),
         (
             node("rospy.Timer(0.5, print)\nrospy.spin()"),

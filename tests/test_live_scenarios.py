@@ -66,7 +66,7 @@ def run_in_page(browser: Browser, address: str) -> Iterator[Callable[..., tuple[
 
 
 # What the page adds at the end, for a reader who does not know what the error means.
-HINTS = ("There is no frequency of 0 Hz", "The period of a rospy.Timer is a Duration", "Give a timer the callback")
+HINTS = ("Nothing can have a frequency", "The period of a rospy.Timer is a Duration", "Pass a timer the callback")
 
 
 def lines_of(console: str) -> list[str]:

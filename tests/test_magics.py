@@ -87,7 +87,7 @@ def test_an_error_in_the_node_is_printed_and_does_not_stop_the_notebook(
         ("%%simulate two", "%%simulate: argument seconds: invalid float value: 'two'"),
         ("%%simulate 1 --fast", "%%simulate: unrecognized arguments: --fast"),
         ("%%measure 1 2", "%%measure: unrecognized arguments: 2"),
-        ("%%simulate nan", "seconds must be a number from 0 up, not nan"),
+        ("%%simulate nan", "seconds must be a number of at least 0, not nan"),
     ],
 )
 def test_a_bad_first_line_says_what_is_wrong(

@@ -49,12 +49,26 @@ def test_no_values_have_no_quantile() -> None:
     [
         ([0.5, 1.0, 1.5, 2.2, 2.5, 3.0], []),
         ([0.5, 1.0, 1.5, 2.7, 2.7, 3.0], []),  # caught up
-        ([0.5, 1.0, 1.5, 3.7, 4.2, 4.7], [2.0, 2.5, 3.0]),  # three were due, one came
+        ([0.5, 1.0, 1.5, 3.7, 4.2, 4.7], [2.5, 3.0, 3.5]),  # at 3.7 the tick due at 2.0, and then a new grid
+        ([0.5, 1.3, 2.1, 2.9, 3.7, 4.5], [3.0, 3.5]),  # 1.2 s late at last: too late
         ([], []),
     ],
 )
-def test_lost_ticks(reals: list[float], gone: list[float]) -> None:
+def test_ticks_that_rospy_loses(reals: list[float], gone: list[float]) -> None:
     assert lost(ticks(*reals), 0.5) == gone
+
+
+@pytest.mark.parametrize(
+    ("times", "gone"),
+    [
+        ([(1.5, 1.5), (2.7, 2.7), (3.2, 3.2), (3.7, 3.7)], [2.0]),
+        ([(1.5, 1.5), (3.7, 3.7), (4.2, 4.2)], [2.0, 2.5, 3.0]),
+        ([(0.5, 1.3), (1.0, 2.1), (2.1, 2.9), (2.6, 3.7), (3.7, 4.5)], [1.5, 3.0]),  # queued behind another timer
+        ([(0.5, 5.5), (5.5, 10.5), (10.5, 15.5)], [*(n / 2 for n in range(2, 11)), *(n / 2 for n in range(12, 21))]),
+    ],
+)
+def test_ticks_that_roscpp_loses(times: list[tuple[float, float]], gone: list[float]) -> None:
+    assert lost([Tick("A", n, *pair, 0.0) for n, pair in enumerate(times, 1)], 0.5) == gone
 
 
 @pytest.mark.parametrize(
@@ -77,26 +91,28 @@ def test_times_in_words(seconds: float, words: str) -> None:
 
 
 def test_lateness_in_words() -> None:
-    assert describe_lateness([]) == "There was no tick."
-    assert describe_lateness(ticks(0.5)) == "All of 1 tick came when expected."
-    assert describe_lateness(ticks(0.5, 1.0)) == "All of 2 ticks came when expected."
+    assert describe_lateness([]) == "There were no ticks."
+    assert describe_lateness(ticks(0.5)) == "The only tick was on time."
+    assert describe_lateness(ticks(0.7)) == "The only tick was 0.2 s late."
+    assert describe_lateness(ticks(0.5, 1.0)) == "All 2 ticks were on time."
     assert describe_lateness(ticks(0.5, 1.0, 1.7)) == (
-        "Of 3 ticks, at least half came when expected; the latest was 0.2 s late."
+        "At least half of the 3 ticks were on time; the latest was 0.2 s late."
     )
     assert describe_lateness(ticks(0.501, 1.002, 1.503)) == (
-        "Of 3 ticks, half were at most 2 ms late, the latest 3 ms."
+        "Half of the 3 ticks were at most 2 ms late; the latest was 3 ms late."
     )
     assert describe_lateness(ticks(*(n * 0.502 for n in range(1, 202)))) == (
-        "Of 201 ticks, half were at most 0.202 s late, 99 % at most 0.398 s, the latest 0.402 s."
+        "Half of the 201 ticks were at most 0.202 s late and 99 % at most 0.398 s; the latest was 0.402 s late."
     )
 
 
 def test_periods_in_words() -> None:
-    assert describe_periods(ticks(0.5)) == "There was no second tick, so there is no period."
-    assert describe_periods(ticks(0.5, 1.0, 1.5)) == "Every period was 0.5 s: no jitter."
+    assert describe_periods(ticks(0.5)) == "There was no second tick, and so no period."
+    assert describe_periods(ticks(0.5, 1.0, 1.5)) == "Every period was 0.5 s; there was no jitter."
     assert describe_periods(ticks(0.5, 1.0, 1.51)) == (
-        "The median period was 505.000 ms; all 2 periods lay between 500.000 ms and 510.000 ms, a jitter of 10 ms."
+        "The median period was 505.000 ms; all 2 periods lay between 500.000 ms and 510.000 ms: a jitter of 10 ms."
     )
     assert describe_periods(ticks(*(n * 0.5 + 0.01 * (n == 50) for n in range(1, 151)))) == (
-        "The median period was 500.000 ms; 98 % of 149 periods lay between 500.000 ms and 500.000 ms, a jitter of 0."
+        "The median period was 500.000 ms; 98 % of the 149 periods lay between 500.000 ms and 500.000 ms: "
+        "a jitter of 0."
     )

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import io
+import json
 import re
 from contextlib import redirect_stdout
 from pathlib import Path
@@ -14,6 +15,8 @@ from conftest import ROOT
 from rosspin.__main__ import main
 
 NOTEBOOKS = sorted(path.stem for path in (ROOT / "notebooks").glob("*.md"))
+PATH = {"timer": "rate", "rate": "drift", "drift": "slow-callback", "slow-callback": "exercises"}
+PATH |= {"two-languages": "slow-callback"}  # a side road, for those who have ROS
 NODES = {"timer": "spinner_py_node.py", "rate": "spinner_rate_py_node.py"}
 
 
@@ -36,6 +39,34 @@ def test_it_begins_with_what_it_is_for_and_ends_with_where_next(name: str) -> No
         assert f"**{promise}**" in texts[0]
     assert re.search(r"\d+ (to \d+ )?minutes", texts[0])
     assert texts[-1].startswith("## Where next") or "\n## Where next\n" in texts[-1]
+
+
+@pytest.mark.parametrize(("name", "following"), PATH.items())
+def test_the_beginning_and_the_end_name_the_notebook_that_comes_next(name: str, following: str) -> None:
+    texts = cells(name, "markdown")
+    assert f"]({following}.md)" in texts[0].partition("**Next**: ")[2].partition("\n\n")[0]
+    assert f"]({following}.md)" in texts[-1].partition("## Where next")[2]
+
+
+@pytest.mark.parametrize("name", NOTEBOOKS)
+def test_no_role_stands_as_source_in_jupyterlab(name: str) -> None:
+    """Sphinx would turn ``{term}`jitter``` into a link, JupyterLab shows it as it is."""
+    assert not re.findall(r"\{[\w:-]+\}`", "\n".join(cells(name, "markdown")))
+
+
+@pytest.mark.parametrize("name", NOTEBOOKS)
+def test_links_lead_to_files_that_jupyterlab_can_open(name: str) -> None:
+    links = re.findall(r"\]\(([^)#]*)[^)]*\)", "\n".join(cells(name, "markdown")))
+    assert links
+    assert not [link for link in links if not (ROOT / "notebooks" / link).is_file()]
+
+
+@pytest.mark.parametrize("name", NOTEBOOKS)
+def test_the_page_offers_the_notebook_with_its_outputs(site: Path, name: str) -> None:
+    page = (site / "notebooks" / f"{name}.html").read_text(encoding="utf-8")
+    [link] = re.findall(r'<a class="reference download internal" download="" href="([^"]*)"', page)
+    notebook = json.loads((site / "notebooks" / link).read_text(encoding="utf-8"))
+    assert any(cell.get("outputs") for cell in notebook["cells"])
 
 
 def test_the_readmes_picture_is_what_its_command_draws(tmp_path: Path) -> None:

@@ -9,7 +9,7 @@ import pytest
 from rosspin import Run, recordings
 
 FOLDER = Path(__file__).parents[1] / "examples" / "recordings"
-TABLES = {"endings.csv", "pipe.csv"}  # what is no run's ticks; docs/how-timing-works.rst checks what they say
+TABLES = {"clock_jump.csv", "endings.csv", "pipe.csv"}  # what is no run's ticks; docs/how-timing-works.rst checks what they say
 FILES = sorted(file for file in [*FOLDER.glob("*.csv"), *FOLDER.glob("*.txt")] if file.name not in TABLES)
 
 NAMES = {
@@ -21,6 +21,9 @@ NAMES = {
         for hertz in (2, 50)
     ),
     *(f"timer_{language}_blocks_once_{periods}.csv" for language in ("cpp", "py") for periods in (1.4, 2.4, 4.4)),
+    *(f"timer_cpp_blocks_{calls}_1.8.csv" for calls in ("once", "twice")),
+    *(f"timer_py_blocks_{calls}_2.8.csv" for calls in ("once", "twice")),
+    *(f"timer_{language}_waits.csv" for language in ("cpp", "py")),
     *(f"timer_{language}_blocks_always_1.6.csv" for language in ("cpp", "py")),
     *(f"two_timers_{how}.csv" for how in ("py", "cpp_spin", "cpp_async")),
 }
@@ -72,7 +75,7 @@ def test_recording(file: Path) -> None:
 def test_the_caption_of_a_run_made_now() -> None:
     run = Run("PARAMETERS\n * /rosversion: 1.15.15\n", (), 0, "ros1", 5.0, start=86400.0)
     long, short = recordings.live_caption(run), recordings.live_caption(run, short=True)
-    assert long.startswith("made live on 1970-01-02 on ROS 1.15.15, ")
+    assert long.startswith("made live on 1970-01-02 with ROS 1.15.15 on ")
     assert short.startswith("made live on 1970-01-02, ")
     assert long.endswith(short.partition(", ")[2])
 

@@ -193,7 +193,7 @@ def test_file_that_cannot_be_run(tmp_path: Path, name: str) -> None:
 
 @pytest.mark.parametrize("seconds", [-1, float("nan"), float("inf")])
 def test_seconds_that_are_none(seconds: float) -> None:
-    with pytest.raises(ValueError, match="from 0 up"):
+    with pytest.raises(ValueError, match="at least 0"):
         ros1.launch(PACKAGE / "launch" / "spinner.launch", seconds)
 
 

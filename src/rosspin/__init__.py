@@ -1,4 +1,4 @@
-"""Run a ROS node that spins at a frequency without ROS, and see when it ticked."""
+"""Run a ROS node without ROS, and see when it ticked."""
 
 from __future__ import annotations
 

@@ -21,11 +21,11 @@ __all__ = ["main"]
 
 
 def main(argv: Sequence[str] | None = None) -> int:
-    """Run the command line ``argv`` (default: the process's own); the exit status."""
+    """Run the command line ``argv`` (default: that of the process) and return the exit status."""
     own, node_args = split_words(sys.argv[1:] if argv is None else argv)
     options, unknown = _parser().parse_known_args(own)
     if unknown:
-        options.parser.error(f"unknown arguments: {' '.join(unknown)} (the node's own come after --)")
+        options.parser.error(f"unknown arguments: {' '.join(unknown)} (put the node's own arguments after --)")
     try:
         return int(options.do(options, node_args))
     except (OSError, ValueError, SyntaxError, RuntimeError, ImportError) as error:
@@ -38,25 +38,25 @@ def main(argv: Sequence[str] | None = None) -> int:
 
 def _parser() -> argparse.ArgumentParser:
     parser = argparse.ArgumentParser(
-        prog="rosspin", description="Run a ROS node that spins at a frequency, without ROS.", allow_abbrev=False
+        prog="rosspin", description="Run a ROS node without ROS, and see when it ticks.", allow_abbrev=False
     )
     commands = parser.add_subparsers(required=True, metavar="COMMAND")
     run = commands.add_parser(
         "run",
         help="run a node file",
-        description="Run a node file as rospy would: on the wall clock until Ctrl-C, or in simulated time.",
+        description="Run a node file on the wall clock until Ctrl-C, in simulated time, or on the real ROS 1.",
         usage="%(prog)s FILE [--seconds S] [--simulated | --ros1] [--plot FILE.svg] [-- NODE ARGS]",
-        epilog="What follows -- is the node's own command line, such as __ns:=/mrp _rate:=10.",
+        epilog="Everything after -- is passed to the node, for example __ns:=/mrp _rate:=10.",
         allow_abbrev=False,
     )
-    run.add_argument("file", metavar="FILE", help="the node, a Python file; with --ros1 also a C++ or launch file")
+    run.add_argument("file", metavar="FILE", help="a Python node; with --ros1 also a C++ node or a launch file")
     run.add_argument("--seconds", type=float, metavar="S", help="press Ctrl-C after S seconds")
     where = run.add_mutually_exclusive_group()
-    where.add_argument("--simulated", action="store_true", help="in simulated time, which takes next to none")
-    where.add_argument("--ros1", action="store_true", help="on the real ROS 1, where it is installed")
-    run.add_argument("--plot", metavar="FILE.svg", help="draw the node's ticks into this file, and describe them")
+    where.add_argument("--simulated", action="store_true", help="run in simulated time, which takes almost no time")
+    where.add_argument("--ros1", action="store_true", help="use the real ROS 1, which must be installed")
+    run.add_argument("--plot", metavar="FILE.svg", help="plot the ticks to this file, and describe them on stderr")
     run.set_defaults(do=_run, parser=run)
-    doctor = commands.add_parser("doctor", help="say what can run here", description="Say what can run here.")
+    doctor = commands.add_parser("doctor", help="show what can run here", description="Show what can run here.")
     doctor.set_defaults(do=_doctor, parser=doctor)
     return parser
 
@@ -86,7 +86,7 @@ def _run(options: argparse.Namespace, args: Sequence[str]) -> int:
         result = run_node(load(options.file), options.seconds, args, clock, record, process=True)
     if options.plot is not None:
         if not result.ticks:
-            raise ValueError(f"{options.plot} is not written: the node did not tick")
+            raise ValueError(f"{options.plot} was not written: the node did not tick")
         from .plots import timeline
 
         timeline(result.ticks).save(options.plot)
@@ -96,9 +96,9 @@ def _run(options: argparse.Namespace, args: Sequence[str]) -> int:
 
 
 def _check_plot(path: str) -> None:
-    """Find out before a long run what would lose its plot."""
+    """Find out before a long run whether its plot could be saved."""
     if not path.endswith(".svg"):
-        raise ValueError(f"--plot {path}: the name must end in .svg")
+        raise ValueError(f"--plot {path}: the file name must end in .svg")
     if not os.path.isdir(os.path.dirname(path) or "."):
         raise FileNotFoundError(f"--plot {path}: there is no such folder")
     try:

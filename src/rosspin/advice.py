@@ -1,4 +1,4 @@
-"""What someone who learns rospy may want to know of an error, beside its own words."""
+"""Explain errors to people who are learning rospy."""
 
 from __future__ import annotations
 
@@ -9,19 +9,19 @@ __all__ = ["advice"]
 
 
 def advice(error: BaseException) -> str:
-    """A sentence on an error that a node has run into; "" if there is nothing to say."""
+    """A sentence of advice on an error in a node; an empty string if there is none."""
     if not _ends_in_rospy(error):
         return ""
     if isinstance(error, ROSInitException) and "init_node()" in str(error):
-        return 'Call rospy.init_node("a_name") before anything else of rospy.'
+        return 'Call rospy.init_node("a_name") before you use anything else from rospy.'
     if isinstance(error, ZeroDivisionError):
-        return "There is no frequency of 0 Hz and no period of 0 s: give rospy.Rate and rospy.Timer more than 0."
+        return "Nothing can have a frequency of 0 Hz or a period of 0 s: give rospy.Rate and rospy.Timer more than 0."
     if isinstance(error, AttributeError) and error.name == "to_sec":
         return "The period of a rospy.Timer is a Duration: rospy.Timer(rospy.Duration(0.5), callback)"
     if isinstance(error, TypeError) and "positional argument" in str(error):
-        return "A timer hands its callback one argument, the event: def callback(event), or (self, event) in a class."
+        return "A timer passes its callback one argument, the event: def callback(event), or (self, event) in a class."
     if isinstance(error, TypeError) and "not callable" in str(error):
-        return "Give a timer the callback itself, without calling it: self.timerCallback, not self.timerCallback()."
+        return "Pass a timer the callback itself, without calling it: self.timerCallback, not self.timerCallback()."
     return ""
 
 

@@ -1,4 +1,4 @@
-"""Read log lines and ticks out of the console text of any runtime, C++ and Python alike."""
+"""Read log lines and ticks from the console text of any runtime, in C++ or Python."""
 
 from __future__ import annotations
 
@@ -25,7 +25,7 @@ _COUNTER = re.compile(r"\[(?P<source>[^]]+)\] counter = (?P<number>\d+)")
 
 
 class Line(NamedTuple):
-    """A log line: its severity, its stamp in seconds (ROS time if it has two), its text."""
+    """A log line: its severity, its timestamp in seconds (ROS time if it has two) and its text."""
 
     severity: str
     stamp: float
@@ -33,18 +33,18 @@ class Line(NamedTuple):
 
 
 def read_lines(console: str) -> Iterator[Line]:
-    """The log lines in a console text; what is no log line is passed over, colour codes are taken off."""
+    """Yield the log lines in a console text. Other lines are skipped, and colour codes are removed."""
     for text in console.splitlines():
         if match := _LINE.search(_COLOUR.sub("", text)):
             yield Line(match["severity"], float(match["ros"] or match["wall"]), match["text"])
 
 
 def read_ticks(console: str, period: float | None = None, start: float = 0.0) -> tuple[Tick, ...]:
-    """The ticks of nodes that count, from lines such as ``[SPINNER CPP NODE] counter = 3``; the tag is the source.
+    """Read the ticks of counting nodes, from lines such as ``[SPINNER CPP NODE] counter = 3``; the tag is the source.
 
-    ``start`` is the run's start in seconds since the epoch, from which the ticks are counted. They are expected on the
-    grid of ``period`` seconds through the first tick of their source; without it, on that of the median period. How
-    long a tick took is not on the console: its duration is NaN.
+    ``start`` is when the run began, in seconds since the epoch; the times of the ticks count from there. Ticks are
+    expected every ``period`` seconds (default: the median period) after the first tick of their source. The console
+    does not say how long a tick took, so its duration is NaN.
     """
     found: dict[str, list[tuple[int, float]]] = {}
     order = []

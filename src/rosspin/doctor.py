@@ -1,4 +1,4 @@
-"""What can run on this machine, and what to install for what cannot."""
+"""Say what can run on this machine, and what to install for the rest."""
 
 from __future__ import annotations
 
@@ -19,7 +19,7 @@ def chromium() -> str | None:
 
 
 def report() -> Iterator[str]:
-    """A line for each runtime: its name, yes or no, and after a no what to install."""
+    """Yield a line for each runtime: its name, yes or no, and after a no what to install."""
     lacking = [name for name in ("greenlet", "yaml") if not importlib.util.find_spec(name)]
     yield _line("stand-in", lacking, "pip install greenlet PyYAML")
     yield _line("rospy", ros1.missing(cpp=False), f"{_APT} python3-rospy python3-roslaunch python3-rosmaster")

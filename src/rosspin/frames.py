@@ -1,4 +1,4 @@
-"""Frames and tracebacks as the author of a node wants to see them: without those of this package."""
+"""Frames and tracebacks as the author of a node wants to see them: without the frames of this package."""
 
 from __future__ import annotations
 
@@ -34,7 +34,7 @@ def node_frame(frame: FrameType) -> FrameType:
 
 
 def called_from(frame: FrameType) -> FrameType:
-    """As ``node_frame``, but also past the frames of the standard library."""
+    """Like ``node_frame``, but it also skips the frames of the standard library."""
     return _outwards(frame, lambda each: _is_ours(each) or each.f_code.co_filename.startswith(_LIBRARY))
 
 

@@ -1,4 +1,4 @@
-"""The machine and the versions that something was measured on. It is never named: no host name, no user."""
+"""Describe the machine that something was measured on, and its software; never by the name of its host or user."""
 
 from __future__ import annotations
 
@@ -12,7 +12,7 @@ __all__ = ["describe"]
 
 
 def describe(packages: Iterable[str] = ("rosspin",)) -> dict[str, str]:
-    """Processor, cores, system, Python, and the version of each package that is installed."""
+    """The processor, its cores, the system, Python, and the version of each of the packages that is installed."""
     facts = {
         "Processor": _processor(),
         "Cores": str(os.cpu_count() or "unknown"),

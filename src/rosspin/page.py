@@ -62,7 +62,7 @@ def run(source: str, filename: str, seconds: float, args: Sequence[str], speed: 
             if isinstance(error, SyntaxError):
                 print("Python could not read this line, so nothing ran.", file=sys.stderr)
             if isinstance(error, NotSimulated):
-                print("On a computer that has ROS 1: python -m rosspin run --ros1 FILE", file=sys.stderr)
+                print("On a computer with ROS 1, run: python -m rosspin run --ros1 FILE", file=sys.stderr)
             return json.dumps({"status": 1})
         finally:
             os.environ.clear()  # the next run in this page is to find what this one found
@@ -76,7 +76,7 @@ def _magic(source: str) -> tuple[str, Sequence[str], Sequence[str]]:
         return "", (), ()
     (magic, *words), args = split_words(shlex.split(first[2:]) or [""])
     if magic not in ("simulate", "answer") or not words:
-        raise ValueError(f"{first}: here a first line can be %%simulate SECONDS or %%answer NUMBER")
+        raise ValueError(f"{first}: the first line can be %%simulate SECONDS or %%answer NUMBER here")
     return magic, words, args
 
 

@@ -1,4 +1,4 @@
-"""Timing plots of ticks, as vector graphics that follow the page around them: light or dark, wide or narrow."""
+"""Plot ticks as vector graphics that adapt to the page around them: light or dark, wide or narrow."""
 
 from __future__ import annotations
 
@@ -58,7 +58,7 @@ _STANDALONE = (
 
 
 class Figure:
-    """A plot. It shows itself in a notebook; ``alt`` says in words what it shows, ``svg`` is the picture."""
+    """A plot, which a notebook displays: ``svg`` is the picture, ``alt`` describes it in words."""
 
     def __init__(self, svg: str, alt: str, caption: str = "") -> None:
         self.svg = svg
@@ -66,7 +66,7 @@ class Figure:
         self.caption = caption
 
     def captioned(self, caption: str) -> Figure:
-        """The same plot with a line below it, which says where its data come from."""
+        """The same plot with a caption, which says where the data come from."""
         return Figure(self.svg, self.alt, caption)
 
     def _repr_html_(self) -> str:
@@ -77,7 +77,7 @@ class Figure:
         return f"<Figure: {self.alt}>"
 
     def save(self, path: str | os.PathLike[str]) -> None:
-        """Write the picture to an SVG file that can stand alone, light or dark as its viewer asks."""
+        """Save the picture as a standalone SVG file, light or dark as the viewer prefers."""
         svg = self.svg.replace(">", f">{_STANDALONE}", 1)
         svg = svg.replace("font-family: inherit", "font-family: system-ui, sans-serif")
         Path(path).write_text(f'<?xml version="1.0" encoding="utf-8"?>\n{svg}\n', encoding="utf-8")
@@ -94,9 +94,9 @@ def _styled(plot: Callable[P, Figure]) -> Callable[P, Figure]:
 
 @_styled
 def timeline(ticks: Ticks, period: float | None = None) -> Figure:
-    """When each tick came, beside the grid on which it was expected; a bar shows how long it took. Time in s.
+    """Plot when each tick was expected and when it came, in seconds; a bar shows how long it took.
 
-    With ``period`` (s) the grid has a line for every period, also where no tick came, and lost ticks are crossed out.
+    With ``period`` (s), there is a line for every period, even where no tick came, and a cross for every lost tick.
     """
     groups = _groups(ticks)
     canvas, axes = _canvas(0.95 + 0.4 * len(groups))
@@ -110,7 +110,7 @@ def timeline(ticks: Ticks, period: float | None = None) -> Figure:
             steps = int((last - group[0].expected) / period + 1e-3) + 1
             expected |= {group[0].expected + step * period for step in range(steps)}
         axes.vlines(sorted(expected), row - 0.38, row + 0.38, _TEXT, lw=0.8, alpha=0.55)
-        axes.plot(gone, [row] * len(gone), "x", color=_TEXT, ms=5, lw=0)
+        axes.plot(gone, [row + 0.27] * len(gone), "x", color=_TEXT, ms=5, lw=0)
         # One collection: an artist for each bar takes ten times as long.
         bars = [(tick.real, tick.duration) for tick in group if tick.duration > 0]
         axes.broken_barh(bars, (row - 0.15, 0.3), color=colour, alpha=0.45, lw=0)
@@ -131,7 +131,7 @@ def timeline(ticks: Ticks, period: float | None = None) -> Figure:
 
 @_styled
 def lateness(ticks: Ticks) -> Figure:
-    """How late each tick was (ms) over the time at which it was expected (s)."""
+    """Plot how late each tick was (ms) against the time at which it was expected (s)."""
     groups = _groups(ticks)
     canvas, axes = _canvas(2.3)
     words = []
@@ -156,7 +156,7 @@ def lateness(ticks: Ticks) -> Figure:
 
 @_styled
 def period_histogram(ticks: Ticks) -> Figure:
-    """How often each period (ms) between two ticks occurred."""
+    """Plot how often each period (ms) between two ticks occurred."""
     groups = _groups(ticks)
     canvas, axes = _canvas(2.3)
     times = [[period * 1e3 for period in periods(group)] for group in groups.values()]
@@ -174,7 +174,7 @@ def _groups(ticks: Ticks) -> dict[str, list[Tick]]:
     named = ticks if isinstance(ticks, Mapping) else by_source(ticks)
     groups = {name: list(group) for name, group in named.items()}
     if not any(groups.values()):
-        raise ValueError("there is no tick to plot")
+        raise ValueError("there are no ticks to plot")
     return groups
 
 

@@ -1,4 +1,4 @@
-"""A node's code, and the process as it sees it: command line, modules, streams, folder, the end of its threads."""
+"""A node's code, and the process as the node sees it: command line, modules, streams, folder, end of its threads."""
 
 from __future__ import annotations
 
@@ -44,7 +44,7 @@ NodeLike = str | os.PathLike[str] | Callable[[], Any]
 
 
 def load(node: NodeLike) -> Node:
-    """A file, or a function, as a node. OSError if the file cannot be read, SyntaxError if it is not Python."""
+    """Make a node of a file or a function. Raises OSError if it cannot be read, SyntaxError if it is not Python."""
     if callable(node):
         code = getattr(node, "__code__", None)
         return Node(node, getattr(node, "__name__", "node"), code.co_filename if code else "", None)
@@ -54,7 +54,7 @@ def load(node: NodeLike) -> Node:
 
 
 def load_source(source: str, filename: str) -> Node:
-    """The node in a text. SyntaxError if it is not Python."""
+    """Load a node from its source text. Raises SyntaxError if it is not Python."""
     code = compile(source, filename, "exec", dont_inherit=True)
     linecache.cache[filename] = (len(source), None, source.splitlines(keepends=True), filename)
     folder = str(Path(filename).resolve().parent) if os.path.exists(filename) else None
@@ -78,7 +78,7 @@ _one_at_a_time = threading.RLock()
 def process_of(node: Node, args: Sequence[str], modules: Mapping[str, ModuleType]) -> Iterator[None]:
     """Within this context the process is the node's: its command line, its path, and ``modules`` by their names.
 
-    Whatever the node changes in it is as before afterwards: environment, working directory, modules of its folder.
+    Afterwards, whatever the node has changed is as before: environment, working directory, modules of its folder.
     """
     if whose() is not None:
         raise RuntimeError("a node cannot start a run of its own")
@@ -112,7 +112,7 @@ def _lies_in(folder: str | None, name: str) -> bool:
 
 
 def print_error(world: World, error: BaseException, made: traceback.FrameSummary | None = None) -> None:
-    """Print an exception that nobody caught on stderr, with the node's frames, and keep it."""
+    """Print an exception that was not caught on stderr, with the node's frames, and keep it."""
     sys.stderr.write(format_error(error, made))
     world.errors.append(error)
 
@@ -187,7 +187,7 @@ def run_at_exit(world: World) -> None:
 
 
 class Capture:
-    """What is written to two streams, in its order; it is passed on to ``stdout`` and ``stderr`` if these are given."""
+    """What is written to two streams, in order. It is also written to ``stdout`` and ``stderr``, if these are given."""
 
     def __init__(self, stdout: TextIO | None = None, stderr: TextIO | None = None) -> None:
         self._chunks: list[bytes] = []
@@ -224,7 +224,7 @@ class _Sink(io.BufferedIOBase):
 
 @contextmanager
 def capture(stdout: TextIO | None = None, stderr: TextIO | None = None) -> Iterator[Capture]:
-    """Within this context, what is printed goes to a :class:`Capture`, and from there on to what is given."""
+    """Within this context, what is printed goes to a :class:`Capture`, and from there to the streams that are given."""
     captured = Capture(stdout, stderr)
     with _one_at_a_time, redirect_stdout(captured.stdout), redirect_stderr(captured.stderr):
         yield captured

@@ -1,4 +1,4 @@
-"""Read runs that were recorded on the real ROS, for machines that have none."""
+"""Load runs that were recorded on the real ROS, for machines without it."""
 
 from __future__ import annotations
 
@@ -33,37 +33,38 @@ COLUMNS = [
 
 @dataclass(frozen=True)
 class Recording(Run):
-    """A run that was recorded; ``provenance`` says what ran, where and when, on which versions, beside which load."""
+    """A recorded run; ``provenance`` says what ran, where, when, with which versions and on how busy a machine."""
 
     provenance: Mapping[str, Any] = field(default_factory=dict, repr=False)
 
     @property
     def caption(self) -> str:
-        """Where the figures come from, in words for a reader."""
+        """When and where the run was recorded, in words."""
         p = self.provenance
-        return f"recorded on {p['date'][:10]} on ROS {p['ros']}, {p['system']}, {p['processor']} ({p['cores']} cores)"
+        versions = f"with ROS {p['ros']} on {p['system']}"
+        return f"recorded on {p['date'][:10]} {versions}, {p['processor']} ({p['cores']} cores)"
 
     @property
     def short_caption(self) -> str:
-        """The same without the versions, for a page that says them once."""
+        """The same without the versions, for pages that state them only once."""
         p = self.provenance
         return f"recorded on {p['date'][:10]}, {p['processor']} ({p['cores']} cores)"
 
 
 def live_caption(run: Run, short: bool = False) -> str:
-    """Where a run comes from that was made on a clock just now, in the words of a recording's caption."""
+    """When and where a run was made that is not a recording, in the words of a recording's caption."""
     here = describe()
     version = re.search(r"/rosversion: (\S+)", run.console)  # roslaunch says so among its parameters
-    ros = f" on ROS {version[1]}" if version else ""
-    versions = "" if short else f"{ros}, {here['System']}"
+    ros = f" with ROS {version[1]}" if version else ""
+    versions = "" if short else f"{ros} on {here['System']}"
     date = datetime.fromtimestamp(run.start, UTC).date()
     return f"made live on {date}{versions}, {here['Processor']} ({here['Cores']} cores)"
 
 
 def load(path: str | os.PathLike[str]) -> Recording:
-    """The recording in a ``.csv`` file (ticks) or a ``.txt`` file (a console), with the ``.json`` file beside it.
+    """Load a recording from a ``.csv`` file (ticks) or a ``.txt`` file (console), and the ``.json`` file next to it.
 
-    Raises OSError for a file that cannot be read, ValueError for one that is no recording.
+    Raises OSError if a file cannot be read, and ValueError if it is not a recording.
     """
     file = Path(path)
     provenance = json.loads(file.with_suffix(".json").read_text())

@@ -1,7 +1,7 @@
-"""Run nodes on the real ROS 1: build their package in a scratch workspace, launch them, collect the run.
+"""Run nodes on the real ROS 1: build their package in a temporary workspace, launch them and collect the run.
 
-Every run has a master of its own on a free port of this machine's loopback interface, and its own folder for what ROS
-writes. All of it is gone when the run is over, whichever way it ends.
+Every run has its own master, on a free port of the loopback interface, and its own folder for what ROS writes. All of
+it is gone when the run is over, however it ends.
 """
 
 from __future__ import annotations
@@ -84,7 +84,7 @@ class Ros1Missing(RuntimeError):
 
 
 class BuildFailed(RuntimeError):
-    """The package does not build; the message is the compiler's, or CMake's."""
+    """The package could not be built; the message is the compiler's or CMake's."""
 
 
 class Output(NamedTuple):
@@ -96,7 +96,7 @@ class Output(NamedTuple):
 
 
 def missing(cpp: bool = True) -> list[str]:
-    """What this machine lacks for nodes on ROS 1, those in C++ among them if ``cpp``; empty if nothing."""
+    """List what this machine lacks to run ROS 1 nodes: with ``cpp`` also those in C++. Empty if nothing is missing."""
     path = _path()
     commands = ["roslaunch", "rosmaster", *(["catkin_make", "c++", "make"] if cpp else [])]
     lacking = [command for command in commands if not shutil.which(command, path=path)]
@@ -118,18 +118,17 @@ def launch(
 ) -> Run:
     """Run a launch file of a catkin package, or one node file (``.py`` or ``.cpp``), on the real ROS 1.
 
-    ``seconds`` after the first node has been started Ctrl-C is pressed. A run without ``seconds`` ends by a real
-    Ctrl-C, or with its nodes. What does not end is killed, when roslaunch would.
-    ``args`` are a launch file's own (``"name:=value"``) or the node's (``"__ns:=/mrp"``). The console is also passed on
-    to ``onward``, as it comes. A node that died, or was killed, is named in the console's last lines, and its exit
-    status is the run's.
+    Ctrl-C is pressed ``seconds`` after the first node has started; without ``seconds``, the run ends at a real Ctrl-C
+    or when its nodes end. What does not end is killed, when roslaunch would do so. ``args`` are the launch file's
+    (``"name:=value"``) or the node's (``"__ns:=/mrp"``). The console is also written to ``onward``, as it comes. If a
+    node dies or is killed, the last lines of the console name it, and the run has its exit status.
 
-    Raises :class:`Ros1Missing`, :class:`BuildFailed`, OSError for a file that cannot be read, ValueError for one that
-    cannot be run and for negative ``seconds``, RuntimeError if ROS does not start, KeyboardInterrupt for a Ctrl-C
+    Raises :class:`Ros1Missing`, :class:`BuildFailed`, OSError if the file cannot be read, ValueError if it cannot be
+    run or ``seconds`` is negative, RuntimeError if ROS does not start, and KeyboardInterrupt if Ctrl-C is pressed
     before ``seconds`` are over.
     """
     if seconds is not None and not 0 <= seconds < math.inf:
-        raise ValueError(f"seconds must be a number from 0 up, not {seconds!r}")
+        raise ValueError(f"seconds must be a number of at least 0, not {seconds!r}")
     path = Path(node)
     with open(path, "rb"):
         pass
@@ -161,7 +160,7 @@ def launch(
 
 
 class Workspace:
-    """A scratch catkin workspace and a port for a master. Leaving it ends what was started there and removes it."""
+    """A temporary catkin workspace and a port for a master. Leaving it ends what was started there and removes it."""
 
     def __init__(self) -> None:
         self.folder = Path(tempfile.mkdtemp(prefix="rosspin-"))
@@ -238,7 +237,7 @@ class Workspace:
         self.build()
         for program in self.folder.glob(f"devel/lib/*/{source.stem}"):
             return program
-        raise ValueError(f"{source}: its package builds no program of the name {source.stem}")
+        raise ValueError(f"{source}: its package does not build a program called {source.stem}")
 
     def start_master(self) -> None:
         """Start the master for nodes that are run one by one. Raises RuntimeError if it does not start."""

@@ -1,4 +1,4 @@
-"""Run nodes under a clock, simulated or on the wall, and collect what comes of it."""
+"""Run nodes on a clock, simulated or on the wall, and collect their consoles and ticks."""
 
 from __future__ import annotations
 
@@ -41,27 +41,27 @@ _new_tick = partial(tuple.__new__, Tick)
 
 
 class TimeStandsStill(RuntimeError):
-    """A node keeps simulated time from going on; the message says where and how."""
+    """The node keeps simulated time from going on. The message says where and how."""
 
 
 def simulate(node: NodeLike, seconds: float, args: Sequence[str] = ()) -> Run:
-    """Run a node for ``seconds`` of simulated time, which begins at 0 and takes next to none.
+    """Run a node for ``seconds`` of simulated time, which begins at 0 and takes almost no real time.
 
-    ``node`` is the path of a node file, or a function; ``args`` are its command line, such as ``"__ns:=/mrp"``. What
-    falls due exactly at ``seconds`` still runs, then Ctrl-C is pressed. A node that ends earlier ends the run. Its
-    exceptions are printed, as on a real ROS, and give status 1.
+    ``node`` is the path of a node file, or a function; ``args`` are its command line, such as ``"__ns:=/mrp"``. What is
+    due exactly at ``seconds`` still runs; then Ctrl-C is pressed. The run ends earlier if the node does. As on a real
+    ROS, an exception in the node is printed and gives status 1.
 
-    Raises OSError or SyntaxError for a file that cannot be read or is not Python, ValueError for ``seconds`` that are
-    negative, too many or no number, :class:`TimeStandsStill` for a node that never lets the time go on,
-    :class:`NotSimulated` for one that needs a real ROS.
+    Raises OSError if the file cannot be read, SyntaxError if it is not Python, ValueError if ``seconds`` is negative,
+    too large or not a number, :class:`TimeStandsStill` if the node never lets the time go on, and
+    :class:`NotSimulated` if it needs a real ROS.
     """
     return _run("simulated", node, seconds, args, Simulation())
 
 
 def measure(node: NodeLike, seconds: float, args: Sequence[str] = ()) -> Run:
-    """Run a node for ``seconds`` on the wall clock: its ticks show the jitter of this machine.
+    """Run a node for ``seconds`` on the wall clock; its ticks show the jitter of this machine.
 
-    As :func:`simulate`, but it takes that long, and must be called in the main thread (else RuntimeError).
+    Like :func:`simulate`, but in real time. Raises RuntimeError if it is not called in the main thread.
     """
     return _run("wall", node, seconds, args, WallClock())
 
@@ -75,7 +75,7 @@ def _run(runtime: str, node: NodeLike, seconds: float, args: Sequence[str], cloc
 
 
 class Result(NamedTuple):
-    """How a run ended: exit status, ticks (none if not recorded), start in seconds since the epoch, its world."""
+    """How a run ended: its exit status, ticks (none if not recorded), start (s since the epoch) and world."""
 
     status: int
     ticks: tuple[Tick, ...]
@@ -86,10 +86,10 @@ class Result(NamedTuple):
 def run_node(
     node: Node, seconds: float | None, args: Sequence[str], clock: Clock, record: bool = True, process: bool = False
 ) -> Result:
-    """Run a loaded node under a clock, on the wall until Ctrl-C if ``seconds`` is None.
+    """Run a loaded node on a clock: if ``seconds`` is None, on the wall until Ctrl-C.
 
-    Its console goes where ``sys.stdout`` and ``sys.stderr`` do; ``record`` keeps its ticks. ``process`` says that this
-    process is there for the node alone: if nothing else ends it, it is ended, too.
+    Its console goes where ``sys.stdout`` and ``sys.stderr`` go; ``record`` keeps its ticks. ``process`` says that this
+    process is there only for the node: if nothing else ends the node, the process is ended.
     """
     until = None if seconds is None else _duration(seconds)
     with process_of(node, args, rospy.MODULES):
@@ -182,7 +182,7 @@ def _ticks(world: World, start: int) -> tuple[Tick, ...]:
 
 def _duration(seconds: float) -> int:
     if not (isinstance(seconds, (int, float)) and math.isfinite(seconds) and seconds >= 0):
-        raise ValueError(f"seconds must be a number from 0 up, not {seconds!r}")
+        raise ValueError(f"seconds must be a number of at least 0, not {seconds!r}")
     try:
         return nanoseconds(seconds)
     except OverflowError:
@@ -195,8 +195,8 @@ def _duration(seconds: float) -> int:
 def _say_killed(node: Node, seconds: float | None, killed: Killed) -> int:
     at = "" if seconds is None else f" at {seconds:.10g} s"
     sys.stderr.write(
-        f"rosspin: Ctrl-C{at} did not end the node; killed {PATIENCE} s later, as roslaunch does. "
-        "Does its loop ask rospy.is_shutdown()?\n"
+        f"rosspin: Ctrl-C{at} did not end the node; it was killed {PATIENCE} s later, as roslaunch does. "
+        "Does its loop check rospy.is_shutdown()?\n"
     )
     for name, places in killed.waited:
         place = _of_node(node, places)
@@ -222,20 +222,20 @@ def _stands_still(node: Node, places: Sequence[Place], fallback: str, clock: Clo
     if waits:
         where = _say_place(place) if place else fallback
         why = (
-            "because this waits in real time, of which the simulation knows nothing. "
-            "Run the node on the wall clock, or leave out what waits."
+            "because this waits in real time, which the simulation cannot see. "
+            "Run the node on the wall clock, or remove what waits."
         )
     else:
         where = f"{place.filename}:{place.line}" if place else fallback
         why = (
-            "because the node goes on without sleeping. Sleep in every loop (rate.sleep(), rospy.sleep(0.1)), "
+            "because the node keeps running without sleeping. Sleep in every loop (rate.sleep(), rospy.sleep(0.1)), "
             "and give timers and rates a period above 0."
         )
     return TimeStandsStill(f"{where}{': ' if where else ''}{now}, {why}")
 
 
 def say_error(error: Exception) -> str:
-    """What ends a run, or keeps it from beginning, in words: with the place in the node's file if it has one."""
+    """An error that ended a run or prevented it, in words, with the line of the node's file if it has one."""
     if isinstance(error, SyntaxError):
         return "".join(traceback.format_exception_only(error)).strip()
     if isinstance(error, OSError) and error.filename:
@@ -248,6 +248,6 @@ def say_error(error: Exception) -> str:
 
 
 def split_words(words: Sequence[str]) -> tuple[Sequence[str], Sequence[str]]:
-    """A command line in two: rosspin's own words and, after ``--``, the node's."""
+    """Split a command line in two: rosspin's own words and, after ``--``, the node's."""
     at = words.index("--") if "--" in words else len(words)
     return words[:at], words[at + 1 :]

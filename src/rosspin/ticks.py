@@ -1,4 +1,4 @@
-"""What a run gives: its console, its ticks, its status. Pure data, below everything else."""
+"""The result of a run: its console, its ticks, its status. Pure data, below everything else."""
 
 from __future__ import annotations
 
@@ -12,8 +12,8 @@ __all__ = ["Run", "Tick"]
 class Tick(NamedTuple):
     """One call of a timer's callback, or one pass of a loop. Times are in seconds since the run began.
 
-    ``source`` is what ticked, ``number`` counts from 1, ``expected`` is when it should have begun and ``real`` when it
-    did, ``duration`` how long it took (s; NaN if it had not ended when the run did).
+    ``source`` names the timer or the loop, ``number`` counts from 1, ``expected`` is when the tick should have begun,
+    ``real`` is when it did, and ``duration`` is how long it took (NaN if it had not ended when the run did).
     """
 
     source: str
@@ -32,9 +32,9 @@ class Tick(NamedTuple):
 class Run:
     """What a node did in one run.
 
-    ``console`` is what it printed, stdout and stderr in their order; ``ticks`` are in the order in which they began;
+    ``console`` is what it printed to stdout and stderr, in order; ``ticks`` are in the order in which they began;
     ``status`` is its exit status; ``runtime`` says where it ran ("simulated", "wall", "ros1"); ``seconds`` is the time
-    after which Ctrl-C was pressed; ``start`` is when the run began, in seconds since the epoch (0.0 when simulated).
+    after which Ctrl-C was pressed; ``start`` is when the run began, in seconds since the epoch (0.0 if simulated).
     """
 
     console: str = field(repr=False)

@@ -1,4 +1,4 @@
-"""A node in one run: what every ROS keeps of it, and what each keeps for itself."""
+"""A node in one run: what is kept of it for every ROS, and what each ROS keeps for itself."""
 
 from __future__ import annotations
 
@@ -55,7 +55,7 @@ class World(Program):
 
 
 def current_world() -> World:
-    """The world of the node that asks. Outside of a run: RuntimeError."""
+    """The world of the node that asks. Raises RuntimeError outside a run."""
     world = whose()
     if isinstance(world, World):
         return world

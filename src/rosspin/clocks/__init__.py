@@ -1,1 +1,1 @@
-"""What time is: the clock on the wall, simulated time, and what of Python runs on either."""
+"""Time: the wall clock, simulated time, and the parts of Python that run on either."""

@@ -14,9 +14,9 @@ NS = 1_000_000_000
 
 
 def nanoseconds(seconds: float) -> int:
-    """A length of time in integer nanoseconds.
+    """Convert a length of time from seconds to integer nanoseconds.
 
-    Raises, with the words of ``time.sleep``: ValueError for NaN, OverflowError for what no clock can hold, TypeError
+    Raises, in the words of ``time.sleep``, ValueError for NaN, OverflowError for what no clock can hold, and TypeError
     for what is not a number.
     """
     if isinstance(seconds, int):
@@ -39,7 +39,7 @@ def _number(value: object) -> float:
 
 
 class Clock(Protocol):
-    """What a stand-in needs of time. All else of it is Python's: threads, locks and conditions run on either clock."""
+    """What a stand-in needs of a clock. The rest is Python's own: threads, locks and conditions run on either clock."""
 
     def now(self) -> int:
         """The time, in ns."""

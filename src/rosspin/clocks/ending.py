@@ -1,4 +1,4 @@
-"""End code that does not want to end: that catches every exception and goes on."""
+"""End code that refuses to end, because it catches every exception and goes on."""
 
 from __future__ import annotations
 

@@ -21,7 +21,7 @@ __all__ = ["Switched", "current"]
 
 
 class Switched:
-    """As :class:`rosspin.clocks.stacks.Switched`."""
+    """Like :class:`rosspin.clocks.stacks.Switched`."""
 
     def __init__(self, function: Callable[[], Any], home: Switched | None) -> None:
         self.dead = False

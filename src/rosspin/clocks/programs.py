@@ -1,4 +1,4 @@
-"""Run a program under a clock: it is sent Ctrl-C in the end, and is killed if it does not heed it."""
+"""Run a program on a clock: at the end it is sent Ctrl-C, and it is killed if it ignores that."""
 
 from __future__ import annotations
 
@@ -87,7 +87,7 @@ def run_on_the_wall(
     main thread stays in a call that heeds no signal, ``give_up`` is called, in another thread.
     """
     if threading.current_thread() is not threading.main_thread():
-        raise RuntimeError("a node runs on the wall clock in the main thread only: it handles signals there")
+        raise RuntimeError("on the wall clock a node can run only in the main thread, which handles its signals")
     alarm = _Alarm(program, None if until is None else until / NS, patience / NS, give_up)
     with _own_signals(), alarm, followed_threads():
         before = enter(program)

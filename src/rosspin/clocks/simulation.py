@@ -1,4 +1,4 @@
-"""Simulated time: a heap of wake-ups over suspended stacks. Time jumps to the next one, or is paced.
+"""Simulated time: a heap of wake-ups of suspended stacks. Time jumps to the next wake-up, or is paced.
 
 Nothing runs in parallel and nothing waits: a stack runs until it sleeps or waits for another, then the stack that is
 due next goes on, and the time is what that stack was waiting for. Of several due at the same time, the one that began
@@ -100,7 +100,7 @@ class Simulation:
                 self.sleep(wake - self._now)
 
     def wait(self, ns: int | None = None) -> bool:
-        """Suspend the caller until another one wakes it, at most for ``ns`` nanoseconds; whether it was woken."""
+        """Suspend the caller until another one wakes it, for at most ``ns`` nanoseconds; whether it was woken."""
         me = current()
         assert isinstance(me, Stack)
         until = None if ns is None else self._now + ns
@@ -122,7 +122,7 @@ class Simulation:
             return woken
 
     def wake(self, stack: Stack) -> None:
-        """Let a stack go on that waits."""
+        """Let a waiting stack go on."""
         if stack.waits:
             stack.waits = False
             if not stack.interrupt:

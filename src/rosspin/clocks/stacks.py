@@ -1,4 +1,4 @@
-"""Suspend one Python call stack and go on with another; and which program the calling code belongs to.
+"""Suspend one Python call stack and continue another, and tell which program the calling code belongs to.
 
 The only module that knows how stacks switch: with greenlet, so that all of them live in one thread and give way only
 where they ask to. In a web page there is no greenlet; there it is done by :mod:`rosspin.clocks.jspi`.

@@ -1,4 +1,4 @@
-"""Python's own threads, locks and queues on a simulated clock, and whom the threads of a node belong to.
+"""Python's own threads, locks and queues on a simulated clock, and which program a thread belongs to.
 
 A few primitives are replaced for the stacks of simulations: the lock, the start of a thread, its ident, and the clock
 that ``threading`` and ``queue`` read. Event, Condition, Semaphore, Barrier, Timer, Queue and ThreadPoolExecutor are
@@ -53,7 +53,7 @@ class Lock:
         self._waiting: deque[Stack] = deque()
 
     def acquire(self, blocking: bool = True, timeout: float = -1) -> bool:
-        """As ``threading.Lock.acquire``."""
+        """Like ``threading.Lock.acquire``."""
         if timeout != -1:
             _check_timeout(blocking, timeout)
         if self._lock.acquire(False):
@@ -91,7 +91,7 @@ class Lock:
                 return False
 
     def release(self) -> None:
-        """As ``threading.Lock.release``."""
+        """Like ``threading.Lock.release``."""
         self._lock.release()
         if self._waiting:
             self._wake()
@@ -145,7 +145,7 @@ class RLock(threading._PyRLock):  # type: ignore[name-defined,misc]
         return object.__new__(cls) if isinstance(current(), Stack) else _real_rlock()
 
     def acquire(self, blocking: bool = True, timeout: float = -1) -> bool:
-        """As ``threading.RLock.acquire``."""
+        """Like ``threading.RLock.acquire``."""
         return bool(super().acquire(blocking, timeout))
 
     __enter__ = acquire

@@ -1,4 +1,4 @@
-"""While a simulation runs, its stacks are told the simulation's time by ``time`` and ``datetime``.
+"""While a simulation runs, ``time`` and ``datetime`` tell its stacks the simulation's time.
 
 What tells how much work was done (``process_time``, ``thread_time``) is left alone.
 """

@@ -1,4 +1,4 @@
-"""Ends a simulated run whose node does not let the time go on: nothing else could end it."""
+"""End a simulated run whose node does not let the time go on; nothing else could end it."""
 
 from __future__ import annotations
 

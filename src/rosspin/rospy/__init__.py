@@ -1,6 +1,6 @@
-"""The stand-in for rospy: its names and rules for time, on a wall clock or in simulated time.
+"""The stand-in for rospy: its names and its rules for time, on the wall clock or in simulated time.
 
-What it has behaves as in rospy 1.15.15; what it has not raises :class:`NotSimulated`.
+What is here behaves as in rospy 1.15.15; the rest raises :class:`NotSimulated`.
 """
 
 from __future__ import annotations
@@ -68,7 +68,7 @@ IN_PART = {
         (name for name in client.__all__ if "param" in name),
         "The node has parameters of its own: there is no server through which nodes share them.",
     ),
-    "init_node": "There is no network: ``disable_rosout`` and the ports change nothing.",
+    "init_node": "There is no network: ``disable_rosout`` and the ports have no effect.",
 }
 
 # What a node may import, by its name on a real ROS.

@@ -60,10 +60,10 @@ def init_node(
 ) -> None:
     """Make this process the node ``name``; ``__name:=`` and ``__ns:=`` on the command line ``argv`` override it.
 
-    ``anonymous`` makes the name unique; ``log_level`` is the least severity that is shown (rospy.INFO);
-    ``disable_signals`` leaves SIGINT and SIGTERM to the caller. ``disable_rosout`` and the ports are of no effect, as
-    there is no network. The same call again does nothing. Raises ValueError for an empty name or one with ``/``,
-    ROSException for a second call with other arguments, ROSInitException for private parameters that are no YAML.
+    ``anonymous`` makes the name unique; ``log_level`` is the lowest severity that is shown (default: rospy.INFO);
+    ``disable_signals`` leaves SIGINT and SIGTERM to the caller. ``disable_rosout`` and the ports have no effect, as
+    there is no network. The same call again does nothing. Raises ValueError if the name is empty or contains ``/``,
+    ROSException if there was a call with other arguments, ROSInitException if a private parameter is not YAML.
     """
     node = state()
     if argv is None:
@@ -119,14 +119,14 @@ def myargv(argv: list[str] | None = None) -> list[str]:
 
 
 def on_shutdown(h: Callable[[], Any]) -> None:
-    """Have ``h`` called at shutdown, while ``is_shutdown()`` is still False. What cannot be called: TypeError."""
+    """Call ``h`` at shutdown, while ``is_shutdown()`` is still False. Raises TypeError if it is not callable."""
     add_client_shutdown_hook(h)
 
 
 def spin() -> None:
-    """Wait until the node is shut down. It runs no callbacks: timers have threads of their own.
+    """Wait until the node is shut down. It does not call the callbacks: timers have threads of their own.
 
-    Before ``init_node``: ROSInitException.
+    Raises ROSInitException before ``init_node``.
     """
     node = state()
     if not node.initialized:
@@ -157,7 +157,7 @@ def _find(node: State, path: list[str]) -> Any:
 
 
 def get_param(param_name: str, default: Any = _unspecified) -> Any:
-    """The value of a parameter, a dict for a namespace. None there and no ``default``: KeyError."""
+    """The value of a parameter, or a dict for a namespace. Raises KeyError if there is neither it nor a ``default``."""
     try:
         return deepcopy(_find(state(), _path(param_name)))
     except KeyError:
@@ -170,10 +170,10 @@ get_param_cached = get_param
 
 
 def set_param(param_name: str, param_value: Any) -> None:
-    """Set a parameter; a dict sets a namespace.
+    """Set a parameter, or a whole namespace with a dict.
 
-    The value is what XML-RPC would deliver: a tuple comes back as a list; None is a TypeError, an integer of more than
-    32 bits an OverflowError.
+    The value is what XML-RPC would deliver: a tuple comes back as a list. Raises TypeError for None, and OverflowError
+    for an integer of more than 32 bits.
     """
     if not rosgraph.is_legal_name(param_name):
         warnings.warn(
@@ -197,12 +197,12 @@ def set_param(param_name: str, param_value: Any) -> None:
 
 
 def has_param(param_name: str) -> bool:
-    """Whether a parameter, or a namespace, is there."""
+    """Whether there is a parameter or a namespace of that name."""
     return get_param(param_name, None) is not None
 
 
 def delete_param(param_name: str) -> None:
-    """Remove a parameter or namespace. None there: KeyError."""
+    """Delete a parameter or a namespace. Raises KeyError if there is none."""
     path = _path(param_name)
     try:
         del _find(state(), path[:-1])[path[-1]]
@@ -213,7 +213,7 @@ def delete_param(param_name: str) -> None:
 def search_param(param_name: str) -> str | None:
     """The full name of the nearest parameter of that name, from the node's namespace upwards; None if there is none.
 
-    A private name: ROSException.
+    Raises ROSException for a private name.
     """
     node = state()
     name = node.mappings.get(param_name, param_name)

@@ -212,7 +212,7 @@ logout = loginfo
 logerror = logerr
 
 logdebug_throttle, loginfo_throttle, logwarn_throttle, logerr_throttle, logfatal_throttle = _family(
-    "_throttle", _throttled, "As {name}, from this line of the node at most once in ``period`` seconds."
+    "_throttle", _throttled, "Like {name}, but from this line of the node at most once in ``period`` seconds."
 )
 (
     logdebug_throttle_identical,
@@ -223,10 +223,10 @@ logdebug_throttle, loginfo_throttle, logwarn_throttle, logerr_throttle, logfatal
 ) = _family(
     "_throttle_identical",
     _throttled_identical,
-    "As {name}_throttle, but at once when the message differs from the last one of this line.",
+    "Like {name}_throttle, but at once if the message differs from the last one of this line.",
 )
 logdebug_once, loginfo_once, logwarn_once, logerr_once, logfatal_once = _family(
-    "_once", _once, "As {name}, but from this line of the node only the first time."
+    "_once", _once, "Like {name}, but from this line of the node only the first time."
 )
 
 
@@ -260,7 +260,7 @@ def is_topic(param_name: str) -> Validator:
 
 
 def is_shutdown() -> bool:
-    """Whether the node is to end."""
+    """Whether the node is to shut down."""
     return state().shutdown
 
 
@@ -270,7 +270,7 @@ def is_shutdown_requested() -> bool:
 
 
 def add_client_shutdown_hook(h: Callable[[], Any]) -> None:
-    """Have ``h`` called at shutdown; after shutdown at once. What cannot be called: TypeError."""
+    """Call ``h`` at shutdown, or at once after it. Raises TypeError if it is not callable."""
     if not callable(h):
         raise TypeError(f"shutdown hook [{h}] must be a function or callable object: {type(h)}")
     node = state()
@@ -281,9 +281,9 @@ def add_client_shutdown_hook(h: Callable[[], Any]) -> None:
 
 
 def signal_shutdown(reason: str) -> None:
-    """End the node: call the hooks, in the order of their registration, then let ``is_shutdown()`` be True.
+    """Shut the node down: call the hooks, in the order of registration, then make ``is_shutdown()`` true.
 
-    An exception in a hook is printed and the next hook called. Only the first call does anything.
+    An exception in a hook is printed, and the next hook is called. Only the first call has an effect.
     """
     node = state()
     with node.shutdown_lock:

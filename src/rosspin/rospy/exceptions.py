@@ -16,7 +16,7 @@ __all__ = [
 
 
 class ROSException(Exception):
-    """Base of what rospy raises."""
+    """Base class of rospy's exceptions."""
 
 
 class ROSSerializationException(ROSException):
@@ -28,11 +28,11 @@ class ROSInitException(ROSException):
 
 
 class ROSInterruptException(ROSException, KeyboardInterrupt):
-    """A call was interrupted, by shutdown for one; caught by handlers of either base."""
+    """A call was interrupted, for example by shutdown. It is a KeyboardInterrupt, too."""
 
 
 class ROSTimeMovedBackwardsException(ROSInterruptException):
-    """ROS time went back during a sleep, by ``time`` seconds."""
+    """ROS time moved backwards during a sleep, by ``time`` seconds."""
 
     def __init__(self, time: float) -> None:
         super().__init__("ROS time moved backwards")
@@ -40,21 +40,21 @@ class ROSTimeMovedBackwardsException(ROSInterruptException):
 
 
 class ROSInternalException(Exception):
-    """Base of what goes wrong inside ROS."""
+    """Base class of internal errors of ROS."""
 
 
 class TransportException(ROSInternalException):
-    """Base of transport errors."""
+    """Base class of transport errors."""
 
 
 class TransportTerminated(TransportException):
-    """A transport ended."""
+    """A transport was closed."""
 
 
 class TransportInitError(TransportException):
     """A transport could not be set up."""
 
 
-# Tracebacks call them as on a real ROS.
+# In tracebacks they have the names that they have on a real ROS.
 for _name in __all__:
     globals()[_name].__module__ = "rospy.exceptions"

@@ -156,7 +156,7 @@ class Duration(TVal):
 
 
 class Time(TVal):
-    """A point in time, since the epoch or, when simulated, since the start. Negative: TypeError."""
+    """A point in time, since the epoch or, when simulated, since the start. Raises TypeError if negative."""
 
     __slots__: list[str] = []
 

@@ -52,7 +52,7 @@ def _set_caller_id(caller_id: str) -> None:
 
 
 def resolve_name(name: Any, caller_id: str | None = None) -> str:
-    """A name in full, as seen from the node (or from ``caller_id``), remapped if the command line says so."""
+    """The full name that a name stands for in this node (or in ``caller_id``), remapped if the command line says so."""
     own = state()
     node = caller_id or own.name
     if not name:
@@ -79,7 +79,7 @@ def resolve_name_without_node_name(name: str) -> str:
 
 
 def remap_name(name: str, caller_id: str | None = None, resolved: bool = True) -> str:
-    """A name in full if the command line remaps it, else as it is."""
+    """The full name that the command line remaps a name to; the name itself if it does not."""
     node = state()
     return rosgraph.resolve_name(node.mappings[name], caller_id or node.name) if name in node.mappings else name
 

@@ -14,7 +14,7 @@ __all__ = ["Duration", "Time", "get_rostime", "get_time", "is_wallclock", "switc
 class Duration(genpy.Duration):
     """A length of time of ``secs`` seconds and ``nsecs`` nanoseconds; it may be negative.
 
-    ``secs`` may be a float if ``nsecs`` is 0 (else ValueError); what is finer than a nanosecond is cut off.
+    ``secs`` may be a float if ``nsecs`` is 0 (else ValueError); fractions of a nanosecond are cut off.
     """
 
     __slots__: list[str] = []
@@ -26,7 +26,7 @@ class Duration(genpy.Duration):
 class Time(genpy.Time):
     """A point in time, ``secs`` seconds and ``nsecs`` nanoseconds after the epoch or, when simulated, after the start.
 
-    ``secs`` may be a float if ``nsecs`` is 0 (else ValueError). Negative: TypeError.
+    ``secs`` may be a float if ``nsecs`` is 0 (else ValueError). Raises TypeError if it would be negative.
     """
 
     __slots__: list[str] = []
@@ -36,7 +36,7 @@ class Time(genpy.Time):
 
     @staticmethod
     def now() -> Time:
-        """The current time. Before ``init_node``: ROSInitException."""
+        """The current time. Raises ROSInitException before ``init_node``."""
         return get_rostime()
 
     @classmethod
@@ -46,17 +46,17 @@ class Time(genpy.Time):
 
 
 def get_rostime() -> Time:
-    """The current time. Before ``init_node``: ROSInitException."""
+    """The current time. Raises ROSInitException before ``init_node``."""
     return Time._of(state().now())
 
 
 def get_time() -> float:
-    """The current time in seconds. Before ``init_node``: ROSInitException."""
+    """The current time in seconds. Raises ROSInitException before ``init_node``."""
     return get_rostime().to_sec()
 
 
 def is_wallclock() -> bool:
-    """Whether the node runs on its own clock; if not, on a ROS time that it is told, as from /clock."""
+    """Whether the node runs on its own clock, and not on a ROS time that it is told, as by /clock."""
     return state().ros_time is None
 
 

@@ -1,4 +1,4 @@
-"""What rospy keeps of a node: there in module variables, here one for each node of a run."""
+"""What rospy keeps of a node in module variables; here, every node of a run has its own."""
 
 from __future__ import annotations
 
@@ -48,25 +48,25 @@ class State:
         self.logged_once: set[object] = set()
 
     def now(self) -> int:
-        """ROS time as told by /clock, else the clock's, in ns. Before ``init_node``: ROSInitException."""
+        """ROS time as told by /clock, else the clock's, in ns. Raises ROSInitException before ``init_node``."""
         if not self.time_initialized:
             raise ROSInitException("time is not initialized. Have you called init_node()?")
         return self.clock.now() if self.ros_time is None else self.ros_time
 
     def wait_for_ros_time(self, seconds: float) -> None:
-        """Wait until ROS time is told anew, at most so long."""
+        """Wait until ROS time is told again, for at most this many seconds."""
         with self.ros_time_changed:
             self.ros_time_changed.wait(seconds)
 
     def set_ros_time(self, ns: int | None) -> None:
-        """Tell the ROS time, None for the node's own clock, to all who wait."""
+        """Set the ROS time (ns; None: the node's own clock) and wake up all who wait for it."""
         with self.ros_time_changed:
             self.ros_time = ns
             self.ros_time_changed.notify_all()
 
 
 def state() -> State:
-    """The state of the node that asks. Outside of a run: RuntimeError."""
+    """The state of the node that asks. Raises RuntimeError outside a run."""
     return current_world().part(State)
 
 

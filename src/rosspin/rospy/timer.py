@@ -19,10 +19,10 @@ __all__ = ["Rate", "Timer", "TimerEvent", "sleep"]
 
 
 class Rate:
-    """Sleeps in a loop so that its passes start ``hz`` times a second.
+    """Sleeps in a loop so that its passes begin ``hz`` times a second.
 
-    Raises ROSInitException before ``init_node``, ZeroDivisionError for 0, TypeError for what is no number. A negative
-    rate never sleeps. With ``reset``, ROS time that goes back starts the rate anew instead of raising.
+    Raises ROSInitException before ``init_node``, ZeroDivisionError if ``hz`` is 0, and TypeError if it is not a number.
+    A negative rate never sleeps. With ``reset``, it starts anew when ROS time moves backwards, instead of raising.
     """
 
     def __init__(self, hz: float, reset: bool = False) -> None:
@@ -55,9 +55,9 @@ class Rate:
     def sleep(self) -> None:
         """Sleep until the next period begins; return at once if it has begun already.
 
-        A pass of up to 3 periods is made up for by such immediate returns; after a longer one the periods are counted
-        from its end, and those missed are lost. Raises ROSTimeMovedBackwardsException and ROSInterruptException as
-        :func:`sleep` does.
+        If it is called at most 3 periods after its pass was due to begin, such immediate returns make up for the
+        periods that were missed. If it is called later, they are lost, and the next period is counted from this call.
+        Raises ROSTimeMovedBackwardsException and ROSInterruptException as :func:`sleep` does.
         """
         node = state()
         self._record_pass(node)
@@ -93,10 +93,10 @@ class Rate:
 
 
 def sleep(duration: float | genpy.Duration) -> None:
-    """Sleep for ``duration`` (seconds or a Duration); a negative one returns at once.
+    """Sleep for ``duration`` (seconds or a Duration); return at once if it is negative.
 
-    On its own clock the node sleeps it out, also during shutdown. On a ROS time that it is told: raises
-    ROSInterruptException at shutdown and ROSTimeMovedBackwardsException when the time goes back.
+    On the node's own clock the sleep is not cut short by a shutdown. On ROS time, as told by /clock, raises
+    ROSInterruptException at shutdown and ROSTimeMovedBackwardsException when the time moves backwards.
     """
     if isinstance(duration, genpy.Duration):
         _sleep(state(), duration.to_nsec())
@@ -120,11 +120,10 @@ def _sleep(node: State, ns: int) -> None:
 
 
 class TimerEvent:
-    """What a timer tells its callback. All but ``last_duration`` are Times; what is called last is None at first.
+    """What a timer passes to its callback. All but ``last_duration`` are Times; in the first call, each last is None.
 
-    ``last_expected``, ``last_real``: when the previous callback should have been called and when it was;
-    ``current_expected``, ``current_real``: the same for this call; ``last_duration``: how long the previous callback
-    took, in seconds.
+    ``last_expected``, ``last_real``: when the previous call was expected and when it came; ``current_expected``,
+    ``current_real``: the same for this call; ``last_duration``: how long the previous call took, in seconds.
     """
 
     def __init__(
@@ -143,12 +142,12 @@ class TimerEvent:
 
 
 class Timer(threading.Thread):
-    """Calls ``callback(TimerEvent)`` every ``period``, first after one period, in a thread of its own.
+    """Calls ``callback(TimerEvent)`` every ``period``, for the first time after one period, in a thread of its own.
 
-    The thread is a daemon, starts at once and needs no reference to be kept. It paces itself by a Rate, so that what is
-    said there of overruns holds here; ``current_expected`` is never adjusted to an overrun. With ``oneshot`` there is
-    one call. An exception in the callback is printed and ends this timer alone; so do a period of 0 (ZeroDivisionError)
-    and one that is no Duration (AttributeError).
+    The thread is a daemon; it starts at once and runs even if you keep no reference to the timer. It sleeps on a Rate,
+    so what is said there about overruns holds here, too; ``current_expected`` is never adjusted after an overrun. With
+    ``oneshot`` there is only one call. An exception in the callback is printed and ends this timer alone; so does a
+    period that is 0 (ZeroDivisionError) or not a Duration (AttributeError).
     """
 
     def __init__(
@@ -170,7 +169,7 @@ class Timer(threading.Thread):
         self.start()
 
     def shutdown(self) -> None:
-        """Stop calling back; a timer that sleeps sees it when it wakes up."""
+        """Stop calling back. A timer that is asleep notices when it wakes up."""
         self._shutdown = True
 
     def run(self) -> None:

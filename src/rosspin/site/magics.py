@@ -1,4 +1,4 @@
-"""The cell magics ``%%simulate``, ``%%measure`` and ``%%answer``: a notebook cell as a node file."""
+"""The cell magics ``%%simulate``, ``%%measure`` and ``%%answer``, which take a notebook cell as a node file."""
 
 from __future__ import annotations
 
@@ -28,8 +28,8 @@ class _Parser(argparse.ArgumentParser):
 
 def _parser(name: str) -> _Parser:
     parser = _Parser(prog=f"%%{name}", add_help=False, allow_abbrev=False)
-    parser.add_argument("seconds", type=float, help="press Ctrl-C after so many seconds")
-    parser.add_argument("--name", default="run", help="the variable that is given the Run (default: run)")
+    parser.add_argument("seconds", type=float, help="press Ctrl-C after this many seconds")
+    parser.add_argument("--name", default="run", help="the variable in which to store the Run (default: run)")
     parser.add_argument("--quiet", action="store_true", help="do not show the node's console")
     return parser
 
@@ -41,7 +41,7 @@ def _below_its_magic(cell: str) -> str:
 
 @magics_class
 class Magics(BaseMagics):
-    """Cell magics that run a cell as a node file, given rosspin's rospy for ``import rospy``."""
+    """Cell magics that run a cell as a node file, in which ``import rospy`` imports rosspin's stand-in."""
 
     @cell_magic
     def simulate(self, line: str, cell: str) -> None:

@@ -167,8 +167,26 @@ class CellLexer(PythonLexer):
     tokens: ClassVar = {"root": [(r"^%%?\w+", Keyword.Namespace), inherit]}
 
 
+def offer_download(app: Sphinx, page: str, source: list[str]) -> None:
+    """Let the introduction of a notebook end with a link to the notebook that was run.
+
+    The link is made here because JupyterLab would show the role as it stands. No line is added: line numbers stay true.
+    """
+    if page.startswith("notebooks/"):
+        link = f"{{nb-download}}`Download this notebook, with its outputs <{page.rpartition('/')[2]}.ipynb>`."
+        source[0] = source[0].replace("\n\n## ", f" {link}\n\n## ", 1)
+
+
+def name_terms(app: Sphinx, page: nodes.document) -> None:
+    """Let a link in Markdown lead to a term of the glossary: ``[jitter](../docs/glossary.rst#term-jitter)``."""
+    labels = app.env.domains.standard_domain
+    for term in page.findall(nodes.term):
+        for name in term["ids"]:
+            labels.note_hyperlink_target(name, app.env.docname, name)
+
+
 def setup(app: Sphinx) -> ExtensionMetadata:
-    """Add the directives and the role above, and the highlighting of notebook cells."""
+    """Add the directives and the role above, what notebooks need, and the highlighting of their cells."""
     app.add_directive("ticks", TicksDirective)
     app.add_directive("facts", FactsDirective)
     app.add_directive("usage", UsageDirective)
@@ -176,4 +194,6 @@ def setup(app: Sphinx) -> ExtensionMetadata:
     app.add_directive("machine", MachineDirective)
     app.add_role("fact", FactRole())
     app.add_lexer("ipython3", CellLexer)
+    app.connect("source-read", offer_download)
+    app.connect("doctree-read", name_terms)
     return {"parallel_read_safe": False, "parallel_write_safe": True}
