@@ -52,6 +52,13 @@ def _plans() -> Iterator[tuple[str, Plan]]:
             parameters = {"period": PERIOD, "block": periods * PERIOD, "block_call": 3}
             what = f"a timer at 2 Hz whose callback number 3 takes {periods} periods"
             yield f"timer_{language}_blocks_once_{periods}", Plan(timer, parameters, 6.2, what)
+        kept = {"cpp": 1.8, "py": 2.8}[language]  # periods that a call may take if it began on time
+        parameters = {"period": PERIOD, "block": kept * PERIOD, "block_call": 3}
+        for calls, words in ((1, "once"), (2, "twice")):
+            what = f"a timer at 2 Hz, {kept} periods in callback number 3" + (" and in number 4" if calls == 2 else "")
+            yield f"timer_{language}_blocks_{words}_{kept}", Plan(timer, {**parameters, "block_calls": calls}, 6.2, what)
+        what = "a timer at 2 Hz in a node that spins only after 4.4 periods"
+        yield f"timer_{language}_waits", Plan(timer, {"period": PERIOD, "wait": 4.4 * PERIOD}, 5.2, what)
         parameters = {"period": PERIOD, "block": 1.6 * PERIOD}
         what = "a timer at 2 Hz whose callback always takes 1.6 periods"
         yield f"timer_{language}_blocks_always_1.6", Plan(timer, parameters, 6.2, what)
@@ -161,6 +168,45 @@ def record_pipe() -> None:
     _write_provenance("pipe", "INFO lines through a pipe", ["rosrun", "my_robotics_pkg", "NODE"], start, 5.2, 0, load)
 
 
+# Publishes a /clock that jumps back: 3 s of ROS time from 100 on, then 3 s from 50 on, in steps of 0.1 s.
+_CLOCK = """
+import rospy, time
+from rosgraph_msgs.msg import Clock
+rospy.init_node("clock")
+publisher = rospy.Publisher("/clock", Clock, queue_size=10)
+time.sleep(3)  # until everyone has subscribed
+for begin in (100, 50):
+    for step in range(31):
+        publisher.publish(rospy.Time.from_sec(begin + step / 10))
+        time.sleep(0.05)
+"""
+
+
+def record_clock_jump() -> None:
+    """Let ROS time jump back under a timer of 1 s, and keep the times at which it ticks."""
+    load, start = os.getloadavg(), time.time()
+    with ros1.Workspace() as workspace, (RECORDINGS / "clock_jump.csv").open("w", newline="") as text:
+        workspace.add_package(PROBES)
+        workspace.build()
+        workspace.start_master()
+        subprocess.run(["rosparam", "set", "/use_sim_time", "true"], env=workspace.environment, check=True)
+        commands = {
+            "roscpp": [str(workspace.folder / "devel/lib/timing_probes/timer_probe")],
+            "rospy": ["python3", str(PROBES / "src" / "timer_probe.py")],
+        }
+        writer = csv.writer(text, lineterminator="\n")
+        writer.writerow(["language", "ros_time"])
+        for language, command in commands.items():
+            clock = subprocess.Popen(["/usr/bin/python3", "-c", _CLOCK], env=workspace.environment)
+            output = workspace.run([*command, "_period:=1.0"], 12.0)
+            clock.wait()
+            rows = [line.split(",") for line in output.console.splitlines() if line.startswith("timerCallback,")]
+            writer.writerows([language, f"{float(row[COLUMNS.index('current_real')]):.1f}"] for row in rows)
+    _write_provenance(
+        "clock_jump", "a timer when /clock jumps back", ["rosrun", "timing_probes", "NODE"], start, 12.0, 0, load
+    )
+
+
 def _write_provenance(
     name: str, what: str, command: list[str], start: float, seconds: float, status: int, load: tuple[float, ...]
 ) -> None:
@@ -194,7 +240,7 @@ def _first_line(*command: str) -> str:
     return subprocess.run(command, check=True, capture_output=True, text=True).stdout.splitlines()[0]
 
 
-OTHERS = {"launch": record_launch, "endings": record_endings, "pipe": record_pipe}
+OTHERS = {"launch": record_launch, "endings": record_endings, "pipe": record_pipe, "clock_jump": record_clock_jump}
 
 
 def main(names: list[str]) -> None:

@@ -9,7 +9,7 @@ import pytest
 from rosspin import Run, recordings
 
 FOLDER = Path(__file__).parents[1] / "examples" / "recordings"
-TABLES = {"endings.csv", "pipe.csv"}  # what is no run's ticks; docs/how-timing-works.rst checks what they say
+TABLES = {"clock_jump.csv", "endings.csv", "pipe.csv"}  # what is no run's ticks; docs/how-timing-works.rst checks what they say
 FILES = sorted(file for file in [*FOLDER.glob("*.csv"), *FOLDER.glob("*.txt")] if file.name not in TABLES)
 
 NAMES = {
@@ -21,6 +21,9 @@ NAMES = {
         for hertz in (2, 50)
     ),
     *(f"timer_{language}_blocks_once_{periods}.csv" for language in ("cpp", "py") for periods in (1.4, 2.4, 4.4)),
+    *(f"timer_cpp_blocks_{calls}_1.8.csv" for calls in ("once", "twice")),
+    *(f"timer_py_blocks_{calls}_2.8.csv" for calls in ("once", "twice")),
+    *(f"timer_{language}_waits.csv" for language in ("cpp", "py")),
     *(f"timer_{language}_blocks_always_1.6.csv" for language in ("cpp", "py")),
     *(f"two_timers_{how}.csv" for how in ("py", "cpp_spin", "cpp_async")),
 }

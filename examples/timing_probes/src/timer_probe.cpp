@@ -2,8 +2,9 @@
 //
 // Parameters: ~period (s); ~block (s), how long a callback of the first timer
 // takes; ~block_call, the number of the call that does, 0 for every call;
-// ~second_timer (bool), one of the same period that takes no time;
-// ~threads, 1 for ros::spin, more for an AsyncSpinner.
+// ~block_calls, how many calls from that one on do; ~second_timer (bool), one
+// of the same period that takes no time; ~wait (s), how long main sleeps
+// before it spins; ~threads, 1 for ros::spin, more for an AsyncSpinner.
 
 #include <cstdio>
 #include <string>
@@ -13,8 +14,10 @@
 class Probe
 {
 public:
-  Probe(const std::string& source, double block, int block_call)
-    : source_(source), block_(block), block_call_(block_call)
+  Probe(const std::string& source, double block, int block_call,
+      int block_calls)
+    : source_(source), block_(block), block_call_(block_call),
+      block_calls_(block_calls)
   {
   }
 
@@ -32,7 +35,8 @@ public:
           event.current_real.toSec(), event.profile.last_duration.toSec());
     std::puts(row);
     std::fflush(stdout);
-    if (block_call_ == 0 || block_call_ == number_)
+    int since = number_ - block_call_;
+    if (block_call_ == 0 || (since >= 0 && since < block_calls_))
       ros::WallDuration(block_).sleep();
   }
 
@@ -40,6 +44,7 @@ private:
   std::string source_;
   double block_;
   int block_call_;
+  int block_calls_;
   int number_ = 0;
 };
 
@@ -48,9 +53,9 @@ int main(int argc, char* argv[])
   ros::init(argc, argv, "timer_probe");
   ros::NodeHandle nh("~");
   ros::Duration period(nh.param("period", 0.5));
-  Probe first(
-      "timerCallback", nh.param("block", 0.0), nh.param("block_call", 0));
-  Probe second("secondCallback", 0.0, 0);
+  Probe first("timerCallback", nh.param("block", 0.0),
+      nh.param("block_call", 0), nh.param("block_calls", 1));
+  Probe second("secondCallback", 0.0, 0, 1);
   ros::Timer second_timer;
 
   std::printf("start,%.6f\n", ros::Time::now().toSec());
@@ -59,6 +64,7 @@ int main(int argc, char* argv[])
   if (nh.param("second_timer", false))
     second_timer = nh.createTimer(period, &Probe::callback, &second);
 
+  ros::WallDuration(nh.param("wait", 0.0)).sleep();
   int threads = nh.param("threads", 1);
   if (threads == 1)
   {

@@ -10,10 +10,11 @@ import rospy
 
 
 class Probe:
-    def __init__(self, source, block, block_call):
+    def __init__(self, source, block, block_call, block_calls):
         self.source = source
         self.block = block
         self.block_call = block_call
+        self.block_calls = block_calls
         self.number = 0
 
     def callback(self, event):
@@ -23,18 +24,21 @@ class Probe:
         fields += ["" if stamp is None else "%.6f" % stamp.to_sec() for stamp in times]
         fields += ["" if event.last_duration is None else "%.6f" % event.last_duration]
         print(",".join(fields), flush=True)
-        if self.block_call in (0, self.number):
+        since = self.number - self.block_call
+        if self.block_call == 0 or 0 <= since < self.block_calls:
             time.sleep(self.block)
 
 
 if __name__ == "__main__":
     rospy.init_node("timer_probe")
     period = rospy.Duration(rospy.get_param("~period", 0.5))
-    first = Probe("timerCallback", rospy.get_param("~block", 0.0), rospy.get_param("~block_call", 0))
-    second = Probe("secondCallback", 0.0, 0)
+    block, block_call = rospy.get_param("~block", 0.0), rospy.get_param("~block_call", 0)
+    first = Probe("timerCallback", block, block_call, rospy.get_param("~block_calls", 1))
+    second = Probe("secondCallback", 0.0, 0, 1)
 
     print("start,%.6f" % rospy.get_time(), flush=True)
     rospy.Timer(period, first.callback)
     if rospy.get_param("~second_timer", False):
         rospy.Timer(period, second.callback)
+    time.sleep(rospy.get_param("~wait", 0.0))
     rospy.spin()

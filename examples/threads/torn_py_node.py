@@ -1,0 +1,30 @@
+#!/usr/bin/env python3
+
+import rospy
+
+
+class OdometerPyNode:
+    def __init__(self):
+        # Revolutions of the two wheels; they belong together
+        self.left = 0
+        self.right = 0
+        rospy.Timer(rospy.Duration(0.5), self.readCallback)
+        rospy.Timer(rospy.Duration(0.6), self.reportCallback)
+
+    # Read both wheels, one after the other
+    def readCallback(self, event):
+        self.left += 1
+        rospy.sleep(0.25)  # the second sensor takes its time
+        self.right += 1
+
+    # Report both wheels
+    def reportCallback(self, event):
+        rospy.loginfo(
+            "[ODOMETER PY NODE] left = %d, right = %d",
+            self.left, self.right)
+
+
+if __name__ == '__main__':
+    rospy.init_node("odometer_py_node")
+    odometer_py_node = OdometerPyNode()
+    rospy.spin()
