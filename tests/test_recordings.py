@@ -9,7 +9,8 @@ import pytest
 from rosspin import Run, recordings
 
 FOLDER = Path(__file__).parents[1] / "examples" / "recordings"
-TABLES = {"clock_jump.csv", "endings.csv", "pipe.csv"}  # what is no run's ticks; docs/how-timing-works.rst checks what they say
+# No run's ticks; docs/how-timing-works.rst checks what they say.
+TABLES = {"clock_jump.csv", "endings.csv", "pipe.csv"}
 FILES = sorted(file for file in [*FOLDER.glob("*.csv"), *FOLDER.glob("*.txt")] if file.name not in TABLES)
 
 NAMES = {
