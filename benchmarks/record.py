@@ -56,7 +56,8 @@ def _plans() -> Iterator[tuple[str, Plan]]:
         parameters = {"period": PERIOD, "block": kept * PERIOD, "block_call": 3}
         for calls, words in ((1, "once"), (2, "twice")):
             what = f"a timer at 2 Hz, {kept} periods in callback number 3" + (" and in number 4" if calls == 2 else "")
-            yield f"timer_{language}_blocks_{words}_{kept}", Plan(timer, {**parameters, "block_calls": calls}, 6.2, what)
+            name = f"timer_{language}_blocks_{words}_{kept}"
+            yield name, Plan(timer, {**parameters, "block_calls": calls}, 6.2, what)
         what = "a timer at 2 Hz in a node that spins only after 4.4 periods"
         yield f"timer_{language}_waits", Plan(timer, {"period": PERIOD, "wait": 4.4 * PERIOD}, 5.2, what)
         parameters = {"period": PERIOD, "block": 1.6 * PERIOD}

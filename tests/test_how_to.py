@@ -14,6 +14,7 @@ from itertools import pairwise
 from pathlib import Path
 
 import pytest
+from bs4 import BeautifulSoup
 from conftest import ROOT
 
 from rosspin import simulate
@@ -102,6 +103,65 @@ def test_the_uneven_node_on_the_real_ros(ros1: Workspace) -> None:
     node = ROOT / "examples" / "how-to" / "uneven_py_node.py"
     for console in (simulate(node, 0.9).console, ros1.run([str(node)], 2.0).console):
         assert re.search(r"counter = 6, [\d.]+ s after a call that took 0\.[2-9]", console)
+
+
+def _wheels(console: str) -> list[tuple[str, str]]:
+    """What the odometer node of the page on locks reported: pairs that should be equal."""
+    return re.findall(r"left = (\d+), right = (\d+)", console)
+
+
+THREADS = ROOT / "examples" / "threads"
+
+
+def test_callbacks_that_share_data_on_the_real_ros(ros1: Workspace, tmp_path: Path) -> None:
+    """Without the lock a report shows half a reading, with it none does, in Python and in C++."""
+    unlocked = tmp_path / "torn_cpp_node.cpp"
+    text = (THREADS / "locked_cpp_node.cpp").read_text(encoding="utf-8")
+    unlocked.write_text(re.sub(r".*\b(lock_guard|std::mutex)\b.*\n", "", text), encoding="utf-8")
+    assert unlocked.read_text(encoding="utf-8").count("\n") == text.count("\n") - 3
+    ros1.add_nodes("odometer", unlocked, THREADS / "locked_cpp_node.cpp")
+    ros1.build()
+    program = {path.name: str(path) for path in ros1.folder.glob("devel/lib/odometer/*_node")}
+    nodes = {name: str(THREADS / f"{name}_py_node.py") for name in ("torn", "locked")}
+    for torn, locked in ((nodes["torn"], nodes["locked"]), (program["torn_cpp_node"], program["locked_cpp_node"])):
+        wrong, right = (_wheels(ros1.run([node], 4.5).console) for node in (torn, locked))
+        assert any(left != right for left, right in wrong)
+        assert right and all(left == right for left, right in right)
+
+
+def test_a_roscpp_node_needs_no_lock_under_spin(ros1: Workspace, tmp_path: Path) -> None:
+    text = (THREADS / "locked_cpp_node.cpp").read_text(encoding="utf-8")
+    text = re.sub(r".*\b(lock_guard|std::mutex)\b.*\n", "", text)
+    text = re.sub(r"  ros::AsyncSpinner(.|\n)*waitForShutdown", "  ros::spin", text)
+    (tmp_path / "spun_cpp_node.cpp").write_text(text, encoding="utf-8")
+    ros1.add_nodes("spun", tmp_path / "spun_cpp_node.cpp")
+    ros1.build()
+    found = _wheels(ros1.run([str(next(ros1.folder.glob("devel/lib/spun/spun_cpp_node")))], 4.5).console)
+    assert found and all(left == right for left, right in found)
+
+
+def test_timer_beside_rate_shows_a_run() -> None:
+    """The dots of the picture are the ticks of a run, the bars their work, and its lines are half a second apart."""
+
+    def node() -> None:
+        import rospy
+
+        rospy.init_node("beside")
+        rospy.Timer(rospy.Duration(0.5), lambda event: rospy.sleep(0.2))
+        rate = rospy.Rate(2)
+        while not rospy.is_shutdown():
+            rospy.sleep(0.2)
+            rate.sleep()
+
+    picture = BeautifulSoup((ROOT / "docs/_static/timer-beside-rate.svg").read_text(encoding="utf-8"), "html.parser")
+    labels = {str(tag.string): float(str(tag["x"])) for tag in picture.select("text")}
+    zero, second = labels["0 s"], labels["1 s"] - labels["0 s"]
+    ticks = simulate(node, 2.0).ticks
+    for name, source in (("timer", "<lambda>"), ("rate", "Rate")):
+        drawn = [(float(str(dot["cx"])) - zero) / second for dot in picture.select(f"#beside-{name} circle")]
+        assert drawn == pytest.approx([tick.real for tick in ticks if tick.source == source])
+        bars = [float(str(bar["width"])) / second for bar in picture.select(f"#beside-{name} rect")]
+        assert bars[:-1] == pytest.approx([0.2] * (len(bars) - 1))
 
 
 class _UntilBothCount:

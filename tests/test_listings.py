@@ -86,7 +86,7 @@ def test_only_steps_have_marked_lines() -> None:
 
 def test_every_step_and_node_is_shown() -> None:
     shown = {listing.path for page in PAGES for listing in listings(page)}
-    files = {*EXAMPLES.glob("steps/*"), *EXAMPLES.glob("how-to/*.py")}
+    files = {*EXAMPLES.glob("steps/*"), *EXAMPLES.glob("how-to/*.py"), *EXAMPLES.glob("threads/*.*")}
     files |= {path for folder in ("src", "launch", "test") for path in PACKAGE.glob(f"{folder}/*.*")}
     assert files - shown == set()
 

@@ -125,6 +125,30 @@ def test_pages_without_such_a_listing_load_nothing(site: Path) -> None:
     assert "live/live" not in text
 
 
+@pytest.mark.parametrize(("language", "shown"), [("python", True), ("cpp", False)])
+def test_the_language_is_asked_and_remembered(
+    context: BrowserContext, address: str, language: str, shown: bool
+) -> None:
+    """A link on the first page chooses it, for each later page too; where the text says Run, there is one."""
+    page = context.new_page()
+    page.goto(address)
+    page.locator(f"article a[href$='?lang={language}']").click()
+    words, run = page.get_by_text("You can run the Python listings on this page"), Cell(page, 0).button("Run")
+    expect(words).to_be_visible(visible=shown)
+    expect(run).to_be_visible(visible=shown)
+    page.goto(address + "docs/how-to/frequency-from-parameter.html")
+    expect(Cell(page, 0).button("Run")).to_be_visible(visible=shown)
+
+
+def test_choosing_a_language_at_the_top_shows_listings_with_run(context: BrowserContext, address: str) -> None:
+    page = context.new_page()
+    page.goto(address + TUTORIAL)
+    expect(Cell(page, 0).button("Run")).to_be_hidden()
+    page.locator(".sd-tab-set").first.locator(".sd-tab-label", has_text="Python").click()
+    for index in range(len(LISTINGS)):
+        expect(Cell(page, index).button("Run")).to_be_visible()
+
+
 def test_listing_is_the_file(page: Page) -> None:
     shown = page.locator("div.live > .highlight > pre").evaluate_all("found => found.map(pre => pre.textContent)")
     assert shown == [(EXAMPLES / name).read_text(encoding="utf-8") for name in LISTINGS]

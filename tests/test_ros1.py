@@ -58,6 +58,7 @@ def strict() -> Iterator[ros1.Workspace]:
         workspace.add_package(PACKAGE)
         workspace.add_package(PROBES)
         workspace.add_nodes("steps", *EXAMPLES.glob("steps/*.cpp"))
+        workspace.add_nodes("threads", *EXAMPLES.glob("threads/*.cpp"))
         workspace.build("-DCMAKE_CXX_FLAGS=-Wall -Wextra -Werror")
         workspace.start_master()
         yield workspace

@@ -12,8 +12,8 @@ from conftest import ROOT
 
 TEXTS = ["README.md", "index.rst", "conf.py", "Makefile", "docs", "notebooks", "src", "examples", "tests", "benchmarks"]
 
-# British too, in the sense meant here: the verb and the file LICENSE, what a computer runs, a module of Python.
-BRITISH = "license,licensed,licenses,program,programs,math"
+# British too, in the sense meant here: the verb and the file LICENSE, what a computer runs, a module of Python, a noun.
+BRITISH = "license,licensed,licenses,program,programs,math,practice"
 # rospy, matplotlib and CSS have names in American.
 IN_CODE = "color,initialized"
 # A package, and a part of many words.

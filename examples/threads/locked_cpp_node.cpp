@@ -19,7 +19,7 @@ private:
   {
     std::lock_guard<std::mutex> guard(mutex_);
     left_++;
-    ros::Duration(0.25).sleep();  // the second sensor takes its time
+    ros::Duration(0.25).sleep();  // the sensor is slow
     right_++;
   }
 
@@ -27,11 +27,11 @@ private:
   void reportCallback(const ros::TimerEvent&)
   {
     std::lock_guard<std::mutex> guard(mutex_);
-    ROS_INFO_STREAM("[ODOMETER CPP NODE] left = "
+    ROS_INFO_STREAM("[WHEELS] left = "
         << left_ << ", right = " << right_);
   }
 
-  // Revolutions of the two wheels; they belong together
+  // Turns of the wheels: always a pair
   int left_ = 0;
   int right_ = 0;
   // Whoever touches them holds this mutex

@@ -7,7 +7,7 @@ import rospy
 
 class OdometerPyNode:
     def __init__(self):
-        # Revolutions of the two wheels; they belong together
+        # Turns of the wheels: always a pair
         self.left = 0
         self.right = 0
         # Whoever touches them holds this lock
@@ -19,14 +19,14 @@ class OdometerPyNode:
     def readCallback(self, event):
         with self.lock:
             self.left += 1
-            rospy.sleep(0.25)  # the second sensor takes its time
+            rospy.sleep(0.25)  # the sensor is slow
             self.right += 1
 
     # Report both wheels
     def reportCallback(self, event):
         with self.lock:
             rospy.loginfo(
-                "[ODOMETER PY NODE] left = %d, right = %d",
+                "[WHEELS] left = %d, right = %d",
                 self.left, self.right)
 
 

@@ -5,7 +5,7 @@ import rospy
 
 class OdometerPyNode:
     def __init__(self):
-        # Revolutions of the two wheels; they belong together
+        # Turns of the wheels: always a pair
         self.left = 0
         self.right = 0
         rospy.Timer(rospy.Duration(0.5), self.readCallback)
@@ -14,13 +14,13 @@ class OdometerPyNode:
     # Read both wheels, one after the other
     def readCallback(self, event):
         self.left += 1
-        rospy.sleep(0.25)  # the second sensor takes its time
+        rospy.sleep(0.25)  # the sensor is slow
         self.right += 1
 
     # Report both wheels
     def reportCallback(self, event):
         rospy.loginfo(
-            "[ODOMETER PY NODE] left = %d, right = %d",
+            "[WHEELS] left = %d, right = %d",
             self.left, self.right)
 
 
