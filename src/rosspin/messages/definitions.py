@@ -11,7 +11,19 @@ from dataclasses import dataclass
 from difflib import get_close_matches
 from typing import NoReturn
 
-__all__ = ["BUILTIN", "INTEGERS", "Constant", "Definition", "DefinitionError", "Field", "Kind", "Value", "limits", "parse", "unknown"]
+__all__ = [
+    "BUILTIN",
+    "INTEGERS",
+    "Constant",
+    "Definition",
+    "DefinitionError",
+    "Field",
+    "Kind",
+    "Value",
+    "limits",
+    "parse",
+    "unknown",
+]
 
 Value = bool | int | float | str
 

@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import sys
 from collections.abc import Sequence
+from importlib.abc import Loader, MetaPathFinder
 from importlib.machinery import ModuleSpec
 from importlib.util import spec_from_file_location
 from pathlib import Path
@@ -15,7 +16,7 @@ from .library import Library
 __all__ = ["MessageFinder"]
 
 
-class MessageFinder:
+class MessageFinder(MetaPathFinder, Loader):
     """An entry of ``sys.meta_path``, as a context: inside of it a node can import messages.
 
     ``ros`` is 1 or 2, ``folder`` the node file's, whose package and workspace are looked at, too. Found are

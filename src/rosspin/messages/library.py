@@ -22,8 +22,8 @@ class Library:
     """The definitions that a node can import: those of ROS 1 or 2, and its own packages'.
 
     ``folder`` is the node file's. As ROS does, a file's package is the nearest folder upwards that has a package.xml;
-    its workspace is the folder ``src`` around it, where the other packages are, four folders deep and not inside of each
-    other. Without a workspace, the packages right beside it count.
+    its workspace is the folder ``src`` around it, where the other packages are, up to four folders deep and not inside
+    of each other. Without a workspace, the packages right beside it count.
     """
 
     def __init__(self, ros: int, folder: Path | None = None) -> None:
@@ -87,5 +87,6 @@ def _packages_around(folder: Path) -> Iterator[tuple[str, Path]]:
 
 def _name(package: Path) -> str:
     """A package's name: what its package.xml says, or else its folder's."""
-    found = re.search(r"<name>\s*(\w+)\s*</name>", (package / "package.xml").read_text(encoding="utf-8", errors="replace"))
+    text = (package / "package.xml").read_text(encoding="utf-8", errors="replace")
+    found = re.search(r"<name>\s*(\w+)\s*</name>", text)
     return found[1] if found else package.name

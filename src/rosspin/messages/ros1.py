@@ -10,8 +10,8 @@ from collections.abc import Callable, Iterator, Sequence
 from typing import Any, ClassVar, TypeVar
 
 from ..rospy.genpy import Duration, Time, TVal
-from .definitions import BUILTIN, Definition, Field, Kind, limits, unknown
-from .library import Library
+from . import classes
+from .definitions import BUILTIN, Definition, Field, Kind, limits
 from .wire import SIMPLE, LengthError, Step, plan, read, safe
 
 __all__ = [
@@ -59,8 +59,7 @@ class Message:
     other ones. What they are is checked in serializing only.
     """
 
-    __slots__ = ["_connection_header"]
-    __slots__: list[str]
+    __slots__: list[str] = ["_connection_header"]
     _type: ClassVar[str]
     _md5sum: ClassVar[str]
     _full_text: ClassVar[str]
@@ -158,24 +157,8 @@ def transfer(message: Message, data_class: type[M]) -> M:
     return data_class().deserialize(buffer.getvalue())
 
 
-class Messages:
-    """The message classes of one library, each made when it is first asked for."""
-
-    def __init__(self, library: Library) -> None:
-        self.library = library
-        self._classes: dict[str, type[Message]] = {}
-        self._making: list[str] = []
-
-    def __getitem__(self, name: str) -> type[Message]:
-        """The class of a message as in std_msgs/Header. KeyError, DefinitionError: as Library.definition."""
-        if name not in self._classes:
-            definition = self.library.definition(name)
-            self._making.append(name)
-            try:
-                self._classes[name] = self._make(definition)
-            finally:
-                self._making.pop()
-        return self._classes[name]
+class Messages(classes.Messages[Message]):
+    """The classes that genpy would generate."""
 
     @staticmethod
     def module(name: str) -> str:
@@ -183,8 +166,6 @@ class Messages:
         return f"_{name}"
 
     def _make(self, definition: Definition) -> type[Message]:
-        for field in definition.fields:
-            self._find(definition, field)
         package, _, name = definition.name.partition("/")
         slots = [safe(field.name) for field in definition.fields]
         first = definition.fields[0] if definition.fields else None
@@ -204,18 +185,6 @@ class Messages:
             "_steps": plan(definition.fields, self._inside),
         }
         return type(name, (Message,), {**namespace, **{each.name: each.value for each in definition.constants}})
-
-    def _find(self, definition: Definition, field: Field) -> None:
-        """See that a field's type is there. DefinitionError: it is not, or it holds itself."""
-        base = field.kind.base
-        if base in self._making:
-            definition.fault(field.line, f"{base} holds itself")
-        if base in BUILTIN[1]:
-            return
-        try:
-            self[base]
-        except KeyError:
-            definition.fault(field.line, unknown(base, 1))
 
     def _inside(self, base: str) -> tuple[Sequence[Field], Callable[[], Any]] | None:
         if base in TIMES:
@@ -245,7 +214,7 @@ class Messages:
         return list(found.values())
 
     def _md5sum(self, definition: Definition) -> str:
-        """The sum of a message's constants and fields (source: genmsg/gentools.py); a nested message counts by its sum."""
+        """The sum of a message's constants and fields (source: genmsg/gentools.py); a nested one by its sum."""
         lines = [f"{each.type} {each.name}={each.text}" for each in definition.constants]
         for field in definition.fields:
             base = field.kind.base
@@ -324,7 +293,7 @@ def strify_message(val: Any, indent: str = "") -> str:
     if isinstance(val, str):
         return _yaml(val, default_style='"') if val else "''"
     if isinstance(val, TVal):
-        return f"\n{indent}secs: {val.secs}\n{indent}nsecs: " + "%9d" % val.nsecs  # which takes a float, too
+        return "\n%ssecs: %s\n%snsecs: %9d" % (indent, val.secs, indent, val.nsecs)  # noqa: UP031, %d takes floats
     if kind in (list, tuple):
         return _strify_array(val, indent)
     if isinstance(val, Message):
@@ -359,4 +328,4 @@ def _items(message: Message) -> Iterator[tuple[str, Any]]:
 def _yaml(value: Any, **style: Any) -> str:
     import yaml  # here: it is needed only where a string is printed
 
-    return yaml.dump(value, **style).rstrip("\n")
+    return str(yaml.dump(value, **style)).rstrip("\n")

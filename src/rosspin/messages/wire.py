@@ -97,7 +97,9 @@ def _flatten(fields: Sequence[Field], nested: Nested) -> list[tuple[str, Kind]]:
 def _setter(path: str) -> Callable[[Any, Any], None]:
     """A function that sets the attribute a.b.c of a message."""
     parent, _, name = path.rpartition(".")
-    get = attrgetter(parent) if parent else lambda message: message
+    if not parent:
+        return lambda message, value: setattr(message, name, value)
+    get = attrgetter(parent)
     return lambda message, value: setattr(get(message), name, value)
 
 
