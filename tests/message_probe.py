@@ -168,13 +168,14 @@ def main(seed, folder=None):
         from rosspin.messages import MessageFinder
 
         sys.meta_path.insert(0, MessageFinder(ros=1))
-    answers = {}
+    answers, texts = {}, {}
     for package in PACKAGES:
         module = importlib.import_module(f"{package}.msg")
         names = getattr(module, "__all__", [name for name in vars(module) if isinstance(getattr(module, name), type)])
         for name in sorted(names):
             answers[f"{package}/{name}"] = probe(f"{package}/{name}", random.Random(f"{seed} {package} {name}"))
-    json.dump({"python": sys.version_info[:2], "answers": answers}, sys.stdout)
+            texts[f"{package}/{name}"] = message_class(f"{package}/{name}")._full_text
+    json.dump({"python": sys.version_info[:2], "answers": answers, "texts": texts}, sys.stdout)
 
 
 if __name__ == "__main__":

@@ -299,10 +299,7 @@ def _range(kind: Kind) -> str:
 
 def _rounded(value: float) -> float:
     """A float as 32 bits hold it."""
-    try:
-        (rounded,) = struct.unpack("f", struct.pack("f", value))
-    except OverflowError:  # as C converts it
-        return math.copysign(math.inf, value)
+    (rounded,) = struct.unpack("f", struct.pack("f", value))
     return float(rounded)
 
 
