@@ -1,7 +1,8 @@
 """What the message classes of ROS 1 say to random values: run with the real genpy and with rosspin's classes.
 
-``python message_probe.py SEED [FOLDER]``: with rosspin's source folder, its classes are used. Prints one JSON object:
-for each message a list of [what was done, what came of it]. Both draw the same values from the seed.
+``python message_probe.py SEED PACKAGE [SOURCE]``: PACKAGE is the folder of odd_msgs, with definitions that the packages
+of ROS lack; with rosspin's SOURCE its classes are used. Prints one JSON object: for each message a list of [what was
+done, what came of it]. Both draw the same values from the seed.
 """
 
 from __future__ import annotations
@@ -12,6 +13,7 @@ import json
 import math
 import random
 import sys
+from pathlib import Path
 
 PACKAGES = [
     "std_msgs",
@@ -162,14 +164,28 @@ def probe(name, draws):
     return said
 
 
-def main(seed, folder=None):
-    if folder:
-        sys.path.insert(0, folder)
+def generate(package):
+    """Have genpy write its modules of odd_msgs; std_msgs/Header lies there, too, as Debian has no .msg files."""
+    from genpy.generator import MsgGenerator
+
+    out = package / "generated" / "odd_msgs" / "msg"
+    files = sorted((package / "msg").glob("*.msg"))
+    search = {"odd_msgs": [str(package / "msg")], "std_msgs": [str(package / "std_msgs")]}
+    assert not MsgGenerator().generate_messages("odd_msgs", [str(file) for file in files], str(out), search)
+    (out / "__init__.py").write_text("".join(f"from ._{file.stem} import {file.stem}\n" for file in files))
+    sys.path.insert(0, str(package / "generated"))
+
+
+def main(seed, package, source=None):
+    if source:
+        sys.path.insert(0, source)
         from rosspin.messages import MessageFinder
 
-        sys.meta_path.insert(0, MessageFinder(ros=1))
+        sys.meta_path.insert(0, MessageFinder(1, Path(package)))
+    else:
+        generate(Path(package))
     answers, texts = {}, {}
-    for package in PACKAGES:
+    for package in [*PACKAGES, "odd_msgs"]:
         module = importlib.import_module(f"{package}.msg")
         names = getattr(module, "__all__", [name for name in vars(module) if isinstance(getattr(module, name), type)])
         for name in sorted(names):

@@ -1,4 +1,4 @@
-"""Message classes beside genpy's own: every type of nine packages, with random values and wrong ones.
+"""Message classes beside genpy's own: every type of nine packages and of an odd one, with random and wrong values.
 
 ROSSPIN_SEED asks for other values.
 """
@@ -26,6 +26,28 @@ SEED = os.environ.get("ROSSPIN_SEED", "1")
 PYTHONS_OWN = ("builtins.", "when writing", "unpack requires")
 
 
+# What no message of ROS has: each kind of array, words of Python's, constants, deep nesting, nothing at all.
+ODD = {
+    "Leaf": "string[2] names\nbool on\nfloat32 size\nuint8[4] mask\nNothing none\n",
+    "Nothing": "# nothing\n",
+    "Branch": "Header header\nLeaf leaf\nLeaf[2] leaves\ntime[] times\nduration[2] spans\nfloat64 last\n",
+    "Tree": "float32 A=1.5\nstring B= two # three \nbyte C=-1\nchar D=200\nbool E=True\n\n"
+    "bool from\nint8 self\nBranch[] branches\nbool[] flags\nbool[3] three\nbyte[] low\nchar[] high\nint64[2] pair\n"
+    "string[] words\nLeaf[1] one\nodd_msgs/Branch branch\nstd_msgs/Header second\nNothing[2] nothings\n",
+}
+
+
+def write_odd(folder: Path) -> str:
+    """The package odd_msgs, its folder's path."""
+    for part in ("msg", "std_msgs"):
+        (folder / part).mkdir()
+    (folder / "package.xml").write_text("<package><name>odd_msgs</name></package>")
+    (folder / "std_msgs" / "Header.msg").write_text(Library(1).definition("std_msgs/Header").text)
+    for name, text in ODD.items():
+        (folder / "msg" / f"{name}.msg").write_text(text)
+    return str(folder)
+
+
 def probe(python: str, *args: str) -> Any:
     run = subprocess.run([python, str(PROBE), SEED, *args], capture_output=True, text=True, timeout=300)
     assert run.returncode == 0, run.stderr
@@ -33,16 +55,17 @@ def probe(python: str, *args: str) -> Any:
 
 
 @pytest.fixture(scope="module")
-def answers(require: Callable[[str], None]) -> tuple[Any, Any]:
+def answers(require: Callable[[str], None], tmp_path_factory: pytest.TempPathFactory) -> tuple[Any, Any]:
     """What the real one says, and what rosspin says."""
     require("ros1")
-    return probe("/usr/bin/python3"), probe(sys.executable, str(SOURCE))
+    folder = write_odd(tmp_path_factory.mktemp("odd_msgs"))
+    return probe("/usr/bin/python3", folder), probe(sys.executable, folder, str(SOURCE))
 
 
 def test_every_type_is_there(answers: tuple[Any, Any]) -> None:
     real, ours = answers
     assert ours["answers"].keys() == real["answers"].keys()
-    assert len({name.partition("/")[0] for name in real["answers"]}) == 9
+    assert len({name.partition("/")[0] for name in real["answers"]}) == 9 + 1
 
 
 def test_each_answer_is_the_real_one(answers: tuple[Any, Any]) -> None:
@@ -60,11 +83,17 @@ def test_each_answer_is_the_real_one(answers: tuple[Any, Any]) -> None:
     assert count > 10_000
 
 
+def test_the_full_text_of_an_own_message_is_the_real_one(answers: tuple[Any, Any]) -> None:
+    for name in ODD:
+        assert answers[1]["texts"][f"odd_msgs/{name}"] == answers[0]["texts"][f"odd_msgs/{name}"]
+
+
 def test_a_definition_with_its_comments_reads_the_same(answers: tuple[Any, Any]) -> None:
     """The real texts have comments, tabs and blank lines; those that rosspin carries have none."""
     library = Library(1)
+    texts = {name: text for name, text in answers[0]["texts"].items() if not name.startswith("odd_msgs/")}
     messages = Messages(library)
-    for name, text in answers[0]["texts"].items():
+    for name, text in texts.items():
         own, *nested = text.split("\n" + "=" * 80 + "\n")
         real, ours = parse(own, name, "real", 1), library.definition(name)
         assert real.constants == ours.constants

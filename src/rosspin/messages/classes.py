@@ -19,17 +19,25 @@ class Messages(ABC, Generic[T]):
     def __init__(self, library: Library) -> None:
         self.library = library
         self._classes: dict[str, type[T]] = {}
-        self._making: list[str] = []
 
     def __getitem__(self, name: str) -> type[T]:
+        return self._find(name, ())
+
+    def _find(self, name: str, around: tuple[str, ...]) -> type[T]:
+        """A class, made after those of its fields; ``around`` are the messages that hold it."""
         if name not in self._classes:
             definition = self.library.definition(name)
-            self._making.append(name)
-            try:
-                self._make_nested(definition)
-                self._classes[name] = self._make(definition)
-            finally:
-                self._making.pop()
+            for field in definition.fields:
+                base = field.kind.base
+                if base in BUILTIN[self.library.ros]:
+                    continue
+                if base in (*around, name):
+                    definition.fault(field.line, f"{base} holds itself")
+                try:
+                    self._find(base, (*around, name))
+                except KeyError:
+                    definition.fault(field.line, unknown(base, self.library.ros))
+            self._classes[name] = self._make(definition)
         return self._classes[name]
 
     @staticmethod
@@ -40,15 +48,3 @@ class Messages(ABC, Generic[T]):
     @abstractmethod
     def _make(self, definition: Definition) -> type[T]:
         """The class of a definition; those of its fields are there."""
-
-    def _make_nested(self, definition: Definition) -> None:
-        """The classes of a definition's fields. DefinitionError: one is not there, or the message holds itself."""
-        for field in definition.fields:
-            base = field.kind.base
-            if base in self._making:
-                definition.fault(field.line, f"{base} holds itself")
-            if base not in BUILTIN[self.library.ros]:
-                try:
-                    self[base]
-                except KeyError:
-                    definition.fault(field.line, unknown(base, self.library.ros))

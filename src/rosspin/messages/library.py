@@ -30,14 +30,17 @@ class Library:
         self.ros = ros
         self._folder = folder
         self._packages: dict[str, Path] | None = None
+        self._names: dict[str, list[str]] = {}
         self._definitions: dict[str, Definition] = {}
 
     def names(self, package: str) -> list[str]:
         """The names of a package's messages, sorted, without the package; none if it is not there."""
-        if carried := [name.partition("/")[2] for name in _carried(self.ros) if name.startswith(f"{package}/")]:
-            return carried
-        folder = self.package(package)
-        return sorted(file.stem for file in (folder / "msg").glob("*.msg")) if folder else []
+        if package not in self._names:
+            found = [name.partition("/")[2] for name in _carried(self.ros) if name.startswith(f"{package}/")]
+            if not found and (folder := self.package(package)):
+                found = sorted(file.stem for file in (folder / "msg").glob("*.msg"))
+            self._names[package] = found
+        return self._names[package]
 
     def definition(self, name: str) -> Definition:
         """The definition of a message as in std_msgs/Header. KeyError: there is none; DefinitionError: it is faulty."""
