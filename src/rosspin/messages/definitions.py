@@ -9,6 +9,7 @@ from __future__ import annotations
 import re
 from dataclasses import dataclass
 from difflib import get_close_matches
+from functools import cache
 from typing import NoReturn
 
 __all__ = [
@@ -147,6 +148,7 @@ def unknown(base: str, ros: int) -> str:
     return f"there is no message {base}" + (f"; did you mean {close[0]}?" if close else "")
 
 
+@cache
 def limits(type_: str, ros: int) -> tuple[int, int]:
     """The least and the greatest value of an integer type; a byte is signed in ROS 1 only, a char never."""
     bits = INTEGERS.get(type_, 8)

@@ -66,6 +66,8 @@ class Message:
     _has_header: ClassVar[bool]
     _slot_types: ClassVar[list[str]]
     _defaults: ClassVar[list[tuple[str, Callable[[], Any]]]]
+    _made_of: ClassVar[list[tuple[str, Callable[[], Any]]]]  # its nested messages and times
+    _times: ClassVar[list[str]]
     _steps: ClassVar[list[Step]]
 
     def __init__(self, *args: Any, **kwds: Any) -> None:
@@ -115,16 +117,15 @@ class Message:
 
     def deserialize(self: M, data: bytes) -> M:
         """Fill this message from its bytes, and return it. DeserializationError if there are too few."""
-        for name, default in self._defaults:
+        for name, make in self._made_of:
             if getattr(self, name) is None:
-                setattr(self, name, default())
+                setattr(self, name, make())
         try:
             read(self._steps, self, data)
         except struct.error as error:
             raise DeserializationError(error) from error
-        for name, type_ in zip(self.__slots__, self._slot_types, strict=True):
-            if type_ in TIMES:
-                getattr(self, name).canon()
+        for name in self._times:
+            getattr(self, name).canon()
         return self
 
     def __repr__(self) -> str:
@@ -182,6 +183,12 @@ class Messages(classes.Messages[Message]):
             "_has_header": bool(first and str(first.kind) == "std_msgs/Header" and first.name == "header"),
             "_slot_types": [str(field.kind) for field in definition.fields],
             "_defaults": [(safe(field.name), self._default(field.kind)) for field in definition.fields],
+            "_made_of": [
+                (safe(field.name), inside[1])
+                for field in definition.fields
+                if not field.kind.array and (inside := self._inside(field.kind.base))
+            ],
+            "_times": [safe(field.name) for field in definition.fields if str(field.kind) in TIMES],
             "_steps": plan(definition.fields, self._inside),
         }
         return type(name, (Message,), {**namespace, **{each.name: each.value for each in definition.constants}})

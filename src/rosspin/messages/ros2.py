@@ -15,6 +15,7 @@ from collections import UserList, UserString
 from collections.abc import Sequence, Set
 from functools import cache
 from importlib import import_module
+from operator import attrgetter
 from typing import Any, ClassVar, TypeVar
 
 from . import classes
@@ -38,6 +39,14 @@ CODES = {
     "uint64": "Q",
     "float32": "f",
     "float64": "d",
+}
+PYTHON: dict[str, type[Any]] = {
+    "bool": bool,
+    "byte": bytes,
+    "string": str,
+    "wstring": str,
+    "float32": float,
+    "float64": float,
 }
 GREATEST = {"float32": ("3.402823466e+38", "float"), "float64": ("1.7976931348623157e+308", "double")}
 
@@ -73,10 +82,9 @@ def transfer(message: Message, data_class: type[M]) -> M:
 
     Floats of 32 bits are rounded. AssertionError for a value that came in by the back door, such as ``data.append``.
     """
-    received = data_class()
+    received = data_class.__new__(data_class)
     for name, field in data_class._rosspin_fields.items():
-        setattr(received, name, getattr(message, name))  # which checks it
-        setattr(received, name, field.copy(getattr(received, name)))
+        setattr(received, field.slot, field.copy(field.check(getattr(message, name))))
     return received
 
 
@@ -88,9 +96,12 @@ class _Field:
 
     def __init__(self, field: Field, message: type[Message] | None) -> None:
         self.name = field.name
+        self.slot = f"_{field.name}"
         self.kind = field.kind
         self.message = message
         self.given = field.default
+        self.type: Any = message or PYTHON.get(self.kind.base, int)
+        self.code = CODES.get(self.kind.base) if self.kind.array else None  # of an array of numbers
 
     @property
     def idl(self) -> str:
@@ -102,11 +113,6 @@ class _Field:
         if kind.array:
             return f"sequence<{base}>" if kind.bound is None else f"sequence<{base}, {kind.bound}>"
         return base
-
-    @property
-    def code(self) -> str | None:
-        """The type code of an array of numbers."""
-        return CODES.get(self.kind.base) if self.kind.array else None
 
     def default(self) -> Any:
         """A new default value."""
@@ -122,7 +128,7 @@ class _Field:
             return self.message()
         if self.kind.base == "byte":
             return b"\0"
-        return {"bool": False, "string": "", "wstring": "", "float32": 0.0, "float64": 0.0}.get(self.kind.base, 0)
+        return self.type()
 
     def construct(self, value: Any) -> Any:
         """A constructor's argument, on its way to the check: what can become an array of numbers becomes one."""
@@ -136,19 +142,18 @@ class _Field:
         if self.message:
             assert isinstance(value, self.message), f"{what} a sub message of type '{self.message.__name__}'"
         elif kind.base == "byte":
-            right = isinstance(value, bytes | bytearray) and len(value) == 1
+            right = isinstance(value, (bytes, bytearray)) and len(value) == 1
             assert right, f"{what} of type 'bytes' or 'ByteString' with length 1"
         elif kind.size is not None:
-            right = isinstance(value, str | UserString) and len(value) <= kind.size
+            right = isinstance(value, (str, UserString)) and len(value) <= kind.size
             assert right, f"{what} string value not longer than {kind.size}"
         else:
-            type_ = _python_type(kind)
-            assert isinstance(value, type_), f"{what} of type '{type_.__name__}'"
-            if type_ is int:
+            assert isinstance(value, self.type), f"{what} of type '{self.type.__name__}'"
+            if self.type is int:
                 lowest, highest = limits(kind.base, 2)
                 sign = "an integer" if lowest else "an unsigned integer"
                 assert lowest <= value <= highest, f"{what} {sign} in [{lowest}, {highest}]"
-            elif type_ is float:
+            elif self.type is float:
                 greatest, name = GREATEST[kind.base]
                 assert _in_range(value, kind), f"{what} a {name} in [-{greatest}, {greatest}]"
         return value
@@ -166,18 +171,17 @@ class _Field:
                 assert value.dtype == dtype, f"{what} the dtype of 'numpy.{dtype.name}'"
                 assert value.size == kind.length, f"{what} a size of {kind.length}"
                 return value
-        type_ = self.message or _python_type(kind)
         right = (
-            isinstance(value, Sequence | Set | UserList)
-            and not isinstance(value, str | UserString)
+            isinstance(value, (Sequence, Set, UserList))
+            and not isinstance(value, (str, UserString))
             and (kind.length is None or len(value) == kind.length)
             and (kind.bound is None or len(value) <= kind.bound)
-            and all(isinstance(item, type_) for item in value)
+            and all(isinstance(item, self.type) for item in value)
             and all(_in_range(item, kind) for item in value)
         )
         assert right, (
             f"The '{self.name}' field must be a set or sequence{self._length()} "
-            f"each value of type '{type_.__name__}'{_range(kind)}"
+            f"each value of type '{self.type.__name__}'{_range(kind)}"
         )
         if not code:
             return value
@@ -211,7 +215,7 @@ class _Field:
             return transfer(value, self.message)
         if self.kind.base == "float32":
             return _rounded(value)
-        return _python_type(self.kind)(value)
+        return self.type(value)
 
 
 class Messages(classes.Messages[Message]):
@@ -235,7 +239,10 @@ class Messages(classes.Messages[Message]):
             wrong = ", ".join(sorted(key for key in kwargs if f"_{key}" not in slots))
             assert not wrong, f"Invalid arguments passed to constructor: {wrong}"
             for key, field in fields.items():
-                setattr(self, key, field.construct(kwargs[key]) if key in kwargs else field.default())
+                if key in kwargs:
+                    setattr(self, key, field.construct(kwargs[key]))
+                else:
+                    setattr(self, field.slot, field.default())
 
         __init__.__qualname__ = f"{name}.__init__"  # which a TypeError names
         namespace: dict[str, Any] = {
@@ -256,24 +263,10 @@ class Messages(classes.Messages[Message]):
 
 
 def _property(field: _Field) -> property:
-    slot = f"_{field.name}"
-
     def set_(message: Message, value: Any) -> None:
-        setattr(message, slot, field.check(value))
+        setattr(message, field.slot, field.check(value))
 
-    return property(lambda message: getattr(message, slot), set_, doc=f"Message field '{field.name}'.")
-
-
-def _python_type(kind: Kind) -> type[Any]:
-    types: dict[str, type[Any]] = {
-        "bool": bool,
-        "byte": bytes,
-        "string": str,
-        "wstring": str,
-        "float32": float,
-        "float64": float,
-    }
-    return types.get(kind.base, int)
+    return property(attrgetter(field.slot), set_, doc=f"Message field '{field.name}'.")
 
 
 def _in_range(value: Any, kind: Kind) -> bool:
