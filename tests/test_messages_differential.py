@@ -6,7 +6,6 @@ ROSSPIN_SEED asks for other values.
 from __future__ import annotations
 
 import json
-import os
 import subprocess
 import sys
 from collections.abc import Callable
@@ -14,6 +13,7 @@ from pathlib import Path
 from typing import Any
 
 import pytest
+from conftest import SEED
 
 from rosspin.messages.definitions import parse
 from rosspin.messages.library import Library
@@ -21,7 +21,6 @@ from rosspin.messages.ros1 import Messages
 
 PROBE = Path(__file__).with_name("message_probe.py")
 SOURCE = Path(__file__).parent.parent / "src"
-SEED = os.environ.get("ROSSPIN_SEED", "1")
 # Errors that Python itself words, which it does anew now and then.
 PYTHONS_OWN = ("builtins.", "when writing", "unpack requires")
 
@@ -49,7 +48,7 @@ def write_odd(folder: Path) -> str:
 
 
 def probe(python: str, *args: str) -> Any:
-    run = subprocess.run([python, str(PROBE), SEED, *args], capture_output=True, text=True, timeout=300)
+    run = subprocess.run([python, str(PROBE), str(SEED), *args], capture_output=True, text=True, timeout=300)
     assert run.returncode == 0, run.stderr
     return json.loads(run.stdout)
 
