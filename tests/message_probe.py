@@ -13,7 +13,9 @@ import json
 import math
 import random
 import sys
+from collections.abc import Callable, Iterator
 from pathlib import Path
+from typing import Any
 
 PACKAGES = [
     "std_msgs",
@@ -30,12 +32,12 @@ TEXTS = ["", "a", "a b", 'say "a"\n', "ä € 😀", "true", "1.0", "- x", "word
 FLOATS = [0.0, -0.0, 1.5, 0.1, 1e30, 1e-300, math.inf, -math.inf, math.nan, 3, True]
 
 
-def message_class(name):
+def message_class(name: str) -> Any:
     package, _, short = name.partition("/")
     return getattr(importlib.import_module(f"{package}.msg"), short)
 
 
-def draw(type_, draws):
+def draw(type_: str, draws: random.Random) -> Any:
     """A random value of a type as in float64[9]."""
     base, bracket, length = type_.partition("[")
     if bracket:
@@ -58,13 +60,13 @@ def draw(type_, draws):
     return fill(message_class(base)(), draws)
 
 
-def fill(message, draws):
+def fill(message: Any, draws: random.Random) -> Any:
     for name, type_ in zip(message.__slots__, message._slot_types):
         setattr(message, name, draw(type_, draws))
     return message
 
 
-def outcome(do):
+def outcome(do: Callable[[], object]) -> str:
     """A result as text, or the error: its class and its words."""
     try:
         return str(do())
@@ -72,13 +74,13 @@ def outcome(do):
         return f"{type(error).__module__}.{type(error).__name__}: {error}"
 
 
-def sent(message):
+def sent(message: Any) -> bytes:
     buffer = io.BytesIO()
     message.serialize(buffer)
     return buffer.getvalue()
 
 
-def shape(value):
+def shape(value: Any) -> Any:
     """A value with the types of all its parts."""
     if hasattr(value, "secs"):
         return [type(value).__name__, shape(value.secs), shape(value.nsecs)]
@@ -90,7 +92,7 @@ def shape(value):
     return f"{type(value).__name__} {value!r}"
 
 
-def wrong_values():
+def wrong_values() -> list[Any]:
     other = message_class("std_msgs/String")("hi")
     header = message_class("std_msgs/Header")()
     time = type(message_class("std_msgs/Time")().data)(1, 2)
@@ -101,7 +103,7 @@ def wrong_values():
     ]
 
 
-def paths(message, prefix=""):
+def paths(message: Any, prefix: str = "") -> Iterator[tuple[Any, str, str]]:
     """The fields of a message, and those of its nested ones: (owner, name, path)."""
     for name in message.__slots__:
         yield message, name, prefix + name
@@ -114,7 +116,7 @@ def paths(message, prefix=""):
             yield from ((inner, part, f"{prefix}{name}.{part}") for part in ("secs", "nsecs"))
 
 
-def probe(name, draws):
+def probe(name: str, draws: random.Random) -> list[list[str]]:
     """Everything about one message."""
     cls = message_class(name)
     said = [[what, str(getattr(cls, what))] for what in ("_type", "_md5sum", "_has_header", "__slots__", "_slot_types")]
@@ -164,7 +166,7 @@ def probe(name, draws):
     return said
 
 
-def generate(package):
+def generate(package: Path) -> None:
     """Have genpy write its modules of odd_msgs; std_msgs/Header lies there, too, as Debian has no .msg files."""
     from genpy.generator import MsgGenerator
 
@@ -176,7 +178,7 @@ def generate(package):
     sys.path.insert(0, str(package / "generated"))
 
 
-def main(seed, package, source=None):
+def main(seed: str, package: str, source: str | None = None) -> None:
     if source:
         sys.path.insert(0, source)
         from rosspin.messages import MessageFinder
