@@ -56,7 +56,7 @@ class Message:
     """Base of all messages.
 
     The arguments are all fields in their order, or some by keyword; None is the default. TypeError, AttributeError:
-    other ones. What they are is checked in serializing only.
+    other ones. What they are is checked in serialising only.
     """
 
     __slots__: list[str] = ["_connection_header"]
