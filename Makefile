@@ -4,6 +4,8 @@ PYTHON ?= python3
 PORT ?= 8000
 BIN := .venv/bin
 ROS1 := build-essential catkin libroscpp-dev python3-roslaunch python3-rosmaster python3-rospy rosbash
+MESSAGES := python3-actionlib-msgs python3-diagnostic-msgs python3-geometry-msgs python3-nav-msgs python3-sensor-msgs \
+  python3-trajectory-msgs python3-visualization-msgs
 SUDO := $(if $(filter-out 0,$(shell id -u)),sudo)
 EXTRAS := plots,docs,notebooks,test,lint
 
@@ -25,7 +27,7 @@ SPHINX = $(BIN)/sphinx-build -M $@ . build -n -W --keep-going -T || { rm -rf bui
 
 # html and doctest share their parsed pages, so one runs after the other.
 .NOTPARALLEL:
-.PHONY: html test doctest linkcheck serve lab bench ros1 record pins clean
+.PHONY: html test doctest linkcheck serve lab bench ros1 record definitions pins clean
 
 html doctest linkcheck: $(VENV)
 	$(SPHINX)
@@ -33,7 +35,7 @@ html doctest linkcheck: $(VENV)
 html: $(WEB)
 
 # What runs in the page: made anew only when its sources change, its packages only when their pins do.
-$(WEB): $(NPM) web/build.mjs $(wildcard web/src/*) $(shell find src/rosspin -name '*.py')
+$(WEB): $(NPM) web/build.mjs $(wildcard web/src/*) $(shell find src/rosspin -name '*.py' -o -name '*.txt')
 	$(BIN)/node web/build.mjs build/npm "$$($(BIN)/python -c 'import yaml; print(*yaml.__path__)')" build/web/live
 
 $(NPM): web/package.json web/package-lock.json web/.npmrc | $(VENV)
@@ -72,12 +74,16 @@ $(VENV): pyproject.toml constraints.txt
 # The real ROS 1, which Debian and Ubuntu have in their archives; none of the other targets needs it.
 ros1:
 	@command -v apt-get >/dev/null || \
-	  { echo 'ROS 1 is in the archives of Debian and Ubuntu only; install $(ROS1) there' >&2; exit 1; }
-	$(SUDO) apt-get install --yes $(ROS1)
+	  { echo 'ROS 1 is in the archives of Debian and Ubuntu only; install $(ROS1) $(MESSAGES) there' >&2; exit 1; }
+	$(SUDO) apt-get install --yes $(ROS1) $(MESSAGES)
 
 # Anew, on the real ROS 1: the runs that pages show where none is installed.
 record: $(VENV)
 	$(BIN)/python benchmarks/record.py
+
+# Anew, from the pinned rosbags: the message definitions that rosspin carries.
+definitions: $(VENV)
+	$(BIN)/python benchmarks/definitions.py
 
 # New pins, on purpose. Run it with the oldest Python there is (Debian 12 has 3.11.2): newer ones can use them too.
 pins:

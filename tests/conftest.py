@@ -5,12 +5,15 @@ from __future__ import annotations
 import os
 import random
 import shutil
+import subprocess
 from collections.abc import Callable, Iterator
+from functools import cache
 from pathlib import Path
 
 import pytest
 from hypothesis import settings
 from in_chromium import launched, served
+from message_probe import PACKAGES
 from playwright.sync_api import Browser, Page
 
 from rosspin import doctor
@@ -23,9 +26,14 @@ SITE = ROOT / "build" / "html"
 DOCTREES = ROOT / "build" / "doctrees"
 
 
+@cache
 def _lacks_ros1() -> str:
     commands = [name for name in ("roslaunch", "rosmaster", "catkin_make") if not shutil.which(name)]
-    return f"ROS 1 is not installed (no {', '.join(commands)})" if commands else ""
+    if commands:
+        return f"ROS 1 is not installed (no {', '.join(commands)})"
+    importing = f"import {', '.join(f'{name}.msg' for name in PACKAGES)}"
+    run = subprocess.run(["/usr/bin/python3", "-c", importing], capture_output=True, text=True)
+    return f"ROS 1 is not all installed ({run.stderr.splitlines()[-1]})" if run.returncode else ""
 
 
 # What a test may ask for, and why it is not here ("" if it is).

@@ -19,6 +19,7 @@ LAYERS = [
     "clocks",
     "world",
     "rospy",
+    "messages",
     "process",
     "run",
     "console",
@@ -45,7 +46,7 @@ KEEPERS = {
     "pyodide": {"clocks.jspi", "page"},
     "sphinx": {"site.pages", "site.live"},
     "docutils": {"site.pages", "site.live"},
-    "yaml": {"rospy.client"},
+    "yaml": {"rospy.client", "messages.ros1"},
 }
 
 FILES = {

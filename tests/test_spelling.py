@@ -15,7 +15,7 @@ TEXTS = ["README.md", "index.rst", "conf.py", "Makefile", "docs", "notebooks", "
 # British too, in the sense meant here: the verb and the file LICENSE, what a computer runs, a module of Python, a noun.
 BRITISH = "license,licensed,licenses,program,programs,math,practice"
 # rospy, matplotlib and CSS have names in American.
-IN_CODE = "color,initialized"
+IN_CODE = "color,initialized,colors,serialize,deserialize"
 # A package, and a part of many words.
 NAMES = "simpy"
 

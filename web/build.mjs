@@ -40,7 +40,7 @@ const texts = {}
 for (const folder of [path.join(here, "../src/rosspin"), yaml]) {
   for (const file of readdirSync(folder, { recursive: true }).sort()) {
     const name = file.split(path.sep).join("/")
-    if (!name.endsWith(".py") || name.startsWith("site/")) continue
+    if (!/\.(py|txt)$/.test(name) || name.startsWith("site/")) continue
     texts[`${path.basename(folder)}/${name}`] = readFileSync(path.join(folder, file), "utf8")
   }
 }

@@ -1,0 +1,105 @@
+"""What ``import std_msgs.msg`` finds: packages of messages, whose classes are made when they are asked for."""
+
+from __future__ import annotations
+
+import sys
+from collections.abc import Sequence
+from importlib.abc import Loader, MetaPathFinder
+from importlib.machinery import ModuleSpec
+from importlib.util import spec_from_file_location
+from pathlib import Path
+from types import ModuleType
+from typing import Any
+
+from .library import Library
+
+__all__ = ["MessageFinder"]
+
+
+class MessageFinder(MetaPathFinder, Loader):
+    """An entry of ``sys.meta_path``, as a context: inside of it a node can import messages.
+
+    ``ros`` is 1 or 2, ``folder`` the node file's, whose package and workspace are looked at, too. Found are
+    ``std_msgs``, ``std_msgs.msg`` and the modules of one class each as they are generated, ``std_msgs.msg._UInt32``
+    (ROS 2: ``std_msgs.msg._u_int32``). A package's own Python modules are found beside its messages. At the end, what
+    was imported through this finder is taken out of ``sys.modules``, and what was there before is put back.
+
+    ``messages`` makes and holds the classes: ``finder.messages["std_msgs/UInt32"]``.
+    """
+
+    def __init__(self, ros: int, folder: Path | None = None) -> None:
+        self.library = Library(ros, folder)
+        if ros == 1:
+            from . import ros1
+
+            self.messages: Any = ros1.Messages(self.library)
+        else:
+            from . import ros2
+
+            self.messages = ros2.Messages(self.library)
+        self._hidden: dict[str, ModuleType] = {}
+
+    def __enter__(self) -> MessageFinder:
+        # What is imported already may be the real one, or another node's.
+        self._hidden = {name: module for name, module in sys.modules.items() if self._is_ours(name)}
+        for name in self._hidden:
+            del sys.modules[name]
+        sys.meta_path.insert(0, self)
+        return self
+
+    def __exit__(self, *_: object) -> None:
+        sys.meta_path.remove(self)
+        for name in [name for name in sys.modules if self._is_ours(name)]:
+            del sys.modules[name]
+        sys.modules.update(self._hidden)
+
+    def _is_ours(self, module: str) -> bool:
+        package = module.partition(".")[0]
+        return package not in sys.stdlib_module_names and bool(self.library.names(package))
+
+    def find_spec(self, fullname: str, path: Sequence[str] | None = None, target: Any = None) -> ModuleSpec | None:
+        """Part of the import system; None for what is not a message's."""
+        package, *rest = fullname.split(".")
+        if not self._is_ours(fullname):
+            return None
+        if not rest:
+            return self._package(package)
+        if rest == ["msg"]:
+            return ModuleSpec(fullname, self, origin="rosspin", is_package=True)
+        if rest[0] == "msg" and len(rest) == 2 and rest[1] in self._class_modules(package):
+            return ModuleSpec(fullname, self, origin="rosspin")
+        return None
+
+    def _package(self, name: str) -> ModuleSpec:
+        """A package, whose Python modules are where catkin (ament) has them: in src/NAME (NAME)."""
+        folder = self.library.package(name)
+        source = folder / ("src" if self.library.ros == 1 else "") / name if folder else None
+        if source and (source / "__init__.py").is_file():
+            spec = spec_from_file_location(name, source / "__init__.py", submodule_search_locations=[str(source)])
+            assert spec
+            return spec
+        return ModuleSpec(name, self, origin="rosspin", is_package=True)
+
+    def _class_modules(self, package: str) -> dict[str, str]:
+        return {self.messages.module(name): name for name in self.library.names(package)}
+
+    def create_module(self, spec: ModuleSpec) -> None:
+        """Part of the import system: an ordinary module will do."""
+
+    def exec_module(self, module: ModuleType) -> None:
+        """Part of the import system: what such a module has in it."""
+        package, _, rest = module.__name__.partition(".")
+        if not rest:
+            return
+        names = self.library.names(package)
+        if rest != "msg":
+            names = [self._class_modules(package)[rest.removeprefix("msg.")]]
+
+        def find(name: str) -> Any:
+            if name not in names:
+                raise AttributeError(f"module {module.__name__!r} has no attribute {name!r}")
+            found = self.messages[f"{package}/{name}"]
+            setattr(module, name, found)
+            return found
+
+        vars(module).update(__getattr__=find, __all__=names, __dir__=lambda: sorted({*vars(module), *names}))

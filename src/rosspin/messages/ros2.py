@@ -1,0 +1,309 @@
+"""Message classes as rosidl generates them for Python (measured on Jazzy; source: rosidl_generator_py's templates).
+
+Fields are always checked when they are set, as with ROS_PYTHON_CHECK_FIELDS=1: unchecked, as rosidl's are by default, a
+wrong value arrives as garbage. Arrays of numbers are ``array.array``; those of a fixed length are numpy's where numpy
+can be imported, as in ROS 2, and ``array.array`` elsewhere. ``SLOT_TYPES`` is not there.
+"""
+
+from __future__ import annotations
+
+import math
+import re
+import struct
+from array import array
+from collections import UserList, UserString
+from collections.abc import Sequence, Set
+from functools import cache
+from importlib import import_module
+from operator import attrgetter
+from typing import Any, ClassVar, TypeVar
+
+from . import classes
+from .definitions import BUILTIN, Definition, Field, Kind, limits
+
+__all__ = ["Message", "Messages", "transfer"]
+
+M = TypeVar("M", bound="Message")
+
+IDL = {"bool": "boolean", "byte": "octet", "char": "uint8", "float32": "float", "float64": "double"}
+# Type codes of arrays, and what rosidl takes for a float's greatest value.
+CODES = {
+    "int8": "b",
+    "uint8": "B",
+    "char": "B",
+    "int16": "h",
+    "uint16": "H",
+    "int32": "i",
+    "uint32": "I",
+    "int64": "q",
+    "uint64": "Q",
+    "float32": "f",
+    "float64": "d",
+}
+PYTHON: dict[str, type[Any]] = {
+    "bool": bool,
+    "byte": bytes,
+    "string": str,
+    "wstring": str,
+    "float32": float,
+    "float64": float,
+}
+GREATEST = {"float32": ("3.402823466e+38", "float"), "float64": ("1.7976931348623157e+308", "double")}
+
+
+class Message:
+    """Base of all messages. The arguments are fields by keyword; AssertionError for a wrong name or value."""
+
+    __slots__: ClassVar[Sequence[str]] = []
+    _rosspin_fields: ClassVar[dict[str, _Field]] = {}
+
+    @classmethod
+    def get_fields_and_field_types(cls) -> dict[str, str]:
+        """Names and types of the fields, in ROS 2's interface language."""
+        return {name: field.idl for name, field in cls._rosspin_fields.items()}
+
+    def __repr__(self) -> str:
+        fields = (f"{name}={field.show(getattr(self, name))}" for name, field in self._rosspin_fields.items())
+        return f"{type(self).__module__.rpartition('.')[0]}.{type(self).__name__}({', '.join(fields)})"
+
+    def __eq__(self, other: object) -> bool:
+        if not isinstance(other, type(self)):
+            return False
+        return all(
+            field.equal(getattr(self, name), getattr(other, name)) for name, field in self._rosspin_fields.items()
+        )
+
+    # rosidl's classes have no hash either: two equal messages may change apart.
+    __hash__ = None  # type: ignore[assignment]
+
+
+def transfer(message: Message, data_class: type[M]) -> M:
+    """What a subscription with this class gets of a message that is published: a new one.
+
+    Floats of 32 bits are rounded. AssertionError for a value that came in by the back door, such as ``data.append``.
+    """
+    received = data_class.__new__(data_class)
+    for name, field in data_class._rosspin_fields.items():
+        setattr(received, field.slot, field.copy(field.check(getattr(message, name))))
+    return received
+
+
+class _Field:
+    """One field of a class: its default, its check, and how it is shown, compared and copied.
+
+    ``message`` is the class of a nested message, or None.
+    """
+
+    def __init__(self, field: Field, message: type[Message] | None) -> None:
+        self.name = field.name
+        self.slot = f"_{field.name}"
+        self.kind = field.kind
+        self.message = message
+        self.given = field.default
+        self.type: Any = message or PYTHON.get(self.kind.base, int)
+        self.code = CODES.get(self.kind.base) if self.kind.array else None  # of an array of numbers
+
+    @property
+    def idl(self) -> str:
+        base, kind = IDL.get(self.kind.base, self.kind.base), self.kind
+        if kind.size is not None:
+            base += f"<{kind.size}>"
+        if kind.length is not None:
+            return f"{base}[{kind.length}]"
+        if kind.array:
+            return f"sequence<{base}>" if kind.bound is None else f"sequence<{base}, {kind.bound}>"
+        return base
+
+    def default(self) -> Any:
+        """A new default value."""
+        if not self.kind.array:
+            return self._zero() if self.given is None else self.given
+        if self.code and self.kind.length is not None:
+            return _fixed(self.code, self.given or [0] * self.kind.length)
+        values: Any = self.given if self.given is not None else [self._zero() for _ in range(self.kind.length or 0)]
+        return array(self.code, values) if self.code else list(values)
+
+    def _zero(self) -> Any:
+        if self.message:
+            return self.message()
+        if self.kind.base == "byte":
+            return b"\0"
+        return self.type()
+
+    def construct(self, value: Any) -> Any:
+        """A constructor's argument, on its way to the check: what can become an array of numbers becomes one."""
+        return array(self.code, value) if self.code and self.kind.length is None else value
+
+    def check(self, value: Any) -> Any:
+        """The value as the field takes it. AssertionError with rosidl's words if it cannot."""
+        if self.kind.array:
+            return self._check_array(value)
+        what, kind = f"The '{self.name}' field must be", self.kind
+        if self.message:
+            assert isinstance(value, self.message), f"{what} a sub message of type '{self.message.__name__}'"
+        elif kind.base == "byte":
+            right = isinstance(value, (bytes, bytearray)) and len(value) == 1
+            assert right, f"{what} of type 'bytes' or 'ByteString' with length 1"
+        elif kind.size is not None:
+            right = isinstance(value, (str, UserString)) and len(value) <= kind.size
+            assert right, f"{what} string value not longer than {kind.size}"
+        else:
+            assert isinstance(value, self.type), f"{what} of type '{self.type.__name__}'"
+            if self.type is int:
+                lowest, highest = limits(kind.base, 2)
+                sign = "an integer" if lowest else "an unsigned integer"
+                assert lowest <= value <= highest, f"{what} {sign} in [{lowest}, {highest}]"
+            elif self.type is float:
+                greatest, name = GREATEST[kind.base]
+                assert _in_range(value, kind), f"{what} a {name} in [-{greatest}, {greatest}]"
+        return value
+
+    def _check_array(self, value: Any) -> Any:
+        kind, code = self.kind, self.code
+        if code and kind.length is None and isinstance(value, array):
+            assert value.typecode == code, f"The '{self.name}' array.array() must have the type code of '{code}'"
+            if kind.bound is not None:
+                assert len(value) <= kind.bound, f"The '{self.name}' array.array() must have a size <= {kind.bound}"
+            return value
+        if code and kind.length is not None:
+            if (numpy := _numpy()) and isinstance(value, numpy.ndarray):
+                what, dtype = f"The '{self.name}' numpy.ndarray() must have", numpy.dtype(code)
+                assert value.dtype == dtype, f"{what} the dtype of 'numpy.{dtype.name}'"
+                assert value.size == kind.length, f"{what} a size of {kind.length}"
+                return value
+        right = (
+            isinstance(value, (Sequence, Set, UserList))
+            and not isinstance(value, (str, UserString))
+            and (kind.length is None or len(value) == kind.length)
+            and (kind.bound is None or len(value) <= kind.bound)
+            and all(isinstance(item, self.type) for item in value)
+            and all(_in_range(item, kind) for item in value)
+        )
+        assert right, (
+            f"The '{self.name}' field must be a set or sequence{self._length()} "
+            f"each value of type '{self.type.__name__}'{_range(kind)}"
+        )
+        if not code:
+            return value
+        return array(code, value) if kind.length is None else _fixed(code, value)
+
+    def _length(self) -> str:
+        if self.kind.length is not None:
+            return f" with length {self.kind.length} and"
+        return " and" if self.kind.bound is None else f" with length <= {self.kind.bound} and"
+
+    def show(self, value: Any) -> str:
+        """A value as it is printed: an array as a list."""
+        if self.code and self.kind.length is None:
+            return repr(value.tolist())
+        return repr(value)
+
+    def equal(self, ours: Any, theirs: Any) -> bool:
+        """Whether two values are equal."""
+        if self.code and self.kind.length is not None:
+            return list(ours) == list(theirs)
+        return bool(ours == theirs)
+
+    def copy(self, value: Any) -> Any:
+        """A value as it arrives."""
+        if self.code:
+            return value[:] if self.kind.length is None else _fixed(self.code, value)
+        return [self._copy_one(item) for item in value] if self.kind.array else self._copy_one(value)
+
+    def _copy_one(self, value: Any) -> Any:
+        if self.message:
+            return transfer(value, self.message)
+        if self.kind.base == "float32":
+            return _rounded(value)
+        return self.type(value)
+
+
+class Messages(classes.Messages[Message]):
+    """The classes that rosidl would generate."""
+
+    @staticmethod
+    def module(name: str) -> str:
+        """The module in which rosidl puts the class of this name, as in _u_int32 (source: rosidl_pycommon)."""
+        words = re.sub("([a-z0-9])([A-Z])", r"\1_\2", re.sub("(.)([A-Z][a-z]+)", r"\1_\2", name))
+        return f"_{words.lower()}"
+
+    def _make(self, definition: Definition) -> type[Message]:
+        package, _, name = definition.name.partition("/")
+        fields = {
+            field.name: _Field(field, None if field.kind.base in BUILTIN[2] else self[field.kind.base])
+            for field in definition.fields
+        }
+        slots = {f"_{field}" for field in (*fields, "check_fields")}
+
+        def __init__(self: Any, **kwargs: Any) -> None:
+            wrong = ", ".join(sorted(key for key in kwargs if f"_{key}" not in slots))
+            assert not wrong, f"Invalid arguments passed to constructor: {wrong}"
+            for key, field in fields.items():
+                if key in kwargs:
+                    setattr(self, key, field.construct(kwargs[key]))
+                else:
+                    setattr(self, field.slot, field.default())
+
+        __init__.__qualname__ = f"{name}.__init__"  # which a TypeError names
+        namespace: dict[str, Any] = {
+            "__doc__": f"The message {definition.name}: {', '.join(fields) or 'no fields'}.",
+            "__module__": f"{package}.msg.{self.module(name)}",
+            "__slots__": [*(f"_{field}" for field in fields), "_check_fields"],
+            "__init__": __init__,
+            "_rosspin_fields": fields,
+        }
+        for constant in definition.constants:
+            octet = constant.type == "byte" and isinstance(constant.value, int)
+            namespace[constant.name] = bytes([int(constant.value)]) if octet else constant.value
+        for each in definition.fields:
+            namespace[each.name] = _property(fields[each.name])
+            if each.default is not None:
+                namespace[f"{each.name.upper()}__DEFAULT"] = each.default
+        return type(name, (Message,), namespace)
+
+
+def _property(field: _Field) -> property:
+    def set_(message: Message, value: Any) -> None:
+        setattr(message, field.slot, field.check(value))
+
+    return property(attrgetter(field.slot), set_, doc=f"Message field '{field.name}'.")
+
+
+def _in_range(value: Any, kind: Kind) -> bool:
+    if kind.base in GREATEST:
+        greatest = float(GREATEST[kind.base][0])
+        return not (value < -greatest or value > greatest) or math.isinf(value)
+    if kind.base in CODES:
+        lowest, highest = limits(kind.base, 2)
+        return bool(lowest <= value <= highest)
+    return kind.size is None or len(value) <= kind.size
+
+
+def _range(kind: Kind) -> str:
+    """What is said of the range of an array's values."""
+    if kind.base in GREATEST:
+        greatest, name = GREATEST[kind.base]
+        return f" and each {name} in [{-float(greatest):f}, {float(greatest):f}]"
+    if kind.base in CODES:
+        lowest, highest = limits(kind.base, 2)
+        return f" and each {'' if lowest else 'unsigned '}integer in [{lowest}, {highest}]"
+    return "" if kind.size is None else f" and each string value not longer than {kind.size}"
+
+
+def _rounded(value: float) -> float:
+    """A float as 32 bits hold it."""
+    (rounded,) = struct.unpack("f", struct.pack("f", value))
+    return float(rounded)
+
+
+@cache
+def _numpy() -> Any:
+    try:
+        return import_module("numpy")
+    except ImportError:
+        return None
+
+
+def _fixed(code: str, values: Any) -> Any:
+    numpy = _numpy()
+    return numpy.array(list(values), dtype=code) if numpy else array(code, values)
