@@ -5,12 +5,13 @@ from __future__ import annotations
 import gzip
 import re
 from collections.abc import Iterator
+from functools import partial
 from pathlib import Path
 from statistics import median
 from urllib.parse import unquote, urlsplit
 
 from in_chromium import launched, served
-from playwright.sync_api import Browser, Page
+from playwright.sync_api import Browser, Page, Request
 from ratios import line
 
 from rosspin.doctor import chromium
@@ -66,7 +67,7 @@ def _report(browser: Browser, address: str, rounds: int, seconds: float, pause: 
         with browser.new_context() as context:
             page = context.new_page()
             asked: set[str] = set()  # by a second worker again, but then it comes from the browser's cache
-            page.on("request", lambda request, asked=asked: asked.add(urlsplit(request.url).path))
+            page.on("request", partial(_note, asked))
             page.goto(address + TUTORIAL, wait_until="networkidle")
             weights.append(_weight(asked))
             ready.append(page.evaluate("performance.getEntriesByType('navigation')[0].domContentLoadedEventEnd") / 1e3)
@@ -93,6 +94,10 @@ def _report(browser: Browser, address: str, rounds: int, seconds: float, pause: 
     yield line("  MB gzipped, loaded by the first click", max(loaded) / 1e6, most=7)
     middle, high = say_time(median(late)), say_time(quantile(late, 0.95))
     yield f"  10 Hz timer, {len(late)} ticks, later than the earliest of them: median {middle}, p95 {high}"
+
+
+def _note(asked: set[str], request: Request) -> None:
+    asked.add(urlsplit(request.url).path)
 
 
 def _click(page: Page, button: str, text: str) -> float:

@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 import time
-from collections.abc import Callable, Iterator, Sequence
+from collections.abc import Callable, Generator, Iterator, Sequence
 from functools import partial
 from statistics import median
 
@@ -65,7 +65,7 @@ def in_simpy(periods: Sequence[int], ticks: int) -> int:
     environment = simpy.Environment()
     count = 0
 
-    def process(period: int) -> Iterator[simpy.Event]:
+    def process(period: int) -> Generator[simpy.Event]:
         nonlocal count
         for _ in range(ticks):
             yield environment.timeout(period)

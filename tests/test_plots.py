@@ -10,6 +10,7 @@ from typing import Any
 
 import matplotlib
 import pytest
+from matplotlib.figure import Figure as Canvas
 
 from rosspin import Tick, plots
 from rosspin.plots import Figure, lateness, period_histogram, timeline
@@ -133,7 +134,7 @@ def test_many_ticks_are_drawn_by_as_few_artists_as_few(monkeypatch: pytest.Monke
     """An artist for each tick makes a plot of thousands slow."""
     counts = []
 
-    def count_artists(canvas: plots.Canvas, alt: str) -> Figure:
+    def count_artists(canvas: Canvas, alt: str) -> Figure:
         counts.append(len(canvas.axes[0].get_children()))
         return Figure("", alt)
 
@@ -146,7 +147,8 @@ def test_many_ticks_are_drawn_by_as_few_artists_as_few(monkeypatch: pytest.Monke
 def test_one_tick_is_enough_and_none_are_too_few(plot: Callable[..., Figure]) -> None:
     alt = plot(ticks(count=1)).alt
     assert "1 tick" in alt or "The only tick" in alt or "no second tick" in alt
-    for nothing in ([], {"a": []}):
+    nothings: list[Any] = [[], {"a": []}]
+    for nothing in nothings:
         with pytest.raises(ValueError, match="there are no ticks to plot"):
             plot(nothing)
 

@@ -462,7 +462,7 @@ def test_hooks_run_when_the_node_just_ends() -> None:
 def test_a_hook_must_be_callable() -> None:
     def node() -> None:
         with pytest.raises(TypeError) as caught:
-            rospy.on_shutdown(3)
+            rospy.on_shutdown(3)  # type: ignore[arg-type]
         assert str(caught.value) == "shutdown hook [3] must be a function or callable object: <class 'int'>"
 
     assert console(node) == ""

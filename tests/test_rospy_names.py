@@ -31,7 +31,7 @@ def in_a_node(check: Callable[[], None], *args: str) -> None:
 
 def test_random_names_and_times_give_what_the_real_rospy_gives(require: Callable[[str], None]) -> None:
     require("ros1")
-    command = ["/usr/bin/python3", PROBE, str(SEED), str(COUNT)]
+    command = ["/usr/bin/python3", str(PROBE), str(SEED), str(COUNT)]
     real = subprocess.run(command, capture_output=True, text=True, check=True).stdout.splitlines()
     run = simulate(PROBE, 1.0, [str(SEED), str(COUNT)])
     ours = run.console.splitlines()
@@ -93,7 +93,7 @@ def test_remappings_are_resolved_for_a_node() -> None:
 )
 def test_a_canonical_name_has_no_needless_slashes(name: str, canonical: str) -> None:
     """test_rospy_names: test_canonicalize_name"""
-    assert names.canonicalize_name(name) == canonical
+    assert rosgraph.canonicalize_name(name) == canonical
 
 
 @pytest.mark.parametrize(
@@ -227,7 +227,8 @@ def test_a_node_needs_a_name_without_slashes(name: Any, error: type[Exception]) 
 def test_a_parameter_that_must_not_be_empty() -> None:
     """test_rospy_validators: test_validators, test_ParameterInvalid"""
     assert non_empty("parameter")([1], "/node") == [1]
-    for wrong in ("", 0, []):
+    wrongs: list[object] = ["", 0, []]
+    for wrong in wrongs:
         with pytest.raises(ParameterInvalid, match=r"\[parameter\] must be specified and non-empty"):
             non_empty("parameter")(wrong, "/node")
 
@@ -236,8 +237,8 @@ def test_errors_are_kinds_of_each_other() -> None:
     """test_rospy_exceptions"""
     for error in (rospy.ROSInitException, rospy.ROSSerializationException, rospy.ROSInterruptException):
         assert issubclass(error, rospy.ROSException)
-    for error in (rospy.TransportException, rospy.TransportTerminated, rospy.TransportInitError):
-        assert issubclass(error, rospy.ROSInternalException)
+    for internal in (rospy.TransportException, rospy.TransportTerminated, rospy.TransportInitError):
+        assert issubclass(internal, rospy.ROSInternalException)
     assert issubclass(rospy.ROSInterruptException, KeyboardInterrupt)
     moved = rospy.exceptions.ROSTimeMovedBackwardsException(1.5)
     assert isinstance(moved, rospy.ROSInterruptException)
@@ -283,7 +284,7 @@ def test_the_base_of_times_compares_with_its_kind() -> None:
     assert hash(genpy.TVal(1)) == hash(genpy.TVal(0, 10**9)) != hash(genpy.TVal(1, 1))
     assert value != Other() and not value == 2.000000001
     for compare in (value.__lt__, value.__le__, value.__gt__, value.__ge__):
-        assert compare(Other()) is compare(0) is NotImplemented  # type: ignore[comparison-overlap]
+        assert compare(Other()) is compare(0) is NotImplemented
 
 
 def test_the_base_is_no_time_and_no_duration() -> None:

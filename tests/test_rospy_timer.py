@@ -320,7 +320,7 @@ def test_a_oneshot_timer_ticks_once() -> None:
 
 
 def test_shutdown_in_the_callback_is_the_end_of_the_timer() -> None:
-    timers = []
+    timers: list[rospy.Timer] = []
 
     def callback(event: Any) -> None:
         if event.current_real >= rospy.Time(1.5):
@@ -332,7 +332,7 @@ def test_shutdown_in_the_callback_is_the_end_of_the_timer() -> None:
 
 
 def test_a_sleeping_timer_sees_its_shutdown_when_it_wakes_up() -> None:
-    alive = []
+    alive: list[object] = []
 
     def setup() -> None:
         timer = rospy.Timer(rospy.Duration(0.5), lambda event: None)
@@ -565,7 +565,7 @@ def test_only_a_time_is_taken_for_one() -> None:
     def node() -> None:
         rospy.init_node("node")
         with pytest.raises(ValueError, match="^must be Time instance: <class 'int'>$"):
-            rostime._set_rostime(5)
+            rostime._set_rostime(5)  # type: ignore[arg-type]
         rostime._set_rostime(rospy.Time(7))
         assert rospy.get_time() == 7 and not rostime.is_wallclock()
         rostime.switch_to_wallclock()

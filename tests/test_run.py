@@ -82,9 +82,13 @@ def test_what_falls_due_exactly_at_the_end_still_runs(seconds: float, ticks: int
 
 
 def test_what_falls_due_at_the_end_runs_to_its_own_end() -> None:
+    def callback(event: object) -> None:
+        rospy.sleep(0.05)
+        rospy.loginfo("done")
+
     def node() -> None:
         rospy.init_node("node")
-        rospy.Timer(rospy.Duration(0.5), lambda event: (rospy.sleep(0.05), rospy.loginfo("done")))
+        rospy.Timer(rospy.Duration(0.5), callback)
         rospy.spin()
 
     # Like a thread on a real ROS, while the main thread is still on its way out.
@@ -207,7 +211,7 @@ def test_the_time_module_is_virtual_in_a_simulated_run() -> None:
         with pytest.raises(ValueError, match="^sleep length must be non-negative$"):
             time.sleep(-1)
         with pytest.raises(TypeError, match="^'<' not supported between instances of 'str' and 'int'$"):
-            time.sleep("1")
+            time.sleep("1")  # type: ignore[arg-type]
 
     before = time.time, time.sleep, threading.Thread.start
     assert simulate(node, 10).status == 0
@@ -304,7 +308,7 @@ def test_a_file_is_main(write: Any) -> None:
 
 def test_a_function_is_a_node_too() -> None:
     def my_node() -> None:
-        import rospy
+        import rospy  # type: ignore[import-not-found]
 
         assert rospy is rosspin.rospy
         assert sys.argv == ["my_node", "__ns:=/mrp"]

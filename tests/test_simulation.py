@@ -2,6 +2,8 @@
 
 from __future__ import annotations
 
+from functools import partial
+
 import pytest
 from hypothesis import given, settings
 from hypothesis import strategies as st
@@ -41,7 +43,7 @@ def simulated(stacks: list[list[int]]) -> list[tuple[int, int]]:
 
     def main() -> None:
         for number in range(len(stacks)):
-            simulation.start(lambda number=number: sleeper(number), Program(), f"stack {number}")
+            simulation.start(partial(sleeper, number), Program(), f"stack {number}")
         simulation.sleep(FOREVER)
 
     simulation.run(main, Program(), 0)
@@ -72,7 +74,7 @@ def test_several_deep_in_calls_wake_in_any_order() -> None:
 
     def main() -> None:
         for length in (3, 1, 2):
-            simulation.start(lambda length=length: deep(5 + length, length), Program(), "")
+            simulation.start(partial(deep, 5 + length, length), Program(), "")
         simulation.sleep(2)  # the stack of length 2 falls asleep after this one
         assert woken == [1]
         simulation.sleep(10)
@@ -84,7 +86,8 @@ def test_several_deep_in_calls_wake_in_any_order() -> None:
 @settings(max_examples=100, deadline=None)
 @given(st.lists(st.integers(1, 40), max_size=5), st.lists(st.integers(1, 12), max_size=4))
 def test_a_wait_ends_at_its_time_or_when_it_is_woken(waits: list[int], gaps: list[int]) -> None:
-    simulation, ended = Simulation(), {}
+    simulation = Simulation()
+    ended: dict[int, object] = {}
     stacks: list[Stack] = []
 
     def waiter(number: int, longest: int) -> None:
@@ -94,9 +97,7 @@ def test_a_wait_ends_at_its_time_or_when_it_is_woken(waits: list[int], gaps: lis
 
     def main() -> None:
         for number, longest in enumerate(waits):
-            stacks.append(
-                simulation.start(lambda number=number, longest=longest: waiter(number, longest), Program(), "")
-            )
+            stacks.append(simulation.start(partial(waiter, number, longest), Program(), ""))
         for gap in gaps:
             simulation.sleep(gap)
             for stack in stacks:
@@ -146,7 +147,8 @@ def test_an_exception_from_the_handler_ends_the_sleep() -> None:
 
 
 def test_at_comes_after_everything_that_falls_due_then() -> None:
-    simulation, order = Simulation(), []
+    simulation = Simulation()
+    order: list[object] = []
 
     def sleeper() -> None:
         simulation.sleep(5)
@@ -246,7 +248,8 @@ def test_an_exception_ends_the_run_and_names_its_stack() -> None:
 
 
 def test_a_simulation_can_run_inside_of_another() -> None:
-    outer, seen = Simulation(), []
+    outer = Simulation()
+    seen: list[object] = []
 
     def main() -> None:
         outer.sleep(7)

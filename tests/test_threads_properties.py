@@ -1,4 +1,4 @@
-"""Simulated threads, drawn at random: programs of locks and queues do what a plain model does; the same run, the same bytes.
+"""Simulated threads, drawn at random: programs of locks and queues do what a plain model does; runs are repeatable.
 
 Times are in units of 1/8 s, of which sums and differences in seconds are exact.
 """
@@ -35,7 +35,8 @@ Log = list[tuple[float, int, str]]
 
 # --- the model --------------------------------------------------------------------------------------------------------
 
-# What a thread does until it goes on: it yields when it does so by itself (None: never), and is sent whether it was woken.
+# What a thread does until it goes on: it yields when it does so by itself (None: never), and is sent whether it was
+# woken.
 Doing = Generator[float | None, bool, Any]
 
 
@@ -264,7 +265,7 @@ def modelled(program: Program) -> Log:
     """What the model does."""
     kernel = Kernel()
     log: Log = []
-    locks = {
+    locks: dict[str, Any] = {
         "lock a": ModelLock(kernel),
         "lock b": ModelLock(kernel),
         "rlock": ModelRLock(kernel),
@@ -292,9 +293,9 @@ def modelled(program: Program) -> Log:
                 condition.notify(me, count)
             case "wait for event", timeout:
                 return (yield from event.wait(me, timeout))
-            case "set", :
+            case ("set",):
                 event.set()
-            case "clear", :
+            case ("clear",):
                 event.clear()
             case "put", value, timeout:
                 return (yield from values.put(me, value, 0 if timeout == "no" else timeout))
@@ -437,7 +438,7 @@ threads_of_steps = st.lists(st.one_of(steps.map(lambda step: [step]), held, noti
 @st.composite
 def programs(draw: Any) -> Program:
     """Up to five threads; none joins itself, or one that is not there."""
-    program = draw(st.lists(threads_of_steps, min_size=2, max_size=5))
+    program: Program = draw(st.lists(threads_of_steps, min_size=2, max_size=5))
     for number, steps in enumerate(program):
         steps[:] = [step for step in steps if step[0] != "join" or step[1] < len(program) and step[1] != number]
     return program

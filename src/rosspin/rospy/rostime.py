@@ -70,7 +70,7 @@ def set_rostime_initialized(val: bool) -> None:
     state().time_initialized = val
 
 
-def _set_rostime(t: Time) -> None:
+def _set_rostime(t: genpy.Time) -> None:
     """Set ROS time, as each message on /clock does; sleeping calls wake up to look at it."""
     if not isinstance(t, genpy.Time):
         raise ValueError(f"must be Time instance: {t.__class__}")
