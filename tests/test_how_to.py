@@ -144,7 +144,7 @@ def test_timer_beside_rate_shows_a_run() -> None:
     """The dots of the picture are the ticks of a run, the bars their work, and its lines are half a second apart."""
 
     def node() -> None:
-        import rospy
+        import rospy  # type: ignore[import-not-found]
 
         rospy.init_node("beside")
         rospy.Timer(rospy.Duration(0.5), lambda event: rospy.sleep(0.2))
