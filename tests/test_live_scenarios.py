@@ -72,6 +72,7 @@ HINTS = ("Nothing can have a frequency", "The period of a rospy.Timer is a Durat
 def lines_of(console: str) -> list[str]:
     """The lines of a console, without what depends on Python's version: code in tracebacks, one message."""
     text = re.sub(r'^(  File ").*?([^/"]+", line .*)\n(?:    .*\n)*', r"\1\2\n", console, flags=re.MULTILINE)
+    text = re.sub(r"^(rosspin: .*?) (was at|had done) .*", r"\1", text, flags=re.M)  # the page has no neighbours there
     text = text.replace("float division by zero", "division by zero")
     return [line for line in text.splitlines() if not line.startswith(HINTS)]
 

@@ -161,7 +161,22 @@ def _unregister(real: Callable[..., Any]) -> Callable[..., Any]:
     return unregister
 
 
+def _exit(real: Callable[[int], Any]) -> Callable[[int], Any]:
+    """``os._exit``: of a node, not of the process that runs it."""
+
+    def exit_at_once(status: int) -> None:
+        world = whose()
+        if not isinstance(world, World):
+            real(status)
+        else:
+            world.exit_status = status
+            end_program()
+
+    return exit_at_once
+
+
 _PATCHES: list[Patch] = [
+    (os, "_exit", _exit),
     (threading, "excepthook", _excepthook),
     (atexit, "register", _register),
     (atexit, "unregister", _unregister),

@@ -121,9 +121,11 @@ def run_node(
         except Standstill as error:
             raise _stands_still(node, error.places, error.place, clock, waits=False) from None
         except Ended:
-            if world.failure is None:
+            if world.failure is not None:
+                raise world.failure from None
+            if world.exit_status is None:
                 raise
-            raise world.failure from None
+            status = world.exit_status
         except Stuck as error:
             place = clock.failed if isinstance(clock, Simulation) else ""
             raise _stands_still(node, error.places, place, clock, error.waits) from None

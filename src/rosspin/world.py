@@ -35,6 +35,7 @@ class World(Program):
         self.argv = argv
         self.errors: list[BaseException] = []  # those whose tracebacks were printed
         self.failure: NotSimulated | None = None  # met in a thread, and the end of the run
+        self.exit_status: int | None = None  # with which it ended at once
         self.ticks: list[Record] | None = [] if record else None
         self.at_exit: list[tuple[Callable[..., Any], tuple[Any, ...], dict[str, Any]]] = []
         self._sources: dict[str, int] = {}
