@@ -264,14 +264,14 @@ def modelled(program: Program) -> Log:
     """What the model does."""
     kernel = Kernel()
     log: Log = []
-    locks = {
+    locks: dict[str, Any] = {
         "lock a": ModelLock(kernel),
         "lock b": ModelLock(kernel),
         "rlock": ModelRLock(kernel),
         "condition": ModelCondition(kernel),
         "semaphore": ModelSemaphore(kernel, 1),
     }
-    condition: Any = locks["condition"]
+    condition = locks["condition"]
     event = ModelEvent(kernel)
     values = ModelQueue(kernel, 2)
     ends = [ModelLock(kernel) for _ in program]  # each is held until the thread's end
@@ -435,7 +435,7 @@ parts = st.one_of(
 @st.composite
 def programs(draw: Any) -> Program:
     """Up to five threads; none joins itself, or one that is not there."""
-    program = draw(
+    program: Program = draw(
         st.lists(st.lists(parts, min_size=1, max_size=6).map(lambda parts: sum(parts, [])), min_size=2, max_size=5)
     )
     for number, steps in enumerate(program):
