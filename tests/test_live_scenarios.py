@@ -42,8 +42,10 @@ FILES = {
     for path in (SCENARIOS / "scenario.py", *SCENARIOS.glob("robot/*.py"))
 }
 
-# An anonymous name is made from the number of the process.
-CHOSEN = [scenario for scenario in SCENARIO_LIST if scenario.file != "values_anonymous"]
+# An anonymous name is made from the number of the process; threads have no native ident in a page; an interrupted join
+# marks a thread as ended before Python 3.13.
+LEFT_OUT = {"values_anonymous", "threads_idents", "ctrl_c_threads_no_signals_join"}
+CHOSEN = [scenario for scenario in SCENARIO_LIST if scenario.file not in LEFT_OUT]
 
 
 @pytest.fixture(scope="module")
@@ -72,6 +74,7 @@ HINTS = ("Nothing can have a frequency", "The period of a rospy.Timer is a Durat
 def lines_of(console: str) -> list[str]:
     """The lines of a console, without what depends on Python's version: code in tracebacks, one message."""
     text = re.sub(r'^(  File ").*?([^/"]+", line .*)\n(?:    .*\n)*', r"\1\2\n", console, flags=re.MULTILINE)
+    text = re.sub(r'^  File "threading\.py", .*\n', "", text, flags=re.M)
     text = re.sub(r"^(rosspin: .*?) (was at|had done) .*", r"\1", text, flags=re.M)  # the page has no neighbours there
     text = text.replace("float division by zero", "division by zero")
     return [line for line in text.splitlines() if not line.startswith(HINTS)]

@@ -1,4 +1,4 @@
-"""Simulated threads, drawn at random: programs of locks and queues do what a plain model does; runs are repeatable.
+"""Simulated threads, drawn at random: they do what a plain model does, and a node gives the same bytes run after run.
 
 Times are in units of 1/8 s, of which sums and differences in seconds are exact.
 """
@@ -35,8 +35,7 @@ Log = list[tuple[float, int, str]]
 
 # --- the model --------------------------------------------------------------------------------------------------------
 
-# What a thread does until it goes on: it yields when it does so by itself (None: never), and is sent whether it was
-# woken.
+# What a thread does, which yields when it goes on by itself (None: never), and is sent whether it was woken before.
 Doing = Generator[float | None, bool, Any]
 
 
@@ -272,7 +271,7 @@ def modelled(program: Program) -> Log:
         "condition": ModelCondition(kernel),
         "semaphore": ModelSemaphore(kernel, 1),
     }
-    condition: Any = locks["condition"]
+    condition = locks["condition"]
     event = ModelEvent(kernel)
     values = ModelQueue(kernel, 2)
     ends = [ModelLock(kernel) for _ in program]  # each is held until the thread's end
@@ -397,10 +396,13 @@ def simulated(program: Program) -> Log:
 
 lengths = st.integers(0, 4)
 timeouts = st.one_of(st.none(), st.integers(0, 4))
-timeouts_or_no = st.one_of(st.just("no"), timeouts)
+timeouts_or_no = st.one_of(timeouts, st.just("no"))
 locks = st.sampled_from(("lock a", "lock b", "rlock", "condition", "semaphore"))
+sleeps = st.tuples(st.just("sleep"), lengths)
+waits = st.tuples(st.just("wait"), timeouts)
+notifies = st.tuples(st.just("notify"), st.sampled_from((None, 1, 2)))
 steps = st.one_of(
-    st.tuples(st.just("sleep"), lengths),
+    sleeps,
     st.tuples(st.just("acquire"), locks, timeouts_or_no),
     st.tuples(st.just("release"), locks),
     st.tuples(st.just("wait for event"), timeouts),
@@ -408,37 +410,34 @@ steps = st.one_of(
     st.tuples(st.just("put"), st.integers(0, 9), timeouts_or_no),
     st.tuples(st.just("get"), timeouts_or_no),
     st.tuples(st.just("join"), st.integers(0, 4), timeouts),
-    st.tuples(st.just("notify"), st.one_of(st.none(), st.integers(1, 2))),
-    st.tuples(st.just("wait"), timeouts),
+    st.sampled_from((("wait", None), ("notify", 1))),  # mostly without the condition's lock
 )
-# Most steps make sense only while a lock is held.
-held = st.builds(
-    lambda lock, timeout, inner: [("acquire", lock, timeout), *inner, ("release", lock)],
-    locks,
-    timeouts_or_no,
-    st.lists(steps, max_size=3),
-)
-notified = st.builds(
-    lambda inner: [("acquire", "condition", None), *inner, ("release", "condition")],
-    st.lists(
-        st.one_of(
-            st.tuples(st.just("wait"), timeouts),
-            st.tuples(st.just("notify"), st.one_of(st.none(), st.integers(1, 2))),
-            st.tuples(st.just("sleep"), lengths),
-        ),
-        min_size=1,
-        max_size=3,
-    ),
-)
-threads_of_steps = st.lists(st.one_of(steps.map(lambda step: [step]), held, notified), max_size=6).map(
-    lambda parts: [step for part in parts for step in part]
+
+
+def held(locks: Any, timeouts: Any, inner: Any) -> Any:
+    """A few steps with a lock in hand, if it was to be had."""
+    return st.builds(
+        lambda lock, timeout, inner: [("acquire", lock, timeout), *inner, ("release", lock)],
+        locks,
+        timeouts,
+        st.lists(inner, min_size=1, max_size=3),
+    )
+
+
+parts = st.one_of(
+    steps.map(lambda step: [step]),
+    held(locks, timeouts_or_no, st.one_of(sleeps, steps)),
+    held(locks, timeouts, sleeps),
+    held(st.just("condition"), st.none(), st.one_of(sleeps, waits, notifies)),
 )
 
 
 @st.composite
 def programs(draw: Any) -> Program:
     """Up to five threads; none joins itself, or one that is not there."""
-    program: Program = draw(st.lists(threads_of_steps, min_size=2, max_size=5))
+    program: Program = draw(
+        st.lists(st.lists(parts, min_size=1, max_size=6).map(lambda parts: sum(parts, [])), min_size=2, max_size=5)
+    )
     for number, steps in enumerate(program):
         steps[:] = [step for step in steps if step[0] != "join" or step[1] < len(program) and step[1] != number]
     return program
@@ -506,7 +505,7 @@ pool = concurrent.futures.ThreadPoolExecutor(2)
 
 
 def say(*words):
-    print(rospy.get_time(), threading.current_thread().name, threading.get_ident(), *words)
+    print(rospy.get_time(), threading.current_thread().name, *words)
 
 
 def work(number, seconds):
@@ -569,14 +568,14 @@ print(json.dumps([[run.console, [tick._asdict() for tick in run.ticks], run.stat
 
 
 def test_the_same_node_gives_the_same_bytes(tmp_path: Path) -> None:
-    """Run after run, also where sets and dicts keep their elements in another order."""
+    """Whatever ran before it in the process, and also where sets keep their elements in another order."""
     draw = random.Random(SEED)
     paths = []
     for number in range(NODES):
         paths.append(tmp_path / f"node{number}.py")
         paths[-1].write_text(_random_node(draw))
-    first, second = (_run_all(paths, hash_seed) for hash_seed in ("1", "2"))
-    for path, one, other in zip(paths, first, second, strict=True):
+    first, second = _run_all(paths, "1"), _run_all(paths[::-1], "2")
+    for path, one, other in zip(paths, first, second[::-1], strict=True):
         assert one == other, path.read_text()
     assert sum(len(run[1]) for run in first) > NODES  # ticks
 

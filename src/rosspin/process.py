@@ -6,6 +6,7 @@ import atexit
 import codecs
 import io
 import linecache
+import logging
 import os
 import sys
 import threading
@@ -86,6 +87,8 @@ def process_of(node: Node, args: Sequence[str], modules: Mapping[str, ModuleType
         argv, path, before, folder = sys.argv, sys.path[:], dict(sys.modules), os.getcwd()
         stack.enter_context(mock.patch.dict(os.environ))
         stack.enter_context(mock.patch.object(sys, "excepthook", sys.__excepthook__))
+        stack.enter_context(mock.patch.object(sys, "unraisablehook", sys.__unraisablehook__))
+        stack.enter_context(_own_loggers())
         stack.enter_context(patched(_PATCHES))
         sys.argv = [node.argv0, *args]
         if node.folder is not None:
@@ -100,6 +103,22 @@ def process_of(node: Node, args: Sequence[str], modules: Mapping[str, ModuleType
                 if name in modules or _lies_in(node.folder, name):
                     del sys.modules[name]
             sys.modules.update({name: before[name] for name in ("__main__", *modules) if name in before})
+
+
+@contextmanager
+def _own_loggers() -> Iterator[None]:
+    """What a node makes of Python's loggers is undone at the end of this context."""
+    manager, loggers = logging.root.manager, dict(logging.root.manager.loggerDict)
+    known = [logging.root, *(logger for logger in loggers.values() if isinstance(logger, logging.Logger))]
+    before = [(logger, logger.level, logger.handlers[:], logger.filters[:], logger.propagate) for logger in known]
+    try:
+        yield
+    finally:
+        manager.loggerDict.clear()
+        manager.loggerDict.update(loggers)
+        for logger, level, handlers, filters, propagate in before:
+            logger.setLevel(level)
+            logger.handlers[:], logger.filters[:], logger.propagate = handlers, filters, propagate
 
 
 def _lies_in(folder: str | None, name: str) -> bool:

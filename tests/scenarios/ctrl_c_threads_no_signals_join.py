@@ -3,7 +3,7 @@
 import threading
 
 import rospy
-from scenario import P, begin, mark, say
+from scenario import P, begin, block, mark, say
 
 
 def loop():
@@ -24,3 +24,4 @@ except KeyboardInterrupt:
     mark("caught")
     say("caught", rospy.is_shutdown())
     rospy.signal_shutdown("Ctrl-C")
+    block(1)

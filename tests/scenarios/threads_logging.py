@@ -24,9 +24,7 @@ begin("threads_logging")
 lines = []
 handler = SlowHandler()
 handler.setFormatter(logging.Formatter("%(levelname)s %(threadName)s %(message)s"))
-logger = logging.getLogger("own")
-logger.setLevel(logging.INFO)
-logger.propagate = False
+logger = logging.Logger("own", logging.INFO)
 logger.addHandler(handler)
 workers = [threading.Thread(target=work, args=(start,), name=f"worker{number}") for number, start in ((1, 0), (2, 0.5))]
 for worker in workers:

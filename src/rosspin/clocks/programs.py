@@ -19,7 +19,7 @@ from .ending import Ended, end_thread, ending_here
 from .signals import Died, send, simulated_signals
 from .simulation import Simulation
 from .stacks import Program, Stack, current, enter
-from .threads import followed_threads, simulated_threads
+from .threads import followed_threads, forget_threads, simulated_threads
 from .virtual_time import virtual_time
 from .watchdog import watch
 
@@ -70,7 +70,10 @@ def run_simulated(
     ident = threading.main_thread().ident or 0
     with watch(lambda: simulation.now() // _LEAST_STEP):
         with simulated_threads(), virtual_time(), simulated_signals():
-            simulation.run(main, program, ident)
+            try:
+                simulation.run(main, program, ident)
+            finally:
+                forget_threads(program)
 
 
 def _name(ident: int) -> str:

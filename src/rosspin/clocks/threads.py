@@ -16,6 +16,8 @@ import threading
 from collections import deque
 from collections.abc import Callable, Iterator
 from contextlib import contextmanager
+from functools import wraps
+from types import SimpleNamespace
 from typing import Any
 
 from ..frames import called_from, format_error
@@ -24,7 +26,7 @@ from .ending import Ended, ending_here
 from .patches import Patch, either, patched
 from .stacks import Program, Stack, StackExit, current, enter, whose
 
-__all__ = ["begin_main", "end_main", "followed_threads", "simulated_threads"]
+__all__ = ["begin_main", "end_main", "followed_threads", "forget_threads", "simulated_threads"]
 
 _real_lock = _thread.allocate_lock
 _real_rlock = _thread.RLock
@@ -190,9 +192,9 @@ def _start(real: Callable[..., Any]) -> Callable[..., Any]:
                 raise TypeError("first arg must be callable")
             return _start_stack(stack, lambda: _run(function, args, kwargs)).ident
         program = whose()
-        if program is None:
-            return int(real(function, args, kwargs))
-        return int(real(_follow(program, function), args, kwargs))
+        if program is not None and callable(function):
+            function = _follow(program, function)
+        return int(real(function, args, kwargs))
 
     return start_new_thread
 
@@ -258,7 +260,12 @@ def _run(function: Callable[..., Any], args: Any, kwargs: Any) -> None:
     except Ended:
         raise
     except BaseException as error:
-        sys.stderr.write(f"Exception ignored in thread started by: {function!r}\n{format_error(error)}")
+        if sys.unraisablehook is sys.__unraisablehook__:
+            sys.stderr.write(f"Exception ignored in thread started by: {function!r}\n{format_error(error)}")
+        else:
+            told: Any = SimpleNamespace(exc_type=type(error), exc_value=error, exc_traceback=error.__traceback__)
+            told.err_msg, told.object = "Exception ignored in thread started by", function
+            sys.unraisablehook(told)
 
 
 def _follow(program: Program, function: Callable[..., Any]) -> Callable[..., Any]:
@@ -269,6 +276,7 @@ def _follow(program: Program, function: Callable[..., Any]) -> Callable[..., Any
         # That it was ended is no news.
         thread._invoke_excepthook = lambda *args: isinstance(sys.exception(), Ended) or report(*args)  # type: ignore[attr-defined]
 
+    @wraps(function)
     def run(*args: Any, **kwargs: Any) -> None:
         enter(program)
         ident = _real_ident()
@@ -305,6 +313,20 @@ def end_main(program: Program) -> None:
     ]:
         for thread in waited_for:
             thread.join()
+
+
+def forget_threads(program: Program) -> None:
+    """Take the threads that a simulated program has left behind off the lists that all threads of the process share."""
+    working: Any = pools._threads_queues
+    for thread in list(working):
+        if thread.ident in program.idents:
+            del working[thread]
+    for ident in program.idents:
+        threading._active.pop(ident, None)  # type: ignore[attr-defined]
+
+
+class SimpleQueue(queue._PySimpleQueue):  # type: ignore[name-defined,misc]
+    """The standard library's own in Python."""
 
 
 class _Ending:
@@ -402,7 +424,7 @@ _SIMULATED: list[Patch] = [
     (threading, "_counter", either(lambda stack: next(stack.program.thread_numbers))),
     (threading, "local", lambda real: _threading_local.local),
     (queue, "time", either(_moment)),
-    (queue, "SimpleQueue", lambda real: queue._PySimpleQueue),  # type: ignore[attr-defined]
+    (queue, "SimpleQueue", lambda real: SimpleQueue),
     (
         pools.ThreadPoolExecutor,
         "_counter",
