@@ -303,8 +303,8 @@ def test_answer_has_its_first_line(exercises: Page) -> None:
     ("first", "said"),
     [
         ("%%answer 99", "there is no exercise 99"),
-        ("%%answer", "a first line can be %%simulate SECONDS or %%answer NUMBER"),
-        ("%%measure 2", "a first line can be %%simulate SECONDS or %%answer NUMBER"),
+        ("%%answer", "the first line can be %%simulate SECONDS or %%answer NUMBER"),
+        ("%%measure 2", "the first line can be %%simulate SECONDS or %%answer NUMBER"),
         ("%%simulate nan", "seconds must be a number of at least 0, not nan"),
     ],
 )

@@ -14,8 +14,8 @@ TEXTS = ["README.md", "index.rst", "conf.py", "Makefile", "docs", "notebooks", "
 
 # British too, in the sense meant here: the verb and the file LICENSE, what a computer runs, a module of Python, a noun.
 BRITISH = "license,licensed,licenses,program,programs,math,practice"
-# rospy, matplotlib and CSS have names in American.
-IN_CODE = "color,initialized,colors,serialize,deserialize"
+# rospy, matplotlib, CSS and io have names in American.
+IN_CODE = "color,initialized,colors,serialize,deserialize,writable"
 # A package, and a part of many words.
 NAMES = "simpy"
 
