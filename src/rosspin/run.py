@@ -102,18 +102,12 @@ def run_node(
             nonlocal status
             status = _run_main(node, world)
 
-        def give_up(killed: Killed) -> None:
-            if process:
-                _say_killed(node, seconds, killed)
-                sys.stdout.flush()
-                os._exit(128 + signal.SIGKILL)
-
         try:
             if isinstance(clock, Simulation):
                 assert until is not None
                 run_simulated(main, world, clock, until, PATIENCE * NS)
             else:
-                run_on_the_wall(main, world, until, PATIENCE * NS, give_up)
+                run_on_the_wall(main, world, until, PATIENCE * NS, _killed(seconds) if process else "")
         except Killed as killed:
             status = _say_killed(node, seconds, killed)
         except Died as died:
@@ -194,12 +188,16 @@ def _duration(seconds: float) -> int:
 # --- what is said of a run --------------------------------------------------------------------------------------------
 
 
-def _say_killed(node: Node, seconds: float | None, killed: Killed) -> int:
+def _killed(seconds: float | None) -> str:
     at = "" if seconds is None else f" at {seconds:.10g} s"
-    sys.stderr.write(
+    return (
         f"rosspin: Ctrl-C{at} did not end the node; it was killed {PATIENCE} s later, as roslaunch does. "
         "Does its loop check rospy.is_shutdown()?\n"
     )
+
+
+def _say_killed(node: Node, seconds: float | None, killed: Killed) -> int:
+    sys.stderr.write(_killed(seconds))
     for name, places in killed.waited:
         place = _of_node(node, places)
         where = f"was at {_say_place(place)}" if place else "had done its work and waited for other threads"

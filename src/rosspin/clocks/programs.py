@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import math
 import os
 import select
 import signal
@@ -10,7 +11,7 @@ import threading
 import time
 from _thread import get_ident
 from collections.abc import Callable, Iterator
-from contextlib import contextmanager
+from contextlib import contextmanager, nullcontext
 from typing import Any
 
 from ..frames import Place, places, trail
@@ -32,7 +33,7 @@ _LEAST_STEP = 1_000_000
 _END: int = getattr(signal, "SIGRTMAX", 0) or getattr(signal, "SIGUSR2", signal.SIGINT)
 
 # After a program was killed, calls that heed no signal are given so long (s).
-_DEAF = 1.0
+_DEAF = 1.5
 
 
 def end_program() -> None:
@@ -82,20 +83,21 @@ def _name(ident: int) -> str:
 
 
 def run_on_the_wall(
-    main: Callable[[], object], program: Program, until: int | None, patience: int, give_up: Callable[[Killed], None]
+    main: Callable[[], object], program: Program, until: int | None, patience: int, last_words: str = ""
 ) -> None:
     """Run ``main`` as a program on the wall clock, in the main thread (else RuntimeError); otherwise as run_simulated.
 
     Ctrl-C comes ``until`` ns after the start, if that is not None, or from whoever runs this process. If even then the
-    main thread stays in a call that heeds no signal, ``give_up`` is called, in another thread.
+    main thread stays in a call that heeds no signal, it is waited for; but with ``last_words`` this process is killed.
     """
     if threading.current_thread() is not threading.main_thread():
         raise RuntimeError("on the wall clock a node can run only in the main thread, which handles its signals")
-    alarm = _Alarm(program, None if until is None else until / NS, patience / NS, give_up)
-    with _own_signals(), alarm, followed_threads():
+    seconds = None if until is None else until / NS
+    guard = _guard(seconds, patience / NS + _DEAF, last_words) if last_words else nullcontext()
+    with guard as interrupted, _own_signals(), _Alarm(program, seconds, patience / NS, interrupted) as alarm:
         before = enter(program)
         try:
-            with ending_here():
+            with followed_threads(), ending_here():
                 main()
         except Ended:
             if alarm.waited:
@@ -127,6 +129,45 @@ def _own_signals() -> Iterator[None]:
             signal.signal(number, handler)
 
 
+@contextmanager
+def _guard(until: float | None, patience: float, last_words: str) -> Iterator[Callable[[], None]]:
+    """A process that kills this one if it goes on for ``patience`` seconds after a Ctrl-C, whatever it does.
+
+    A thread would not do: code in C may keep all others from running. Gives a function that tells of a Ctrl-C; one that
+    comes from a terminal it hears itself.
+    """
+    read, write = os.pipe()
+    guarded = os.getpid()
+    guardian = os.fork()
+    if not guardian:
+        os.close(write)
+        deadline = [math.inf if until is None else time.monotonic() + until + patience]
+
+        def interrupted(number: int, frame: Any) -> None:
+            deadline[0] = min(deadline[0], time.monotonic() + patience)
+
+        signal.signal(signal.SIGINT, interrupted)
+        while os.getppid() == guarded:
+            if select.select([read], [], [], 0.2)[0]:
+                if not os.read(read, 1):
+                    break  # it has come to its end
+                interrupted(0, None)
+            if time.monotonic() > deadline[0]:
+                os.write(2, last_words.encode())
+                os.kill(guarded, signal.SIGKILL)
+        os._exit(0)
+    os.close(read)
+
+    def tell() -> None:
+        os.write(write, b"!")
+
+    try:
+        yield tell
+    finally:
+        os.close(write)
+        os.waitpid(guardian, 0)
+
+
 def _end(number: int, frame: Any) -> None:
     raise Ended
 
@@ -138,21 +179,22 @@ class _Alarm:
     """
 
     def __init__(
-        self, program: Program, until: float | None, patience: float, give_up: Callable[[Killed], None]
+        self, program: Program, until: float | None, patience: float, interrupted: Callable[[], None] | None
     ) -> None:
         self.waited: list[tuple[str, list[Place]]] = []
         self._program = program
         self._until = until
         self._patience = patience
-        self._give_up = give_up
+        self._interrupted = interrupted
         self._ident = get_ident()
         self._thread = threading.Thread(target=self._run, daemon=True)
 
-    def __enter__(self) -> None:
+    def __enter__(self) -> _Alarm:
         self._read, self._write = os.pipe()
         os.set_blocking(self._write, False)
         self._before = signal.set_wakeup_fd(self._write, warn_on_full_buffer=False)
         self._thread.start()
+        return self
 
     def __exit__(self, *error: object) -> None:
         signal.set_wakeup_fd(self._before)
@@ -166,6 +208,8 @@ class _Alarm:
         if interrupted is None:
             return
         self._program.interrupted = True
+        if self._interrupted:
+            self._interrupted()
         if not interrupted:
             signal.pthread_kill(self._ident, signal.SIGINT)
         if self._is_over(self._patience):
@@ -173,11 +217,8 @@ class _Alarm:
         frames = sys._current_frames()
         idents = [self._ident, *self._program.idents]
         self.waited = [(_name(ident), places(trail(frames.get(ident)))) for ident in idents]
-        deadline = time.monotonic() + _DEAF
         while not self._is_over(0.1):
             signal.pthread_kill(self._ident, _END)
-            if time.monotonic() > deadline:
-                self._give_up(Killed(self.waited))
 
     def _wait_for_ctrl_c(self, timeout: float | None) -> bool | None:
         """Whether somebody pressed Ctrl-C within so many seconds; None if the program has ended."""

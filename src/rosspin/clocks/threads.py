@@ -283,8 +283,8 @@ def _follow(program: Program, function: Callable[..., Any]) -> Callable[..., Any
         program.idents.add(ident)
         try:
             with ending_here():
-                function(*args, **kwargs)
-        except (StackExit, Ended):
+                _run(function, args, kwargs)
+        except Ended:
             pass
         finally:
             program.idents.discard(ident)

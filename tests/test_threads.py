@@ -1,0 +1,442 @@
+"""A node's own threads, locks, signals and clocks: what simulated time makes of them, and what it leaves alone."""
+
+from __future__ import annotations
+
+import _thread
+import logging
+import os
+import queue
+import signal
+import subprocess
+import sys
+import threading
+import time
+from concurrent.futures import ThreadPoolExecutor
+from pathlib import Path
+from textwrap import dedent
+from typing import Any
+
+import pytest
+
+import rosspin.run
+from rosspin import Run, TimeStandsStill, measure, rospy, simulate
+from rosspin.clocks import watchdog
+
+# Only so that a test that hangs ends at all.
+NEVER = 60
+
+
+@pytest.fixture
+def write(tmp_path: Path) -> Any:
+    """Writes a node file; its path."""
+
+    def write(text: str, name: str = "node.py") -> Path:
+        path = tmp_path / name
+        path.write_text(dedent(text), encoding="utf-8")
+        return path
+
+    return write
+
+
+@pytest.fixture
+def impatient(monkeypatch: pytest.MonkeyPatch) -> None:
+    """A node that does not heed Ctrl-C is killed after a second, one that stands still is found soon."""
+    monkeypatch.setattr(rosspin.run, "PATIENCE", 1)
+    monkeypatch.setattr(watchdog, "_INTERVAL", 0.05)
+
+
+# --- simulated time ---------------------------------------------------------------------------------------------------
+
+
+def test_a_lock_keeps_two_callbacks_apart() -> None:
+    def node() -> None:
+        rospy.init_node("node")
+        lock = threading.Lock()
+
+        def work(event: object) -> None:
+            with lock:
+                print("in", rospy.get_time())
+                rospy.sleep(0.3)
+                print("out", rospy.get_time())
+
+        for _ in range(2):
+            rospy.Timer(rospy.Duration(1), work, oneshot=True)
+        rospy.sleep(2)
+
+    assert simulate(node, 5).console.split() == ["in", "1.0", "out", "1.3", "in", "1.3", "out", "1.6"]
+
+
+def test_waits_with_a_timeout_end_exactly_then() -> None:
+    ended: list[float] = []
+
+    def node() -> None:
+        threading.Event().wait(0.1)
+        ended.append(time.monotonic())
+        with pytest.raises(queue.Empty):
+            queue.Queue[int]().get(timeout=0.2)
+        ended.append(time.monotonic())
+        with condition:
+            condition.wait_for(lambda: False, 0.4)
+        ended.append(time.monotonic())
+        threading.Semaphore(0).acquire(timeout=0.8)
+        ended.append(time.monotonic())
+
+    condition = threading.Condition()
+    assert simulate(node, 20).status == 0
+    assert ended == [0.1, 0.3, 0.7, 1.5]
+
+
+def after(seconds: float, word: str) -> None:
+    time.sleep(seconds)
+    print(word)
+
+
+def test_a_pool_and_the_threads_that_are_no_daemons_are_waited_for() -> None:
+    def node() -> None:
+        ThreadPoolExecutor(1).submit(after, 2, "pool")
+        threading.Thread(target=after, args=(3, "thread")).start()
+        threading.Thread(target=after, args=(4, "daemon"), daemon=True).start()
+        print("main")
+
+    run = simulate(node, 10)
+    assert (run.status, run.console) == (0, "main\npool\nthread\n")
+
+
+def test_names_and_idents_begin_anew_in_each_run() -> None:
+    def node() -> None:
+        threads = [threading.Thread(target=time.sleep, args=(1,)) for _ in range(2)]
+        for thread in threads:
+            thread.start()
+        with ThreadPoolExecutor(1) as pool:
+            print(pool.submit(lambda: threading.current_thread().name).result())
+        print(*(thread.name for thread in threading.enumerate()), [thread.ident for thread in threads])
+
+    assert simulate(node, 5) == simulate(node, 5)
+    assert simulate(node, 5).console.startswith("ThreadPoolExecutor-0_0\nMainThread Thread-1 (sleep) Thread-2 (sleep)")
+
+
+def test_a_node_that_hangs_is_killed_and_the_console_says_where_its_threads_were(write: Any) -> None:
+    path = write(
+        """
+        import threading
+
+        lock = threading.Lock()
+        lock.acquire()
+
+        def stuck():
+            lock.acquire()
+
+        thread = threading.Thread(target=stuck, name="reader")
+        thread.start()
+        try:
+            thread.join()
+        except KeyboardInterrupt:
+            lock.acquire()
+        """
+    )
+    run = simulate(path, 1)
+    assert run.status == 137
+    first, *lines = run.console.splitlines()
+    assert first.startswith("rosspin: Ctrl-C at 1 s did not end the node; it was killed 17 s later, as roslaunch does.")
+    assert lines == [
+        f"rosspin: MainThread was at {path}:15: lock.acquire()",
+        f"rosspin: reader was at {path}:8: lock.acquire()",
+    ]
+
+
+def test_what_a_killed_node_leaves_is_none_of_the_next_run_s() -> None:
+    def hangs() -> None:
+        rospy.init_node("hangs")  # its handler raises no KeyboardInterrupt
+        ThreadPoolExecutor(1).submit(threading.Event().wait)
+        threading.Thread(target=threading.Event().wait).start()
+
+    before = set(threading.enumerate())
+    assert simulate(hangs, 1).status == 137
+    assert set(threading.enumerate()) == before
+    assert simulate(lambda: ThreadPoolExecutor(1).submit(print, "done").result() or None, 1).console == "done\n"
+
+
+def test_other_threads_of_the_process_are_left_alone() -> None:
+    asked, answered = threading.Event(), threading.Event()
+    kinds: list[Any] = []
+
+    def outside() -> None:
+        asked.wait(NEVER)
+        kinds.extend([type(threading.Lock()), type(threading.RLock()), threading.get_ident()])
+        thread = threading.Thread(target=lambda: kinds.append(time.time()))
+        thread.start()
+        thread.join()
+        answered.set()
+
+    thread = threading.Thread(target=outside)
+    thread.start()
+
+    def node() -> None:
+        asked.set()
+        answered.wait(NEVER)
+
+    simulate(node, 1)
+    thread.join()
+    assert kinds[:3] == [type(threading.Lock()), type(threading.RLock()), thread.ident]
+    assert kinds[3] > 1e9
+
+
+def test_afterwards_everything_is_as_it_was() -> None:
+    places = [(threading, name) for name in ("Lock", "RLock", "local", "get_ident", "enumerate", "excepthook")]
+    places += [(_thread, "allocate_lock"), (_thread, "start_new_thread"), (queue, "SimpleQueue"), (signal, "signal")]
+    before = [getattr(place, name) for place, name in places]
+    simulate(lambda: threading.Thread(target=print).start(), 1)
+    assert [getattr(place, name) for place, name in places] == before
+
+
+def test_a_loop_that_only_looks_gets_on() -> None:
+    def node() -> None:
+        lock = threading.Lock()
+        lock.acquire()
+        threading.Timer(0.01, lock.release).start()
+        while not lock.acquire(blocking=False):
+            pass
+        print(time.time() >= 0.01)
+
+    assert simulate(node, 1).console == "True\n"
+
+
+# --- signals ----------------------------------------------------------------------------------------------------------
+
+
+def test_ctrl_c_calls_the_node_s_own_handler() -> None:
+    def node() -> None:
+        def handler(number: int, frame: Any) -> None:
+            print("handler", number, time.time(), threading.current_thread().name)
+
+        signal.signal(signal.SIGINT, handler)
+        time.sleep(3)  # goes on after the handler
+        print(time.time(), signal.getsignal(signal.SIGINT) is handler)
+
+    before = signal.getsignal(signal.SIGINT)
+    assert simulate(node, 2).console == "handler 2 2.0 MainThread\n3.0 True\n"
+    assert signal.getsignal(signal.SIGINT) is before
+
+
+def test_the_watchdog_does_not_call_it(impatient: None) -> None:
+    called: list[int] = []
+
+    def node() -> None:
+        signal.signal(signal.SIGINT, lambda number, frame: called.append(number))
+        while True:
+            pass
+
+    with pytest.raises(TimeStandsStill, match="keeps running without sleeping"):
+        simulate(node, 2)
+    assert called == []
+
+
+def test_a_signal_without_a_handler_ends_the_node() -> None:
+    assert simulate(lambda: os.kill(os.getpid(), signal.SIGTERM), 1).status == 143
+
+
+def test_a_real_ctrl_c_ends_a_simulated_run(write: Any) -> None:
+    path = write(
+        """
+        print("busy", flush=True)
+        while True:
+            try:
+                while True:
+                    pass
+            except BaseException:
+                pass
+        """
+    )
+    command = [sys.executable, "-m", "rosspin", "run", str(path), "--simulated", "--seconds", "1"]
+    with subprocess.Popen(command, stdout=subprocess.PIPE, stderr=subprocess.PIPE, text=True) as process:
+        assert process.stdout
+        process.stdout.readline()
+        process.send_signal(signal.SIGINT)
+        _, err = process.communicate(timeout=NEVER)
+    assert (process.returncode, err) == (130, "")
+
+
+# --- clocks -----------------------------------------------------------------------------------------------------------
+
+
+def test_dates_are_simulated_and_are_dates() -> None:
+    def node() -> None:
+        import datetime
+
+        time.sleep(1.5)
+        now = datetime.datetime.now(datetime.UTC)
+        print(now, isinstance(now, datetime.datetime), isinstance(now, datetime.date), datetime.datetime(2020, 1, 2))
+        print(time.gmtime().tm_sec, time.strftime("%S", time.gmtime()), time.gmtime(86400).tm_mday)
+
+    assert simulate(node, 5).console == ("1970-01-01 00:00:01.500000+00:00 True True 2020-01-02 00:00:00\n1 01 2\n")
+
+
+def test_the_time_of_the_processor_is_real() -> None:
+    seen: list[float] = []
+
+    def node() -> None:
+        before = time.process_time()
+        while time.process_time() < before + 0.01:
+            pass
+        seen.append(time.time())
+
+    assert simulate(node, 1).status == 0
+    assert seen == [0.0]
+
+
+# --- what waits in real time ------------------------------------------------------------------------------------------
+
+
+@pytest.mark.parametrize(
+    ("code", "line", "call"),
+    [
+        ("import subprocess\nsubprocess.run(['sleep', '60'])\n", 2, "subprocess.run(['sleep', '60'])"),
+        ("import socket\ns = socket.create_server(('localhost', 0))\ns.accept()\n", 3, "s.accept()"),
+        ("import select\n\nselect.select([], [], [], 60)\n", 3, "select.select([], [], [], 60)"),
+        ("import asyncio\nasyncio.run(asyncio.sleep(60))\n", 2, "asyncio.run(asyncio.sleep(60))"),
+        ("import os\nread, write = os.pipe()\nos.fdopen(read).readline()\n", 3, "os.fdopen(read).readline()"),
+    ],
+)
+def test_what_waits_in_real_time_is_named(impatient: None, write: Any, code: str, line: int, call: str) -> None:
+    path = write(code)
+    with pytest.raises(TimeStandsStill) as caught:
+        simulate(path, 5)
+    assert str(caught.value).startswith(f"{path}:{line}: {call}: simulated time stands still at 0.0 s, because this ")
+    assert "waits in real time" in str(caught.value)
+
+
+# --- the process around a node ----------------------------------------------------------------------------------------
+
+
+@pytest.mark.parametrize("run", [simulate, measure])
+def test_a_run_leaves_the_folder_and_the_loggers_as_they_were(run: Any, tmp_path: Path) -> None:
+    def node() -> None:
+        os.chdir(tmp_path)
+        logging.getLogger("robot").addHandler(logging.NullHandler())
+        logging.getLogger().setLevel(logging.DEBUG)
+
+    before = os.getcwd(), logging.getLogger().level, set(logging.root.manager.loggerDict)
+    assert run(node, 1).status == 0
+    assert (os.getcwd(), logging.getLogger().level, set(logging.root.manager.loggerDict)) == before
+
+
+@pytest.mark.parametrize("run", [simulate, measure])
+def test_a_console_takes_bytes_too(run: Any) -> None:
+    def node() -> None:
+        print("one")
+        sys.stdout.buffer.write("zwö".encode()[:3])
+        sys.stdout.buffer.write("zwö".encode()[3:] + b"\n")
+        sys.stderr.write("three\n")
+
+    assert run(node, 1).console == "one\nzwö\nthree\n"
+
+
+@pytest.mark.parametrize("run", [simulate, measure])
+def test_exit_at_once_ends_the_node_alone(run: Any) -> None:
+    def node() -> None:
+        threading.Timer(0.05, os._exit, (5,)).start()
+        rospy.init_node("node")
+        rospy.on_shutdown(lambda: print("hook"))
+        rospy.spin()
+
+    result: Run = run(node, NEVER)
+    assert (result.status, result.console) == (5, "")
+
+
+@pytest.mark.parametrize("run", [simulate, measure])
+def test_seconds_that_no_clock_can_hold(run: Any) -> None:
+    with pytest.raises(ValueError, match=r"^seconds must be less than 9223372036 \(292 years\), not 1e\+300$"):
+        run(lambda: None, 1e300)
+
+
+@pytest.mark.parametrize("run", [simulate, measure])
+def test_what_was_registered_for_the_exit_is_called_then(run: Any) -> None:
+    def node() -> None:
+        import atexit
+
+        for word in ("second", "first"):
+            atexit.register(print, word)
+        threading.Thread(target=after, args=(0.05, "thread")).start()
+
+    assert run(node, NEVER).console == "thread\nfirst\nsecond\n"
+
+
+# --- the wall clock ---------------------------------------------------------------------------------------------------
+
+
+def test_a_thread_however_it_was_started_is_in_the_node_s_world() -> None:
+    def node() -> None:
+        rospy.init_node("world")
+        done = threading.Semaphore(0)
+
+        def look(how: str) -> None:
+            rospy.Rate(1000).sleep()
+            print(how, rospy.get_name(), rospy.is_shutdown())
+            done.release()
+
+        threading.Thread(target=look, args=("Thread",)).start()
+        done.acquire()
+        threading.Timer(0, look, ("Timer",)).start()
+        done.acquire()
+        _thread.start_new_thread(look, ("_thread",))
+        done.acquire()
+        with ThreadPoolExecutor() as pool:
+            pool.submit(look, "pool")
+        threading.Timer(0.01, rospy.signal_shutdown, ("enough",)).start()
+        rospy.spin()
+
+    lines = [f"{how} /world False" for how in ("Thread", "Timer", "_thread", "pool")]
+    for run in (simulate, measure):
+        result = run(node, NEVER)
+        assert (result.status, result.console.splitlines()) == (0, lines)
+
+
+def test_a_node_that_catches_everything_is_ended_and_does_nothing_afterwards(impatient: None) -> None:
+    seen: list[str] = []
+
+    def catches(name: str) -> None:
+        while True:
+            try:
+                try:
+                    time.sleep(0.01)
+                    seen.append(name)
+                except BaseException:
+                    pass
+            except BaseException as error:
+                seen.append(str(error))
+
+    def node() -> None:
+        threading.Thread(target=catches, args=("thread",), daemon=True).start()
+        catches("main")
+
+    before, trace = set(threading.enumerate()), sys.gettrace()
+    run = measure(node, 0.1)
+    for thread in set(threading.enumerate()) - before:
+        thread.join(NEVER)
+    count = len(seen)
+    assert run.status == 137
+    assert set(threading.enumerate()) == before
+    assert sys.gettrace() is trace
+    time.sleep(0.05)
+    assert len(seen) == count
+
+
+def test_a_node_that_waits_for_ever_is_ended(impatient: None) -> None:
+    def node() -> None:
+        rospy.init_node("node")
+        lock = threading.Lock()
+        lock.acquire()
+        lock.acquire()
+
+    run = measure(node, 0.1)
+    assert run.status == 137
+    assert run.console.splitlines()[1].endswith(": lock.acquire()")
+
+
+def test_not_even_a_call_that_heeds_no_signal_hangs_the_command_line(write: Any) -> None:
+    path = write("print('busy', flush=True)\nsum(range(10**15))\n")
+    code = "import sys, rosspin.run as run, rosspin.__main__ as cli; run.PATIENCE = 1; sys.exit(cli.main(sys.argv[1:]))"
+    command = [sys.executable, "-c", code, "run", str(path), "--seconds", "0.5"]
+    done = subprocess.run(command, capture_output=True, text=True, timeout=NEVER)
+    assert (done.returncode, done.stdout) == (-signal.SIGKILL, "busy\n")  # which a shell calls 137
+    assert done.stderr.startswith("rosspin: Ctrl-C at 0.5 s did not end the node; it was killed 1 s later")
