@@ -21,13 +21,12 @@ export JUPYTER_CONFIG_DIR := $(CURDIR)/.venv/jupyter
 export JUPYTER_DATA_DIR := $(CURDIR)/.venv/jupyter-data
 export HYPOTHESIS_STORAGE_DIRECTORY := $(CURDIR)/build/hypothesis
 
-# -T shows which cell of a notebook failed. The parsed pages of a failed build go: Sphinx would not complain about them
-# a second time.
-SPHINX = $(BIN)/sphinx-build -M $@ . build -n -W --keep-going -T || { rm -rf build/doctrees; exit 1; }
+# The parsed pages of a failed build go: Sphinx would not complain about them a second time.
+SPHINX = $(BIN)/sphinx-build -M $@ . build -n -W --keep-going $(SPHINXOPTS) || { rm -rf build/doctrees; exit 1; }
 
 # html and doctest share their parsed pages, so one runs after the other.
 .NOTPARALLEL:
-.PHONY: html test doctest linkcheck serve lab bench ros1 record definitions pins clean
+.PHONY: html test doctest outputs linkcheck serve lab bench ros1 record definitions pins clean
 
 html doctest linkcheck: $(VENV)
 	$(SPHINX)
@@ -43,6 +42,10 @@ $(NPM): web/package.json web/package-lock.json web/.npmrc | $(VENV)
 	cp $^ build/npm
 	cd build/npm && $(CURDIR)/$(BIN)/npm ci
 	@touch $@
+
+# Writes what follows from the runs (expected outputs, copies of nodes) into the pages, to be read in `git diff`.
+outputs: $(VENV)
+	$(BIN)/python -m rosspin.site.outputs
 
 test: html doctest
 	$(BIN)/ruff check
