@@ -7,6 +7,7 @@ from __future__ import annotations
 
 import json
 import re
+from collections.abc import Set as AbstractSet
 from pathlib import Path
 
 from docutils import nodes
@@ -34,7 +35,14 @@ class DoctestBuilder(DummyBuilder):
     """In place of Sphinx's own, which prints frames and leaves facts out."""
 
     name = "doctest"
-    epilog = "Every output on the pages is what its run prints."
+    epilog = "Every output on the pages is what its run prints, and every fact holds."
+
+    def get_outdated_docs(self) -> set[str]:
+        """None: what there is to do is done when pages are read and when the build ends."""
+        return set()
+
+    def write_documents(self, docnames: AbstractSet[str]) -> None:
+        """Nothing."""
 
 
 def setup(app: Sphinx) -> ExtensionMetadata:
@@ -69,8 +77,12 @@ def _read_notebook(app: Sphinx, doctree: nodes.document) -> None:
             # A name that is not there is missing because of the cell that failed before.
             if output["output_type"] == "error" and not (failed and output["ename"] == "NameError"):
                 line = _line_of(output["traceback"])
-                note(app.env, start + line - 1, source[line - 1], f"{output['ename']}: {output['evalue']}", block)
+                error = f"{output['ename']}: {output['evalue']}"
+                note(app.env, start + line - 1, source[line - 1].strip(), error, block)
                 failed = True
+            # What a magic says of its own arguments is only printed.
+            elif (printed := "".join(output.get("text", []))).startswith("UsageError: "):
+                note(app.env, start, source[0], printed, block)
 
 
 def _line_of(traceback: list[str]) -> int:

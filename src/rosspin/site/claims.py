@@ -169,15 +169,16 @@ def _paragraphs(lines: list[str]) -> Iterator[str]:
 def report(found: Iterable[Stale]) -> str:
     """The list for the author, by page and line."""
     stale = sorted(found, key=lambda entry: (entry.page, entry.line))
-    parts = ["What follows no longer holds:" if len(stale) > 1 else "This no longer holds:"]
+    parts = ["What follows no longer holds:"]
     for entry in stale:
         rows = {"text": entry.text, "stands": entry.stands, "now": entry.now}
         marked = " (make outputs)" if entry.edits else ""
         parts.append(f"{entry.page}:{entry.line}{marked}\n" + "".join(_row(*row) for row in rows.items() if row[1]))
     followed = sum(bool(entry.edits) for entry in stale)
-    counted = f"{len(stale)} in all, on {len({entry.page for entry in stale})} pages."
-    outputs = f" {followed} of them follow from the runs: `make outputs` writes them." if followed else ""
-    parts.append(f"{counted}{outputs} docs/how-to/adapt-a-page.rst says how to go on.")
+    end = f"Places: {len(stale)}, pages: {len({entry.page for entry in stale})}."
+    if followed:
+        end += f" `make outputs` writes {followed} of the places anew."
+    parts.append(f"{end} docs/how-to/adapt-a-page.rst says how to go on.")
     return "\n\n".join(part.rstrip("\n") for part in parts)
 
 
