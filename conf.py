@@ -1,9 +1,12 @@
 """Sphinx settings: the source folder is the root, and what is made goes into build/."""
 
 import hashlib
+import os
 from pathlib import Path
 
 from sphinx.application import Sphinx
+
+from rosspin.site.published import BRANCH, where
 
 root = Path(__file__).parent
 
@@ -12,7 +15,7 @@ html_title = "rosspin"
 copyright = "the rosspin contributors. The texts are CC BY 4.0, after a page by Paul N. Beuchat, 2023"
 
 extensions = ["myst_nb", "rosspin.site.pages", "rosspin.site.live", "sphinx.ext.autodoc"]
-extensions += ["sphinx_copybutton", "sphinx_design"]
+extensions += ["sphinx_copybutton", "sphinx_design", "notfound.extension", "rosspin.site.published"]
 include_patterns = ["index.rst", "docs/**.rst", "notebooks/*.md"]
 exclude_patterns = [".venv", "build"]  # not walked through in search of pages
 
@@ -23,6 +26,10 @@ nb_merge_streams = True  # a console mixes stdout and stderr
 nb_ipywidgets_js = {}  # the default loads scripts from another host
 
 nitpick_ignore_regex = [("py:.*", r"(?!rosspin\b).*")]  # the names of other projects have their pages elsewhere
+
+# "pip install rosspin" in the how-tos, instead of a clone: to be set with the first release on PyPI.
+if released := False:
+    tags.add("released")  # noqa: F821 (a name that Sphinx gives)
 
 html_theme = "pydata_sphinx_theme"
 html_favicon = "docs/_static/favicon.svg"
@@ -41,6 +48,24 @@ html_theme_options = {
 }
 html_context = {"default_mode": "auto"}  # light or dark as the reader's system is
 html_show_sourcelink = False
+
+# What follows from the place where the site is published. Where that is not known, there is nothing of it.
+published = where(os.environ)
+notfound_urls_prefix = published.path
+notfound_context = {
+    "title": "Page not found",
+    "body": f"""<h1>Page not found</h1><p>There is no page at this address. Choose one from the list of pages, search for
+        a word, or go to the <a href="{published.path}index.html">start page</a>.</p>""",
+}
+if published.address:
+    extensions.append("sphinxext.opengraph")
+    html_baseurl = ogp_site_url = published.address
+    ogp_social_cards = {"enable": False}  # text only
+    ogp_enable_meta_description = True
+if published.repository:
+    user, _, name = published.repository.partition("/")
+    html_context |= {"github_user": user, "github_repo": name, "github_version": BRANCH, "doc_path": ""}
+    html_theme_options |= {"use_edit_page_button": True, "secondary_sidebar_items": ["page-toc", "edit-this-page"]}
 
 
 def setup(app: Sphinx) -> None:
