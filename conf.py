@@ -54,8 +54,8 @@ published = where(os.environ)
 notfound_urls_prefix = published.path
 notfound_context = {
     "title": "Page not found",
-    "body": f"""<h1>Page not found</h1><p>There is no page at this address. Choose one from the list of pages, search for
-        a word, or go to the <a href="{published.path}index.html">start page</a>.</p>""",
+    "body": f"""<h1>Page not found</h1><p>There is no page at this address. Choose one from the list of pages, search
+        for a word, or go to the <a href="{published.path}index.html">start page</a>.</p>""",
 }
 if published.address:
     extensions.append("sphinxext.opengraph")
