@@ -101,7 +101,7 @@ record: $(VENV)
 	$(BIN)/python benchmarks/record.py
 
 # Anew, from the pinned rosbags: the message definitions that rosspin carries.
-definitions: $(VENV)
+definitions: $(VENV:=-for-test)
 	$(BIN)/python benchmarks/definitions.py
 
 # New pins, on purpose. Run it with the oldest Python there is (Debian 12 has 3.11.2): newer ones can use them too.

@@ -1,4 +1,4 @@
-"""The wheel: built, installed with what it asks for into a fresh environment, it runs a node; and what a release says."""
+"""The wheel, installed with what it asks for into a fresh environment, runs a node; and what a release says."""
 
 from __future__ import annotations
 
