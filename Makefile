@@ -82,11 +82,11 @@ $(VENV): pyproject.toml constraints.txt
 	@echo 'c.IPKernelApp.log_level = "ERROR"' > $(IPYTHONDIR)/profile_default/ipython_kernel_config.py
 	@touch $@
 
-$(VENV)-for-test: | $(VENV)
+$(VENV)-for-test: $(VENV)
 	$(PIP) -e '.[$(FOR_TEST)]'
 	@touch $@
 
-$(VENV)-for-lab: | $(VENV)
+$(VENV)-for-lab: $(VENV)
 	$(PIP) -e '.[$(FOR_LAB)]'
 	@touch $@
 
