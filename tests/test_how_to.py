@@ -15,7 +15,6 @@ from pathlib import Path
 
 import pytest
 from bs4 import BeautifulSoup
-from bs4 import BeautifulSoup
 from conftest import ROOT
 
 from rosspin import simulate

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import os
+import re
 import shutil
 import subprocess
 import sys
@@ -131,7 +132,11 @@ def test_print_is_dark_on_white_and_without_what_can_be_pressed(paper: Page, add
     paper.goto(f"{address}/docs/tutorial.html")
     assert not any(button.is_visible() for button in paper.get_by_role("button").all())
     assert not paper.locator(".bd-sidebar-primary").is_visible()
-    ink = "[...document.querySelectorAll('.bd-article :is(p, pre, pre span)')].map((e) => getComputedStyle(e).color)"
-    pale = {colour for colour in paper.evaluate(ink) if sum(map(int, colour[4:-1].split(", "))) > 500}
-    assert not pale
+    seen = "document.querySelectorAll('.bd-article :is(p, a, pre, pre span, .sd-tab-label)')"
+    find = f"[...{seen}].filter((e) => e.checkVisibility()).map((e) => getComputedStyle(e))"
+    inks = paper.evaluate(f"{find}.map((style) => style.color)")
+    assert not {ink for ink in inks if sum(map(int, re.findall(r"\d+", ink)[:3])) > 400}
+    grounds = paper.evaluate(f"{find}.map((style) => style.backgroundColor)")
+    dark = {ground for ground in grounds if sum(map(int, re.findall(r"\d+", ground)[:3])) < 600}
+    assert dark <= {"rgba(0, 0, 0, 0)"}
     assert paper.evaluate("getComputedStyle(document.body).backgroundColor") == "rgb(255, 255, 255)"

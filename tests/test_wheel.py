@@ -27,7 +27,7 @@ def installed(tmp_path_factory: pytest.TempPathFactory) -> Path:
     (wheel,) = folder.glob("*.whl")
     assert wheel.name == f"rosspin-{VERSION}-py3-none-any.whl"
     subprocess.run([sys.executable, "-m", "venv", folder / "venv"], check=True)
-    install = [folder / "venv/bin/pip", "install", "--quiet", "-c", ROOT / "constraints.txt", wheel]
+    install: list[str | Path] = [folder / "venv/bin/pip", "install", "--quiet", "-c", ROOT / "constraints.txt", wheel]
     run = subprocess.run(install, capture_output=True, text=True)
     if "NewConnectionError" in run.stderr:
         pytest.skip("pip can reach no package index")
