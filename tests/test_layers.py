@@ -44,8 +44,8 @@ KEEPERS = {
     "IPython": {"site.magics"},
     "js": {"clocks.jspi", "page"},
     "pyodide": {"clocks.jspi", "page"},
-    "sphinx": {"site.pages", "site.live"},
-    "docutils": {"site.pages", "site.live"},
+    "sphinx": {"site.pages", "site.live", "site.checks", "site.published"},
+    "docutils": {"site.pages", "site.live", "site.checks", "site.published"},
     "yaml": {"rospy.client", "messages.ros1"},
 }
 

@@ -8,6 +8,7 @@ from pathlib import Path
 from typing import NamedTuple
 
 import pytest
+from bs4 import BeautifulSoup
 
 ROOT = Path(__file__).parents[1]
 EXAMPLES = ROOT / "examples"
@@ -39,15 +40,6 @@ class Listing(NamedTuple):
         return self.path.relative_to(EXAMPLES).as_posix()
 
     @property
-    def marked(self) -> set[int]:
-        """Numbers of the emphasised lines."""
-        lines: set[int] = set()
-        for part in filter(None, self.options.get("emphasize-lines", "").split(",")):
-            first, _, last = part.partition("-")
-            lines.update(range(int(first), int(last or first) + 1))
-        return lines
-
-    @property
     def shown(self) -> list[str]:
         """The lines that the page shows."""
         lines = self.path.read_text().splitlines()
@@ -74,14 +66,24 @@ def added(old: Path, new: Path) -> set[int]:
     return {line for tag, _, _, j1, j2 in matcher.get_opcodes() if tag != "equal" for line in range(j1 + 1, j2 + 1)}
 
 
-@pytest.mark.parametrize("step", STARTS_FROM)
-def test_marked_lines_are_the_ones_that_the_step_adds(step: str) -> None:
-    marked = [listing.marked for listing in listings(TUTORIAL) if listing.name == step and listing.marked]
-    assert marked == [added(EXAMPLES / STARTS_FROM[step], EXAMPLES / step)]
+def test_each_step_names_the_listing_that_it_starts_from() -> None:
+    named = {
+        listing.name: (TUTORIAL.parent / listing.options["changed-from"]).resolve().relative_to(EXAMPLES).as_posix()
+        for listing in listings(TUTORIAL)
+        if "changed-from" in listing.options
+    }
+    assert named == STARTS_FROM
+    assert not [listing.name for listing in listings(TUTORIAL) if "emphasize-lines" in listing.options]
 
 
-def test_only_steps_have_marked_lines() -> None:
-    assert {listing.name for listing in listings(TUTORIAL) if listing.marked} == set(STARTS_FROM)
+def test_marked_lines_are_the_ones_that_the_step_adds(site: Path) -> None:
+    page = BeautifulSoup((site / "docs/tutorial.html").read_text(encoding="utf-8"), "html.parser")
+    marked = [[line.get_text().rstrip() for line in pre.select(".hll")] for pre in page.select("pre:has(.hll)")]
+    steps = [listing.path for listing in listings(TUTORIAL) if "changed-from" in listing.options]
+    for step, lines in zip(steps, marked, strict=True):
+        text = step.read_text().splitlines()
+        old = EXAMPLES / STARTS_FROM[step.relative_to(EXAMPLES).as_posix()]
+        assert lines == [text[number - 1] for number in sorted(added(old, step))]
 
 
 def test_every_step_and_node_is_shown() -> None:

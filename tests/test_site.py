@@ -72,11 +72,26 @@ def test_links_lead_somewhere(pages: dict[Path, BeautifulSoup]) -> None:
             url = urlsplit(target)
             if url.scheme or url.netloc or target == "#":  # "#" is a button of the theme
                 continue
-            file = (path.parent / unquote(url.path)).resolve() if url.path else path
+            # Those of the page for wrong addresses begin at the site's root.
+            below = SITE / url.path.lstrip("/") if path.name == "404.html" else path.parent / unquote(url.path)
+            file = below.resolve() if url.path else path
             found = file.is_file() and (not url.fragment or unquote(url.fragment) in anchors.get(file, ()))
             if not found:
                 broken.append(f"{path.relative_to(SITE)}: {target}")
     assert not broken
+
+
+def test_the_page_for_wrong_addresses_works_from_any_depth(pages: dict[Path, BeautifulSoup]) -> None:
+    page = pages[SITE / "404.html"]
+    targets = [str(tag.get("href") or tag.get("src")) for tag in page.select("[href], [src]")]
+    assert not [target for target in targets if not target.startswith(("/", "#"))]
+    assert page.html and page.html["data-content_root"] == "/"
+
+
+def test_no_address_is_told_where_none_is_known(pages: dict[Path, BeautifulSoup]) -> None:
+    assert not (SITE / "sitemap.xml").exists()
+    for page in pages.values():
+        assert not page.select("link[rel=canonical], meta[property^='og:'], .editthispage")
 
 
 def _alternative(tag: Tag) -> str | None:

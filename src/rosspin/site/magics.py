@@ -1,8 +1,9 @@
-"""The cell magics ``%%simulate``, ``%%measure`` and ``%%answer``, which take a notebook cell as a node file."""
+"""The cell magics ``%%simulate``, ``%%measure`` and ``%%answer``, which take a cell as a node file; and ``%%facts``."""
 
 from __future__ import annotations
 
 import argparse
+import json
 import shlex
 import sys
 from typing import Any, NoReturn
@@ -17,6 +18,7 @@ from ..exercises import Feedback, check
 from ..process import capture, load_source
 from ..run import run_node, split_words
 from ..ticks import Run
+from .claims import MIME, Facts
 
 __all__ = ["Magics"]
 
@@ -41,7 +43,7 @@ def _below_its_magic(cell: str) -> str:
 
 @magics_class
 class Magics(BaseMagics):
-    """Cell magics that run a cell as a node file, in which ``import rospy`` imports rosspin's stand-in."""
+    """Cell magics. In a cell that is run as a node file, ``import rospy`` imports rosspin's stand-in."""
 
     @cell_magic
     def simulate(self, line: str, cell: str) -> None:
@@ -62,6 +64,18 @@ class Magics(BaseMagics):
             raise UsageError(f"%%answer NUMBER: {error}") from None
         print(feedback.shown_console(), end="")
         return feedback
+
+    @cell_magic
+    def facts(self, line: str, cell: str) -> None:
+        """``%%facts``: statements that hold if the text around the cell is true. What fails is said, and no more.
+
+        The build of the site fails then; a reader who has changed a node goes on.
+        """
+        shell: Any = self.shell
+        found = list(Facts(shell.user_ns).run(_below_its_magic(cell), f"<cell {shell.execution_count}>"))
+        if found:
+            said = "\n".join(f"The text around this cell no longer holds: {stands}\n{now}" for _, stands, now in found)
+            shell.display_pub.publish({MIME: json.dumps(found), "text/plain": said})
 
     def _run(self, magic: str, runtime: str, clock: Clock, line: str, cell: str) -> None:
         own, args = split_words(shlex.split(line))

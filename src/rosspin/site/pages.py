@@ -5,9 +5,9 @@ from __future__ import annotations
 import os
 import subprocess
 import sys
-import traceback
 from collections.abc import Iterable, Iterator
 from contextlib import chdir
+from pathlib import Path
 from typing import ClassVar, cast
 
 from docutils import nodes
@@ -16,14 +16,17 @@ from pygments.lexer import inherit
 from pygments.lexers.python import PythonLexer
 from pygments.token import Keyword
 from sphinx.application import Sphinx
+from sphinx.directives.code import LiteralInclude
 from sphinx.environment import BuildEnvironment
-from sphinx.errors import ExtensionError
 from sphinx.util.docutils import SphinxDirective, SphinxRole
 from sphinx.util.typing import ExtensionMetadata
 
 from .. import machine, rospy
 from ..plots import timeline
 from ..run import simulate
+from .checks import note
+from .claims import Facts, one_line
+from .outputs import differences
 
 __all__ = ["setup"]
 
@@ -46,15 +49,20 @@ class TicksDirective(SphinxDirective):
         for name, file in rows:
             relative, path = self.env.relfn2path(file)
             self.env.note_dependency(relative)
-            run = simulate(os.fspath(path), self.options["seconds"])
-            ticks[name or run.ticks[0].source] = run.ticks
+            try:
+                run = simulate(os.fspath(path), self.options["seconds"])
+                ticks[name or run.ticks[0].source] = run.ticks
+            except Exception as error:
+                note(self.env, self.lineno, f"a plot of {file}", one_line(error))
+                return []
         return [nodes.raw("", timeline(ticks).captioned("simulated")._repr_html_(), format="html")]
 
 
 class FactsDirective(SphinxDirective):
-    """``.. facts::``: Python that is run and not shown, in the source folder. What fails in it fails the build.
+    """``.. facts::``: Python that is run and not shown, in the source folder, above the sentence that it is about.
 
-    Its names are there for the facts after it on the page and for the role ``fact``.
+    A statement that fails is listed at the end of the build, which then fails. Its names are there for the facts after
+    it on the page and for the role ``fact``.
     """
 
     has_content = True
@@ -63,12 +71,10 @@ class FactsDirective(SphinxDirective):
         """Nothing to see."""
         file, line = self.get_source_info()
         code = "\n" * self.content_offset + "\n".join(self.content)
-        try:
-            with chdir(self.env.srcdir):
-                exec(compile(code, file, "exec"), _facts(self.env))
-        except Exception as error:
-            trace = "".join(traceback.format_exception(error))
-            raise ExtensionError(f"{file}:{line}: a fact does not hold\n{trace}") from error
+        block = line, self.content_offset + len(self.content)
+        with chdir(self.env.srcdir):
+            for failed, stands, now in _facts(self.env).run(code, file):
+                note(self.env, failed, stands, now, block)
         return []
 
 
@@ -77,16 +83,43 @@ class FactRole(SphinxRole):
 
     def run(self) -> tuple[list[nodes.Node], list[nodes.system_message]]:
         """The value as text."""
-        try:
-            text = eval(f'f"""{{{self.text}}}"""', _facts(self.env))
-        except Exception as error:
-            file, line = self.get_source_info()
-            raise ExtensionError(f"{file}:{line}: no fact {self.text!r}: {error}") from error
+        text, error = _facts(self.env).value(self.text)
+        if error:
+            note(self.env, self.get_source_info()[1], self.rawtext, error)
         return [nodes.Text(text)], []
 
 
-def _facts(env: BuildEnvironment) -> dict[str, object]:
-    return cast(dict[str, object], env.temp_data.setdefault("facts", {}))
+def _facts(env: BuildEnvironment) -> Facts:
+    return cast(Facts, env.temp_data.setdefault("facts", Facts()))
+
+
+class ListingDirective(LiteralInclude):
+    """``literalinclude``, which also knows from which file a listing was changed: ``:changed-from: FILE``.
+
+    The lines that FILE has not, or has otherwise, are marked. What cannot be shown is listed at the end of the
+    build, and so is a caption that names a file which is not in ``examples/``.
+    """
+
+    option_spec: ClassVar = {**LiteralInclude.option_spec, "changed-from": directives.unchanged_required}
+
+    def run(self) -> list[nodes.Node]:
+        """The listing."""
+        if "changed-from" in self.options:
+            old, new = (self._lines(name) for name in (self.options["changed-from"], self.arguments[0]))
+            changed = [str(n + 1) for _, _, _, start, end in differences(old, new) for n in range(start, end)]
+            self.options["emphasize-lines"] = ",".join(changed)
+        shown = super().run()
+        if isinstance(shown[0], nodes.system_message):
+            note(self.env, self.lineno, self.block_text, shown[0].children[0].astext())
+        caption = self.options.get("caption")
+        if caption and not any(Path(self.env.srcdir, "examples").rglob(Path(caption).name)):
+            note(self.env, self.lineno, f":caption: {caption}", f"the file is {self.arguments[0]}")
+        return shown
+
+    def _lines(self, name: str) -> list[str]:
+        relative, path = self.env.relfn2path(name)
+        self.env.note_dependency(relative)
+        return Path(path).read_text(encoding="utf-8").splitlines()
 
 
 class UsageDirective(SphinxDirective):
@@ -188,7 +221,9 @@ def name_terms(app: Sphinx, page: nodes.document) -> None:
 def setup(app: Sphinx) -> ExtensionMetadata:
     """Add the directives and the role above, what notebooks need, and the highlighting of their cells."""
     app.add_directive("ticks", TicksDirective)
+    app.setup_extension("rosspin.site.checks")
     app.add_directive("facts", FactsDirective)
+    app.add_directive("literalinclude", ListingDirective, override=True)
     app.add_directive("usage", UsageDirective)
     app.add_directive("rospy-names", RospyNamesDirective)
     app.add_directive("machine", MachineDirective)

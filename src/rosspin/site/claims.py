@@ -1,0 +1,186 @@
+"""What a page says of a run, held against the run: facts, the sentences they are about, the list of what is stale."""
+
+from __future__ import annotations
+
+import ast
+import re
+import textwrap
+import traceback
+import types
+from collections.abc import Iterable, Iterator
+from dataclasses import dataclass
+
+__all__ = ["MIME", "Edit", "Facts", "Stale", "one_line", "report", "sentence_near"]
+
+# How a notebook's cell hands to the build what it found: a list of (line, what stands there, what the run says now).
+MIME = "application/vnd.rosspin.stale+json"
+
+_WIDTH = 200  # characters of a value or a sentence; more would not be read
+
+
+@dataclass(frozen=True)
+class Edit:
+    """Lines of a file, counted from 0 and without ``end``, and what is to stand there instead."""
+
+    file: str
+    start: int
+    end: int
+    lines: tuple[str, ...]
+
+
+@dataclass(frozen=True)
+class Stale:
+    """Something that no longer holds: where it stands, what stands there, and what the run says now.
+
+    ``text`` is the sentence that a fact is about, ``edits`` what ``make outputs`` would do about it.
+    """
+
+    page: str
+    line: int
+    stands: str
+    now: str
+    text: str = ""
+    edits: tuple[Edit, ...] = ()
+
+
+class Facts:
+    """Statements about runs, with the names that they share.
+
+    One that fails does not keep those after it from being run, so that all that no longer holds is found at once. What
+    only follows from it, because it needs a name that was never set, is passed over.
+    """
+
+    def __init__(self, names: dict[str, object] | None = None) -> None:
+        self._names: dict[str, object] = {} if names is None else names
+        self._unset: set[str] = set()
+
+    def run(self, code: str, file: str) -> Iterator[tuple[int, str, str]]:
+        """Each statement of ``code`` that fails: its line, itself, and what the run says now."""
+        for statement in ast.parse(code, file).body:
+            try:
+                exec(compile(ast.Module([statement], []), file, "exec"), self._names)
+            except Exception as error:
+                if not self._unset & _names(statement, ast.Load):
+                    frame, line = _innermost(error, file)
+                    failed = _smallest_statement(statement, line)
+                    yield line, _first_line(failed), _says_now(error, failed, frame)
+                self._unset |= _names(statement, ast.Store)
+
+    def value(self, expression: str) -> tuple[str, str | None]:
+        """An expression, with a format as in an f-string, as text; and why it has no value, if that is to be told."""
+        field = f'f"""{{{expression}}}"""'
+        try:
+            return str(eval(field, self._names)), None
+        except Exception as error:
+            try:
+                follows = bool(self._unset & _names(ast.parse(field, mode="eval"), ast.Load))
+            except SyntaxError:
+                follows = False
+            return "?", None if follows else one_line(error)
+
+
+def _names(tree: ast.AST, use: type[ast.expr_context]) -> set[str]:
+    return {node.id for node in ast.walk(tree) if isinstance(node, ast.Name) and isinstance(node.ctx, use)}
+
+
+def _innermost(error: Exception, file: str) -> tuple[types.FrameType, int]:
+    """The last frame of an error in ``file``, and its line there."""
+    *_, found = ((f, n) for f, n in traceback.walk_tb(error.__traceback__) if f.f_code.co_filename == file)
+    return found
+
+
+def _smallest_statement(tree: ast.stmt, line: int) -> ast.stmt:
+    holding = [
+        node
+        for node in ast.walk(tree)
+        if isinstance(node, ast.stmt) and node.lineno <= line <= (node.end_lineno or node.lineno)
+    ]
+    return holding[-1] if holding else tree  # ast.walk goes from the outside in
+
+
+def _first_line(statement: ast.stmt) -> str:
+    return ast.unparse(statement).partition("\n")[0]
+
+
+def _says_now(error: Exception, failed: ast.stmt, frame: types.FrameType) -> str:
+    if not isinstance(error, AssertionError) or not isinstance(failed, ast.Assert):
+        return one_line(error)
+    values = list(dict.fromkeys(_sides(failed.test, frame))) or list(dict.fromkeys(_used(failed.test, frame)))
+    return "\n".join(values) or str(error) or "false"
+
+
+def _sides(test: ast.expr, frame: types.FrameType) -> Iterator[str]:
+    """The sides of the comparisons in a test that is false, with their values."""
+    if isinstance(test, ast.BoolOp):
+        for part in test.values:
+            if not _evaluated(part, frame):
+                yield from _sides(part, frame)
+    elif isinstance(test, ast.Compare):
+        for side in [test.left, *test.comparators]:
+            if any(isinstance(node, ast.Name) for node in ast.walk(side)):
+                yield _is_now(side, frame)
+
+
+def _used(test: ast.expr, frame: types.FrameType) -> Iterator[str]:
+    """The names in a test that stand for data."""
+    known = {**frame.f_globals, **frame.f_locals}
+    for node in ast.walk(test):
+        if isinstance(node, ast.Name) and node.id in known and not callable(known[node.id]):
+            yield _is_now(node, frame)
+
+
+def _evaluated(expression: ast.expr, frame: types.FrameType) -> object:
+    code = compile(ast.Expression(expression), "<fact>", "eval")
+    return eval(code, {**frame.f_globals, **frame.f_locals})  # one dictionary: a comprehension sees only the globals
+
+
+def _is_now(expression: ast.expr, frame: types.FrameType) -> str:
+    value = repr(_evaluated(expression, frame))
+    return f"{ast.unparse(expression)} is {value if len(value) <= _WIDTH else value[: _WIDTH - 1] + '…'}"
+
+
+def one_line(error: BaseException) -> str:
+    """An error as the last line of its traceback."""
+    return " ".join("".join(traceback.format_exception_only(error)).split())
+
+
+def sentence_near(page: str, start: int, end: int) -> str:
+    """The paragraph that the lines ``start`` to ``end`` of a page, counted from 1, are about.
+
+    It is the one below them, unless a heading or code comes first: then it is the one above them.
+    """
+    lines = page.splitlines()
+    below = next(_paragraphs(lines[end:]), "")
+    above = _paragraphs(lines[: start - 1])
+    return below or next((text for text in reversed(list(above)) if text), "")
+
+
+def _paragraphs(lines: list[str]) -> Iterator[str]:
+    """Each block of a page in one line; "" for one that is not prose."""
+    fenced = False
+    for block in re.split(r"\n\s*\n", "\n".join(lines)):
+        was_fenced = fenced
+        fenced ^= block.count("```") % 2 == 1
+        prose = not was_fenced and not re.match(r"\s*(```|\.\. |#|\||:\w+:)|\s*.+\n[=*~^-]{3,}\s*$|\s{2,}", block)
+        if block.strip():
+            yield textwrap.shorten(block, _WIDTH, placeholder=" …") if prose else ""
+
+
+def report(found: Iterable[Stale]) -> str:
+    """The list for the author, by page and line."""
+    stale = sorted(found, key=lambda entry: (entry.page, entry.line))
+    parts = ["What follows no longer holds:"]
+    for entry in stale:
+        rows = {"text": entry.text, "stands": entry.stands, "now": entry.now}
+        marked = " (make outputs)" if entry.edits else ""
+        parts.append(f"{entry.page}:{entry.line}{marked}\n" + "".join(_row(*row) for row in rows.items() if row[1]))
+    followed = sum(bool(entry.edits) for entry in stale)
+    end = f"Places: {len(stale)}, pages: {len({entry.page for entry in stale})}."
+    if followed:
+        end += f" `make outputs` writes {followed} of the places anew."
+    parts.append(f"{end} docs/how-to/adapt-a-page.rst says how to go on.")
+    return "\n\n".join(part.rstrip("\n") for part in parts)
+
+
+def _row(name: str, text: str) -> str:
+    return textwrap.indent(text.strip("\n"), " " * 10).replace(" " * 10, f"  {name:<8}", 1) + "\n"

@@ -1,0 +1,254 @@
+"""An author changes a node as the how-to says: a build lists all that no longer holds, and the outputs are written."""
+
+from __future__ import annotations
+
+import os
+import re
+import shutil
+import subprocess
+import sys
+from pathlib import Path
+
+import pytest
+from conftest import ROOT
+
+from rosspin.site.claims import Facts, Stale, report, sentence_near
+from rosspin.site.outputs import stale_outputs, write
+
+HOW_TO = (ROOT / "docs/how-to/adapt-a-page.rst").read_text(encoding="utf-8")
+COMMANDS = re.findall(r"^ +\$ (.*)", HOW_TO, re.MULTILINE)
+
+
+@pytest.fixture(scope="module")
+def tree(tmp_path_factory: pytest.TempPathFactory) -> Path:
+    """A copy of what git tracks, as an author has it. To be quick, two notebooks are run, and measure for a moment."""
+    folder = tmp_path_factory.mktemp("author") / "rosspin"
+    listed = subprocess.run(["git", "ls-files", "-z"], cwd=ROOT, check=True, capture_output=True, text=True).stdout
+    for name in filter(None, listed.split("\0")):
+        if (ROOT / name).is_file():
+            (folder / name).parent.mkdir(parents=True, exist_ok=True)
+            shutil.copy(ROOT / name, folder / name)
+    for notebook in folder.glob("notebooks/*.md"):
+        text = notebook.read_text().replace("%%measure 6", "%%measure 0.5")
+        if notebook.stem not in ("timer", "rate"):
+            text = re.sub(r"^```\{code-cell\}(.*\n)*?```\n", "", text, flags=re.MULTILINE)
+        notebook.write_text(text)
+    git = ["git", "-c", "user.name=author", "-c", "user.email=author@localhost"]
+    for command in (["init", "--quiet"], ["add", "."], ["commit", "--quiet", "--message", "As it was"]):
+        subprocess.run([*git, *command], cwd=folder, check=True)
+    return folder
+
+
+def _type(command: str, tree: Path) -> subprocess.CompletedProcess[str]:
+    """Type a command in the tree, which uses this environment and runs no listing in the page."""
+    if command.startswith("make "):
+        command += f" VENV= WEB= BIN={sys.prefix}/bin"
+    environment = os.environ | {"PYTHONPATH": str(tree / "src")}
+    return subprocess.run(command, shell=True, cwd=tree, env=environment, capture_output=True, text=True)
+
+
+def _list(output: str) -> str:
+    _, _, found = output.partition("What follows no longer holds:\n")
+    return found
+
+
+def _entry(listed: str, start: str) -> str:
+    (entry,) = (part for part in listed.split("\n\n") if part.startswith(start))
+    return entry
+
+
+# What the author of the how-to writes in place of what.
+SPELT_ANEW = {
+    "[0.5, 1.0, 1.5, 2.0]": "[0.4, 0.8, 1.2, 1.6, 2.0]",
+    "0.5": "0.4",
+    "   assert launched_periods == {period}\n": "",
+}
+
+
+def test_the_how_to_is_a_way_through(tree: Path) -> None:
+    into, change, back, *rest = COMMANDS
+    build, outputs, diff, doctest, again = rest
+    assert rest == ["make html", "make outputs", "git diff", "make doctest", "make html"]
+    assert _type(f"{into}; {change}; {back}; test -f conf.py", tree).returncode == 0
+
+    # The list: all pages and notebooks, with no frames of anybody's.
+    run = _type(build, tree)
+    listed = _list(run.stdout)
+    assert run.returncode != 0
+    assert "Traceback" not in run.stdout + run.stderr and 'File "' not in run.stdout + run.stderr
+    assert "exception" not in (run.stdout + run.stderr).lower()
+    lines = (tree / "docs/tutorial.rst").read_text().splitlines()
+    line = lines.index("   [INFO] [0.500000]: [SPINNER PY NODE] counter = 1")  # the output begins one line above
+    entry = _entry(listed, f"docs/tutorial.rst:{line} (make outputs)\n")
+    assert re.search(r"stands (.*\n)+.*\[1\.500000\]: .* counter = 3\n", entry)
+    assert re.search(r"now (.*\n)+.*\[1\.200000\]: .* counter = 3\n", entry)
+    fact = _entry(listed, f"docs/tutorial.rst:{lines.index('   assert period == 0.5') + 1}\n")
+    assert re.search(r"text +In this tutorial .* twice a second", fact) and "now     period is 0.4" in fact
+    cell = _entry(listed, "notebooks/rate.md:")
+    assert "stands  assert" in cell and "(0.0, 0.4)" in cell
+    for place in (r"README\.md:\d+ \(make", r"notebooks/timer\.md:\d+ \(make", r"docs/how-timing-works\.rst:\d+$"):
+        assert re.search(f"^{place}", listed, re.MULTILINE)
+
+    # The outputs are written, and what is left is the author's: in the timer's notebook, what the new node did not do.
+    run = _type(outputs, tree)
+    assert run.returncode == 0, run.stderr
+    changed = _type(diff, tree).stdout
+    assert "+   [INFO] [0.400000]: [SPINNER PY NODE] counter = 1" in changed
+    assert "+        timer_delta_t_in_seconds = 0.4" in changed
+    assert stale_outputs(tree) == []
+    run = _type(doctest, tree)
+    left = _places(_list(run.stdout))
+    assert run.returncode != 0
+    assert len(left) == len(_places(listed, r"$")) + 1
+    assert {page for page, _ in left} == {page for page, line in _places(listed)} - {"README.md"}
+
+    # The author writes it, and the build succeeds. From the end, so that no line moves before it is found.
+    for page, number in sorted(left, reverse=True):
+        text = (tree / page).read_text().splitlines(keepends=True)
+        old = next(old for old in SPELT_ANEW if old in text[number - 1])
+        text[number - 1] = text[number - 1].replace(old, SPELT_ANEW[old])
+        (tree / page).write_text("".join(text))
+    run = _type(again, tree)
+    assert run.returncode == 0, run.stdout + run.stderr
+
+
+def _places(listed: str, end: str = "") -> set[tuple[str, int]]:
+    """Page and line of each entry, or of those whose first line ends as this pattern says."""
+    return {(page, int(line)) for page, line in re.findall(rf"^([\w./-]+):(\d+){end}", listed, re.MULTILINE)}
+
+
+def test_nothing_here_is_stale() -> None:
+    assert stale_outputs(ROOT) == []
+
+
+# --- facts ------------------------------------------------------------------------------------------------------------
+
+
+def _found(code: str) -> list[tuple[int, str, str]]:
+    return list(Facts().run(code, "a page"))
+
+
+def test_all_facts_are_looked_at_and_what_only_follows_is_not_told() -> None:
+    code = "a = 1\nassert a == 2\nb = 1 / 0\nassert b == 0\nassert a > 3, a\n"
+    assert _found(code) == [
+        (2, "assert a == 2", "a is 1"),
+        (3, "b = 1 / 0", "ZeroDivisionError: division by zero"),
+        (5, "assert a > 3, a", "a is 1"),
+    ]
+
+
+@pytest.mark.parametrize(
+    ("code", "line", "now"),
+    [
+        ("a = {'x': 1}\nassert a['x'] == 2 and len(a) == 1", 2, "a['x'] is 1"),
+        ("a, b = 1, 2\nassert a == b", 2, "a is 1\nb is 2"),
+        ("for n in (1, 2):\n    if n:\n        assert n < 2", 3, "n is 2"),
+        ("a = [1, 3]\nassert all(x < 2 for x in a)", 2, "a is [1, 3]"),
+        ("limit = 2\na = [1, 3]\nassert max(x * limit for x in a) == 2", 3, "max((x * limit for x in a)) is 6"),
+        ("assert False, 'why'", 1, "why"),
+        ("def f(x):\n    return x + nothing\nf(1)", 2, "NameError: name 'nothing' is not defined"),
+    ],
+)
+def test_a_fact_says_what_is_so_now(code: str, line: int, now: str) -> None:
+    ((found, _, said),) = _found(code)
+    assert (found, said) == (line, now)
+
+
+def test_a_value_that_is_missing_because_a_fact_failed_is_not_told() -> None:
+    facts = Facts()
+    assert len(list(facts.run("a = 1\nb = 1 / 0", "a page"))) == 1
+    assert facts.value("a:.2f") == ("1.00", None)
+    assert facts.value("b:.2f") == ("?", None)
+    assert facts.value("c") == ("?", "NameError: name 'c' is not defined")
+
+
+# --- the list ---------------------------------------------------------------------------------------------------------
+
+
+PAGE = """\
+Title
+=====
+
+Before it.
+
+.. facts::
+
+   assert a == 1
+
+It is :fact:`a`
+and so on.
+
+.. facts::
+
+   assert b == 1
+
+Heading
+-------
+
+After it.
+"""
+
+
+@pytest.mark.parametrize(
+    ("block", "text"), [((6, 8), "It is :fact:`a` and so on."), ((13, 15), "It is :fact:`a` and so on.")]
+)
+def test_a_fact_is_about_the_text_below_it_or_above_it(block: tuple[int, int], text: str) -> None:
+    assert sentence_near(PAGE, *block) == text
+
+
+def test_code_in_a_notebook_is_no_sentence() -> None:
+    page = (
+        "About it.\n\n```{code-cell}\nx = 1\n\ny = 2\n```\n\n```{code-cell}\n%%facts\nassert x == 2\n```\n\n## Next\n"
+    )
+    assert sentence_near(page, 9, 12) == "About it."
+
+
+def test_the_list_is_by_page_and_line() -> None:
+    text = report([Stale("b", 1, "x", "y"), Stale("a", 20, "x\ny", "z", "A sentence."), Stale("a", 3, "x", "y")])
+    assert re.findall(r"^[ab]:\d+", text, re.MULTILINE) == ["a:3", "a:20", "b:1"]
+    assert "a:20\n  text    A sentence.\n  stands  x\n          y\n  now     z\n" in text
+
+
+# --- the outputs ------------------------------------------------------------------------------------------------------
+
+
+@pytest.fixture
+def site(tmp_path: Path) -> Path:
+    """A folder with what the outputs are looked for in."""
+    for name in ("README.md", "docs/timing.svg", "examples/my_robotics_pkg/src/spinner_py_node.py"):
+        (tmp_path / name).parent.mkdir(parents=True, exist_ok=True)
+        shutil.copy(ROOT / name, tmp_path / name)
+    (tmp_path / "notebooks").mkdir()
+    (tmp_path / "index.rst").touch()
+    return tmp_path
+
+
+def test_outputs_are_written_as_doctest_reads_them(site: Path) -> None:
+    page = site / "docs" / "page.rst"
+    text = (
+        ">>> 'a'\n{}   \n   .. tab::\n\n      >>> print('b\\n\\nc'); print('d')\n{}      >>> x = 1\n{}      >>> x\n{}"
+    )
+    page.write_text(text.format("b\n", "      q\n", "      1\n", "      1\n"))
+    found = stale_outputs(site)
+    assert [stale.line for stale in found] == [2, 7, 9]
+    write(site, [edit for stale in found for edit in stale.edits])
+    assert page.read_text() == text.format("'a'\n", "      b\n      <BLANKLINE>\n      c\n      d\n", "", "      1\n")
+    assert stale_outputs(site) == []
+
+
+def test_an_error_is_never_written(site: Path) -> None:
+    (site / "docs" / "page.rst").write_text(">>> x = 1 / 0\n>>> x\n1\n>>> 1\n2\n")
+    error, output = stale_outputs(site)
+    assert (error.now, error.edits) == ("ZeroDivisionError: division by zero", ())
+    assert (output.now, bool(output.edits)) == ("1\n", True)
+
+
+def test_a_copy_follows_its_file(site: Path) -> None:
+    (site / "examples/node.py").write_text("import rospy\n\nnew = 2\n")
+    cell = "```{{code-cell}} ipython3\n:tags: [live]\n:copy-of: ../examples/node.py\n\n%%simulate 2.0\n{}```\n"
+    notebook = site / "notebooks" / "book.md"
+    notebook.write_text("# Book\n\n" + cell.format("import rospy\n\nold = 1\n"))
+    (stale,) = stale_outputs(site)
+    assert (stale.line, stale.stands, stale.now) == (10, "old = 1", "new = 2")
+    write(site, stale.edits)
+    assert notebook.read_text() == "# Book\n\n" + cell.format("import rospy\n\nnew = 2\n")
