@@ -2,10 +2,14 @@
 
 import { Console } from "./console.js"
 import { Plot } from "./plot.js"
+import { solve, solved } from "./progress.js"
 import { release, start, warmUp } from "./workers.js"
 
 /** For how long (s) a node runs, unless the reader says otherwise. */
 const SECONDS = "10"
+
+/** How many exercises the page has. */
+let exercises = 0
 
 /** An element with these properties and children. */
 function make(tag, properties = {}, ...children) {
@@ -28,7 +32,7 @@ export class Cell {
   #highlighted
   #key
   #name
-  #answers // whether it is an answer to an exercise, which is checked rather than run
+  #answers // the number of the exercise that it is an answer to, which is checked rather than run; "" if it is none
   #simulates // whether its first line says for how long it runs
   #output // of a notebook's cell: what it printed when the site was built
   #editor = null
@@ -49,7 +53,8 @@ export class Cell {
     this.#key = `rosspin:${location.pathname}:${index}:${fingerprint(this.#original)}`
     const caption = listing.parentElement.querySelector(".code-block-caption .caption-text")
     const [, magic, number] = this.#original.match(/^%%(\w+) (\S+)/) ?? []
-    this.#answers = magic === "answer"
+    this.#answers = magic === "answer" ? number : ""
+    if (this.#answers) exercises++
     this.#simulates = magic === "simulate"
     this.#name = this.#answers ? `answer ${number}` : (caption?.textContent ?? "node.py").trim().split("/").at(-1)
     this.#output = listing.closest(".cell")?.querySelector(".cell_output")
@@ -60,7 +65,8 @@ export class Cell {
     this.#build(listing)
     const edited = this.#stored()
     if (edited !== null) this.#show(edited)
-    this.#say(edited === null ? "" : "as you edited it")
+    const before = solved().includes(this.#answers) ? ["solved before"] : []
+    this.#say([...before, ...(edited === null ? [] : ["as you edited it"])].join(", "))
   }
 
   #build(listing) {
@@ -205,7 +211,9 @@ export class Cell {
       this.#worker = null
       const { status, errors, verdict, count, ticks, alternative } = message.result
       if (count) this.plot.finish(ticks, alternative)
-      if (verdict) this.#say(verdict)
+      if (message.result.solved) solve(this.#answers)
+      const progress = message.result.solved ? ` You have solved ${solved().length} of ${exercises}.` : ""
+      if (verdict) this.#say(verdict + progress)
       else if (status === 0 && errors) this.#say("done, but with an error: see the console")
       else if (status === 0) this.#say(count ? `done: ${count} tick${count === 1 ? "" : "s"}` : "done")
       else this.#say("error: see the console")

@@ -5,6 +5,7 @@ from __future__ import annotations
 import argparse
 import shlex
 import sys
+from dataclasses import replace
 from typing import Any, NoReturn
 
 from IPython.core.error import UsageError
@@ -13,7 +14,7 @@ from IPython.core.magic import cell_magic, magics_class
 
 from ..clocks.clock import Clock, WallClock
 from ..clocks.simulation import Simulation
-from ..exercises import Feedback, check
+from ..exercises import EXERCISES, Feedback, check
 from ..process import capture, load_source
 from ..run import run_node, split_words
 from ..ticks import Run
@@ -43,6 +44,10 @@ def _below_its_magic(cell: str) -> str:
 class Magics(BaseMagics):
     """Cell magics that run a cell as a node file, in which ``import rospy`` imports rosspin's stand-in."""
 
+    def __init__(self, shell: Any) -> None:
+        super().__init__(shell)
+        self._solved: set[int] = set()  # the exercises that were answered right
+
     @cell_magic
     def simulate(self, line: str, cell: str) -> None:
         """``%%simulate SECONDS [--name NAME] [--quiet] [-- NODE ARGS]``: run the cell in simulated time."""
@@ -61,7 +66,10 @@ class Magics(BaseMagics):
         except ValueError as error:
             raise UsageError(f"%%answer NUMBER: {error}") from None
         print(feedback.shown_console(), end="")
-        return feedback
+        if not feedback.passed:
+            return feedback
+        self._solved.add(feedback.number)
+        return replace(feedback, progress=f"You have solved {len(self._solved)} of {len(EXERCISES)} exercises.")
 
     def _run(self, magic: str, runtime: str, clock: Clock, line: str, cell: str) -> None:
         own, args = split_words(shlex.split(line))
