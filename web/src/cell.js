@@ -2,14 +2,16 @@
 
 import { Console } from "./console.js"
 import { Plot } from "./plot.js"
-import { solve, solved } from "./progress.js"
 import { release, start, warmUp } from "./workers.js"
 
 /** For how long (s) a node runs, unless the reader says otherwise. */
 const SECONDS = "10"
 
-/** How many exercises the page has. */
-let exercises = 0
+/** The cells of the page that are answers to exercises. */
+const exercises = []
+
+/** Under this, beside the reader's text, a cell notes that its exercise has been solved. */
+const SOLVED = ":solved"
 
 /** An element with these properties and children. */
 function make(tag, properties = {}, ...children) {
@@ -32,7 +34,7 @@ export class Cell {
   #highlighted
   #key
   #name
-  #answers // the number of the exercise that it is an answer to, which is checked rather than run; "" if it is none
+  #answers // whether it is an answer to an exercise, which is checked rather than run
   #simulates // whether its first line says for how long it runs
   #output // of a notebook's cell: what it printed when the site was built
   #editor = null
@@ -53,8 +55,7 @@ export class Cell {
     this.#key = `rosspin:${location.pathname}:${index}:${fingerprint(this.#original)}`
     const caption = listing.parentElement.querySelector(".code-block-caption .caption-text")
     const [, magic, number] = this.#original.match(/^%%(\w+) (\S+)/) ?? []
-    this.#answers = magic === "answer" ? number : ""
-    if (this.#answers) exercises++
+    this.#answers = magic === "answer"
     this.#simulates = magic === "simulate"
     this.#name = this.#answers ? `answer ${number}` : (caption?.textContent ?? "node.py").trim().split("/").at(-1)
     this.#output = listing.closest(".cell")?.querySelector(".cell_output")
@@ -65,8 +66,9 @@ export class Cell {
     this.#build(listing)
     const edited = this.#stored()
     if (edited !== null) this.#show(edited)
-    const before = solved().includes(this.#answers) ? ["solved before"] : []
-    this.#say([...before, ...(edited === null ? [] : ["as you edited it"])].join(", "))
+    this.solved = this.#stored(SOLVED) !== null
+    if (this.#answers) exercises.push(this)
+    this.#say([this.solved && "solved", edited !== null && "as you edited it"].filter(Boolean).join(", "))
   }
 
   #build(listing) {
@@ -120,20 +122,20 @@ export class Cell {
     this.#pre.textContent = text
   }
 
-  #stored() {
+  #stored(what = "") {
     try {
-      return localStorage.getItem(this.#key)
+      return localStorage.getItem(this.#key + what)
     } catch {
       return null // the reader does not let pages keep anything
     }
   }
 
-  #store(text) {
+  #store(text, what = "") {
     try {
       if (text === this.#original) localStorage.removeItem(this.#key)
-      else localStorage.setItem(this.#key, text)
+      else localStorage.setItem(this.#key + what, text)
     } catch {
-      // The edit lasts as long as the page.
+      // It lasts as long as the page.
     }
   }
 
@@ -211,9 +213,7 @@ export class Cell {
       this.#worker = null
       const { status, errors, verdict, count, ticks, alternative } = message.result
       if (count) this.plot.finish(ticks, alternative)
-      if (message.result.solved) solve(this.#answers)
-      const progress = message.result.solved ? ` You have solved ${solved().length} of ${exercises}.` : ""
-      if (verdict) this.#say(verdict + progress)
+      if (verdict) this.#say(verdict + this.#progress(message.result.solved))
       else if (status === 0 && errors) this.#say("done, but with an error: see the console")
       else if (status === 0) this.#say(count ? `done: ${count} tick${count === 1 ? "" : "s"}` : "done")
       else this.#say("error: see the console")
@@ -222,6 +222,14 @@ export class Cell {
       this.console.print([[true, `${message.reason}\n`]], 0)
       this.#say("error: Python stopped")
     }
+  }
+
+  /** What to say of all exercises when one has been answered. */
+  #progress(solved) {
+    if (!solved) return ""
+    this.solved = true
+    this.#store("yes", SOLVED)
+    return ` You have solved ${exercises.filter((cell) => cell.solved).length} of ${exercises.length}.`
   }
 
   #stop() {

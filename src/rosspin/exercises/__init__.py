@@ -34,5 +34,8 @@ def check(number: int, answer: Any) -> Feedback:
             findings.append(finding)
     except Fails as failure:
         findings.append(failure.finding)
-    hint = next((finding.hint for finding in findings if not finding.right and finding.hint), exercise.hint)
-    return Feedback(number, tuple(findings), _ENDS_EARLY if given.ended_early else hint, given.console)
+    hints = [finding.hint for finding in findings if not finding.right and finding.hint]
+    if given.ended_early:
+        # Said first of a node that did nothing, and last of one that did something.
+        hints.insert(len(hints) if given.console else 0, _ENDS_EARLY)
+    return Feedback(number, tuple(findings), [*hints, exercise.hint][0], given.console)

@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import ast
 import io
+import math
 import os
 import re
 import sys
@@ -17,6 +18,7 @@ from typing import Any, NamedTuple
 
 from .. import rospy
 from ..advice import advice
+from ..clocks.clock import NS, nanoseconds
 from ..clocks.simulation import Simulation
 from ..process import Node, capture, execute, load_source
 from ..rospy.state import State
@@ -114,7 +116,7 @@ class _Watched(Simulation):
         self.timers: list[SeenTimer] = []
         self.sleeps: Counter[tuple[int, int]] = Counter()
         self._whole = True  # whether the last line was printed to its end
-        self.at(int(until * 1e9), self._note_timers)  # before Ctrl-C, which is to come then, too
+        self.at(nanoseconds(until), self._note_timers)  # before Ctrl-C, which is to come then, too
 
     def sleep(self, ns: int) -> None:
         self._note_sleep(sys._getframe())
@@ -148,17 +150,16 @@ class _Watched(Simulation):
             self.timers.append(SeenTimer(timer.ident, tuple(map(_tick, calls)), self._state(timer, calls)))
 
     def _state(self, timer: Timer, calls: list[list[Any]]) -> str:
-        if calls and calls[-1][4] is None and calls[-1][3] < self.now() - 1e9:
+        if not timer.is_alive():
+            return "stopped" if timer._shutdown or timer._oneshot else "gone"
+        if calls and calls[-1][4] is None and calls[-1][3] < self.now() - NS:
             return "blocked"
-        # A thread that is gone cannot be one of a one-shot timer that has called back to the end.
-        if timer._shutdown or (timer._oneshot and calls and calls[-1][4] is not None):
-            return "stopped"
-        return "running" if timer.is_alive() else "gone"
+        return "stopped" if timer._shutdown else "running"
 
 
 def _tick(record: list[Any]) -> Tick:
     source, number, expected, real, duration = record
-    return Tick(source, number, expected / 1e9, real / 1e9, float("nan") if duration is None else duration / 1e9)
+    return Tick(source, number, expected / NS, real / NS, math.nan if duration is None else duration / NS)
 
 
 class _Listener(io.TextIOBase):
@@ -185,8 +186,7 @@ def _nothing(error: BaseException) -> bool:
 class Answer:
     """The answer to one exercise.
 
-    ``console`` is that of its first run; ``ended_early`` says whether a run was over before its time, without having
-    printed anything.
+    ``console`` is that of its first run; ``ended_early`` says whether a run was over before its time.
     """
 
     def __init__(self, text: Any) -> None:
@@ -207,7 +207,7 @@ class Answer:
             raise Fails(f"There is still a gap, `...`, in {lines}.")
         if seed is None:
             seen, interrupted = self._run(node, seconds, args, allowed)
-            self.ended_early |= not interrupted and not seen.printed
+            self.ended_early |= not interrupted and allowed is _nothing
             return seen
         code = compile(shake(self._text), _FILENAME, "exec", dont_inherit=True)
         with turns(seed):
@@ -307,6 +307,8 @@ def _whose(error: BaseException) -> str:
 def _hint_for_errors(errors: Sequence[BaseException]) -> str:
     if not errors:
         return ""
+    if isinstance(errors[-1], TypeError) and _whose(errors[-1]) == "shutdown hook":
+        return "A shutdown hook is called without arguments."
     if isinstance(errors[-1], (AttributeError, ImportError, NameError)):
         missing = "Python names what it did not find. Is it spelt as it is where it was made, with its `self.`?"
         return advice(errors[-1]) or missing

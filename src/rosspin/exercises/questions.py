@@ -475,22 +475,25 @@ def _check_motor(seen: Seen, end: float, what: str) -> Finding:
     printed = [(line.time, _number(line.text)) for line in seen.values("MOTOR", "speed")]
     commands = [(time, speed) for time, speed in printed if speed is not None]
     driven = [time for time, speed in commands if speed and time < end]
-    stops = [time for time, speed in commands if not speed and time >= end - CLOSE]
-    again = [time for time, speed in commands if speed and stops and time >= stops[0]]
+    paused = [time for time, speed in commands if not speed and time < end - CLOSE]
+    stopped = next((n for n, (time, speed) in enumerate(commands) if not speed and time >= end - CLOSE), None)
     due = int(end / 0.1)
-    if abs(len(driven) - due) > 1:
-        text = f"{what}: up to then the motor was told a speed {len(driven)} times, and not about {due} times."
-        return Finding(False, text, "Until the node ends, the loop has to drive the motor as before.")
-    if not stops:
+    if paused or abs(len(driven) - due) > 1:
+        told = f"stopped at {say(paused[0])}" if paused else f"told a speed {len(driven)} times, not about {due} times"
+        hint = "Until the node ends, the loop has to drive the motor as before."
+        return Finding(False, f"{what}: up to then the motor was {told}.", hint)
+    if stopped is None:
         return Finding(False, f"{what}: nobody stops the motor. It goes on at its last speed.")
-    if again:
-        text = f"{what}: the motor was stopped at {say(stops[0])}, and driven again at {say(again[0])}."
+    time = commands[stopped][0]
+    if again := [later for later, speed in commands[stopped:] if speed]:
+        text = f"{what}: the motor was stopped at {say(time)}, and driven again at {say(again[0])}."
         hint = "A hook runs in the middle of a pass, which then goes on. Ask `rospy.is_shutdown()` before you drive."
         return Finding(False, text, hint)
-    if stops[0] > end + 0.5:
-        text = f"{what} at {say(end)}: the motor was not stopped before {say(stops[0])}."
-        return Finding(False, text, "An exception leaves the loop, too. A hook is called in that case as well.")
-    return Finding(True, f"{what}: the motor was stopped at {say(stops[0])}.")
+    if time > end + 0.5:
+        text = f"{what} at {say(end)}: the motor was not stopped before {say(time)}."
+        hint = "An exception that is caught, or that ends a timer alone, does not end the node: no hook is called."
+        return Finding(False, text, hint)
+    return Finding(True, f"{what}: the motor was stopped at {say(time)}.")
 
 
 def _number(text: str) -> float | None:
