@@ -274,7 +274,8 @@ RIGHT: dict[int, list[Answer]] = {
         TWO_RATES_LOOP.replace("SLOW\n", SLOW_LOOP + "\n", 1).replace("0\nSLOW", "0\n" + SLOW_LOOP),
         TWO_RATES_LOOP.replace(
             "\nSLOW\n",
-            f"\nwhile True:\n    rospy.sleep(0.5)\n    if rospy.is_shutdown(): break\n    slow += 1\n    {say('slow', 'SLOW')}\n",
+            "\nwhile True:\n    rospy.sleep(0.5)\n    if rospy.is_shutdown(): break\n"
+            f"    slow += 1\n    {say('slow', 'SLOW')}\n",
         ),
         TWO_RATES_LOOP.replace("\nSLOW\n", "\nrospy.spin()\n").replace(
             say("fast", "FAST"), f"{say('fast', 'FAST')}\n    if fast % 5 == 0: {say('fast // 5', 'SLOW')}"
@@ -696,9 +697,7 @@ rospy.spin()
     ],
     11: [
         (
-            {
-                "        with self.lock:\n            parts = self.parts\n            self.parts = 0\n": "        parts = self.parts\n        self.parts = 0\n"
-            },
+            {"        with self.lock:\n            parts =": "        if True:\n            parts ="},
             "when the threads take turns at every line: the reports up to",
             "holds one lock",
         ),

@@ -68,7 +68,7 @@ export class Cell {
     if (edited !== null) this.#show(edited)
     this.solved = this.#stored(SOLVED) !== null
     if (this.#answers) exercises.push(this)
-    this.#say([this.solved && "solved", edited !== null && "as you edited it"].filter(Boolean).join(", "))
+    this.#say([this.#before, edited !== null && "as you edited it"].filter(Boolean).join(", "))
   }
 
   #build(listing) {
@@ -105,6 +105,11 @@ export class Cell {
   /** The text as it is now. */
   get #text() {
     return this.#editor ? this.#editor.text() : this.#pre.textContent
+  }
+
+  /** What there is to say of earlier visits. */
+  get #before() {
+    return this.solved ? "solved" : ""
   }
 
   /** Say where the cell is; its buttons follow. */
@@ -168,7 +173,7 @@ export class Cell {
     this.#store(this.#original)
     this.seconds.value = SECONDS
     this.#clear(false)
-    this.#say("")
+    this.#say(this.#before)
   }
 
   // --- runs ---
