@@ -23,7 +23,7 @@ def check(number: int, answer: Any) -> Feedback:
 
     Raises ValueError for a number that no exercise has.
     """
-    if not 1 <= number <= len(EXERCISES):
+    if number not in range(1, len(EXERCISES) + 1):
         raise ValueError(f"there is no exercise {number!r}: they are numbered 1 to {len(EXERCISES)}")
     exercise = EXERCISES[number - 1]
     given = Answer(answer)

@@ -74,15 +74,12 @@ class SeenTimer(NamedTuple):
 class Seen:
     """What an answer did in one run of ``seconds``.
 
-    ``console`` and ``printed`` are what it printed; ``timers`` are those that it started; ``loops`` are the lines, of
-    the answer, in which a thread other than a timer's slept again and again; ``errors`` are those that it ended with
-    and that were expected. What happened after Ctrl-C is in ``console``, ``printed`` and ``errors`` alone.
+    ``printed`` are the lines that it printed, also after Ctrl-C; ``timers`` are those that it had started by then;
+    ``loops`` are the lines of the answer in which a thread other than a timer's slept again and again.
     """
 
-    def __init__(self, clock: _Watched, console: str, result: Result, seconds: float) -> None:
+    def __init__(self, clock: _Watched, seconds: float) -> None:
         self.seconds = seconds
-        self.console = console
-        self.errors = result.world.errors
         self.printed = tuple(clock.printed)
         self.timers = tuple(clock.timers)
         of_timers = {timer.thread for timer in self.timers}
@@ -240,7 +237,7 @@ class Answer:
                 self.console, self._ran = console.text(), True
         if failure := _failure(result, allowed):
             raise Fails(f"{started} {failure}", _hint_for_errors(result.world.errors))
-        return Seen(clock, console.text(), result, seconds), result.world.interrupted
+        return Seen(clock, seconds), result.world.interrupted
 
 
 def _load(source: Any) -> Node:

@@ -27,7 +27,7 @@ _TIMER_OR_RATE = "docs/how-to/timer-or-rate"
 
 
 class Exercise(NamedTuple):
-    """An exercise.
+    """An exercise of the site.
 
     ``part`` is "Predict", "Change" or "Diagnose"; ``needs`` are the pages that one should have read, by their paths
     without ending; ``reveals`` is the misconception that a wrong answer gives away, as its holder would put it.
