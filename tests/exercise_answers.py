@@ -564,10 +564,10 @@ WRONG: dict[int, list[tuple[Answer, str, str]]] = {
             "it needs no loop around it",
         ),
         ({DO_SPIN: SPIN_SLEEPS}, "there still is a loop, at line 20", "it needs no loop around it"),
-        (*at("0.5", SLEEPS_FIRST), "no timer calls back", "goes into a callback"),
-        (*at("0.5", THREAD), "no timer calls back", "goes into a callback"),
+        (at("0.5", SLEEPS_FIRST)[0], "no timer calls back", "goes into a callback"),
+        (at("0.5", THREAD)[0], "no timer calls back", "goes into a callback"),
         (
-            *at("0.5", THREAD.replace("rospy.spin()", "rospy.Timer(rospy.Duration(1), print)\nrospy.spin()")),
+            at("0.5", THREAD.replace("rospy.spin()", "rospy.Timer(rospy.Duration(1), print)\nrospy.spin()"))[0],
             "was printed by a loop",
             "goes into a callback",
         ),

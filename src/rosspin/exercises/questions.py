@@ -124,7 +124,7 @@ def _timer_node(period: float, blocks_for: float = 0.0) -> Callable[[], None]:
     """A timer whose third callback blocks."""
 
     def node() -> None:
-        import rospy  # type: ignore[import-not-found]
+        import rospy
 
         rospy.init_node("spinner_py_node")
         counter = 0
