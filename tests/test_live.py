@@ -4,6 +4,8 @@ from __future__ import annotations
 
 import json
 import re
+import subprocess
+import sys
 from collections.abc import Iterator
 from pathlib import Path
 from typing import Literal
@@ -288,6 +290,18 @@ def test_exercise_is_checked(exercises: Page, number: int) -> None:
         console = feedback.shown_console()
         assert lines_of(said) == lines_of((f"{console}\n" if console else "") + f"{feedback}\n")
     expect(cell.element.get_by_role("spinbutton")).to_have_count(0)
+
+
+def test_the_page_is_interrupted_within_runs_only() -> None:
+    """A check runs an answer several times; an interrupt in between, for the watchdog, must not end it."""
+    code = """
+import signal, sys
+from unittest.mock import MagicMock
+sys.modules.update({name: MagicMock() for name in ("js", "pyodide", "pyodide.ffi")})
+import rosspin.page
+assert signal.getsignal(signal.SIGINT) == signal.SIG_IGN
+"""
+    subprocess.run([sys.executable, "-c", code], check=True)
 
 
 def test_what_was_solved_is_kept(exercises: Page) -> None:
