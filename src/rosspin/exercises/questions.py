@@ -23,6 +23,7 @@ _DRIFT = "notebooks/drift"
 _TIMING = "docs/how-timing-works"
 _TUTORIAL = "docs/tutorial"
 _PARAMETER = "docs/how-to/frequency-from-parameter"
+_SHARED = "docs/how-to/shared-data"
 _TIMER_OR_RATE = "docs/how-to/timer-or-rate"
 
 
@@ -414,7 +415,7 @@ _LOCK = "Whatever reads the parts and writes them holds one lock while it does s
 @_exercise(
     "Change",
     "Share data between two callbacks",
-    (_TIMER, _TIMING),
+    (_TIMER, _SHARED),
     "Callbacks of one node never run at the same time. A single line of Python cannot be interrupted.",
     _LOCK,
 )
@@ -458,7 +459,7 @@ def _count_parts(seen: Seen) -> Finding:
 @_exercise(
     "Change",
     "Stop the motor",
-    (_RATE, _TIMING),
+    (_RATE, _TUTORIAL),
     "After a shutdown hook nothing else of the node runs. A node ends by Ctrl-C only.",
     "`rospy.on_shutdown(function)`: the function is called when the node is shut down, in whatever way.",
 )
