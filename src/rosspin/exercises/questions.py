@@ -125,7 +125,7 @@ def _timer_node(period: float, blocks_for: float = 0.0) -> Callable[[], None]:
     """A timer whose third callback blocks."""
 
     def node() -> None:
-        import rospy
+        import rospy  # type: ignore[import-not-found]
 
         rospy.init_node("spinner_py_node")
         counter = 0
