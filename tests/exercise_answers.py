@@ -468,7 +468,7 @@ WRONG: dict[int, list[tuple[Answer, str, str]]] = {
         ({"= 0.1": "= 10"}, "no counter was printed", NOT_A_FREQUENCY),
         ({"= 0.1": "= 0.01"}, "counter 1 came at 0.01 s, not at 0.1 s", NOT_A_FREQUENCY),
         ({"= 0.1": "= 1"}, "counter 1 came at 1 s, not at 0.1 s", NOT_A_FREQUENCY),
-        ({"= 0.1": "= 1 // 10"}, "timer died of `ZeroDivisionError: float division by zero`", "no period of 0 s"),
+        ({"= 0.1": "= 1 // 10"}, "timer died of `ZeroDivisionError: float division by zero`", "a period of 0 s"),
         ({"rospy.Duration(timer_delta_t_in_seconds)": "0.1"}, "has no attribute 'to_sec'", "is a Duration"),
         ({"+= 1": "+= 10"}, "where counter 1 was due, counter 10 came", NOT_A_FREQUENCY),
         ({"= 0.1": "= -0.1"}, "simulated time stands still", "goes on without ever sleeping"),
@@ -613,7 +613,7 @@ rospy.spin()
         ({'"~frequency"': '"frequency"'}, "With `_frequency:=10`: counter 1 came at 0.5 s, not at 0.1 s", PRIVATE),
         ({", 2.0)": ")"}, "KeyError", "the default is in Hz"),
         ({"1.0 / frequency_in_hz": "frequency_in_hz"}, "Without the parameter: counter 1 came at 2 s", "a period that"),
-        ({"1.0 / frequency_in_hz": "1 // frequency_in_hz"}, "died of `ZeroDivisionError", "no period of 0 s"),
+        ({"1.0 / frequency_in_hz": "1 // frequency_in_hz"}, "died of `ZeroDivisionError", "a period of 0 s"),
         ({", 2.0)": ", 0.5)"}, "Without the parameter: counter 1 came at 2 s", "the default is in Hz"),
         ({'rospy.get_param("~frequency", 2.0)': "2.0"}, "With `_frequency:=10`: counter 1 came at 0.5 s", PRIVATE),
         (
