@@ -123,6 +123,14 @@ def section(number: int) -> str:
     return re.split(r"^##+ ", PAGE.partition(f"### {number}. ")[2], maxsplit=1, flags=re.MULTILINE)[0]
 
 
+def test_the_page_for_teachers_knows_the_exercises() -> None:
+    page = (ROOT / "docs/for-teachers.rst").read_text(encoding="utf-8")
+    table = page.partition("Exercise that reveals it")[2].partition("\n\n")[0]
+    named = re.findall(r"\*([A-Z][^*\n]+)\*", table)
+    assert named
+    assert set(named) <= {exercise.title for exercise in EXERCISES}
+
+
 def test_the_parts_come_one_after_the_other() -> None:
     order = [exercise.part for exercise in EXERCISES]
     assert order == sorted(order, key=["Predict", "Change", "Diagnose"].index)
