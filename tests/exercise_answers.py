@@ -699,12 +699,12 @@ rospy.spin()
         (
             {"        with self.lock:\n            parts =": "        if True:\n            parts ="},
             "when the threads take turns at every line: the reports up to",
-            "holds one lock",
+            "both need one lock",
         ),
         (
             {"        with self.lock:\n            self.parts += 1": "        self.parts += 1"},
             "when the threads take turns at every line",
-            "holds one lock",
+            "both need one lock",
         ),
         (parts("self.parts += 1", f"parts = self.parts\nself.parts -= parts\n{SAY_PARTS}"), "take turns", "one lock"),
         (parts("self.parts += 1", f"parts, self.parts = self.parts, 0\n{SAY_PARTS}"), "take turns", "one lock"),
@@ -740,7 +740,7 @@ rospy.spin()
                 LOCK,
             ),
             "some are lost",
-            "holds one lock",
+            "both need one lock",
         ),
         (
             parts(LOCKED_COUNT, f"with self.lock:\n    parts = self.parts\n{SAY_PARTS}", LOCK),

@@ -409,7 +409,7 @@ def _survive_an_overrun(answer: Answer) -> Iterator[Finding]:
         yield on_time(counters, wanted, f"With `{word}`", hint)
 
 
-_LOCK = "Whatever reads the parts and writes them holds one lock while it does so: `with self.lock:`"
+_LOCK = "While one callback reads the parts and writes them, the other has to keep away: both need one lock."
 
 
 @_exercise(
