@@ -45,8 +45,8 @@ def run(source: str, filename: str, seconds: float, args: Sequence[str], speed: 
     ``page`` is a JavaScript object: its ``print(text, isError)`` is given what the node prints and its
     ``tick(source, number, expected, real)`` each tick that begins (s), both as they happen; ``wait(ms)`` is a promise
     that is kept after so long. The result, as JSON: the exit ``status``, the number of ``errors`` in its threads, a
-    ``verdict`` on an answer, the last ``ticks`` with their durations, their ``count``, and a text ``alternative`` to
-    their plot. Errors end on the console and give status 1.
+    ``verdict`` on an answer and whether it ``solved`` the exercise, the last ``ticks`` with their durations, their
+    ``count``, and a text ``alternative`` to their plot. Errors end on the console and give status 1.
     """
     environment = dict(os.environ)
     with redirect_stdout(_Stream(page, False)), redirect_stderr(_Stream(page, True)):
@@ -90,7 +90,7 @@ def _check(words: Sequence[str], source: str) -> dict[str, Any]:
     if console := feedback.shown_console():
         print(console)
     print(feedback)
-    return {"status": 0, "verdict": feedback.verdict}
+    return {"status": 0, "verdict": feedback.verdict, "solved": feedback.passed}
 
 
 def _run(source: str, filename: str, seconds: float, args: Sequence[str], speed: float, page: Any) -> dict[str, Any]:

@@ -26,7 +26,10 @@ from .clocks.stacks import StackExit, whose
 from .frames import format_error
 from .world import NotSimulated, World
 
-__all__ = ["Capture", "Node", "NodeLike", "capture", "load", "load_source", "print_error", "process_of", "run_at_exit"]
+__all__ = [
+    *("Capture", "Node", "NodeLike", "capture", "execute", "load", "load_source"),
+    *("print_error", "process_of", "run_at_exit"),
+]
 
 
 # --- a node's code ----------------------------------------------------------------------------------------------------
@@ -59,10 +62,11 @@ def load_source(source: str, filename: str) -> Node:
     code = compile(source, filename, "exec", dont_inherit=True)
     linecache.cache[filename] = (len(source), None, source.splitlines(keepends=True), filename)
     folder = str(Path(filename).resolve().parent) if os.path.exists(filename) else None
-    return Node(lambda: _execute(code, filename), filename, filename, folder)
+    return Node(lambda: execute(code, filename), filename, filename, folder)
 
 
-def _execute(code: CodeType, filename: str) -> None:
+def execute(code: CodeType, filename: str) -> None:
+    """Run code as the module ``__main__``."""
     module = ModuleType("__main__")
     module.__file__ = filename
     sys.modules["__main__"] = module

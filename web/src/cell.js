@@ -7,6 +7,12 @@ import { release, start, warmUp } from "./workers.js"
 /** For how long (s) a node runs, unless the reader says otherwise. */
 const SECONDS = "10"
 
+/** The cells of the page that are answers to exercises. */
+const exercises = []
+
+/** Under this, beside the reader's text, a cell notes that its exercise has been solved. */
+const SOLVED = ":solved"
+
 /** An element with these properties and children. */
 function make(tag, properties = {}, ...children) {
   const element = Object.assign(document.createElement(tag), properties)
@@ -60,7 +66,9 @@ export class Cell {
     this.#build(listing)
     const edited = this.#stored()
     if (edited !== null) this.#show(edited)
-    this.#say(edited === null ? "" : "as you edited it")
+    this.solved = this.#stored(SOLVED) !== null
+    if (this.#answers) exercises.push(this)
+    this.#say([this.#before, edited !== null && "as you edited it"].filter(Boolean).join(", "))
   }
 
   #build(listing) {
@@ -99,6 +107,11 @@ export class Cell {
     return this.#editor ? this.#editor.text() : this.#pre.textContent
   }
 
+  /** What there is to say of earlier visits. */
+  get #before() {
+    return this.solved ? "solved" : ""
+  }
+
   /** Say where the cell is; its buttons follow. */
   #say(status) {
     this.status.textContent = status
@@ -114,20 +127,20 @@ export class Cell {
     this.#pre.textContent = text
   }
 
-  #stored() {
+  #stored(what = "") {
     try {
-      return localStorage.getItem(this.#key)
+      return localStorage.getItem(this.#key + what)
     } catch {
       return null // the reader does not let pages keep anything
     }
   }
 
-  #store(text) {
+  #store(text, what = "") {
     try {
       if (text === this.#original) localStorage.removeItem(this.#key)
-      else localStorage.setItem(this.#key, text)
+      else localStorage.setItem(this.#key + what, text)
     } catch {
-      // The edit lasts as long as the page.
+      // It lasts as long as the page.
     }
   }
 
@@ -160,7 +173,7 @@ export class Cell {
     this.#store(this.#original)
     this.seconds.value = SECONDS
     this.#clear(false)
-    this.#say("")
+    this.#say(this.#before)
   }
 
   // --- runs ---
@@ -205,7 +218,7 @@ export class Cell {
       this.#worker = null
       const { status, errors, verdict, count, ticks, alternative } = message.result
       if (count) this.plot.finish(ticks, alternative)
-      if (verdict) this.#say(verdict)
+      if (verdict) this.#say(verdict + this.#progress(message.result.solved))
       else if (status === 0 && errors) this.#say("done, but with an error: see the console")
       else if (status === 0) this.#say(count ? `done: ${count} tick${count === 1 ? "" : "s"}` : "done")
       else this.#say("error: see the console")
@@ -214,6 +227,14 @@ export class Cell {
       this.console.print([[true, `${message.reason}\n`]], 0)
       this.#say("error: Python stopped")
     }
+  }
+
+  /** What to say of all exercises when one has been answered. */
+  #progress(solved) {
+    if (!solved) return ""
+    this.solved = true
+    this.#store("yes", SOLVED)
+    return ` You have solved ${exercises.filter((cell) => cell.solved).length} of ${exercises.length}.`
   }
 
   #stop() {

@@ -42,6 +42,8 @@ class State:
         self.shutdown = False
         self.shutdown_hooks: list[Callable[[], None]] = []
 
+        self.timers: list[Any] = []  # those that were started, if ticks are recorded
+
         self.log_level: int | None = None  # None: logging is not set up yet
         self.log_times: dict[object, Any] = {}
         self.log_messages: dict[object, str] = {}

@@ -184,6 +184,9 @@ class Timer(threading.Thread):
         last_duration: float | None = None
         ticks = node.world.ticks
         source = node.world.source(getattr(self._callback, "__name__", type(self._callback).__name__))
+        if ticks is not None:
+            self.source = source  # under which its ticks are recorded
+            node.timers.append(self)
         number = 0
         while not node.shutdown and not self._shutdown:
             try:

@@ -6,6 +6,7 @@ import argparse
 import json
 import shlex
 import sys
+from dataclasses import replace
 from typing import Any, NoReturn
 
 from IPython.core.error import UsageError
@@ -14,7 +15,7 @@ from IPython.core.magic import cell_magic, magics_class
 
 from ..clocks.clock import Clock, WallClock
 from ..clocks.simulation import Simulation
-from ..exercises import Feedback, check
+from ..exercises import EXERCISES, Feedback, check
 from ..process import capture, load_source
 from ..run import run_node, split_words
 from ..ticks import Run
@@ -45,6 +46,10 @@ def _below_its_magic(cell: str) -> str:
 class Magics(BaseMagics):
     """Cell magics. In a cell that is run as a node file, ``import rospy`` imports rosspin's stand-in."""
 
+    def __init__(self, shell: Any) -> None:
+        super().__init__(shell)
+        self._solved: set[int] = set()  # the exercises that were answered right
+
     @cell_magic
     def simulate(self, line: str, cell: str) -> None:
         """``%%simulate SECONDS [--name NAME] [--quiet] [-- NODE ARGS]``: run the cell in simulated time."""
@@ -63,7 +68,10 @@ class Magics(BaseMagics):
         except ValueError as error:
             raise UsageError(f"%%answer NUMBER: {error}") from None
         print(feedback.shown_console(), end="")
-        return feedback
+        if not feedback.passed:
+            return feedback
+        self._solved.add(feedback.number)
+        return replace(feedback, progress=f"You have solved {len(self._solved)} of {len(EXERCISES)} exercises.")
 
     @cell_magic
     def facts(self, line: str, cell: str) -> None:

@@ -1,0 +1,65 @@
+"""What is said of an answer."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass, field
+from typing import NamedTuple
+
+__all__ = ["Feedback", "Finding"]
+
+# So many lines of a console are shown.
+_MOST_LINES = 30
+
+
+class Finding(NamedTuple):
+    """One thing about an answer: whether it is right, and in words (Markdown) what it is. ``hint`` is how to go on."""
+
+    right: bool
+    text: str
+    hint: str = ""
+
+
+@dataclass(frozen=True)
+class Feedback:
+    """What a check has found; it shows itself as Markdown in a notebook and as text elsewhere.
+
+    ``number`` is that of the exercise, ``findings`` are in the order in which they were made, ``hint`` is how to go on,
+    ``console`` is what the node printed in its first run, ``progress`` says what else has been solved.
+    """
+
+    number: int
+    findings: tuple[Finding, ...]
+    hint: str
+    console: str = field(default="", repr=False)
+    progress: str = ""
+
+    @property
+    def passed(self) -> bool:
+        """Whether everything is right."""
+        return all(finding.right for finding in self.findings)
+
+    @property
+    def verdict(self) -> str:
+        """Right or not yet, in words."""
+        return f"Exercise {self.number}: {'right' if self.passed else 'not yet'}."
+
+    def shown_console(self) -> str:
+        """The console as far as it is worth showing: enough to see an error, not all of a node that never stops."""
+        lines = self.console.splitlines(keepends=True)
+        more = f"... and {len(lines) - _MOST_LINES} more lines\n" if len(lines) > _MOST_LINES else ""
+        return "".join(lines[:_MOST_LINES]) + more
+
+    def _repr_markdown_(self) -> str:
+        lines = [f"**{self.verdict}**", ""]
+        for right, text, _ in self.findings:
+            lines.append(f"- {'Right' if right else 'Wrong'}: {text[0].upper()}{text[1:]}")
+        if not self.passed:
+            lines += ["", f"**Hint:** {self.hint}"]
+        if self.progress:
+            lines += ["", self.progress]
+        return "\n".join(lines)
+
+    def __repr__(self) -> str:
+        return self._repr_markdown_().replace("**", "").replace("\n\n", "\n")
+
+    __str__ = __repr__

@@ -1,0 +1,587 @@
+"""The exercises of ``notebooks/exercises.md``: what each needs and reveals, and how its answer is judged."""
+
+from __future__ import annotations
+
+import math
+from collections.abc import Callable, Iterator, Mapping, Sequence
+from itertools import islice, pairwise
+from typing import Any, NamedTuple
+
+from ..run import simulate
+from .feedback import Finding
+from .judging import CLOSE, Answer, Printed, Seen, a_value, grid, on_time, plain, say
+from .roscpp import timer_calls
+
+__all__ = ["EXERCISES", "Exercise"]
+
+_Find = Callable[[Answer], Iterator[Finding]]
+
+_TIMER = "notebooks/timer"
+_RATE = "notebooks/rate"
+_SLOW = "notebooks/slow-callback"
+_DRIFT = "notebooks/drift"
+_TIMING = "docs/how-timing-works"
+_TUTORIAL = "docs/tutorial"
+_PARAMETER = "docs/how-to/frequency-from-parameter"
+_SHARED = "docs/how-to/shared-data"
+_TIMER_OR_RATE = "docs/how-to/timer-or-rate"
+
+
+class Exercise(NamedTuple):
+    """An exercise of the site.
+
+    ``part`` is "Predict", "Change" or "Diagnose"; ``needs`` are the pages that one should have read, by their paths
+    without ending; ``reveals`` is the misconception that a wrong answer gives away, as its holder would put it.
+    ``find`` judges an answer; ``hint`` is for answers of which nothing more can be said.
+    """
+
+    number: int
+    part: str
+    title: str
+    needs: tuple[str, ...]
+    reveals: str
+    hint: str
+    find: _Find
+
+
+_exercises: list[Exercise] = []
+
+
+def _exercise(part: str, title: str, needs: tuple[str, ...], reveals: str, hint: str) -> Callable[[_Find], _Find]:
+    def add(find: _Find) -> _Find:
+        _exercises.append(Exercise(len(_exercises) + 1, part, title, needs, reveals, hint, find))
+        return find
+
+    return add
+
+
+# --- predict ----------------------------------------------------------------------------------------------------------
+
+# Times that a wrong belief predicts, and what to say to whoever predicts them.
+_Beliefs = Mapping[tuple[float, ...], str]
+
+
+class _Prediction(NamedTuple):
+    """A variable that is asked for: in words what it is, the times (s) that are right, and wrong ones."""
+
+    variable: str
+    what: str
+    real: Sequence[float]
+    beliefs: _Beliefs
+
+
+def _compare(answer: Answer, predictions: Sequence[_Prediction]) -> Iterator[Finding]:
+    variables = answer.variables()
+    for variable, what, real, beliefs in predictions:
+        value = variables.get(variable)
+        if value is ... or value is None:
+            yield Finding(False, f"{what}: there is no prediction yet.", f"Give `{variable}` a list of times.")
+            continue
+        predicted = _times(value)
+        if predicted is None:
+            text = f"{what}: the prediction is a list of times in seconds, not {a_value(value)}."
+            yield Finding(False, text, "Write it as `[1.0, 2.0, 3.0]`.")
+        else:
+            yield _compare_times(what, predicted, real, beliefs)
+
+
+def _times(value: Any) -> list[float] | None:
+    """A prediction as numbers; None if it is none."""
+    try:
+        times = [float(time) for time in islice(iter(value), 100)]
+    except Exception:  # whatever the value is
+        return None
+    return times if not isinstance(value, (str, bytes)) and all(map(math.isfinite, times)) else None
+
+
+def _compare_times(what: str, predicted: Sequence[float], real: Sequence[float], beliefs: _Beliefs) -> Finding:
+    said = ", ".join(map(say, predicted)) or "no time at all"
+    if _same(predicted, real):
+        return Finding(True, f"{what}: {said}.")
+    for times, why in beliefs.items():
+        if _same(predicted, times):
+            return Finding(False, f"{what}: not {said}.", why)
+    if not real:
+        return Finding(False, f"{what}: not {said}.")
+    if len(predicted) != len(real):
+        return Finding(False, f"{what}: {len(real)} times are asked for, not {len(predicted)}.")
+    wrong = next(n for n, times in enumerate(zip(predicted, real, strict=True)) if not _same(times[:1], times[1:]))
+    return Finding(False, f"{what}: {_NTH[wrong]} of these times is not {say(predicted[wrong])}.")
+
+
+_NTH = ("the first", "the second", "the third")
+
+
+def _same(one: Sequence[float], other: Sequence[float]) -> bool:
+    return len(one) == len(other) and all(abs(a - b) < 0.01 for a, b in zip(one, other, strict=True))
+
+
+def _simulated(node: Callable[[], None], first: int = 1) -> list[float]:
+    """When ticks ``first`` and the two after it come, in simulated time (s)."""
+    return [tick.real for tick in simulate(node, 6.0).ticks[first - 1 : first + 2]]
+
+
+def _timer_node(period: float, blocks_for: float = 0.0) -> Callable[[], None]:
+    """A timer whose third callback blocks."""
+
+    def node() -> None:
+        import rospy  # type: ignore[import-not-found]
+
+        rospy.init_node("spinner_py_node")
+        counter = 0
+
+        def callback(event: object) -> None:
+            nonlocal counter
+            counter += 1
+            if counter == 3:
+                rospy.sleep(blocks_for)
+
+        rospy.Timer(rospy.Duration(period), callback)
+        rospy.spin()
+
+    return node
+
+
+def _loop_node(frequency: float, work: float = 0.0) -> Callable[[], None]:
+    """A loop whose passes take some time."""
+
+    def node() -> None:
+        import rospy
+
+        rospy.init_node("spinner_py_node")
+        rate = rospy.Rate(frequency)
+        while not rospy.is_shutdown():
+            rospy.sleep(work)
+            rate.sleep()
+
+    return node
+
+
+_AT_ONCE = "A loop makes its first pass at once; `rate.sleep()` comes at the end of a pass."
+
+
+@_exercise(
+    "Predict",
+    "The first ticks",
+    (_TIMER, _RATE),
+    "A timer calls back at once. A duration is a frequency. A rate sleeps for a whole period after the work.",
+    "When does the first tick come: at the start, or one period later? How far apart are the ticks?",
+)
+def _first_ticks(answer: Answer) -> Iterator[Finding]:
+    timer: _Beliefs = {
+        (0.0, 0.4, 0.8): "A timer waits for one period before its first call.",
+        (2.5, 5.0, 7.5): "This takes 0.4 for a frequency. A timer is given its period, in seconds.",
+        (0.0, 2.5, 5.0): "This takes 0.4 for a frequency. A timer is given its period, in seconds.",
+    }
+    loop: _Beliefs = {
+        (0.25, 0.5, 0.75): _AT_ONCE,
+        (0.0, 4.0, 8.0): "This takes 4 for a period. A rate is given its frequency, in Hz.",
+        (4.0, 8.0, 12.0): "This takes 4 for a period. A rate is given its frequency, in Hz.",
+    }
+    busy: _Beliefs = {
+        (0.25, 0.5, 0.75): _AT_ONCE,
+        (0.0, 0.35, 0.7): "`rate.sleep()` sleeps until the next period begins: the work is a part of the period.",
+        (0.1, 0.35, 0.6): "This is when the work ends. The counter is printed before it.",
+        (0.1, 0.45, 0.8): "The counter is printed before the work, and the work is a part of the period.",
+    }
+    predictions = [
+        _Prediction("timer", "the timer", _simulated(_timer_node(0.4)), timer),
+        _Prediction("loop", "the loop", _simulated(_loop_node(4.0)), loop),
+        _Prediction("busy_loop", "the loop with 0.1 s of work", _simulated(_loop_node(4.0, 0.1)), busy),
+    ]
+    yield from _compare(answer, predictions)
+
+
+_UNMOVED = "The slow callback keeps its timer busy until it returns: no other call of it can begin before."
+_KEEPS_TO_THE_GRID = "This is what ROS 2 does: it leaves ticks out and keeps to the grid."
+
+
+@_exercise(
+    "Predict",
+    "The ticks after a slow callback",
+    (_SLOW, _TIMING),
+    "A timer calls back on time, whatever its callback does. Ticks that are due meanwhile all wait in a queue.",
+    "The callback ends at 1.2 s plus the time for which it blocks. Which ticks were due by then?",
+)
+def _after_a_slow_callback(answer: Answer) -> Iterator[Finding]:
+    short: _Beliefs = {
+        (1.6, 2.0, 2.4): _UNMOVED,
+        (2.2, 2.6, 3.0): "This is what roscpp does. rospy counts anew only after a longer delay.",
+        (2.2, 2.4, 2.8): f"{_KEEPS_TO_THE_GRID} rospy makes up for short delays.",
+    }
+    long: _Beliefs = {
+        (1.6, 2.0, 2.4): _UNMOVED,
+        (3.0, 3.0, 3.0): "This is what a queue of calls would give. There is none: ticks are lost here.",
+        (3.0, 3.2, 3.6): f"{_KEEPS_TO_THE_GRID} rospy counts anew after a long delay.",
+        (3.0, 3.0, 3.2): "Calls in a row follow a shorter delay. This one is too long to be made up for.",
+        (3.0, 3.0, 3.4): "Calls in a row follow a shorter delay. This one is too long to be made up for.",
+    }
+    predictions = [
+        _Prediction("after_1_0_seconds", "blocked for 1.0 s", _simulated(_timer_node(0.4, 1.0), 4), short),
+        _Prediction("after_1_8_seconds", "blocked for 1.8 s", _simulated(_timer_node(0.4, 1.8), 4), long),
+    ]
+    yield from _compare(answer, predictions)
+
+
+def _roscpp(blocks_for: float) -> list[float]:
+    """When calls 4, 5 and 6 come in roscpp if the third blocks (s)."""
+    calls = timer_calls(400_000_000, lambda number: int(blocks_for * 1e9) if number == 3 else 0, 6_000_000_000)
+    return [call.real / 1e9 for call in calls[3:6]]
+
+
+@_exercise(
+    "Predict",
+    "The ticks of a C++ node",
+    (_TUTORIAL, _TIMING),
+    "roscpp and rospy time their timers alike. A ros::Timer that nobody keeps goes on calling back.",
+    "The callback ends at 1.2 s plus the time for which it blocks. Is the call after the next one due by then, too?",
+)
+def _ticks_in_cpp(answer: Answer) -> Iterator[Finding]:
+    short: _Beliefs = {
+        (1.6, 2.0, 2.4): _UNMOVED,
+        (1.8, 2.2, 2.6): "roscpp counts anew only if the call after the next one is overdue as well.",
+    }
+    long: _Beliefs = {
+        (1.6, 2.0, 2.4): _UNMOVED,
+        (2.2, 2.2, 2.4): "This is what rospy does. roscpp never has more than one call of a timer waiting.",
+        (2.2, 2.4, 2.8): f"{_KEEPS_TO_THE_GRID} roscpp counts anew.",
+    }
+    kept: _Beliefs = {
+        (0.4, 0.8, 1.2): "This is what rospy does. In C++ a timer ends with the last `ros::Timer` that stands for it.",
+    }
+    predictions = [
+        _Prediction("after_0_6_seconds", "blocked for 0.6 s", _roscpp(0.6), short),
+        _Prediction("after_1_0_seconds", "blocked for 1.0 s", _roscpp(1.0), long),
+        _Prediction("not_kept", "with a timer that nobody keeps", [], kept),
+    ]
+    yield from _compare(answer, predictions)
+
+
+# --- change -----------------------------------------------------------------------------------------------------------
+
+
+@_exercise(
+    "Change",
+    "Change the rate",
+    (_TIMER,),
+    "A timer is given a frequency.",
+    "A timer takes a period in seconds, not a frequency: the period is 1 / frequency.",
+)
+def _change_the_rate(answer: Answer) -> Iterator[Finding]:
+    yield on_time(answer.run(1.0).counters(), grid(0.1, 1.0))
+
+
+def _stopped(seen: Seen, calls: int) -> Iterator[Finding]:
+    """Whether the timers that printed the counters have stopped, after so many calls."""
+    counters = seen.counters()
+    if not counters:
+        return
+    timers, others = seen.printers(counters)
+    if others:
+        text = f"counter {plain(others[0].text)} was not printed by the callback of a `rospy.Timer`."
+        yield Finding(False, text, "Let a timer call back, and stop it.")
+        return
+    states = {timer.state for timer in timers}
+    count = sum(len(timer.calls) for timer in timers)
+    if "gone" in states:
+        hint = "`sys.exit()` in a callback ends the thread that the callback runs in. Ask the timer to stop instead."
+        yield Finding(False, "the timer was not stopped: its thread was ended.", hint)
+    elif "blocked" in states:
+        text = "the timer was not stopped: a call of its callback had not returned in the end."
+        yield Finding(False, text, "A callback that never returns keeps a thread for ever. Stop the timer and return.")
+    elif count > calls:
+        text = f"the callback was called {count} times in {say(seen.seconds)}, where {calls} would do."
+        silent = "A callback that returns at once is still called. Stop the timer itself."
+        yield Finding(False, text, silent if count > len(counters) else "")
+    elif "running" in states:
+        yield Finding(False, "the timer still runs.", "Stop the timer itself.")
+    else:
+        yield Finding(True, "the timer has stopped.")
+
+
+@_exercise(
+    "Change",
+    "Fire once",
+    (_TIMER,),
+    "A timer stops when its callback does nothing any more.",
+    "`rospy.Timer` has a parameter `oneshot`; its period is then the time until the only call.",
+)
+def _fire_once(answer: Answer) -> Iterator[Finding]:
+    seen = answer.run(5.0)
+    yield on_time(seen.counters(), [1.5])
+    yield from _stopped(seen, 1)
+
+
+@_exercise(
+    "Change",
+    "Stop after five ticks",
+    (_TIMER,),
+    "To stop a timer is to end its callback, its thread or the node.",
+    "Keep the timer in `self.timer`, and call its `shutdown()` after counter 5.",
+)
+def _stop_after_five(answer: Answer) -> Iterator[Finding]:
+    seen = answer.run(6.0)
+    yield on_time(seen.counters(), grid(0.5, 2.5))
+    stops = "Stop one timer, and no more: `rospy.signal_shutdown()` ends the whole node."
+    yield on_time(seen.counters("HEARTBEAT"), grid(1.0, 6.0), "The heartbeat", stops)
+    yield from _stopped(seen, 5)
+
+
+@_exercise(
+    "Change",
+    "Turn a loop into a timer",
+    (_TIMER, _RATE, _TIMER_OR_RATE),
+    "A timer goes into the loop, or a loop into the callback.",
+    "What stands in the loop goes into a callback, the loop goes, and `rospy.spin()` takes its place.",
+)
+def _loop_to_timer(answer: Answer) -> Iterator[Finding]:
+    seen = answer.run(3.0)
+    counters = seen.counters()
+    timers, others = seen.printers(counters)
+    yield on_time(counters, grid(0.5, 3.0))
+    if not seen.timers:
+        yield Finding(False, "no timer calls back.")
+    elif others:
+        yield Finding(False, f"counter {plain(others[0].text)} was printed by a loop, not by a timer's callback.")
+    elif len(timers) > 1:
+        text = f"{len(timers)} timers printed the counters."
+        yield Finding(False, text, "A timer that is not one-shot calls back again by itself: one is enough.")
+    elif timers and len(timers[0].calls) < len(counters):
+        text = "one call of the callback printed several counters: the loop is now in the callback."
+        yield Finding(False, text, "A callback does one pass and returns. The timer calls it again.")
+    elif seen.loops:
+        text = f"there still is a loop, at line {seen.loops[0]}."
+        yield Finding(False, text, "`rospy.spin()` waits for the node to be shut down; it needs no loop around it.")
+    elif timers:
+        yield Finding(True, "a timer calls back, and no loop is left.")
+
+
+@_exercise(
+    "Change",
+    "Read the frequency from a parameter",
+    (_TIMER, _PARAMETER),
+    "A name without ~ is a private one. What is read as a frequency can be used as a period.",
+    "`rospy.get_param(name, default)`; the name of a private parameter begins with `~`; the default is in Hz, too.",
+)
+def _frequency_from_a_parameter(answer: Answer) -> Iterator[Finding]:
+    yield on_time(answer.run(2.0).counters(), grid(0.5, 2.0), "Without the parameter")
+    private = "Does the name begin with `~`? Is it a frequency that you read, and a period that the timer is given?"
+    for frequency, seconds in ((10, 1.0), (0.5, 4.0)):
+        word = f"_frequency:={frequency}"
+        counters = answer.run(seconds, word).counters()
+        yield on_time(counters, grid(1 / frequency, seconds), f"With `{word}`", private)
+
+
+@_exercise(
+    "Change",
+    "Run at two rates",
+    (_TIMER, _TIMER_OR_RATE),
+    "Two timers need two nodes. Two loops can follow each other.",
+    "A node can have as many timers as it likes, each with its own period, callback and counter.",
+)
+def _two_rates(answer: Answer) -> Iterator[Finding]:
+    seen = answer.run(2.0)
+    for tag, frequency in (("FAST", 10), ("SLOW", 2)):
+        counters = seen.counters(tag)
+        wanted = grid(1 / frequency, 2.0)
+        shared = _same([line.time for line in counters], wanted)
+        yield on_time(counters, wanted, f"`[{tag}]`", "Give each timer a counter of its own." if shared else "")
+
+
+@_exercise(
+    "Change",
+    "Survive an overrun",
+    (_RATE, _DRIFT),
+    "A pass that was lost has to be made up for. After an overrun one may count on from now.",
+    "Before the loop sleeps, move the deadline on by whole periods until it lies ahead.",
+)
+def _survive_an_overrun(answer: Answer) -> Iterator[Finding]:
+    for work in (0.7, 1.7, 0.1):
+        word = f"_work:={work}"
+        back = math.ceil((1.0 + work) / 0.5) * 0.5
+        wanted = [0.0, 0.5, 1.0, *grid(0.5, 5.0, start=back)]
+        counters = answer.run(5.0, word).counters()
+        hint = ""
+        if any(after.time - line.time < 0.5 - CLOSE for line, after in pairwise(counters[2:])):
+            hint = "A lost pass is not to be made up for: two passes in a row would send two commands at once."
+        if counters and abs(counters[-1].time / 0.5 - round(counters[-1].time / 0.5)) > CLOSE:
+            hint = "The loop has left its grid of 0.5 s: count deadlines on from the old one, not from now."
+        yield on_time(counters, wanted, f"With `{word}`", hint)
+
+
+_LOCK = "While one callback reads the parts and writes them, the other has to keep away: both need one lock."
+
+
+@_exercise(
+    "Change",
+    "Share data between two callbacks",
+    (_TIMER, _SHARED),
+    "Callbacks of one node never run at the same time. A single line of Python cannot be interrupted.",
+    _LOCK,
+)
+def _share_data(answer: Answer) -> Iterator[Finding]:
+    alone = _count_parts(answer.run(5.2))
+    yield alone
+    if not alone.right:
+        return
+    turns = "when the threads take turns at every line"
+    for seed in range(5):
+        right, text, hint = _count_parts(answer.run(5.2, seed=seed))
+        if not right:
+            yield Finding(False, f"{turns}: {text}", hint)
+            return
+    yield Finding(True, f"the reports are right as well {turns}.")
+
+
+def _count_parts(seen: Seen) -> Finding:
+    """Whether reports every 0.5 s add up to the parts, one every 0.1 s: the newest may miss the report."""
+    reports = seen.values("SPINNER PY NODE", "parts")
+    stuck = "Does a callback wait for a lock that nobody gives back, or that it has already?"
+    total = 0
+    for number in range(1, 11):
+        due = 0.5 * number
+        if len(reports) < number or reports[number - 1].time > due + 0.1:
+            return Finding(False, f"the report due at {say(due)} did not come.", stuck)
+        time, _, text = reports[number - 1]
+        if not text.isdigit():
+            return Finding(False, f"`parts = {plain(text)}` is no number of parts.")
+        total += int(text)
+        passed = 5 * number
+        if total not in (passed - 1, passed):
+            wrong = "some are reported twice" if total > passed else "some are lost"
+            sums = f"the reports up to {say(time)} add up to {total}, but {passed} parts have passed"
+            return Finding(False, f"{sums}: {wrong}.", _LOCK)
+    if len(reports) > 10:
+        return Finding(False, f"a report came at {say(reports[10].time)}; it should not come.")
+    return Finding(True, "10 reports came, and they add up to the parts that have passed.")
+
+
+@_exercise(
+    "Change",
+    "Stop the motor",
+    (_RATE, _TUTORIAL),
+    "After a shutdown hook nothing else of the node runs. A node ends by Ctrl-C only.",
+    "`rospy.on_shutdown(function)`: the function is called when the node is shut down, in whatever way.",
+)
+def _stop_the_motor(answer: Answer) -> Iterator[Finding]:
+    for seconds, where in ((2.08, "while the loop sleeps"), (2.03, "while the sensor is read")):
+        seen = answer.run(seconds)
+        yield _check_motor(seen, seconds, f"Ctrl-C {where}")
+    seen = answer.run(5.0, "_fails_at:=1.0", allowed=lambda error: "no sensor" in str(error))
+    yield _check_motor(seen, 1.06, "The sensor fails")
+
+
+def _check_motor(seen: Seen, end: float, what: str) -> Finding:
+    """Whether the motor is driven until the time ``end`` (s), and stands from then on."""
+    printed = [(line.time, _number(line.text)) for line in seen.values("MOTOR", "speed")]
+    commands = [(time, speed) for time, speed in printed if speed is not None]
+    driven = [time for time, speed in commands if speed and time < end]
+    paused = [time for time, speed in commands if not speed and time < end - CLOSE]
+    stopped = next((n for n, (time, speed) in enumerate(commands) if not speed and time >= end - CLOSE), None)
+    due = int(end / 0.1)
+    if paused or abs(len(driven) - due) > 1:
+        told = f"stopped at {say(paused[0])}" if paused else f"told a speed {len(driven)} times, not about {due} times"
+        hint = "Until the node ends, the loop has to drive the motor as before."
+        return Finding(False, f"{what}: up to then the motor was {told}.", hint)
+    if stopped is None:
+        return Finding(False, f"{what}: nobody stops the motor. It goes on at its last speed.")
+    time = commands[stopped][0]
+    if again := [later for later, speed in commands[stopped:] if speed]:
+        text = f"{what}: the motor was stopped at {say(time)}, and driven again at {say(again[0])}."
+        hint = "A hook runs in the middle of a pass, which then goes on. Ask `rospy.is_shutdown()` before you drive."
+        return Finding(False, text, hint)
+    if time > end + 0.5:
+        text = f"{what} at {say(end)}: the motor was not stopped before {say(time)}."
+        hint = "An exception that is caught, or that ends a timer alone, does not end the node: no hook is called."
+        return Finding(False, text, hint)
+    return Finding(True, f"{what}: the motor was stopped at {say(time)}.")
+
+
+def _number(text: str) -> float | None:
+    try:
+        return float(text)
+    except ValueError:
+        return None
+
+
+# --- diagnose ---------------------------------------------------------------------------------------------------------
+
+
+@_exercise(
+    "Diagnose",
+    "Count the ticks that are missing",
+    (_SLOW, _TIMING),
+    "A late tick is a missing one. What a timer event says is the same in rospy and roscpp.",
+    "`event.current_real - event.current_expected` is how late this call is. How many whole periods is that?",
+)
+def _count_missing(answer: Answer) -> Iterator[Finding]:
+    for blocks_for in (1.8, 1.0, 0.7):
+        word = f"_blocks_for:={blocks_for}"
+        found = [line for line in answer.run(5.0, word).values("[^]]*", "missing") if line.time <= 5.0]
+        ticks = simulate(_timer_node(0.4, blocks_for), 5.0).ticks
+        yield _compare_missing(f"With `{word}`", found, [int(tick.lateness / 0.4 + 1e-6) for tick in ticks])
+
+
+def _compare_missing(what: str, found: Sequence[Printed], wanted: Sequence[int]) -> Finding:
+    if not found:
+        return Finding(False, f"{what}: no line with `missing = ` was printed.")
+    if len(found) != len(wanted):
+        return Finding(False, f"{what}: {len(wanted)} callbacks printed {len(found)} lines with `missing = `.")
+    for number, (line, missing) in enumerate(zip(found, wanted, strict=True), 1):
+        said = _number(line.text)
+        if said != missing:
+            whole = said is not None and said == int(said)
+            hint = "" if whole else "A tick is missing or not: the number is a whole one."
+            text = f"{what}: callback {number} printed `missing = {plain(line.text)}`, but {missing} were missing."
+            return Finding(False, text, hint)
+    return Finding(True, f"{what}: the callbacks printed {', '.join(line.text for line in found)}.")
+
+
+# The faults to choose from, and what a console would show of each.
+FAULTS = {
+    "A": "Then the ticks would come at a steady 2 s, or 0.5 Hz: 1 divided by what was asked for, and never late.",
+    "B": "A loop makes its first pass at once; then each pass takes the work and the sleep together.",
+    "C": "After one slow call the ticks are a period apart again.",
+    "D": "A timer makes its first call after one period; from then on each call begins when the last one ends.",
+    "E": "Then a traceback would name a thread, one counter would end there, and whatever else there is would go on.",
+    "F": "Then a traceback would be the last thing on the console: nothing of the node goes on.",
+    "G": "Then each number would be printed once, by one tag or by the other.",
+}
+
+# Which of them each console shows.
+_LOGS = {"log_1": "B", "log_2": "E", "log_3": "D", "log_4": "C"}
+
+
+@_exercise(
+    "Diagnose",
+    "Name the fault",
+    (_RATE, _SLOW, _DRIFT),
+    "A loop that is slow and a timer that is slow look alike. A traceback means that the node has ended.",
+    "Look at the first tick, at the distances between the ticks, and at what goes on to the end.",
+)
+def _name_the_fault(answer: Answer) -> Iterator[Finding]:
+    variables = answer.variables()
+    for log, fault in _LOGS.items():
+        value = variables.get(log)
+        if value is ... or value is None:
+            yield Finding(False, f"`{log}`: there is no answer yet.")
+            continue
+        named = value.strip(" ().").upper() if isinstance(value, str) else ""
+        if named not in FAULTS:
+            text = f"`{log}`: the answer is one of the letters A to {max(FAULTS)}, not `{plain(_shown(value))}`."
+            yield Finding(False, text, 'Write it as `"A"`.')
+        elif named != fault:
+            yield Finding(False, f"`{log}`: it is not {named}.", FAULTS[named])
+        else:
+            yield Finding(True, f"`{log}`: it is {named}.")
+
+
+def _shown(value: object) -> str:
+    try:
+        return repr(value)
+    except Exception:  # whatever the value is
+        return type(value).__name__
+
+
+EXERCISES = tuple(_exercises)
+"""All exercises, in their order."""

@@ -1,0 +1,56 @@
+"""Give the threads of a node their turns where a lock is missing.
+
+Simulated threads give way to each other only where they wait, so a node can lack a lock and never show it. A shaken
+node also gives way between any two of its statements, and between reading and writing in an assignment, which is where
+a real thread may lose its turn.
+"""
+
+from __future__ import annotations
+
+import ast
+import builtins
+import random
+from collections.abc import Iterator
+from contextlib import contextmanager
+from typing import Any
+from unittest import mock
+
+from ..world import current_world
+
+__all__ = ["shake", "turns"]
+
+# The function by which a shaken node gives way. A name that no answer has.
+_GIVE_WAY = "__give_way__"
+
+
+def shake(source: str) -> ast.Module:
+    """The code of a node, to be run within :func:`turns`."""
+    tree = ast.parse(source)
+    for node in ast.walk(tree):
+        if isinstance(node, (ast.Assign, ast.AugAssign, ast.AnnAssign)) and node.value:
+            node.value = _give_way(node.value)
+        for name in ("body", "orelse", "finalbody"):
+            statements = getattr(node, name, None)
+            # What stands first in a module has to stay there.
+            if isinstance(statements, list) and not isinstance(node, ast.Module):
+                shaken = [each for statement in statements for each in (ast.Expr(_give_way()), statement)]
+                setattr(node, name, shaken)
+    return ast.fix_missing_locations(tree)
+
+
+def _give_way(*value: ast.expr) -> ast.Call:
+    return ast.Call(ast.Name(_GIVE_WAY, ast.Load()), list(value), [])
+
+
+@contextmanager
+def turns(seed: int) -> Iterator[None]:
+    """Within this context a shaken node gives way; how often at each place follows from ``seed``."""
+    draw = random.Random(seed)
+
+    def give_way(value: Any = None) -> Any:
+        for _ in range(draw.choice((0, 0, 1, 2))):
+            current_world().clock.sleep(0)
+        return value
+
+    with mock.patch.object(builtins, _GIVE_WAY, give_way, create=True):
+        yield
