@@ -284,7 +284,7 @@ class Workspace:
         """
         patience = patience or _PATIENCE
         process = self._start(command, stdout=subprocess.PIPE, stderr=subprocess.STDOUT)
-        console = _Console(process, onward, begins, patience)
+        console = _Reader(process, onward, begins, patience)
         try:
             if begins is not None and not console.begun.wait(_START_PATIENCE):
                 raise RuntimeError(f"{command[0]} did not start anything:\n{console.text()}")
@@ -322,7 +322,7 @@ class Workspace:
             child.poll()
 
 
-class _Console:
+class _Reader:
     """Collects what a process prints, and passes it on, in a thread."""
 
     def __init__(
