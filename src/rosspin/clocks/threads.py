@@ -157,7 +157,7 @@ class _Handle:
     """What Python 3.13 and newer keep of a thread (``_thread._ThreadHandle``)."""
 
     def __new__(cls) -> Any:
-        return object.__new__(cls) if isinstance(current(), Stack) else threading_handle()
+        return object.__new__(cls) if isinstance(current(), Stack) else _real_handle()
 
     def __init__(self) -> None:
         self.ident = 0
@@ -176,7 +176,7 @@ class _Handle:
             self._ended.release()
 
 
-threading_handle: Callable[[], Any] = getattr(_thread, "_ThreadHandle", _Handle)
+_real_handle: Callable[[], Any] = getattr(_thread, "_ThreadHandle", _Handle)
 
 
 # --- starting threads -------------------------------------------------------------------------------------------------
@@ -302,10 +302,11 @@ def end_main(program: Program) -> None:
     """What Python does at the end of a program: wait for its pools, then for its threads that are no daemons."""
     program.ending = True
     program.main_ended.release()
-    for thread, work in list(pools._threads_queues.items()):
-        if thread.ident in program.idents:
-            work.put(None)
-            thread.join()
+    workers = [entry for entry in pools._threads_queues.items() if entry[0].ident in program.idents]
+    for _, work in workers:
+        work.put(None)
+    for worker, _ in workers:
+        worker.join()
     while waited_for := [
         thread
         for thread in threading.enumerate()
