@@ -14,6 +14,6 @@ rospy.Subscriber("~a", Imu, lambda message: say("got", message.header.seq, messa
 block(1)
 for _ in range(3):
     publisher.publish(message)
-    say("sent", message.header.seq)
     block(0.3)
+    say("sent", message.header.seq)
 say(rospy.Header is Header)

@@ -15,7 +15,6 @@ for text in (
     "publisher.publish(1, 2)",
     "publisher.publish(foo=1)",
     "publisher.publish(1, data=1)",
-    "publisher.publish(UInt32)",
     "empty.publish(1)",
     "empty.publish(String('a'))",
     "publisher.publish(UInt32(5))",

@@ -7,7 +7,7 @@ from std_msgs.msg import UInt32
 
 def slow(message):
     say("begins", message.data)
-    block(2)
+    block(5)
     say("ends", message.data)
 
 
@@ -20,4 +20,4 @@ for number in range(4):
     block(0.2)
 rospy.signal_shutdown("end")
 say("shut down")
-block(3)
+block(6)

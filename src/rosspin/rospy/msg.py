@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 import io
-from typing import Any
+from typing import Any, ClassVar
 
 from ..messages.ros1 import Message
 from .exceptions import ROSException
@@ -22,7 +22,7 @@ class AnyMsg(Message):
     _type = _md5sum = TOPIC_ANYTYPE
     _full_text = ""
     _has_header = False
-    _slot_types: list[str] = []
+    _slot_types: ClassVar[list[str]] = []
 
     def __init__(self, *args: Any) -> None:
         if args:

@@ -255,7 +255,7 @@ class Connection(threading.Thread):
         return {
             "callerid": self.subscription.node.name,
             "md5sum": wanted._md5sum,
-            "message_definition": wanted._full_text.strip(),
+            "message_definition": wanted._full_text,
             "tcp_nodelay": "0",
             "topic": self.publication.topic,
             "type": wanted._type,
@@ -415,7 +415,8 @@ class Topics:
 
     def _close_all(self) -> None:
         with self._lock:
-            for end in (*self.publications.values(), *self.subscriptions.values()):
+            ends: list[Publication | Subscription] = [*self.publications.values(), *self.subscriptions.values()]
+            for end in ends:
                 end.close()
 
 
@@ -510,7 +511,7 @@ class Publisher(Topic):
         try:
             self.impl.publish(message)
         except SerializationError as error:
-            raise ROSSerializationException(str(error)) from error
+            raise ROSSerializationException(str(error))
 
     def unregister(self) -> None:
         """Publish no more. What was published still arrives."""
