@@ -17,6 +17,3 @@ say("two of each", first.get_num_connections(), second.get_num_connections(), tw
 one.unregister()
 block(1)
 say("one of two", first.get_num_connections(), two.get_num_connections())
-two.unregister()
-block(1)
-say("none", first.get_num_connections())

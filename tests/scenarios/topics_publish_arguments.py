@@ -17,7 +17,7 @@ for text in (
     "publisher.publish(1, data=1)",
     "empty.publish(1)",
     "empty.publish(String('a'))",
-    "publisher.publish(UInt32(5))",
 ):
     attempt(text, names)
-    block(0.3)
+publisher.publish(UInt32(5))
+block(0.3)

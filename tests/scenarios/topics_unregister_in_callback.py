@@ -20,5 +20,5 @@ for number in range(3):
     block(0.5)
 other.unregister()
 other.unregister()
+publisher.publish(3)
 block(1)
-say("connections", publisher.get_num_connections())
