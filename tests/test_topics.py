@@ -255,7 +255,7 @@ def draw_graph(seed: int) -> tuple[list[Source], list[Sink]]:
                 topic,
                 draw.randrange(0, 1000, 100) + 10 + number,
                 draw.randrange(1200, 1600, 100) + 10 * number if draw.random() < 0.6 else 0,
-                draw.randrange(100, 700, 50),
+                draw.randrange(150, 700, 50),  # 100 would publish as they connect
                 draw.random() < 0.3,
             )
         )
@@ -326,7 +326,9 @@ def in_the_model(source: Source, sink: Sink) -> list[tuple[int, str, int]]:
 def test_a_random_graph_loses_what_a_plain_model_loses(seed: int) -> None:
     sources, sinks = draw_graph(seed)
     run = in_a_node(sources, sinks)
-    assert in_a_node(sources, sinks) == run  # the same bytes, ticks and messages
+    again = in_a_node(sources, sinks)
+    # Each run has message classes of its own, which are never equal.
+    assert (again.console, repr(again.messages)) == (run.console, repr(run.messages))
     seen = sorted((int(time), topic, int(number)) for time, topic, number in map(str.split, run.console.splitlines()))
     by_topic = {source.topic: source for source in sources}
     expected = sorted(call for sink in sinks for call in in_the_model(by_topic[sink.topic], sink))

@@ -99,8 +99,8 @@ def process_of(node: Node, args: Sequence[str], modules: Mapping[str, ModuleType
         sys.argv = [node.argv0, *args]
         if node.folder is not None:
             sys.path.insert(0, node.folder)
-        sys.modules.update(modules)
         stack.enter_context(MessageFinder(ros, _folder(node)))
+        sys.modules.update(modules)
         try:
             yield
         finally:
