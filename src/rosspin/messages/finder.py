@@ -43,7 +43,8 @@ class MessageFinder(MetaPathFinder, Loader):
     def __enter__(self) -> MessageFinder:
         # What is imported already may be the real one, or another node's. Packages without a module msg are not asked
         # for: a run that imports no message does not need the library.
-        packages = {name.partition(".")[0] for name in list(sys.modules) if name.split(".")[1:2] == ["msg"]}
+        names = [name.split(".") for name in list(sys.modules) if ".msg" in name]
+        packages = {package for package, module, *_ in names if module == "msg"}
         ours = {package for package in packages if self._is_ours(package)}
         self._hidden = {name: module for name, module in sys.modules.items() if name.partition(".")[0] in ours}
         for name in self._hidden:
