@@ -6,8 +6,8 @@ import live
 import ros1_beside
 import site_build
 import threads
-import topics
 import ticks
+import topics
 
 print(__doc__, "Times are in brackets: they are this machine's.\n", sep="\n", flush=True)
 for part in (ticks, threads, topics, day, lateness, ros1_beside, site_build, live):
