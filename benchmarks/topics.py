@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import time
 from collections.abc import Iterator
+from functools import partial
 from statistics import median
 from typing import Any
 
@@ -83,6 +84,9 @@ def many(topics: int, seconds: float) -> None:
     """Run a node with so many topics, each with a timer that publishes at 10 Hz and a callback."""
     received: list[Any] = []
 
+    def beat(publisher: rospy.Publisher, event: object) -> None:
+        publisher.publish(1)
+
     def node() -> None:
         from std_msgs.msg import UInt32
 
@@ -90,7 +94,7 @@ def many(topics: int, seconds: float) -> None:
         for number in range(topics):
             publisher = rospy.Publisher(f"topic{number}", UInt32, queue_size=1)
             rospy.Subscriber(f"topic{number}", UInt32, received.append)
-            rospy.Timer(rospy.Duration(0.1), lambda event, publisher=publisher: publisher.publish(1))
+            rospy.Timer(rospy.Duration(0.1), partial(beat, publisher))
         rospy.spin()
 
     simulate(node, seconds)

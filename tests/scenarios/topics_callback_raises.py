@@ -1,6 +1,5 @@
 """An exception in a callback is logged, and all goes on."""
 
-
 import rospy
 from scenario import begin, block, say
 from std_msgs.msg import UInt32

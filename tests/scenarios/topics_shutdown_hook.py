@@ -6,8 +6,8 @@ from std_msgs.msg import String
 
 
 def hook():
-    publisher.publish("from the hook")
     say("hook", rospy.is_shutdown())
+    publisher.publish("from the hook")
 
 
 begin("topics_shutdown_hook")
