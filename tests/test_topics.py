@@ -14,10 +14,12 @@ import pytest
 from conftest import SEED
 
 from rosspin import NotSimulated, Run, rospy, simulate
+from rosspin.advice import advice
 from rosspin.measures import describe_lateness, describe_periods, periods, rostopic_hz, topic_ticks
 from rosspin.plots import lateness, period_histogram, timeline
 from rosspin.rospy.topics import LATER_PUBLISHER, LATER_SUBSCRIBER
 from rosspin.ticks import Message, Tick
+from rosspin.world import current_world
 
 # --- what a run tells of its topics -----------------------------------------------------------------------------------
 
@@ -167,6 +169,32 @@ def test_the_delays_of_connecting() -> None:
 
     assert (LATER_SUBSCRIBER, LATER_PUBLISHER) == (5_000_000, 100_000_000)
     assert simulate(node, 2).console == "0.005\n0.1\n"
+
+
+@pytest.mark.parametrize(
+    ("callback", "text"),
+    [
+        (lambda: None, "A subscriber passes its callback one argument"),
+        (None, ""),
+        ("no function", "Pass a subscriber the callback itself"),
+    ],
+)
+def test_advice_on_a_callback(callback: Any, text: str) -> None:
+    errors: list[BaseException] = []
+
+    def node() -> None:
+        from std_msgs.msg import Empty
+
+        rospy.init_node("n")
+        publisher = rospy.Publisher("a", Empty, queue_size=1)
+        rospy.Subscriber("a", Empty, callback)
+        rospy.sleep(1)
+        publisher.publish()
+        rospy.sleep(1)
+        errors.extend(current_world().errors)
+
+    simulate(node, 5)
+    assert [advice(error)[: len(text)] for error in errors] == [text] * bool(text)
 
 
 # --- measures and plots -----------------------------------------------------------------------------------------------

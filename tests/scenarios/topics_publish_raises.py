@@ -2,10 +2,10 @@
 
 import rospy
 from scenario import begin, block
-from std_msgs.msg import UInt32
+from std_msgs.msg import String
 
 begin("topics_publish_raises")
-publisher = rospy.Publisher("~a", UInt32, queue_size=10)
-rospy.Subscriber("~a", UInt32)
+publisher = rospy.Publisher("~a", String, queue_size=10)
+rospy.Subscriber("~a", String)
 block(1)
-publisher.publish(-1)
+publisher.publish(5)
