@@ -15,6 +15,7 @@ import ratios
 import site_build
 import threads
 import ticks
+import topics
 
 from rosspin import Run
 
@@ -41,6 +42,19 @@ def test_threads_that_do_not_end_are_an_error(monkeypatch: pytest.MonkeyPatch) -
     monkeypatch.setattr(threads, "simulate", lambda node, seconds: Run("", (), 0, "simulated", seconds))
     with pytest.raises(AssertionError, match="not 2 threads that ended at 1 s"):
         threads.start_threads(2)
+
+
+def test_topics_are_compared() -> None:
+    title, message, many = topics.report(messages=50, topics=3, seconds=1.0, rounds=1)
+    assert "a timer's tick" in message and "at most 8" in message
+    assert "3 topics at 10 Hz" in many and "at least 20" in many
+
+
+def test_messages_that_do_not_arrive_are_an_error(monkeypatch: pytest.MonkeyPatch) -> None:
+    monkeypatch.setattr(topics, "simulate", lambda node, seconds: Run("", (), 0, "simulated", seconds))
+    for function in (topics.tick, topics.publish, lambda number: topics.many(number, 1.0)):
+        with pytest.raises(AssertionError, match="for "):
+            function(5)
 
 
 def test_a_day_is_complete_and_leaves_no_memory() -> None:

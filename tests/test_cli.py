@@ -283,10 +283,10 @@ def test_time_that_stands_still(
 @pytest.mark.parametrize(
     ("code", "name", "line"),
     [
-        ("import rospy\n\nrospy.Publisher('topic', None)\n", "rospy.Publisher", 3),
-        ("from rospy import Subscriber\n", "rospy.Subscriber", 1),
-        ("import rospy\nfrom std_msgs.msg import String\n", "std_msgs", 2),
-        ("import rospy.msg\n", "rospy.msg", 1),
+        ("import rospy\n\nrospy.Service('name', None, None)\n", "rospy.Service", 3),
+        ("from rospy import ServiceProxy\n", "rospy.ServiceProxy", 1),
+        ("import rospy\nfrom std_srvs.srv import Empty\n", "std_srvs", 2),
+        ("import rospy.service\n", "rospy.service", 1),
     ],
 )
 def test_what_is_outside_of_the_stand_in(

@@ -68,7 +68,13 @@ def run_in_page(browser: Browser, address: str) -> Iterator[Callable[..., tuple[
 
 
 # What the page adds at the end, for a reader who does not know what the error means.
-HINTS = ("Nothing can have a frequency", "The period of a rospy.Timer is a Duration", "Pass a timer the callback")
+HINTS = (
+    "Nothing can have a frequency",
+    "The period of a rospy.Timer is a Duration",
+    "Pass a timer the callback",
+    "A subscriber passes",
+    "Pass a sub",
+)
 
 
 def lines_of(console: str) -> list[str]:

@@ -17,8 +17,8 @@ import pytest
 
 from rosspin.messages import DefinitionError, MessageFinder, ros1, ros2
 from rosspin.messages.definitions import parse
+from rosspin.messages.genpy import Duration, Time
 from rosspin.messages.library import Library
-from rosspin.rospy.genpy import Duration, Time
 
 ROOT = Path(__file__).parent.parent
 CARRIED = ROOT / "src" / "rosspin" / "messages"

@@ -16,7 +16,8 @@ import pytest
 from conftest import SEED
 
 from rosspin import rospy, simulate
-from rosspin.rospy import client, core, genpy, names, rosgraph, rostime
+from rosspin.messages import genpy
+from rosspin.rospy import client, core, names, rosgraph, rostime
 from rosspin.rospy.validators import ParameterInvalid, non_empty
 
 PROBE = Path(__file__).parent / "names_probe.py"

@@ -11,7 +11,7 @@ from hypothesis import assume, given, settings
 from hypothesis import strategies as st
 
 from rosspin import rospy, simulate
-from rosspin.rospy import genpy
+from rosspin.messages import genpy
 
 NS = 10**9
 fast = settings(max_examples=80, deadline=None)

@@ -347,21 +347,21 @@ def test_bad_files(run: Any, write: Any) -> None:
 
 
 def test_a_module_of_ros_is_not_simulated(write: Any) -> None:
-    for module in ("std_msgs.msg", "tf2_ros", "my_robot_msgs.msg"):
+    for module in ("std_srvs.srv", "tf2_ros", "my_robot_msgs.msg"):
         package = module.partition(".")[0]
         with pytest.raises(NotSimulated, match=rf"^{package}(\.msg)? is not simulated; run this node on a real ROS$"):
             simulate(write(f"import {module}"), 1)
     assert simulate(write("import no_such_module"), 1).status == 1
 
 
-def test_a_publisher_is_not_simulated_wherever_it_is_met() -> None:
+def test_a_service_is_not_simulated_wherever_it_is_met() -> None:
     def in_a_callback() -> None:
         rospy.init_node("node")
-        rospy.Timer(rospy.Duration(1), lambda event: rospy.Publisher)
+        rospy.Timer(rospy.Duration(1), lambda event: rospy.Service)
         rospy.spin()
 
-    for node in (lambda: rospy.Publisher, in_a_callback):
-        with pytest.raises(NotSimulated, match=r"^rospy\.Publisher is not simulated; run this node on a real ROS$"):
+    for node in (lambda: rospy.Service, in_a_callback):
+        with pytest.raises(NotSimulated, match=r"^rospy\.Service is not simulated; run this node on a real ROS$"):
             simulate(node, 10)
 
 
@@ -399,7 +399,7 @@ def test_a_busy_callback_is_found_in_the_end(write: Any) -> None:
 
 def test_after_an_error_the_next_run_is_as_ever() -> None:
     with pytest.raises(NotSimulated):
-        simulate(lambda: rospy.Publisher, 1)
+        simulate(lambda: rospy.Service, 1)
     assert simulate(TIMER_NODE, 2).console == NAMESPACE + counters(0.5, 1.0, 1.5, 2.0)
 
 

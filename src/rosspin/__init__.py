@@ -5,10 +5,10 @@ from __future__ import annotations
 from typing import Any
 
 from .run import TimeStandsStill, measure, simulate
-from .ticks import Run, Tick
+from .ticks import Message, Run, Tick
 from .world import NotSimulated
 
-__all__ = ["NotSimulated", "Run", "Tick", "TimeStandsStill", "measure", "simulate"]
+__all__ = ["Message", "NotSimulated", "Run", "Tick", "TimeStandsStill", "measure", "simulate"]
 
 
 def load_ipython_extension(shell: Any) -> None:

@@ -1,4 +1,4 @@
-"""Measure ticks: their periods, lateness and jitter, as numbers and in words."""
+"""Measure ticks, and messages as ticks: their periods, lateness and jitter, as numbers and in words."""
 
 from __future__ import annotations
 
@@ -8,7 +8,7 @@ from fractions import Fraction
 from itertools import pairwise
 from statistics import median
 
-from .ticks import Tick
+from .ticks import Message, Tick
 
 __all__ = [
     "by_source",
@@ -18,7 +18,9 @@ __all__ = [
     "lost",
     "periods",
     "quantile",
+    "rostopic_hz",
     "say_time",
+    "topic_ticks",
 ]
 
 # Fewer values have no hundredth part to speak of.
@@ -31,6 +33,35 @@ def by_source(ticks: Sequence[Tick]) -> dict[str, list[Tick]]:
     for tick in ticks:
         groups.setdefault(tick.source, []).append(tick)
     return groups
+
+
+def topic_ticks(messages: Sequence[Message], topic: str, period: float | None = None) -> list[Tick]:
+    """The messages of a topic as ticks, which all that measures or plots ticks can take: they have no duration.
+
+    ``topic`` is the full name, ``period`` (s) the one at which the messages should come, counted from the first; if it
+    is None, it is the median of those at which they came.
+    """
+    times = [message.time for message in messages if message.topic == topic]
+    if period is None:
+        period = median(later - earlier for earlier, later in pairwise(times)) if len(times) > 1 else 0.0
+    return [Tick(topic, number + 1, times[0] + number * period, time, 0.0) for number, time in enumerate(times)]
+
+
+def rostopic_hz(ticks: Sequence[Tick], window: int = 50_000) -> str:
+    """What ``rostopic hz`` would print after the last of these ticks, or messages, of one source.
+
+    Of the last ``window`` ticks: the mean rate in Hz, the shortest and the longest period, their standard deviation
+    (source: rostopic/__init__.py, ROSTopicHz). It prints ``no new messages`` as long as there is no period.
+    """
+    times = periods(ticks)[-(window - 1) :] if window > 1 else []
+    if not times:
+        return "no new messages"
+    mean = sum(times) / len(times)
+    deviation = math.sqrt(sum((time - mean) ** 2 for time in times) / len(times))
+    return (
+        f"average rate: {1 / mean if mean > 0 else 0:.3f}\n"
+        f"\tmin: {min(times):.3f}s max: {max(times):.3f}s std dev: {deviation:.5f}s window: {len(times) + 1}"
+    )
 
 
 def periods(ticks: Sequence[Tick]) -> list[float]:

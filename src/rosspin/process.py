@@ -24,6 +24,7 @@ from .clocks.patches import Patch, patched
 from .clocks.programs import end_program
 from .clocks.stacks import StackExit, whose
 from .frames import format_error
+from .messages import MessageFinder
 from .world import NotSimulated, World
 
 __all__ = [
@@ -80,9 +81,10 @@ _one_at_a_time = threading.RLock()
 
 
 @contextmanager
-def process_of(node: Node, args: Sequence[str], modules: Mapping[str, ModuleType]) -> Iterator[None]:
+def process_of(node: Node, args: Sequence[str], modules: Mapping[str, ModuleType], ros: int) -> Iterator[None]:
     """Within this context the process is the node's: its command line, its path, and ``modules`` by their names.
 
+    It can import the messages of ROS 1 or 2, and those of its own package and the packages beside it.
     Afterwards, whatever the node has changed is as before: environment, working directory, modules of its folder.
     """
     if whose() is not None:
@@ -97,6 +99,7 @@ def process_of(node: Node, args: Sequence[str], modules: Mapping[str, ModuleType
         sys.argv = [node.argv0, *args]
         if node.folder is not None:
             sys.path.insert(0, node.folder)
+        stack.enter_context(MessageFinder(ros, _folder(node)))
         sys.modules.update(modules)
         try:
             yield
@@ -123,6 +126,11 @@ def _own_loggers() -> Iterator[None]:
         for logger, level, handlers, filters, propagate in before:
             logger.setLevel(level)
             logger.handlers[:], logger.filters[:], logger.propagate = handlers, filters, propagate
+
+
+def _folder(node: Node) -> Path | None:
+    """The folder of a node's code, from which its package is looked for: a function's, too."""
+    return Path(node.filename).parent if os.path.exists(node.filename) else None
 
 
 def _lies_in(folder: str | None, name: str) -> bool:

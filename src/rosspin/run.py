@@ -1,4 +1,4 @@
-"""Run nodes on a clock, simulated or on the wall, and collect their consoles and ticks."""
+"""Run nodes on a clock, simulated or on the wall, and collect their consoles, ticks and messages."""
 
 from __future__ import annotations
 
@@ -21,7 +21,7 @@ from .clocks.threads import begin_main, end_main
 from .clocks.watchdog import Stuck
 from .frames import Place, node_frames
 from .process import Node, NodeLike, capture, load, print_error, process_of, run_at_exit
-from .ticks import Run, Tick
+from .ticks import Message, Run, Tick
 from .world import NotSimulated, World
 
 __all__ = ["Result", "TimeStandsStill", "measure", "run_node", "say_error", "simulate", "split_words"]
@@ -71,7 +71,15 @@ def _run(runtime: str, node: NodeLike, seconds: float, args: Sequence[str], cloc
     _duration(seconds)  # run_node takes None as for ever
     with capture() as console:
         result = run_node(loaded, seconds, args, clock)
-    return Run(console.text(), result.ticks, result.status, runtime, seconds, result.start)
+    return Run(
+        console.text(),
+        result.ticks,
+        result.status,
+        runtime,
+        seconds,
+        result.start,
+        _messages(result.world, result.start),
+    )
 
 
 class Result(NamedTuple):
@@ -92,7 +100,7 @@ def run_node(
     process is there only for the node: if nothing else ends the node, the process is ended.
     """
     until = None if seconds is None else _duration(seconds)
-    with process_of(node, args, rospy.MODULES):
+    with process_of(node, args, rospy.MODULES, ros=1):
         world = World(clock, sys.argv, record)
         world.at_exit.append((rospy.core.signal_shutdown, ("atexit",), {}))  # as rospy does when it is imported
         start = 0 if isinstance(clock, Simulation) else clock.now()
@@ -158,7 +166,12 @@ def _run_main(node: Node, world: World) -> int:
 
 def _is_ros_package(name: str) -> bool:
     root, _, rest = name.partition(".")
-    return root in _ROS_PACKAGES or root.endswith("_msgs") or (root == "rospy" and rest in rospy.NOT_SIMULATED)
+    return (
+        root in _ROS_PACKAGES
+        or root.endswith(("_msgs", "_srvs"))
+        or rest.startswith("srv")
+        or (root == "rospy" and rest in rospy.NOT_SIMULATED)
+    )
 
 
 def _ticks(world: World, start: int) -> tuple[Tick, ...]:
@@ -173,6 +186,13 @@ def _ticks(world: World, start: int) -> tuple[Tick, ...]:
             )
         )
         for source, number, expected, real, duration in world.ticks or ()
+    )
+
+
+def _messages(world: World, start: float) -> tuple[Message, ...]:
+    first = round(start * NS)
+    return tuple(
+        Message(topic, node, (time - first) / NS, make()) for topic, node, time, make in world.graph.published or ()
     )
 
 

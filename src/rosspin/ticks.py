@@ -1,12 +1,12 @@
-"""The result of a run: its console, its ticks, its status. Pure data, below everything else."""
+"""The result of a run: its console, its ticks, its messages, its status. Pure data, below everything else."""
 
 from __future__ import annotations
 
 from collections.abc import Sequence
 from dataclasses import dataclass, field
-from typing import NamedTuple
+from typing import Any, NamedTuple
 
-__all__ = ["Run", "Tick"]
+__all__ = ["Message", "Run", "Tick"]
 
 
 class Tick(NamedTuple):
@@ -28,13 +28,26 @@ class Tick(NamedTuple):
         return self.real - self.expected
 
 
+class Message(NamedTuple):
+    """One message as it was published: the full name of the ``topic`` and of the ``node``, when, and a copy of it.
+
+    ``time`` is in seconds since the run began. Whether anybody received it is another question.
+    """
+
+    topic: str
+    node: str
+    time: float
+    message: Any
+
+
 @dataclass(frozen=True)
 class Run:
     """What a node did in one run.
 
     ``console`` is what it printed to stdout and stderr, in order; ``ticks`` are in the order in which they began;
     ``status`` is its exit status; ``runtime`` says where it ran ("simulated", "wall", "ros1"); ``seconds`` is the time
-    after which Ctrl-C was pressed; ``start`` is when the run began, in seconds since the epoch (0.0 if simulated).
+    after which Ctrl-C was pressed; ``start`` is when the run began, in seconds since the epoch (0.0 if simulated);
+    ``messages`` are what its topics were given, in the order of publishing (none if it ran on a real ROS).
     """
 
     console: str = field(repr=False)
@@ -43,3 +56,4 @@ class Run:
     runtime: str
     seconds: float
     start: float = 0.0
+    messages: Sequence[Message] = field(default=(), repr=False)

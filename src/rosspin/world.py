@@ -2,11 +2,13 @@
 
 from __future__ import annotations
 
+import threading
 from collections.abc import Callable
 from typing import Any, TypeVar
 
 from .clocks.clock import Clock
-from .clocks.stacks import Program, whose
+from .clocks.stacks import Program, acting_for, whose
+from .graph import Graph
 
 __all__ = ["NotSimulated", "Record", "World", "current_world"]
 
@@ -26,12 +28,14 @@ class NotSimulated(NotImplementedError):
 class World(Program):
     """A node's world: the clock that it runs on, its command line ``argv``, and what is recorded of it.
 
-    ``record`` says whether anybody asks for its ticks.
+    ``record`` says whether anybody asks for its ticks and messages; ``graph`` is the one that it shares with the other
+    nodes of its run, if there are any.
     """
 
-    def __init__(self, clock: Clock, argv: list[str], record: bool) -> None:
+    def __init__(self, clock: Clock, argv: list[str], record: bool, graph: Graph | None = None) -> None:
         super().__init__()
         self.clock = clock
+        self.graph = graph or Graph(clock, record)
         self.argv = argv
         self.errors: list[BaseException] = []  # those whose tracebacks were printed
         self.failure: NotSimulated | None = None  # met in a thread, and the end of the run
@@ -45,6 +49,11 @@ class World(Program):
         """A name for something that ticks, made different from those given before: Rate, Rate 2, ..."""
         count = self._sources[name] = self._sources.get(name, 0) + 1
         return name if count == 1 else f"{name} {count}"
+
+    def start(self, thread: threading.Thread) -> None:
+        """Start a thread of this node, whichever node asks for it."""
+        with acting_for(self):
+            thread.start()
 
     def part(self, kind: type[Part]) -> Part:
         """What one ROS keeps of this node: ``kind(world)``, made when it is first asked for."""

@@ -9,7 +9,8 @@ from __future__ import annotations
 import signal
 import sys
 import threading
-from collections.abc import Callable
+from collections.abc import Callable, Iterator
+from contextlib import contextmanager
 from contextvars import Context
 from itertools import count
 from typing import TYPE_CHECKING, Any, cast
@@ -19,7 +20,7 @@ from ..frames import Trail, trail
 if TYPE_CHECKING:
     from .simulation import Simulation
 
-__all__ = ["Program", "Stack", "StackExit", "current", "enter", "whose"]
+__all__ = ["Program", "Stack", "StackExit", "acting_for", "current", "enter", "whose"]
 
 
 class StackExit(BaseException):
@@ -113,3 +114,21 @@ def enter(program: Program | None) -> Program | None:
     """Let the calling thread of the operating system belong to ``program``; what it belonged to before."""
     before, _here.program = _here.program, program
     return before
+
+
+@contextmanager
+def acting_for(program: Program) -> Iterator[None]:
+    """Within this context the calling code belongs to ``program``, and so does what it starts."""
+    stack = current()
+    if isinstance(stack, Stack):
+        before, stack.program = stack.program, program
+        try:
+            yield
+        finally:
+            stack.program = before
+    else:
+        outer = enter(program)
+        try:
+            yield
+        finally:
+            enter(outer)

@@ -38,10 +38,15 @@ class MessageFinder(MetaPathFinder, Loader):
 
             self.messages = ros2.Messages(self.library)
         self._hidden: dict[str, ModuleType] = {}
+        self._found: set[str] = set()  # packages that were imported through this finder
 
     def __enter__(self) -> MessageFinder:
-        # What is imported already may be the real one, or another node's.
-        self._hidden = {name: module for name, module in sys.modules.items() if self._is_ours(name)}
+        # What is imported already may be the real one, or another node's. Packages without a module msg are not asked
+        # for: a run that imports no message does not need the library.
+        names = [name.split(".") for name in list(sys.modules) if ".msg" in name]
+        packages = {package for package, module, *_ in names if module == "msg"}
+        ours = {package for package in packages if self._is_ours(package)}
+        self._hidden = {name: module for name, module in sys.modules.items() if name.partition(".")[0] in ours}
         for name in self._hidden:
             del sys.modules[name]
         sys.meta_path.insert(0, self)
@@ -49,7 +54,7 @@ class MessageFinder(MetaPathFinder, Loader):
 
     def __exit__(self, *_: object) -> None:
         sys.meta_path.remove(self)
-        for name in [name for name in sys.modules if self._is_ours(name)]:
+        for name in [name for name in sys.modules if name.partition(".")[0] in self._found]:
             del sys.modules[name]
         sys.modules.update(self._hidden)
 
@@ -62,6 +67,7 @@ class MessageFinder(MetaPathFinder, Loader):
         package, *rest = fullname.split(".")
         if not self._is_ours(fullname):
             return None
+        self._found.add(package)
         if not rest:
             return self._package(package)
         if rest == ["msg"]:

@@ -9,9 +9,10 @@ import sys
 from collections.abc import Callable, Iterator, Sequence
 from typing import Any, ClassVar, TypeVar
 
-from ..rospy.genpy import Duration, Time, TVal
 from . import classes
+from . import genpy as rostime
 from .definitions import BUILTIN, Definition, Field, Kind, limits
+from .genpy import Duration, Time, TVal
 from .wire import SIMPLE, LengthError, Step, plan, read, safe
 
 __all__ = [
@@ -21,6 +22,7 @@ __all__ = [
     "Messages",
     "SerializationError",
     "check_type",
+    "rostime",
     "strify_message",
     "transfer",
 ]

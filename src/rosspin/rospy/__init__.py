@@ -6,20 +6,31 @@ What is here behaves as in rospy 1.15.15; the rest raises :class:`NotSimulated`.
 from __future__ import annotations
 
 import sys
-from typing import NoReturn
+from importlib import import_module
+from typing import Any
 
+from ..messages import MessageFinder, genpy, ros1
+from ..messages.ros1 import Message
 from ..world import NotSimulated
-from . import client, core, exceptions, genpy, names, rostime, timer, validators
+from . import client, core, exceptions, msg, names, rostime, timer, topics, validators
 from .client import *
 from .core import *
 from .exceptions import *
+from .msg import AnyMsg
 from .names import *
 from .rostime import Duration, Time, get_rostime, get_time
 from .timer import Rate, Timer, sleep
+from .topics import Publisher, SubscribeListener, Subscriber
 
 __all__ = [
+    "AnyMsg",
     "Duration",
+    "Header",
+    "Message",
+    "Publisher",
     "Rate",
+    "SubscribeListener",
+    "Subscriber",
     "Time",
     "Timer",
     "get_rostime",
@@ -31,30 +42,22 @@ __all__ = [
     *names.__all__,
 ]
 
-# What rospy has beside: topics, services and the master need a real ROS.
+Header: Any  # made when it is asked for
+
+# What rospy has beside: services and the master need a real ROS.
 NOT_SIMULATED = {
-    "AnyMsg",
-    "Header",
     "MasterProxy",
-    "Message",
-    "Publisher",
     "Service",
     "ServiceException",
     "ServiceProxy",
-    "SubscribeListener",
-    "Subscriber",
     "get_master",
     "get_node_uri",
-    "get_published_topics",
     "get_ros_root",
     "impl",
-    "msg",
     "msproxy",
     "numpy_msg",
     "parse_rosrpc_uri",
     "service",
-    "topics",
-    "wait_for_message",
     "wait_for_service",
 }
 
@@ -68,25 +71,35 @@ IN_PART = {
         (name for name in client.__all__ if "param" in name),
         "The node has parameters of its own: there is no server through which nodes share them.",
     ),
+    "Publisher": "The queue loses nothing: ``queue_size``, ``tcp_nodelay`` and ``headers`` have no effect.",
+    "Subscriber": "There is no network: ``buff_size`` and ``tcp_nodelay`` have no effect.",
     "init_node": "There is no network: ``disable_rosout`` and the ports have no effect.",
 }
 
 # What a node may import, by its name on a real ROS.
 MODULES = {
     "rospy": sys.modules[__name__],
-    "genpy": genpy,
+    "genpy": ros1,
+    "genpy.message": ros1,
     "genpy.rostime": genpy,
     "rospy.client": client,
     "rospy.core": core,
     "rospy.exceptions": exceptions,
     "rospy.impl.validators": validators,
+    "rospy.msg": msg,
     "rospy.names": names,
     "rospy.rostime": rostime,
     "rospy.timer": timer,
+    "rospy.topics": topics,
 }
 
 
-def __getattr__(name: str) -> NoReturn:
+def __getattr__(name: str) -> Any:
+    if name == "Header":  # the class that this run's std_msgs.msg has
+        try:
+            return import_module("std_msgs.msg").Header
+        except ImportError:  # outside of a run
+            return MessageFinder(1).messages["std_msgs/Header"]
     if name in NOT_SIMULATED:
         raise NotSimulated(f"rospy.{name}")
     raise AttributeError(f"module 'rospy' has no attribute '{name}'", name=name)

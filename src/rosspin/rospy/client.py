@@ -1,4 +1,4 @@
-"""Starting and spinning a node, and its parameters (sources: rospy/client.py, rospy/msproxy.py)."""
+"""Starting and spinning a node, waiting for messages, parameters (sources: rospy/client.py, rospy/msproxy.py)."""
 
 from __future__ import annotations
 
@@ -7,12 +7,16 @@ import os
 import warnings
 from collections.abc import Callable
 from copy import deepcopy
+from importlib import import_module
 from typing import Any
 
+from ..clocks.clock import nanoseconds
+from ..messages.genpy import Duration
 from . import names, rosgraph
 from .core import add_client_shutdown_hook, handle_signal, signal_shutdown
-from .exceptions import ROSException, ROSInitException
+from .exceptions import ROSException, ROSInitException, ROSInterruptException
 from .state import State, handle_signals, state
+from .topics import Subscriber
 
 __all__ = [
     "DEBUG",
@@ -24,6 +28,7 @@ __all__ = [
     "get_param",
     "get_param_cached",
     "get_param_names",
+    "get_published_topics",
     "has_param",
     "init_node",
     "myargv",
@@ -31,6 +36,7 @@ __all__ = [
     "search_param",
     "set_param",
     "spin",
+    "wait_for_message",
 ]
 
 # Levels, numbered as in rosgraph_msgs/Log.
@@ -45,6 +51,9 @@ _LEVELS = {
 }
 
 _unspecified: Any = object()
+
+# So often (ns) wait_for_message looks.
+_LOOK = 10_000_000
 
 
 def init_node(
@@ -97,7 +106,19 @@ def init_node(
         set_param(rosgraph.PRIV_NAME + parameter, value)
     node.initialized = True
     node.log_level = logging.INFO if log_level is None else _LEVELS[log_level]
+    for register in node.at_init:
+        register()
+    node.rosout = not disable_rosout
+    if not disable_rostime and get_param("/use_sim_time", False):
+        _listen_to_clock(node)
     node.time_initialized = True
+
+
+def _listen_to_clock(node: State) -> None:
+    """ROS time is what /clock says; until it says something, it is 0 (source: rospy/impl/simtime.py)."""
+    Clock = import_module("rosgraph_msgs.msg").Clock
+    Subscriber("/clock", Clock, lambda message: node.set_ros_time(message.clock.to_nsec()), queue_size=1)
+    node.set_ros_time(0)
 
 
 def load_command_line_node_params(argv: list[str]) -> dict[str, Any]:
@@ -136,6 +157,44 @@ def spin() -> None:
             node.clock.sleep(500_000_000)
     except KeyboardInterrupt:
         signal_shutdown("keyboard interrupt")
+
+
+# --- topics -----------------------------------------------------------------------------------------------------------
+
+
+def wait_for_message(topic: str, topic_type: Any, timeout: float | Duration | None = None) -> Any:
+    """Subscribe to a topic, wait for one message, and return it. It looks each 10 ms.
+
+    ``timeout`` is in seconds or a Duration. Raises ROSException if it is exceeded, ROSInterruptException at shutdown.
+    """
+    node = state()
+    received: list[Any] = []
+    subscriber = Subscriber(topic, topic_type, received.append)
+    try:
+        seconds = timeout.to_sec() if isinstance(timeout, Duration) else timeout
+        until = None if seconds is None else node.clock.now() + nanoseconds(seconds)
+        while not node.shutdown and not received:
+            node.clock.sleep(_LOOK)
+            if until is not None and node.clock.now() >= until:
+                raise ROSException(f"timeout exceeded while waiting for message on topic {topic}")
+    finally:
+        subscriber.unregister()
+    if node.shutdown:
+        raise ROSInterruptException("rospy shutdown")
+    return received[0]
+
+
+def get_published_topics(namespace: str = "/") -> list[list[str]]:
+    """The topics below a namespace that are published, and their types: [[name, type], ...].
+
+    As on a real ROS the node's own log, /rosout, is one of them, although nothing is published there.
+    """
+    node = state()
+    topics = dict(node.world.graph.topics())
+    if node.initialized and node.rosout:
+        topics = {"/rosout": "rosgraph_msgs/Log", **topics}
+    below = rosgraph.make_global_ns(namespace)
+    return [[topic, kind] for topic, kind in topics.items() if topic.startswith(below)]
 
 
 # --- parameters -------------------------------------------------------------------------------------------------------

@@ -12,7 +12,7 @@ from types import FrameType
 from typing import Any
 
 from ..frames import format_error, node_frame
-from .genpy import Duration
+from ..messages.genpy import Duration
 from .names import valid_name
 from .rosgraph import SEP
 from .rostime import get_rostime, wallsleep
@@ -297,7 +297,11 @@ def signal_shutdown(reason: str) -> None:
             sys.stderr.write(format_error(error))
             node.world.errors.append(error)
     node.shutdown_hooks.clear()
+    for finish in node.before_shutdown:
+        finish()
     node.shutdown = True
+    for close in node.at_shutdown:
+        close()
     try:
         wallsleep(0.1)
     except KeyboardInterrupt:

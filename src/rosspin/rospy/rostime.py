@@ -5,7 +5,7 @@ from __future__ import annotations
 import threading
 
 from ..clocks.clock import nanoseconds
-from . import genpy
+from ..messages import genpy
 from .state import state
 
 __all__ = ["Duration", "Time", "get_rostime", "get_time", "is_wallclock", "switch_to_wallclock", "wallsleep"]

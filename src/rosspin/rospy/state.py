@@ -36,11 +36,15 @@ class State:
 
         self.init_args: tuple[Any, ...] | None = None
         self.initialized = False
+        self.rosout = False  # whether its log is said to be a topic
 
         self.shutdown_lock = threading.Lock()
         self.shutdown_requested = False
         self.shutdown = False
         self.shutdown_hooks: list[Callable[[], None]] = []
+        self.at_init: list[Callable[[], None]] = []  # rospy's own, called by ``init_node``
+        self.before_shutdown: list[Callable[[], None]] = []  # rospy's own, called after those hooks
+        self.at_shutdown: list[Callable[[], None]] = []  # rospy's own, called once ``shutdown`` is true
 
         self.timers: list[Any] = []  # those that were started, if ticks are recorded
 

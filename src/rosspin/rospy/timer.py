@@ -10,7 +10,7 @@ from typing import Any
 
 from ..clocks.clock import nanoseconds
 from ..frames import node_frame
-from . import genpy
+from ..messages import genpy
 from .exceptions import ROSInterruptException, ROSTimeMovedBackwardsException
 from .rostime import Duration, Time
 from .state import State, state

@@ -1,0 +1,94 @@
+"""The topics of one run: who publishes, who subscribes, and what was published.
+
+What is the same in every ROS. Who is told of whom, when two nodes connect, and what a queue keeps, is each ROS's own.
+"""
+
+from __future__ import annotations
+
+import threading
+from collections.abc import Callable
+from typing import Any, Generic, Protocol, TypeVar
+
+from .clocks.clock import Clock
+
+__all__ = ["End", "Graph", "Published"]
+
+
+class End(Protocol):
+    """A node's end of a topic: a publication or a subscription."""
+
+    @property
+    def topic(self) -> str:
+        """The topic's full name."""
+
+    @property
+    def type(self) -> str:
+        """The type of its messages, as in std_msgs/String."""
+
+
+E = TypeVar("E", bound=End)
+
+# A message as it is recorded: topic, node, time (ns), and what makes the message when somebody asks for it.
+Published = tuple[str, str, int, Callable[[], Any]]
+
+
+class _Ends(Generic[E]):
+    """Publications, or subscriptions, by topic; in the order in which they were made."""
+
+    def __init__(self) -> None:
+        self._of: dict[str, list[E]] = {}
+
+    def add(self, end: E) -> None:
+        self._of.setdefault(end.topic, []).append(end)
+
+    def remove(self, end: E) -> None:
+        ends = self._of.get(end.topic, [])
+        if end in ends:
+            ends.remove(end)
+
+    def of(self, topic: str) -> list[E]:
+        return list(self._of.get(topic, ()))
+
+    def types(self) -> list[tuple[str, str]]:
+        return [(topic, ends[0].type) for topic, ends in self._of.items() if ends]
+
+
+class Graph:
+    """The topics of the nodes that run on one clock; ``record`` says whether anybody asks for their messages."""
+
+    def __init__(self, clock: Clock, record: bool) -> None:
+        self.published: list[Published] | None = [] if record else None
+        self._clock = clock
+        self._lock = threading.Lock()
+        self._publications: _Ends[Any] = _Ends()
+        self._subscriptions: _Ends[Any] = _Ends()
+
+    def advertise(self, publication: End) -> list[Any]:
+        """Add a publication; the subscriptions that are there already."""
+        return self._add(publication, self._publications, self._subscriptions)
+
+    def subscribe(self, subscription: End) -> list[Any]:
+        """Add a subscription; the publications that are there already."""
+        return self._add(subscription, self._subscriptions, self._publications)
+
+    def _add(self, end: End, same: _Ends[Any], other: _Ends[Any]) -> list[Any]:
+        # In one go: of two ends that are made at the same time, exactly one finds the other.
+        with self._lock:
+            same.add(end)
+            return other.of(end.topic)
+
+    def remove(self, end: End) -> None:
+        """Take an end away; one that is not there is no error."""
+        with self._lock:
+            self._publications.remove(end)
+            self._subscriptions.remove(end)
+
+    def topics(self) -> list[tuple[str, str]]:
+        """The topics that somebody publishes, and their types."""
+        with self._lock:
+            return self._publications.types()
+
+    def record(self, topic: str, node: str, make: Callable[[], Any]) -> None:
+        """Keep that ``node`` has published, now, the message that ``make()`` gives."""
+        if self.published is not None:
+            self.published.append((topic, node, self._clock.now(), make))

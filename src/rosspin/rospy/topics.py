@@ -1,0 +1,573 @@
+"""Publishers, subscribers and the connections between them (source: rospy/topics.py and rospy/impl).
+
+On a real ROS each pair of a publishing and a subscribing node has a TCP connection for each topic, even inside of one
+process, and the subscriber a thread that reads from it and runs the callbacks. Here the same thread reads from a queue.
+"""
+
+from __future__ import annotations
+
+import sys
+import threading
+import warnings
+from collections import deque
+from collections.abc import Callable
+from typing import Any, TypeVar
+
+from ..frames import format_error
+from ..messages.ros1 import Message, SerializationError
+from ..world import NotSimulated, World
+from . import names, rosgraph
+from .core import logerr, logwarn
+from .exceptions import ROSException, ROSSerializationException
+from .msg import args_kwds_to_message, serialize_message
+from .state import State, state
+
+__all__ = ["Publisher", "SubscribeListener", "Subscriber", "Topic"]
+
+# How long (ns) it takes two nodes to connect, by who comes later: what was measured most often on a real ROS. A
+# publisher asks the master at once, but the master tells the subscribers of a new publisher only each 0.1 s.
+LATER_SUBSCRIBER = 5_000_000
+LATER_PUBLISHER = 100_000_000
+
+DEFAULT_BUFF_SIZE = 65536
+
+# On the wall clock, what a shutdown hook publishes is given these times (ns), one after the other, to arrive.
+_ARRIVAL = (100_000,) * 10
+
+Callbacks = list[tuple[Callable[..., Any], Any]]
+
+
+class Publication:
+    """A topic as one node publishes it, which all its Publishers share."""
+
+    def __init__(self, node: State, topic: str, data_class: type[Message]) -> None:
+        self.node = node
+        self.topic = topic
+        self.data_class = data_class
+        self.type = data_class._type
+        self.handles = 0  # Publishers that use it
+        self.connections: list[Connection] = []
+        self.listeners: list[SubscribeListener] = []
+        self.latches = False
+        self.closed = False
+        self._latched: Message | None = None
+        self._sequence = 0
+        self._lock = threading.RLock()  # a signal handler may publish while its thread does
+
+    def get_num_connections(self) -> int:
+        """How many nodes are connected."""
+        return len(self.connections)
+
+    def register(self) -> None:
+        """Tell the other nodes of it."""
+        for subscription in self.node.world.graph.advertise(self):
+            subscription.connect(self, LATER_PUBLISHER)
+
+    def accept(self, connection: Connection) -> bool:
+        """Let a subscriber be connected, unless it expects another type."""
+        wanted = connection.subscription.data_class
+        if names.TOPIC_ANYTYPE not in (wanted._md5sum, self.data_class._md5sum) and wanted._md5sum != (
+            self.data_class._md5sum
+        ):
+            reason = f"topic types do not match: [{wanted._type}] vs. [{self.type}]"
+            logwarn("Could not process inbound connection: %s%s", reason, connection.request())
+            return False
+        with self._lock:
+            if self.closed:
+                return False
+            self.connections = [*self.connections, connection]
+
+        def peer_publish(data: Message) -> None:
+            self.publish(data, connection)
+
+        for listener in self.listeners:
+            listener.peer_subscribe(self.topic, self.publish, peer_publish)
+        if self.latches and self._latched is not None:
+            self._send(self._latched, [connection])
+        return True
+
+    def drop(self, connection: Connection) -> None:
+        """Forget a connection."""
+        with self._lock:
+            if connection not in self.connections:
+                return
+            self.connections = [each for each in self.connections if each is not connection]
+        for listener in self.listeners:
+            listener.peer_unsubscribe(self.topic, len(self.connections))
+
+    def publish(self, message: Message, only: Connection | None = None) -> None:
+        """Publish to all who are connected, or only to one."""
+        with self._lock:
+            if self.closed:
+                if not self.node.shutdown:
+                    raise ROSException("publish() to a closed topic")
+                return
+            if self.latches:
+                self._latched = message
+            data = self._send(message, self.connections if only is None else [only])
+            graph = self.node.world.graph
+            if graph.published is not None:
+                graph.record(self.topic, self.node.name, _copy(message, data))
+
+    def _send(self, message: Message, connections: list[Connection]) -> bytes | None:
+        """What was sent; None if nobody is there, and nothing was even looked at."""
+        if not connections:
+            return None
+        self._sequence += 1
+        try:
+            data = serialize_message(self._sequence, message)
+        except BaseException:
+            # What rospy has written of it stays in the buffer: the next message arrives broken, and the subscriber
+            # hangs up.
+            for connection in self.connections:
+                connection.broken = True
+            raise
+        for connection in connections:
+            if connection.broken:
+                self._break(connection)
+            elif not self.node.shutdown:
+                connection.deliver(data)
+        return data
+
+    def _break(self, connection: Connection) -> None:
+        sys.stderr.write(
+            f"rosspin: a message for {self.topic} that could not be sent has broken the connection to "
+            f"{connection.subscription.node.name}, as on a real ROS: nothing more arrives there\n"
+        )
+        connection.close()
+
+    def close(self) -> None:
+        """End all connections; what is on its way still arrives."""
+        with self._lock:
+            self.closed = True
+        self.node.world.graph.remove(self)
+        for connection in self.connections:
+            connection.hang_up()
+            self.drop(connection)
+        self.listeners.clear()
+
+
+class Subscription:
+    """A topic as one node subscribes to it, which all its Subscribers share."""
+
+    def __init__(self, node: State, topic: str, data_class: type[Message]) -> None:
+        self.node = node
+        self.topic = topic
+        self.data_class = data_class
+        self.type = data_class._type
+        self.handles = 0
+        self.callbacks: Callbacks = []
+        self.connections: list[Connection] = []
+        self.queue_size: int | None = None
+        self.closed = False
+        self.lock = threading.RLock()
+
+    def get_num_connections(self) -> int:
+        """How many publishing nodes are connected."""
+        return len(self.connections)
+
+    def register(self) -> None:
+        """Tell the other nodes of it."""
+        for publication in self.node.world.graph.subscribe(self):
+            self.connect(publication, LATER_SUBSCRIBER)
+
+    def connect(self, publication: Publication, delay: int) -> None:
+        """Connect to a publisher after ``delay`` ns."""
+        self.node.world.start(Connection(publication, self, delay))
+
+    def set_queue_size(self, queue_size: int | None) -> None:
+        """Keep only so many messages of those that wait; -1 stands for all. Raises ROSException for 0 and the like."""
+        if queue_size == 0:
+            raise ROSException("queue size may not be set to zero")
+        if queue_size is not None and type(queue_size) is not int:
+            raise ROSException("queue size must be an integer")
+        self.queue_size = None if queue_size == -1 else queue_size
+
+    def add_callback(self, callback: Callable[..., Any], args: Any) -> None:
+        """Call a function with each message; at once with the last one of those who latch."""
+        with self.lock:
+            self.callbacks = [*self.callbacks, (callback, args)]
+        for connection in self.connections:
+            if connection.latched is not None:
+                self._call(connection.latched, callback, args)
+
+    def remove_callback(self, callback: Callable[..., Any], args: Any) -> None:
+        """Call it no more, from the next messages on."""
+        with self.lock:
+            left = list(self.callbacks)
+            left.remove((callback, args))
+            self.callbacks = left
+
+    def receive(self, messages: list[Message]) -> None:
+        """Run the callbacks with each message."""
+        callbacks = self.callbacks
+        for message in messages:
+            for callback, args in callbacks:
+                self._call(message, callback, args)
+
+    def _call(self, message: Message, callback: Callable[..., Any], args: Any) -> None:
+        try:
+            if args is None:
+                callback(message)
+            else:
+                callback(message, args)
+        except NotSimulated:
+            raise
+        except Exception as error:
+            if not self.node.shutdown:
+                self.node.world.errors.append(error)
+                logerr(f"bad callback: {callback}\n{format_error(error)}")
+
+    def close(self) -> None:
+        """End all connections; what waits is dropped."""
+        with self.lock:
+            self.closed = True
+            connections, self.connections = self.connections, []
+        self.node.world.graph.remove(self)
+        for connection in connections:
+            connection.close()
+
+
+class Connection(threading.Thread):
+    """Between a publishing and a subscribing node: the thread of the latter that runs the callbacks.
+
+    As rospy's it reads what waits, keeps the last ``queue_size``, and runs all these before it reads on. A message of
+    the instant in which it comes back to reading has arrived.
+    """
+
+    def __init__(self, publication: Publication, subscription: Subscription, delay: int) -> None:
+        super().__init__(name=publication.topic, daemon=True)
+        self.publication = publication
+        self.subscription = subscription
+        self.latched: Message | None = None  # the last message of a publisher that latches
+        self.broken = False
+        self.idle = False
+        self._delay = delay
+        self._waiting: deque[bytes] = deque()
+        self._is_last = False  # nothing more comes
+        self._closed = False
+        self._gate = threading.Lock()  # open when there is something to look at
+        self._gate.acquire()
+
+    def request(self) -> dict[str, str]:
+        """What a subscriber says of itself when it connects."""
+        wanted = self.subscription.data_class
+        return {
+            "callerid": self.subscription.node.name,
+            "md5sum": wanted._md5sum,
+            "message_definition": wanted._full_text,
+            "tcp_nodelay": "0",
+            "topic": self.publication.topic,
+            "type": wanted._type,
+        }
+
+    @property
+    def is_due(self) -> bool:
+        """Whether it has something to read and nothing else to do."""
+        return self.idle and bool(self._waiting)
+
+    def deliver(self, data: bytes) -> None:
+        """Put a message into the queue."""
+        self._waiting.append(data)
+        self._open()
+
+    def hang_up(self) -> None:
+        """The publisher's end: what waits is still worked off."""
+        self._is_last = True
+        self._open()
+
+    def close(self) -> None:
+        """The subscriber's end: what waits is dropped."""
+        self._closed = True
+        self._open()
+        self.publication.drop(self)
+
+    def _open(self) -> None:
+        try:
+            self._gate.release()
+        except RuntimeError:
+            pass  # it is open
+
+    def run(self) -> None:
+        """What the connection's thread does."""
+        subscription, publication = self.subscription, self.publication
+        subscription.node.clock.sleep(self._delay)
+        with subscription.lock:
+            if subscription.closed or publication.closed:
+                return
+            subscription.connections = [*subscription.connections, self]
+        if publication.accept(self):
+            self._read()
+            with subscription.lock:
+                subscription.connections = [each for each in subscription.connections if each is not self]
+
+    def _read(self) -> None:
+        node, publication = self.subscription.node, self.publication
+        header = {
+            "callerid": publication.node.name,
+            "latching": "1" if publication.latches else "0",
+            "md5sum": publication.data_class._md5sum,
+            "message_definition": publication.data_class._full_text,
+            "topic": publication.topic,
+            "type": publication.type,
+        }
+        while not (self._closed or node.shutdown):
+            if not self._waiting:
+                if self._is_last:
+                    return
+                self.idle = True
+                self._gate.acquire()
+                self.idle = False
+                continue
+            messages = [self._message(data, header) for data in self._take()]
+            if publication.latches:
+                self.latched = messages[-1]
+            began = node.clock.now()
+            try:
+                self.subscription.receive(messages)
+            except NotSimulated:
+                raise
+            except (Exception, SystemExit, KeyboardInterrupt):
+                pass  # rospy says so in its log file only; the rest of the batch is gone
+            if node.clock.now() != began:
+                node.clock.sleep(0)  # others' messages of this instant
+
+    def _take(self) -> list[bytes]:
+        batch = []
+        while self._waiting:
+            batch.append(self._waiting.popleft())
+        return batch[-self.subscription.queue_size :] if self.subscription.queue_size else batch
+
+    def _message(self, data: bytes, header: dict[str, str]) -> Message:
+        message = self.subscription.data_class().deserialize(data)
+        message._connection_header = header  # type: ignore[attr-defined]
+        return message
+
+
+def _copy(message: Message, data: bytes | None) -> Callable[[], Any]:
+    """What makes a copy of a message as it is now, and as a subscriber would get it if it can be sent."""
+    if data is None:
+        from copy import deepcopy
+
+        try:
+            data = serialize_message(getattr(getattr(message, "header", None), "seq", 0), message)
+        except Exception:
+            kept = deepcopy(message)  # nobody was there to whom it could not be sent
+            return lambda: kept
+    kind, sent = type(message), data
+    return lambda: kind().deserialize(sent)
+
+
+# --- a node's topics --------------------------------------------------------------------------------------------------
+
+Impl = TypeVar("Impl", Publication, Subscription)
+
+
+class Topics:
+    """The topics of one node."""
+
+    def __init__(self, world: World) -> None:
+        self.node = world.part(State)
+        self.publications: dict[str, Publication] = {}
+        self.subscriptions: dict[str, Subscription] = {}
+        self._early: list[Publication | Subscription] = []  # made before init_node
+        self._lock = threading.RLock()
+        self.node.at_init.append(self._register_early)
+        self.node.before_shutdown.append(self._let_arrive)
+        self.node.at_shutdown.append(self._close_all)
+
+    def acquire(self, kind: type[Impl], ends: dict[str, Impl], topic: str, data_class: type[Message]) -> Impl:
+        """The node's end of a topic, for one more handle of it."""
+        with self._lock:
+            end = ends.get(topic)
+            if end is None:
+                end = ends[topic] = kind(self.node, topic, data_class)
+                if self.node.initialized:
+                    end.register()
+                else:
+                    self._early.append(end)
+            end.handles += 1
+            return end
+
+    def release(self, ends: dict[str, Impl], end: Impl) -> None:
+        """A handle is no longer used; the last one takes the end with it."""
+        with self._lock:
+            if self.node.shutdown:
+                return
+            end.handles -= 1
+            if end.handles == 0:
+                del ends[end.topic]
+                end.close()
+
+    def _register_early(self) -> None:
+        for end in self._early:
+            if not end.closed:
+                end.register()
+        self._early.clear()
+
+    def _let_arrive(self) -> None:
+        """What shutdown hooks have published arrives in this node, too."""
+        for pause in (0, *_ARRIVAL):  # in simulated time they arrive in no time
+            ends = list(self.subscriptions.values())
+            if not any(connection.is_due for end in ends for connection in end.connections):
+                return
+            self.node.clock.sleep(pause)
+
+    def _close_all(self) -> None:
+        with self._lock:
+            ends: list[Publication | Subscription] = [*self.publications.values(), *self.subscriptions.values()]
+            for end in ends:
+                end.close()
+
+
+class Topic:
+    """What Publisher and Subscriber have in common.
+
+    Raises ValueError if the name is not a text or empty, or if ``data_class`` is not the class of a message.
+    """
+
+    def __init__(self, name: str, data_class: type[Message], reg_type: str) -> None:
+        if not name or not isinstance(name, str):
+            raise ValueError("topic name is not a non-empty string")
+        if data_class is None:
+            raise ValueError("topic parameter 'data_class' is not initialized")
+        if type(data_class) is not type:
+            raise ValueError(f"data_class [{data_class}] is not a class")
+        if not issubclass(data_class, Message):
+            raise ValueError(f"data_class [{type(data_class).__name__}] is not a message data class")
+        if not rosgraph.is_legal_name(name):
+            warnings.warn(
+                f"'{name}' is not a legal ROS graph resource name. This may cause problems with other ROS tools",
+                stacklevel=3,
+            )
+        node = state()
+        resolve = names.resolve_name if node.initialized else names.resolve_name_without_node_name
+        self.resolved_name: str | None = resolve(name)
+        self.name = self.resolved_name
+        self.data_class: type[Message] | None = data_class
+        self.type: str | None = data_class._type
+        self.md5sum: str | None = data_class._md5sum
+        self.reg_type = reg_type
+        self._topics = node.world.part(Topics)
+        self.impl: Any = None
+
+    def get_num_connections(self) -> int:
+        """To how many nodes this one is connected by the topic."""
+        return int(self.impl.get_num_connections())
+
+    def _forget(self) -> None:
+        self.impl = self.resolved_name = self.type = self.md5sum = self.data_class = None
+
+
+class Publisher(Topic):
+    """Publishes messages of the class ``data_class`` on the topic ``name``.
+
+    Other nodes connect within a while: what is published before is lost. With ``latch`` the last message is kept and
+    sent to whoever connects; ``subscriber_listener`` is told of those. Without a ``queue_size`` it warns; whatever it
+    is, the queue loses nothing here: the real one does where messages come in bursts. ``tcp_nodelay`` and ``headers``
+    have no effect.
+    """
+
+    impl: Publication | None
+
+    def __init__(
+        self,
+        name: str,
+        data_class: type[Message],
+        subscriber_listener: SubscribeListener | None = None,
+        tcp_nodelay: bool = False,
+        latch: bool = False,
+        headers: dict[str, str] | None = None,
+        queue_size: int | None = None,
+    ) -> None:
+        super().__init__(name, data_class, "pub")
+        assert self.resolved_name
+        self.impl = self._topics.acquire(Publication, self._topics.publications, self.resolved_name, data_class)
+        if subscriber_listener:
+            self.impl.listeners.append(subscriber_listener)
+        if latch:
+            self.impl.latches = True
+        if queue_size is None:
+            warnings.warn(
+                "The publisher should be created with an explicit keyword argument 'queue_size'. "
+                "Please see http://wiki.ros.org/rospy/Overview/Publishers%20and%20Subscribers for more information.",
+                SyntaxWarning,
+                stacklevel=2,
+            )
+
+    def publish(self, *args: Any, **kwds: Any) -> None:
+        """Publish a message, or the message of these field values, all in order or some by keyword.
+
+        Raises ROSException before ``init_node`` and after ``unregister``, TypeError and AttributeError for arguments
+        that make no message, and ROSSerializationException for values of the wrong type, if anybody is connected; that
+        breaks the connections. After shutdown nothing happens.
+        """
+        if self.impl is None:
+            raise ROSException("publish() to an unregistered() handle")
+        assert self.data_class
+        if not self.impl.node.initialized:
+            raise ROSException("ROS node has not been initialized yet. Please call init_node() first")
+        message = args_kwds_to_message(self.data_class, args, kwds)
+        try:
+            self.impl.publish(message)
+        except SerializationError as error:
+            raise ROSSerializationException(str(error))
+
+    def unregister(self) -> None:
+        """Publish no more. What was published still arrives."""
+        if self.impl is not None:
+            self._topics.release(self._topics.publications, self.impl)
+            self._forget()
+
+
+class Subscriber(Topic):
+    """Calls ``callback(message)`` with each message on the topic ``name``, in a thread of its own for each publisher.
+
+    If ``callback_args`` is not None, it is the callback's second argument. While a callback runs, messages wait; then
+    the last ``queue_size`` of them are taken, or all of them. All Subscribers of a node to a topic share its thread,
+    their callbacks being called one after the other, and its ``queue_size``. An exception in a callback is logged, and
+    all goes on. ``buff_size`` and ``tcp_nodelay`` have no effect. Raises ROSException for a ``queue_size`` of 0.
+    """
+
+    impl: Subscription | None
+
+    def __init__(
+        self,
+        name: str,
+        data_class: type[Message],
+        callback: Callable[..., Any] | None = None,
+        callback_args: Any = None,
+        queue_size: int | None = None,
+        buff_size: int = DEFAULT_BUFF_SIZE,
+        tcp_nodelay: bool = False,
+    ) -> None:
+        super().__init__(name, data_class, "sub")
+        assert self.resolved_name
+        self.impl = self._topics.acquire(Subscription, self._topics.subscriptions, self.resolved_name, data_class)
+        if queue_size is not None:
+            self.impl.set_queue_size(queue_size)
+        self.callback = callback
+        self.callback_args = callback_args if callback is not None else None
+        if callback is not None:
+            self.impl.add_callback(callback, callback_args)
+
+    def unregister(self) -> None:
+        """Call the callback no more."""
+        if self.impl is not None:
+            if self.callback is not None:
+                self.impl.remove_callback(self.callback, self.callback_args)
+            self.callback = self.callback_args = None
+            self._topics.release(self._topics.subscriptions, self.impl)
+            self._forget()
+
+
+class SubscribeListener:
+    """Is told which nodes connect to a publisher: overwrite its methods, which do nothing."""
+
+    def peer_subscribe(
+        self, topic_name: str, topic_publish: Callable[[Any], Any], peer_publish: Callable[[Any], Any]
+    ) -> None:
+        """A node has connected. ``peer_publish(message)`` publishes to it alone, ``topic_publish`` to all."""
+
+    def peer_unsubscribe(self, topic_name: str, num_peers: int) -> None:
+        """A node has gone; ``num_peers`` are left."""
