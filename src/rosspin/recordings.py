@@ -76,7 +76,7 @@ def load(path: str | os.PathLike[str]) -> Recording:
         ticks = read_ticks(console, start=start)
     else:
         raise ValueError(f"{file}: a recording is a .csv or a .txt file")
-    return Recording(console, ticks, provenance["status"], "ros1", provenance["seconds"], start, provenance)
+    return Recording(console, ticks, provenance["status"], "ros1", provenance["seconds"], start, provenance=provenance)
 
 
 def _ticks(file: Path) -> Iterator[Tick]:
