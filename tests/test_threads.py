@@ -256,19 +256,117 @@ def test_a_real_ctrl_c_ends_a_simulated_run(write: Any) -> None:
     assert (process.returncode, err) == (130, "")
 
 
+def test_signals_disturb_no_sleep_that_comes_after_them() -> None:
+    def node() -> None:
+        def send() -> None:
+            for _ in range(3):
+                time.sleep(0.1)
+                os.kill(os.getpid(), signal.SIGUSR1)
+
+        signal.signal(signal.SIGUSR1, lambda number, frame: None)
+        threading.Thread(target=send).start()
+        for length in (1, 2, 2):
+            time.sleep(length)
+            print(time.time())
+
+    assert simulate(node, 10).console == "1.0\n3.0\n5.0\n"
+
+
+def test_two_signals_at_once_are_both_handled() -> None:
+    def node() -> None:
+        def send() -> None:
+            for number in (signal.SIGUSR1, signal.SIGUSR2):
+                os.kill(os.getpid(), number)
+
+        for number in (signal.SIGUSR1, signal.SIGUSR2):
+            signal.signal(number, lambda number, frame: print(number))
+        threading.Thread(target=send).start()
+        time.sleep(1)
+
+    assert simulate(node, 10).console == f"{signal.SIGUSR1:d}\n{signal.SIGUSR2:d}\n"
+
+
+def test_an_alarm_rings_in_simulated_time() -> None:
+    def node() -> None:
+        signal.signal(signal.SIGALRM, lambda number, frame: print(time.time()))
+        signal.setitimer(signal.ITIMER_REAL, 0.5, 1.0)
+        time.sleep(2.6)
+        print(round(signal.setitimer(signal.ITIMER_REAL, 0)[0], 6))
+        time.sleep(5)
+
+    assert simulate(node, 10).console == "0.5\n1.5\n2.5\n0.9\n"
+
+
+def test_signals_that_python_ignores_or_that_nobody_can_handle() -> None:
+    def node() -> None:
+        os.kill(os.getpid(), 0)
+        os.kill(os.getpid(), signal.SIGCHLD)
+        with pytest.raises(OSError):
+            os.kill(os.getpid(), 1000)
+        with pytest.raises(OSError):
+            signal.signal(signal.SIGKILL, signal.SIG_DFL)
+
+    assert simulate(node, 1).status == 0
+
+
+@pytest.mark.parametrize("run", [simulate, measure])
+def test_an_exception_of_a_handler_at_the_very_end_stays_in_the_run(run: Any) -> None:
+    def node() -> None:
+        signal.signal(signal.SIGINT, lambda number, frame: sys.exit(3))
+        threading.Thread(target=time.sleep, args=(0.2,)).start()
+
+    result: Run = run(node, 0.1)
+    assert result.status == 0
+    assert result.console.startswith("Exception ignored in: <module 'threading'>\n")
+
+
+def test_two_pools_at_once() -> None:
+    def node() -> None:
+        rospy.init_node("node")
+        pools = [ThreadPoolExecutor(1) for _ in range(2)]
+
+        def ask(pool: ThreadPoolExecutor) -> None:
+            print(pool.submit(threading.current_thread).result().name)
+
+        for pool in pools:
+            rospy.Timer(rospy.Duration(1), lambda event, pool=pool: ask(pool))  # type: ignore[misc]
+        rospy.sleep(1.5)
+
+    assert simulate(node, 5).console == "ThreadPoolExecutor-0_0\nThreadPoolExecutor-1_0\n"
+
+
+def test_a_child_that_a_node_forks_does_not_come_back_to_the_host() -> None:
+    def node() -> None:
+        child = os.fork()
+        if not child:
+            os._exit(7)
+        print(os.waitstatus_to_exitcode(os.waitpid(child, 0)[1]))
+
+    here = os.getpid()
+    assert simulate(node, 1).console == "7\n"
+    assert os.getpid() == here
+
+
+def test_an_import_that_never_ends(impatient: None, write: Any) -> None:
+    write("while True: pass\n", "endless.py")
+    with pytest.raises(TimeStandsStill, match="endless.py:1: "):
+        simulate(write("import endless\n"), 1)
+
+
+@pytest.mark.parametrize(("code", "status"), [("256", 0), ("-1", 255), ("ValueError('bad')", 1)])
+def test_exit_statuses_are_those_of_a_process(write: Any, code: str, status: int) -> None:
+    assert simulate(write(f"import sys\nsys.exit({code})\n"), 1).status == status
+
+
 # --- clocks -----------------------------------------------------------------------------------------------------------
 
 
-def test_dates_are_simulated_and_are_dates() -> None:
+def test_functions_of_time_that_take_now_by_default_are_simulated() -> None:
     def node() -> None:
-        import datetime
-
         time.sleep(1.5)
-        now = datetime.datetime.now(datetime.UTC)
-        print(now, isinstance(now, datetime.datetime), isinstance(now, datetime.date), datetime.datetime(2020, 1, 2))
         print(time.gmtime().tm_sec, time.strftime("%S", time.gmtime()), time.gmtime(86400).tm_mday)
 
-    assert simulate(node, 5).console == ("1970-01-01 00:00:01.500000+00:00 True True 2020-01-02 00:00:00\n1 01 2\n")
+    assert simulate(node, 5).console == "1 01 2\n"
 
 
 def test_the_time_of_the_processor_is_real() -> None:

@@ -10,7 +10,7 @@ from itertools import islice
 from types import CodeType, FrameType, TracebackType
 from typing import NamedTuple
 
-__all__ = ["Place", "called_from", "format_error", "node_frame", "node_frames", "places", "trail"]
+__all__ = ["Place", "called_from", "format_error", "is_installed", "node_frame", "node_frames", "places", "trail"]
 
 _PACKAGE = __name__.rpartition(".")[0]
 _LIBRARY = os.path.dirname(traceback.__file__) + os.sep
@@ -42,6 +42,11 @@ def _outwards(frame: FrameType, skipped: Callable[[FrameType], bool]) -> FrameTy
     while skipped(frame) and frame.f_back:
         frame = frame.f_back
     return frame
+
+
+def is_installed(frame: FrameType) -> bool:
+    """Whether a frame belongs to the standard library or to an installed package."""
+    return frame.f_code.co_filename.startswith(_LIBRARY) or "site-packages" in frame.f_code.co_filename
 
 
 def node_frames(trace: TracebackType | None) -> TracebackType | None:

@@ -23,7 +23,7 @@ from .clocks.ending import Ended
 from .clocks.patches import Patch, patched
 from .clocks.programs import end_program
 from .clocks.stacks import StackExit, whose
-from .frames import format_error
+from .frames import format_error, is_installed
 from .messages import MessageFinder
 from .world import NotSimulated, World
 
@@ -80,6 +80,12 @@ def execute(code: CodeType, filename: str) -> None:
 _one_at_a_time = threading.RLock()
 
 
+def refuse_a_run_within_a_run() -> None:
+    """RuntimeError if a node asks."""
+    if whose() is not None:
+        raise RuntimeError("a node cannot start a run of its own")
+
+
 @contextmanager
 def process_of(node: Node, args: Sequence[str], modules: Mapping[str, ModuleType], ros: int) -> Iterator[None]:
     """Within this context the process is the node's: its command line, its path, and ``modules`` by their names.
@@ -87,8 +93,7 @@ def process_of(node: Node, args: Sequence[str], modules: Mapping[str, ModuleType
     It can import the messages of ROS 1 or 2, and those of its own package and the packages beside it.
     Afterwards, whatever the node has changed is as before: environment, working directory, modules of its folder.
     """
-    if whose() is not None:
-        raise RuntimeError("a node cannot start a run of its own")
+    refuse_a_run_within_a_run()
     with _one_at_a_time, ExitStack() as stack:
         argv, path, before, folder = sys.argv, sys.path[:], dict(sys.modules), os.getcwd()
         stack.enter_context(mock.patch.dict(os.environ))
@@ -168,11 +173,11 @@ def _excepthook(real: Callable[[Any], None]) -> Callable[[Any], None]:
 
 
 def _register(real: Callable[..., Any]) -> Callable[..., Any]:
-    """``atexit.register``: what a node registers is called at the end of its run."""
+    """``atexit.register``: what a node registers is called at the end of its run; a library lives longer than that."""
 
     def register(function: Callable[..., Any], *args: Any, **kwargs: Any) -> Callable[..., Any]:
         world = whose()
-        if isinstance(world, World):
+        if isinstance(world, World) and not is_installed(sys._getframe(1)):
             world.at_exit.append((function, args, kwargs))
         else:
             real(function, *args, **kwargs)
@@ -197,7 +202,7 @@ def _exit(real: Callable[[int], Any]) -> Callable[[int], Any]:
 
     def exit_at_once(status: int) -> None:
         world = whose()
-        if not isinstance(world, World):
+        if not isinstance(world, World) or os.getpid() != world.pid:  # outside of all nodes, or in a child of one
             real(status)
         else:
             world.exit_status = status
@@ -271,6 +276,7 @@ class _Sink(io.BufferedIOBase):
 @contextmanager
 def capture(stdout: TextIO | None = None, stderr: TextIO | None = None) -> Iterator[Capture]:
     """Within this context, what is printed goes to a :class:`Capture`, and from there to the streams that are given."""
+    refuse_a_run_within_a_run()
     captured = Capture(stdout, stderr)
     with _one_at_a_time, redirect_stdout(captured.stdout), redirect_stderr(captured.stderr):
         yield captured

@@ -131,6 +131,8 @@ def run_node(
         except Stuck as error:
             place = clock.failed if isinstance(clock, Simulation) else ""
             raise _stands_still(node, error.places, place, clock, error.waits) from None
+    if os.getpid() != world.pid:  # a child that the node has forked ends here
+        os._exit(status)
     return Result(status, _ticks(world, start), start / NS, world)
 
 
@@ -141,23 +143,31 @@ def _run_main(node: Node, world: World) -> int:
     try:
         node.main()
     except SystemExit as error:
-        if isinstance(error.code, str):
-            sys.stderr.write(error.code + "\n")
-        status = error.code if isinstance(error.code, int) else int(error.code is not None)
+        if not isinstance(error.code, int) and error.code is not None:
+            sys.stderr.write(f"{error.code}\n")
+        status = error.code & 0xFF if isinstance(error.code, int) else int(error.code is not None)
     except (NotSimulated, Ended, StackExit, Died):
         raise
     except BaseException as error:
         if isinstance(error, ModuleNotFoundError) and _is_ros_package(error.name or ""):
             raise NotSimulated(error.name or "") from error
+        status = 128 + signal.SIGINT if type(error) is KeyboardInterrupt else 1
         if sys.excepthook is sys.__excepthook__:
             print_error(world, error)
         else:
-            sys.excepthook(type(error), error, error.__traceback__)
             world.errors.append(error)
-        status = 128 + signal.SIGINT if type(error) is KeyboardInterrupt else 1
+            try:
+                sys.excepthook(type(error), error, error.__traceback__)
+            except SystemExit as end:
+                status = end.code & 0xFF if isinstance(end.code, int) else int(end.code is not None)
+            except Exception as another:
+                sys.stderr.write("Error in sys.excepthook:\n")
+                print_error(world, another)
     try:
         end_main(world)
-    except KeyboardInterrupt as error:
+    except (NotSimulated, Ended, StackExit, Died):
+        raise
+    except BaseException as error:
         sys.stderr.write("Exception ignored in: <module 'threading'>\n")
         print_error(world, error)
     run_at_exit(world)
@@ -226,10 +236,9 @@ def _say_killed(node: Node, seconds: float | None, killed: Killed) -> int:
 
 
 def _of_node(node: Node, places: Sequence[Place]) -> Place | None:
-    """The innermost place in the node's file, or else in its folder."""
-    own = [place for place in places if place.filename == node.filename]
-    folder = node.folder and [place for place in places if place.filename.startswith(node.folder + os.sep)]
-    return next(iter(own or folder or ()), None)
+    """The innermost place in the node's file or its folder."""
+    folder = node.folder + os.sep if node.folder else node.filename
+    return next((place for place in places if place.filename.startswith((node.filename, folder))), None)
 
 
 def _say_place(place: Place) -> str:

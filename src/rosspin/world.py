@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import os
 import threading
 from collections.abc import Callable
 from typing import Any, TypeVar
@@ -35,6 +36,7 @@ class World(Program):
     def __init__(self, clock: Clock, argv: list[str], record: bool, graph: Graph | None = None) -> None:
         super().__init__()
         self.clock = clock
+        self.pid = os.getpid()
         self.graph = graph or Graph(clock, record)
         self.argv = argv
         self.errors: list[BaseException] = []  # those whose tracebacks were printed

@@ -111,8 +111,8 @@ def run_on_the_wall(
 
 @contextmanager
 def _own_signals() -> Iterator[None]:
-    """Within this context SIGINT and SIGTERM do what they do in a fresh Python; then their handlers are as before."""
-    before = {number: signal.getsignal(number) for number in (signal.SIGINT, signal.SIGTERM, _END)}
+    """Within this context SIGINT does what it does in a fresh Python; afterwards all handlers are as before."""
+    before = {number: signal.getsignal(number) for number in signal.valid_signals()}
     over = False
 
     def on_signal(number: int, frame: Any) -> None:
@@ -125,8 +125,10 @@ def _own_signals() -> Iterator[None]:
         yield
     finally:
         over = True
+        signal.setitimer(signal.ITIMER_REAL, 0)
         for number, handler in before.items():
-            signal.signal(number, handler)
+            if signal.getsignal(number) != handler:
+                signal.signal(number, handler)
 
 
 @contextmanager

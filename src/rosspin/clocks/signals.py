@@ -3,6 +3,8 @@
 from __future__ import annotations
 
 import _thread
+import errno
+import math
 import os
 import signal
 import sys
@@ -10,10 +12,15 @@ from collections.abc import Callable, Iterator
 from contextlib import contextmanager
 from typing import Any
 
+from ..frames import node_frame
+from .clock import NS, nanoseconds
 from .patches import Patch, either, patched
 from .stacks import Program, Stack
 
 __all__ = ["Died", "send", "simulated_signals"]
+
+# What has no effect on a program that does not handle it; Python itself ignores the last two.
+_IGNORED = {getattr(signal, name, None) for name in ("SIGCHLD", "SIGCONT", "SIGWINCH", "SIGURG", "SIGPIPE", "SIGXFSZ")}
 
 Handler = Callable[[int, Any], Any] | int | None
 
@@ -34,8 +41,8 @@ def send(stack: Stack, number: int) -> None:
 def _handle(program: Program, number: int) -> None:
     handler = program.handlers.get(number, signal.SIG_DFL)
     if callable(handler):
-        handler(number, sys._getframe(1))
-    elif handler == signal.SIG_DFL:
+        handler(int(number), node_frame(sys._getframe(1)))
+    elif handler == signal.SIG_DFL and number not in _IGNORED:
         raise Died(number)
 
 
@@ -44,7 +51,9 @@ def _signal(stack: Stack, number: int, handler: Handler) -> Handler:
         raise ValueError("signal only works in main thread of the main interpreter")
     if not (callable(handler) or handler in (signal.SIG_DFL, signal.SIG_IGN)):
         raise TypeError("signal handler must be signal.SIG_IGN, signal.SIG_DFL, or a callable object")
-    number = signal.Signals(number)
+    _check(number)
+    if number in (signal.SIGKILL, signal.SIGSTOP):
+        raise OSError(errno.EINVAL, os.strerror(errno.EINVAL))
     before = _getsignal(stack, number)
     stack.program.handlers[number] = handler
     return before
@@ -56,7 +65,10 @@ def _getsignal(stack: Stack, number: int) -> Handler:
 
 
 def _raise_signal(stack: Stack, number: int) -> None:
+    _check(number)
     main = stack.clock.main
+    if number == 0:
+        return
     if stack is main:
         _handle(stack.program, number)
     else:
@@ -65,7 +77,54 @@ def _raise_signal(stack: Stack, number: int) -> None:
 
 def _interrupt_main(stack: Stack, number: int = signal.SIGINT) -> None:
     """As a signal, but it wakes nobody: it is handled when the main stack goes on."""
-    stack.clock.main.interrupt = lambda: _handle(stack.program, number)
+    main = stack.clock.main
+    if stack is main:
+        _handle(stack.program, number)
+    else:
+        main.clock.interrupt_later(main, lambda: _handle(stack.program, number))
+
+
+def _check(number: int) -> None:
+    if number != 0 and number not in signal.valid_signals():
+        raise OSError(errno.EINVAL, os.strerror(errno.EINVAL))
+
+
+def _setitimer(stack: Stack, which: int, seconds: float, interval: float = 0.0) -> tuple[float, float]:
+    if which != signal.ITIMER_REAL:
+        raise NotImplementedError("timers of the processor's time are not simulated; run this node on the wall clock")
+    program, clock = stack.program, stack.clock
+    before = max(program.alarm[1] - clock.now(), 0) / NS if program.alarm[0] else 0.0, program.alarm[2]
+
+    def set_for(delay: float) -> None:
+        when = clock.now() + nanoseconds(delay)
+        alarm = program.alarm = (delay > 0, when, interval)
+
+        def ring() -> None:
+            if program.alarm is alarm:
+                send(clock.main, signal.SIGALRM)
+                set_for(interval)
+
+        if delay > 0:
+            clock.at(when, ring)
+
+    set_for(seconds)
+    return before
+
+
+def _getitimer(stack: Stack, which: int) -> tuple[float, float]:
+    pending, when, interval = stack.program.alarm
+    return (max(when - stack.clock.now(), 0) / NS, interval) if pending else (0.0, 0.0)
+
+
+def _alarm(stack: Stack, seconds: int) -> int:
+    return math.ceil(_setitimer(stack, signal.ITIMER_REAL, seconds)[0])
+
+
+def _never(name: str) -> Patch:
+    def virtual(stack: Stack, *args: Any) -> Any:
+        raise NotImplementedError(f"signal.{name} is not simulated; run this node on the wall clock")
+
+    return signal, name, either(virtual)
 
 
 def _kill(real: Callable[[int, int], None]) -> Callable[[int, int], None]:
@@ -83,6 +142,11 @@ _PATCHES: list[Patch] = [
     (signal, "getsignal", either(_getsignal)),
     (signal, "raise_signal", either(_raise_signal)),
     (os, "kill", _kill),
+    (signal, "pthread_kill", either(lambda stack, ident, number: _raise_signal(stack, number))),
+    (signal, "setitimer", either(_setitimer)),
+    (signal, "getitimer", either(_getitimer)),
+    (signal, "alarm", either(_alarm)),
+    *map(_never, ("pause", "sigwait", "sigwaitinfo", "sigtimedwait")),
     (_thread, "interrupt_main", either(_interrupt_main)),
 ]
 

@@ -125,7 +125,7 @@ class Simulation:
         """Let a waiting stack go on."""
         if stack.waits:
             stack.waits = False
-            if not stack.interrupt:
+            if not stack.resumed:
                 self._resume(stack)
 
     def start(self, function: Callable[[], object], program: Program, place: str) -> Stack:
@@ -142,11 +142,24 @@ class Simulation:
 
     def interrupt(self, stack: Stack, handler: Callable[[], None]) -> None:
         """Call ``handler`` on a suspended stack, as a signal handler: its sleep, or its wait, goes on afterwards."""
-        if not stack.interrupt:
+        if not stack.resumed:
             if not stack.waits:
-                stack.ticket = next((order for _, order, each in self._heap if each is stack), 0)
+                pending = (order for _, order, each in self._heap if each is stack and order not in self._cancelled)
+                stack.ticket = next(pending, 0)
             self._resume(stack)
-        stack.interrupt = handler
+        self.interrupt_later(stack, handler)
+        stack.resumed = True
+
+    def interrupt_later(self, stack: Stack, handler: Callable[[], None]) -> None:
+        """The same, but do not wake the stack: ``handler`` is called when it goes on by itself."""
+        earlier = stack.interrupt
+
+        def both() -> None:
+            if earlier:
+                earlier()
+            handler()
+
+        stack.interrupt = both
 
     def run(self, main: Callable[[], object], program: Program, ident: int) -> None:
         """Run ``main`` on a stack, ``main``, and all that it starts, until it returns; ``ident`` is the thread's.
@@ -171,7 +184,7 @@ class Simulation:
         return [stack for stack in self._stacks if stack]
 
     def _handle_interrupt(self, me: Stack) -> None:
-        handler, me.interrupt = me.interrupt, None
+        handler, me.interrupt, me.resumed = me.interrupt, None, False
         assert handler
         handler()
 

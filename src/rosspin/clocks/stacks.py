@@ -40,6 +40,7 @@ class Program:
         self.thread_numbers = count(1)
         self.pool_numbers = count()
         self.handlers: dict[int, Any] = {signal.SIGINT: signal.default_int_handler}
+        self.alarm = (False, 0, 0.0)  # whether one is set, when (ns) it rings, and after how long (s) again
         self.main_ended: Any = None  # a lock, held by the main thread for as long as it runs the program's own code
         self.idents: set[int] = set()  # of the threads that it started and that have not ended
 
@@ -78,7 +79,19 @@ class Stack(Switched):
     ``ident`` is what ``threading.get_ident()`` is there; ``place`` is the line that started it, as ``file:line``.
     """
 
-    __slots__ = ("clock", "ended", "ident", "interrupt", "place", "polled", "polls", "program", "ticket", "waits")
+    __slots__ = (
+        "clock",
+        "ended",
+        "ident",
+        "interrupt",
+        "place",
+        "polled",
+        "polls",
+        "program",
+        "resumed",
+        "ticket",
+        "waits",
+    )
 
     def __init__(
         self, function: Callable[[], Any], home: Switched, clock: Simulation, program: Program, ident: int, place: str
@@ -93,6 +106,7 @@ class Stack(Switched):
         self.polled = -1  # when (ns) it last looked in vain for something
         self.polls = 0  # how often it did so at that time
         self.interrupt: Callable[[], None] | None = None  # what it is to call as soon as it goes on
+        self.resumed = False  # whether it was scheduled to go on for that
         self.ended: Any = None  # a lock that is released when it has ended
 
 

@@ -10,6 +10,7 @@ from __future__ import annotations
 import _thread
 import _threading_local
 import concurrent.futures.thread as pools
+import functools
 import queue
 import sys
 import threading
@@ -330,6 +331,24 @@ class SimpleQueue(queue._PySimpleQueue):  # type: ignore[name-defined,misc]
     """The standard library's own in Python."""
 
 
+class _NoLock:
+    """In place of ``concurrent.futures.thread._global_shutdown_lock``, which is held while a thread is started.
+
+    Stacks do without: they take turns, and would wait for it while another one has it.
+    """
+
+    def __init__(self, real: Any) -> None:
+        self._real = real
+
+    def __enter__(self) -> None:
+        if not isinstance(current(), Stack):
+            self._real.acquire()
+
+    def __exit__(self, *error: object) -> None:
+        if not isinstance(current(), Stack):
+            self._real.release()
+
+
 class _Ending:
     """In place of ``concurrent.futures.thread._shutdown``: whether the caller's program takes no more work."""
 
@@ -425,6 +444,8 @@ _SIMULATED: list[Patch] = [
     (threading, "_counter", either(lambda stack: next(stack.program.thread_numbers))),
     (threading, "local", lambda real: _threading_local.local),
     (queue, "time", either(_moment)),
+    (functools, "RLock", lambda real: RLock),
+    (pools, "_global_shutdown_lock", _NoLock),
     (queue, "SimpleQueue", lambda real: SimpleQueue),
     (
         pools.ThreadPoolExecutor,

@@ -21,6 +21,9 @@ __all__ = ["Stuck", "Watchdog", "watch"]
 _INTERVAL = 0.4
 _LOOKS = 9
 
+# An import may take so many times as long: a large library on a slow machine does.
+_PATIENT = 10
+
 # A thread that has the processor for less than this share of the time waits for something.
 _BUSY = 0.2
 
@@ -37,7 +40,7 @@ class Stuck(Exception):
 class Watchdog:
     """Ends the code within its ``with`` when ``sign_of_life()`` has not changed for some seconds, and raises Stuck.
 
-    Code that is importing something is left alone.
+    Code that is importing something is given more time.
     """
 
     def __init__(self, sign_of_life: Callable[[], int]) -> None:
@@ -66,16 +69,16 @@ class Watchdog:
     def _is_stuck(self, frame: FrameType | None) -> bool:
         """Look at the code, which is at ``frame``: whether it has been without a sign of life for too many looks."""
         seen, self._last = self._last, self._sign_of_life()
-        if self._last != seen or _is_importing(frame):
+        if self._last != seen:
             self._looks = 0
             self._worked = self._busy_until_now()
             return False
         self._looks += 1
-        if self._looks < _LOOKS:
+        if self._looks < _LOOKS * (_PATIENT if _is_importing(frame) else 1):
             return False
         if self._stuck is None:
             worked = self._busy_until_now() - self._worked
-            self._stuck = Stuck(places(trail(frame)), waits=worked < _BUSY * _LOOKS * _INTERVAL)
+            self._stuck = Stuck(places(trail(frame)), waits=worked < _BUSY * self._looks * _INTERVAL)
         return True
 
 
