@@ -183,6 +183,12 @@ ASKS = "        if not rospy.is_shutdown():\n            motor.drive(speed)\n"
 DRIVES = "        motor.drive(speed)\n"
 WHILE = "    while not rospy.is_shutdown():\n"
 PASS = "        speed = read_sensor()\n" + ASKS + "        rate.sleep()"
+RATE = "    rate = rospy.Rate(10)\n"
+FINALLY = (
+    RATE + "    try:\n        while not rospy.is_shutdown():\n            speed = read_sensor()\n"
+    "            motor.drive(speed)\n            rate.sleep()\n    finally:\n        motor.drive(0.0)"
+)
+HOOKED = {FINALLY: HOOK + RATE + WHILE + PASS}  # the solution with a hook and a question in place of the ``finally``
 
 MISSING = "missing = int(lateness.to_sec() / 0.4)"
 
@@ -368,25 +374,30 @@ rospy.spin()
         ),
     ],
     12: [
+        HOOKED,
         {
+            **HOOKED,
             HOOK: "",
             WHILE + PASS: "    try:\n        while not rospy.is_shutdown():\n            motor.drive(read_sensor())\n"
             "            rate.sleep()\n    finally:\n        motor.drive(0.0)\n",
         },
-        {HOOK: "    def stop():\n        motor.drive(0)\n    rospy.on_shutdown(stop)\n"},
-        {ASKS: "        if rospy.is_shutdown():\n            break\n" + DRIVES},
-        {HOOK: "    import atexit\n    atexit.register(motor.drive, 0.0)\n"},
+        {**HOOKED, HOOK: "    def stop():\n        motor.drive(0)\n    rospy.on_shutdown(stop)\n"},
+        {**HOOKED, ASKS: "        if rospy.is_shutdown():\n            break\n" + DRIVES},
+        {**HOOKED, HOOK: "    import atexit\n    atexit.register(motor.drive, 0.0)\n"},
         {
+            **HOOKED,
             "    def drive(self, speed):\n": "    stopped = False\n\n    def drive(self, speed):\n"
             "        if self.stopped: return\n        self.stopped = speed == 0\n",
             ASKS: DRIVES,
         },
         {
+            **HOOKED,
             WHILE + PASS: "    try:\n        while not rospy.is_shutdown():\n            speed = read_sensor()\n"
             "            if not rospy.is_shutdown(): motor.drive(speed)\n            rate.sleep()\n"
-            "    except RuntimeError:\n        rospy.logerr('no sensor', exc_info=True)\n"
+            "    except RuntimeError:\n        rospy.logerr('no sensor', exc_info=True)\n",
         },
         {
+            **HOOKED,
             HOOK: "",
             WHILE + PASS: "    def drive(event):\n        try:\n            speed = read_sensor()\n"
             "        except RuntimeError as error:\n            rospy.signal_shutdown(str(error))\n            return\n"
@@ -725,7 +736,7 @@ rospy.spin()
         (
             parts("self.lock.acquire()\nself.parts += 1", LOCKED_REPORT, LOCK),
             "report due at 0.5 s did not come",
-            "gives back",
+            "releases",
         ),
         (
             parts(LOCKED_COUNT, f"with self.lock:\n    with self.lock:\n        parts = self.parts\n{SAY_PARTS}", LOCK),
@@ -759,43 +770,57 @@ rospy.spin()
         ({"        self.lock = threading.Lock()\n": ""}, "has no attribute 'lock'", "with its `self.`"),
     ],
     12: [
-        ({HOOK: ""}, "Ctrl-C while the loop sleeps: nobody stops the motor", "`rospy.on_shutdown(function)`"),
-        ({ASKS: DRIVES}, "stopped at 2.03 s, and driven again at 2.13 s", "Ask `rospy.is_shutdown()` before you drive"),
+        ({**HOOKED, HOOK: ""}, "Ctrl-C while the loop sleeps: nobody stops the motor", "`rospy.on_shutdown(function)`"),
         (
-            {HOOK: "", PASS: PASS + "\n    motor.drive(0.0)\n"},
+            {**HOOKED, ASKS: DRIVES},
+            "stopped at 2.03 s, and driven again at 2.13 s",
+            "Ask `rospy.is_shutdown()` before you drive",
+        ),
+        (
+            {**HOOKED, HOOK: "", PASS: PASS + "\n    motor.drive(0.0)\n"},
             "The sensor fails: nobody stops the motor",
             "on_shutdown",
         ),
-        ({HOOK: "    rospy.on_shutdown(motor.drive(0.0))\n"}, "shutdown hook [None] must be a function", "on_shutdown"),
         (
-            {HOOK: "    rospy.on_shutdown(motor.drive)\n"},
+            {**HOOKED, HOOK: "    rospy.on_shutdown(motor.drive(0.0))\n"},
+            "shutdown hook [None] must be a function",
+            "on_shutdown",
+        ),
+        (
+            {**HOOKED, HOOK: "    rospy.on_shutdown(motor.drive)\n"},
             "shutdown hook died of `TypeError",
             "is called without arguments",
         ),
         (
             {
+                **HOOKED,
                 WHILE + PASS: "    def drive(event):\n        motor.drive(read_sensor())\n"
-                "    rospy.Timer(rospy.Duration(0.1), drive)\n    rospy.spin()\n"
+                "    rospy.Timer(rospy.Duration(0.1), drive)\n    rospy.spin()\n",
             },
             "The sensor fails at 1.06 s: the motor was not stopped before 5 s",
             "Ask `rospy.is_shutdown()`",
         ),
         (
-            {"        rate.sleep()": "        rate.sleep()\n        motor.drive(0.0)"},
+            {**HOOKED, "        rate.sleep()": "        rate.sleep()\n        motor.drive(0.0)"},
             "up to then the motor was stopped at 0.1 s",
             "as before",
         ),
-        ({WHILE: "    while True:\n"}, "did not end at Ctrl-C", "on_shutdown"),
+        ({**HOOKED, WHILE: "    while True:\n"}, "did not end at Ctrl-C", "on_shutdown"),
         (
             {
+                **HOOKED,
                 "        speed = read_sensor()\n": "        try:\n            speed = read_sensor()\n"
-                "        except RuntimeError:\n            continue\n"
+                "        except RuntimeError:\n            continue\n",
             },
             "The sensor fails at 1.06 s: the motor was not stopped",
             "that is caught",
         ),
-        ({"        rate.sleep()": ""}, "up to then the motor was told a speed", "drive the motor as before"),
-        ({HOOK: "    rospy.on_shutdown(lambda: motor.drive(0.1))\n"}, "nobody stops the motor", "on_shutdown"),
+        ({**HOOKED, "        rate.sleep()": ""}, "up to then the motor was told a speed", "drive the motor as before"),
+        (
+            {**HOOKED, HOOK: "    rospy.on_shutdown(lambda: motor.drive(0.1))\n"},
+            "nobody stops the motor",
+            "on_shutdown",
+        ),
     ],
     13: [
         ({MISSING: "missing = lateness.to_sec()"}, "printed `missing = 1.4`, but 3 were missing", WHOLE),

@@ -80,6 +80,7 @@ def test_the_how_to_is_a_way_through(tree: Path) -> None:
     lines = (tree / "docs/tutorial.rst").read_text().splitlines()
     line = lines.index("   [INFO] [0.500000]: [SPINNER PY NODE] counter = 1")  # the output begins one line above
     entry = _entry(listed, f"docs/tutorial.rst:{line} (make outputs)\n")
+    assert f"   docs/tutorial.rst:{line} (make outputs)\n" in (tree / "docs/how-to/adapt-a-page.rst").read_text()
     assert re.search(r"stands (.*\n)+.*\[1\.500000\]: .* counter = 3\n", entry)
     assert re.search(r"now (.*\n)+.*\[1\.200000\]: .* counter = 3\n", entry)
     fact = _entry(listed, f"docs/tutorial.rst:{lines.index('   assert period == 0.5') + 1}\n")

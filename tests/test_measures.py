@@ -102,7 +102,7 @@ def test_lateness_in_words() -> None:
         "Half of the 3 ticks were at most 2 ms late; the latest was 3 ms late."
     )
     assert describe_lateness(ticks(*(n * 0.502 for n in range(1, 202)))) == (
-        "Half of the 201 ticks were at most 0.202 s late and 99 % at most 0.398 s; the latest was 0.402 s late."
+        "Half of the 201 ticks were at most 0.202 s late and 99% at most 0.398 s; the latest was 0.402 s late."
     )
 
 
@@ -113,6 +113,5 @@ def test_periods_in_words() -> None:
         "The median period was 505.000 ms; all 2 periods lay between 500.000 ms and 510.000 ms: a jitter of 10 ms."
     )
     assert describe_periods(ticks(*(n * 0.5 + 0.01 * (n == 50) for n in range(1, 151)))) == (
-        "The median period was 500.000 ms; 98 % of the 149 periods lay between 500.000 ms and 500.000 ms: "
-        "a jitter of 0."
+        "The median period was 500.000 ms; 98% of the 149 periods lay between 500.000 ms and 500.000 ms: a jitter of 0."
     )

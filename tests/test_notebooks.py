@@ -15,8 +15,8 @@ from conftest import ROOT
 from rosspin.__main__ import main
 
 NOTEBOOKS = sorted(path.stem for path in (ROOT / "notebooks").glob("*.md"))
-PATH = {"timer": "rate", "rate": "drift", "drift": "slow-callback", "slow-callback": "exercises"}
-PATH |= {"two-languages": "slow-callback"}  # a side road, for those who have ROS
+PATH = {"timer": "rate", "rate": "drift", "drift": "slow-callback", "slow-callback": "two-languages"}
+PATH |= {"two-languages": "exercises"}
 NODES = {"timer": "spinner_py_node.py", "rate": "spinner_rate_py_node.py"}
 
 

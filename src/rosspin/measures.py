@@ -135,7 +135,7 @@ def describe_lateness(ticks: Sequence[Tick]) -> str:
         return f"The only tick was {latest}."
     if median(late) < 0.5e-6:
         return f"At least half of the {len(late)} ticks were on time; the latest was {latest}."
-    most = f" and 99 % at most {say_time(quantile(late, 0.99))}" if len(late) >= _MANY else ""
+    most = f" and 99% at most {say_time(quantile(late, 0.99))}" if len(late) >= _MANY else ""
     return f"Half of the {len(late)} ticks were at most {say_time(median(late))} late{most}; the latest was {latest}."
 
 
@@ -150,7 +150,7 @@ def describe_periods(ticks: Sequence[Tick]) -> str:
     middle, low, high = median(times), quantile(times, 0.01), quantile(times, 0.99)
     if max(times) - min(times) < 1e-6:
         return f"Every period was {say_time(middle)}; there was no jitter."
-    share = f"98 % of the {len(times)}" if len(times) >= _MANY else f"all {len(times)}"
+    share = f"98% of the {len(times)}" if len(times) >= _MANY else f"all {len(times)}"
     return (
         f"The median period was {middle * 1e3:.3f} ms; {share} periods lay between "
         f"{low * 1e3:.3f} ms and {high * 1e3:.3f} ms: a jitter of {say_time(high - low)}."

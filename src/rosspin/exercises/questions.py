@@ -436,7 +436,7 @@ def _share_data(answer: Answer) -> Iterator[Finding]:
 def _count_parts(seen: Seen) -> Finding:
     """Whether reports every 0.5 s add up to the parts, one every 0.1 s: the newest may miss the report."""
     reports = seen.values("SPINNER PY NODE", "parts")
-    stuck = "Does a callback wait for a lock that nobody gives back, or that it has already?"
+    stuck = "Does a callback wait for a lock that nobody releases, or that it has already?"
     total = 0
     for number in range(1, 11):
         due = 0.5 * number
@@ -488,7 +488,10 @@ def _check_motor(seen: Seen, end: float, what: str) -> Finding:
     time = commands[stopped][0]
     if again := [later for later, speed in commands[stopped:] if speed]:
         text = f"{what}: the motor was stopped at {say(time)}, and driven again at {say(again[0])}."
-        hint = "A hook runs in the middle of a pass, which then goes on. Ask `rospy.is_shutdown()` before you drive."
+        hint = (
+            "A hook runs in the middle of a pass, which then goes on. Ask `rospy.is_shutdown()` before you drive, or "
+            "stop the motor after the loop, in a `finally`."
+        )
         return Finding(False, text, hint)
     if time > end + 0.5:
         text = f"{what} at {say(end)}: the motor was not stopped before {say(time)}."
