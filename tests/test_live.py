@@ -443,7 +443,7 @@ def test_flood(page: Page, line: str) -> None:
         ),
         ("import rospy\nprint('a'\n", "error", "SyntaxError: '(' was never closed\nPython could not read"),
         ("import numpy\n", "error", "but no numpy. Run the node on your own computer"),
-        ("import rospy\nrospy.Rate(2)\n", "error", 'Call rospy.init_node("a_name") before anything else'),
+        ("import rospy\nrospy.Rate(2)\n", "error", 'Call rospy.init_node("a_name") before you use anything else'),
         ("import std_srvs.srv\n", "error", "python -m rosspin run --ros1 FILE"),
         ("import std_srvs.srv\n", "error", "std_srvs is not simulated; run this node on a real ROS"),
         (node("rospy.Service"), "error", "node.py:4: rospy.Service is not simulated; run this node on a real ROS"),

@@ -13,6 +13,9 @@ from typing import NamedTuple
 __all__ = ["Place", "called_from", "format_error", "is_installed", "node_frame", "node_frames", "places", "trail"]
 
 _PACKAGE = __name__.rpartition(".")[0]
+
+# The function with which a stack begins in a web page (clocks/jspi.py).
+_BASE = "_run_stack"
 _LIBRARY = os.path.dirname(traceback.__file__) + os.sep
 
 # What starts a thread stands above the node's frames there.
@@ -92,7 +95,8 @@ def trail(frame: FrameType | None) -> Trail:
     found = []
     while frame:
         found.append((frame.f_code, frame.f_lasti, frame.f_lineno or 0))
-        frame = frame.f_back
+        # Below this frame begins another stack, suspended in a web page, whose frames cannot be looked at.
+        frame = None if frame.f_code.co_name == _BASE else frame.f_back
     return found
 
 

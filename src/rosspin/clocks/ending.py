@@ -23,7 +23,8 @@ class Ended(BaseException):
     """Raised in code that is to end now. If it is caught there, it is raised again on the next line.
 
     For that the thread is traced from the moment in which the exception is made. A trace function that raises is
-    dropped by Python, so a caught exception sets it once more when it goes.
+    dropped by Python, so a caught exception sets it once more when it goes. In a web page, where the frames of other
+    stacks cannot be touched, nothing is traced: there the watchdog raises it anew.
     """
 
     def __init__(self) -> None:
@@ -37,6 +38,8 @@ class Ended(BaseException):
 
 
 def _trace() -> None:
+    if sys.platform == "emscripten":
+        return
     sys.settrace(_raise)
     frame: FrameType | None = sys._getframe(2)
     while frame:

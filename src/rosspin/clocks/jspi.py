@@ -44,7 +44,7 @@ class Switched:
         """Suspend the caller and raise ``error`` in this stack."""
         _switch(self, error() if isinstance(error, type) else error)
 
-    async def _run(self) -> None:
+    async def _run_stack(self) -> None:
         error = None
         try:
             self._raise()
@@ -64,7 +64,7 @@ class Switched:
             self._resume()
         else:
             self._started = True
-            asyncio.get_running_loop().create_task(self._run(), context=self._context)
+            asyncio.get_running_loop().create_task(self._run_stack(), context=self._context)
 
     def _raise(self) -> None:
         error, self._error = self._error, None
