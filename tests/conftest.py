@@ -9,6 +9,8 @@ import subprocess
 from collections.abc import Callable, Iterator
 from functools import cache
 from pathlib import Path
+from textwrap import dedent
+from typing import Any
 
 import pytest
 from hypothesis import settings
@@ -58,6 +60,18 @@ def pytest_configure(config: pytest.Config) -> None:
         config.option.hypothesis_seed = SEED
     if unknown := _required() - LACKS.keys():
         raise pytest.UsageError(f"ROSSPIN_REQUIRE knows {', '.join(LACKS)}; not {', '.join(sorted(unknown))}")
+
+
+@pytest.fixture
+def write(tmp_path: Path) -> Any:
+    """Writes a node file; its path."""
+
+    def write(text: str, name: str = "node.py") -> Path:
+        path = tmp_path / name
+        path.write_text(dedent(text), encoding="utf-8")
+        return path
+
+    return write
 
 
 @pytest.fixture(scope="session")

@@ -12,7 +12,6 @@ import threading
 import time
 from collections.abc import Callable
 from pathlib import Path
-from textwrap import dedent
 from typing import Any
 
 import pytest
@@ -25,18 +24,6 @@ from rosspin.run import run_node
 
 EXAMPLES = Path(__file__).parent.parent / "examples" / "my_robotics_pkg" / "src"
 TIMER_NODE, RATE_NODE = EXAMPLES / "spinner_py_node.py", EXAMPLES / "spinner_rate_py_node.py"
-
-
-@pytest.fixture
-def write(tmp_path: Path) -> Any:
-    """Writes a node file; its path."""
-
-    def write(text: str, name: str = "node.py") -> Path:
-        path = tmp_path / name
-        path.write_text(dedent(text), encoding="utf-8")
-        return path
-
-    return write
 
 
 # --- the examples -----------------------------------------------------------------------------------------------------

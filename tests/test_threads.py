@@ -13,7 +13,6 @@ import threading
 import time
 from concurrent.futures import ThreadPoolExecutor
 from pathlib import Path
-from textwrap import dedent
 from typing import Any
 
 import pytest
@@ -24,18 +23,6 @@ from rosspin.clocks import watchdog
 
 # Only so that a test that hangs ends at all.
 NEVER = 60
-
-
-@pytest.fixture
-def write(tmp_path: Path) -> Any:
-    """Writes a node file; its path."""
-
-    def write(text: str, name: str = "node.py") -> Path:
-        path = tmp_path / name
-        path.write_text(dedent(text), encoding="utf-8")
-        return path
-
-    return write
 
 
 @pytest.fixture
