@@ -5,6 +5,7 @@
 
 from __future__ import annotations
 
+import gc
 import io
 import json
 import os
@@ -31,6 +32,11 @@ __all__ = ["run"]
 
 # The page interrupts whatever does not give way, for the watchdog of a run to look at it; the rest is to go on.
 signal.signal(signal.SIGINT, signal.SIG_IGN)
+
+# An automatic collection walks the frames of suspended stacks, whose memory is reused in a page, and Python breaks down
+# (Pyodide's issue 6464). A full one does not; it comes after each run, and leaves out what is there by now.
+gc.disable()
+gc.freeze()
 
 # A plot shows no more ticks than this, the last ones.
 _MOST_TICKS = 2000
@@ -67,6 +73,7 @@ def run(source: str, filename: str, seconds: float, args: Sequence[str], speed: 
         finally:
             os.environ.clear()  # the next run in this page is to find what this one found
             os.environ.update(environment)
+            gc.collect()
 
 
 def _magic(source: str) -> tuple[str, Sequence[str], Sequence[str]]:

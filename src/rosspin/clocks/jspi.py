@@ -10,6 +10,7 @@ import asyncio
 import sys
 from collections.abc import Callable
 from contextvars import Context
+from types import FrameType
 from typing import Any
 
 from js import Promise
@@ -17,7 +18,7 @@ from pyodide.ffi import run_sync
 
 from ..frames import Trail, trail
 
-__all__ = ["Switched", "current"]
+__all__ = ["Switched", "current", "can_raise"]
 
 
 class Switched:
@@ -93,3 +94,15 @@ def _switch(stack: Switched, error: BaseException | None) -> None:
 def current() -> Switched:
     """The stack that is running."""
     return _running
+
+
+def can_raise(frame: FrameType | None) -> bool:
+    """Whether an exception that is raised at ``frame`` ends the stack that runs there.
+
+    Between two stacks it would break the event loop, and with it all of Python.
+    """
+    codes = [code for code, _, _ in trail(frame)]
+    return codes[-1:] == [Switched._run_stack.__code__] and _SWITCHING.isdisjoint(codes) and len(codes) > 1
+
+
+_SWITCHING = {_switch.__code__, Switched._go_on.__code__}

@@ -135,7 +135,9 @@ class _FromInterrupts(Watchdog):
         super().__exit__(kind, error, trace)
 
     def _on_interrupt(self, number: int, frame: FrameType | None) -> None:
-        if self._is_stuck(frame):
+        from .jspi import can_raise  # which only a page can import
+
+        if self._is_stuck(frame) and can_raise(frame):
             raise Ended
 
 
