@@ -20,7 +20,7 @@ from .clocks.stacks import StackExit
 from .clocks.threads import begin_main, end_main
 from .clocks.watchdog import Stuck
 from .frames import Place, node_frames
-from .process import Node, NodeLike, capture, load, print_error, process_of, run_at_exit
+from .process import Node, NodeLike, Process, capture, load, print_error, run_at_exit
 from .ticks import Message, Run, Tick
 from .world import NotSimulated, World
 
@@ -100,7 +100,7 @@ def run_node(
     process is there only for the node: if nothing else ends the node, the process is ended.
     """
     until = None if seconds is None else _duration(seconds)
-    with process_of(node, args, rospy.MODULES, ros=1):
+    with Process(node, args, rospy.MODULES, ros=1).inside():
         world = World(clock, sys.argv, record)
         world.at_exit.append((rospy.core.signal_shutdown, ("atexit",), {}))  # as rospy does when it is imported
         start = 0 if isinstance(clock, Simulation) else clock.now()
