@@ -187,7 +187,7 @@ def _lies_in(folder: str | None, name: str) -> bool:
 def print_error(world: World, error: BaseException, made: traceback.FrameSummary | None = None) -> None:
     """Print an exception that was not caught on stderr, with the node's frames, and keep it."""
     sys.stderr.write(format_error(error, made))
-    world.errors.append(error)
+    world.note_error(error)
 
 
 def _excepthook(real: Callable[[Any], None]) -> Callable[[Any], None]:
@@ -282,9 +282,20 @@ class Capture:
         self.stdout = _stream(self._chunks, stdout)
         self.stderr = _stream(self._chunks, stderr)
 
-    def text(self) -> str:
-        """All of it."""
-        return b"".join(self._chunks).decode(errors="replace")
+    def __len__(self) -> int:
+        """How many pieces were written."""
+        return len(self._chunks)
+
+    def text(self, since: int = 0) -> str:
+        """All of it, from the piece ``since`` on."""
+        return b"".join(self._chunks[since:]).decode(errors="replace")
+
+    @contextmanager
+    def redirected(self) -> Iterator[None]:
+        """Within this context, what is printed goes here."""
+        refuse_a_run_within_a_run()
+        with _one_at_a_time, redirect_stdout(self.stdout), redirect_stderr(self.stderr):
+            yield
 
 
 def _stream(chunks: list[bytes], onward: TextIO | None) -> TextIO:
@@ -313,7 +324,6 @@ class _Sink(io.BufferedIOBase):
 @contextmanager
 def capture(stdout: TextIO | None = None, stderr: TextIO | None = None) -> Iterator[Capture]:
     """Within this context, what is printed goes to a :class:`Capture`, and from there to the streams that are given."""
-    refuse_a_run_within_a_run()
     captured = Capture(stdout, stderr)
-    with _one_at_a_time, redirect_stdout(captured.stdout), redirect_stderr(captured.stderr):
+    with captured.redirected():
         yield captured

@@ -40,8 +40,9 @@ class World(Program):
         self.graph = graph or Graph(clock, record)
         self.argv = argv
         self.errors: list[BaseException] = []  # those whose tracebacks were printed
+        self.on_error: Callable[[], None] | None = None  # called with each of them
         self.failure: NotSimulated | None = None  # met in a thread, and the end of the run
-        self.exit_status: int | None = None  # with which it ended at once
+        self.exit_status: int | None = None  # None until it has ended
         self.ticks: list[Record] | None = [] if record else None
         self.at_exit: list[tuple[Callable[..., Any], tuple[Any, ...], dict[str, Any]]] = []
         self._sources: dict[str, int] = {}
@@ -51,6 +52,12 @@ class World(Program):
         """A name for something that ticks, made different from those given before: Rate, Rate 2, ..."""
         count = self._sources[name] = self._sources.get(name, 0) + 1
         return name if count == 1 else f"{name} {count}"
+
+    def note_error(self, error: BaseException) -> None:
+        """Keep an exception whose traceback was printed."""
+        self.errors.append(error)
+        if self.on_error:
+            self.on_error()
 
     def start(self, thread: threading.Thread) -> None:
         """Start a thread of this node, whichever node asks for it."""

@@ -54,7 +54,7 @@ class Killed(Exception):
 class SimulatedProgram:
     """``main`` as a program on a simulated clock, run in steps. Between them nothing of it is in the way of others.
 
-    Each step raises :class:`Died`, and what :class:`Simulation` and :class:`Watchdog` raise; all but RuntimeError end it.
+    A step raises :class:`Died`, and what :class:`Simulation` and :class:`Watchdog` raise.
     """
 
     def __init__(self, main: Callable[[], object], program: Program, simulation: Simulation) -> None:
