@@ -139,11 +139,13 @@ class Process:
 
 def _state_of_process() -> Callable[[], None]:
     """A function that makes what a process has beside its modules what it is now."""
-    argv, path, hooks, folder = sys.argv, sys.path[:], (sys.excepthook, sys.unraisablehook), os.getcwd()
+    argv, path, folder = sys.argv, sys.path[:], os.getcwd()
+    hooks = sys.excepthook, sys.unraisablehook, threading.excepthook
     environment, put_loggers = dict(os.environ), _state_of_loggers()
 
     def put() -> None:
-        sys.argv, sys.path[:], (sys.excepthook, sys.unraisablehook) = argv, path, hooks
+        sys.argv, sys.path[:] = argv, path
+        sys.excepthook, sys.unraisablehook, threading.excepthook = hooks
         os.chdir(folder)
         if os.environ != environment:
             os.environ.clear()

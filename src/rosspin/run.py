@@ -175,6 +175,7 @@ def run_main(node: Node, world: World) -> None:
             except Exception as another:
                 sys.stderr.write("Error in sys.excepthook:\n")
                 print_error(world, another)
+    world.note_main_status(status)
     try:
         end_main(world)
     except (NotSimulated, Ended, StackExit, Died):

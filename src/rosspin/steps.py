@@ -37,6 +37,7 @@ def start(node: NodeLike, args: Sequence[str] = (), parameters: Mapping[str, Any
     private ones by names such as ``"~rate"``. What is due at 0 s has run when this returns; the time then waits for
     :meth:`StartedNode.advance`. Raises what :func:`simulate` does, and what ``advance`` does.
     """
+    __tracebackhide__ = True  # pytest shows the lines of the test and of the node, not these
     return StartedNode(node, args, parameters or {})
 
 
@@ -51,6 +52,7 @@ class StartedNode:
     """
 
     def __init__(self, node: NodeLike, args: Sequence[str], parameters: Mapping[str, Any]) -> None:
+        __tracebackhide__ = True
         self._node = load(node)
         self.name = Path(self._node.argv0).name  # of the file, or of the function
         self._process = Process(self._node, args, rospy.MODULES, ros=1)
@@ -63,7 +65,7 @@ class StartedNode:
         self._status_raised = False
         with self._inside():
             self._world = world = new_world(self._clock, record=True)
-            world.on_error = self._clock.pause
+            world.on_failure = self._clock.pause
             own_world = World(self._clock, [], False, world.graph)
             world.graph.tester = self._tester = Tester(own_world, self._process.messages)
             with acting_for(world):
@@ -93,7 +95,8 @@ class StartedNode:
     @property
     def status(self) -> int | None:
         """The node's exit status; None while it runs."""
-        return self._world.exit_status
+        world = self._world
+        return world.main_status or None if world.exit_status is None else world.exit_status
 
     @property
     def run(self) -> Run:
@@ -127,7 +130,7 @@ class StartedNode:
         __tracebackhide__ = True
         if not self._closed:
             self._closed = True
-            self._world.on_error = None
+            self._world.on_failure = None
             self._step(self._now, lambda: self._program.end(PATIENCE * NS))
 
     def _abandon(self) -> None:
@@ -176,30 +179,24 @@ class StartedNode:
         with self._inside(), explained(self._node, world, self._clock, self.time):
             go_on()
         self._messages += messages_of(world, 0, len(self._messages))
-        failed = len(world.errors) > self._raised
-        self._now = self._clock.now() if failed or not self._clock.is_over else until
-        self._raise_failure()
-        return self._run_since(*before)
-
-    def _raise_failure(self) -> None:
-        """Raise what was not raised before."""
-        __tracebackhide__ = True
-        status = self._world.exit_status or 0
-        errors, self._raised = self._world.errors[self._raised :], len(self._world.errors)
-        failed, self._status_raised = bool(status) and not self._status_raised, bool(status)
+        status = self.status or 0
+        errors = world.errors[self._raised :]
+        died = bool(status) and not self._status_raised
+        if not self._closed:  # else it stays the time of Ctrl-C
+            self._now = self._clock.now() if errors or died else until
+        self._raised, self._status_raised = len(world.errors), bool(status)
         if errors and isinstance(errors[0], Exception):
             error, *others = errors
-            error.add_note(f"raised in the node at {self.time} s")
+            error.add_note(f"raised in {self.name} at {self.time} s")
             for other in others:
-                error.add_note(f"then, in the same step: {other!r}")
+                error.add_note(f"then there was {other!r}")
             raise error.with_traceback(node_frames(error.__traceback__))
-        if errors or failed:
-            how = f"ended with status {status}" if failed else f"raised {errors[0]!r}"
+        if errors or died:
+            how = f"ended with status {status}" if died else f"raised {errors[0]!r}"
             when = f"after Ctrl-C at {self.time} s" if self._closed else f"at {self.time} s"
             lines = self._capture.text().splitlines()[-_LINES:]
-            raise NodeFailed("\n".join([f"{self.name} {how} {when}", *lines])) from (
-                errors[0] if errors else None
-            )
+            raise NodeFailed("\n".join([f"{self.name} {how} {when}", *lines])) from (errors[0] if errors else None)
+        return self._run_since(*before)
 
     def _run_since(self, piece: int, tick: int, message: int, time: int) -> Run:
         """What the node has done from these pieces of its console, ticks and messages on, since the time ``time``."""

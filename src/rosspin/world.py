@@ -40,9 +40,10 @@ class World(Program):
         self.graph = graph or Graph(clock, record)
         self.argv = argv
         self.errors: list[BaseException] = []  # those whose tracebacks were printed
-        self.on_error: Callable[[], None] | None = None  # called with each of them
         self.failure: NotSimulated | None = None  # met in a thread, and the end of the run
-        self.exit_status: int | None = None  # None until it has ended
+        self.main_status: int | None = None  # with which its main program has ended
+        self.exit_status: int | None = None  # and all of it
+        self.on_failure: Callable[[], None] | None = None  # called for each error, and a main status other than 0
         self.ticks: list[Record] | None = [] if record else None
         self.at_exit: list[tuple[Callable[..., Any], tuple[Any, ...], dict[str, Any]]] = []
         self._sources: dict[str, int] = {}
@@ -56,8 +57,14 @@ class World(Program):
     def note_error(self, error: BaseException) -> None:
         """Keep an exception whose traceback was printed."""
         self.errors.append(error)
-        if self.on_error:
-            self.on_error()
+        if self.on_failure:
+            self.on_failure()
+
+    def note_main_status(self, status: int) -> None:
+        """Keep the status with which the main program has ended."""
+        self.main_status = status
+        if status and self.on_failure:
+            self.on_failure()
 
     def start(self, thread: threading.Thread) -> None:
         """Start a thread of this node, whichever node asks for it."""
