@@ -32,7 +32,7 @@ def start_node(request: pytest.FixtureRequest) -> Iterator[Callable[..., Started
         def start_node(
             node: NodeLike, args: Sequence[str] = (), parameters: Mapping[str, Any] | None = None
         ) -> StartedNode:
-            path = node if callable(node) else request.path.parent / os.fspath(node)
+            path = node if callable(node) else os.path.normpath(request.path.parent / os.fspath(node))
             started.append(stack.enter_context(start(path, args, parameters)))
             return started[-1]
 
@@ -45,5 +45,6 @@ def pytest_runtest_makereport(item: pytest.Item, call: pytest.CallInfo[None]) ->
     report = (yield).get_result()
     if call.when == "call" and call.excinfo:
         for node in item.stash.get(_started, []):
-            report.sections.append((f"Console of {node.name}", node.run.console))
+            if console := node.run.console:
+                report.sections.append((f"Console of {node.name}", console))
             node.__exit__(call.excinfo.type, call.excinfo.value, call.excinfo.tb)
