@@ -23,6 +23,7 @@ from rosspin.ros1 import Workspace
 
 PAGES = ROOT / "docs" / "how-to"
 PACKAGE = ROOT / "examples" / "my_robotics_pkg"
+CONTROLLER = ROOT / "examples" / "controller"
 
 
 def _pytest(folder: Path, *arguments: str) -> subprocess.CompletedProcess[str]:
@@ -36,10 +37,10 @@ def test_the_example_test_passes_by_the_commands_on_the_page(site: Path, tmp_pat
     *elsewhere, here = re.findall(r"^\$ (.*)", shown, re.MULTILINE)
     run = _pytest(ROOT, *shlex.split(here.removeprefix(".venv/bin/python -m pytest")))
     assert run.returncode == 0, run.stdout
-    assert "7 passed" in run.stdout
+    assert "2 passed" in run.stdout
 
     # In a package of the reader's own, which knows nothing of this environment.
-    shutil.copytree(PACKAGE, tmp_path, dirs_exist_ok=True)
+    shutil.copytree(CONTROLLER, tmp_path, dirs_exist_ok=True)
     (tmp_path / "rosspin").symlink_to(ROOT)
     environment = {name: value for name, value in os.environ.items() if not name.startswith("PYTHON")}
     for command in elsewhere:
@@ -47,7 +48,65 @@ def test_the_example_test_passes_by_the_commands_on_the_page(site: Path, tmp_pat
         if "NewConnectionError" in run.stderr:
             pytest.skip("pip can reach no package index")
         assert run.returncode == 0, run.stdout + run.stderr
-    assert "7 passed" in run.stdout
+    assert "2 passed" in run.stdout
+
+
+def test_the_long_run_of_the_page_passes() -> None:
+    run = _pytest(PACKAGE, "test")
+    assert "7 passed" in run.stdout, run.stdout
+
+
+def test_the_controller_s_test_reads_in_15_lines() -> None:
+    text = (CONTROLLER / "test/test_controller.py").read_text(encoding="utf-8")
+    assert sum(bool(line.strip()) for line in text.splitlines()) <= 15
+
+
+IGNORES_SILENCE = "return rospy.Time.now() - self.last_heard < rospy.Duration(0.2)", "return True"
+MISSPELT = "message.range", "message.rang"
+
+
+@pytest.mark.parametrize(
+    ("old", "new"),
+    [
+        IGNORES_SILENCE,
+        MISSPELT,
+        ("rospy.Duration(0.02)", "rospy.Duration(0.025)"),
+        ("rospy.Duration(0.02)", "rospy.Duration(0.01)"),
+        ("rospy.Duration(0.2)", "rospy.Duration(0.25)"),
+        ("rospy.Duration(0.2)", "rospy.Duration(0.1)"),
+        ("linear.x = 0.5", "linear.x = 1.0"),
+        ("return False", "pass"),
+        ("rospy.spin()", "import time; time.sleep(5)"),
+    ],
+)
+def test_the_controller_s_test_fails_for_a_controller_that_is_wrong(tmp_path: Path, old: str, new: str) -> None:
+    run = _pytest_of_a_changed_controller(tmp_path, old, new)
+    assert run.returncode == 1, run.stdout
+
+
+def _pytest_of_a_changed_controller(folder: Path, old: str, new: str) -> subprocess.CompletedProcess[str]:
+    shutil.copytree(CONTROLLER, folder, dirs_exist_ok=True)
+    node = folder / "src/controller_py_node.py"
+    text = node.read_text(encoding="utf-8")
+    assert old in text
+    node.write_text(text.replace(old, new), encoding="utf-8")
+    return _pytest(folder, "--tb=short", "test")
+
+
+@pytest.mark.parametrize(("number", "change"), enumerate([IGNORES_SILENCE, MISSPELT]))
+def test_pytest_says_what_the_page_shows(
+    site: Path, tmp_path: Path, monkeypatch: pytest.MonkeyPatch, number: int, change: tuple[str, str]
+) -> None:
+    page = BeautifulSoup((site / "docs/how-to/test-timing.html").read_text(encoding="utf-8"), "html.parser")
+    shown = page.select("#see-it-fail .highlight-text pre")[number].get_text()
+    monkeypatch.setenv("COLUMNS", "80")
+    said = _pytest_of_a_changed_controller(tmp_path, *change).stdout
+    assert _without_carets(shown) in _without_carets(said)
+
+
+def _without_carets(text: str) -> str:
+    """A traceback without the marks below its lines, which not every Python has."""
+    return "\n".join(line.rstrip() for line in text.strip().splitlines() if line.strip(" ^"))
 
 
 @pytest.mark.parametrize(

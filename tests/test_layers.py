@@ -23,6 +23,7 @@ LAYERS = [
     "rospy",
     "process",
     "run",
+    "steps",
     "console",
     "measures",
     "advice",
@@ -34,6 +35,7 @@ LAYERS = [
     "exercises",
     "page",
     "site",
+    "pytest_plugin",
     "__init__",
     "__main__",
 ]
@@ -47,6 +49,7 @@ KEEPERS = {
     "pyodide": {"clocks.jspi", "page"},
     "sphinx": {"site.pages", "site.live", "site.checks", "site.published"},
     "docutils": {"site.pages", "site.live", "site.checks", "site.published"},
+    "pytest": {"pytest_plugin"},
     "yaml": {"rospy.client", "messages.ros1"},
 }
 

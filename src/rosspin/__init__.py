@@ -2,13 +2,43 @@
 
 from __future__ import annotations
 
-from typing import Any
+from importlib import import_module
+from typing import TYPE_CHECKING, Any
 
-from .run import TimeStandsStill, measure, simulate
-from .ticks import Message, Run, Tick
-from .world import NotSimulated
+if TYPE_CHECKING:
+    from .run import TimeStandsStill, measure, simulate
+    from .steps import NodeFailed, StartedNode, start
+    from .ticks import Message, Run, Tick
+    from .world import NotSimulated
 
-__all__ = ["Message", "NotSimulated", "Run", "Tick", "TimeStandsStill", "measure", "simulate"]
+# Where the names come from that are imported when they are asked for: pytest loads this package in every run.
+_MODULES = {
+    "run": ("TimeStandsStill", "measure", "simulate"),
+    "steps": ("NodeFailed", "StartedNode", "start"),
+    "ticks": ("Message", "Run", "Tick"),
+    "world": ("NotSimulated",),
+}
+
+__all__ = [
+    "Message",
+    "NodeFailed",
+    "NotSimulated",
+    "Run",
+    "StartedNode",
+    "Tick",
+    "TimeStandsStill",
+    "measure",
+    "simulate",
+    "start",
+]
+
+
+def __getattr__(name: str) -> Any:
+    for module, names in _MODULES.items():
+        if name in names:
+            found = globals()[name] = getattr(import_module(f".{module}", __name__), name)
+            return found
+    raise AttributeError(f"module {__name__!r} has no attribute {name!r}", name=name)
 
 
 def load_ipython_extension(shell: Any) -> None:

@@ -11,7 +11,7 @@ from typing import Any, Generic, Protocol, TypeVar
 
 from .clocks.clock import Clock
 
-__all__ = ["End", "Graph", "Published"]
+__all__ = ["End", "Graph", "Published", "Tester"]
 
 
 class End(Protocol):
@@ -24,6 +24,16 @@ class End(Protocol):
     @property
     def type(self) -> str:
         """The type of its messages, as in std_msgs/String."""
+
+
+class Tester(Protocol):
+    """A node that a test plays: it has an end of its own for each end that the others have."""
+
+    def publication(self, subscription: Any) -> Any:
+        """Its end for a subscription."""
+
+    def subscription(self, publication: Any) -> Any:
+        """Its end for a publication."""
 
 
 E = TypeVar("E", bound=End)
@@ -58,6 +68,7 @@ class Graph:
 
     def __init__(self, clock: Clock, record: bool) -> None:
         self.published: list[Published] | None = [] if record else None
+        self.tester: Tester | None = None
         self._clock = clock
         self._lock = threading.Lock()
         self._publications: _Ends[Any] = _Ends()
@@ -65,11 +76,13 @@ class Graph:
 
     def advertise(self, publication: End) -> list[Any]:
         """Add a publication; the subscriptions that are there already."""
-        return self._add(publication, self._publications, self._subscriptions)
+        found = self._add(publication, self._publications, self._subscriptions)
+        return [*found, self.tester.subscription(publication)] if self.tester else found
 
     def subscribe(self, subscription: End) -> list[Any]:
         """Add a subscription; the publications that are there already."""
-        return self._add(subscription, self._subscriptions, self._publications)
+        found = self._add(subscription, self._subscriptions, self._publications)
+        return [*found, self.tester.publication(subscription)] if self.tester else found
 
     def _add(self, end: End, same: _Ends[Any], other: _Ends[Any]) -> list[Any]:
         # In one go: of two ends that are made at the same time, exactly one finds the other.
@@ -87,6 +100,11 @@ class Graph:
         """The topics that somebody publishes, and their types."""
         with self._lock:
             return self._publications.types()
+
+    def subscribed(self) -> list[tuple[str, str]]:
+        """The topics to which somebody subscribes, and their types."""
+        with self._lock:
+            return self._subscriptions.types()
 
     def record(self, topic: str, node: str, make: Callable[[], Any]) -> None:
         """Keep that ``node`` has published, now, the message that ``make()`` gives."""

@@ -13,11 +13,10 @@ import threading
 import tokenize
 import traceback
 from collections.abc import Callable, Iterator, Mapping, Sequence
-from contextlib import ExitStack, contextmanager, redirect_stderr, redirect_stdout
+from contextlib import contextmanager, redirect_stderr, redirect_stdout
 from pathlib import Path
 from types import CodeType, ModuleType
 from typing import Any, NamedTuple, TextIO
-from unittest import mock
 
 from .clocks.ending import Ended
 from .clocks.patches import Patch, patched
@@ -28,8 +27,8 @@ from .messages import MessageFinder
 from .world import NotSimulated, World
 
 __all__ = [
-    *("Capture", "Node", "NodeLike", "capture", "execute", "load", "load_source"),
-    *("print_error", "process_of", "run_at_exit"),
+    *("Capture", "Node", "NodeLike", "Process", "capture", "execute", "load", "load_source"),
+    *("print_error", "run_at_exit"),
 ]
 
 
@@ -86,51 +85,91 @@ def refuse_a_run_within_a_run() -> None:
         raise RuntimeError("a node cannot start a run of its own")
 
 
-@contextmanager
-def process_of(node: Node, args: Sequence[str], modules: Mapping[str, ModuleType], ros: int) -> Iterator[None]:
-    """Within this context the process is the node's: its command line, its path, and ``modules`` by their names.
+class Process:
+    """The process as a node sees it: its command line, its path, and ``modules`` by their names.
 
-    It can import the messages of ROS 1 or 2, and those of its own package and the packages beside it.
-    Afterwards, whatever the node has changed is as before: environment, working directory, modules of its folder.
+    It can import the messages of ROS 1 or 2, and those of its own package and the packages beside it; ``messages``
+    makes their classes.
     """
-    refuse_a_run_within_a_run()
-    with _one_at_a_time, ExitStack() as stack:
-        argv, path, before, folder = sys.argv, sys.path[:], dict(sys.modules), os.getcwd()
-        stack.enter_context(mock.patch.dict(os.environ))
-        stack.enter_context(mock.patch.object(sys, "excepthook", sys.__excepthook__))
-        stack.enter_context(mock.patch.object(sys, "unraisablehook", sys.__unraisablehook__))
-        stack.enter_context(_own_loggers())
-        stack.enter_context(patched(_PATCHES))
-        sys.argv = [node.argv0, *args]
-        if node.folder is not None:
-            sys.path.insert(0, node.folder)
-        stack.enter_context(MessageFinder(ros, _folder(node)))
-        sys.modules.update(modules)
+
+    def __init__(self, node: Node, args: Sequence[str], modules: Mapping[str, ModuleType], ros: int) -> None:
+        self._node = node
+        self._args = args
+        self._finder = MessageFinder(ros, _folder(node))
+        self.messages = self._finder.messages
+        self._modules = dict(modules)  # those that only the node has
+        self._put_inside = self._begin
+
+    def _begin(self) -> None:
+        sys.argv = [self._node.argv0, *self._args]
+        sys.excepthook, sys.unraisablehook = sys.__excepthook__, sys.__unraisablehook__
+        if self._node.folder is not None:
+            sys.path.insert(0, self._node.folder)
+
+    @contextmanager
+    def inside(self) -> Iterator[None]:
+        """Within this context the process is the node's, as it was left the last time.
+
+        Afterwards, whatever the node has changed is as before: environment, working directory, loggers, modules.
+        """
+        refuse_a_run_within_a_run()
+        with _one_at_a_time, patched(_PATCHES):
+            put_outside = _state_of_process()
+            self._put_inside()
+            try:
+                with self._finder, self._own_modules():
+                    yield
+            finally:
+                self._put_inside = _state_of_process()
+                put_outside()
+
+    @contextmanager
+    def _own_modules(self) -> Iterator[None]:
+        """Within this context the node's modules are there, and not those of the same names that were there."""
+        before = dict(sys.modules)
+        sys.modules.update(self._modules)
         try:
             yield
         finally:
-            os.chdir(folder)
-            sys.argv, sys.path[:] = argv, path
-            for name in [name for name in sys.modules if name not in before]:
-                if name in modules or _lies_in(node.folder, name):
-                    del sys.modules[name]
-            sys.modules.update({name: before[name] for name in ("__main__", *modules) if name in before})
+            found = {name for name in sys.modules if name not in before and _lies_in(self._node.folder, name)}
+            own = {name for name in ("__main__", *self._modules, *found) if name in sys.modules}
+            self._modules = {name: sys.modules.pop(name) for name in own}
+            sys.modules.update({name: before[name] for name in own if name in before})
 
 
-@contextmanager
-def _own_loggers() -> Iterator[None]:
-    """What a node makes of Python's loggers is undone at the end of this context."""
-    manager, loggers = logging.root.manager, dict(logging.root.manager.loggerDict)
+def _state_of_process() -> Callable[[], None]:
+    """A function that makes what a process has beside its modules what it is now."""
+    argv, path, folder = sys.argv, sys.path[:], os.getcwd()
+    hooks = sys.excepthook, sys.unraisablehook, threading.excepthook
+    environment, put_loggers = dict(os.environ), _state_of_loggers()
+
+    def put() -> None:
+        sys.argv, sys.path[:] = argv, path
+        sys.excepthook, sys.unraisablehook, threading.excepthook = hooks
+        os.chdir(folder)
+        if os.environ != environment:
+            os.environ.clear()
+            os.environ.update(environment)
+        put_loggers()
+
+    return put
+
+
+def _state_of_loggers() -> Callable[[], None]:
+    """A function that makes Python's loggers what they are now."""
+    loggers = dict(logging.root.manager.loggerDict)
     known = [logging.root, *(logger for logger in loggers.values() if isinstance(logger, logging.Logger))]
-    before = [(logger, logger.level, logger.handlers[:], logger.filters[:], logger.propagate) for logger in known]
-    try:
-        yield
-    finally:
-        manager.loggerDict.clear()
-        manager.loggerDict.update(loggers)
-        for logger, level, handlers, filters, propagate in before:
-            logger.setLevel(level)
+    states = [(logger, logger.level, logger.handlers[:], logger.filters[:], logger.propagate) for logger in known]
+
+    def put() -> None:
+        logging.root.manager.loggerDict.clear()
+        logging.root.manager.loggerDict.update(loggers)
+        for logger, level, handlers, filters, propagate in states:
+            if logger.level != level:  # setting it is slow
+                logger.setLevel(level)
             logger.handlers[:], logger.filters[:], logger.propagate = handlers, filters, propagate
+
+    return put
 
 
 def _folder(node: Node) -> Path | None:
@@ -150,7 +189,7 @@ def _lies_in(folder: str | None, name: str) -> bool:
 def print_error(world: World, error: BaseException, made: traceback.FrameSummary | None = None) -> None:
     """Print an exception that was not caught on stderr, with the node's frames, and keep it."""
     sys.stderr.write(format_error(error, made))
-    world.errors.append(error)
+    world.note_error(error)
 
 
 def _excepthook(real: Callable[[Any], None]) -> Callable[[Any], None]:
@@ -245,9 +284,20 @@ class Capture:
         self.stdout = _stream(self._chunks, stdout)
         self.stderr = _stream(self._chunks, stderr)
 
-    def text(self) -> str:
-        """All of it."""
-        return b"".join(self._chunks).decode(errors="replace")
+    def __len__(self) -> int:
+        """How many pieces were written."""
+        return len(self._chunks)
+
+    def text(self, since: int = 0) -> str:
+        """All of it, from the piece ``since`` on."""
+        return b"".join(self._chunks[since:]).decode(errors="replace")
+
+    @contextmanager
+    def redirected(self) -> Iterator[None]:
+        """Within this context, what is printed goes here."""
+        refuse_a_run_within_a_run()
+        with _one_at_a_time, redirect_stdout(self.stdout), redirect_stderr(self.stderr):
+            yield
 
 
 def _stream(chunks: list[bytes], onward: TextIO | None) -> TextIO:
@@ -276,7 +326,6 @@ class _Sink(io.BufferedIOBase):
 @contextmanager
 def capture(stdout: TextIO | None = None, stderr: TextIO | None = None) -> Iterator[Capture]:
     """Within this context, what is printed goes to a :class:`Capture`, and from there to the streams that are given."""
-    refuse_a_run_within_a_run()
     captured = Capture(stdout, stderr)
-    with _one_at_a_time, redirect_stdout(captured.stdout), redirect_stderr(captured.stderr):
+    with captured.redirected():
         yield captured

@@ -7,7 +7,8 @@ import os
 import signal
 import sys
 import traceback
-from collections.abc import Sequence
+from collections.abc import Iterator, Sequence
+from contextlib import contextmanager
 from functools import partial
 from typing import NamedTuple
 
@@ -20,11 +21,14 @@ from .clocks.stacks import StackExit
 from .clocks.threads import begin_main, end_main
 from .clocks.watchdog import Stuck
 from .frames import Place, node_frames
-from .process import Node, NodeLike, capture, load, print_error, process_of, run_at_exit
+from .process import Node, NodeLike, Process, capture, load, print_error, run_at_exit
 from .ticks import Message, Run, Tick
 from .world import NotSimulated, World
 
-__all__ = ["Result", "TimeStandsStill", "measure", "run_node", "say_error", "simulate", "split_words"]
+__all__ = [
+    *("PATIENCE", "Result", "TimeStandsStill", "duration", "explained", "measure", "messages_of", "new_world"),
+    *("run_main", "run_node", "say_error", "simulate", "split_words", "ticks_of"),
+]
 
 # After Ctrl-C roslaunch waits 15 s, asks once more with SIGTERM, and kills after another 2 s.
 PATIENCE = 17
@@ -68,7 +72,7 @@ def measure(node: NodeLike, seconds: float, args: Sequence[str] = ()) -> Run:
 
 def _run(runtime: str, node: NodeLike, seconds: float, args: Sequence[str], clock: Clock) -> Run:
     loaded = load(node)
-    _duration(seconds)  # run_node takes None as for ever
+    duration(seconds)  # run_node takes None as for ever
     with capture() as console:
         result = run_node(loaded, seconds, args, clock)
     return Run(
@@ -78,7 +82,7 @@ def _run(runtime: str, node: NodeLike, seconds: float, args: Sequence[str], cloc
         runtime,
         seconds,
         result.start,
-        _messages(result.world, result.start),
+        messages_of(result.world, round(result.start * NS)),
     )
 
 
@@ -99,45 +103,53 @@ def run_node(
     Its console goes where ``sys.stdout`` and ``sys.stderr`` go; ``record`` keeps its ticks. ``process`` says that this
     process is there only for the node: if nothing else ends the node, the process is ended.
     """
-    until = None if seconds is None else _duration(seconds)
-    with process_of(node, args, rospy.MODULES, ros=1):
-        world = World(clock, sys.argv, record)
-        world.at_exit.append((rospy.core.signal_shutdown, ("atexit",), {}))  # as rospy does when it is imported
+    until = None if seconds is None else duration(seconds)
+    with Process(node, args, rospy.MODULES, ros=1).inside():
+        world = new_world(clock, record)
         start = 0 if isinstance(clock, Simulation) else clock.now()
-        status = 0
-
-        def main() -> None:
-            nonlocal status
-            status = _run_main(node, world)
-
-        try:
+        with explained(node, world, clock, seconds):
             if isinstance(clock, Simulation):
                 assert until is not None
-                run_simulated(main, world, clock, until, PATIENCE * NS)
+                run_simulated(lambda: run_main(node, world), world, clock, until, PATIENCE * NS)
             else:
-                run_on_the_wall(main, world, until, PATIENCE * NS, _killed(seconds) if process else "")
-        except Killed as killed:
-            status = _say_killed(node, seconds, killed)
-        except Died as died:
-            status = 128 + died.number
-        except Standstill as error:
-            raise _stands_still(node, error.places, error.place, clock, waits=False) from None
-        except Ended:
-            if world.failure is not None:
-                raise world.failure from None
-            if world.exit_status is None:
-                raise
-            status = world.exit_status
-        except Stuck as error:
-            place = clock.failed if isinstance(clock, Simulation) else ""
-            raise _stands_still(node, error.places, place, clock, error.waits) from None
+                last_words = _killed(seconds) if process else ""
+                run_on_the_wall(lambda: run_main(node, world), world, until, PATIENCE * NS, last_words)
+    assert world.exit_status is not None
+    return Result(world.exit_status, ticks_of(world, start), start / NS, world)
+
+
+def new_world(clock: Clock, record: bool) -> World:
+    """The world of a node whose process the caller is in."""
+    world = World(clock, sys.argv, record)
+    world.at_exit.append((rospy.core.signal_shutdown, ("atexit",), {}))  # as rospy does when it is imported
+    return world
+
+
+@contextmanager
+def explained(node: Node, world: World, clock: Clock, seconds: float | None) -> Iterator[None]:
+    """Within this context a node runs. What ends it from outside becomes its exit status, or an error that says why."""
+    try:
+        yield
+    except Killed as killed:
+        world.exit_status = _say_killed(node, seconds, killed)
+    except Died as died:
+        world.exit_status = 128 + died.number
+    except Standstill as error:
+        raise _stands_still(node, error.places, error.place, clock, waits=False) from None
+    except Ended:
+        if world.failure is not None:
+            raise world.failure from None
+        if world.exit_status is None:
+            raise
+    except Stuck as error:
+        place = clock.failed if isinstance(clock, Simulation) else ""
+        raise _stands_still(node, error.places, place, clock, error.waits) from None
     if os.getpid() != world.pid:  # a child that the node has forked ends here
-        os._exit(status)
-    return Result(status, _ticks(world, start), start / NS, world)
+        os._exit(world.exit_status or 0)
 
 
-def _run_main(node: Node, world: World) -> int:
-    """Do with a node's code what the interpreter does with a program; the exit status."""
+def run_main(node: Node, world: World) -> None:
+    """Do with a node's code what the interpreter does with a program, and keep the exit status."""
     status = 0
     begin_main(world)
     try:
@@ -155,7 +167,7 @@ def _run_main(node: Node, world: World) -> int:
         if sys.excepthook is sys.__excepthook__:
             print_error(world, error)
         else:
-            world.errors.append(error)
+            world.note_error(error)
             try:
                 sys.excepthook(type(error), error, error.__traceback__)
             except SystemExit as end:
@@ -163,6 +175,7 @@ def _run_main(node: Node, world: World) -> int:
             except Exception as another:
                 sys.stderr.write("Error in sys.excepthook:\n")
                 print_error(world, another)
+    world.note_main_status(status)
     try:
         end_main(world)
     except (NotSimulated, Ended, StackExit, Died):
@@ -171,7 +184,7 @@ def _run_main(node: Node, world: World) -> int:
         sys.stderr.write("Exception ignored in: <module 'threading'>\n")
         print_error(world, error)
     run_at_exit(world)
-    return status
+    world.exit_status = status
 
 
 def _is_ros_package(name: str) -> bool:
@@ -184,7 +197,8 @@ def _is_ros_package(name: str) -> bool:
     )
 
 
-def _ticks(world: World, start: int) -> tuple[Tick, ...]:
+def ticks_of(world: World, start: int, since: int = 0) -> tuple[Tick, ...]:
+    """What was recorded of a node's ticks, in a run that began at ``start`` (ns), from the tick ``since`` on."""
     return tuple(
         _new_tick(
             (
@@ -195,18 +209,20 @@ def _ticks(world: World, start: int) -> tuple[Tick, ...]:
                 math.nan if duration is None else duration / NS,
             )
         )
-        for source, number, expected, real, duration in world.ticks or ()
+        for source, number, expected, real, duration in (world.ticks or ())[since:]
     )
 
 
-def _messages(world: World, start: float) -> tuple[Message, ...]:
-    first = round(start * NS)
+def messages_of(world: World, start: int, since: int = 0) -> tuple[Message, ...]:
+    """What was recorded of the messages in a node's graph, likewise."""
     return tuple(
-        Message(topic, node, (time - first) / NS, make()) for topic, node, time, make in world.graph.published or ()
+        Message(topic, node, (time - start) / NS, make())
+        for topic, node, time, make in (world.graph.published or ())[since:]
     )
 
 
-def _duration(seconds: float) -> int:
+def duration(seconds: float) -> int:
+    """The length of a run, or of a step, in ns. Raises ValueError if it cannot be one."""
     if not (isinstance(seconds, (int, float)) and math.isfinite(seconds) and seconds >= 0):
         raise ValueError(f"seconds must be a number of at least 0, not {seconds!r}")
     try:

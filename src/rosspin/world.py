@@ -41,7 +41,9 @@ class World(Program):
         self.argv = argv
         self.errors: list[BaseException] = []  # those whose tracebacks were printed
         self.failure: NotSimulated | None = None  # met in a thread, and the end of the run
-        self.exit_status: int | None = None  # with which it ended at once
+        self.main_status: int | None = None  # with which its main program has ended
+        self.exit_status: int | None = None  # and all of it
+        self.on_failure: Callable[[], None] | None = None  # called for each error, and a main status other than 0
         self.ticks: list[Record] | None = [] if record else None
         self.at_exit: list[tuple[Callable[..., Any], tuple[Any, ...], dict[str, Any]]] = []
         self._sources: dict[str, int] = {}
@@ -51,6 +53,18 @@ class World(Program):
         """A name for something that ticks, made different from those given before: Rate, Rate 2, ..."""
         count = self._sources[name] = self._sources.get(name, 0) + 1
         return name if count == 1 else f"{name} {count}"
+
+    def note_error(self, error: BaseException) -> None:
+        """Keep an exception whose traceback was printed."""
+        self.errors.append(error)
+        if self.on_failure:
+            self.on_failure()
+
+    def note_main_status(self, status: int) -> None:
+        """Keep the status with which the main program has ended."""
+        self.main_status = status
+        if status and self.on_failure:
+            self.on_failure()
 
     def start(self, thread: threading.Thread) -> None:
         """Start a thread of this node, whichever node asks for it."""

@@ -3,6 +3,7 @@
 import rospy
 from geometry_msgs.msg import Point, Twist
 from scenario import attempt, begin, block
+from std_msgs.msg import Bool, Float64, Float64MultiArray, String, UInt8MultiArray, UInt32  # noqa: F401, by their names
 
 VALUES = (
     ("UInt32", ("3.0", "-1", "'a'", "b'a'", "[1]", "2**32")),

@@ -20,11 +20,11 @@ from .ending import Ended, end_thread, ending_here
 from .signals import Died, send, simulated_signals
 from .simulation import Simulation
 from .stacks import Program, Stack, current, enter
-from .threads import followed_threads, forget_threads, simulated_threads
+from .threads import followed_threads, simulated_threads
 from .virtual_time import virtual_time
 from .watchdog import watch
 
-__all__ = ["Died", "Killed", "end_program", "run_on_the_wall", "run_simulated"]
+__all__ = ["Died", "Killed", "SimulatedProgram", "end_program", "run_on_the_wall", "run_simulated"]
 
 # A run that does not get on by so much (ns) in seconds of real time will not end.
 _LEAST_STEP = 1_000_000
@@ -51,6 +51,42 @@ class Killed(Exception):
         self.waited = waited
 
 
+class SimulatedProgram:
+    """``main`` as a program on a simulated clock, run in steps. Between them nothing of it is in the way of others.
+
+    A step raises :class:`Died`, and what :class:`Simulation` and :class:`Watchdog` raise.
+    """
+
+    def __init__(self, main: Callable[[], object], program: Program, simulation: Simulation) -> None:
+        self._program = program
+        self._simulation = simulation
+        simulation.begin(main, program, threading.main_thread().ident or 0)
+
+    def advance(self, until: int) -> None:
+        """Go on until the time is ``until`` (ns), what is due exactly then included, or ``main`` has returned."""
+        self._step(until)
+
+    def end(self, patience: int) -> None:
+        """Press Ctrl-C, and go on to the end. Raises :class:`Killed` if it has not come after ``patience`` ns."""
+        simulation = self._simulation
+        if simulation.is_over:
+            return
+
+        def kill() -> None:
+            raise Killed([(_name(stack.ident), places(stack.trail)) for stack in simulation.suspended() if stack.ident])
+
+        self._program.interrupted = True
+        send(simulation.main, signal.SIGINT)
+        simulation.at(simulation.now() + patience, kill)
+        self._step(None)
+
+    def _step(self, until: int | None) -> None:
+        simulation = self._simulation
+        with watch(lambda: simulation.now() // _LEAST_STEP):
+            with simulated_threads(self._program), virtual_time(), simulated_signals():
+                simulation.advance(until)
+
+
 def run_simulated(
     main: Callable[[], object], program: Program, simulation: Simulation, until: int, patience: int
 ) -> None:
@@ -58,23 +94,9 @@ def run_simulated(
 
     Also raises :class:`Died`, and what :class:`Simulation` and :class:`Watchdog` raise.
     """
-
-    def kill() -> None:
-        raise Killed([(_name(stack.ident), places(stack.trail)) for stack in simulation.suspended() if stack.ident])
-
-    def press_ctrl_c() -> None:
-        program.interrupted = True
-        send(simulation.main, signal.SIGINT)
-
-    simulation.at(until, press_ctrl_c)
-    simulation.at(until + patience, kill)
-    ident = threading.main_thread().ident or 0
-    with watch(lambda: simulation.now() // _LEAST_STEP):
-        with simulated_threads(), virtual_time(), simulated_signals():
-            try:
-                simulation.run(main, program, ident)
-            finally:
-                forget_threads(program)
+    simulated = SimulatedProgram(main, program, simulation)
+    simulated.advance(until)
+    simulated.end(patience)
 
 
 def _name(ident: int) -> str:

@@ -25,8 +25,9 @@ __all__ = ["PacedSimulation", "Simulation", "Standstill"]
 # and end at one time take a tenth of it.
 STANDSTILL = 1_000_000
 
-# Added to its order, this makes a wake-up the last at its time.
-_LAST = 1 << 62
+# Added to its order, this makes a wake-up the last at its time; and the pause comes after these.
+_LAST = 1 << 61
+_PAUSE = 1 << 62
 
 # The first thread's ident; the operating system gives none like it.
 _FIRST_IDENT = 1 << 32
@@ -47,7 +48,8 @@ class Standstill(Exception):
 class Simulation:
     """A clock on which sleeping takes no time. ``now`` and ``sleep`` are those of :class:`rosspin.clocks.clock.Clock`.
 
-    All but ``now`` and ``at`` are for the stacks of the simulation, which ``run`` and ``start`` make.
+    Whoever runs it may ``run`` it, or ``begin`` and ``advance`` it in steps until it ``is_over``, or ``close`` it; and
+    use ``now``, ``at``, ``pause``, ``wake`` and ``interrupt``. The rest is for its stacks.
     """
 
     def __init__(self) -> None:
@@ -59,6 +61,8 @@ class Simulation:
         self._home: Switched = current()
         self._stacks: dict[Stack, None] = {}  # those that have not ended, in the order of their beginning
         self._idents = count(_FIRST_IDENT)
+        self._pauses = 0  # the newest of them ends a step
+        self._paused = False
         self._closed = False
         self.main: Stack
         self.failed = ""  # the place of the stack that an exception ended
@@ -162,22 +166,57 @@ class Simulation:
         stack.interrupt = both
 
     def run(self, main: Callable[[], object], program: Program, ident: int) -> None:
-        """Run ``main`` on a stack, ``main``, and all that it starts, until it returns; ``ident`` is the thread's.
-
-        Raises what ``main`` raises, :class:`Standstill`, and RuntimeError if no stack is left that could go on.
-        """
+        """``begin``, and ``advance`` to the end."""
         self._home = current()
+        self.begin(main, program, ident)
+        self.advance()
+
+    def begin(self, main: Callable[[], object], program: Program, ident: int) -> None:
+        """Have ``main`` run on a stack, ``main``, in the steps to come; ``ident`` is the thread's."""
         self.main = self._stack(main, program, ident, "")
         self._schedule(self._now, self.main)
+
+    def advance(self, until: int | None = None) -> None:
+        """Go on until the time is ``until`` (ns), and all that is due then has run; or until ``main`` has returned.
+
+        Then, and if anything is raised, the simulation is over: what is left is ended. Raises what ``main`` raises,
+        :class:`Standstill`, and RuntimeError if no stack is left that could go on, or in another thread than before.
+        """
+        if current() is not self._home:
+            raise RuntimeError("a node can go on only in the thread that started it")
+        if until is not None:
+            self._pause_at(until)
+        self._paused = False
         try:
             with ending_here():
-                while not self.main.dead:
+                while not (self.main.dead or self._paused):
                     due = self._next()
                     if due is None:
                         raise RuntimeError(f"nothing is left to happen at {self.seconds()} s, and the node still waits")
                     due[2].switch()
-        finally:
-            self._close()
+        except BaseException:
+            self.close()
+            raise
+        if self.main.dead:
+            self.close()
+
+    def pause(self) -> None:
+        """Let ``advance`` return as soon as all that is due now has run."""
+        self._pause_at(self._now)
+
+    def _pause_at(self, when: int) -> None:
+        self._pauses = this = self._pauses + 1
+
+        def pause() -> None:
+            self._paused = this == self._pauses
+
+        self._order += 1
+        heappush(self._heap, (when, _PAUSE + self._order, self._stack(pause, Program(), 0, "")))
+
+    @property
+    def is_over(self) -> bool:
+        """Whether nothing more can happen."""
+        return self._closed
 
     def suspended(self) -> list[Stack]:
         """The stacks that have begun and not ended, in the order of their beginning."""
@@ -257,7 +296,7 @@ class Simulation:
         heappush(self._heap, (when, self._order, stack))
         return self._order
 
-    def _close(self) -> None:
+    def close(self) -> None:
         """End the stacks that are left. What they still print is for nobody: Python's daemon threads just stop."""
         self._closed = True
         with contextlib.redirect_stdout(io.StringIO()), contextlib.redirect_stderr(io.StringIO()):

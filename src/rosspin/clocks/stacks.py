@@ -43,6 +43,8 @@ class Program:
         self.alarm = (False, 0, 0.0)  # whether one is set, when (ns) it rings, and after how long (s) again
         self.main_ended: Any = None  # a lock, held by the main thread for as long as it runs the program's own code
         self.idents: set[int] = set()  # of the threads that it started and that have not ended
+        self.active: dict[int, Any] = {}  # those threads, while it is not running (simulated programs only)
+        self.working: dict[Any, Any] = {}  # those of them that belong to a pool, and its queue
 
 
 if sys.platform == "emscripten":

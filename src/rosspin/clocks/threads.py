@@ -27,7 +27,7 @@ from .ending import Ended, ending_here
 from .patches import Patch, either, patched
 from .stacks import Program, Stack, StackExit, current, enter, whose
 
-__all__ = ["begin_main", "end_main", "followed_threads", "forget_threads", "simulated_threads"]
+__all__ = ["begin_main", "end_main", "followed_threads", "simulated_threads"]
 
 _real_lock = _thread.allocate_lock
 _real_rlock = _thread.RLock
@@ -317,14 +317,21 @@ def end_main(program: Program) -> None:
             thread.join()
 
 
-def forget_threads(program: Program) -> None:
-    """Take the threads that a simulated program has left behind off the lists that all threads of the process share."""
+@contextmanager
+def _listed(program: Program) -> Iterator[None]:
+    """Within this context a simulated program's threads are on the lists that all threads of the process share.
+
+    Outside of it they are not: at its exit Python waits for those on the lists.
+    """
+    active: Any = threading._active  # type: ignore[attr-defined]
     working: Any = pools._threads_queues
-    for thread in list(working):
-        if thread.ident in program.idents:
-            del working[thread]
-    for ident in program.idents:
-        threading._active.pop(ident, None)  # type: ignore[attr-defined]
+    active.update(program.active)
+    working.update(program.working)
+    try:
+        yield
+    finally:
+        program.active = {ident: active.pop(ident) for ident in program.idents if ident in active}
+        program.working = {thread: working.pop(thread) for thread in list(working) if thread.ident in program.idents}
 
 
 class SimpleQueue(queue._PySimpleQueue):  # type: ignore[name-defined,misc]
@@ -463,7 +470,7 @@ def followed_threads() -> Iterator[None]:
 
 
 @contextmanager
-def simulated_threads() -> Iterator[None]:
-    """Within this context, the threads, locks and queues that stacks make are simulated."""
-    with patched(_SIMULATED):
+def simulated_threads(program: Program) -> Iterator[None]:
+    """Within this context the threads, locks and queues that stacks make are simulated; those of ``program`` go on."""
+    with patched(_SIMULATED), _listed(program):
         yield

@@ -22,7 +22,8 @@ class MessageFinder(MetaPathFinder, Loader):
     ``ros`` is 1 or 2, ``folder`` the node file's, whose package and workspace are looked at, too. Found are
     ``std_msgs``, ``std_msgs.msg`` and the modules of one class each as they are generated, ``std_msgs.msg._UInt32``
     (ROS 2: ``std_msgs.msg._u_int32``). A package's own Python modules are found beside its messages. At the end, what
-    was imported through this finder is taken out of ``sys.modules``, and what was there before is put back.
+    was imported through this finder is taken out of ``sys.modules``, and what was there before is put back. The context
+    may be entered again; then it is the other way round.
 
     ``messages`` makes and holds the classes: ``finder.messages["std_msgs/UInt32"]``.
     """
@@ -39,23 +40,22 @@ class MessageFinder(MetaPathFinder, Loader):
             self.messages = ros2.Messages(self.library)
         self._hidden: dict[str, ModuleType] = {}
         self._found: set[str] = set()  # packages that were imported through this finder
+        self._modules: dict[str, ModuleType] = {}  # and what they consist of
 
     def __enter__(self) -> MessageFinder:
         # What is imported already may be the real one, or another node's. Packages without a module msg are not asked
         # for: a run that imports no message does not need the library.
         names = [name.split(".") for name in list(sys.modules) if ".msg" in name]
         packages = {package for package, module, *_ in names if module == "msg"}
-        ours = {package for package in packages if self._is_ours(package)}
-        self._hidden = {name: module for name, module in sys.modules.items() if name.partition(".")[0] in ours}
-        for name in self._hidden:
-            del sys.modules[name]
+        ours = {package for package in packages if self._is_ours(package)} | self._found
+        self._hidden = _take(ours)
+        sys.modules.update(self._modules)
         sys.meta_path.insert(0, self)
         return self
 
     def __exit__(self, *_: object) -> None:
         sys.meta_path.remove(self)
-        for name in [name for name in sys.modules if name.partition(".")[0] in self._found]:
-            del sys.modules[name]
+        self._modules = _take(self._found)
         sys.modules.update(self._hidden)
 
     def _is_ours(self, module: str) -> bool:
@@ -109,3 +109,9 @@ class MessageFinder(MetaPathFinder, Loader):
             return found
 
         vars(module).update(__getattr__=find, __all__=names, __dir__=lambda: sorted({*vars(module), *names}))
+
+
+def _take(packages: set[str]) -> dict[str, ModuleType]:
+    """The modules of packages, which are no longer in ``sys.modules``."""
+    names = [name for name in sys.modules if name.partition(".")[0] in packages]
+    return {name: sys.modules.pop(name) for name in names}

@@ -3,6 +3,8 @@
 Fields are always checked when they are set, as with ROS_PYTHON_CHECK_FIELDS=1: unchecked, as rosidl's are by default, a
 wrong value arrives as garbage. Arrays of numbers are ``array.array``; those of a fixed length are numpy's where numpy
 can be imported, as in ROS 2, and ``array.array`` elsewhere. ``SLOT_TYPES`` is not there.
+
+PYTEST_DONT_REWRITE: what the assertions say is what they say on a real ROS.
 """
 
 from __future__ import annotations

@@ -102,7 +102,7 @@ def init_node(
         )
     names._set_caller_id(rosgraph.resolve_name(name, node.name))
     names.initialize_mappings(node.name)
-    for parameter, value in load_command_line_node_params(argv).items():
+    for parameter, value in {**node.private_parameters, **load_command_line_node_params(argv)}.items():
         set_param(rosgraph.PRIV_NAME + parameter, value)
     node.initialized = True
     node.log_level = logging.INFO if log_level is None else _LEVELS[log_level]

@@ -295,7 +295,7 @@ def signal_shutdown(reason: str) -> None:
             hook()
         except BaseException as error:
             sys.stderr.write(format_error(error))
-            node.world.errors.append(error)
+            node.world.note_error(error)
     node.shutdown_hooks.clear()
     for finish in node.before_shutdown:
         finish()

@@ -33,6 +33,7 @@ class State:
         self.namespace = rosgraph.get_ros_namespace(argv=argv)
         self.name = self.namespace + "unnamed"
         self.parameters: dict[str, Any] = {}
+        self.private_parameters: dict[str, Any] = {}  # set by ``init_node``, unless the command line sets them
 
         self.init_args: tuple[Any, ...] | None = None
         self.initialized = False

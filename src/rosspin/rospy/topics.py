@@ -40,6 +40,8 @@ Callbacks = list[tuple[Callable[..., Any], Any]]
 class Publication:
     """A topic as one node publishes it, which all its Publishers share."""
 
+    delay = LATER_SUBSCRIBER  # until one that comes later is connected
+
     def __init__(self, node: State, topic: str, data_class: type[Message]) -> None:
         self.node = node
         self.topic = topic
@@ -62,6 +64,17 @@ class Publication:
         """Tell the other nodes of it."""
         for subscription in self.node.world.graph.advertise(self):
             subscription.connect(self, LATER_PUBLISHER)
+
+    def reply(self) -> dict[str, str]:
+        """What it says of itself to those who connect."""
+        return {
+            "callerid": self.node.name,
+            "latching": "1" if self.latches else "0",
+            "md5sum": self.data_class._md5sum,
+            "message_definition": self.data_class._full_text,
+            "topic": self.topic,
+            "type": self.type,
+        }
 
     def accept(self, connection: Connection) -> bool:
         """Let a subscriber be connected, unless it expects another type."""
@@ -169,7 +182,7 @@ class Subscription:
     def register(self) -> None:
         """Tell the other nodes of it."""
         for publication in self.node.world.graph.subscribe(self):
-            self.connect(publication, LATER_SUBSCRIBER)
+            self.connect(publication, publication.delay)
 
     def connect(self, publication: Publication, delay: int) -> None:
         """Connect to a publisher after ``delay`` ns."""
@@ -215,7 +228,7 @@ class Subscription:
             raise
         except Exception as error:
             if not self.node.shutdown:
-                self.node.world.errors.append(error)
+                self.node.world.note_error(error)
                 logerr(f"bad callback: {callback}\n{format_error(error)}")
 
     def close(self) -> None:
@@ -303,14 +316,7 @@ class Connection(threading.Thread):
 
     def _read(self) -> None:
         node, publication = self.subscription.node, self.publication
-        header = {
-            "callerid": publication.node.name,
-            "latching": "1" if publication.latches else "0",
-            "md5sum": publication.data_class._md5sum,
-            "message_definition": publication.data_class._full_text,
-            "topic": publication.topic,
-            "type": publication.type,
-        }
+        header: dict[str, str] = {}
         while not (self._closed or node.shutdown):
             if not self._waiting:
                 if self._is_last:
@@ -319,6 +325,7 @@ class Connection(threading.Thread):
                 self._gate.acquire()
                 self.idle = False
                 continue
+            header = header or publication.reply()
             messages = [self._message(data, header) for data in self._take()]
             if publication.latches:
                 self.latched = messages[-1]
@@ -370,22 +377,19 @@ class Topics:
         self.node = world.part(State)
         self.publications: dict[str, Publication] = {}
         self.subscriptions: dict[str, Subscription] = {}
-        self._early: list[Publication | Subscription] = []  # made before init_node
+        self._unknown: list[Publication | Subscription] = []  # of which the others have not been told
         self._lock = threading.RLock()
-        self.node.at_init.append(self._register_early)
+        self.node.at_init.append(self.register)
         self.node.before_shutdown.append(self._let_arrive)
         self.node.at_shutdown.append(self._close_all)
 
     def acquire(self, kind: type[Impl], ends: dict[str, Impl], topic: str, data_class: type[Message]) -> Impl:
-        """The node's end of a topic, for one more handle of it."""
+        """The node's end of a topic, for one more handle of it; to be registered as soon as it is complete."""
         with self._lock:
             end = ends.get(topic)
             if end is None:
                 end = ends[topic] = kind(self.node, topic, data_class)
-                if self.node.initialized:
-                    end.register()
-                else:
-                    self._early.append(end)
+                self._unknown.append(end)
             end.handles += 1
             return end
 
@@ -399,11 +403,13 @@ class Topics:
                 del ends[end.topic]
                 end.close()
 
-    def _register_early(self) -> None:
-        for end in self._early:
-            if not end.closed:
-                end.register()
-        self._early.clear()
+    def register(self) -> None:
+        """Tell the other nodes of new ends, once there is a node."""
+        with self._lock:
+            while self._unknown and self.node.initialized:
+                end = self._unknown.pop(0)
+                if not end.closed:
+                    end.register()
 
     def _let_arrive(self) -> None:
         """What shutdown hooks have published arrives in this node, too."""
@@ -487,6 +493,7 @@ class Publisher(Topic):
             self.impl.listeners.append(subscriber_listener)
         if latch:
             self.impl.latches = True
+        self._topics.register()
         if queue_size is None:
             warnings.warn(
                 "The publisher should be created with an explicit keyword argument 'queue_size'. "
@@ -550,6 +557,7 @@ class Subscriber(Topic):
         self.callback_args = callback_args if callback is not None else None
         if callback is not None:
             self.impl.add_callback(callback, callback_args)
+        self._topics.register()
 
     def unregister(self) -> None:
         """Call the callback no more."""
