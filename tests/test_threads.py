@@ -334,6 +334,24 @@ def test_a_child_that_a_node_forks_does_not_come_back_to_the_host() -> None:
     assert os.getpid() == here
 
 
+@pytest.mark.skipif(
+    not os.path.exists("/proc/self/schedstat"), reason="only Linux tells how long a thread stood in line"
+)
+def test_a_node_that_works_is_not_said_to_wait_because_the_machine_is_busy(impatient: None) -> None:
+    def node() -> None:
+        while True:
+            pass
+
+    others = [subprocess.Popen(["sh", "-c", "while :; do :; done"]) for _ in range(10 * (os.cpu_count() or 1))]
+    try:
+        with pytest.raises(TimeStandsStill, match="keeps running without sleeping"):
+            simulate(node, 1)
+    finally:
+        for other in others:
+            other.kill()
+            other.wait()
+
+
 def test_an_import_that_never_ends(impatient: None, write: Any) -> None:
     write("while True: pass\n", "endless.py")
     with pytest.raises(TimeStandsStill, match="endless.py:1: "):
