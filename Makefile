@@ -56,7 +56,8 @@ outputs: $(VENV)
 test: $(VENV:=-for-test) html doctest
 	$(BIN)/ruff check
 	$(BIN)/mypy
-	$(BIN)/pytest
+	@# A file that waits (for ROS, for a clock, for a browser) beside one that works.
+	$(BIN)/pytest --numprocesses 2 --dist loadfile
 
 serve: html
 	$(BIN)/python -m http.server --bind 127.0.0.1 --directory build/html $(PORT)

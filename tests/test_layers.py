@@ -24,6 +24,7 @@ LAYERS = [
     "process",
     "run",
     "steps",
+    "wall",
     "console",
     "measures",
     "advice",
