@@ -240,8 +240,7 @@ def _topics() -> Iterator[tuple[ros1.Workspace, Callable[[str, str], list[str]]]
         yield workspace, command
 
 
-def _counters(console: str) -> list[str]:
-    return re.findall(r"counter = (\d+)", console)
+_COUNTER = re.compile(r"counter = (\d+)")
 
 
 def record_first_message() -> None:
@@ -253,13 +252,15 @@ def record_first_message() -> None:
         for language, latch, _ in product(("rospy", "roscpp"), ("false", "true"), range(5)):
             words = command(language, "subscriber")
             listener = subprocess.Popen(words, env=workspace.environment, stdout=subprocess.PIPE, text=True)
-            time.sleep(2)  # until it has subscribed
-            own = workspace.run([*command(language, "eager"), f"_latch:={latch}"], 1.7).console
+            assert listener.stdout
+            listener.stdout.readline()  # its namespace
+            time.sleep(1)  # until it has subscribed
+            own = workspace.run([*command(language, "eager"), f"_latch:={latch}"], 1.2, begins=_COUNTER).console
             listener.send_signal(signal.SIGINT)
-            heard = [_counters(console)[0] for console in (own, listener.communicate()[0])]
+            heard = [_COUNTER.findall(console)[0] for console in (own, listener.communicate()[0])]
             writer.writerow([language, latch, *heard])
     node = ["rosrun", "topics", "NODE", "_latch:=LATCH"]
-    _write_provenance("first_message", "a node that publishes at once", node, start, 1.7, 0, load)
+    _write_provenance("first_message", "a node that publishes at once", node, start, 1.2, 0, load)
 
 
 def record_queue() -> None:
@@ -269,10 +270,14 @@ def record_queue() -> None:
         writer = csv.writer(text, lineterminator="\n")
         writer.writerow(["language", "queue_size", "seen"])
         for language, (size, seconds) in product(("rospy", "roscpp"), ((1, 6), (3, 8), (10, 20), (100, 28))):
-            output = workspace.run([*command(language, "slow"), f"_queue_size:={size}"], seconds)
-            writer.writerow([language, size, " ".join(_counters(output.console))])
+            output = workspace.run([*command(language, "slow"), f"_queue_size:={size}"], seconds, begins=_COUNTER)
+            writer.writerow([language, size, " ".join(_COUNTER.findall(output.console))])
     node = ["rosrun", "topics", "NODE", "_queue_size:=SIZE"]
     _write_provenance("queue", "a slow callback and the subscriber's queue", node, start, 28.0, 0, load)
+
+
+# A report of rostopic hz.
+_HZ = re.compile(r"average rate: ([\d.]+)\s+min: ([\d.]+)s max: ([\d.]+)s std dev: ([\d.]+)s")
 
 
 def record_hz() -> None:
@@ -290,10 +295,6 @@ def record_hz() -> None:
             for number, report in enumerate(_HZ.findall(console), 1):
                 writer.writerow([window or "all", number, *report])
     _write_provenance("hz", "a publisher that slows down", ["rostopic", "hz", "/counter"], start, 60.0, 0, load)
-
-
-# A report of rostopic hz.
-_HZ = re.compile(r"average rate: ([\d.]+)\s+min: ([\d.]+)s max: ([\d.]+)s std dev: ([\d.]+)s")
 
 
 def _write_provenance(
