@@ -257,7 +257,7 @@ def test_the_first_paragraph_of_the_site_is_one_sentence() -> None:
     [
         *("callback", "callback queue", "cycle", "drift", "executor", "grid", "jitter", "lateness", "namespace"),
         *("node handle", "overrun", "pass", "period", "rate", "rosspin", "simulated time", "spin", "stand-in"),
-        *("tick", "timestamp"),
+        *("tick", "timestamp", "latch", "message", "publisher", "subscriber", "topic"),
     ],
 )
 def test_the_glossary_has(term: str) -> None:
