@@ -17,7 +17,7 @@ from ..clocks.clock import Clock, WallClock
 from ..clocks.simulation import Simulation
 from ..exercises import EXERCISES, Feedback, check
 from ..process import capture, load_source
-from ..run import run_node, split_words
+from ..run import messages_of, run_node, split_words
 from ..ticks import Run
 from .claims import MIME, Facts
 
@@ -94,5 +94,11 @@ class Magics(BaseMagics):
         with capture(*streams) as console:
             result = run_node(load_source(_below_its_magic(cell), filename), options.seconds, args, clock)
         shell.user_ns[options.name] = Run(
-            console.text(), result.ticks, result.status, runtime, options.seconds, result.start
+            console.text(),
+            result.ticks,
+            result.status,
+            runtime,
+            options.seconds,
+            result.start,
+            messages_of(result.world, result.start),
         )
