@@ -289,7 +289,9 @@ def record_hz() -> None:
         for window in ("", "10"):
             node = subprocess.Popen(command("rospy", "slowing"), env=workspace.environment)
             option = ["-w", window] if window else []
-            console = workspace.run(["rostopic", "hz", *option, "/counter"], 60.0).console
+            console = workspace.run(
+                ["rostopic", "hz", *option, "/counter"], 59.5, begins=re.compile("average rate")
+            ).console
             node.send_signal(signal.SIGINT)
             node.wait()
             for number, report in enumerate(_HZ.findall(console), 1):
