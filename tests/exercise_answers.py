@@ -1027,7 +1027,7 @@ rospy.spin()
         ({"publish(self.counter)": "publish(str(self.counter))"}, "timer died of", "in `__init__`"),
         ({"publish(self.counter)": "publish()"}, "where counter 1 was due, counter 0 came", "in `__init__`"),
         ({PUBLISHER: PUBLISHER.replace("UInt32, ", "")}, "missing 1 required positional", "in `__init__`"),
-        ({"self.publisher.": "self.publiser."}, "has no attribute 'publiser'", "with its `self.`"),
+        ({"self.publisher.": "self.pub."}, "has no attribute 'pub'", "with its `self.`"),
         (
             {PUBLISH: f"{PUBLISH}\n        {PUBLISH}"},
             "On `/counter`: where counter 2 was due, counter 1 came",
