@@ -100,5 +100,5 @@ class Magics(BaseMagics):
             runtime,
             options.seconds,
             result.start,
-            messages_of(result.world, result.start),
+            messages_of(result.world.graph, result.start),
         )
