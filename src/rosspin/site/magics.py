@@ -13,7 +13,7 @@ from IPython.core.error import UsageError
 from IPython.core.magic import Magics as BaseMagics
 from IPython.core.magic import cell_magic, magics_class
 
-from ..clocks.clock import Clock, WallClock
+from ..clocks.clock import NS, Clock, WallClock
 from ..clocks.simulation import Simulation
 from ..exercises import EXERCISES, Feedback, check
 from ..process import capture, load_source
@@ -100,5 +100,5 @@ class Magics(BaseMagics):
             runtime,
             options.seconds,
             result.start,
-            messages_of(result.world.graph, result.start),
+            messages_of(result.world, round(result.start * NS)),
         )
