@@ -368,7 +368,7 @@ def test_ticks_at_the_same_time_are_drawn_apart(exercises: Page) -> None:
     cell.button("Reset").click()
 
 
-@pytest.mark.parametrize(("notebook", "seconds"), [("timer", 2.0), ("rate", 2.0)])
+@pytest.mark.parametrize(("notebook", "seconds"), [("timer", 2.0), ("rate", 2.0), ("publish", 2.0)])
 def test_simulated_cell(context: BrowserContext, address: str, notebook: str, seconds: float) -> None:
     """It runs for the seconds in its first line, and what it printed when the site was built makes way."""
     page = context.new_page()
@@ -377,8 +377,8 @@ def test_simulated_cell(context: BrowserContext, address: str, notebook: str, se
     cell.element.get_by_role("combobox").select_option("instantly")
     cell.button("Run").click()
     text = cell.element.locator("pre").first.text_content() or ""
-    file = {"timer": "spinner_py_node", "rate": "spinner_rate_py_node"}[notebook]
-    run = simulate(EXAMPLES / f"my_robotics_pkg/src/{file}.py", seconds)
+    files = {"timer": "spinner_py_node", "rate": "spinner_rate_py_node", "publish": "pubsub_py_node"}
+    run = simulate(EXAMPLES / f"my_robotics_pkg/src/{files[notebook]}.py", seconds)
     assert text.startswith(f"%%simulate {seconds}")
     assert cell.ends(f"done: {len(run.ticks)} ticks") == run.console
     expect(output).to_be_hidden()

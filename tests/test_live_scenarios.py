@@ -143,7 +143,10 @@ def test_garbage_is_not_collected_while_stacks_are_suspended(
     assert run_in_page(GARBAGE, "garbage.py", 20)[0] == "ended\n"
 
 
-@pytest.mark.parametrize("path", sorted(ROOT.glob("examples/**/spinner*.py")), ids=lambda path: path.name)
+NODES = [path for name in ("spinner", "pub", "eager", "slow") for path in sorted(ROOT.glob(f"examples/**/{name}*.py"))]
+
+
+@pytest.mark.parametrize("path", NODES, ids=lambda path: path.name)
 def test_example(run_in_page: Callable[..., tuple[str, dict[str, Any]]], path: Any) -> None:
     run = simulate(path, 60, ["__ns:=/mrp"])
     console, result = run_in_page(path.read_text(encoding="utf-8"), path.name, 60, ("__ns:=/mrp",))

@@ -22,6 +22,7 @@ from sphinx.util.docutils import SphinxDirective, SphinxRole
 from sphinx.util.typing import ExtensionMetadata
 
 from .. import machine, rospy
+from ..measures import topic_ticks
 from ..plots import timeline
 from ..run import simulate
 from .checks import note
@@ -35,12 +36,16 @@ class TicksDirective(SphinxDirective):
     """``.. ticks:: FILE`` with ``:seconds: S``: runs a node file in simulated time and draws its timeline.
 
     FILE is relative to the page. More than one file, each on a line of the content as ``NAME: FILE``, share one plot.
+    With ``:topic: /NAME`` it draws the messages that the node published on a topic, in place of its ticks.
     """
 
     has_content = True
     optional_arguments = 1
     final_argument_whitespace = True
-    option_spec: ClassVar = {"seconds": lambda text: float(directives.unchanged_required(text))}
+    option_spec: ClassVar = {
+        "seconds": lambda text: float(directives.unchanged_required(text)),
+        "topic": directives.unchanged_required,
+    }
 
     def run(self) -> list[nodes.Node]:
         """The plot, as inline SVG."""
@@ -51,7 +56,9 @@ class TicksDirective(SphinxDirective):
             self.env.note_dependency(relative)
             try:
                 run = simulate(os.fspath(path), self.options["seconds"])
-                ticks[name or run.ticks[0].source] = run.ticks
+                topic = self.options.get("topic")
+                shown = topic_ticks(run.messages, topic) if topic else run.ticks
+                ticks[name or shown[0].source] = shown
             except Exception as error:
                 note(self.env, self.lineno, f"a plot of {file}", one_line(error))
                 return []
