@@ -8,10 +8,13 @@ from __future__ import annotations
 import gc
 import io
 import json
+import logging
 import os
+import random
 import shlex
 import signal
 import sys
+import time
 from collections.abc import Sequence
 from contextlib import redirect_stderr, redirect_stdout
 from typing import Any, cast
@@ -28,7 +31,7 @@ from .process import load_source
 from .run import TimeStandsStill, run_node, say_error, split_words
 from .world import NotSimulated, World
 
-__all__ = ["run"]
+__all__ = ["run", "wake"]
 
 # The page interrupts whatever does not give way, for the watchdog of a run to look at it; the rest is to go on.
 signal.signal(signal.SIGINT, signal.SIG_IGN)
@@ -40,6 +43,12 @@ gc.freeze()
 
 # A plot shows no more ticks than this, the last ones.
 _MOST_TICKS = 2000
+
+
+def wake() -> None:
+    """To be called when Python has started, maybe from a memory snapshot: what is drawn at random differs again."""
+    random.seed()
+    logging._startTime = time.time_ns()  # type: ignore[attr-defined]
 
 
 def run(source: str, filename: str, seconds: float, args: Sequence[str], speed: float, page: Any) -> str:

@@ -2,6 +2,7 @@
 
 import { info } from "pyodide/pyodide-lock.json"
 import { loadPyodide } from "./pyodide.mjs"
+import { install, options } from "./start.js"
 
 // What is printed is sent so often (ms), and no more than so much (characters) of it at a time.
 const INTERVAL = 50
@@ -58,6 +59,9 @@ class Page {
   }
 }
 
+// Where Pyodide puts the standard library.
+const STDLIB = "/lib/python314.zip"
+
 /** Stands for the shared memory through which Python is told of signals: it looks there every now and then. */
 const signals = {
   last: Infinity,
@@ -69,17 +73,38 @@ const signals = {
   set 0(_) {},
 }
 
+const address = (name) => new URL(name, import.meta.url).href
+
+/** The memory snapshot. Its address says which one it is, so that the browser may keep it for all pages. */
+async function loadSnapshot() {
+  const url = address(`snapshot.gz?${SNAPSHOT}`)
+  const response = await fetch(url)
+  if (!response.ok) throw new Error(`${response.status} ${url}`)
+  return new Response(response.body.pipeThrough(new DecompressionStream("gzip"))).arrayBuffer()
+}
+
+async function startFromSnapshot() {
+  // Of the standard library, all that most nodes need is in the snapshot. Pyodide is given our own texts in its place,
+  // and it is loaded when something is imported from it.
+  const _loadSnapshot = loadSnapshot()
+  const python = await loadPyodide({ ...options(info), stdLibURL: address("rosspin.json"), _loadSnapshot })
+  install(python, JSON.parse(python.FS.readFile(STDLIB, { encoding: "utf8" })))
+  python.FS.unlink(STDLIB)
+  python.FS.createLazyFile("/lib", STDLIB.split("/").at(-1), address("python_stdlib.zip"), true, false)
+  return python
+}
+
+async function startPlainly() {
+  const loading = fetch(address("rosspin.json")).then((response) => response.json())
+  const python = await loadPyodide(options(info))
+  install(python, await loading)
+  return python
+}
+
 async function boot() {
-  const loading = fetch(new URL("rosspin.json", import.meta.url)).then((response) => response.json())
-  const lockFileContents = JSON.stringify({ info, packages: {} })
-  const python = await loadPyodide({ lockFileContents, checkAPIVersion: false })
-  const folder = python.runPython("import site; site.getsitepackages()[0]")
-  for (const [name, text] of Object.entries(await loading)) {
-    const path = `${folder}/${name}`
-    python.FS.mkdirTree(path.slice(0, path.lastIndexOf("/")))
-    python.FS.writeFile(path, text)
-  }
-  const { run } = python.pyimport("rosspin.page")
+  const python = await startFromSnapshot().catch(startPlainly)
+  const { run, wake } = python.pyimport("rosspin.page")
+  wake()
   python.setInterruptBuffer(signals)
   python.setStdin({ stdin: () => null }) // there is nobody to ask: EOFError
   return run
