@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import gzip
 import json
 import re
 import subprocess
@@ -45,7 +46,7 @@ class Cell:
         self.console = self.element.get_by_role("log", name="Console")
         self.status = self.element.get_by_role("status")
         self.plot = self.element.locator("figure svg")
-        self.editor = self.element.get_by_role("textbox")
+        self.editor = self.element.get_by_role("textbox", name="Code of")
 
     def button(self, name: str) -> Locator:
         return self.element.get_by_role("button", name=re.compile(f"^{name} "))
@@ -198,6 +199,138 @@ def test_bad_seconds(page: Page) -> None:
     assert cell.ends("error: seconds") == ""
     cell.button("Reset").click()
     expect(cell.element.get_by_role("spinbutton")).to_have_value("10")
+
+
+# --- how Python starts ------------------------------------------------------------------------------------------------
+
+
+def _asked(page: Page, name: str) -> list[str]:
+    """A list of the requests for a file from now on."""
+    found: list[str] = []
+    page.on("request", lambda request: found.append(request.url) if f"/live/{name}" in request.url else None)
+    return found
+
+
+def _first_run(page: Page, address: str, text: str = "") -> str:
+    open_tutorial(page, address)
+    cell = Cell(page, TIMER)
+    if text:
+        cell.write(text)
+    cell.run(2)
+    return cell.ends("done")
+
+
+@pytest.mark.parametrize("sign", ["hover", "focus"])
+def test_python_is_asked_for_when_the_reader_points_at_run(context: BrowserContext, address: str, sign: str) -> None:
+    page = context.new_page()
+    asked = _asked(page, "")
+    open_tutorial(page, address)
+    page.wait_for_load_state("networkidle")
+    assert not [url for url in asked if "/live/live." not in url]
+    with page.expect_request(re.compile("/snapshot.gz")):
+        getattr(Cell(page, TIMER).button("Run"), sign)()
+
+
+def test_snapshot_is_kept_for_the_next_page(context: BrowserContext, address: str) -> None:
+    page = context.new_page()
+    asked = _asked(page, "snapshot.gz")
+    for _ in range(2):
+        assert "counter = 1" in _first_run(page, address)
+        assert asked
+        page.wait_for_function("async () => (await (await caches.open('rosspin')).keys()).length === 1")
+        page.wait_for_timeout(1000)  # the spare worker has asked, too
+    found = len(asked)
+    _first_run(page, address)
+    assert len(asked) == found
+
+
+@pytest.mark.parametrize("body", [None, b"no gzip", gzip.compress(b"no snapshot")], ids=["none", "no gzip", "broken"])
+def test_without_a_snapshot_python_starts_plainly(context: BrowserContext, address: str, body: bytes | None) -> None:
+    expected = simulate(EXAMPLES / LISTINGS[TIMER], 2).console
+    context.route("**/snapshot.gz*", lambda route: route.abort() if body is None else route.fulfill(body=body))
+    page = context.new_page()
+    whole, snapshots = _asked(page, "python_stdlib.zip"), _asked(page, "snapshot.gz")
+    assert _first_run(page, address) == expected
+    assert whole
+    assert page.evaluate("async () => (await (await caches.open('rosspin')).keys()).length") == 0
+    context.unroute("**/snapshot.gz*")
+    del whole[:], snapshots[:]
+    assert _first_run(page, address) == expected
+    assert snapshots and not whole
+
+
+def test_a_kept_snapshot_that_is_broken_is_thrown_away(context: BrowserContext, address: str) -> None:
+    page = context.new_page()
+    _first_run(page, address)
+    page.evaluate(
+        """async () => {
+            const cache = await caches.open("rosspin")
+            for (const key of await cache.keys()) await cache.put(key, new Response("broken"))
+        }"""
+    )
+    assert "counter = 1" in _first_run(page, address)
+    snapshots = _asked(page, "snapshot.gz")
+    assert "counter = 1" in _first_run(page, address)
+    assert snapshots
+
+
+def test_module_that_is_not_in_the_snapshot(context: BrowserContext, address: str) -> None:
+    text = "import sys\nprint('csv' in sys.modules)\nimport csv\nprint(csv.reader(['a,b']).__next__())\n"
+    assert _first_run(context.new_page(), address, text) == "False\n['a', 'b']\n"
+
+
+def test_what_is_drawn_at_random_differs(context: BrowserContext, address: str) -> None:
+    text = "import random\nprint(random.random())\n"
+    drawn = {_first_run(context.new_page(), address, text) for _ in range(2)}
+    assert len(drawn) == 2
+
+
+def test_node_finds_no_traces_of_the_snapshot(context: BrowserContext, address: str) -> None:
+    """Its environment and its path are those of a plain start; nothing that made the snapshot is left in it."""
+    text = "import os, sys\nprint(sorted(os.environ.items()), sys.path, sys.argv)\nprint(sorted(globals()))\n"
+    found = _first_run(context.new_page(), address, text)
+    context.route("**/snapshot.gz*", lambda route: route.abort())
+    page = context.new_page()
+    page.goto(address + TUTORIAL)
+    page.evaluate("caches.delete('rosspin')")
+    plain = _first_run(page, address, text)
+    assert re.sub("'LANG', '.*?'", "", found) == re.sub("'LANG', '.*?'", "", plain)
+
+
+# --- arguments --------------------------------------------------------------------------------------------------------
+
+
+def test_arguments_are_offered_where_a_node_reads_parameters(page: Page) -> None:
+    cell = Cell(page, TIMER)
+    field = cell.element.get_by_role("textbox", name="Arguments")
+    expect(field).to_be_hidden()
+    cell.write(node("print(rospy.get_param('~frequency', 1.0), rospy.get_name())"))
+    expect(field).to_be_visible()
+    for words, said in {
+        "": "1.0 /a_node",
+        "_frequency:=5": "5 /a_node",
+        "_frequency:='[1, 2]' __ns:=/mrp": "[1, 2] /mrp/a_node",
+        "'_frequency:=two words'": "two words /a_node",
+    }.items():
+        field.fill(words)
+        cell.run(1)
+        assert cell.ends("done") == f"{said}\n"
+    field.fill("_frequency:='5")
+    field.press("Enter")
+    assert cell.ends("error") == "arguments: no closing quotation\n"
+    cell.button("Reset").click()
+    expect(field).to_be_hidden()
+    expect(field).to_have_value("")
+
+
+def test_arguments_set_a_parameter(context: BrowserContext, address: str) -> None:
+    page = context.new_page()
+    page.goto(address + "docs/how-to/frequency-from-parameter.html?lang=python")
+    cell = Cell(page, 0)
+    cell.element.get_by_role("textbox", name="Arguments").fill("_frequency:=5")
+    cell.run(1)
+    listing = EXAMPLES / "my_robotics_pkg" / "src" / "spinner_param_py_node.py"
+    assert cell.ends("done: 5 ticks") == simulate(listing, 1, ["_frequency:=5"]).console
 
 
 # --- edit -------------------------------------------------------------------------------------------------------------

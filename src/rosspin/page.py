@@ -14,8 +14,10 @@ import random
 import shlex
 import signal
 import sys
+import threading
 import time
-from collections.abc import Sequence
+from collections import defaultdict, deque
+from collections.abc import Iterable, Sequence
 from contextlib import redirect_stderr, redirect_stdout
 from typing import Any, cast
 
@@ -25,11 +27,12 @@ from pyodide.ffi import run_sync
 from .advice import advice
 from .clocks.clock import NS
 from .clocks.simulation import PacedSimulation, Simulation
+from .clocks.stacks import whose
 from .exercises import check
 from .measures import by_source, describe_timeline
 from .process import load_source
 from .run import TimeStandsStill, run_node, say_error, split_words
-from .world import NotSimulated, World
+from .world import NotSimulated, Record, World, current_world
 
 __all__ = ["run", "wake"]
 
@@ -44,6 +47,9 @@ gc.freeze()
 # A plot shows no more ticks than this, the last ones.
 _MOST_TICKS = 2000
 
+# Of what a tick prints so much is kept in mind; the page's console holds no more lines.
+_MOST_CHUNKS = 1000
+
 
 def wake() -> None:
     """To be called when Python has started, maybe from a memory snapshot: what is drawn at random differs again."""
@@ -51,27 +57,31 @@ def wake() -> None:
     logging._startTime = time.time_ns()  # type: ignore[attr-defined]
 
 
-def run(source: str, filename: str, seconds: float, args: Sequence[str], speed: float, page: Any) -> str:
+def run(source: str, filename: str, seconds: float, args: str, speed: float, page: Any) -> str:
     """Run the node in the text ``source`` for ``seconds``, ``speed`` times as fast as real time; 0: at once.
 
-    ``args`` are its command line. A text that begins with ``%%simulate SECONDS -- ARGS`` brings its own; one that
-    begins with ``%%answer NUMBER`` is checked as the answer to an exercise.
+    ``args`` are its command line, split into words as a shell does. A text that begins with ``%%simulate SECONDS --
+    ARGS`` brings its own; one that begins with ``%%answer NUMBER`` is checked as the answer to an exercise.
 
     ``page`` is a JavaScript object: its ``print(text, isError)`` is given what the node prints and its
     ``tick(source, number, expected, real)`` each tick that begins (s), both as they happen; ``wait(ms)`` is a promise
     that is kept after so long. The result, as JSON: the exit ``status``, the number of ``errors`` in its threads, a
     ``verdict`` on an answer and whether it ``solved`` the exercise, the last ``ticks`` with their durations, their
-    ``count``, and a text ``alternative`` to their plot. Errors end on the console and give status 1.
+    ``count``, the ``chunks`` that each printed (a call of ``print`` is one, counted from 0), and a text
+    ``alternative`` to their plot. Errors end on the console and give status 1.
     """
     environment = dict(os.environ)
-    with redirect_stdout(_Stream(page, False)), redirect_stderr(_Stream(page, True)):
+    printed = _Printed()
+    with redirect_stdout(_Stream(page, False, printed)), redirect_stderr(_Stream(page, True, printed)):
         try:
             magic, words, node_args = _magic(source)
             if magic == "answer":
                 return json.dumps(_check(words, source))
             if magic == "simulate":
-                seconds, args = float(words[0]), node_args
-            return json.dumps(_run(source, filename, seconds, args, speed, page))
+                seconds = float(words[0])
+            else:
+                node_args = _split(args, "arguments")
+            return json.dumps(_run(source, filename, seconds, node_args, speed, page, printed))
         except (ValueError, SyntaxError, NotSimulated, TimeStandsStill) as error:
             print(say_error(error), file=sys.stderr)
             if isinstance(error, SyntaxError):
@@ -90,10 +100,17 @@ def _magic(source: str) -> tuple[str, Sequence[str], Sequence[str]]:
     first = source.partition("\n")[0]
     if not first.startswith("%%"):
         return "", (), ()
-    (magic, *words), args = split_words(shlex.split(first[2:]) or [""])
+    (magic, *words), args = split_words(_split(first[2:], first) or [""])
     if magic not in ("simulate", "answer") or not words:
         raise ValueError(f"{first}: the first line can be %%simulate SECONDS or %%answer NUMBER here")
     return magic, words, args
+
+
+def _split(text: str, name: str) -> list[str]:
+    try:
+        return shlex.split(text)
+    except ValueError as error:
+        raise ValueError(f"{name}: {str(error)[0].lower()}{str(error)[1:]}") from None
 
 
 def _node(text: str) -> str:
@@ -109,9 +126,17 @@ def _check(words: Sequence[str], source: str) -> dict[str, Any]:
     return {"status": 0, "verdict": feedback.verdict, "solved": feedback.passed}
 
 
-def _run(source: str, filename: str, seconds: float, args: Sequence[str], speed: float, page: Any) -> dict[str, Any]:
+def _run(
+    source: str, filename: str, seconds: float, args: Sequence[str], speed: float, page: Any, printed: _Printed
+) -> dict[str, Any]:
     pacer = _Pacer(page, speed)
-    result = run_node(load_source(_node(source), filename), seconds, list(args), pacer.simulation)
+    node = load_source(_node(source), filename)
+
+    def main() -> None:
+        current_world().ticks = printed
+        node.main()
+
+    result = run_node(node._replace(main=main), seconds, args, pacer.simulation)
     for hint in dict.fromkeys(map(_hint, result.world.errors)):
         if hint:
             print(hint, file=sys.stderr)
@@ -121,8 +146,43 @@ def _run(source: str, filename: str, seconds: float, args: Sequence[str], speed:
         "errors": len(result.world.errors),
         "count": len(result.ticks),
         "ticks": [[*tick[:4], tick.duration if tick.duration >= 0 else 0] for tick in result.ticks[-_MOST_TICKS:]],
+        "chunks": [list(chunks) for chunks in printed.chunks[-_MOST_TICKS:]],
         "alternative": " ".join(describe_timeline(source, group) for source, group in groups.items()),
     }
+
+
+class _Printed(list[Record]):
+    """The ticks of a run, and what was printed during each: the numbers of its ``chunks``, counted from 0."""
+
+    def __init__(self) -> None:
+        super().__init__()
+        self.chunks: list[deque[int]] = []
+        self._count = 0
+        self._last: dict[int, int] = {}  # of each thread, its last tick
+        self._since: defaultdict[int, deque[tuple[int, int]]] = defaultdict(_deque)  # its chunks since, and when (ns)
+
+    def append(self, record: Record) -> None:
+        super().append(record)
+        thread = threading.get_ident()
+        # The pass of a loop is recorded at its end, the call of a timer when it begins.
+        passed = record[4] is not None
+        since = self._since.pop(thread, ())
+        self.chunks.append(_deque(number for number, when in since if passed and when >= record[3]))
+        self._last[thread] = len(self) - 1
+
+    def note_chunk(self) -> None:
+        """Something is printed."""
+        world, thread = whose(), threading.get_ident()
+        last = self._last.get(thread)
+        if last is not None and self[last][4] is None:
+            self.chunks[last].append(self._count)
+        elif isinstance(world, World):
+            self._since[thread].append((self._count, world.clock.now()))
+        self._count += 1
+
+
+def _deque(items: Iterable[Any] = ()) -> deque[Any]:
+    return deque(items, _MOST_CHUNKS)
 
 
 class _Pacer:
@@ -151,11 +211,13 @@ class _Pacer:
 class _Stream(io.TextIOBase):
     encoding = "utf-8"
 
-    def __init__(self, page: Any, is_error: bool) -> None:
+    def __init__(self, page: Any, is_error: bool, printed: _Printed) -> None:
         self._page = page
         self._is_error = is_error
+        self._printed = printed
 
     def write(self, text: str) -> int:
+        self._printed.note_chunk()
         self._page.print(text, self._is_error)
         return len(text)
 

@@ -7,6 +7,9 @@ import { release, start, warmUp } from "./workers.js"
 /** For how long (s) a node runs, unless the reader says otherwise. */
 const SECONDS = "10"
 
+/** What a node has in it that reads its command line. */
+const READS_ARGUMENTS = /\b(get_param|search_param|declare_parameter|argv)\b/
+
 /** The cells of the page that are answers to exercises. */
 const exercises = []
 
@@ -18,6 +21,12 @@ function make(tag, properties = {}, ...children) {
   const element = Object.assign(document.createElement(tag), properties)
   element.append(...children)
   return element
+}
+
+/** The plot that stands below a listing since the site was built. */
+function made(listing) {
+  const next = (listing.closest(".literal-block-wrapper") ?? listing).nextElementSibling
+  return next?.matches("figure.live-made") ? next : null
 }
 
 /** A short text that differs when the given one does (FNV-1a). */
@@ -36,6 +45,7 @@ export class Cell {
   #name
   #answers // whether it is an answer to an exercise, which is checked rather than run
   #simulates // whether its first line says for how long it runs
+  #made // the plot that was made with the page, if there is one
   #output // of a notebook's cell: what it printed when the site was built
   #editor = null
   #worker = null
@@ -63,6 +73,7 @@ export class Cell {
       listing.append(make("p", { className: "live-missing", textContent: missing }))
       return
     }
+    this.#made = made(listing)
     this.#build(listing)
     const edited = this.#stored()
     if (edited !== null) this.#show(edited)
@@ -79,10 +90,15 @@ export class Cell {
       return element
     }
     this.run = button("Run", () => this.#run())
+    for (const sign of ["pointerenter", "focus"]) this.run.addEventListener(sign, () => this.#warmUp())
     this.stop = button("Stop", () => this.#stop())
     this.edit = button("Edit", () => this.#edit())
     this.reset = button("Reset", () => this.#reset())
     this.seconds = make("input", { type: "number", min: "0", max: "3600", step: "any", value: SECONDS })
+    this.args = make("input", { type: "text", spellcheck: false, autocomplete: "off", autocapitalize: "off" })
+    this.arguments = make("label", { className: "live-arguments" }, "Arguments ", this.args)
+    this.args.addEventListener("keydown", (event) => event.key === "Enter" && this.#run())
+    this.args.addEventListener("input", () => this.#offer())
     this.speed = make("select", {})
     for (const [text, speed] of [["real time", 1], ["10 times as fast", 10], ["instantly", 0]]) {
       this.speed.append(make("option", { textContent: text, value: speed }))
@@ -95,16 +111,29 @@ export class Cell {
     bar.ariaLabel = `Run ${this.#name} in this page`
     if (!this.#answers && !this.#simulates) bar.append(make("label", {}, this.seconds, " s"))
     if (!this.#answers) bar.append(this.speed)
+    if (!this.#answers && !this.#simulates) bar.append(this.arguments)
     bar.append(this.status)
-    this.console = new Console(`Console of ${this.#name}`)
-    this.plot = new Plot()
-    listing.append(make("div", { className: "live-cell" }, bar, this.console.element, this.plot.element))
+    this.console = new Console(`Console of ${this.#name}`, this.#name, (line) => this.#edit(line))
+    this.plot = new Plot(`Ticks of ${this.#name}`, (chunks) => this.console.mark(chunks))
+    const parts = [bar, this.console.element, this.plot.element, this.#made].filter(Boolean)
+    listing.append(make("div", { className: "live-cell" }, ...parts))
+    this.#offer()
     this.#pre.addEventListener("click", () => getSelection().isCollapsed && this.#edit())
   }
 
   /** The text as it is now. */
   get #text() {
     return this.#editor ? this.#editor.text() : this.#pre.textContent
+  }
+
+  /** Offer what can be done with the text as it is: arguments for a node that reads some, Reset for one that was changed. */
+  #offer() {
+    this.arguments.hidden = !READS_ARGUMENTS.test(this.#text) && !this.args.value
+    this.reset.ariaDisabled = String(this.#untouched && this.console.empty)
+  }
+
+  get #untouched() {
+    return this.#text === this.#original && this.seconds.value === SECONDS && !this.args.value
   }
 
   /** What there is to say of earlier visits. */
@@ -116,8 +145,7 @@ export class Cell {
   #say(status) {
     this.status.textContent = status
     this.stop.ariaDisabled = String(this.#worker === null)
-    const untouched = this.#text === this.#original && this.seconds.value === SECONDS
-    this.reset.ariaDisabled = String(untouched && this.console.empty)
+    this.#offer()
   }
 
   // --- the text ---
@@ -144,7 +172,8 @@ export class Cell {
     }
   }
 
-  async #edit() {
+  /** Open the editor, at a line if one is given. */
+  async #edit(line) {
     this.#warmUp()
     if (!this.#editor) {
       const { open } = await import(`${this.#base}editor.js`)
@@ -153,7 +182,7 @@ export class Cell {
         changed: (text) => {
           this.#show(text)
           this.#store(text)
-          this.reset.ariaDisabled = "false"
+          this.#offer()
         },
         run: () => this.#run(),
         leave: () => this.run.focus(),
@@ -161,7 +190,8 @@ export class Cell {
       this.#pre.before(this.#editor.element)
       this.#pre.hidden = true
     }
-    this.#editor.focus()
+    if (line) this.#editor.goTo(line)
+    else this.#editor.focus()
   }
 
   #reset() {
@@ -172,17 +202,19 @@ export class Cell {
     this.#pre.hidden = false
     this.#store(this.#original)
     this.seconds.value = SECONDS
+    this.args.value = ""
     this.#clear(false)
     this.#say(this.#before)
   }
 
   // --- runs ---
 
-  /** Take away what the last run showed. What the cell printed when the site was built makes way for a run. */
+  /** Take away what the last run showed. What was made when the site was built makes way for a run. */
   #clear(runs) {
     this.console.clear()
     this.plot.clear()
     if (this.#output) this.#output.hidden = runs
+    if (this.#made) this.#made.hidden = runs
   }
 
   #warmUp() {
@@ -202,7 +234,8 @@ export class Cell {
       this.#say("error: seconds must be a number from 0 to 3600")
       return
     }
-    const job = { source: this.#text, filename: this.#name, seconds, args: [], speed: Number(this.speed.value) }
+    const args = this.args.value
+    const job = { source: this.#text, filename: this.#name, seconds, args, speed: Number(this.speed.value) }
     this.#worker = start(this.#base, job, (message) => number === this.#runs && this.#hear(message))
     this.#say("starting Python")
   }
@@ -216,8 +249,8 @@ export class Cell {
     } else if (message.kind === "end") {
       release(this.#worker)
       this.#worker = null
-      const { status, errors, verdict, count, ticks, alternative } = message.result
-      if (count) this.plot.finish(ticks, alternative)
+      const { status, errors, verdict, count, ticks, chunks, alternative } = message.result
+      if (count) this.plot.finish(ticks, alternative, chunks)
       if (verdict) this.#say(verdict + this.#progress(message.result.solved))
       else if (status === 0 && errors) this.#say("done, but with an error: see the console")
       else if (status === 0) this.#say(count ? `done: ${count} tick${count === 1 ? "" : "s"}` : "done")

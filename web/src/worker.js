@@ -14,6 +14,7 @@ const LOOK = 400
 /** What Python sees of the page. What it prints and when it ticks is gathered, so that a flood does not drown it. */
 class Page {
   #chunks = []
+  #count = 0
   #size = 0
   #leftOut = 0
   #ticks = []
@@ -21,7 +22,7 @@ class Page {
   #timer = null
 
   print(text, isError) {
-    this.#chunks.push([isError, text])
+    this.#chunks.push([isError, text, this.#count++])
     this.#size += text.length
     while (this.#size > MOST && this.#chunks.length > 1) {
       const [, dropped] = this.#chunks.shift()
@@ -75,19 +76,38 @@ const signals = {
 
 const address = (name) => new URL(name, import.meta.url).href
 
-/** The memory snapshot. Its address says which one it is, so that the browser may keep it for all pages. */
-async function loadSnapshot() {
-  const url = address(`snapshot.gz?${SNAPSHOT}`)
-  const response = await fetch(url)
+/** What keeps the snapshot across pages; undefined where the browser offers nothing of the kind, as without https. */
+const opening = globalThis.caches?.open("rosspin").catch(() => undefined)
+
+// The address of the memory snapshot says which one it is.
+const url = address(`snapshot.gz?${SNAPSHOT}`)
+
+async function load(response) {
   if (!response.ok) throw new Error(`${response.status} ${url}`)
   return new Response(response.body.pipeThrough(new DecompressionStream("gzip"))).arrayBuffer()
 }
 
+/** Keep the snapshot, and none of earlier visits. */
+async function keep(cache, response) {
+  try {
+    for (const key of await cache.keys()) await cache.delete(key)
+    await cache.put(url, response)
+  } catch {
+    // There is no room for it: the next page loads it again.
+  }
+}
+
 async function startFromSnapshot() {
+  const cache = await opening
+  const kept = await cache?.match(url)
+  const response = kept ?? (await fetch(url))
+  const copy = cache && !kept && response.clone()
+  const _loadSnapshot = load(response)
+  _loadSnapshot.catch(() => {}) // it is awaited later, and until then nobody would have handled it
   // Of the standard library, all that most nodes need is in the snapshot. Pyodide is given our own texts in its place,
   // and it is loaded when something is imported from it.
-  const _loadSnapshot = loadSnapshot()
   const python = await loadPyodide({ ...options(info), stdLibURL: address("rosspin.json"), _loadSnapshot })
+  if (copy) keep(cache, copy) // now that it is known to be whole
   install(python, JSON.parse(python.FS.readFile(STDLIB, { encoding: "utf8" })))
   python.FS.unlink(STDLIB)
   python.FS.createLazyFile("/lib", STDLIB.split("/").at(-1), address("python_stdlib.zip"), true, false)
@@ -102,7 +122,10 @@ async function startPlainly() {
 }
 
 async function boot() {
-  const python = await startFromSnapshot().catch(startPlainly)
+  const python = await startFromSnapshot().catch(async () => {
+    await globalThis.caches?.delete("rosspin").catch(() => {}) // what was kept may be what is broken
+    return startPlainly()
+  })
   const { run, wake } = python.pyimport("rosspin.page")
   wake()
   python.setInterruptBuffer(signals)
