@@ -7,7 +7,7 @@ import { pathToFileURL } from "node:url"
 import { install, options } from "./src/start.js"
 
 // Nothing of the machine on which it is made may be in it. With random hashes no two snapshots would be the same.
-const SETTINGS = { env: { LANG: "C.UTF-8", PYTHONHASHSEED: "0" }, _sysExecutable: "python", _makeSnapshot: true }
+const SETTINGS = { env: { LANG: "C.UTF-8", PYTHONHASHSEED: "0" }, _sysExecutable: "./this.program", _makeSnapshot: true }
 
 // A block of memory (bytes) that is free, or the first part of one.
 const LARGEST = 2 ** 16
