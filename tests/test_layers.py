@@ -33,6 +33,7 @@ LAYERS = [
     "machine",
     "recordings",
     "exercises",
+    "pinned",
     "page",
     "site",
     "pytest_plugin",

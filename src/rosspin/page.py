@@ -30,6 +30,7 @@ from .clocks.simulation import PacedSimulation, Simulation
 from .clocks.stacks import whose
 from .exercises import check
 from .measures import by_source, describe_timeline
+from .pinned import as_test
 from .process import load_source
 from .run import TimeStandsStill, run_node, say_error, split_words
 from .world import NotSimulated, Record, World, current_world
@@ -46,6 +47,9 @@ gc.freeze()
 
 # A plot shows no more ticks than this, the last ones.
 _MOST_TICKS = 2000
+
+# A console (characters) that is worth pinning in a test.
+_LONGEST = 50_000
 
 # Of what a tick prints so much is kept in mind; the page's console holds no more lines.
 _MOST_CHUNKS = 1000
@@ -68,7 +72,7 @@ def run(source: str, filename: str, seconds: float, args: str, speed: float, pag
     that is kept after so long. The result, as JSON: the exit ``status``, the number of ``errors`` in its threads, a
     ``verdict`` on an answer and whether it ``solved`` the exercise, the last ``ticks`` with their durations, their
     ``count``, the ``chunks`` that each printed (a call of ``print`` is one, counted from 0), and a text
-    ``alternative`` to their plot. Errors end on the console and give status 1.
+    ``alternative`` to their plot; ``test``, which pins all of it, is empty where that would be long or has an error. Errors end on the console and give status 1.
     """
     environment = dict(os.environ)
     printed = _Printed()
@@ -141,6 +145,8 @@ def _run(
         if hint:
             print(hint, file=sys.stderr)
     groups = by_source(result.ticks)
+    console = "".join(printed.texts)
+    pins = not (result.status or result.world.errors or printed.size > _LONGEST or len(result.ticks) > _MOST_TICKS)
     return {
         "status": result.status,
         "errors": len(result.world.errors),
@@ -148,14 +154,20 @@ def _run(
         "ticks": [[*tick[:4], tick.duration if tick.duration >= 0 else 0] for tick in result.ticks[-_MOST_TICKS:]],
         "chunks": [list(chunks) for chunks in printed.chunks[-_MOST_TICKS:]],
         "alternative": " ".join(describe_timeline(source, group) for source, group in groups.items()),
+        "test": as_test(_node(source), filename, seconds, args, console, result.ticks) if pins else "",
     }
 
 
 class _Printed(list[Record]):
-    """The ticks of a run, and what was printed during each: the numbers of its ``chunks``, counted from 0."""
+    """The ticks of a run, and what was printed during each: the numbers of its ``chunks``, counted from 0.
+
+    ``texts`` are the first chunks, ``size`` is the length of all.
+    """
 
     def __init__(self) -> None:
         super().__init__()
+        self.texts: list[str] = []
+        self.size = 0
         self.chunks: list[deque[int]] = []
         self._count = 0
         self._last: dict[int, int] = {}  # of each thread, its last tick
@@ -170,8 +182,11 @@ class _Printed(list[Record]):
         self.chunks.append(_deque(number for number, when in since if passed and when >= record[3]))
         self._last[thread] = len(self) - 1
 
-    def note_chunk(self) -> None:
-        """Something is printed."""
+    def note(self, text: str) -> None:
+        """A chunk is printed."""
+        self.size += len(text)
+        if self.size <= _LONGEST:
+            self.texts.append(text)
         world, thread = whose(), threading.get_ident()
         last = self._last.get(thread)
         if last is not None and self[last][4] is None:
@@ -217,7 +232,7 @@ class _Stream(io.TextIOBase):
         self._printed = printed
 
     def write(self, text: str) -> int:
-        self._printed.note_chunk()
+        self._printed.note(text)
         self._page.print(text, self._is_error)
         return len(text)
 

@@ -2,6 +2,7 @@
 
 import { Console } from "./console.js"
 import { Plot } from "./plot.js"
+import { pack } from "./share.js"
 import { release, start, warmUp } from "./workers.js"
 
 /** For how long (s) a node runs, unless the reader says otherwise. */
@@ -38,6 +39,7 @@ function fingerprint(text) {
 
 export class Cell {
   #base
+  #index
   #pre
   #original
   #highlighted
@@ -47,6 +49,8 @@ export class Cell {
   #simulates // whether its first line says for how long it runs
   #made // the plot that was made with the page, if there is one
   #output // of a notebook's cell: what it printed when the site was built
+  #test = "" // pins what the last run showed
+  #shared = false // whether the text came with a link; it is not kept
   #editor = null
   #worker = null
   #runs = 0
@@ -59,6 +63,7 @@ export class Cell {
    */
   constructor(listing, index, base, missing) {
     this.#base = base
+    this.#index = index
     this.#pre = listing.querySelector("pre")
     this.#original = this.#pre.textContent
     this.#highlighted = [...this.#pre.childNodes]
@@ -94,6 +99,9 @@ export class Cell {
     this.stop = button("Stop", () => this.#stop())
     this.edit = button("Edit", () => this.#edit())
     this.reset = button("Reset", () => this.#reset())
+    this.share = button("Share", () => this.#share())
+    this.pin = button("Copy as test", () => this.#copy(this.#test, "the test is copied"))
+    this.pin.hidden = true
     this.seconds = make("input", { type: "number", min: "0", max: "3600", step: "any", value: SECONDS })
     this.args = make("input", { type: "text", spellcheck: false, autocomplete: "off", autocapitalize: "off" })
     this.arguments = make("label", { className: "live-arguments" }, "Arguments ", this.args)
@@ -106,7 +114,7 @@ export class Cell {
     this.speed.ariaLabel = "Speed"
     this.status = make("span", { className: "live-status" })
     this.status.role = "status"
-    const bar = make("div", { className: "live-bar" }, this.run, this.stop, this.edit, this.reset)
+    const bar = make("div", { className: "live-bar" }, this.run, this.stop, this.edit, this.reset, this.share, this.pin)
     bar.role = "group"
     bar.ariaLabel = `Run ${this.#name} in this page`
     if (!this.#answers && !this.#simulates) bar.append(make("label", {}, this.seconds, " s"))
@@ -115,7 +123,10 @@ export class Cell {
     bar.append(this.status)
     this.console = new Console(`Console of ${this.#name}`, this.#name, (line) => this.#edit(line))
     this.plot = new Plot(`Ticks of ${this.#name}`, (chunks) => this.console.mark(chunks))
-    const parts = [bar, this.console.element, this.plot.element, this.#made].filter(Boolean)
+    this.notice = make("p", { className: "live-notice", hidden: true })
+    this.copied = make("textarea", { readOnly: true, hidden: true, rows: 4 })
+    this.copied.ariaLabel = "To be copied"
+    const parts = [this.notice, bar, this.copied, this.console.element, this.plot.element, this.#made].filter(Boolean)
     listing.append(make("div", { className: "live-cell" }, ...parts))
     this.#offer()
     this.#pre.addEventListener("click", () => getSelection().isCollapsed && this.#edit())
@@ -164,6 +175,7 @@ export class Cell {
   }
 
   #store(text, what = "") {
+    if (this.#shared && !what) return // what the reader has written before stays
     try {
       if (text === this.#original) localStorage.removeItem(this.#key)
       else localStorage.setItem(this.#key + what, text)
@@ -196,6 +208,9 @@ export class Cell {
 
   #reset() {
     this.#end()
+    if (this.#shared) history.replaceState(null, "", location.pathname + location.search)
+    this.#shared = false
+    this.notice.hidden = true
     this.#editor?.element.remove()
     this.#editor = null
     this.#pre.replaceChildren(...this.#highlighted)
@@ -207,12 +222,57 @@ export class Cell {
     this.#say(this.#before)
   }
 
+  // --- links and copies ---
+
+  /** Show a text that came with a link, and the fields beside it. It is not run. */
+  receive({ text, seconds, args }) {
+    this.#reset()
+    this.#shared = true
+    this.#show(text)
+    this.seconds.value = seconds
+    this.args.value = args
+    this.notice.textContent =
+      "This code came with the link that you opened, not with the page. Read it before you run it. What you change " +
+      "is not kept. Reset brings the page's own code back."
+    this.notice.hidden = false
+    this.#say("as it came with the link")
+    this.notice.scrollIntoView({ block: "center" })
+  }
+
+  async #share() {
+    const link = new URL(location.href)
+    if (this.#pre.closest(".sd-tab-set")) link.searchParams.set("lang", "python")
+    const seconds = this.seconds.valueAsNumber || 0
+    try {
+      link.hash = await pack({ cell: this.#index, text: this.#text, seconds, args: this.args.value })
+    } catch {
+      this.#say("error: the listing is too long for a link")
+      return
+    }
+    await this.#copy(link.href, "the link is copied; the code is in it")
+  }
+
+  /** Copy a text, or where the browser does not let us, let the reader copy it. */
+  async #copy(text, said) {
+    try {
+      await navigator.clipboard.writeText(text)
+      this.copied.hidden = true
+      this.#say(said)
+    } catch {
+      this.copied.hidden = false
+      this.copied.value = text
+      this.copied.select()
+      this.#say("copy what is marked")
+    }
+  }
+
   // --- runs ---
 
   /** Take away what the last run showed. What was made when the site was built makes way for a run. */
   #clear(runs) {
     this.console.clear()
     this.plot.clear()
+    this.copied.hidden = this.pin.hidden = true
     if (this.#output) this.#output.hidden = runs
     if (this.#made) this.#made.hidden = runs
   }
@@ -250,6 +310,8 @@ export class Cell {
       release(this.#worker)
       this.#worker = null
       const { status, errors, verdict, count, ticks, chunks, alternative } = message.result
+      this.#test = message.result.test
+      this.pin.hidden = !this.#test
       if (count) this.plot.finish(ticks, alternative, chunks)
       if (verdict) this.#say(verdict + this.#progress(message.result.solved))
       else if (status === 0 && errors) this.#say("done, but with an error: see the console")
