@@ -71,8 +71,9 @@ def run(source: str, filename: str, seconds: float, args: str, speed: float, pag
     ``tick(source, number, expected, real)`` each tick that begins (s), both as they happen; ``wait(ms)`` is a promise
     that is kept after so long. The result, as JSON: the exit ``status``, the number of ``errors`` in its threads, a
     ``verdict`` on an answer and whether it ``solved`` the exercise, the last ``ticks`` with their durations, their
-    ``count``, the ``chunks`` that each printed (a call of ``print`` is one, counted from 0), and a text
-    ``alternative`` to their plot; ``test``, which pins all of it, is empty where that would be long or has an error. Errors end on the console and give status 1.
+    ``count``, the ``chunks`` that each printed (a call of ``print`` is one, counted from 0), a text ``alternative`` to
+    their plot, and a ``test`` that pins it all, empty where that would be long or where there was an error. Errors end
+    on the console and give status 1.
     """
     environment = dict(os.environ)
     printed = _Printed()

@@ -207,26 +207,31 @@ export class Cell {
   }
 
   #reset() {
-    this.#end()
+    this.#restore()
+    this.#store(this.#original)
     if (this.#shared) history.replaceState(null, "", location.pathname + location.search)
     this.#shared = false
     this.notice.hidden = true
+    this.#say(this.#before)
+  }
+
+  /** Show the cell as it came with the page. */
+  #restore() {
+    this.#end()
     this.#editor?.element.remove()
     this.#editor = null
     this.#pre.replaceChildren(...this.#highlighted)
     this.#pre.hidden = false
-    this.#store(this.#original)
     this.seconds.value = SECONDS
     this.args.value = ""
     this.#clear(false)
-    this.#say(this.#before)
   }
 
   // --- links and copies ---
 
   /** Show a text that came with a link, and the fields beside it. It is not run. */
   receive({ text, seconds, args }) {
-    this.#reset()
+    this.#restore()
     this.#shared = true
     this.#show(text)
     this.seconds.value = seconds
