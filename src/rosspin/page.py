@@ -17,15 +17,18 @@ import sys
 import threading
 import time
 from collections import defaultdict, deque
-from collections.abc import Iterable, Sequence
+from collections.abc import Callable, Iterable, Sequence
 from contextlib import redirect_stderr, redirect_stdout
+from functools import wraps
 from typing import Any, cast
 
 from js import performance
 from pyodide.ffi import run_sync
 
+from . import rospy
 from .advice import advice
 from .clocks.clock import NS
+from .clocks.patches import patched
 from .clocks.simulation import PacedSimulation, Simulation
 from .clocks.stacks import whose
 from .exercises import check
@@ -141,7 +144,8 @@ def _run(
         current_world().ticks = printed
         node.main()
 
-    result = run_node(node._replace(main=main), seconds, args, pacer.simulation)
+    with patched([(rospy.Rate, "__init__", printed.forget_before)]):
+        result = run_node(node._replace(main=main), seconds, args, pacer.simulation)
     for hint in dict.fromkeys(map(_hint, result.world.errors)):
         if hint:
             print(hint, file=sys.stderr)
@@ -182,6 +186,16 @@ class _Printed(list[Record]):
         since = self._since.pop(thread, ())
         self.chunks.append(_deque(number for number, when in since if passed and when >= record[3]))
         self._last[thread] = len(self) - 1
+
+    def forget_before(self, make: Callable[..., None]) -> Callable[..., None]:
+        """``Rate.__init__``, for which what its thread has printed before belongs to no pass of its loop."""
+
+        @wraps(make)
+        def make_after(*args: Any, **kwargs: Any) -> None:
+            self._since.pop(threading.get_ident(), None)
+            make(*args, **kwargs)
+
+        return make_after
 
     def note(self, text: str) -> None:
         """A chunk is printed."""
