@@ -495,13 +495,13 @@ def test_a_link_carries_the_code(page: Page, address: str) -> None:
     cell.element.get_by_role("spinbutton").fill("3")
     cell.button("Share").click()
     expect(cell.status).to_have_text("the link is copied; the code is in it")
-    link = _copied(page)
+    copied = _copied(page)
     mine = node("print('mine')")
     cell.write(mine)
 
     other = page.context.new_page()
     wrong = faults(other, address)
-    other.goto(link)
+    other.goto(copied)
     opened = Cell(other, TIMER)
     expect(opened.element.locator(".live-notice")).to_contain_text("This code came with the link")
     expect(opened.element.locator(".live-notice")).to_be_in_viewport()
@@ -528,7 +528,7 @@ def _fragment(data: bytes) -> str:
     return "#code=" + base64.urlsafe_b64encode(packed.compress(data) + packed.flush()).decode().rstrip("=")
 
 
-def _link(**changed: Any) -> str:
+def link(**changed: Any) -> str:
     return _fragment(json.dumps({"cell": TIMER, "text": "print(1)", "seconds": 2, "args": ""} | changed).encode())
 
 
@@ -538,18 +538,18 @@ def _link(**changed: Any) -> str:
         ("#code=", "cannot be read"),
         ("#code=%%%", "cannot be read"),
         ("#code=AAAA", "cannot be read"),
-        (_link()[:-6], "cannot be read"),
+        (link()[:-6], "cannot be read"),
         (_fragment(b"[]"), "cannot be read"),
         (_fragment(b"null"), "cannot be read"),
         (_fragment(b"{"), "cannot be read"),
-        (_link(text=5), "cannot be read"),
-        (_link(seconds="2"), "cannot be read"),
-        (_link(seconds=-1), "cannot be read"),
-        (_link(args=["a"]), "cannot be read"),
-        (_link(cell="0"), "cannot be read"),
-        (_link(cell=99), "no longer has"),
-        (_link(cell=-1), "no longer has"),
-        (_link(text="x" * 1_000_000), "too long"),
+        (link(text=5), "cannot be read"),
+        (link(seconds="2"), "cannot be read"),
+        (link(seconds=-1), "cannot be read"),
+        (link(args=["a"]), "cannot be read"),
+        (link(cell="0"), "cannot be read"),
+        (link(cell=99), "no longer has"),
+        (link(cell=-1), "no longer has"),
+        (link(text="x" * 1_000_000), "too long"),
         ("#code=" + "A" * 1_000_000, "too long"),
     ],
     ids=lambda value: value[:20],
@@ -570,7 +570,7 @@ def test_html_in_a_link_is_text(page: Page, address: str) -> None:
     html = "<script>document.title = 'taken'</script><img src=x onerror=\"document.title = 'taken'\">"
     other = page.context.new_page()
     wrong = faults(other, address)
-    other.goto(address + TUTORIAL + _link(text=html, args=html))
+    other.goto(address + TUTORIAL + link(text=html, args=html))
     cell = Cell(other, TIMER)
     expect(cell.element.locator("pre").first).to_have_text(html)
     assert other.title() != "taken" and cell.element.locator("img, script").count() == 0
@@ -599,7 +599,7 @@ def test_run_is_copied_as_a_test(page: Page, index: int, tmp_path: Path) -> None
 
 
 def _with_another_period(text: str) -> str:
-    changed = re.sub(r"(Duration|Rate)\([\d.]+\)", r"\1(0.2)", text)
+    changed = re.sub(r"(timer_delta_t_in_seconds|loop_frequency_in_hz) = [\d.]+", r"\1 = 0.25", text)
     assert changed != text
     return changed
 

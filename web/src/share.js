@@ -40,7 +40,7 @@ export async function unpack(fragment) {
     }
     const { cell, text, seconds, args } = JSON.parse(await new Blob(parts).text())
     const right = Number.isInteger(cell) && typeof text === "string" && typeof args === "string"
-    if (!right || !(seconds >= 0 && seconds <= 3600)) throw unreadable
+    if (!right || !Number.isFinite(seconds) || seconds < 0 || seconds > 3600) throw unreadable
     return { cell, text, seconds, args }
   } catch (error) {
     throw error === tooLong ? tooLong : unreadable
