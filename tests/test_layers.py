@@ -34,6 +34,7 @@ LAYERS = [
     "machine",
     "recordings",
     "exercises",
+    "pinned",
     "page",
     "site",
     "pytest_plugin",

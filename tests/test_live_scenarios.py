@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import os
 import re
+import shlex
 from collections.abc import Callable, Iterator
 from typing import Any
 from unittest import mock
@@ -61,7 +62,7 @@ def run_in_page(browser: Browser, address: str) -> Iterator[Callable[..., tuple[
             run(PRELUDE.format(files=FILES), "prelude.py", 1)
 
         def run(source: str, name: str, seconds: float, args: tuple[str, ...] = ()) -> tuple[str, dict[str, Any]]:
-            job = {"source": source, "filename": name, "seconds": seconds, "args": args, "speed": 0}
+            job = {"source": source, "filename": name, "seconds": seconds, "args": shlex.join(args), "speed": 0}
             console, result = page.evaluate("job => runJob(job)", job)
             if result is None:  # Python broke down; the next run needs another
                 begin()
