@@ -22,9 +22,9 @@ from rosspin import NotSimulated, Tick, measure, simulate
 NEVER = 60  # s; only so that a test that hangs ends at all
 
 TICKS = """
-import rospy
+import sys, rospy
 rospy.init_node("node")
-rospy.Timer(rospy.Duration(0.02), lambda event: print("tick"))
+rospy.Timer(rospy.Duration(0.02), lambda event: sys.stdout.write("tick\\n"))  # in one go, whatever comes then
 rospy.sleep(0.2)
 """
 

@@ -143,6 +143,7 @@ def explained(node: Node, world: World, clock: Clock, seconds: float | None) -> 
     except Stuck as error:
         place = clock.failed if isinstance(clock, Simulation) else ""
         raise _stands_still(node, error.places, place, clock, error.waits) from None
+    _end_if_forked(world)
 
 
 def run_main(node: Node, world: World) -> None:
@@ -150,10 +151,15 @@ def run_main(node: Node, world: World) -> None:
     try:
         _run_main(node, world)
     finally:
-        if os.getpid() != world.pid:  # a child that the node has forked ends here
-            sys.stdout.flush()
-            sys.stderr.flush()
-            os._exit(world.exit_status or 0)
+        _end_if_forked(world)
+
+
+def _end_if_forked(world: World) -> None:
+    """End this process if it is a child that the node has forked: what comes now is its parent's."""
+    if os.getpid() != world.pid:
+        sys.stdout.flush()
+        sys.stderr.flush()
+        os._exit(world.exit_status or 0)
 
 
 def _run_main(node: Node, world: World) -> None:
