@@ -12,7 +12,7 @@ from contextlib import contextmanager
 from functools import partial
 from typing import NamedTuple, TextIO
 
-from . import rospy
+from . import rclpy, rospy
 from .clocks.clock import NS, Clock, nanoseconds
 from .clocks.ending import Ended
 from .clocks.programs import Died, Killed, LastResort, run_on_the_wall, run_simulated
@@ -37,8 +37,11 @@ PATIENCE = 17
 _ROS_PACKAGES = {
     *("actionlib", "cv_bridge", "dynamic_reconfigure", "message_filters", "rosbag", "rosgraph", "roslaunch", "roslib"),
     *("rosnode", "rosparam", "rospkg", "rosservice", "rostopic", "tf", "tf2_ros", "tf_conversions"),
+    *("ament_index_python", "example_interfaces", "launch", "launch_ros", "rosidl_runtime_py"),
 }
 
+# What a node may import, by its ROS.
+MODULES = {1: rospy.MODULES, 2: rclpy.MODULES}
 
 # A run may have a million ticks: a Tick from a tuple takes half as long as one from its fields.
 _new_tick = partial(tuple.__new__, Tick)
@@ -96,8 +99,8 @@ def run_node(
     the run gave so far (without one if code in C lets no thread run).
     """
     until = None if seconds is None else duration(seconds)
-    with Process(node, args, rospy.MODULES, ros=1).inside():
-        world = new_world(clock, record)
+    with Process(node, args, MODULES[node.ros], node.ros).inside():
+        world = new_world(node, clock, record)
         start = 0 if isinstance(clock, Simulation) else clock.now()
 
         def result(status: int) -> Result:
@@ -117,10 +120,11 @@ def run_node(
     return result(world.exit_status)
 
 
-def new_world(clock: Clock, record: bool) -> World:
+def new_world(node: Node, clock: Clock, record: bool) -> World:
     """The world of a node whose process the caller is in."""
     world = World(clock, sys.argv, record)
-    world.at_exit.append((rospy.core.signal_shutdown, ("atexit",), {}))  # as rospy does when it is imported
+    if node.ros == 1:
+        world.at_exit.append((rospy.core.signal_shutdown, ("atexit",), {}))  # as rospy does when it is imported
     return world
 
 
@@ -201,6 +205,7 @@ def _is_ros_package(name: str) -> bool:
         or root.endswith(("_msgs", "_srvs"))
         or rest.startswith("srv")
         or (root == "rospy" and rest in rospy.NOT_SIMULATED)
+        or (root == "rclpy" and rest.partition(".")[0] in rclpy.NOT_SIMULATED)
     )
 
 
