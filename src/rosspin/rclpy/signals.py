@@ -40,36 +40,38 @@ def install_signal_handlers(options: SignalHandlerOptions = SignalHandlerOptions
     """
     own = state()
     for number in _NUMBERS[options]:
-        if number not in own.handlers:
+        if signal.getsignal(number) is not _handle:
             try:
-                own.handlers[number] = signal.signal(number, _handle)
+                own.before[number] = signal.signal(number, _handle)
             except ValueError:
                 return
+        own.handled.add(number)
 
 
 def get_current_signal_handlers_options() -> SignalHandlerOptions:
     """Which signals shut the contexts down."""
-    numbers = tuple(sorted(state().handlers))
+    numbers = tuple(sorted(state().handled))
     return next(options for options, handled in _NUMBERS.items() if handled == numbers)
 
 
 def uninstall_signal_handlers() -> None:
     """Let signals do what they did before."""
-    own = state()
-    for number, before in list(own.handlers.items()):
-        if signal.getsignal(number) is _handle:
-            signal.signal(number, before)
-        del own.handlers[number]
+    state().handled.clear()  # the handlers stay where they are: only the main thread could take them away
 
 
 def _handle(number: int, frame: Any) -> None:
     """Shut down all contexts and wake the executors. What was there before follows: KeyboardInterrupt at Ctrl-C."""
     own = state()
-    for context in list(own.contexts):
-        context.end()
-    for gate in list(own.waiting):
-        gate.open()
-    before = own.handlers.get(number)
+    before = own.before[number]
+    if number in own.handled:
+        for context in list(own.contexts):
+            context.end()
+        for gate in list(own.waiting):
+            gate.open()
+        own.clock.sleep(0)  # those who wait in other threads go first
+    elif not callable(before):
+        signal.signal(number, before)
+        signal.raise_signal(number)
     if not callable(before):
         return
     if own.asleep:

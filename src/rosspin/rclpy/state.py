@@ -45,7 +45,8 @@ class State:
 
         self.contexts: list[Context] = []  # those that were initialised
         self.waiting: list[Gate] = []  # at which executors wait; a signal opens them
-        self.handlers: dict[int, Any] = {}  # signal handlers that were there before rclpy's
+        self.handled: set[int] = set()  # signals that shut the contexts down
+        self.before: dict[int, Any] = {}  # signal handlers that were there before rclpy's
         self.asleep = False  # whether the main thread sleeps on a Clock: C code, in which no handler runs
         self.pending: Callable[[], Any] | None = None  # the handler that waits for that
 
