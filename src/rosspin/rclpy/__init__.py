@@ -175,6 +175,20 @@ MODULES: dict[str, ModuleType] = {
     "rclpy.wait_for_message": topics,
 }
 
+# In tracebacks and texts, classes have the names that they have on a real ROS.
+_HOMES = {
+    "ClockType": "rclpy.clock_type",
+    "GuardCondition": "rclpy.guard_condition",
+    "LoggingSeverity": "rclpy.impl.logging_severity",
+    "Publisher": "rclpy.publisher",
+    "RcutilsLogger": "rclpy.impl.rcutils_logger",
+    "Subscription": "rclpy.subscription",
+}
+for _name, _module in MODULES.items():
+    for _value in [value for value in vars(_module).values() if isinstance(value, type)]:
+        if _value.__module__ == _module.__name__:
+            _value.__module__ = _HOMES.get(_value.__name__, _name)
+
 
 def __getattr__(name: str) -> Any:
     if name in NOT_SIMULATED:

@@ -13,6 +13,7 @@ __all__ = ["Arguments", "remove_ros_args"]
 
 _TRUE = {"y", "yes", "on", "true"}
 _FALSE = {"n", "no", "off", "false"}
+_RULE = re.compile(r"(?:(\w+):)?([^\s:=]+):=(.+)")
 LEVELS = {"unset": 0, "debug": 10, "info": 20, "warn": 30, "error": 40, "fatal": 50}
 
 # Options that have no effect here: there is no log file, no /rosout and no security.
@@ -66,11 +67,14 @@ class Arguments:
             raise UnknownROSArgsError(str(unknown))
 
     def _user_word(self, word: str) -> None:
-        if re.match(r"(__\w+|[a-zA-Z/~][\w/~]*):=.", word):
-            self.deprecated.append(word)
-            self._remap(word)
-        else:
-            self.rest.append(word)
+        try:
+            if not re.match("_[^_]", word):
+                self._remap(word)
+                self.deprecated.append(word)
+                return
+        except ValueError:
+            pass
+        self.rest.append(word)
 
     def _use(self, flag: str, text: str | None, use: Callable[[str], None], what: str) -> None:
         failed = "failed to initialize rcl: Couldn't parse"
@@ -84,9 +88,9 @@ class Arguments:
     # --- what an option says ------------------------------------------------------------------------------------------
 
     def _remap(self, text: str) -> None:
-        match = re.fullmatch(r"(?:(\w+):)?([^\s:=]+):=(.+)", text)
+        match = _RULE.fullmatch(text)
         if not match:
-            raise ValueError("Expected NAME:=NAME")
+            raise ValueError(f"Expected lexeme type (19) not found, search ended at index {len(text)}")
         node, source, target = match.groups()
         if source == "__ns":
             if not re.fullmatch(r"/|(/[a-zA-Z_]\w*)+", target):
@@ -94,17 +98,23 @@ class Arguments:
         elif source in ("__node", "__name"):
             source = "__node"
             if not re.fullmatch(r"[a-zA-Z_]\w*", target):
-                raise ValueError("Expected a node name")
+                raise ValueError("error not set")
+        elif not re.fullmatch(r"~?(/?[a-zA-Z_{][\w{}]*)*", target):
+            raise ValueError("error not set")
         self.remappings.append(_Remapping(node, source, target))
 
     def _set(self, text: str) -> None:
-        match = re.fullmatch(r"(?:(\w+):)?([^\s:=]+):=(.+)", text)
+        match = _RULE.fullmatch(text)
         if not match:
-            raise ValueError("Expected NAME:=VALUE")
+            raise ValueError(f"Expected lexeme type (22) not found, search ended at index {len(text)}")
         import yaml  # only needed here, and many nodes do without
 
         node, name, value = match.groups()
-        self.overrides.append((f"/{node}" if node else "/**", name, _value(yaml.compose(value))))
+        try:
+            tree = yaml.compose(value)
+        except yaml.YAMLError:
+            tree = None
+        self.overrides.append((f"/{node}" if node else "/**", name, _value(tree)))
 
     def _read(self, path: str) -> None:
         import yaml

@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from typing import Any
-from weakref import WeakSet
+from weakref import ref
 
 __all__ = ["CallbackGroup", "MutuallyExclusiveCallbackGroup", "ReentrantCallbackGroup"]
 
@@ -12,15 +12,15 @@ class CallbackGroup:
     """Base of the groups: what is in it is added when it is created."""
 
     def __init__(self) -> None:
-        self.entities: WeakSet[Any] = WeakSet()
+        self.entities: set[ref[Any]] = set()
 
     def add_entity(self, entity: Any) -> None:
         """Put a timer, a subscription or a guard condition into the group."""
-        self.entities.add(entity)
+        self.entities.add(ref(entity))
 
     def has_entity(self, entity: Any) -> bool:
         """Whether it is in the group."""
-        return entity in self.entities
+        return ref(entity) in self.entities
 
     def can_execute(self, entity: Any) -> bool:
         """Whether its callback might begin now."""

@@ -7,7 +7,6 @@ import time
 from collections.abc import Callable
 from enum import IntEnum
 from typing import TYPE_CHECKING
-from weakref import WeakSet
 
 from .context import Context, get_default_context
 from .duration import Duration
@@ -109,7 +108,7 @@ class ROSClock(Clock):
         super().__init__(clock_type=ClockType.ROS_TIME)
         self._told = 0
         self.handles: list[JumpHandle] = []
-        self.timers: WeakSet[Timer] = WeakSet()
+        self.timers: dict[Timer, None] = {}  # those that go by it
 
     @property
     def ros_time_is_active(self) -> bool:

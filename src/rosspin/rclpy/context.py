@@ -40,7 +40,11 @@ class Context:
             raise RuntimeError(f"Domain id ({domain_id}) should not be lower than zero.")
         if self.arguments is not None:
             raise RuntimeError("Context.init() must only be called once")
-        arguments = Arguments(self.state.world.argv if args is None else args)
+        try:
+            arguments = Arguments(self.state.world.argv if args is None else args)
+        except RCLError:
+            logging.get_logger("rcl").error("Failed to parse global arguments")
+            raise
         if initialize_logging:
             logging.configure(arguments)
         self.arguments = arguments

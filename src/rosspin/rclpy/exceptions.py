@@ -33,6 +33,20 @@ class UnknownROSArgsError(RuntimeError):
     """There are words after ``--ros-args`` that no ROS knows."""
 
 
+def not_accepted(signature: str, *args: object) -> TypeError:
+    """What the C part says of arguments of the wrong type; those that are its own objects are given by their names."""
+    words = ", ".join(
+        f"<rclpy._rclpy_pybind11.{arg} object at {id(arg):#x}>" if arg in _OBJECTS else repr(arg) for arg in args
+    )
+    return TypeError(
+        "__init__(): incompatible constructor arguments. The following argument types are supported:\n"
+        f"    1. rclpy._rclpy_pybind11.{signature}\n\nInvoked with: {words}"
+    )
+
+
+_OBJECTS = ("Clock", "Context")
+
+
 class NotInitializedException(Exception):
     """Something needs ``rclpy.init()`` first."""
 

@@ -10,7 +10,13 @@ from concurrent.futures import ThreadPoolExecutor
 from typing import TYPE_CHECKING, Any, TypeVar
 
 from .context import Context, get_default_context
-from .exceptions import ConditionReachedException, ExternalShutdownException, ShutdownException, TimeoutException
+from .exceptions import (
+    ConditionReachedException,
+    ExternalShutdownException,
+    RCLError,
+    ShutdownException,
+    TimeoutException,
+)
 from .state import Gate
 from .task import Future, Task
 
@@ -84,18 +90,29 @@ class Executor:
         if self._context.arguments is None:
             # What rclpy says of a context that was not initialised.
             raise TypeError("'NoneType' object does not support the context manager protocol")
+        if not self._context.ok():
+            reason = "either rcl_init() was not called or rcl_shutdown() was called."
+            raise RCLError(f"failed to create guard_condition: the given context is not valid, {reason}")
         self._clock = self._context.state.clock
         self._nodes: dict[Node, None] = {}  # in the order of their addition
         self._tasks: list[Entry] = []
         self._is_shutdown = False
         self._round: Iterator[Task] | None = None
         self._round_args: tuple[Any, ...] = ()
-        self._gate = Gate()
+        self._sigint_gc = self._gate = Gate()  # a signal opens it, too
         self._waits = False
         self._triggered = False  # something has changed: wait for other things than before
         self._waited_until = -1
         self._context.state.waiting.append(self._gate)
         self._context.on_shutdown(self.wake)
+
+    def __del__(self) -> None:
+        # If it could not be made, Python prints what rclpy's executor fails with here, too.
+        self._forget(self._sigint_gc)
+
+    def _forget(self, gate: Gate) -> None:
+        if gate in self._context.state.waiting:
+            self._context.state.waiting.remove(gate)
 
     @property
     def context(self) -> Context:
@@ -115,8 +132,7 @@ class Executor:
         self.wake()
         self._nodes = {}
         self._round = None
-        if self._gate in self._context.state.waiting:
-            self._context.state.waiting.remove(self._gate)
+        self._forget(self._gate)
         return True
 
     def add_node(self, node: Node) -> bool:
@@ -261,6 +277,9 @@ class Executor:
         deadline: int | None,
     ) -> tuple[set[Any], bool]:
         """Wait until something is due, or has changed; what is due, and whether the timeout (ns) is over."""
+        if not self._context.ok():
+            reason = "either rcl_init() was not called or rcl_shutdown() was called."
+            raise RCLError(f"failed to initialize wait set: the given context is not valid, {reason}")
         if self._clock.now() != self._waited_until:
             self._clock.sleep(0)  # a message that another thread sends at this time has arrived
         watched = [timer.clock.watchers for timer in timers if not timer.clock.flows]

@@ -107,9 +107,9 @@ class RcutilsLogger:
         ``throttle_time_source_type``. Raises TypeError for other options, or if the message is not a text, and
         ValueError if the same line comes with other options than before.
         """
-        if severity < _effective(self._state, self.name) or not self.is_enabled_for(severity):
-            return False
         severity = LoggingSeverity(severity)
+        if severity < _effective(self._state, self.name):
+            return False
         name = kwargs.pop("name", self.name)
         filters = _filters(kwargs) if kwargs else []
         frame = node_frame(sys._getframe(1))
@@ -125,12 +125,15 @@ class RcutilsLogger:
             _refuse(call, severity, name, filters)
         if filters and not call.is_wanted():
             return False
-        if not isinstance(message, str):
+        if message is None:
+            message = "(null)"
+        elif not isinstance(message, str):
             raise TypeError(
                 "rclpy_logging_rcutils_log(): incompatible function arguments. "
                 "The following argument types are supported:\n    1. (arg0: typing.SupportsInt, arg1: str, "
                 "arg2: str, arg3: str, arg4: str, arg5: typing.SupportsInt) -> None\n\nInvoked with: "
-                f"{severity!r}, {name!r}, {message!r}, {frame.f_code.co_name!r}, {where[0]!r}, {where[1]}"
+                f"{severity!r}, {name!r}, {message!r}, {frame.f_code.co_name!r}, "
+                f"{os.path.abspath(where[0])!r}, {where[1]}"
             )
         _write(self._state, severity, name, message, frame)
         return True
@@ -203,7 +206,7 @@ def _write(own: State, severity: LoggingSeverity, name: str, message: str, frame
             "name": name,
             "message": message,
             "function_name": frame.f_code.co_name,
-            "file_name": frame.f_code.co_filename,
+            "file_name": os.path.abspath(frame.f_code.co_filename),
             "line_number": str(frame.f_lineno),
             "time": f"{now // NS}.{now % NS:09d}",
             "time_as_nanoseconds": str(now),

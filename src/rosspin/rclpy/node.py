@@ -13,7 +13,7 @@ from .arguments import Arguments
 from .callback_groups import CallbackGroup, MutuallyExclusiveCallbackGroup, ReentrantCallbackGroup
 from .clock import Clock, ROSClock
 from .context import Context, get_default_context
-from .exceptions import InvalidHandle, NotInitializedException, RCLError
+from .exceptions import InvalidHandle, NotInitializedException, RCLError, not_accepted
 from .executors import GuardCondition
 from .parameter import Parameter, Parameters
 from .qos import QoSProfile, ReliabilityPolicy
@@ -53,6 +53,11 @@ class Node(Parameters):
         self._context = context or get_default_context()
         if not self._context.ok():
             raise NotInitializedException("cannot create node")
+        if not isinstance(node_name, str):
+            signature = (
+                "Node(arg0: str, arg1: str, arg2: rclpy._rclpy_pybind11.Context, arg3: object, arg4: bool, arg5: bool)"
+            )
+            raise not_accepted(signature, node_name, namespace or "", "Context", cli_args, use_global_arguments, True)
         names.validate_node_name(node_name)
         namespace = namespace or "/"
         namespace = namespace if namespace.startswith("/") else f"/{namespace}"

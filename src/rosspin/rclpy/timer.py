@@ -11,7 +11,7 @@ from ..world import Record
 from .callback_groups import CallbackGroup
 from .clock import Clock, ROSClock
 from .context import Context, get_default_context
-from .exceptions import InvalidHandle, RCLError, ROSInterruptException
+from .exceptions import InvalidHandle, RCLError, ROSInterruptException, not_accepted
 from .time import Time
 
 __all__ = ["Call", "Rate", "Timer", "TimerInfo"]
@@ -56,7 +56,10 @@ class Timer:
         if timer_period_ns < 0:
             raise RCLError("failed to create timer: timer period must be non-negative")
         if timer_period_ns >= 2**63:
-            raise TypeError("__init__(): incompatible constructor arguments.")
+            signature = (
+                "Timer(arg0: rclpy::Clock, arg1: rclpy._rclpy_pybind11.Context, arg2: typing.SupportsInt, arg3: bool)"
+            )
+            raise not_accepted(signature, "Clock", "Context", timer_period_ns, autostart)
         if not (context or get_default_context()).ok():
             reason = "either rcl_init() was not called or rcl_shutdown() was called."
             raise RCLError(f"failed to create timer: the given context is not valid, {reason}")
@@ -65,7 +68,7 @@ class Timer:
         self._period = timer_period_ns
         self._last = clock.ns()
         self._next = self._last + timer_period_ns
-        self._credit = 0  # what was left of the period when the source of ROS time changed
+        self._credit: int | None = None  # what is left of the period while the source of ROS time changes
         self._cancelled = not autostart
         self._destroyed = False
         self.expected = self._next  # when the last call was due
@@ -78,7 +81,7 @@ class Timer:
             self._source = world.source(getattr(callback, "__name__", type(callback).__name__))
         self.callback = callback
         if isinstance(clock, ROSClock):
-            clock.timers.add(self)
+            clock.timers[self] = None
 
     @property
     def callback(self) -> Any:
@@ -144,6 +147,8 @@ class Timer:
         """Destroy it."""
         self._check()
         self._destroyed = True
+        if isinstance(self.clock, ROSClock):
+            self.clock.timers.pop(self, None)
 
     def _check(self) -> None:
         if self._destroyed:
@@ -158,9 +163,9 @@ class Timer:
         now = self._last = self.clock.ns()
         expected = self.expected = self._next
         following = expected + self._period
-        if following < now:
-            # Up to the next place of the grid. A period of 0 has no grid.
-            following = now + (expected - now) % self._period if self._period else now
+        if following <= now:
+            # On to the next place of the grid. A period of 0 has no grid.
+            following = now + self._period - (now - expected) % self._period if self._period else now
         self._next = following
         tick = None
         if self._ticks is not None:
@@ -196,16 +201,16 @@ class Timer:
     def before_jump(self, switches: bool) -> None:
         """The time is about to jump, perhaps because ROS time switches to another source."""
         now = self.clock.ns()
-        if switches and now:
+        if switches and (now or self.clock.flows):  # 0: nobody has told the time yet
             self._credit = self._next - now
 
     def after_jump(self, switches: bool) -> None:
         """The time has jumped. Backwards: the next call is due after a period. Another source: what is left is kept."""
         now = self.clock.ns()
         if switches:
-            if now and self._credit:
+            if self._credit is not None and (now or self.clock.flows):
                 self._next, self._last = now - self._credit + self._period, now - self._credit
-                self._credit = 0
+                self._credit = None
         elif self._next > now and now < self._last:
             self._next, self._last = now + self._period, now
 
