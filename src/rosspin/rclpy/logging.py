@@ -10,7 +10,7 @@ import time
 from enum import IntEnum
 from pathlib import Path
 from types import FrameType
-from typing import TYPE_CHECKING, Any
+from typing import TYPE_CHECKING, Any, NamedTuple
 
 from ..clocks.clock import NS
 from ..frames import node_frame
@@ -197,8 +197,8 @@ def _write(own: State, severity: LoggingSeverity, name: str, message: str, frame
     if not own.console:
         return
     now = own.clock.now()
-    line_format = os.environ.get("RCUTILS_CONSOLE_OUTPUT_FORMAT", _DEFAULT_FORMAT)
-    if line_format == _DEFAULT_FORMAT:
+    form = own.log_form or _read_form(own)
+    if form.line == _DEFAULT_FORMAT:
         line = f"[{severity.name}] [{now // NS}.{now % NS:09d}] [{name}]: {message}"
     else:
         fields = {
@@ -213,17 +213,36 @@ def _write(own: State, severity: LoggingSeverity, name: str, message: str, frame
             "date_time_with_ms": f"{time.strftime('%Y-%m-%d %H:%M:%S', time.localtime(now // NS))}"
             f".{now // 1_000_000 % 1000:03d}",
         }
-        line = re.sub(r"{(\w+)}", lambda match: fields.get(match[1], match[0]), line_format)
-    stream = sys.stdout if os.environ.get("RCUTILS_LOGGING_USE_STDOUT") == "1" else sys.stderr
-    coloured = os.environ.get("RCUTILS_COLORIZED_OUTPUT")
-    if coloured == "1" or (coloured is None and stream.isatty()):
+        line = re.sub(r"{(\w+)}", lambda match: fields.get(match[1], match[0]), form.line)
+    stream = sys.stdout if form.to_stdout else sys.stderr
+    if stream.isatty() if form.coloured is None else form.coloured:
         line = f"{_COLOURS[severity]}{line}\033[0m"
     stream.write(line + "\n")
+
+
+class LogForm(NamedTuple):
+    """What lines look like: their format, whether they go to stdout, and are coloured (None: on a terminal)."""
+
+    line: str
+    to_stdout: bool
+    coloured: bool | None
+
+
+def _read_form(own: State) -> LogForm:
+    """What the environment says of it; rcutils looks once, at ``init`` or at the first line."""
+    coloured = os.environ.get("RCUTILS_COLORIZED_OUTPUT")
+    own.log_form = form = LogForm(
+        os.environ.get("RCUTILS_CONSOLE_OUTPUT_FORMAT", _DEFAULT_FORMAT),
+        os.environ.get("RCUTILS_LOGGING_USE_STDOUT") == "1",
+        None if coloured is None else coloured == "1",
+    )
+    return form
 
 
 def configure(arguments: Arguments) -> None:
     """Set the log levels of a command line."""
     own = state()
+    _read_form(own)
     own.level = own.level if arguments.level is None else arguments.level
     own.levels.update(arguments.levels)
     own.console = arguments.console

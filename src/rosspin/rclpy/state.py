@@ -11,6 +11,7 @@ from ..world import World, current_world
 if TYPE_CHECKING:
     from .context import Context
     from .executors import Executor
+    from .logging import LogForm
 
 __all__ = ["Gate", "State", "state"]
 
@@ -53,6 +54,7 @@ class State:
         self.level = 20  # INFO
         self.levels: dict[str, int] = {}
         self.console = True
+        self.log_form: LogForm | None = None  # None: not looked up yet
 
 
 def state() -> State:
