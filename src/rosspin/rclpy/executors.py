@@ -248,6 +248,8 @@ class Executor:
                         works = True
                         yield self._task(guard, node)
             if is_over:
+                if timeout == 0 and not works:
+                    self._clock.sleep(_LOOK)
                 raise TimeoutException()
         if self._is_shutdown:
             raise ShutdownException()
@@ -295,13 +297,13 @@ class Executor:
                 is_over = deadline is not None and time.monotonic_ns() >= deadline
                 if self._triggered:
                     self._triggered, is_last = False, True
-                if ready or triggered or is_over or is_last or self._is_shutdown or not self._context.valid:
+                if ready or triggered or is_over or is_last or timeout == 0:
+                    break
+                if self._is_shutdown or not self._context.ok():
                     break
                 left = [timer.time_left() for timer in timers if timer.is_flowing()]
                 if deadline is not None:
                     left.append(deadline - time.monotonic_ns())
-                elif timeout == 0:
-                    left.append(_LOOK)
                 is_last = not self._gate.wait(min(left, default=None))
         finally:
             self._waits = False

@@ -235,7 +235,7 @@ class Rate:
         self._world = timer.clock._state.world
         self._source = ""
         self._passes = 0
-        self._due = self._pass_start = timer.stamp(timer.clock.ns())
+        self._due = self._expected = self._pass_start = timer.stamp(timer.clock.ns())
 
     def _wake(self) -> None:
         if not self._event.is_set():
@@ -273,7 +273,7 @@ class Rate:
                     self._event.clear()
         if self._is_shutdown:
             raise ROSInterruptException()
-        self._pass_start = self._timer.stamp(self._timer.clock.ns())
+        self._expected, self._pass_start = self._due, self._timer.stamp(self._timer.clock.ns())
 
     def _record_pass(self) -> None:
         ticks = self._world.ticks
@@ -281,4 +281,4 @@ class Rate:
             self._source = self._source or self._world.source("Rate")
             self._passes += 1
             duration = self._timer.stamp(self._timer.clock.ns()) - self._pass_start
-            ticks.append([self._source, self._passes, self._due, self._pass_start, duration])
+            ticks.append([self._source, self._passes, self._expected, self._pass_start, duration])
