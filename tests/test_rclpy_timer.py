@@ -349,9 +349,10 @@ def test_the_second_sleep_in_a_callback_hangs_under_one_thread() -> None:
 
 
 def test_shutdown_and_destruction_wake_a_rate() -> None:
-    ends = []
+    ends: list[tuple[str, str, float]] = []
 
     def node() -> None:
+        rate: Any
         rclpy.init()
         node = rclpy.create_node("node")
         threading.Thread(target=rclpy.spin, args=(node,), daemon=True).start()

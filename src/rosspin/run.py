@@ -40,8 +40,10 @@ _ROS_PACKAGES = {
     *("ament_index_python", "example_interfaces", "launch", "launch_ros", "rosidl_runtime_py"),
 }
 
-# What a node may import, by its ROS.
+# What a node may import, by its ROS; what its loops should ask, and how they may sleep.
 MODULES = {1: rospy.MODULES, 2: rclpy.MODULES}
+_GOES_ON = {1: "rospy.is_shutdown()", 2: "rclpy.ok()"}
+_SLEEP = {1: "rospy.sleep(0.1)", 2: "time.sleep(0.1)"}
 
 # A run may have a million ticks: a Tick from a tuple takes half as long as one from its fields.
 _new_tick = partial(tuple.__new__, Tick)
@@ -108,7 +110,7 @@ def run_node(
 
         last_resort = give_up and LastResort(
             lambda killed: give_up(result(_say_killed(node, seconds, killed))),
-            lambda stacks: _killed(seconds) + _say_where(node, [each for each in stacks if _of_node(node, each[1])]),
+            lambda stacks: _killed(node, seconds) + _say_where(node, [each for each in stacks if _of_node(node, each[1])]),
         )
         with explained(node, world, clock, seconds):
             if isinstance(clock, Simulation):
@@ -246,16 +248,16 @@ def duration(seconds: float) -> int:
 # --- what is said of a run --------------------------------------------------------------------------------------------
 
 
-def _killed(seconds: float | None) -> str:
+def _killed(node: Node, seconds: float | None) -> str:
     at = "" if seconds is None else f" at {seconds:.10g} s"
     return (
         f"rosspin: Ctrl-C{at} did not end the node; it was killed {PATIENCE} s later, as roslaunch does. "
-        "Does its loop check rospy.is_shutdown()?\n"
+        f"Does its loop check {_GOES_ON[node.ros]}?\n"
     )
 
 
 def _say_killed(node: Node, seconds: float | None, killed: Killed) -> int:
-    sys.stderr.write(_killed(seconds) + _say_where(node, killed.waited))
+    sys.stderr.write(_killed(node, seconds) + _say_where(node, killed.waited))
     return 128 + signal.SIGKILL
 
 
@@ -291,8 +293,8 @@ def _stands_still(node: Node, places: Sequence[Place], fallback: str, clock: Clo
     else:
         where = f"{place.filename}:{place.line}" if place else fallback
         why = (
-            "because the node keeps running without sleeping. Sleep in every loop (rate.sleep(), rospy.sleep(0.1)), "
-            "and give timers and rates a period above 0."
+            "because the node keeps running without sleeping. "
+            f"Sleep in every loop (rate.sleep(), {_SLEEP[node.ros]}), and give timers and rates a period above 0."
         )
     return TimeStandsStill(f"{where}{': ' if where else ''}{now}, {why}")
 

@@ -11,7 +11,6 @@ from typing import Any
 
 from ..world import NotSimulated
 from . import (
-    arguments,
     callback_groups,
     clock,
     context,
@@ -40,8 +39,24 @@ from .task import Future
 from .utilities import get_rmw_implementation_identifier, ok, try_shutdown
 
 __all__ = [
-    *("create_node", "get_global_executor", "init", "ok", "shutdown", "spin", "spin_once"),
-    *("spin_until_future_complete", "try_shutdown"),
+    "Context",
+    "Future",
+    "Node",
+    "Parameter",
+    "SignalHandlerOptions",
+    "create_node",
+    "get_default_context",
+    "get_global_executor",
+    "get_rmw_implementation_identifier",
+    "init",
+    "install_signal_handlers",
+    "ok",
+    "shutdown",
+    "spin",
+    "spin_once",
+    "spin_until_future_complete",
+    "try_shutdown",
+    "uninstall_signal_handlers",
 ]
 
 

@@ -99,20 +99,15 @@ class Executor:
         self._is_shutdown = False
         self._round: Iterator[Task] | None = None
         self._round_args: tuple[Any, ...] = ()
-        self._sigint_gc = self._gate = Gate()  # a signal opens it, too
+        self._gate = Gate()
         self._waits = False
         self._triggered = False  # something has changed: wait for other things than before
         self._waited_until = -1
-        self._context.state.waiting.append(self._gate)
+        self._context.state.waiting[self._gate] = None
         self._context.on_shutdown(self.wake)
 
     def __del__(self) -> None:
-        # If it could not be made, Python prints what rclpy's executor fails with here, too.
-        self._forget(self._sigint_gc)
-
-    def _forget(self, gate: Gate) -> None:
-        if gate in self._context.state.waiting:
-            self._context.state.waiting.remove(gate)
+        self._context.state.waiting.pop(vars(self).get("_gate"), None)
 
     @property
     def context(self) -> Context:
@@ -132,7 +127,7 @@ class Executor:
         self.wake()
         self._nodes = {}
         self._round = None
-        self._forget(self._gate)
+        self._context.state.waiting.pop(self._gate, None)
         return True
 
     def add_node(self, node: Node) -> bool:

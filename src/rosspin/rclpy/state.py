@@ -45,7 +45,7 @@ class State:
         self.executor: Executor | None = None  # the one that ``rclpy.spin`` uses
 
         self.contexts: list[Context] = []  # those that were initialised
-        self.waiting: list[Gate] = []  # at which executors wait; a signal opens them
+        self.waiting: dict[Any, None] = {}  # Gates at which executors wait; a signal opens them
         self.handled: set[int] = set()  # signals that shut the contexts down
         self.before: dict[int, Any] = {}  # signal handlers that were there before rclpy's
         self.asleep = False  # whether the main thread sleeps on a Clock: C code, in which no handler runs

@@ -235,7 +235,7 @@ def wait_for_message(
     own, gate = node.context.state, Gate()
     subscription = node.create_subscription(msg_type, topic, lambda _: None, qos_profile)
     subscription.nudge = gate.open
-    own.waiting.append(gate)
+    own.waiting[gate] = None
     until = None if time_to_wait < 0 else time.monotonic_ns() + int(float(time_to_wait) * 1e9)
     valid = node.context.ok()
     try:
@@ -246,5 +246,5 @@ def wait_for_message(
             gate.wait(left)
         return (True, subscription.messages.popleft()[0]) if subscription.messages else (False, None)
     finally:
-        own.waiting.remove(gate)
+        del own.waiting[gate]
         node.destroy_subscription(subscription)
