@@ -62,6 +62,7 @@ class NameValidationException(Exception):
     """A name is not valid; ``invalid_index`` is where."""
 
     def __init__(self, name_type: str, name: str, error_msg: str, invalid_index: int) -> None:
+        self.error_msg = error_msg
         super().__init__(f"Invalid {name_type}: {error_msg}:\n  '{name}'\n   {' ' * invalid_index}^")
 
 

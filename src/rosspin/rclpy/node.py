@@ -13,7 +13,7 @@ from .arguments import Arguments
 from .callback_groups import CallbackGroup, MutuallyExclusiveCallbackGroup, ReentrantCallbackGroup
 from .clock import Clock, ROSClock
 from .context import Context, get_default_context
-from .exceptions import InvalidHandle, NotInitializedException, RCLError, not_accepted
+from .exceptions import InvalidHandle, InvalidTopicNameException, NotInitializedException, RCLError, not_accepted
 from .executors import GuardCondition
 from .parameter import Parameter, Parameters
 from .qos import QoSProfile, ReliabilityPolicy
@@ -237,7 +237,7 @@ class Node(Parameters):
         message of ROS 2, RCLError if the process uses the topic with another type.
         """
         qos = self._prepare("publisher", msg_type, qos_profile, event_callbacks, qos_overriding_options)
-        full_name = self.resolve_topic_name(topic)
+        full_name = self._resolve(topic)
         if (other := self._other_type(full_name, msg_type)) is not None:
             raise RCLError(
                 "Failed to create publisher: create_publisher() called for existing topic name "
@@ -266,7 +266,7 @@ class Node(Parameters):
         if raw:
             raise NotSimulated("Node.create_subscription(raw=True)")
         qos = self._prepare("subscription", msg_type, qos_profile, event_callbacks, qos_overriding_options)
-        full_name = self.resolve_topic_name(topic)
+        full_name = self._resolve(topic)
         if self._other_type(full_name, msg_type) is not None:
             raise RCLError("Failed to create subscription: invalid allocator")
         group = callback_group or self.default_callback_group
@@ -301,13 +301,19 @@ class Node(Parameters):
     def _other_type(self, full_name: str, msg_type: type[Message]) -> str | None:
         """The type with which this process uses a topic, in DDS's words, if it is another one."""
         for node in self._context.nodes:
-            for end in (*node._publishers, *node._subscriptions):
-                if end.topic == full_name and end.msg_type is not msg_type:
+            for owner in (*node._publishers, *node._subscriptions):
+                if owner.end.topic == full_name and owner.msg_type is not msg_type:
                     return f"{msg_type.__module__.split('.')[0]}::msg::dds_::{msg_type.__name__}_"
         return None
 
     def resolve_topic_name(self, topic: str, *, only_expand: bool = False) -> str:
-        """The full name that a topic's name stands for in this node. InvalidTopicNameException."""
+        """The full name that a topic's name stands for in this node. RCLError if it is not valid."""
+        try:
+            return self._resolve(topic, only_expand)
+        except InvalidTopicNameException as error:
+            raise RCLError(f"failed to resolve name: {error.error_msg}") from None
+
+    def _resolve(self, topic: str, only_expand: bool = False) -> str:
         names.validate_topic_name(topic)
         full_name = names.expand_topic_name(topic, self._name, self._namespace)
         if not only_expand:
@@ -321,7 +327,7 @@ class Node(Parameters):
         topics = {
             "/parameter_events": "rcl_interfaces/msg/ParameterEvent",
             "/rosout": "rcl_interfaces/msg/Log",
-            **{end.topic: end.type for node in self._context.nodes for end in node._subscriptions},
+            **{owner.end.topic: owner.end.type for node in self._context.nodes for owner in node._subscriptions},
             **dict(self._context.state.world.graph.topics()),
         }
         return [(topic, [kind]) for topic, kind in sorted(topics.items())]
@@ -334,9 +340,9 @@ class Node(Parameters):
         """How many subscriptions of this process a topic has."""
         return self._count(topic_name, "_subscriptions")
 
-    def _count(self, topic_name: str, ends: str) -> int:
-        full_name = self.resolve_topic_name(topic_name)
-        return sum(end.topic == full_name for node in self._context.nodes for end in getattr(node, ends))
+    def _count(self, topic_name: str, owners: str) -> int:
+        full_name = self._resolve(topic_name)
+        return sum(owner.end.topic == full_name for node in self._context.nodes for owner in getattr(node, owners))
 
     def get_node_names(self) -> list[str]:
         """The names of the nodes of this process."""

@@ -20,7 +20,7 @@ from .exceptions import (
 )
 from .names import validate_parameter_name
 
-__all__ = ["PARAMETER_SEPARATOR_STRING", "Parameter", "Parameters"]
+__all__ = ["PARAMETER_SEPARATOR_STRING", "Parameter", "Parameters", "parameter_value_to_python"]
 
 PARAMETER_SEPARATOR_STRING = "."
 
@@ -122,6 +122,18 @@ class Parameter:
         kind = _Type(param_msg.value.type)
         value = None if kind is _Type.NOT_SET else getattr(param_msg.value, f"{kind.name.lower()}_value")
         return cls(param_msg.name, kind, value)
+
+
+def parameter_value_to_python(parameter_value: Any) -> Any:
+    """The value in a message, rcl_interfaces/ParameterValue; None if it is not set. RuntimeError for another type."""
+    try:
+        kind = _Type(parameter_value.type)
+    except ValueError:
+        raise RuntimeError(f"unexpected parameter type {parameter_value.type}") from None
+    if kind is _Type.NOT_SET:
+        return None
+    value = getattr(parameter_value, f"{kind.name.lower()}_value")
+    return list(value) if kind.name.endswith("_ARRAY") else value
 
 
 class Parameters:

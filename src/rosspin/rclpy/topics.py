@@ -11,7 +11,7 @@ import threading
 import time
 from collections import deque
 from collections.abc import Callable
-from typing import TYPE_CHECKING, Any
+from typing import TYPE_CHECKING, Any, NamedTuple
 
 from ..messages.ros2 import Message, transfer
 from .exceptions import InvalidHandle, RCLError
@@ -27,15 +27,23 @@ __all__ = ["Publisher", "Subscription", "wait_for_message"]
 DISCOVERY = 100_000_000
 
 
-class _End:
+class End(NamedTuple):
+    """An end of a topic, as it is in the graph."""
+
+    topic: str
+    type: str  # as in std_msgs/msg/String
+    owner: Any
+
+
+class _Owner:
     """What a publisher and a subscription have in common."""
 
     def __init__(self, node: Node, msg_type: type[Message], topic: str, full_name: str, qos: QoSProfile) -> None:
         self.node = node
         self.msg_type = msg_type
-        self.topic = full_name
-        self.given_topic = topic
-        self.type = f"{msg_type.__module__.replace('.', '/').rpartition('/')[0]}/{msg_type.__name__}"
+        self.topic = topic  # as its node calls it
+        kind = f"{msg_type.__module__.replace('.', '/').rpartition('/')[0]}/{msg_type.__name__}"
+        self.end = End(full_name, kind, self)
         self.qos_profile = qos
         self.peers: list[Any] = []
         self._destroyed = False
@@ -44,7 +52,7 @@ class _End:
     def topic_name(self) -> str:
         """The topic's full name."""
         self._check()
-        return self.topic
+        return self.end.topic
 
     @property
     def logger_name(self) -> str:
@@ -57,7 +65,7 @@ class _End:
 
     def refuse(self, policy: str) -> None:
         """The other end does not match, as the node says when it spins."""
-        text = self._refusal.format(self.given_topic, policy)
+        text = self._refusal.format(self.topic, policy)
         self.node.create_guard_condition(lambda: self.node.get_logger().warning(text)).trigger()
 
     _refusal: str
@@ -66,12 +74,12 @@ class _End:
         """Take it off the topic."""
         self._check()
         self._destroyed = True
-        self.node.context.state.world.graph.remove(self)
+        self.node.context.state.world.graph.remove(self.end)
         for peer in self.peers:
             peer.peers.remove(self)
 
 
-class Publisher(_End):
+class Publisher(_Owner):
     """Publishes messages on a topic. Made by ``Node.create_publisher``."""
 
     _refusal = (
@@ -83,8 +91,8 @@ class Publisher(_End):
         super().__init__(node, msg_type, topic, full_name, qos)
         keeps = qos.durability is DurabilityPolicy.TRANSIENT_LOCAL
         self.kept: deque[Message] = deque(maxlen=qos.kept if keeps else 0)
-        for subscription in node.context.state.world.graph.advertise(self):
-            _meet(self, subscription)
+        for end in node.context.state.world.graph.advertise(self.end):
+            _meet(self, end.owner)
 
     def publish(self, msg: Message) -> None:
         """Publish a message. TypeError for one of another class, AssertionError for one with wrong values in it.
@@ -101,7 +109,7 @@ class Publisher(_End):
         own = self.node.context.state
         graph = own.world.graph
         if graph.published is not None:
-            graph.record(self.topic, self.node.get_fully_qualified_name(), lambda: message)
+            graph.record(self.end.topic, self.node.get_fully_qualified_name(), lambda: message)
         for subscription in list(self.peers):
             subscription.deliver(message, own.clock.now())
 
@@ -118,7 +126,7 @@ class Publisher(_End):
         return True
 
 
-class Subscription(_End):
+class Subscription(_Owner):
     """Lets an executor call ``callback(message)``, or ``callback(message, info)``. Made by ``create_subscription``.
 
     It keeps the newest messages, as its QoS says, and gives the oldest of them first.
@@ -146,8 +154,8 @@ class Subscription(_End):
         self.nudge: Callable[[], None] = node.nudge
         self._executor_event = False
         self._received = 0
-        for publisher in node.context.state.world.graph.subscribe(self):
-            _meet(publisher, self)
+        for end in node.context.state.world.graph.subscribe(self.end):
+            _meet(end.owner, self)
 
     @property
     def callback(self) -> Callable[..., Any]:
@@ -211,7 +219,7 @@ def _meet(publisher: Publisher, subscription: Subscription) -> None:
 
 
 def _connect(publisher: Publisher, subscription: Subscription) -> None:
-    if publisher._destroyed or subscription._destroyed or publisher.type != subscription.type:
+    if publisher._destroyed or subscription._destroyed or publisher.end.type != subscription.end.type:
         return
     policy = incompatible_policy(publisher.qos_profile, subscription.qos_profile)
     if policy:
