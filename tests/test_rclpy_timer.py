@@ -144,6 +144,36 @@ def test_a_new_period_counts_from_the_call_that_is_due() -> None:
     assert times(spun(prepare, 2), "callback") == [0.5, 1.0, 1.5, 1.7, 1.9]
 
 
+@pytest.mark.parametrize("period", [0, 1e-9])
+def test_a_period_of_nothing_calls_as_often_as_a_real_machine_does(period: float) -> None:
+    ticks = times(spun(lambda node: node.create_timer(period, works()), 0.1), "callback")
+    assert 800 < len(ticks) < 1100
+
+
+def test_a_loop_that_looks_at_a_coroutine_takes_a_little_time() -> None:
+    def node() -> None:
+        rclpy.init()
+        node = rclpy.create_node("node")
+        future = rclpy.task.Future()
+
+        async def callback() -> None:
+            print(await future, round(time.time(), 2))
+            rclpy.shutdown()
+
+        node.create_timer(0.5, callback)
+        threading.Timer(0.6, future.set_result, ["done"]).start()
+        while rclpy.ok():
+            rclpy.spin_once(node, timeout_sec=10 - time.time())
+
+    assert simulate(node, 5).console == "done 0.6\n"
+
+
+def test_calls_without_a_pause_between_them_cost_nothing() -> None:
+    run = spun(lambda node: node.create_timer(0.01, works(*[0.02] * 2000)), 30)
+    assert len(run.ticks) == 1500
+    assert run.ticks[-1].real == 29.99
+
+
 def test_a_callback_that_asks_for_it_is_told_when_it_was_due() -> None:
     told = []
 

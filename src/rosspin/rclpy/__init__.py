@@ -157,6 +157,20 @@ NOT_SIMULATED = {
     *("time_source", "topic_endpoint_info", "type_support", "waitable"),
 }
 
+# Names that do less here than in rclpy, or otherwise, and what that is.
+IN_PART = {
+    "Context": "There is no network: ``domain_id`` has no effect.",
+    "MultiThreadedExecutor": "Without ``num_threads`` it has 4 threads, not as many as there are processors.",
+    "Node": "It has no services, nothing goes to ``/rosout`` or ``/parameter_events``, and only its own process's nodes "
+    "and topics are counted.",
+    "Publisher": "Fields are always checked, as with ``ROS_PYTHON_CHECK_FIELDS=1``.",
+    "QoSProfile": "``history``, ``depth``, ``reliability`` and ``durability`` have an effect.",
+    "RcutilsLogger": "On the console only, and rcl has no lines of its own there.",
+    "Timer": "A period of less than 1 µs calls every 0.1 ms, about as often as a real machine can.",
+    "TimerInfo": "Here it is; on a real ROS 2 from Kilted on.",
+    "signals": "A handler that the node sets itself is called at once, not when the executor wakes.",
+}
+
 # What a node may import, by its name on a real ROS.
 MODULES: dict[str, ModuleType] = {
     "rclpy": sys.modules[__name__],

@@ -39,6 +39,11 @@ __all__ = [
 # What it costs (ns) to look in vain with a timeout of 0: else a loop that only looks would keep the time from going on.
 _LOOK = 1_000
 
+# So many calls at one time are free; more of them are a loop, such as one that looks whether a coroutine can go on.
+# Then each costs (ns) about what it does on a real machine.
+_FREE_CALLS = 1_000
+_CALL = 100_000
+
 # So many threads has a MultiThreadedExecutor that is not told: not as many as there are processors, but the same
 # everywhere.
 _THREADS = 4
@@ -103,6 +108,8 @@ class Executor:
         self._waits = False
         self._triggered = False  # something has changed: wait for other things than before
         self._waited_until = -1
+        self._calls = 0  # how many were handed out one after the other, as time did not go on by itself
+        self._called_at = 0
         self._context.state.waiting[self._gate] = None
         self._context.on_shutdown(self.wake)
 
@@ -197,6 +204,11 @@ class Executor:
         ConditionReachedException if ``condition()`` is true.
         """
         args = (timeout_sec, nodes, condition)
+        now = self._clock.now()
+        self._calls = self._calls + 1 if now <= self._called_at + _CALL else 1
+        self._called_at = now
+        if self._calls > _FREE_CALLS:
+            self._clock.sleep(_CALL)
         while True:
             if self._round is None or self._round_args != args:
                 self._round_args = args

@@ -17,6 +17,11 @@ from .time import Time
 __all__ = ["Call", "Rate", "Timer", "TimerInfo"]
 
 
+# A timer of less (ns) has no grid: it is due again as soon as it was called, which takes a real machine so long.
+_LEAST_PERIOD = 1_000
+_CALL = 100_000
+
+
 class Call(NamedTuple):
     """What an executor is to call; ``tick`` is the record of it, if it is one."""
 
@@ -163,9 +168,11 @@ class Timer:
         now = self._last = self.clock.ns()
         expected = self.expected = self._next
         following = expected + self._period
-        if following <= now:
-            # On to the next place of the grid. A period of 0 has no grid.
-            following = now + self._period - (now - expected) % self._period if self._period else now
+        if 0 <= self._period < _LEAST_PERIOD:
+            following = now + _CALL
+        elif following <= now:
+            # On to the next place of the grid.
+            following = now + self._period - (now - expected) % self._period
         self._next = following
         tick = None
         if self._ticks is not None:
