@@ -110,7 +110,9 @@ def run_node(
 
         last_resort = give_up and LastResort(
             lambda killed: give_up(result(_say_killed(node, seconds, killed))),
-            lambda stacks: _killed(node, seconds) + _say_where(node, [each for each in stacks if _of_node(node, each[1])]),
+            lambda stacks: (
+                _killed(node, seconds) + _say_where(node, [each for each in stacks if _of_node(node, each[1])])
+            ),
         )
         with explained(node, world, clock, seconds):
             if isinstance(clock, Simulation):
