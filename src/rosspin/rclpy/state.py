@@ -13,7 +13,7 @@ if TYPE_CHECKING:
     from .executors import Executor
     from .logging import LogForm
 
-__all__ = ["Gate", "State", "state"]
+__all__ = ["Gate", "State", "state", "world_here"]
 
 
 class Gate:
@@ -55,6 +55,14 @@ class State:
         self.levels: dict[str, int] = {}
         self.console = True
         self.log_form: LogForm | None = None  # None: not looked up yet
+
+
+def world_here() -> World | None:
+    """The world of the node that asks; None outside a run."""
+    try:
+        return current_world()
+    except RuntimeError:
+        return None
 
 
 def state() -> State:

@@ -10,7 +10,7 @@ from enum import Enum
 from typing import TYPE_CHECKING, Any
 from weakref import ref
 
-from ..world import current_world
+from .state import world_here
 
 if TYPE_CHECKING:
     from .executors import Executor
@@ -41,19 +41,16 @@ class Future:
         self._result: Any = None
         self._exception: BaseException | None = None
         self._fetched = False
+        self._world: object = None  # of the node whose exception it is
         self._callbacks: list[Callable[[Future], Any]] = []
         self._executor: Callable[[], Executor | None] = _nobody
         if executor is not None:
             self._executor = ref(executor)
 
     def __del__(self) -> None:
-        if self._exception is None or self._fetched:
-            return
-        try:
-            current_world()
-        except RuntimeError:
-            return  # the run is over
-        sys.stderr.write(f"The following exception was never retrieved: {self._exception}\n")
+        # What is collected when its run is over has nobody to tell.
+        if self._exception is not None and not self._fetched and world_here() is self._world:
+            sys.stderr.write(f"The following exception was never retrieved: {self._exception}\n")
 
     def __await__(self) -> Generator[None, None, Any]:
         while self._state is _PENDING:
@@ -93,6 +90,7 @@ class Future:
     def set_exception(self, exception: BaseException) -> None:
         """Give it an exception."""
         self._exception = exception
+        self._world = world_here()
         self._fetched = False
         self._settle(_FINISHED)
 
