@@ -12,6 +12,7 @@ import lateness
 import live
 import pytest
 import ratios
+import ros2
 import site_build
 import threads
 import ticks
@@ -55,6 +56,17 @@ def test_messages_that_do_not_arrive_are_an_error(monkeypatch: pytest.MonkeyPatc
     for function in (topics.tick, topics.publish, lambda number: topics.many(number, 1.0)):
         with pytest.raises(AssertionError, match="for "):
             function(5)
+
+
+def test_ros_2_is_compared() -> None:
+    title, tick, day = ros2.report(hours=0.1, ticks=30, rounds=1)
+    assert "rospy's" in tick and "at most 6" in tick
+    assert "at least 10,000" in day
+
+
+def test_ticks_of_ros_2_that_are_missing_are_an_error() -> None:
+    with pytest.raises(AssertionError, match="0 ticks for 3"):
+        ros2.run(lambda: None, 3)
 
 
 def test_a_day_is_complete_and_leaves_no_memory() -> None:

@@ -21,6 +21,7 @@ LAYERS = [
     "world",
     "messages",
     "rospy",
+    "rclpy",
     "process",
     "run",
     "steps",
@@ -52,7 +53,7 @@ KEEPERS = {
     "sphinx": {"site.pages", "site.live", "site.checks", "site.published"},
     "docutils": {"site.pages", "site.live", "site.checks", "site.published"},
     "pytest": {"pytest_plugin"},
-    "yaml": {"rospy.client", "messages.ros1"},
+    "yaml": {"rospy.client", "rclpy.arguments", "messages.ros1"},
 }
 
 FILES = {
@@ -110,10 +111,17 @@ def test_who_may_import_what(package: str) -> None:
     assert {module for module in MODULES if package in imports(module)} <= KEEPERS[package]
 
 
-def test_the_stand_in_knows_only_the_time_of_a_clock() -> None:
+def test_the_stand_ins_know_only_the_time_of_a_clock() -> None:
     for module in MODULES:
-        if layer(module) == "rospy":
+        if layer(module) in ("rospy", "rclpy"):
             assert {name for name in imports(module) if layer(name) == "clocks"} <= {"clocks.clock"}
+
+
+def test_the_stand_ins_do_not_know_of_each_other() -> None:
+    for one, other in (("rospy", "rclpy"), ("rclpy", "rospy")):
+        for module in MODULES:
+            if layer(module) == one:
+                assert not {name for name in imports(module) & MODULES.keys() if layer(name) == other}
 
 
 def test_data_are_below_the_simulator() -> None:

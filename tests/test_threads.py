@@ -259,6 +259,18 @@ def test_signals_disturb_no_sleep_that_comes_after_them() -> None:
     assert simulate(node, 10).console == "1.0\n3.0\n5.0\n"
 
 
+def test_a_handler_that_sets_what_its_own_thread_waits_for_wakes_it_once() -> None:
+    def node() -> None:
+        event = threading.Event()
+        signal.signal(signal.SIGTERM, lambda *_: event.set())
+        threading.Timer(1, os.kill, (os.getpid(), signal.SIGTERM)).start()
+        event.wait()
+        time.sleep(1)
+        print(time.time())
+
+    assert simulate(node, 5).console == "2.0\n"
+
+
 def test_two_signals_at_once_are_both_handled() -> None:
     def node() -> None:
         def send() -> None:

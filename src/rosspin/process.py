@@ -43,27 +43,62 @@ class Node(NamedTuple):
     filename: str
     folder: str | None  # of the node file: its neighbours can be imported
     source: str | None = None  # the text that it was made of, if it was
+    ros: int = 1  # or 2: for which it was written
 
 
 NodeLike = str | os.PathLike[str] | Callable[[], Any]
 
 
 def load(node: NodeLike) -> Node:
-    """Make a node of a file or a function. Raises OSError if it cannot be read, SyntaxError if it is not Python."""
+    """Make a node of a file or a function. Raises OSError if it cannot be read, SyntaxError if it is not Python.
+
+    ValueError if it is for both ROSes.
+    """
     if callable(node):
         code = getattr(node, "__code__", None)
-        return Node(node, getattr(node, "__name__", "node"), code.co_filename if code else "", None)
+        filename = code.co_filename if code else ""
+        ros = _ros([code] if code else [], filename, None)
+        return Node(node, getattr(node, "__name__", "node"), filename, None, ros=ros)
     path = os.fspath(node)
     with tokenize.open(path) as file:
         return load_source(file.read(), path)
 
 
 def load_source(source: str, filename: str) -> Node:
-    """Load a node from its source text. Raises SyntaxError if it is not Python."""
+    """Load a node from its source text. Raises SyntaxError if it is not Python, ValueError if it is for both ROSes."""
     code = compile(source, filename, "exec", dont_inherit=True)
     linecache.cache[filename] = (len(source), None, source.splitlines(keepends=True), filename)
     folder = str(Path(filename).resolve().parent) if os.path.exists(filename) else None
-    return Node(lambda: execute(code, filename), filename, filename, folder, source)
+    return Node(lambda: execute(code, filename), filename, filename, folder, source, _ros([code], filename, folder))
+
+
+def _ros(codes: list[CodeType], filename: str, folder: str | None) -> int:
+    """The ROS that code is for: 2 if it, or else a neighbour that it imports, imports ``rclpy``. Both: ValueError."""
+    seen: set[str] = set()
+    while codes:
+        names = {name for code in codes for name in _names(code)}
+        roots = {name.partition(".")[0] for name in names}
+        if roots >= {"rospy", "rclpy"}:
+            raise ValueError(f"{filename}: a node imports rospy (ROS 1) or rclpy (ROS 2), but not both")
+        if roots & {"rospy", "rclpy"} or folder is None:
+            return 2 if "rclpy" in roots else 1
+        paths = {path for name in names - seen if (path := _neighbour(folder, name))}
+        seen |= names
+        codes = [compile(Path(path).read_bytes(), path, "exec", dont_inherit=True) for path in sorted(paths)]
+    return 1
+
+
+def _names(code: CodeType) -> Iterator[str]:
+    """The names in code and in the functions in it, among which are those of the modules that it imports."""
+    yield from code.co_names
+    for constant in code.co_consts:
+        if isinstance(constant, CodeType):
+            yield from _names(constant)
+
+
+def _neighbour(folder: str, name: str) -> str | None:
+    path = os.path.join(folder, *name.split("."))
+    return next((file for file in (f"{path}.py", os.path.join(path, "__init__.py")) if os.path.isfile(file)), None)
 
 
 def execute(code: CodeType, filename: str) -> None:

@@ -12,7 +12,7 @@ from contextlib import contextmanager
 from functools import partial
 from typing import NamedTuple, TextIO
 
-from . import rospy
+from . import rclpy, rospy
 from .clocks.clock import NS, Clock, nanoseconds
 from .clocks.ending import Ended
 from .clocks.programs import Died, Killed, LastResort, run_on_the_wall, run_simulated
@@ -37,8 +37,13 @@ PATIENCE = 17
 _ROS_PACKAGES = {
     *("actionlib", "cv_bridge", "dynamic_reconfigure", "message_filters", "rosbag", "rosgraph", "roslaunch", "roslib"),
     *("rosnode", "rosparam", "rospkg", "rosservice", "rostopic", "tf", "tf2_ros", "tf_conversions"),
+    *("ament_index_python", "example_interfaces", "launch", "launch_ros", "rosidl_runtime_py"),
 }
 
+# What a node may import, by its ROS; what its loops should ask, and how they may sleep.
+MODULES = {1: rospy.MODULES, 2: rclpy.MODULES}
+_GOES_ON = {1: "rospy.is_shutdown()", 2: "rclpy.ok()"}
+_SLEEP = {1: "rospy.sleep(0.1)", 2: "time.sleep(0.1)"}
 
 # A run may have a million ticks: a Tick from a tuple takes half as long as one from its fields.
 _new_tick = partial(tuple.__new__, Tick)
@@ -96,8 +101,8 @@ def run_node(
     the run gave so far (without one if code in C lets no thread run).
     """
     until = None if seconds is None else duration(seconds)
-    with Process(node, args, rospy.MODULES, ros=1).inside():
-        world = new_world(clock, record)
+    with Process(node, args, MODULES[node.ros], node.ros).inside():
+        world = new_world(node, clock, record)
         start = 0 if isinstance(clock, Simulation) else clock.now()
 
         def result(status: int) -> Result:
@@ -105,7 +110,9 @@ def run_node(
 
         last_resort = give_up and LastResort(
             lambda killed: give_up(result(_say_killed(node, seconds, killed))),
-            lambda stacks: _killed(seconds) + _say_where(node, [each for each in stacks if _of_node(node, each[1])]),
+            lambda stacks: (
+                _killed(node, seconds) + _say_where(node, [each for each in stacks if _of_node(node, each[1])])
+            ),
         )
         with explained(node, world, clock, seconds):
             if isinstance(clock, Simulation):
@@ -117,10 +124,11 @@ def run_node(
     return result(world.exit_status)
 
 
-def new_world(clock: Clock, record: bool) -> World:
+def new_world(node: Node, clock: Clock, record: bool) -> World:
     """The world of a node whose process the caller is in."""
     world = World(clock, sys.argv, record)
-    world.at_exit.append((rospy.core.signal_shutdown, ("atexit",), {}))  # as rospy does when it is imported
+    if node.ros == 1:
+        world.at_exit.append((rospy.core.signal_shutdown, ("atexit",), {}))  # as rospy does when it is imported
     return world
 
 
@@ -207,6 +215,7 @@ def _is_ros_package(name: str) -> bool:
         or root.endswith(("_msgs", "_srvs"))
         or rest.startswith("srv")
         or (root == "rospy" and rest in rospy.NOT_SIMULATED)
+        or (root == "rclpy" and rest.partition(".")[0] in rclpy.NOT_SIMULATED)
     )
 
 
@@ -247,16 +256,16 @@ def duration(seconds: float) -> int:
 # --- what is said of a run --------------------------------------------------------------------------------------------
 
 
-def _killed(seconds: float | None) -> str:
+def _killed(node: Node, seconds: float | None) -> str:
     at = "" if seconds is None else f" at {seconds:.10g} s"
     return (
         f"rosspin: Ctrl-C{at} did not end the node; it was killed {PATIENCE} s later, as roslaunch does. "
-        "Does its loop check rospy.is_shutdown()?\n"
+        f"Does its loop check {_GOES_ON[node.ros]}?\n"
     )
 
 
 def _say_killed(node: Node, seconds: float | None, killed: Killed) -> int:
-    sys.stderr.write(_killed(seconds) + _say_where(node, killed.waited))
+    sys.stderr.write(_killed(node, seconds) + _say_where(node, killed.waited))
     return 128 + signal.SIGKILL
 
 
@@ -292,8 +301,8 @@ def _stands_still(node: Node, places: Sequence[Place], fallback: str, clock: Clo
     else:
         where = f"{place.filename}:{place.line}" if place else fallback
         why = (
-            "because the node keeps running without sleeping. Sleep in every loop (rate.sleep(), rospy.sleep(0.1)), "
-            "and give timers and rates a period above 0."
+            "because the node keeps running without sleeping. "
+            f"Sleep in every loop (rate.sleep(), {_SLEEP[node.ros]}), and give timers and rates a period above 0."
         )
     return TimeStandsStill(f"{where}{': ' if where else ''}{now}, {why}")
 

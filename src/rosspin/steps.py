@@ -55,6 +55,8 @@ class StartedNode:
         __tracebackhide__ = True
         self._node = load(node)
         self.name = Path(self._node.argv0).name  # of the file, or of the function
+        if self._node.ros != 1:
+            raise ValueError(f"{self.name}: only nodes of ROS 1 can be run in steps")
         self._process = Process(self._node, args, rospy.MODULES, ros=1)
         self._capture = Capture()
         self._clock = Simulation()
@@ -64,7 +66,7 @@ class StartedNode:
         self._raised = 0  # of the node's errors so many were raised
         self._status_raised = False
         with self._inside():
-            self._world = world = new_world(self._clock, record=True)
+            self._world = world = new_world(self._node, self._clock, record=True)
             world.on_failure = self._clock.pause
             own_world = World(self._clock, [], False, world.graph)
             world.graph.tester = self._tester = Tester(own_world, self._process.messages)

@@ -129,7 +129,8 @@ class Simulation:
         """Let a waiting stack go on."""
         if stack.waits:
             stack.waits = False
-            if not stack.resumed:
+            # One that is running, in a signal handler, goes on by itself.
+            if not stack.resumed and stack is not current():
                 self._resume(stack)
 
     def start(self, function: Callable[[], object], program: Program, place: str) -> Stack:

@@ -1,0 +1,71 @@
+"""What ROS 2 costs in simulated time: a tick of rclpy's timer beside one of rospy's, and a day of the timer node."""
+
+from __future__ import annotations
+
+import time
+from collections.abc import Callable, Iterator
+from statistics import median
+
+from ratios import by_turns, line, ratio
+
+from rosspin import rclpy, rospy, simulate
+
+PERIOD = 0.5
+
+
+def report(hours: float = 24, ticks: int = 20_000, rounds: int = 5) -> Iterator[str]:
+    """The lines of the report; each measurement of a tick makes ``ticks`` of them."""
+    functions: dict[str, Callable[[], object]] = {
+        "rospy": lambda: run(rospy_node, ticks),
+        "rclpy": lambda: run(rclpy_node, ticks),
+    }
+    # The processor's time: on a busy machine the clock's includes that of others.
+    times = by_turns(rounds, time.process_time, functions)
+    each = [f"{median(times[name]) / ticks * 1e6:.1f} µs" for name in ("rclpy", "rospy")]
+    seconds = hours * 3600
+    took = median(by_turns(1, time.process_time, {"day": lambda: run(logging_node, round(seconds / PERIOD))})["day"])
+    yield "ROS 2 in simulated time, processor time"
+    yield line("  a tick of rclpy's timer / of rospy's", ratio(times, "rclpy", "rospy"), most=6, times=" / ".join(each))
+    yield line(
+        f"  {hours:g} h of a timer node with its console / real time",
+        seconds / took,
+        least=10_000,
+        times=f"{took:.2f} s",
+    )
+
+
+def run(node: Callable[[], None], ticks: int) -> None:
+    """Run a node until it has ticked so often."""
+    found = len(simulate(node, ticks * PERIOD).ticks)
+    if found != ticks:
+        raise AssertionError(f"{found} ticks for {ticks}")
+
+
+def rospy_node() -> None:
+    """A timer that does nothing."""
+    rospy.init_node("node")
+    rospy.Timer(rospy.Duration(PERIOD), lambda event: None)
+    rospy.spin()
+
+
+def rclpy_node() -> None:
+    """The same in ROS 2."""
+    rclpy.init()
+    node = rclpy.create_node("node")
+    node.create_timer(PERIOD, lambda: None)
+    rclpy.spin(node)
+
+
+def logging_node() -> None:
+    """A timer that counts on the console."""
+    count = 0
+
+    def callback() -> None:
+        nonlocal count
+        count += 1
+        node.get_logger().info(f"[SPINNER PY NODE] counter = {count}")
+
+    rclpy.init()
+    node = rclpy.create_node("spinner_py_node")
+    node.create_timer(PERIOD, callback)
+    rclpy.spin(node)

@@ -1,0 +1,225 @@
+"""The stand-in for rclpy: its names and its rules for time, on the wall clock or in simulated time.
+
+What is here behaves as in rclpy 7.1 (Jazzy); the rest raises :class:`NotSimulated`.
+"""
+
+from __future__ import annotations
+
+import sys
+from types import ModuleType
+from typing import Any
+
+from ..world import NotSimulated
+from . import (
+    callback_groups,
+    clock,
+    context,
+    duration,
+    exceptions,
+    executors,
+    logging,
+    names,
+    node,
+    parameter,
+    qos,
+    signals,
+    task,
+    time,
+    timer,
+    topics,
+    utilities,
+)
+from .context import Context, get_default_context
+from .executors import Executor, SingleThreadedExecutor
+from .node import Node
+from .parameter import Parameter
+from .signals import SignalHandlerOptions, install_signal_handlers, uninstall_signal_handlers
+from .state import state
+from .task import Future
+from .utilities import get_rmw_implementation_identifier, ok, try_shutdown
+
+__all__ = [
+    "Context",
+    "Future",
+    "Node",
+    "Parameter",
+    "SignalHandlerOptions",
+    "create_node",
+    "get_default_context",
+    "get_global_executor",
+    "get_rmw_implementation_identifier",
+    "init",
+    "install_signal_handlers",
+    "ok",
+    "shutdown",
+    "spin",
+    "spin_once",
+    "spin_until_future_complete",
+    "try_shutdown",
+    "uninstall_signal_handlers",
+]
+
+
+def init(
+    *,
+    args: list[str] | None = None,
+    context: Context | None = None,
+    domain_id: int | None = None,
+    signal_handler_options: SignalHandlerOptions | None = None,
+) -> None:
+    """Begin: read the command line ``args`` (default: the process's), and let Ctrl-C and SIGTERM end the context.
+
+    Raises RuntimeError if it was called before, RCLError and UnknownROSArgsError for what follows ``--ros-args``.
+    """
+    default = get_default_context()
+    context = context or default
+    if signal_handler_options is None:
+        signal_handler_options = SignalHandlerOptions.ALL if context is default else SignalHandlerOptions.NO
+    context.init(args, domain_id=domain_id)
+    install_signal_handlers(signal_handler_options)
+
+
+def shutdown(*, context: Context | None = None, uninstall_handlers: bool | None = None) -> None:
+    """End: call the hooks, wake who waits. Signals do what they did before.
+
+    Raises RuntimeError before ``init`` and after ``shutdown``, RCLError after a signal.
+    """
+    is_default = context is None or context is get_default_context()
+    (context or get_default_context(shutting_down=True)).shutdown()
+    if uninstall_handlers or (uninstall_handlers is None and is_default):
+        uninstall_signal_handlers()
+
+
+def create_node(node_name: str, **kwargs: Any) -> Node:
+    """A :class:`rclpy.node.Node`, with the same arguments."""
+    return Node(node_name, **kwargs)
+
+
+def get_global_executor() -> Executor:
+    """The executor of ``spin``, ``spin_once`` and ``spin_until_future_complete``, if none is given."""
+    own = state()
+    if own.executor is None:
+        own.executor = executor = SingleThreadedExecutor()
+
+        def reset() -> None:
+            executor.shutdown()
+            own.executor = None
+
+        get_default_context().on_shutdown(reset)
+    return own.executor
+
+
+def spin(node: Node, executor: Executor | None = None) -> None:
+    """Call what is due in a node until its context is shut down.
+
+    Raises what a callback raises, and ExternalShutdownException if it waits when a signal shuts the context down; at
+    Ctrl-C the main thread is raised KeyboardInterrupt.
+    """
+    executor = executor or get_global_executor()
+    try:
+        executor.add_node(node)
+        while executor.context.ok():
+            executor.spin_once()
+    finally:
+        executor.remove_node(node)
+
+
+def spin_once(node: Node, *, executor: Executor | None = None, timeout_sec: float | None = None) -> None:
+    """Wait for one call of a node, for at most ``timeout_sec`` (None: for ever), and make it."""
+    executor = executor or get_global_executor()
+    added = False
+    try:
+        added = executor.add_node(node)
+        executor.spin_once(timeout_sec)
+    finally:
+        if added:
+            executor.remove_node(node)
+
+
+def spin_until_future_complete(
+    node: Node, future: Future, executor: Executor | None = None, timeout_sec: float | None = None
+) -> None:
+    """Call what is due in a node until a future is done, for at most ``timeout_sec``."""
+    executor = executor or get_global_executor()
+    added = False
+    try:
+        added = executor.add_node(node)
+        executor.spin_until_future_complete(future, timeout_sec)
+    finally:
+        if added:
+            executor.remove_node(node)
+
+
+# What rclpy has beside: its modules need a real ROS.
+NOT_SIMULATED = {
+    *("action", "client", "event_handler", "lifecycle", "parameter_client", "parameter_event_handler"),
+    *("parameter_service", "qos_event", "qos_overriding_options", "serialization", "service", "service_introspection"),
+    *("time_source", "topic_endpoint_info", "type_support", "waitable"),
+}
+
+# Names that do less here than in rclpy, or otherwise, and what that is.
+IN_PART = {
+    "Context": "There is no network: ``domain_id`` has no effect.",
+    "MultiThreadedExecutor": "Without ``num_threads`` it has 4 threads, not as many as there are processors.",
+    "Node": "It has no services, and nothing goes to ``/rosout`` or ``/parameter_events``. "
+    "Only the nodes and topics of its own process are counted.",
+    "Publisher": "Fields are always checked, as with ``ROS_PYTHON_CHECK_FIELDS=1``.",
+    "QoSProfile": "``history``, ``depth``, ``reliability`` and ``durability`` have an effect.",
+    "RcutilsLogger": "On the console only, and rcl has no lines of its own there.",
+    "Timer": "A period of less than 1 µs calls every 0.1 ms, about as often as a real machine can.",
+    "TimerInfo": "Here it is; on a real ROS 2 from Kilted on.",
+    "signals": "A handler that the node sets itself is called at once, not when the executor wakes.",
+}
+
+# What a node may import, by its name on a real ROS.
+MODULES: dict[str, ModuleType] = {
+    "rclpy": sys.modules[__name__],
+    "rclpy.callback_groups": callback_groups,
+    "rclpy.clock": clock,
+    "rclpy.clock_type": time,
+    "rclpy.context": context,
+    "rclpy.duration": duration,
+    "rclpy.exceptions": exceptions,
+    "rclpy.executors": executors,
+    "rclpy.expand_topic_name": names,
+    "rclpy.guard_condition": executors,
+    "rclpy.impl.logging_severity": logging,
+    "rclpy.impl.rcutils_logger": logging,
+    "rclpy.logging": logging,
+    "rclpy.node": node,
+    "rclpy.parameter": parameter,
+    "rclpy.publisher": topics,
+    "rclpy.qos": qos,
+    "rclpy.signals": signals,
+    "rclpy.subscription": topics,
+    "rclpy.task": task,
+    "rclpy.time": time,
+    "rclpy.timer": timer,
+    "rclpy.utilities": utilities,
+    "rclpy.validate_full_topic_name": names,
+    "rclpy.validate_namespace": names,
+    "rclpy.validate_node_name": names,
+    "rclpy.validate_parameter_name": names,
+    "rclpy.validate_topic_name": names,
+    "rclpy.wait_for_message": topics,
+}
+
+# In tracebacks and texts, classes have the names that they have on a real ROS.
+_HOMES = {
+    "ClockType": "rclpy.clock_type",
+    "GuardCondition": "rclpy.guard_condition",
+    "LoggingSeverity": "rclpy.impl.logging_severity",
+    "Publisher": "rclpy.publisher",
+    "RcutilsLogger": "rclpy.impl.rcutils_logger",
+    "Subscription": "rclpy.subscription",
+}
+for _name, _module in MODULES.items():
+    for _value in [value for value in vars(_module).values() if isinstance(value, type)]:
+        if _value.__module__ == _module.__name__:
+            _value.__module__ = _HOMES.get(_value.__name__, _name)
+
+
+def __getattr__(name: str) -> Any:
+    if name in NOT_SIMULATED:
+        raise NotSimulated(f"rclpy.{name}")
+    raise AttributeError(f"module 'rclpy' has no attribute '{name}'", name=name)

@@ -1,0 +1,126 @@
+"""Context: from ``init`` to ``shutdown`` (source: rclpy/context.py, rclpy/utilities.py)."""
+
+from __future__ import annotations
+
+from collections.abc import Callable
+from inspect import ismethod
+from typing import TYPE_CHECKING, Any
+from weakref import WeakMethod
+
+from . import logging
+from .arguments import Arguments
+from .exceptions import RCLError
+from .state import state
+
+if TYPE_CHECKING:
+    from .node import Node
+
+__all__ = ["Context", "get_default_context"]
+
+
+class Context:
+    """What nodes share: the command line, and whether it goes on. As a context manager it is initialised within."""
+
+    def __init__(self) -> None:
+        self.state = state()
+        self.arguments: Arguments | None = None  # None: not initialised
+        self.valid = False
+        self._hooks: list[Callable[[], Any]] = []
+        self._domain_id = 0
+        self.nodes: list[Node] = []
+
+    def init(
+        self, args: list[str] | None = None, *, initialize_logging: bool = True, domain_id: int | None = None
+    ) -> None:
+        """Begin, with a command line (default: the process's). ``domain_id`` has no effect, as there is no network.
+
+        Raises RuntimeError if it was called before, RCLError and UnknownROSArgsError for what follows ``--ros-args``.
+        """
+        if domain_id is not None and domain_id < 0:
+            raise RuntimeError(f"Domain id ({domain_id}) should not be lower than zero.")
+        if self.arguments is not None:
+            raise RuntimeError("Context.init() must only be called once")
+        try:
+            arguments = Arguments(self.state.world.argv if args is None else args)
+        except RCLError:
+            logging.get_logger("rcl").error("Failed to parse global arguments")
+            raise
+        if initialize_logging:
+            logging.configure(arguments)
+        self.arguments = arguments
+        self.valid = True
+        self._domain_id = domain_id or 0
+        self.state.contexts.append(self)
+
+    def ok(self) -> bool:
+        """Whether it was initialised and not shut down."""
+        return self.valid
+
+    def shutdown(self) -> None:
+        """End, and call the hooks. Raises RuntimeError if it never began, RCLError if it has ended, as by a signal."""
+        if self.arguments is None:
+            raise RuntimeError("Context must be initialized before it can be shutdown")
+        if not self.valid:
+            raise RCLError("failed to shutdown: rcl_shutdown already called on the given context")
+        self.try_shutdown()
+
+    def try_shutdown(self) -> None:
+        """End, and call the hooks, unless it has ended."""
+        if not self.valid:
+            return
+        self.end()
+        for hook in list(self._hooks):
+            # A method is kept by a weak reference. rclpy calls any hook as if it were one, and then what it returns.
+            found = hook()
+            if found is not None:
+                found()
+        self._hooks = []
+
+    def end(self) -> None:
+        """What a signal does: nothing goes on, but no hook is called."""
+        self.valid = False
+        if self in self.state.contexts:
+            self.state.contexts.remove(self)
+
+    def on_shutdown(self, callback: Callable[[], Any]) -> None:
+        """Call ``callback`` at ``shutdown``; at once if that was. TypeError if it cannot be called.
+
+        It is not called when a signal ends the context (rclpy issue 1148).
+        """
+        if not callable(callback):
+            raise TypeError("callback should be a callable, got {}", type(callback))
+        if self.arguments is not None and not self.valid:
+            callback()
+        elif ismethod(callback):
+            self._hooks.append(WeakMethod(callback, self._hooks.remove))
+        else:
+            self._hooks.append(callback)
+
+    def forget(self, callback: Callable[[], Any]) -> None:
+        """Do not call a function at shutdown."""
+        if callback in self._hooks:
+            self._hooks.remove(callback)
+
+    def get_domain_id(self) -> int:
+        """The number of its ROS domain."""
+        if self.arguments is None:
+            raise RuntimeError("Context must be initialized before it can have a domain id")
+        return self._domain_id
+
+    def __enter__(self) -> Context:
+        self.init()
+        return self
+
+    def __exit__(self, *error: object) -> None:
+        self.try_shutdown()
+
+
+def get_default_context(*, shutting_down: bool = False) -> Context:
+    """The context that is used where none is given. With ``shutting_down`` the next one will be another."""
+    own = state()
+    if own.context is None:
+        own.context = Context()
+    context = own.context
+    if shutting_down:
+        own.context = None
+    return context

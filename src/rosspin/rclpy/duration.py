@@ -1,0 +1,73 @@
+"""Duration (source: rclpy/duration.py)."""
+
+from __future__ import annotations
+
+from importlib import import_module
+from typing import Any
+
+from ..clocks.clock import NS
+
+__all__ = ["Duration", "Infinite", "Ordered"]
+
+
+class Ordered:
+    """What is compared by its ``nanoseconds``, and only with its own kind."""
+
+    nanoseconds: int
+
+    def _other(self, other: object) -> int | None:
+        """The nanoseconds to compare with; None if ``other`` is of another kind."""
+        return other.nanoseconds if isinstance(other, type(self)) else None
+
+    def __eq__(self, other: object) -> bool:
+        ns = self._other(other)
+        return NotImplemented if ns is None else self.nanoseconds == ns
+
+    def __lt__(self, other: object) -> bool:
+        ns = self._other(other)
+        return NotImplemented if ns is None else self.nanoseconds < ns
+
+    def __le__(self, other: object) -> bool:
+        ns = self._other(other)
+        return NotImplemented if ns is None else self.nanoseconds <= ns
+
+    def __gt__(self, other: object) -> bool:
+        ns = self._other(other)
+        return NotImplemented if ns is None else self.nanoseconds > ns
+
+    def __ge__(self, other: object) -> bool:
+        ns = self._other(other)
+        return NotImplemented if ns is None else self.nanoseconds >= ns
+
+    __hash__ = None  # type: ignore[assignment]
+
+
+class Duration(Ordered):
+    """A length of time, in seconds (with their fraction) plus nanoseconds. OverflowError beyond 292 years."""
+
+    def __init__(self, *, seconds: float = 0, nanoseconds: int = 0) -> None:
+        total = int(seconds * NS) + int(nanoseconds)
+        if not -(2**63) <= total < 2**63:
+            raise OverflowError("Total nanoseconds value is too large to store in C duration.")
+        self.nanoseconds = total
+
+    def __repr__(self) -> str:
+        return f"Duration(nanoseconds={self.nanoseconds})"
+
+    def __str__(self) -> str:
+        return "Infinite" if self == Infinite else f"{self.nanoseconds} nanoseconds"
+
+    def to_msg(self) -> Any:
+        """The same as a message, builtin_interfaces/Duration."""
+        seconds, nanoseconds = divmod(self.nanoseconds, NS)
+        return import_module("builtin_interfaces.msg").Duration(sec=seconds, nanosec=nanoseconds)
+
+    @classmethod
+    def from_msg(cls, msg: Any) -> Duration:
+        """A message as a Duration; TypeError for any other."""
+        if not isinstance(msg, import_module("builtin_interfaces.msg").Duration):
+            raise TypeError("Must pass a builtin_interfaces.msg.Duration object")
+        return cls(seconds=msg.sec, nanoseconds=msg.nanosec)
+
+
+Infinite = Duration(nanoseconds=2**63 - 1)

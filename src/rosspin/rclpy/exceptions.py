@@ -1,0 +1,184 @@
+"""rclpy's exceptions (source: rclpy/exceptions.py, rclpy/executors.py, and what its C++ part raises)."""
+
+from __future__ import annotations
+
+from typing import TYPE_CHECKING, Any
+
+if TYPE_CHECKING:
+    from .parameter import Parameter
+
+__all__ = [
+    *("ExternalShutdownException", "InvalidHandle", "InvalidNamespaceException", "InvalidNodeNameException"),
+    *("InvalidParameterException", "InvalidParameterTypeException", "InvalidParameterValueException"),
+    *("InvalidServiceNameException", "InvalidTopicNameException", "NameValidationException"),
+    *("NoTypeSupportImportedException", "NotInitializedException", "ParameterAlreadyDeclaredException"),
+    *("ParameterException", "ParameterImmutableException", "ParameterNotDeclaredException"),
+    *("ParameterUninitializedException", "RCLError", "ROSInterruptException", "TimeoutException"),
+    *("ShutdownException", "ConditionReachedException", "UnknownROSArgsError"),
+]
+
+
+class RCLError(RuntimeError):
+    """The C part of rclpy refuses something. On a real ROS the text ends in the place in its source."""
+
+
+class InvalidHandle(RuntimeError):
+    """A timer, publisher or subscription was destroyed."""
+
+    def __init__(self, text: str = "cannot use Destroyable because destruction was requested") -> None:
+        super().__init__(text)
+
+
+class UnknownROSArgsError(RuntimeError):
+    """There are words after ``--ros-args`` that no ROS knows."""
+
+
+def not_accepted(signature: str, *args: object) -> TypeError:
+    """What the C part says of arguments of the wrong type; those that are its own objects are given by their names."""
+    words = ", ".join(
+        f"<rclpy._rclpy_pybind11.{arg} object at {id(arg):#x}>" if arg in _OBJECTS else repr(arg) for arg in args
+    )
+    return TypeError(
+        "__init__(): incompatible constructor arguments. The following argument types are supported:\n"
+        f"    1. rclpy._rclpy_pybind11.{signature}\n\nInvoked with: {words}"
+    )
+
+
+_OBJECTS = ("Clock", "Context")
+
+
+class NotInitializedException(Exception):
+    """Something needs ``rclpy.init()`` first."""
+
+    def __init__(self, message: str | None = None) -> None:
+        super().__init__("rclpy.init() has not been called." + (f" msg:{message}" if message else ""))
+
+
+class NoTypeSupportImportedException(Exception):
+    """Raised by a real ROS where the C part of a message is missing."""
+
+
+class NameValidationException(Exception):
+    """A name is not valid; ``invalid_index`` is where."""
+
+    def __init__(self, name_type: str, name: str, error_msg: str, invalid_index: int) -> None:
+        self.error_msg = error_msg
+        super().__init__(f"Invalid {name_type}: {error_msg}:\n  '{name}'\n   {' ' * invalid_index}^")
+
+
+class InvalidNamespaceException(NameValidationException):
+    """A namespace is not valid."""
+
+    def __init__(self, name: str, error_msg: str, invalid_index: int) -> None:
+        super().__init__("namespace", name, error_msg, invalid_index)
+
+
+class InvalidNodeNameException(NameValidationException):
+    """A node's name is not valid."""
+
+    def __init__(self, name: str, error_msg: str, invalid_index: int) -> None:
+        super().__init__("node name", name, error_msg, invalid_index)
+
+
+class InvalidTopicNameException(NameValidationException):
+    """A topic's name is not valid."""
+
+    def __init__(self, name: str, error_msg: str, invalid_index: int) -> None:
+        super().__init__("topic name", name, error_msg, invalid_index)
+
+
+class InvalidServiceNameException(NameValidationException):
+    """A service's name is not valid."""
+
+
+class ParameterException(Exception):
+    """Base class of what is raised over parameters."""
+
+    def __init__(self, error_msg: str, parameters: str | list[str]) -> None:
+        super().__init__(f"{error_msg}: {parameters}")
+
+
+class ParameterNotDeclaredException(ParameterException):
+    """A parameter was not declared."""
+
+    def __init__(self, parameters: str | list[str]) -> None:
+        super().__init__("Invalid access to undeclared parameter(s)", parameters)
+
+
+class ParameterAlreadyDeclaredException(ParameterException):
+    """A parameter was declared before."""
+
+    def __init__(self, parameters: str | list[str]) -> None:
+        super().__init__("Parameter(s) already declared", parameters)
+
+
+class InvalidParameterException(ParameterException):
+    """A parameter's name is not valid."""
+
+    def __init__(self, parameter_name: str) -> None:
+        super().__init__("Invalid parameter name", parameter_name)
+
+
+class InvalidParameterTypeException(ParameterException):
+    """A parameter was given a value of another type than it was declared with."""
+
+    def __init__(self, desired_parameter: Parameter, expected_type: str) -> None:
+        name, value, kind = desired_parameter.name, desired_parameter.value, desired_parameter.type_.name
+        text = f"Trying to set parameter '{name}' to '{value}' of type '{kind}', expecting type '{expected_type}'"
+        super().__init__(text, name)
+
+
+class InvalidParameterValueException(ParameterException):
+    """A parameter's value is out of range, or refused by a callback of the node."""
+
+    def __init__(self, parameter: str, value: Any, reason: str) -> None:
+        super().__init__(f"Invalid parameter value ({value}) for parameter. Reason: {reason}", parameter)
+
+
+class ParameterImmutableException(ParameterException):
+    """A parameter is read-only."""
+
+    def __init__(self, parameter_name: str) -> None:
+        super().__init__("Attempted to modify read-only parameter", parameter_name)
+
+
+class ParameterUninitializedException(ParameterException):
+    """A parameter was declared with a type and never given a value."""
+
+    def __init__(self, parameter_name: str) -> None:
+        super().__init__(f"The parameter '{parameter_name}' is not initialized", parameter_name)
+
+
+class ROSInterruptException(Exception):
+    """A sleeping Rate was woken by ``rclpy.shutdown()``."""
+
+    def __init__(self) -> None:
+        super().__init__("rclpy.shutdown() has been called")
+
+
+class ExternalShutdownException(Exception):
+    """The context was shut down, as by a signal, while an executor waited."""
+
+
+class TimeoutException(Exception):
+    """An executor has waited long enough."""
+
+
+class ShutdownException(Exception):
+    """The executor was shut down."""
+
+
+class ConditionReachedException(Exception):
+    """The future that an executor waited for is done."""
+
+
+# In tracebacks they have the names that they have on a real ROS.
+_ELSEWHERE = {
+    **dict.fromkeys(("InvalidHandle", "RCLError", "UnknownROSArgsError"), "rclpy._rclpy_pybind11"),
+    **dict.fromkeys(
+        ("ConditionReachedException", "ExternalShutdownException", "ShutdownException", "TimeoutException"),
+        "rclpy.executors",
+    ),
+}
+for _name in __all__:
+    globals()[_name].__module__ = _ELSEWHERE.get(_name, "rclpy.exceptions")

@@ -1,0 +1,291 @@
+"""Loggers, and the lines that they print (sources: rclpy/logging.py, rclpy/impl/rcutils_logger.py, rcutils)."""
+
+from __future__ import annotations
+
+import math
+import os
+import re
+import sys
+import time
+from enum import IntEnum
+from pathlib import Path
+from types import FrameType
+from typing import TYPE_CHECKING, Any, NamedTuple
+
+from ..clocks.clock import NS
+from ..frames import node_frame
+from ..world import NotSimulated
+from .arguments import LEVELS
+from .state import State, state
+
+if TYPE_CHECKING:
+    from .arguments import Arguments
+
+__all__ = [
+    *("LoggingSeverity", "RcutilsLogger", "get_logger", "get_logger_effective_level", "get_logger_level"),
+    *("get_logging_directory", "get_logging_severity_from_string", "set_logger_level"),
+]
+
+
+class LoggingSeverity(IntEnum):
+    """How serious a message is."""
+
+    UNSET = 0
+    DEBUG = 10
+    INFO = 20
+    WARN = 30
+    ERROR = 40
+    FATAL = 50
+
+
+_COLOURS = {10: "\033[32m", 20: "\033[0m", 30: "\033[33m", 40: "\033[31m", 50: "\033[31m"}
+_DEFAULT_FORMAT = "[{severity}] [{time}] [{name}]: {message}"
+
+# The options of a log call, by filter, in the order in which the filters are asked.
+_FILTERS = {
+    "throttle": ("throttle_duration_sec", "throttle_time_source_type"),
+    "skip_first": ("skip_first",),
+    "once": ("once",),
+}
+_OPTIONS = [option for options in _FILTERS.values() for option in options]
+
+
+class _Call:
+    """What is kept of a line of the node that logs: its settings, which must not change, and what it has done."""
+
+    def __init__(self, settings: tuple[Any, ...], options: dict[str, Any]) -> None:
+        self.settings = settings
+        self.options = options
+        self.calls = 0
+        self.last = -math.inf  # when it logged, in ns
+
+    def is_wanted(self) -> bool:
+        """Whether the filters let this call through; each is asked only if those before it did."""
+        if self.options.get("throttle_duration_sec"):
+            clock = self.options.get("throttle_time_source_type")
+            now = state().clock.now() if clock is None else clock.now().nanoseconds
+            if now < self.last + self.options["throttle_duration_sec"] * 1e9:
+                return False
+            self.last = now
+        self.calls += 1
+        if self.options.get("skip_first"):
+            return self.calls > 1 and not (self.options.get("once") and self.calls > 2)
+        return not self.options.get("once") or self.calls == 1
+
+
+class RcutilsLogger:
+    """A logger. Its level is that of the nearest logger above it that has one: ``a.b``, ``a``, and at last all."""
+
+    def __init__(self, name: str = "") -> None:
+        self.name = name
+        self._state = state()
+        self._calls: dict[tuple[str, int, int], _Call] = {}
+
+    def get_child(self, name: str) -> RcutilsLogger:
+        """The logger of that name below this one. ValueError if it is empty."""
+        if not name:
+            raise ValueError("Child logger name must not be empty.")
+        return RcutilsLogger(f"{self.name}.{name}" if self.name else name)
+
+    def set_level(self, level: int) -> None:
+        """Print what is at least so serious. ValueError if there is no such level."""
+        set_logger_level(self.name, level)
+
+    def get_effective_level(self) -> LoggingSeverity:
+        """How serious something must be to be printed."""
+        return LoggingSeverity(_effective(self._state, self.name))
+
+    def is_enabled_for(self, severity: int) -> bool:
+        """Whether something so serious is printed."""
+        return LoggingSeverity(severity) >= _effective(self._state, self.name)
+
+    def log(self, message: str, severity: int, **kwargs: Any) -> bool:
+        """Print a message; whether no filter prevented it.
+
+        ``once``: only the first time that this line of the node is run; ``skip_first``: not the first time;
+        ``throttle_duration_sec``: not within so many seconds since the last time, on the clock
+        ``throttle_time_source_type``. Raises TypeError for other options, or if the message is not a text, and
+        ValueError if the same line comes with other options than before.
+        """
+        severity = LoggingSeverity(severity)
+        if severity < _effective(self._state, self.name):
+            return False
+        name = kwargs.pop("name", self.name)
+        filters = _filters(kwargs) if kwargs else []
+        frame = node_frame(sys._getframe(1))
+        where = (frame.f_code.co_filename, frame.f_lineno, frame.f_lasti)
+        call = self._calls.get(where)
+        if call is None:
+            clock = kwargs.get("throttle_time_source_type")
+            if clock is not None and not hasattr(clock, "clock_type"):
+                text = f'Received throttle_time_source_type of "{clock}" is not a clock instance'
+                raise ValueError(text)
+            call = self._calls[where] = _Call((severity, name, filters), kwargs)
+        elif call.settings != (severity, name, filters) or call.options != kwargs:
+            _refuse(call, severity, name, filters)
+        if filters and not call.is_wanted():
+            return False
+        if message is None:
+            message = "(null)"
+        elif not isinstance(message, str):
+            raise TypeError(
+                "rclpy_logging_rcutils_log(): incompatible function arguments. "
+                "The following argument types are supported:\n    1. (arg0: typing.SupportsInt, arg1: str, "
+                "arg2: str, arg3: str, arg4: str, arg5: typing.SupportsInt) -> None\n\nInvoked with: "
+                f"{severity!r}, {name!r}, {message!r}, {frame.f_code.co_name!r}, "
+                f"{os.path.abspath(where[0])!r}, {where[1]}"
+            )
+        _write(self._state, severity, name, message, frame)
+        return True
+
+    def debug(self, message: str, **kwargs: Any) -> bool:
+        """Log a message as DEBUG; the options are those of ``log``."""
+        return self.log(message, LoggingSeverity.DEBUG, **kwargs)
+
+    def info(self, message: str, **kwargs: Any) -> bool:
+        """Log a message as INFO."""
+        return self.log(message, LoggingSeverity.INFO, **kwargs)
+
+    def warning(self, message: str, **kwargs: Any) -> bool:
+        """Log a message as WARN."""
+        return self.log(message, LoggingSeverity.WARN, **kwargs)
+
+    warn = warning
+
+    def error(self, message: str, **kwargs: Any) -> bool:
+        """Log a message as ERROR."""
+        return self.log(message, LoggingSeverity.ERROR, **kwargs)
+
+    def fatal(self, message: str, **kwargs: Any) -> bool:
+        """Log a message as FATAL."""
+        return self.log(message, LoggingSeverity.FATAL, **kwargs)
+
+
+def _filters(options: dict[str, Any]) -> list[str]:
+    """The filters that the options of a log call ask for."""
+    filters = [name for name, known in _FILTERS.items() if any(options.get(option) for option in known)]
+    if "throttle" in filters and "throttle_duration_sec" not in options:
+        raise TypeError(
+            'required parameter "throttle_duration_sec" not specified '
+            'but is required for the the logging filter "throttle"'
+        )
+    for option in options:
+        if option not in _OPTIONS:
+            raise TypeError(f'parameter "{option}" is not one of the recognized logging options "{_OPTIONS}"')
+    return filters
+
+
+def _refuse(call: _Call, *settings: Any) -> None:
+    what = ("Logger severity", "Logger name", "Requested logging filters")
+    for name, before, now in zip(what, call.settings, settings, strict=True):
+        if before != now:
+            raise ValueError(f"{name} cannot be changed between calls.")
+    raise ValueError("Logging filter parameters cannot be changed between calls.")
+
+
+def _effective(own: State, name: str) -> int:
+    levels = own.levels
+    while levels and name:
+        if level := levels.get(name):
+            return level
+        name = name.rpartition(".")[0]
+    return own.level
+
+
+def _write(own: State, severity: LoggingSeverity, name: str, message: str, frame: FrameType) -> None:
+    """Write a line in one go, coloured on a terminal. All levels go to stderr."""
+    if not own.console:
+        return
+    now = own.clock.now()
+    form = own.log_form or _read_form(own)
+    if form.line == _DEFAULT_FORMAT:
+        line = f"[{severity.name}] [{now // NS}.{now % NS:09d}] [{name}]: {message}"
+    else:
+        fields = {
+            "severity": severity.name,
+            "name": name,
+            "message": message,
+            "function_name": frame.f_code.co_name,
+            "file_name": os.path.abspath(frame.f_code.co_filename),
+            "line_number": str(frame.f_lineno),
+            "time": f"{now // NS}.{now % NS:09d}",
+            "time_as_nanoseconds": str(now),
+            "date_time_with_ms": f"{time.strftime('%Y-%m-%d %H:%M:%S', time.localtime(now // NS))}"
+            f".{now // 1_000_000 % 1000:03d}",
+        }
+        line = re.sub(r"{(\w+)}", lambda match: fields.get(match[1], match[0]), form.line)
+    stream = sys.stdout if form.to_stdout else sys.stderr
+    if stream.isatty() if form.coloured is None else form.coloured:
+        line = f"{_COLOURS[severity]}{line}\033[0m"
+    stream.write(line + "\n")
+
+
+class LogForm(NamedTuple):
+    """What lines look like: their format, whether they go to stdout, and are coloured (None: on a terminal)."""
+
+    line: str
+    to_stdout: bool
+    coloured: bool | None
+
+
+def _read_form(own: State) -> LogForm:
+    """What the environment says of it; rcutils looks once, at ``init`` or at the first line."""
+    coloured = os.environ.get("RCUTILS_COLORIZED_OUTPUT")
+    own.log_form = form = LogForm(
+        os.environ.get("RCUTILS_CONSOLE_OUTPUT_FORMAT", _DEFAULT_FORMAT),
+        os.environ.get("RCUTILS_LOGGING_USE_STDOUT") == "1",
+        None if coloured is None else coloured == "1",
+    )
+    return form
+
+
+def configure(arguments: Arguments) -> None:
+    """Set the log levels of a command line."""
+    own = state()
+    _read_form(own)
+    own.level = own.level if arguments.level is None else arguments.level
+    own.levels.update(arguments.levels)
+    own.console = arguments.console
+    for word in arguments.deprecated:
+        get_logger("rcl").warning(
+            f"Found remap rule '{word}'. This syntax is deprecated. Use '--ros-args --remap {word}' instead."
+        )
+
+
+def get_logger(name: str) -> RcutilsLogger:
+    """The logger of that name. ValueError if it is empty."""
+    if not name:
+        raise ValueError("Logger name must not be empty.")
+    return RcutilsLogger(name)
+
+
+def set_logger_level(name: str, level: int, detailed_error: bool = False) -> None:
+    """Let the logger of that name, and those below it, print what is at least so serious."""
+    own, severity = state(), LoggingSeverity(level)
+    if name:
+        own.levels[name] = severity
+    else:
+        own.level = severity
+
+
+def get_logger_effective_level(name: str) -> LoggingSeverity:
+    """How serious something must be for the logger of that name to print it."""
+    return LoggingSeverity(_effective(state(), name))
+
+
+def get_logger_level(name: str) -> LoggingSeverity:
+    """The level that was set for the logger of that name; UNSET if none was."""
+    own = state()
+    return LoggingSeverity(own.levels.get(name, 0) if name else own.level)
+
+
+def get_logging_severity_from_string(log_severity: str) -> LoggingSeverity:
+    """A severity by its name. RuntimeError if there is none."""
+    if log_severity.lower() not in LEVELS:
+        raise RuntimeError("Failed to get severity name")
+    return LoggingSeverity(LEVELS[log_severity.lower()])
+
+
+def get_logging_directory() -> Path:
+    """Nothing is written to files here: NotSimulated."""
+    raise NotSimulated("rclpy.logging.get_logging_directory")

@@ -1,0 +1,108 @@
+"""Names of the ROS 2 graph: which are valid, and what they stand for (sources: rcl and rmw, validate_*_name.c)."""
+
+from __future__ import annotations
+
+import re
+from collections.abc import Iterable
+
+from .exceptions import (
+    InvalidNamespaceException,
+    InvalidNodeNameException,
+    InvalidParameterException,
+    InvalidTopicNameException,
+)
+
+__all__ = [
+    "expand_topic_name",
+    "validate_full_topic_name",
+    "validate_namespace",
+    "validate_node_name",
+    "validate_parameter_name",
+    "validate_topic_name",
+]
+
+# A rule: what must not be found, and what is said then. The place is that of the match, or of its group.
+Rule = tuple[str, str]
+
+_NODE_NAME: list[Rule] = [
+    (r"^$", "node name must not be empty"),
+    (r"\W", "node name must not contain characters other than alphanumerics or '_'"),
+    (r"^\d", "node name must not start with a number"),
+    (r"^.{254}(.).", "node name length should not exceed '255'"),
+]
+_NAMESPACE: list[Rule] = [
+    (r"^$", "namespace must not be empty"),
+    (r"^[^/]", "namespace must be absolute, it must lead with a '/'"),
+    (r".(/)$", "namespace must not end with a '/', unless only a '/'"),
+    (r"[^\w/]", "namespace must not contain characters other than alphanumerics, '_', or '/'"),
+    (r"/(/)", "namespace must not contain repeated '/'"),
+    (r"/(\d)", "namespace must not have a token that starts with a number"),
+    (r"^.{244}(.).", "namespace should not exceed '245'"),
+]
+_TOPIC: list[Rule] = [
+    (r"^$", "topic name must not be empty string"),
+    (r"^\d", "topic name token must not start with a number"),
+    (r"/$", "topic name must not end with a forward slash"),
+    (r"[^\w/~{}]", "topic name must not contain characters other than alphanumerics, '_', '~', '{', or '}'"),
+    (r".(~)", "topic name must not have tilde '~' unless it is the first character"),
+    (r"{(?!\w*})|^[^{]*(})", "topic name must not have unmatched (unbalanced) curly braces '{}'"),
+    (r"/(\d)", "topic name token must not start with a number"),
+]
+_FULL_TOPIC: list[Rule] = [
+    (r"^$", "topic name must not be empty string"),
+    (r"^[^/]", "topic name must be absolute, it must lead with a '/'"),
+    (r"/$", "topic name must not end with a '/'"),
+    (r"[^\w/]", "topic name must not contain characters other than alphanumerics, '_', or '/'"),
+    (r"/(/)", "topic name must not contain repeated '/'"),
+    (r"/(\d)", "topic name must not have a token that starts with a number"),
+]
+
+
+def _check(name: str, rules: Iterable[Rule], error: type[Exception]) -> bool:
+    for pattern, text in rules:
+        if found := re.search(pattern, name, re.ASCII):
+            raise error(name, text, found.start(found.lastindex or 0))
+    return True
+
+
+def validate_node_name(node_name: str) -> bool:
+    """True, or InvalidNodeNameException."""
+    return _check(node_name, _NODE_NAME, InvalidNodeNameException)
+
+
+def validate_namespace(namespace: str) -> bool:
+    """True if it is a namespace in full, or InvalidNamespaceException."""
+    return _check(namespace, _NAMESPACE, InvalidNamespaceException)
+
+
+def validate_topic_name(name: str, *, is_service: bool = False) -> bool:
+    """True if a topic may be called so by a node, or InvalidTopicNameException."""
+    return _check(name, _TOPIC, InvalidTopicNameException)
+
+
+def validate_full_topic_name(name: str, *, is_service: bool = False) -> bool:
+    """True if it is the full name of a topic, or InvalidTopicNameException."""
+    return _check(name, _FULL_TOPIC, InvalidTopicNameException)
+
+
+def validate_parameter_name(name: str) -> bool:
+    """True unless it is empty: InvalidParameterException."""
+    if not name:
+        raise InvalidParameterException(name)
+    return True
+
+
+def expand_topic_name(topic_name: str, node_name: str, node_namespace: str) -> str:
+    """The full name that a topic's name stands for in a node. ValueError for an unknown {word} in it."""
+    words = {"node": node_name, "ns": node_namespace, "namespace": node_namespace}
+
+    def fill(match: re.Match[str]) -> str:
+        if match[1] not in words:
+            raise ValueError(f"topic name '{topic_name}' is invalid: unknown substitution: {match[0]}")
+        return words[match[1]]
+
+    name = re.sub(r"{(\w*)}", fill, topic_name)
+    below = node_namespace.rstrip("/")
+    if name.startswith("~"):
+        return f"{below}/{node_name}{name[1:]}"
+    return name if name.startswith("/") else f"{below}/{name}"

@@ -1,0 +1,461 @@
+"""Node (source: rclpy/node.py)."""
+
+from __future__ import annotations
+
+from collections.abc import Callable, Iterator
+from importlib import import_module
+from typing import TYPE_CHECKING, Any
+
+from ..messages.ros2 import Message
+from ..world import NotSimulated
+from . import logging, names
+from .arguments import Arguments
+from .callback_groups import CallbackGroup, MutuallyExclusiveCallbackGroup, ReentrantCallbackGroup
+from .clock import Clock, ROSClock
+from .context import Context, get_default_context
+from .exceptions import InvalidHandle, InvalidTopicNameException, NotInitializedException, RCLError, not_accepted
+from .executors import GuardCondition
+from .parameter import Parameter, Parameters
+from .qos import QoSProfile, ReliabilityPolicy
+from .time import Time
+from .timer import Rate, Timer
+from .topics import Publisher, Subscription
+
+if TYPE_CHECKING:
+    from .executors import Executor
+
+__all__ = ["Node"]
+
+
+class Node(Parameters):
+    """A node: it has a name, makes timers, publishers and subscriptions, and has to be spun.
+
+    ``cli_args`` are a command line for it alone, ``use_global_arguments`` says whether that of the process counts, too.
+    The parameters ``enable_rosout``, ``start_parameter_services`` and ``enable_logger_service`` have no effect.
+    Raises NotInitializedException before ``init``, InvalidNodeNameException and InvalidNamespaceException.
+    """
+
+    def __init__(
+        self,
+        node_name: str,
+        *,
+        context: Context | None = None,
+        cli_args: list[str] | None = None,
+        namespace: str | None = None,
+        use_global_arguments: bool = True,
+        enable_rosout: bool = True,
+        start_parameter_services: bool = True,
+        parameter_overrides: list[Parameter] | None = None,
+        allow_undeclared_parameters: bool = False,
+        automatically_declare_parameters_from_overrides: bool = False,
+        enable_logger_service: bool = False,
+    ) -> None:
+        self._context = context or get_default_context()
+        if not self._context.ok():
+            raise NotInitializedException("cannot create node")
+        if not isinstance(node_name, str):
+            signature = (
+                "Node(arg0: str, arg1: str, arg2: rclpy._rclpy_pybind11.Context, arg3: object, arg4: bool, arg5: bool)"
+            )
+            raise not_accepted(signature, node_name, namespace or "", "Context", cli_args, use_global_arguments, True)
+        names.validate_node_name(node_name)
+        namespace = namespace or "/"
+        namespace = namespace if namespace.startswith("/") else f"/{namespace}"
+        names.validate_namespace(namespace)
+        self._arguments = [] if cli_args is None else [Arguments(["--ros-args", *cli_args])]
+        if use_global_arguments and self._context.arguments:
+            self._arguments.append(self._context.arguments)
+        self._name, self._namespace = node_name, namespace
+        for arguments in reversed(self._arguments):
+            self._name, self._namespace = arguments.name(self._name, self._namespace)
+        self._full_name = f"{self._namespace.rstrip('/')}/{self._name}"
+        self._logger = logging.get_logger(self._full_name[1:].replace("/", "."))
+        self._destroyed = False
+        self._executor: Executor | None = None
+
+        self._publishers: list[Publisher] = []
+        self._subscriptions: list[Subscription] = []
+        self._timers: list[Timer] = []
+        self._guards: list[GuardCondition] = []
+        self._default_callback_group = MutuallyExclusiveCallbackGroup()
+        self._rate_group = ReentrantCallbackGroup()
+
+        overrides: dict[str, Parameter] = {}
+        for arguments in reversed(self._arguments):
+            values = arguments.parameters(self._full_name)
+            overrides |= {name: Parameter(name, value=value) for name, value in values.items()}
+        overrides |= {parameter.name: parameter for parameter in parameter_overrides or ()}
+        super().__init__(overrides, allow_undeclared_parameters)
+        self._clock = ROSClock()
+        if automatically_declare_parameters_from_overrides:
+            entries = [(name, parameter.value) for name, parameter in overrides.items()]
+            self.declare_parameters("", entries, ignore_override=True)
+        self._listen_to_clock()
+        if not self.has_parameter("start_type_description_service"):
+            self.declare_parameter("start_type_description_service", True)
+
+    # --- what it is ---------------------------------------------------------------------------------------------------
+
+    @property
+    def context(self) -> Context:
+        """Its context."""
+        return self._context
+
+    @property
+    def default_callback_group(self) -> CallbackGroup:
+        """The group of all that is made without one: one callback at a time."""
+        return self._default_callback_group
+
+    @property
+    def executor(self) -> Executor | None:
+        """The executor that it was added to last."""
+        return self._executor
+
+    @executor.setter
+    def executor(self, new_executor: Executor | None) -> None:
+        if self._executor is new_executor:
+            return
+        if self._executor is not None:
+            self._executor.remove_node(self)
+        self._executor = new_executor
+        if new_executor is not None:
+            new_executor.add_node(self)
+
+    @property
+    def publishers(self) -> Iterator[Publisher]:
+        """Its publishers."""
+        yield from self._publishers
+
+    @property
+    def subscriptions(self) -> Iterator[Subscription]:
+        """Its subscriptions."""
+        yield from self._subscriptions
+
+    @property
+    def timers(self) -> Iterator[Timer]:
+        """Its timers, those of its Rates, too."""
+        yield from self._timers
+
+    @property
+    def guards(self) -> Iterator[GuardCondition]:
+        """Its guard conditions."""
+        yield from self._guards
+
+    def get_name(self) -> str:
+        """Its name. InvalidHandle if it was destroyed."""
+        self._check()
+        return self._name
+
+    def get_namespace(self) -> str:
+        """Its namespace: ``/``, or without a slash at the end. InvalidHandle."""
+        self._check()
+        return self._namespace
+
+    def get_fully_qualified_name(self) -> str:
+        """Namespace and name. InvalidHandle."""
+        self._check()
+        return self._full_name
+
+    def get_clock(self) -> Clock:
+        """Its clock, which tells ROS time."""
+        return self._clock
+
+    def get_logger(self) -> logging.RcutilsLogger:
+        """Its logger, called as the node with its namespace: ``mrp.spinner``."""
+        return self._logger
+
+    def _check(self) -> None:
+        if self._destroyed:
+            raise InvalidHandle()
+
+    def nudge(self) -> None:
+        """Something may have become due."""
+        if self._executor:
+            self._executor.nudge()
+
+    def _wake_executor(self) -> None:
+        if self._executor:
+            self._executor.wake()
+
+    # --- timers -------------------------------------------------------------------------------------------------------
+
+    def create_timer(
+        self,
+        timer_period_sec: float,
+        callback: Callable[..., Any] | None,
+        callback_group: CallbackGroup | None = None,
+        clock: Clock | None = None,
+        autostart: bool = True,
+    ) -> Timer:
+        """Call ``callback()`` every ``timer_period_sec``, while somebody spins; see :class:`Timer`.
+
+        Raises RCLError for a negative period, ValueError for NaN, OverflowError for infinity.
+        """
+        group = callback_group or self.default_callback_group
+        period = int(float(timer_period_sec) * 1e9)
+        timer = Timer(callback, group, period, clock or self._clock, context=self._context, autostart=autostart)
+        timer.nudge = self.nudge
+        group.add_entity(timer)
+        self._timers.append(timer)
+        self._wake_executor()
+        return timer
+
+    def create_rate(self, frequency: float, clock: Clock | None = None) -> Rate:
+        """A :class:`Rate` of so many passes a second. ValueError unless the frequency is above 0."""
+        if frequency <= 0:
+            raise ValueError("frequency must be > 0")
+        timer = self.create_timer(1.0 / frequency, None, self._rate_group, clock)
+        return Rate(timer, context=self._context)
+
+    def create_guard_condition(
+        self, callback: Callable[[], Any], callback_group: CallbackGroup | None = None
+    ) -> GuardCondition:
+        """Call ``callback()`` once after each ``trigger()``."""
+        group = callback_group or self.default_callback_group
+        guard = GuardCondition(callback, group, self._context)
+        guard.nudge = self.nudge
+        group.add_entity(guard)
+        self._guards.append(guard)
+        self._wake_executor()
+        return guard
+
+    # --- topics -------------------------------------------------------------------------------------------------------
+
+    def create_publisher(
+        self,
+        msg_type: type[Message],
+        topic: str,
+        qos_profile: QoSProfile | int,
+        *,
+        callback_group: CallbackGroup | None = None,
+        event_callbacks: Any = None,
+        qos_overriding_options: Any = None,
+    ) -> Publisher:
+        """Publish messages of a class on a topic; ``qos_profile`` may be the depth.
+
+        Raises InvalidTopicNameException, TypeError and ValueError for what is no QoS, AttributeError for what is no
+        message of ROS 2, RCLError if the process uses the topic with another type.
+        """
+        qos = self._prepare("publisher", msg_type, qos_profile, event_callbacks, qos_overriding_options)
+        full_name = self._resolve(topic)
+        if (other := self._other_type(full_name, msg_type)) is not None:
+            raise RCLError(
+                "Failed to create publisher: create_publisher() called for existing topic name "
+                f"rt{full_name} with incompatible type {other}"
+            )
+        publisher = Publisher(self, msg_type, topic, full_name, qos)
+        self._publishers.append(publisher)
+        self._wake_executor()
+        return publisher
+
+    def create_subscription(
+        self,
+        msg_type: type[Message],
+        topic: str,
+        callback: Callable[..., Any],
+        qos_profile: QoSProfile | int,
+        *,
+        callback_group: CallbackGroup | None = None,
+        event_callbacks: Any = None,
+        qos_overriding_options: Any = None,
+        raw: bool = False,
+    ) -> Subscription:
+        """Call ``callback(message)`` with the messages on a topic, while somebody spins. It raises what
+        ``create_publisher`` does.
+        """
+        if raw:
+            raise NotSimulated("Node.create_subscription(raw=True)")
+        qos = self._prepare("subscription", msg_type, qos_profile, event_callbacks, qos_overriding_options)
+        full_name = self._resolve(topic)
+        if self._other_type(full_name, msg_type) is not None:
+            raise RCLError("Failed to create subscription: invalid allocator")
+        group = callback_group or self.default_callback_group
+        subscription = Subscription(self, msg_type, topic, full_name, callback, group, qos)
+        group.add_entity(subscription)
+        self._subscriptions.append(subscription)
+        self._wake_executor()
+        return subscription
+
+    def _prepare(self, what: str, msg_type: Any, qos: Any, events: Any, options: Any) -> QoSProfile:
+        if events is not None:
+            raise NotSimulated(f"Node.create_{what}(event_callbacks=...)")
+        if options is not None:
+            raise NotSimulated(f"Node.create_{what}(qos_overriding_options=...)")
+        self._check()
+        if isinstance(qos, int):
+            if qos < 0:
+                raise ValueError("history depth must be greater than or equal to zero")
+            qos = QoSProfile(depth=qos)
+        if not isinstance(qos, QoSProfile):
+            raise TypeError(f"Expected QoSProfile or int, but received {type(qos)!r}")
+        if not (isinstance(msg_type, type) and issubclass(msg_type, Message)):
+            raise AttributeError(
+                f"type object '{type(msg_type).__name__}' has no attribute '_TYPE_SUPPORT' "
+                "This might be a ROS 1 message type but it should be a ROS 2 message type. "
+                "Make sure to source your ROS 2 workspace after your ROS 1 workspace."
+            )
+        if not self._context.ok():
+            raise RCLError(f"Failed to create {what}: rcl node's context is invalid")
+        return qos
+
+    def _other_type(self, full_name: str, msg_type: type[Message]) -> str | None:
+        """The type with which this process uses a topic, in DDS's words, if it is another one."""
+        for node in self._context.nodes:
+            for owner in (*node._publishers, *node._subscriptions):
+                if owner.end.topic == full_name and owner.msg_type is not msg_type:
+                    return f"{msg_type.__module__.split('.')[0]}::msg::dds_::{msg_type.__name__}_"
+        return None
+
+    def resolve_topic_name(self, topic: str, *, only_expand: bool = False) -> str:
+        """The full name that a topic's name stands for in this node. RCLError if it is not valid."""
+        try:
+            return self._resolve(topic, only_expand)
+        except InvalidTopicNameException as error:
+            raise RCLError(f"failed to resolve name: {error.error_msg}") from None
+
+    def _resolve(self, topic: str, only_expand: bool = False) -> str:
+        names.validate_topic_name(topic)
+        full_name = names.expand_topic_name(topic, self._name, self._namespace)
+        if not only_expand:
+            for arguments in self._arguments:
+                full_name = arguments.topic(full_name, self._name, self._namespace)
+        names.validate_full_topic_name(full_name)
+        return full_name
+
+    def get_topic_names_and_types(self, no_demangle: bool = False) -> list[tuple[str, list[str]]]:
+        """The topics that are published, and their types. As on a real ROS, those of every node are among them."""
+        topics = {
+            "/parameter_events": "rcl_interfaces/msg/ParameterEvent",
+            "/rosout": "rcl_interfaces/msg/Log",
+            **{owner.end.topic: owner.end.type for node in self._context.nodes for owner in node._subscriptions},
+            **dict(self._context.state.world.graph.topics()),
+        }
+        return [(topic, [kind]) for topic, kind in sorted(topics.items())]
+
+    def count_publishers(self, topic_name: str) -> int:
+        """How many publishers of this process a topic has."""
+        return self._count(topic_name, "_publishers")
+
+    def count_subscribers(self, topic_name: str) -> int:
+        """How many subscriptions of this process a topic has."""
+        return self._count(topic_name, "_subscriptions")
+
+    def _count(self, topic_name: str, owners: str) -> int:
+        full_name = self._resolve(topic_name)
+        return sum(owner.end.topic == full_name for node in self._context.nodes for owner in getattr(node, owners))
+
+    def get_node_names(self) -> list[str]:
+        """The names of the nodes of this process."""
+        return [node._name for node in self._context.nodes]
+
+    def get_node_names_and_namespaces(self) -> list[tuple[str, str]]:
+        """Names and namespaces of the nodes of this process."""
+        return [(node._name, node._namespace) for node in self._context.nodes]
+
+    def get_fully_qualified_node_names(self) -> list[str]:
+        """The full names of the nodes of this process."""
+        return [node._full_name for node in self._context.nodes]
+
+    # --- the end ------------------------------------------------------------------------------------------------------
+
+    def destroy_timer(self, timer: Timer) -> bool:
+        """Destroy a timer of this node; whether it was there."""
+        return self._destroy(timer, self._timers)
+
+    def destroy_rate(self, rate: Rate) -> bool:
+        """Destroy a Rate of this node; whether it was there."""
+        success = self.destroy_timer(rate._timer)
+        rate.destroy()
+        return success
+
+    def destroy_guard_condition(self, guard: GuardCondition) -> bool:
+        """Destroy a guard condition of this node; whether it was there."""
+        return self._destroy(guard, self._guards)
+
+    def destroy_publisher(self, publisher: Publisher) -> bool:
+        """Destroy a publisher of this node; whether it was there."""
+        return self._destroy(publisher, self._publishers)
+
+    def destroy_subscription(self, subscription: Subscription) -> bool:
+        """Destroy a subscription of this node; whether it was there."""
+        return self._destroy(subscription, self._subscriptions)
+
+    def _destroy(self, entity: Any, entities: list[Any]) -> bool:
+        if entity not in entities:
+            return False
+        entities.remove(entity)
+        try:
+            entity.destroy()
+        except InvalidHandle:
+            return False
+        self._wake_executor()
+        return True
+
+    def destroy_node(self) -> None:
+        """Destroy all that it has made, and itself. Its logger goes on."""
+        for entities in (self._publishers, self._subscriptions, self._timers, self._guards):
+            while entities:
+                self._destroy(entities[0], entities)
+        self._destroyed = True
+        if self in self._context.nodes:
+            self._context.nodes.remove(self)
+        self._wake_executor()
+
+    # --- ROS time -----------------------------------------------------------------------------------------------------
+
+    def _listen_to_clock(self) -> None:
+        """ROS time is what /clock says if ``use_sim_time`` is true; until it says something, it is 0.
+
+        Source: rclpy/time_source.py.
+        """
+        self._clock_subscription: Subscription | None = None
+        if not self.has_parameter("use_sim_time"):
+            self.declare_parameter("use_sim_time", False)
+        self._context.nodes.append(self)
+        given = self.get_parameter("use_sim_time")
+        if given.type_ is Parameter.Type.BOOL:
+            self._use_sim_time(given.value)
+        else:
+            self._logger.error(f"Invalid type for parameter 'use_sim_time' {given.type_!r} should be bool")
+        self.add_on_set_parameters_callback(self._on_use_sim_time)
+
+    def _on_use_sim_time(self, parameters: list[Parameter]) -> Any:
+        reason = ""
+        for parameter in parameters:
+            if parameter.name == "use_sim_time":
+                if parameter.type_ is Parameter.Type.BOOL:
+                    self._use_sim_time(parameter.value)
+                else:
+                    reason = "use_sim_time parameter set to something besides a bool"
+                    self._logger.error(reason)
+        return import_module("rcl_interfaces.msg").SetParametersResult(successful=not reason, reason=reason)
+
+    def _use_sim_time(self, enabled: bool) -> None:
+        self._clock._set_ros_time_is_active(enabled)
+        if enabled and self._clock_subscription is None:
+            qos = QoSProfile(depth=1, reliability=ReliabilityPolicy.BEST_EFFORT)
+            kind = import_module("rosgraph_msgs.msg").Clock
+            self._clock_subscription = self.create_subscription(kind, "/clock", self._tell_time, qos)
+        elif not enabled and self._clock_subscription is not None:
+            self.destroy_subscription(self._clock_subscription)
+            self._clock_subscription = None
+
+    def _tell_time(self, message: Any) -> None:
+        self._clock.set_ros_time_override(Time.from_msg(message.clock))
+
+    # --- what needs a real ROS ----------------------------------------------------------------------------------------
+
+    def __getattr__(self, name: str) -> Any:
+        if name in NOT_SIMULATED:
+            raise NotSimulated(f"Node.{name}")
+        raise AttributeError(f"'{type(self).__name__}' object has no attribute '{name}'", name=name, obj=self)
+
+
+# Methods of rclpy's Node that are not here.
+NOT_SIMULATED = {
+    *("add_waitable", "clients", "count_clients", "count_services", "create_client", "create_service"),
+    *("destroy_client", "destroy_service", "get_client_names_and_types_by_node", "get_publishers_info_by_topic"),
+    *("get_publisher_names_and_types_by_node", "get_service_names_and_types", "get_subscriptions_info_by_topic"),
+    *("get_service_names_and_types_by_node", "get_subscriber_names_and_types_by_node", "list_parameters"),
+    *("remove_waitable", "resolve_service_name", "services", "set_descriptor", "waitables"),
+}

@@ -1,0 +1,450 @@
+"""Parameters, and what a node does with them (sources: rclpy/parameter.py, rclpy/node.py)."""
+
+from __future__ import annotations
+
+import math
+import warnings
+from array import array
+from collections.abc import Callable, Iterable
+from enum import Enum
+from importlib import import_module
+from typing import Any
+
+from .exceptions import (
+    InvalidParameterTypeException,
+    InvalidParameterValueException,
+    ParameterAlreadyDeclaredException,
+    ParameterImmutableException,
+    ParameterNotDeclaredException,
+    ParameterUninitializedException,
+)
+from .names import validate_parameter_name
+
+__all__ = ["PARAMETER_SEPARATOR_STRING", "Parameter", "Parameters", "parameter_value_to_python"]
+
+PARAMETER_SEPARATOR_STRING = "."
+
+
+class _Type(Enum):
+    """The types of values, numbered as in rcl_interfaces/ParameterType."""
+
+    NOT_SET = 0
+    BOOL = 1
+    INTEGER = 2
+    DOUBLE = 3
+    STRING = 4
+    BYTE_ARRAY = 5
+    BOOL_ARRAY = 6
+    INTEGER_ARRAY = 7
+    DOUBLE_ARRAY = 8
+    STRING_ARRAY = 9
+
+    @classmethod
+    def from_parameter_value(cls, parameter_value: Any) -> _Type:
+        """The type of a value. TypeError if no parameter can have it."""
+        if parameter_value is None:
+            return cls.NOT_SET
+        for kind, name in _NAMES:
+            if isinstance(parameter_value, kind):
+                return cls[name]
+        if isinstance(parameter_value, (list, tuple, array)):
+            for kind, name in [(bytes, "BYTE"), *_NAMES]:
+                if all(isinstance(value, kind) for value in parameter_value):
+                    return cls[f"{name}_ARRAY"]
+            raise TypeError(f"The given value is not a list of one of the allowed types '{parameter_value}'.")
+        raise TypeError(f"The given value is not one of the allowed types '{parameter_value}'.")
+
+    def check(self, parameter_value: Any) -> bool:
+        """Whether a value is of this type."""
+        if self is _Type.NOT_SET:
+            return parameter_value is None
+        kind = _KINDS[self.name.removesuffix("_ARRAY")]
+        if not self.name.endswith("_ARRAY"):
+            return isinstance(parameter_value, kind)
+        sequences = (list, tuple, array) if kind in (int, float) else (list, tuple)
+        return isinstance(parameter_value, sequences) and all(isinstance(value, kind) for value in parameter_value)
+
+
+_Type.__name__, _Type.__qualname__ = "Type", "Parameter.Type"  # which errors show
+
+# In this order: a bool is an int, too.
+_NAMES: list[tuple[type, str]] = [(bool, "BOOL"), (int, "INTEGER"), (float, "DOUBLE"), (str, "STRING")]
+_KINDS = {"BYTE": bytes, **{name: kind for kind, name in _NAMES}}
+
+
+class Parameter:
+    """A parameter: name, type and value. Raises TypeError and ValueError if type and value do not agree."""
+
+    Type = _Type
+
+    def __init__(self, name: str, type_: _Type | None = None, value: Any = None) -> None:
+        if type_ is None:
+            type_ = _Type.from_parameter_value(value)
+        if not isinstance(type_, _Type):
+            raise TypeError(f"type must be an instance of '{_Type!r}'")
+        if not type_.check(value):
+            raise ValueError(f"Type '{type_}' and value '{value}' do not agree")
+        self._name, self._type, self._value = name, type_, value
+
+    @property
+    def name(self) -> str:
+        """Its name."""
+        return self._name
+
+    @property
+    def type_(self) -> _Type:
+        """The type of its value."""
+        return self._type
+
+    @property
+    def value(self) -> Any:
+        """Its value."""
+        return self._value
+
+    @property
+    def _field(self) -> str:
+        return f"{self._type.name.lower()}_value"
+
+    def get_parameter_value(self) -> Any:
+        """The value as a message, rcl_interfaces/ParameterValue."""
+        message = import_module("rcl_interfaces.msg").ParameterValue(type=self._type.value)
+        if self._type is not _Type.NOT_SET:
+            setattr(message, self._field, self._value)
+        return message
+
+    def to_parameter_msg(self) -> Any:
+        """The same as a message, rcl_interfaces/Parameter."""
+        return import_module("rcl_interfaces.msg").Parameter(name=self._name, value=self.get_parameter_value())
+
+    @classmethod
+    def from_parameter_msg(cls, param_msg: Any) -> Parameter:
+        """A message as a Parameter."""
+        kind = _Type(param_msg.value.type)
+        value = None if kind is _Type.NOT_SET else getattr(param_msg.value, f"{kind.name.lower()}_value")
+        return cls(param_msg.name, kind, value)
+
+
+def parameter_value_to_python(parameter_value: Any) -> Any:
+    """The value in a message, rcl_interfaces/ParameterValue; None if it is not set. RuntimeError for another type."""
+    try:
+        kind = _Type(parameter_value.type)
+    except ValueError:
+        raise RuntimeError(f"unexpected parameter type {parameter_value.type}") from None
+    if kind is _Type.NOT_SET:
+        return None
+    value = getattr(parameter_value, f"{kind.name.lower()}_value")
+    return list(value) if kind.name.endswith("_ARRAY") else value
+
+
+class Parameters:
+    """The parameters of a node: the part of Node that has to do with them. Nothing goes to ``/parameter_events``.
+
+    A parameter has the type of the value with which it is declared; values of other types are refused, an int for a
+    float, too. What stands on the command line goes before the value in the code.
+    """
+
+    PARAM_REL_TOL = 1e-6
+
+    def __init__(self, overrides: dict[str, Parameter], allow_undeclared: bool) -> None:
+        self._parameters: dict[str, Parameter] = {}
+        self._descriptors: dict[str, Any] = {}
+        self._parameter_overrides = overrides
+        self._allow_undeclared_parameters = allow_undeclared
+        self._before_set: list[Callable[[list[Parameter]], list[Parameter]]] = []
+        self._on_set: list[Callable[[list[Parameter]], Any]] = []
+        self._after_set: list[Callable[[list[Parameter]], Any]] = []
+
+    # --- declaring ----------------------------------------------------------------------------------------------------
+
+    def declare_parameter(
+        self, name: str, value: Any = None, descriptor: Any = None, ignore_override: bool = False
+    ) -> Parameter:
+        """Declare a parameter with a value, or a type; the parameter with the value that it has now.
+
+        ``descriptor`` is a ParameterDescriptor. Raises ParameterAlreadyDeclaredException, InvalidParameterException for
+        an empty name, InvalidParameterTypeException if the command line gives a value of another type,
+        InvalidParameterValueException if the value is out of range or refused by a callback, TypeError and ValueError.
+        """
+        entry: tuple[Any, ...] = (name,) if value is None and descriptor is None else (name, value, descriptor)
+        return self._declare("", [entry], ignore_override)[0]
+
+    def declare_parameters(
+        self, namespace: str, parameters: Iterable[tuple[Any, ...]], ignore_override: bool = False
+    ) -> list[Parameter]:
+        """Declare parameters given by name, or name and value, or these and a descriptor, as ``namespace.name``."""
+        return self._declare(namespace, parameters, ignore_override)
+
+    def _declare(self, namespace: str, entries: Iterable[tuple[Any, ...]], ignore_override: bool) -> list[Parameter]:
+        declared: list[tuple[Parameter, Any]] = []
+        for index, entry in enumerate(entries):
+            if not 1 <= len(entry) <= 3:
+                raise TypeError(
+                    f"Invalid parameter tuple length at index {index} in parameters list: "
+                    f"{entry}; expecting length between 1 and 3"
+                )
+            name, value, descriptor = (*entry, None, None)[:3]
+            if not isinstance(name, str):
+                raise TypeError(f"First element {name} at index {index} in parameters list is not a str.")
+            name = f"{namespace}.{name}" if namespace else name
+            validate_parameter_name(name)
+            descriptor = _descriptor(descriptor, index)
+            if len(entry) == 1:
+                warnings.warn(
+                    f"when declaring parameter named '{name}', declaring a parameter only providing its name is "
+                    'deprecated. You have to either:\n\t- Pass a name and a default value different to "PARAMETER NOT '
+                    'SET" (and optionally a descriptor).\n\t- Pass a name and a parameter type.\n\t- Pass a name and a '
+                    "descriptor with `dynamic_typing=True",
+                    stacklevel=4,
+                )
+                descriptor.dynamic_typing = True
+            if isinstance(value, _Type):
+                _check_static(name, value, descriptor)
+                descriptor.type, value = value.value, None
+            elif not descriptor.dynamic_typing:
+                descriptor.type = _Type.from_parameter_value(value).value
+                if descriptor.type == 0:
+                    raise ValueError(
+                        "Cannot declare a statically typed parameter with default value of type PARAMETER_NOT_SET"
+                    )
+            if not ignore_override and name in self._parameter_overrides:
+                value = self._parameter_overrides[name].value
+            declared.append((Parameter(name, value=value), descriptor))
+        if again := [parameter.name for parameter, _ in declared if parameter.name in self._parameters]:
+            raise ParameterAlreadyDeclaredException(again)
+        for parameter, descriptor in declared:
+            reason = self._set([parameter], {parameter.name: descriptor})
+            if reason is not None:
+                if reason.startswith("Wrong parameter type"):
+                    raise InvalidParameterTypeException(parameter, _Type(descriptor.type).name)
+                raise InvalidParameterValueException(parameter.name, parameter.value, reason)
+        return [self._parameters[parameter.name] for parameter, _ in declared]
+
+    def undeclare_parameter(self, name: str) -> None:
+        """Forget a parameter. ParameterNotDeclaredException, ParameterImmutableException if it is read-only."""
+        if not self.has_parameter(name):
+            raise ParameterNotDeclaredException(name)
+        if self._descriptors[name].read_only:
+            raise ParameterImmutableException(name)
+        del self._parameters[name], self._descriptors[name]
+
+    def has_parameter(self, name: str) -> bool:
+        """Whether a parameter is declared."""
+        return name in self._parameters
+
+    # --- reading ------------------------------------------------------------------------------------------------------
+
+    def get_parameter(self, name: str) -> Parameter:
+        """A parameter. ParameterNotDeclaredException; ParameterUninitializedException if it has no value yet."""
+        if name in self._parameters:
+            parameter = self._parameters[name]
+            if parameter.type_ is _Type.NOT_SET and not self._descriptors[name].dynamic_typing:
+                raise ParameterUninitializedException(name)
+            return parameter
+        if self._allow_undeclared_parameters:
+            return Parameter(name, _Type.NOT_SET)
+        raise ParameterNotDeclaredException(name)
+
+    def get_parameters(self, names: list[str]) -> list[Parameter]:
+        """Several parameters."""
+        if not all(isinstance(name, str) for name in names):
+            raise TypeError("All names must be instances of type str")
+        return [self.get_parameter(name) for name in names]
+
+    def get_parameter_or(self, name: str, alternative_value: Parameter | None = None) -> Parameter:
+        """A parameter, or another one (default: one that is not set) if it is not declared or has no value."""
+        found = self._parameters.get(name)
+        if found is None or found.type_ is _Type.NOT_SET:
+            return Parameter(name, _Type.NOT_SET) if alternative_value is None else alternative_value
+        return found
+
+    def get_parameters_by_prefix(self, prefix: str) -> dict[str, Parameter]:
+        """The parameters below a prefix, by the rest of their names."""
+        prefix = prefix + PARAMETER_SEPARATOR_STRING if prefix else ""
+        return {name[len(prefix) :]: value for name, value in self._parameters.items() if name.startswith(prefix)}
+
+    def get_parameter_type(self, name: str) -> Any:
+        """The number of a parameter's type."""
+        if name in self._parameters:
+            return self._parameters[name].type_.value
+        if self._allow_undeclared_parameters:
+            return _Type.NOT_SET
+        raise ParameterNotDeclaredException(name)
+
+    def get_parameter_types(self, names: list[str]) -> list[Any]:
+        """The numbers of several parameters' types."""
+        return [self.get_parameter_type(name) for name in names]
+
+    def describe_parameter(self, name: str) -> Any:
+        """A parameter's descriptor, a message. ParameterNotDeclaredException."""
+        if name in self._descriptors:
+            found = self._descriptors[name]
+            return found.message() if isinstance(found, _Descriptor) else found
+        if self._allow_undeclared_parameters:
+            return import_module("rcl_interfaces.msg").ParameterDescriptor()
+        raise ParameterNotDeclaredException(name)
+
+    def describe_parameters(self, names: list[str]) -> list[Any]:
+        """Several parameters' descriptors."""
+        return [self.describe_parameter(name) for name in names]
+
+    # --- setting ------------------------------------------------------------------------------------------------------
+
+    def set_parameters(self, parameter_list: list[Parameter]) -> list[Any]:
+        """Set parameters one after the other; a SetParametersResult for each. ParameterNotDeclaredException."""
+        return [self.set_parameters_atomically([parameter]) for parameter in parameter_list]
+
+    def set_parameters_atomically(self, parameter_list: list[Parameter]) -> Any:
+        """Set all or none; a SetParametersResult. ParameterNotDeclaredException."""
+        if self._before_set:
+            parameter_list = [each for callback in self._before_set for each in callback(parameter_list)]
+            if not parameter_list:
+                return _result(
+                    "parameter list cannot be empty, this might be due to pre_set_parameters_callback modifying the "
+                    "original parameters list."
+                )
+        if not all(isinstance(parameter, Parameter) for parameter in parameter_list):
+            raise TypeError(f"parameter must be instance of type '{Parameter!r}'")
+        undeclared = [parameter.name for parameter in parameter_list if parameter.name not in self._parameters]
+        if undeclared and not self._allow_undeclared_parameters:
+            raise ParameterNotDeclaredException(undeclared[1:])  # rclpy has lost the first one when it says so
+        return _result(self._set(parameter_list, None))
+
+    def _set(self, parameters: list[Parameter], descriptors: dict[str, Any] | None) -> str | None:
+        """Set parameters, declaring them if descriptors are given; why not, or None."""
+        known = self._descriptors if descriptors is None else descriptors
+        for parameter in parameters:
+            if parameter.name in known:
+                reason = self._refused(parameter, known[parameter.name], check_read_only=descriptors is None)
+                if reason is not None:
+                    return reason
+        for callback in self._on_set:
+            result = callback(parameters)
+            if not isinstance(result, import_module("rcl_interfaces.msg").SetParametersResult):
+                warnings.warn("Callback returned an invalid type, it should return SetParameterResult.", stacklevel=4)
+                return "Callback returned an invalid type"
+            if not result.successful:
+                return str(result.reason)
+        for parameter in parameters:
+            name = parameter.name
+            if descriptors is None and parameter.type_ is _Type.NOT_SET:
+                self._parameters.pop(name, None)
+                self._descriptors.pop(name, None)
+                continue
+            if descriptors is not None:
+                self._descriptors[name] = descriptors[name]
+            elif name not in self._descriptors:
+                self._descriptors[name] = _Descriptor(name, dynamic_typing=True)
+            self._parameters[name] = parameter
+        for callback in self._after_set:
+            callback(parameters)
+        return None
+
+    def _refused(self, parameter: Parameter, descriptor: Any, check_read_only: bool) -> str | None:
+        """Why a parameter may not have this value, or None."""
+        descriptor.name = parameter.name
+        if check_read_only and descriptor.read_only:
+            return f"Trying to set a read-only parameter: {parameter.name}."
+        if descriptor.dynamic_typing:
+            descriptor.type = parameter.type_.value
+        elif self.has_parameter(parameter.name) and parameter.type_ is _Type.NOT_SET:
+            return "Static parameter cannot be undeclared"
+        elif parameter.type_ is not _Type.NOT_SET and parameter.type_.value != descriptor.type:
+            return f"Wrong parameter type, expected '{_Type(descriptor.type)}' got '{parameter.type_}'"
+        if parameter.type_ is _Type.INTEGER and descriptor.integer_range:
+            return _out_of_integers(parameter, descriptor.integer_range[0])
+        if parameter.type_ is _Type.DOUBLE and descriptor.floating_point_range:
+            return _out_of_floats(parameter, descriptor.floating_point_range[0], self.PARAM_REL_TOL)
+        return None
+
+    def add_pre_set_parameters_callback(self, callback: Callable[[list[Parameter]], list[Parameter]]) -> None:
+        """Let a function replace the parameters that are about to be set; the newest function goes first."""
+        self._before_set.insert(0, callback)
+
+    def add_on_set_parameters_callback(self, callback: Callable[[list[Parameter]], Any]) -> None:
+        """Let a function refuse parameters, which returns a SetParametersResult; the newest goes first."""
+        self._on_set.insert(0, callback)
+
+    def add_post_set_parameters_callback(self, callback: Callable[[list[Parameter]], Any]) -> None:
+        """Call a function with the parameters that were set; the newest goes first."""
+        self._after_set.insert(0, callback)
+
+    def remove_pre_set_parameters_callback(self, callback: Callable[[list[Parameter]], list[Parameter]]) -> None:
+        """Do not call it any more; ValueError if it is not there."""
+        self._before_set.remove(callback)
+
+    def remove_on_set_parameters_callback(self, callback: Callable[[list[Parameter]], Any]) -> None:
+        """Do not call it any more; ValueError if it is not there."""
+        self._on_set.remove(callback)
+
+    def remove_post_set_parameters_callback(self, callback: Callable[[list[Parameter]], Any]) -> None:
+        """Do not call it any more; ValueError if it is not there."""
+        self._after_set.remove(callback)
+
+
+class _Descriptor:
+    """What a ParameterDescriptor has, for nodes that give none: most need no message."""
+
+    def __init__(self, name: str = "", dynamic_typing: bool = False) -> None:
+        self.name = name
+        self.type = 0
+        self.dynamic_typing = dynamic_typing
+        self.read_only = False
+        self.integer_range: list[Any] = []
+        self.floating_point_range: list[Any] = []
+
+    def message(self) -> Any:
+        """The message."""
+        kind = import_module("rcl_interfaces.msg").ParameterDescriptor
+        return kind(**{name: value for name, value in vars(self).items() if not isinstance(value, list)})
+
+
+def _descriptor(descriptor: Any, index: int) -> Any:
+    if descriptor is None:
+        return _Descriptor()
+    if not isinstance(descriptor, import_module("rcl_interfaces.msg").ParameterDescriptor):
+        raise TypeError(f"Third element {descriptor} at index {index} in parameters list is not a ParameterDescriptor.")
+    return descriptor
+
+
+def _check_static(name: str, kind: _Type, descriptor: Any) -> None:
+    if kind is _Type.NOT_SET:
+        raise ValueError(f"Cannot declare parameter {{{name}}} as statically typed of type NOT_SET")
+    if descriptor.dynamic_typing:
+        raise ValueError(
+            f"When declaring parameter {{{name}}} passing a descriptor with"
+            "`dynamic_typing=True` is not allowed when the parameter type is provided"
+        )
+
+
+def _result(reason: str | None) -> Any:
+    kind = import_module("rcl_interfaces.msg").SetParametersResult
+    return kind(successful=reason is None, reason=reason or "")
+
+
+def _out_of_integers(parameter: Parameter, range_: Any) -> str | None:
+    low, high = sorted((range_.from_value, range_.to_value))
+    name, value, step = parameter.name, parameter.value, range_.step
+    if value in (low, high):
+        return None
+    if not low < value < high:
+        return f"Parameter {name} out of range. Min: {low}, Max: {high}, value: {value}"
+    if step and (value - low) % step:
+        return (
+            f"The parameter value for {name} is not a valid step. Min: {low}, max: {high}, value: {value}, step: {step}"
+        )
+    return None
+
+
+def _out_of_floats(parameter: Parameter, range_: Any, tolerance: float) -> str | None:
+    low, high = sorted((range_.from_value, range_.to_value))
+    name, value, step = parameter.name, parameter.value, range_.step
+    if math.isclose(value, low, rel_tol=tolerance) or math.isclose(value, high, rel_tol=tolerance):
+        return None
+    if not low < value < high:
+        return f"Parameter {name} out of range Min: {low}, Max: {high}, value: {value}"
+    if step and not math.isclose(low + round((value - low) / step) * step, value, rel_tol=tolerance):
+        return (
+            f"The parameter value for {name} is not close enough to a valid step. "
+            f"Min: {low}, max: {high}, value: {value}, step: {step}"
+        )
+    return None

@@ -1,0 +1,80 @@
+"""What Ctrl-C and SIGTERM do (source: rclpy/signals.py, and its signal_handler.cpp)."""
+
+from __future__ import annotations
+
+import signal
+from enum import Enum
+from typing import Any
+
+from .state import state
+
+__all__ = [
+    "SignalHandlerOptions",
+    "get_current_signal_handlers_options",
+    "install_signal_handlers",
+    "uninstall_signal_handlers",
+]
+
+
+class SignalHandlerOptions(Enum):
+    """Which signals shut the contexts down."""
+
+    NO = 0
+    SIGINT = 1
+    SIGTERM = 2
+    ALL = 3
+
+
+_NUMBERS = {
+    SignalHandlerOptions.NO: (),
+    SignalHandlerOptions.SIGINT: (signal.SIGINT,),
+    SignalHandlerOptions.SIGTERM: (signal.SIGTERM,),
+    SignalHandlerOptions.ALL: (signal.SIGINT, signal.SIGTERM),
+}
+
+
+def install_signal_handlers(options: SignalHandlerOptions = SignalHandlerOptions.ALL) -> None:
+    """Let signals shut down the contexts. What handled them before is called afterwards.
+
+    Only the main thread can do that: in another one nothing happens.
+    """
+    own = state()
+    for number in _NUMBERS[options]:
+        if signal.getsignal(number) is not _handle:
+            try:
+                own.before[number] = signal.signal(number, _handle)
+            except ValueError:
+                return
+        own.handled.add(number)
+
+
+def get_current_signal_handlers_options() -> SignalHandlerOptions:
+    """Which signals shut the contexts down."""
+    numbers = tuple(sorted(state().handled))
+    return next(options for options, handled in _NUMBERS.items() if handled == numbers)
+
+
+def uninstall_signal_handlers() -> None:
+    """Let signals do what they did before."""
+    state().handled.clear()  # the handlers stay where they are: only the main thread could take them away
+
+
+def _handle(number: int, frame: Any) -> None:
+    """Shut down all contexts and wake the executors. What was there before follows: KeyboardInterrupt at Ctrl-C."""
+    own = state()
+    before = own.before[number]
+    if number in own.handled:
+        for context in list(own.contexts):
+            context.end()
+        for gate in list(own.waiting):
+            gate.open()
+        own.clock.sleep(0)  # those who wait in other threads go first
+    elif not callable(before):
+        signal.signal(number, before)
+        signal.raise_signal(number)
+    if not callable(before):
+        return
+    if own.asleep:
+        own.pending = lambda: before(number, frame)
+    else:
+        before(number, frame)

@@ -1,0 +1,70 @@
+"""What rclpy keeps of a process in module variables; here, every run of a node file has its own."""
+
+from __future__ import annotations
+
+import threading
+from collections.abc import Callable
+from typing import TYPE_CHECKING, Any
+
+from ..world import World, current_world
+
+if TYPE_CHECKING:
+    from .context import Context
+    from .executors import Executor
+    from .logging import LogForm
+
+__all__ = ["Gate", "State", "state", "world_here"]
+
+
+class Gate:
+    """What one thread waits at until others open it; twice is once. A signal handler may open it, too."""
+
+    def __init__(self) -> None:
+        self._lock = threading.Lock()
+        self._lock.acquire()
+
+    def open(self) -> None:
+        """Let the one who waits, or will, go on."""
+        try:
+            self._lock.release()
+        except RuntimeError:
+            pass  # it is open
+
+    def wait(self, ns: int | None = None) -> bool:
+        """Wait until it is opened, and shut it again; for at most ``ns`` nanoseconds. Whether it was opened."""
+        return self._lock.acquire(True, -1 if ns is None else min(max(ns, 0) / 1e9, threading.TIMEOUT_MAX))
+
+
+class State:
+    """The contexts of a process, its log levels, and what its signals do."""
+
+    def __init__(self, world: World) -> None:
+        self.world = world
+        self.clock = world.clock
+        self.context: Context | None = None  # the default one
+        self.executor: Executor | None = None  # the one that ``rclpy.spin`` uses
+
+        self.contexts: list[Context] = []  # those that were initialised
+        self.waiting: dict[Any, None] = {}  # Gates at which executors wait; a signal opens them
+        self.handled: set[int] = set()  # signals that shut the contexts down
+        self.before: dict[int, Any] = {}  # signal handlers that were there before rclpy's
+        self.asleep = False  # whether the main thread sleeps on a Clock: C code, in which no handler runs
+        self.pending: Callable[[], Any] | None = None  # the handler that waits for that
+
+        self.level = 20  # INFO
+        self.levels: dict[str, int] = {}
+        self.console = True
+        self.log_form: LogForm | None = None  # None: not looked up yet
+
+
+def world_here() -> World | None:
+    """The world of the node that asks; None outside a run."""
+    try:
+        return current_world()
+    except RuntimeError:
+        return None
+
+
+def state() -> State:
+    """The state of the process that asks. Raises RuntimeError outside a run."""
+    return current_world().part(State)

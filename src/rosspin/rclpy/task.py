@@ -1,0 +1,200 @@
+"""Futures, and the tasks in which executors run callbacks (source: rclpy/task.py)."""
+
+from __future__ import annotations
+
+import inspect
+import sys
+import warnings
+from collections.abc import Callable, Coroutine, Generator
+from enum import Enum
+from typing import TYPE_CHECKING, Any
+from weakref import ref
+
+from .state import world_here
+
+if TYPE_CHECKING:
+    from .executors import Executor
+
+__all__ = ["Future", "FutureState", "Task"]
+
+
+class FutureState(Enum):
+    """What has become of a future."""
+
+    PENDING = "PENDING"
+    CANCELLED = "CANCELLED"
+    FINISHED = "FINISHED"
+
+
+_PENDING, _CANCELLED, _FINISHED = FutureState  # looked up at each tick
+
+
+class Future:
+    """A result that is still to come. ``await`` it in a callback that is a coroutine.
+
+    Nobody is woken by it: who awaits it is resumed in the executor's next round, whatever that waits for. Its done
+    callbacks are run by its executor, if it has one, else at once.
+    """
+
+    def __init__(self, *, executor: Executor | None = None) -> None:
+        self._state = _PENDING
+        self._result: Any = None
+        self._exception: BaseException | None = None
+        self._fetched = False
+        self._world: object = None  # of the node whose exception it is
+        self._callbacks: list[Callable[[Future], Any]] = []
+        self._executor: Callable[[], Executor | None] = _nobody
+        if executor is not None:
+            self._executor = ref(executor)
+
+    def __del__(self) -> None:
+        # What is collected when its run is over has nobody to tell.
+        if self._exception is not None and not self._fetched and world_here() is self._world:
+            sys.stderr.write(f"The following exception was never retrieved: {self._exception}\n")
+
+    def __await__(self) -> Generator[None, None, Any]:
+        while self._state is _PENDING:
+            yield
+        return self.result()
+
+    def cancel(self) -> None:
+        """Give it up, unless it is done."""
+        if self._state is _PENDING:
+            self._settle(_CANCELLED)
+
+    def cancelled(self) -> bool:
+        """Whether it was given up."""
+        return self._state is _CANCELLED
+
+    def done(self) -> bool:
+        """Whether it has a result or an exception."""
+        return self._state is _FINISHED
+
+    def result(self) -> Any:
+        """Its result, None if there is none yet; its exception is raised."""
+        if self._exception is not None:
+            self._fetched = True
+            raise self._exception
+        return self._result
+
+    def exception(self) -> BaseException | None:
+        """Its exception, if it has one."""
+        self._fetched = True
+        return self._exception
+
+    def set_result(self, result: Any) -> None:
+        """Give it its result."""
+        self._result = result
+        self._settle(_FINISHED)
+
+    def set_exception(self, exception: BaseException) -> None:
+        """Give it an exception."""
+        self._exception = exception
+        self._world = world_here()
+        self._fetched = False
+        self._settle(_FINISHED)
+
+    def _settle(self, state: FutureState) -> None:
+        self._state = state
+        executor = self._executor()
+        while callback := self._next_callback():
+            if executor is not None:
+                executor.create_task(callback, self)
+            else:
+                try:
+                    callback(self)
+                except Exception as error:
+                    warnings.warn(f"Unhandled exception in done callback: {error}", stacklevel=2)
+
+    def _next_callback(self) -> Callable[[Future], Any] | None:
+        """Take the next callback: each is taken once, whoever settles the future or adds to it meanwhile."""
+        try:
+            return self._callbacks.pop(0)
+        except IndexError:
+            return None
+
+    def add_done_callback(self, callback: Callable[[Future], Any]) -> None:
+        """Call ``callback(future)`` once it is done or given up."""
+        self._callbacks.append(callback)
+        if self._state is not _PENDING and (found := self._next_callback()):
+            executor = self._executor()
+            if executor is not None:
+                executor.create_task(found, self)
+            else:
+                found(self)
+
+    def remove_done_callback(self, callback: Callable[[Future], Any]) -> bool:
+        """Do not call it; whether it was waiting for that."""
+        try:
+            self._callbacks.remove(callback)
+        except ValueError:
+            return False
+        return True
+
+
+def _nobody() -> None:
+    return None
+
+
+class Task(Future):
+    """The call of a function, or of a coroutine, which is resumed each time that the task is called."""
+
+    def __init__(
+        self,
+        handler: Callable[..., Any],
+        args: tuple[Any, ...] = (),
+        kwargs: dict[str, Any] | None = None,
+        executor: Executor | None = None,
+    ) -> None:
+        super().__init__(executor=executor)
+        self._handler: Callable[..., Any] | None = handler
+        self._arguments = (args, kwargs or {})
+        self._coroutine: Coroutine[Any, Any, Any] | None = None
+        if inspect.iscoroutinefunction(handler):
+            self._coroutine = handler(*args, **(kwargs or {}))
+        self._executing = False
+        self._turn = [None]  # taken by the thread that runs it
+
+    def __call__(self) -> None:
+        """Run it, or resume it; nothing if that happens already."""
+        try:
+            self._turn.pop()
+        except IndexError:
+            return
+        try:
+            if self._state is not _PENDING or self._executing:
+                return
+            self._executing = True
+            try:
+                if self._coroutine is None:
+                    assert self._handler
+                    args, kwargs = self._arguments
+                    result = self._handler(*args, **kwargs)
+                else:
+                    self._coroutine.send(None)
+                    self._executing = False
+                    return
+            except StopIteration as end:
+                if self._coroutine is None:
+                    self.set_exception(end)
+                else:
+                    self.set_result(end.value)
+            except Exception as error:
+                self.set_exception(error)
+            else:
+                self.set_result(result)
+            self._handler = self._coroutine = None
+            # What ends the program, as SystemExit, leaves it executing for ever.
+            self._executing = False
+        finally:
+            self._turn.append(None)
+
+    def executing(self) -> bool:
+        """Whether it is running now."""
+        return self._executing
+
+    def cancel(self) -> None:
+        """Give it up; a coroutine is closed."""
+        if self._state is _PENDING and self._coroutine is not None:
+            self._coroutine.close()
+        super().cancel()

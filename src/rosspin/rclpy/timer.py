@@ -1,0 +1,291 @@
+"""Timers and Rates (sources: rclpy/timer.py, rcl/timer.c)."""
+
+from __future__ import annotations
+
+import inspect
+import threading
+from collections.abc import Callable
+from typing import Any, NamedTuple
+
+from ..world import Record
+from .callback_groups import CallbackGroup
+from .clock import Clock, ROSClock
+from .context import Context, get_default_context
+from .exceptions import InvalidHandle, RCLError, ROSInterruptException, not_accepted
+from .time import Time
+
+__all__ = ["Call", "Rate", "Timer", "TimerInfo"]
+
+
+# A timer of less (ns) has no grid: it is due again as soon as it was called, which takes a real machine so long.
+_LEAST_PERIOD = 1_000
+_CALL = 100_000
+
+
+class Call(NamedTuple):
+    """What an executor is to call; ``tick`` is the record of it, if it is one."""
+
+    callback: Any
+    args: tuple[Any, ...]
+    tick: Record | None
+
+
+class TimerInfo(NamedTuple):
+    """When a call was due, and when it came. It is passed to a callback that has a parameter annotated so.
+
+    On a real ROS 2 it is there from Kilted on.
+    """
+
+    expected_call_time: Time
+    actual_call_time: Time
+
+
+class Timer:
+    """Lets an executor call ``callback()`` every ``timer_period_ns``, for the first time after one period.
+
+    Each call counts on from when it was due. If that is over when a call begins, the next one is the next place of the
+    same grid: however long callbacks take, at most one call comes late, and the grid is kept. Without ``autostart`` it
+    begins with ``reset``. Raises RCLError if the period is negative or the context not valid.
+    """
+
+    def __init__(
+        self,
+        callback: Callable[..., Any] | None,
+        callback_group: CallbackGroup | None,
+        timer_period_ns: int,
+        clock: Clock,
+        *,
+        context: Context | None = None,
+        autostart: bool = True,
+    ) -> None:
+        if timer_period_ns < 0:
+            raise RCLError("failed to create timer: timer period must be non-negative")
+        if timer_period_ns >= 2**63:
+            signature = (
+                "Timer(arg0: rclpy::Clock, arg1: rclpy._rclpy_pybind11.Context, arg2: typing.SupportsInt, arg3: bool)"
+            )
+            raise not_accepted(signature, "Clock", "Context", timer_period_ns, autostart)
+        if not (context or get_default_context()).ok():
+            reason = "either rcl_init() was not called or rcl_shutdown() was called."
+            raise RCLError(f"failed to create timer: the given context is not valid, {reason}")
+        self.callback_group: Any = callback_group
+        self.clock = clock
+        self._period = timer_period_ns
+        self._last = clock.ns()
+        self._next = self._last + timer_period_ns
+        self._credit: int | None = None  # what is left of the period while the source of ROS time changes
+        self._cancelled = not autostart
+        self._destroyed = False
+        self.expected = self._next  # when the last call was due
+        self.nudge: Callable[[], None] | None = None  # tells the executor that waits
+        self._executor_event = False
+        world = clock._state.world
+        self._ticks = world.ticks if callback is not None else None
+        self._count = 0
+        if self._ticks is not None:
+            self._source = world.source(getattr(callback, "__name__", type(callback).__name__))
+        self.callback = callback
+        if isinstance(clock, ROSClock):
+            clock.timers[self] = None
+
+    @property
+    def callback(self) -> Any:
+        """What is called."""
+        return self._callback
+
+    @callback.setter
+    def callback(self, callback: Callable[..., Any] | None) -> None:
+        self._callback = callback
+        self._wants_info = False
+        if callback is not None:
+            try:
+                parameters = inspect.signature(callback).parameters.values()
+            except (TypeError, ValueError):
+                return
+            self._wants_info = any(parameter.annotation is TimerInfo for parameter in parameters)
+
+    @property
+    def timer_period_ns(self) -> int:
+        """The period; a new one counts from the next call on, which stays when it was due."""
+        self._check()
+        return self._period
+
+    @timer_period_ns.setter
+    def timer_period_ns(self, value: float) -> None:
+        self._check()
+        self._period = int(value)
+
+    def is_ready(self) -> bool:
+        """Whether a call is due."""
+        self._check()
+        return self.is_due()
+
+    def is_canceled(self) -> bool:
+        """Whether it is cancelled."""
+        self._check()
+        return self._cancelled
+
+    def cancel(self) -> None:
+        """Call no more, until ``reset``."""
+        self._check()
+        self._cancelled = True
+
+    def reset(self) -> None:
+        """Begin anew: the next call is due after one period. A cancelled timer goes on."""
+        self._check()
+        self._next = self.clock.ns() + self._period
+        self._cancelled = False
+        if self.nudge:
+            self.nudge()
+
+    def time_since_last_call(self) -> int:
+        """How long ago it was called, in ns; before the first call, made."""
+        self._check()
+        return self.clock.ns() - self._last
+
+    def time_until_next_call(self) -> int | None:
+        """When it is due, in ns from now, negative if that is over; None if it is cancelled."""
+        self._check()
+        return None if self._cancelled else self._next - self.clock.ns()
+
+    def destroy(self) -> None:
+        """Destroy it."""
+        self._check()
+        self._destroyed = True
+        if isinstance(self.clock, ROSClock):
+            self.clock.timers.pop(self, None)
+
+    def _check(self) -> None:
+        if self._destroyed:
+            raise InvalidHandle()
+
+    def take(self) -> Call | None:
+        """What is to be called now; None if it was destroyed. RCLError if it was cancelled after it became ready."""
+        if self._destroyed:
+            return None
+        if self._cancelled:
+            raise RCLError("failed to call timer: timer is canceled")
+        now = self._last = self.clock.ns()
+        expected = self.expected = self._next
+        following = expected + self._period
+        if 0 <= self._period < _LEAST_PERIOD:
+            following = now + _CALL
+        elif following <= now:
+            # On to the next place of the grid.
+            following = now + self._period - (now - expected) % self._period
+        self._next = following
+        tick = None
+        if self._ticks is not None:
+            self._count += 1
+            tick = [self._source, self._count, self.stamp(expected), self.stamp(now), None]
+            self._ticks.append(tick)
+        return Call(self._callback, self._info(expected, now) if self._wants_info else (), tick)
+
+    def _info(self, expected: int, now: int) -> tuple[TimerInfo]:
+        kind = self.clock.clock_type
+        return (TimerInfo(Time(nanoseconds=expected, clock_type=kind), Time(nanoseconds=now, clock_type=kind)),)
+
+    def stamp(self, ns: int) -> int:
+        """A time of this timer's clock as it is recorded: on the clock of the run, unless ROS time is told."""
+        return ns + self.clock._state.clock.now() - self.clock.ns() if self.clock.flows else ns
+
+    # --- what executors ask, whether or not it was destroyed ---------------------------------------------------------
+
+    def is_due(self) -> bool:
+        """Whether a call is due."""
+        return self._next <= self.clock.ns() and not self._cancelled and not self._destroyed
+
+    def is_flowing(self) -> bool:
+        """Whether it becomes due by itself, as time goes on."""
+        return self.clock.flows and not self._cancelled
+
+    def time_left(self) -> int:
+        """When it is due, in ns from now."""
+        return self._next - self.clock.ns()
+
+    # --- ROS time that jumps ------------------------------------------------------------------------------------------
+
+    def before_jump(self, switches: bool) -> None:
+        """The time is about to jump, perhaps because ROS time switches to another source."""
+        now = self.clock.ns()
+        if switches and (now or self.clock.flows):  # 0: nobody has told the time yet
+            self._credit = self._next - now
+
+    def after_jump(self, switches: bool) -> None:
+        """The time has jumped. Backwards: the next call is due after a period. Another source: what is left is kept."""
+        now = self.clock.ns()
+        if switches:
+            if self._credit is not None and (now or self.clock.flows):
+                self._next, self._last = now - self._credit + self._period, now - self._credit
+                self._credit = None
+        elif self._next > now and now < self._last:
+            self._next, self._last = now + self._period, now
+
+
+class Rate:
+    """Sleeps in a loop so that its passes begin at a fixed rate. Made by ``Node.create_rate``.
+
+    It is a timer that wakes who sleeps: some other thread has to spin, or it sleeps for ever. If a pass takes too long,
+    one ``sleep`` returns at once; then the grid goes on.
+    """
+
+    def __init__(self, timer: Timer, *, context: Context) -> None:
+        self._timer = timer
+        self._event = threading.Event()
+        self._lock = threading.Lock()
+        self._sleepers = 0
+        self._is_shutdown = False
+        self._is_destroyed = False
+        timer.callback = self._wake
+        context.on_shutdown(self._on_shutdown)
+
+        self._world = timer.clock._state.world
+        self._source = ""
+        self._passes = 0
+        self._due = self._expected = self._pass_start = timer.stamp(timer.clock.ns())
+
+    def _wake(self) -> None:
+        if not self._event.is_set():
+            self._due = self._timer.stamp(self._timer.expected)
+        self._event.set()
+
+    def _on_shutdown(self) -> None:
+        self._is_shutdown = True
+        self.destroy()
+
+    def destroy(self) -> None:
+        """Wake who sleeps, and let nobody sleep any more."""
+        self._is_destroyed = True
+        self._event.set()
+
+    def sleep(self) -> None:
+        """Sleep until the timer wakes it; return at once if it did since the last ``sleep``.
+
+        Raises ROSInterruptException at ``rclpy.shutdown()``, RuntimeError if it was destroyed. A signal does not wake
+        it.
+        """
+        if self._is_shutdown:
+            raise ROSInterruptException()
+        if self._is_destroyed:
+            raise RuntimeError("Rate cannot sleep because it has been destroyed")
+        self._record_pass()
+        with self._lock:
+            self._sleepers += 1
+        try:
+            self._event.wait()
+        finally:
+            with self._lock:
+                self._sleepers -= 1
+                if self._sleepers == 0:
+                    self._event.clear()
+        if self._is_shutdown:
+            raise ROSInterruptException()
+        self._expected, self._pass_start = self._due, self._timer.stamp(self._timer.clock.ns())
+
+    def _record_pass(self) -> None:
+        ticks = self._world.ticks
+        if ticks is not None:
+            self._source = self._source or self._world.source("Rate")
+            self._passes += 1
+            duration = self._timer.stamp(self._timer.clock.ns()) - self._pass_start
+            ticks.append([self._source, self._passes, self._expected, self._pass_start, duration])

@@ -1,0 +1,258 @@
+"""Publishers and subscriptions (sources: rclpy/publisher.py, rclpy/subscription.py, rclpy/wait_for_message.py).
+
+On a real ROS a middleware brings the messages. Here a publisher puts copies of them into the queues of those who
+subscribe.
+"""
+
+from __future__ import annotations
+
+import inspect
+import threading
+import time
+from collections import deque
+from collections.abc import Callable
+from typing import TYPE_CHECKING, Any, NamedTuple
+
+from ..messages.ros2 import Message, transfer
+from .exceptions import InvalidHandle, RCLError
+from .qos import DurabilityPolicy, QoSProfile, incompatible_policy
+from .state import Gate
+
+if TYPE_CHECKING:
+    from .node import Node
+
+__all__ = ["Publisher", "Subscription", "wait_for_message"]
+
+# How long (ns) it takes two processes to find each other; real ones need up to seconds. Within one it takes no time.
+DISCOVERY = 100_000_000
+
+
+class End(NamedTuple):
+    """An end of a topic, as it is in the graph."""
+
+    topic: str
+    type: str  # as in std_msgs/msg/String
+    owner: Any
+
+
+class _Owner:
+    """What a publisher and a subscription have in common."""
+
+    def __init__(self, node: Node, msg_type: type[Message], topic: str, full_name: str, qos: QoSProfile) -> None:
+        self.node = node
+        self.msg_type = msg_type
+        self.topic = topic  # as its node calls it
+        kind = f"{msg_type.__module__.replace('.', '/').rpartition('/')[0]}/{msg_type.__name__}"
+        self.end = End(full_name, kind, self)
+        self.qos_profile = qos
+        self.peers: list[Any] = []
+        self._destroyed = False
+
+    @property
+    def topic_name(self) -> str:
+        """The topic's full name."""
+        self._check()
+        return self.end.topic
+
+    @property
+    def logger_name(self) -> str:
+        """The name of its node's logger."""
+        return self.node.get_logger().name
+
+    def _check(self) -> None:
+        if self._destroyed:
+            raise InvalidHandle()
+
+    def refuse(self, policy: str) -> None:
+        """The other end does not match, as the node says when it spins."""
+        text = self._refusal.format(self.topic, policy)
+        self.node.create_guard_condition(lambda: self.node.get_logger().warning(text)).trigger()
+
+    _refusal: str
+
+    def destroy(self) -> None:
+        """Take it off the topic."""
+        self._check()
+        self._destroyed = True
+        self.node.context.state.world.graph.remove(self.end)
+        for peer in self.peers:
+            peer.peers.remove(self)
+
+
+class Publisher(_Owner):
+    """Publishes messages on a topic. Made by ``Node.create_publisher``."""
+
+    _refusal = (
+        "New subscription discovered on topic '{}', requesting incompatible QoS. "
+        "No messages will be sent to it. Last incompatible policy: {}"
+    )
+
+    def __init__(self, node: Node, msg_type: type[Message], topic: str, full_name: str, qos: QoSProfile) -> None:
+        super().__init__(node, msg_type, topic, full_name, qos)
+        keeps = qos.durability is DurabilityPolicy.TRANSIENT_LOCAL
+        self.kept: deque[Message] = deque(maxlen=qos.kept if keeps else 0)
+        for end in node.context.state.world.graph.advertise(self.end):
+            _meet(self, end.owner)
+
+    def publish(self, msg: Message) -> None:
+        """Publish a message. TypeError for one of another class, AssertionError for one with wrong values in it.
+
+        InvalidHandle if it was destroyed; RCLError after shutdown.
+        """
+        self._check()
+        if not isinstance(msg, self.msg_type):
+            raise TypeError(f"Expected {self.msg_type}, got {type(msg)}")
+        if not self.node.context.ok():
+            raise RCLError("Failed to publish: publisher's context is invalid")
+        message = transfer(msg, self.msg_type)
+        self.kept.append(message)
+        own = self.node.context.state
+        graph = own.world.graph
+        if graph.published is not None:
+            graph.record(self.end.topic, self.node.get_fully_qualified_name(), lambda: message)
+        for subscription in list(self.peers):
+            subscription.deliver(message, own.clock.now())
+
+    def get_subscription_count(self) -> int:
+        """How many subscriptions it sends to."""
+        self._check()
+        return len(self.peers)
+
+    def assert_liveliness(self) -> None:
+        """Nobody watches for it here."""
+
+    def wait_for_all_acked(self, timeout: Any = None) -> bool:
+        """True: what was published has arrived."""
+        return True
+
+
+class Subscription(_Owner):
+    """Lets an executor call ``callback(message)``, or ``callback(message, info)``. Made by ``create_subscription``.
+
+    It keeps the newest messages, as its QoS says, and gives the oldest of them first.
+    """
+
+    _refusal = (
+        "New publisher discovered on topic '{}', offering incompatible QoS. "
+        "No messages will be received from it. Last incompatible policy: {}"
+    )
+
+    def __init__(
+        self,
+        node: Node,
+        msg_type: type[Message],
+        topic: str,
+        full_name: str,
+        callback: Callable[..., Any],
+        callback_group: Any,
+        qos: QoSProfile,
+    ) -> None:
+        super().__init__(node, msg_type, topic, full_name, qos)
+        self.callback = callback
+        self.callback_group = callback_group
+        self.messages: deque[tuple[Message, dict[str, Any]]] = deque(maxlen=qos.kept)
+        self.nudge: Callable[[], None] = node.nudge
+        self._executor_event = False
+        self._received = 0
+        for end in node.context.state.world.graph.subscribe(self.end):
+            _meet(end.owner, self)
+
+    @property
+    def callback(self) -> Callable[..., Any]:
+        """What is called."""
+        return self._callback
+
+    @callback.setter
+    def callback(self, callback: Callable[..., Any]) -> None:
+        for count in (1, 2):
+            try:
+                inspect.signature(callback).bind(*[None] * count)
+            except TypeError:
+                continue
+            self._callback, self._wants_info = callback, count == 2
+            return
+        raise RuntimeError(
+            "Subscription.__init__(): callback should be either be callable with one argument"
+            "(to get only the message) or two (to get message and message info)"
+        )
+
+    def deliver(self, message: Message, sent: int) -> None:
+        """Put a copy of a message into the queue."""
+        self._received += 1
+        info = {
+            "source_timestamp": sent,
+            "received_timestamp": self.node.context.state.clock.now(),
+            "publication_sequence_number": self._received,
+            "reception_sequence_number": None,
+        }
+        self.messages.append((transfer(message, self.msg_type), info))
+        self.nudge()
+
+    def take(self) -> Any:
+        """What is to be called; None if there is no message any more."""
+        if self._destroyed:
+            return None
+        try:
+            message, info = self.messages.popleft()
+        except IndexError:
+            return None
+        return self._callback, (message, info) if self._wants_info else (message,), None
+
+    def get_publisher_count(self) -> int:
+        """From how many publishers it receives."""
+        self._check()
+        return len(self.peers)
+
+
+def _meet(publisher: Publisher, subscription: Subscription) -> None:
+    """Connect two ends: at once within a process, else after a while."""
+    world = subscription.node.context.state.world
+    if publisher.node.context.state.world is world:
+        _connect(publisher, subscription)
+        return
+
+    def discover() -> None:
+        world.clock.sleep(DISCOVERY)
+        _connect(publisher, subscription)
+
+    world.start(threading.Thread(target=discover, daemon=True))
+
+
+def _connect(publisher: Publisher, subscription: Subscription) -> None:
+    if publisher._destroyed or subscription._destroyed or publisher.end.type != subscription.end.type:
+        return
+    policy = incompatible_policy(publisher.qos_profile, subscription.qos_profile)
+    if policy:
+        publisher.refuse(policy)
+        subscription.refuse(policy)
+        return
+    publisher.peers.append(subscription)
+    subscription.peers.append(publisher)
+    if subscription.qos_profile.durability is DurabilityPolicy.TRANSIENT_LOCAL:
+        for message in publisher.kept:
+            subscription.deliver(message, publisher.node.context.state.clock.now())
+
+
+def wait_for_message(
+    msg_type: type[Message], node: Node, topic: str, *, qos_profile: QoSProfile | int = 1, time_to_wait: float = -1
+) -> tuple[bool, Message | None]:
+    """Subscribe to a topic and wait for a message, for at most ``time_to_wait`` seconds (negative: for ever).
+
+    Whether there was one, and the message. A signal ends it; ``rclpy.shutdown()`` does not.
+    """
+    own, gate = node.context.state, Gate()
+    subscription = node.create_subscription(msg_type, topic, lambda _: None, qos_profile)
+    subscription.nudge = gate.open
+    own.waiting[gate] = None
+    until = None if time_to_wait < 0 else time.monotonic_ns() + int(float(time_to_wait) * 1e9)
+    valid = node.context.ok()
+    try:
+        while not subscription.messages and node.context.ok() == valid:
+            left = None if until is None else until - time.monotonic_ns()
+            if left is not None and left <= 0:
+                break
+            gate.wait(left)
+        return (True, subscription.messages.popleft()[0]) if subscription.messages else (False, None)
+    finally:
+        del own.waiting[gate]
+        node.destroy_subscription(subscription)

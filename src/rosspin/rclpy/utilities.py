@@ -1,0 +1,31 @@
+"""Small things that ``rclpy`` itself forwards (source: rclpy/utilities.py)."""
+
+from __future__ import annotations
+
+from .arguments import remove_ros_args
+from .context import Context, get_default_context
+from .state import state
+
+__all__ = ["get_default_context", "get_rmw_implementation_identifier", "ok", "remove_ros_args", "try_shutdown"]
+
+
+def ok(*, context: Context | None = None) -> bool:
+    """Whether a context (default: the default one) goes on."""
+    return (context or get_default_context()).ok()
+
+
+def try_shutdown(*, context: Context | None = None) -> None:
+    """End a context, unless it has ended; the default one can then begin anew."""
+    own = state()
+    if context is not None:
+        context.try_shutdown()
+        return
+    context = get_default_context()
+    context.try_shutdown()
+    if own.context is context:
+        own.context = None
+
+
+def get_rmw_implementation_identifier() -> str:
+    """The middleware of a Jazzy as it is installed."""
+    return "rmw_fastrtps_cpp"
