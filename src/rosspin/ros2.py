@@ -22,7 +22,7 @@ from typing import TextIO
 from .children import START_PATIENCE, Children, check_seconds, say_deaths
 from .ticks import Run, Tick
 
-__all__ = ["Nodes", "REMEDY", "Nodes", "Ros2Missing", "launch", "missing", "unavailable", "version"]
+__all__ = ["Nodes", "REMEDY", "Nodes", "Ros2Missing", "launch", "missing", "python", "unavailable", "version"]
 
 REMEDY = "make ros2"
 
@@ -60,7 +60,7 @@ class Ros2Missing(RuntimeError):
 
 
 @cache
-def _python() -> str:
+def python() -> str:
     """The Python that has rclpy: of ``make ros2``, or that of a ROS 2 whose set-up has been sourced; "" if none is."""
     if _MADE.exists():
         return str(_MADE)
@@ -79,10 +79,10 @@ def version() -> str:
         "distro = name.split('-')[1] if wheels else os.environ.get('ROS_DISTRO', '')\n"
         "print(f'{distro.title()}, rclpy {version(name)}')"
     )
-    if not (python := _python()):
+    if not python():
         return ""
     with Nodes() as nodes:
-        return nodes.run([python, "-c", code], START_PATIENCE).console.strip()
+        return nodes.run([python(), "-c", code], START_PATIENCE).console.strip()
 
 
 def missing() -> list[str]:
@@ -92,10 +92,10 @@ def missing() -> list[str]:
 
 def unavailable() -> str:
     """Why ROS 2 cannot be installed from its wheels with this Python; "" if it can."""
-    system, machine, python = platform.system(), platform.machine(), sys.version_info[:2]
-    if (system, machine) == ("Linux", "x86_64") and (3, 10) <= python <= (3, 14):
+    system, machine, own = platform.system(), platform.machine(), sys.version_info[:2]
+    if (system, machine) == ("Linux", "x86_64") and (3, 10) <= own <= (3, 14):
         return ""
-    here = f"{system} on {machine} with Python {python[0]}.{python[1]}"
+    here = f"{system} on {machine} with Python {own[0]}.{own[1]}"
     return f"the wheels of ROS 2 are for Linux on x86_64 with Python 3.10 to 3.14; this is {here}"
 
 
@@ -147,7 +147,7 @@ class Nodes(Children):
     @property
     def environment(self) -> dict[str, str]:
         """The environment of whatever runs here."""
-        unwanted = _UNWANTED if _python() != str(_MADE) else _UNWANTED_BY_WHEELS
+        unwanted = _UNWANTED if python() != str(_MADE) else _UNWANTED_BY_WHEELS
         return {
             **{name: value for name, value in super().environment.items() if not unwanted.fullmatch(name)},
             **self._discovery,
@@ -161,7 +161,7 @@ class Nodes(Children):
         """Run a node file: see :func:`launch`."""
         told = _Told()
         path = os.pathsep.join(filter(None, (str(self.folder), self.environment.get("PYTHONPATH"))))
-        output = self.run([_python(), str(file), *args], seconds, onward, _BEGIN, clean=told, more={"PYTHONPATH": path})
+        output = self.run([python(), str(file), *args], seconds, onward, _BEGIN, clean=told, more={"PYTHONPATH": path})
         # Python has told of an interrupt itself; of an abort or a kill nobody has.
         silent = output.status > 128 and output.status != 128 + signal.SIGINT
         return Run(
