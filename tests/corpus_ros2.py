@@ -65,10 +65,36 @@ _ARGS: dict[str, list[tuple[str, ...]]] = {
     "timer_blocked_once": _with("block", (0.6, 1.4, 1.6, 2.4, 3.6, 4.4)),
     "timer_blocked_always": _with("block", (0.5, 1.6, 2.4)),
     "rate_in_thread": _with("block", (0.6, 1.4, 2.4, 4.4)),
+    "topics_depth": _with("depth", (1, 3, 10)),
+    "topics_names": [(), ("--ros-args", "-r", "old:=new", "-r", "~/private:=/elsewhere", "-r", "__ns:=/mrp")],
+    "values_names": [
+        (),
+        ("--ros-args", "-r", "__ns:=/mrp", "-r", "chatter:=other"),
+        ("plain", "--ros-args", "-r", "__node:=renamed", "-r", "/chatter:=/x/y", "--", "--flag"),
+        ("--ros-args", "-r", "values_names:__ns:=/a/b", "-r", "other:__node:=another", "--remap", "a:=b"),
+    ],
+    "values_parameters": [(), ("word", "--ros-args", "-p", "rate:=10.5", "-p", "text:=from the command line")],
+    "parameters_overrides": [
+        (
+            *("--ros-args", "-p", "rate:=10.0", "-p", "whole:=10", "-p", "dynamic:=word", "-p", "text:='10'"),
+            *("-p", "list:=[1, 2, 3]", "-p", "flag:=true", "-p", "typed:=yes", "-p", "untyped:=[1.5, 2.5]"),
+            *("-p", "ignored:=9", "-p", "another:other:=7", "-p", "parameters_overrides:other:=8"),
+        ),
+        ("--ros-args", "--param", "rate:=.5", "-p", "a.b:=1", "-p", "list:=[a, b]", "-p", "text:=1e3x"),
+    ],
+    "log_on_the_command_line": [
+        ("--ros-args", "--log-level", "DEBUG"),
+        ("--ros-args", "--log-level", "error"),
+        ("--ros-args", "--log-level", "free:=debug", "--log-level", "warn"),
+        ("--ros-args", "-r", "__ns:=/mrp", "--log-level", "mrp.node:=debug"),
+    ],
 }
 
 # Where the real one's outcome is a race, and why. What is simulated is one of those that it had.
-RACES: dict[str, str] = {}
+RACES: dict[str, str] = {
+    "ctrl_c_rate_in_main": "whether the thread that spins sees the context go before the interpreter does",
+    "executor_multi_raises": "whether the callback has ended before its own end makes the executor look again",
+}
 
 SCENARIO_LIST = [
     Scenario(file.stem, args)

@@ -1,0 +1,20 @@
+"""Ctrl-C while a callback runs: KeyboardInterrupt is raised inside it."""
+
+import rclpy
+from scenario import P, begin, block, mark, say
+
+
+def callback():
+    mark("tick")
+    try:
+        block(10)
+    finally:
+        mark("woken")
+        say("ok", rclpy.ok())
+
+
+rclpy.init()
+node = rclpy.create_node("ctrl_c_blocked")
+begin()
+node.create_timer(P, callback)
+rclpy.spin(node)

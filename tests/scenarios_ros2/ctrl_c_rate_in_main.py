@@ -1,0 +1,15 @@
+"""Ctrl-C in the documented idiom: a thread spins, the main sleeps on a Rate. A race: tracebacks, and perhaps an abort."""
+
+import threading
+
+import rclpy
+from scenario import P, begin, mark
+
+rclpy.init()
+node = rclpy.create_node("ctrl_c_rate_in_main")
+begin()
+threading.Thread(target=rclpy.spin, args=(node,), daemon=True).start()
+rate = node.create_rate(1 / P)
+while rclpy.ok():
+    mark("pass")
+    rate.sleep()
