@@ -33,14 +33,11 @@ AT_ONCE = 4
 
 
 class Scenario(NamedTuple):
-    """A scenario file with its node args, which are a part of its name."""
+    """A scenario file with its node args, and a name for both."""
 
     file: str
-    args: tuple[str, ...] = ()
-
-    @property
-    def name(self) -> str:
-        return re.sub(r"\W+", "_", "_".join((self.file, *self.args)))
+    args: tuple[str, ...]
+    name: str
 
     @property
     def path(self) -> Path:
@@ -59,6 +56,12 @@ class Scenario(NamedTuple):
 
 def _with(name: str, values: Sequence[float], *more: str) -> list[tuple[str, ...]]:
     return [(f"{name}:={value}", *more) for value in values]
+
+
+def _name(file: str, args: tuple[str, ...], number: int) -> str:
+    if len(args) <= 1 and "--" not in "".join(args):
+        return re.sub(r"\W+", "_", "_".join((file, *args)))
+    return f"{file}_{number}"
 
 
 _ARGS: dict[str, list[tuple[str, ...]]] = {
@@ -91,16 +94,19 @@ _ARGS: dict[str, list[tuple[str, ...]]] = {
 }
 
 # Where the real one's outcome is a race, and why. What is simulated is one of those that it had.
+_INTERRUPTED = "whether the interrupt is seen first, as on an idle machine, or that it has put the context down"
 RACES: dict[str, str] = {
+    "ctrl_c_caught": _INTERRUPTED,
+    "ctrl_c_spin": _INTERRUPTED,
     "ctrl_c_rate_in_main": "whether the thread that spins sees the context go before the interpreter does",
     "executor_multi_raises": "whether the callback has ended before its own end makes the executor look again",
 }
 
 SCENARIO_LIST = [
-    Scenario(file.stem, args)
+    Scenario(file.stem, args, _name(file.stem, args, number))
     for file in sorted(SCENARIOS.glob("*.py"))
     if file.stem != "scenario"
-    for args in _ARGS.get(file.stem, [()])
+    for number, args in enumerate(_ARGS.get(file.stem, [()]), 1)
 ]
 
 
@@ -161,18 +167,22 @@ def _chosen(names: Sequence[str]) -> list[Scenario]:
 
 
 def _record(nodes: Children, scenario: Scenario) -> str:
-    """Run a scenario twice and record it if both agree; what is to be said of it."""
+    """Run a scenario twice and record it if nothing is, or if it is a race; what is to be said of it."""
     runs = iter(lambda: on_the_real_one(nodes, scenario), None)
-    before = recorded(scenario)
+    known = recorded(scenario)
     first, _ = until_sure(runs, scenario, ())
-    second, found = until_sure(runs, scenario, [read(first, scenario)])
-    said = [f"{scenario.name}: two runs differ", *found] if found else []
-    if before and (changed := closest(before, read(second, scenario))):
-        said += [f"{scenario.name}: was otherwise", *changed]
-    if not before or changed:
-        file = RECORDED / f"{scenario.name}{'' if scenario.name not in RACES else f'~{len(before) + 1}'}.txt"
-        file.write_text(_kept(second))
-    return "\n  ".join(said) or f"{scenario.name}: {'as before' if before and not changed else 'recorded'}"
+    said = []
+    for text in (first, until_sure(runs, scenario, [read(first, scenario)])[0]):
+        if not (found := closest(known, read(text, scenario))):
+            continue
+        if known:
+            said += ["differs from what is recorded:", *found]
+        if not known or scenario.name in RACES:
+            known.append(read(text, scenario))
+            more = f"~{len(known)}" if len(known) > 1 else ""
+            (RECORDED / f"{scenario.name}{more}.txt").write_text(_kept(text))
+            said.append("recorded")
+    return f"{scenario.name}: " + ("\n  ".join(said) or "as before")
 
 
 def _kept(text: str) -> str:

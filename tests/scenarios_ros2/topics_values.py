@@ -5,13 +5,16 @@ import os
 os.environ["ROS_PYTHON_CHECK_FIELDS"] = "1"
 
 import rclpy  # noqa: E402
+from geometry_msgs.msg import Point, Twist, Vector3  # noqa: E402
+from rclpy.qos import QoSProfile  # noqa: E402
 from scenario import attempt  # noqa: E402
-from std_msgs.msg import UInt32  # noqa: E402
+from std_msgs.msg import Bool, Float64, Header, String, UInt8MultiArray, UInt32  # noqa: E402
 
 rclpy.init()
 node = rclpy.create_node("topics_values")
 publisher = node.create_publisher(UInt32, "numbers", 10)
-names = {**globals()}
+classes = (Bool, Float64, Header, Point, QoSProfile, String, Twist, UInt8MultiArray, UInt32, Vector3)
+names = {"node": node, "publisher": publisher, **{each.__name__: each for each in classes}}
 for text in """
 publisher.publish(UInt32(data=5))
 publisher.publish(5)
