@@ -94,10 +94,7 @@ _ARGS: dict[str, list[tuple[str, ...]]] = {
 }
 
 # Where the real one's outcome is a race, and why. What is simulated is one of those that it had.
-_INTERRUPTED = "whether the interrupt is seen first, as on an idle machine, or that it has put the context down"
 RACES: dict[str, str] = {
-    "ctrl_c_caught": _INTERRUPTED,
-    "ctrl_c_spin": _INTERRUPTED,
     "ctrl_c_rate_in_main": "whether the thread that spins sees the context go before the interpreter does",
     "executor_multi_raises": "whether the callback has ended before its own end makes the executor look again",
 }
@@ -176,7 +173,7 @@ def _record(nodes: Children, scenario: Scenario) -> str:
         if not (found := closest(known, read(text, scenario))):
             continue
         if known:
-            said += ["differs from what is recorded:", *found]
+            said += ["differs from what is recorded:", *(line[:300] for line in found)]
         if not known or scenario.name in RACES:
             known.append(read(text, scenario))
             more = f"~{len(known)}" if len(known) > 1 else ""
@@ -199,7 +196,7 @@ def main(words: list[str]) -> int:
         bad = 0
         for scenario in _chosen([word for word in words if word != "--simulated"]):
             if found := closest(recorded(scenario), simulated(scenario)):
-                print(f"{scenario.name}:", *found, sep="\n  ", flush=True)
+                print(f"{scenario.name}:", *(line[:300] for line in found), sep="\n  ", flush=True)
                 bad += 1
         print(f"{bad} of {len(SCENARIO_LIST)} differ")
         return int(bad > 0)

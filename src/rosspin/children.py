@@ -42,6 +42,12 @@ class Children:
         self.folder = Path(tempfile.mkdtemp(prefix="rosspin-"))
         self._mark = f"ROS_HOME={self.folder}".encode()
         self._children: list[subprocess.Popen[bytes]] = []
+        # A shell that starts something in the background has it ignore Ctrl-C, and our children would inherit that.
+        self._deaf = (
+            signal.getsignal(signal.SIGINT) is signal.SIG_IGN and threading.current_thread() is threading.main_thread()
+        )
+        if self._deaf:
+            signal.signal(signal.SIGINT, signal.default_int_handler)
 
     def __enter__(self) -> Self:
         return self
@@ -55,6 +61,8 @@ class Children:
             for child in self._children:
                 child.wait()
             shutil.rmtree(self.folder, ignore_errors=True)
+            if self._deaf:
+                signal.signal(signal.SIGINT, signal.SIG_IGN)
 
     @property
     def environment(self) -> dict[str, str]:

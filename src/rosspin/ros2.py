@@ -107,13 +107,14 @@ def launch(
 ) -> Run:
     """Run a node file on the real ROS 2, where it meets no other node.
 
-    Time counts from the moment before the file is read, with rclpy already imported. Ctrl-C is pressed at ``seconds``;
-    without them, the run ends at a real Ctrl-C or when the node does. What does not end is killed, when ``ros2 launch``
-    would do so. ``args`` are the node's, such as ``("--ros-args", "-r", "__ns:=/mrp")``. The console is also written to
+    Time counts from the moment in which its first node has been made. Ctrl-C is pressed at ``seconds``; without them,
+    the run ends at a real Ctrl-C or when the node does. What does not end is killed, when ``ros2 launch`` would do so.
+    ``args`` are the node's, such as ``("--ros-args", "-r", "__ns:=/mrp")``. The console is also written to
     ``onward``, as it comes. The ticks are those of timers, from call to return, and of each Rate from pass to pass.
 
     Raises :class:`Ros2Missing`, OSError if the file cannot be read, ValueError if it is no Python file or ``seconds``
-    is negative, and KeyboardInterrupt if Ctrl-C is pressed before ``seconds`` are over.
+    is negative, RuntimeError if no node is made within a minute, and KeyboardInterrupt if Ctrl-C is pressed before
+    ``seconds`` are over.
     """
     check_seconds(seconds)
     path = Path(node)
@@ -161,7 +162,9 @@ class Nodes(Children):
         """Run a node file: see :func:`launch`."""
         told = _Told()
         path = os.pathsep.join(filter(None, (str(self.folder), self.environment.get("PYTHONPATH"))))
-        output = self.run([python(), str(file), *args], seconds, onward, _BEGIN, clean=told, more={"PYTHONPATH": path})
+        command = [python(), str(file), *args]
+        begins = None if seconds is None else _BEGIN
+        output = self.run(command, seconds, onward, begins, clean=told, more={"PYTHONPATH": path})
         # Python has told of an interrupt itself; of an abort or a kill nobody has.
         silent = output.status > 128 and output.status != 128 + signal.SIGINT
         return Run(
@@ -170,7 +173,7 @@ class Nodes(Children):
             output.status,
             "ros2",
             time.time() - output.start if seconds is None else seconds,
-            told.start,
+            told.start or output.start,
         )
 
 

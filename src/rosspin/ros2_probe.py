@@ -12,12 +12,12 @@ over.
 """
 
 import os
-import signal
 import threading
 import time
 
 import rclpy.callback_groups
 import rclpy.executors
+import rclpy.node
 import rclpy.timer
 from rclpy.exceptions import InvalidHandle
 
@@ -63,6 +63,17 @@ def _after(owner, name, then):
         return result
 
     setattr(owner, name, method)
+
+
+def _node_made(node, *args, **kwargs):
+    global _begun
+    if not _begun:
+        _begun = True
+        _tell("begin", time.time_ns())
+
+
+_begun = False
+_after(rclpy.node.Node, "__init__", _node_made)
 
 
 # --- timers -----------------------------------------------------------------------------------------------------------
@@ -125,8 +136,3 @@ for _group in (rclpy.callback_groups.MutuallyExclusiveCallbackGroup, rclpy.callb
 _after(rclpy.timer.Rate, "__init__", _rate_made)
 _after(rclpy.timer.Rate, "_presleep", _sleeps)
 _after(rclpy.timer.Rate, "_postsleep", _woken)
-
-# A shell that starts something in the background has it ignore Ctrl-C.
-signal.signal(signal.SIGINT, signal.default_int_handler)
-
-_tell("begin", time.time_ns())

@@ -1,7 +1,7 @@
 """Ctrl-C while a callback runs: KeyboardInterrupt is raised inside it."""
 
 import rclpy
-from scenario import P, begin, block, mark, say
+from scenario import P, begin, block, mark
 
 
 def callback():
@@ -10,7 +10,6 @@ def callback():
         block(10)
     finally:
         mark("woken")
-        say("ok", rclpy.ok())
 
 
 rclpy.init()

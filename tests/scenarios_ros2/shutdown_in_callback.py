@@ -19,15 +19,13 @@ begin()
 node.create_timer(P, callback)
 say(rclpy.spin(node))
 mark("spun")
-names = {"rclpy": rclpy, "node": node, "context": context}
+names = {"rclpy": rclpy, "node": node, "context": context, "say": say}
 for text in """
 rclpy.shutdown()
 rclpy.try_shutdown()
 node.get_clock().now() is not None
 node.create_timer(1, print)
 node.get_logger().info('after the shutdown')
-rclpy.spin_once(node)
-rclpy.spin(node)
 context.on_shutdown(lambda: say('late hook'))
 node.destroy_node()
 """.strip().splitlines():

@@ -19,6 +19,5 @@ single.spin_until_future_complete(Future(), timeout_sec=0.1)
 multi.add_node(node)
 multi.spin()
 single.shutdown()
-rclpy.spin_until_future_complete(node, Future(), timeout_sec=0.1)
 """.strip().splitlines():
     attempt(text, names)

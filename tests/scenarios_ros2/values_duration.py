@@ -11,7 +11,6 @@ Duration(seconds=-1.5)
 Duration(seconds=0.1).nanoseconds
 Duration(nanoseconds=1.9)
 Duration(seconds=1e12)
-Duration(seconds='1')
 Duration(5)
 str(Duration(seconds=2))
 Duration(seconds=2) + Duration(seconds=1)
