@@ -113,6 +113,7 @@ build/ros2/made: constraints-ros2.txt | $(VENV)
 # Anew, on the real ROS 1 and 2: the runs that pages show where none is installed.
 record: $(VENV)
 	$(BIN)/python benchmarks/record.py
+	$(BIN)/python benchmarks/record_ros2.py
 
 # Anew, from the pinned rosbags: the message definitions that rosspin carries.
 definitions: $(VENV:=-for-test)

@@ -19,7 +19,7 @@ from functools import cache
 from pathlib import Path
 from typing import TextIO
 
-from .children import START_PATIENCE, Children, check_seconds, say_deaths
+from .children import START_PATIENCE, Children, Patience, check_seconds, say_deaths
 from .ticks import Run, Tick
 
 __all__ = ["Nodes", "REMEDY", "Nodes", "Ros2Missing", "launch", "missing", "python", "unavailable", "version"]
@@ -30,6 +30,9 @@ NS = 10**9
 
 # Where `make ros2` puts it: an environment of its own, as its packages start every Python beside them anew.
 _MADE = Path(__file__).parents[2] / "build" / "ros2" / "bin" / "python"
+
+# The Python that a ROS 2 of the system's is made for.
+_SYSTEM = "/usr/bin:/bin"
 
 _PROBE = Path(__file__).with_name("ros2_probe.py")
 
@@ -65,7 +68,7 @@ def python() -> str:
     if _MADE.exists():
         return str(_MADE)
     if "AMENT_PREFIX_PATH" in os.environ:
-        return shutil.which("python3", path="/usr/bin:/bin:" + os.environ.get("PATH", "")) or ""
+        return shutil.which("python3", path=f"{_SYSTEM}:{os.environ.get('PATH', '')}") or ""
     return ""
 
 
@@ -157,14 +160,19 @@ class Nodes(Children):
         }
 
     def launch(
-        self, file: Path, seconds: float | None = None, args: Sequence[str] = (), onward: TextIO | None = None
+        self,
+        file: Path,
+        seconds: float | None = None,
+        args: Sequence[str] = (),
+        onward: TextIO | None = None,
+        patience: Patience | None = None,
     ) -> Run:
-        """Run a node file: see :func:`launch`."""
+        """Run a node file: see :func:`launch`; ``patience`` says what it is sent at the end."""
         told = _Told()
         path = os.pathsep.join(filter(None, (str(self.folder), self.environment.get("PYTHONPATH"))))
         command = [python(), str(file), *args]
         begins = None if seconds is None else _BEGIN
-        output = self.run(command, seconds, onward, begins, clean=told, more={"PYTHONPATH": path})
+        output = self.run(command, seconds, onward, begins, patience, told, {"PYTHONPATH": path})
         # Python has told of an interrupt itself; of an abort or a kill nobody has.
         silent = output.status > 128 and output.status != 128 + signal.SIGINT
         return Run(
