@@ -183,10 +183,17 @@ def _record(nodes: Children, scenario: Scenario) -> str:
 
 
 def _kept(text: str) -> str:
-    """A console without what differs in every run."""
-    text = re.sub(r"\[\d+\.\d{9}\]", "[STAMP]", re.sub(r"@(zero|stall.*)\n", "", text))
-    text = re.sub(r'^  File "(?!.*/scenarios_ros2/).*\n(?:    .*\n)*', "", text, flags=re.M)
-    return re.sub(r'File "/.*/scenarios_ros2/', 'File "/scenarios_ros2/', text)
+    """A console without what differs in every run, or on another machine."""
+    for pattern, kept in (
+        (r"@(zero|stall.*)\n", ""),
+        (r"\[\d+\.\d{9}\]", "[STAMP]"),
+        (r"\b0x[0-9a-f]+", "0xN"),
+        (r", at \S+:\d+", ""),
+        (r'(?m)^  File "(?!.*/scenarios_ros2/).*\n(?:    .*\n)*', ""),
+        (r'File "/.*/scenarios_ros2/', 'File "/scenarios_ros2/'),
+    ):
+        text = re.sub(pattern, kept, text)
+    return text
 
 
 def main(words: list[str]) -> int:

@@ -135,7 +135,7 @@ def test_ticks_of_timers_and_rates(ros: None, write: Any) -> None:
     sources = by_source(run.ticks)
     assert set(sources) == {"slow", "partial", "Rate"}
     assert [tick.real for tick in run.ticks] == sorted(tick.real for tick in run.ticks)
-    assert all(tick.duration >= 0.3 or math.isnan(tick.duration) for tick in sources["slow"])
+    assert all(tick.duration >= 0.3 or math.isnan(tick.duration) for tick in sources["slow"][:-1])
     assert sources["Rate"][0].expected < 0.2 < sources["slow"][0].expected
     assert sources["Rate"][1].real >= sources["Rate"][1].expected
 
@@ -355,7 +355,7 @@ def test_colcon_builds_the_package(ros: None, tmp_path: Path) -> None:
         folders = ["--base-paths", str(workspace / "src"), "--build-base", str(workspace / "build")]
         built = nodes.run([*colcon, *folders, "--install-base", str(workspace / "install")], 300)
         assert built.status == 0, built.console
-        assert "1 package finished" in built.console
+        assert "Finished <<< my_robotics_pkg" in built.console
         programs = workspace / "install" / "my_robotics_pkg" / "lib" / "my_robotics_pkg"
         assert {path.name for path in programs.iterdir()} == {path.stem for path in NODES.glob("*_node.py")}
         site = next(workspace.glob("install/my_robotics_pkg/lib/python*/site-packages"))

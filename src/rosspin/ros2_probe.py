@@ -118,15 +118,16 @@ def _ended(group, entity):
 def _rate_made(rate, timer, *args, **kwargs):
     timer._rosspin_rate = rate
     rate._rosspin_ticks = _Ticks("Rate")
-    rate._rosspin_due = rate._rosspin_began = time.time_ns()
+    rate._rosspin_due = time.time_ns()
+    _woken(rate)
 
 
 def _sleeps(rate):
-    _tell_done(*rate._rosspin_ticks.tell(rate._rosspin_due, rate._rosspin_began))
+    _tell_done(*rate._rosspin_ticks.tell(*rate._rosspin_pass))
 
 
 def _woken(rate):
-    rate._rosspin_began = time.time_ns()
+    rate._rosspin_pass = rate._rosspin_due, time.time_ns()
 
 
 _after(rclpy.timer.Timer, "__init__", _made)

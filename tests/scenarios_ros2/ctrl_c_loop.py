@@ -15,9 +15,4 @@ try:
 except KeyboardInterrupt:
     mark("interrupted")
     say("ok", rclpy.ok())
-try:
-    rclpy.spin(node)
-    say("spun")
-    rclpy.spin_once(node, timeout_sec=P)
-except BaseException as error:
-    say(type(error).__name__, error)
+say(rclpy.spin(node) if rclpy.ok() else "the end")

@@ -1,9 +1,9 @@
-"""A handler of the node's own that shuts down; installed after init, it replaces Python's."""
+"""A handler of the node's own, installed after init, replaces rclpy's: nothing ends at Ctrl-C."""
 
 import signal
 
 import rclpy
-from scenario import P, begin, mark, say
+from scenario import P, begin, end_after, mark, say
 
 
 def handle(number, frame):
@@ -16,8 +16,5 @@ signal.signal(signal.SIGINT, handle)
 node = rclpy.create_node("ctrl_c_own_handler")
 begin()
 node.create_timer(P, lambda: mark("tick"))
-try:
-    rclpy.spin(node)
-    say("spun")
-except BaseException as error:
-    say(type(error).__name__)
+end_after(7.5)
+rclpy.spin(node)

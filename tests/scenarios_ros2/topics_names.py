@@ -2,11 +2,11 @@
 
 import rclpy
 from scenario import attempt
-from std_msgs.msg import String, UInt32
+from std_msgs.msg import String
 
 rclpy.init()
 node = rclpy.create_node("topics_names")
-names = {"node": node, "String": String, "UInt32": UInt32}
+names = {"node": node, "String": String}
 for text in """
 node.create_publisher(String, 'a', 10).topic_name
 node.create_publisher(String, 'old', 10).topic_name
@@ -17,7 +17,7 @@ node.create_subscription(String, 'a', print, 10).topic
 node.create_publisher(String, '5', 10)
 node.create_publisher(String, '', 10)
 node.create_publisher(String, 'a b', 10)
-node.create_publisher(UInt32, 'a', 10).get_subscription_count()
+node.create_publisher(String, 'a', 10).get_subscription_count()
 node.count_publishers('a'), node.count_subscribers('a')
 node.count_publishers('nonsuch')
 len(list(node.publishers)), len(list(node.subscriptions))

@@ -44,12 +44,9 @@ Twist()
 node.create_publisher(UInt32, 'numbers')
 node.create_publisher(UInt32, 'numbers', -1)
 node.create_publisher(UInt32, 'numbers', '10')
-node.create_publisher(UInt32, 'numbers', 0).topic_name
 node.create_publisher('UInt32', 'numbers', 10)
-node.create_publisher(int, 'numbers', 10)
 node.create_subscription(UInt32, 'numbers', print)
 node.create_subscription(UInt32, 'numbers', None, 10)
-node.create_subscription(int, 'numbers', print, 10)
 QoSProfile()
 QoSProfile(depth=5).depth
 QoSProfile(depth=-5)

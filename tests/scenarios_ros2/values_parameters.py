@@ -22,11 +22,9 @@ node.declare_parameter('empty', []).type_
 node.declare_parameter('mixed', [1, 'a'])
 node.declare_parameter('a.b.c', 1).name
 node.declare_parameter('typed', Parameter.Type.DOUBLE).value
-node.declare_parameter('untyped').value
 node.declare_parameter('rate', 1.0)
 node.declare_parameter('')
 node.declare_parameter(5)
-node.declare_parameter('object', object())
 node.get_parameter('rate').value
 node.get_parameter('rate').get_parameter_value().double_value
 node.get_parameter('count').get_parameter_value().integer_value
