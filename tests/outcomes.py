@@ -51,6 +51,7 @@ def _normal(text: str) -> str:
     # The stand-in names the line that made a timer where rospy shows only frames of its own.
     text = re.sub(r'^  File ".*, which made this timer\n(?:    .*\n)*', "", text, flags=re.M)
     text = re.sub(r"\[DEBUG\].*(init_node|bind|bound|URL|Service instance).*\n", "", text)  # of rospy's own network
+    text = re.sub(r"\[DEBUG\] \[STAMP\] \[(rcl|rmw_\w+)\]: .*\n", "", text)  # of the layers below rclpy
     # The code lines and the marks below them depend on Python's version.
     text = re.sub(r'^  File ".*/scenarios\w*/(\w+\.py)", (line \d+.*)\n(?:    .*\n)*', r"  \1, \2\n", text, flags=re.M)
     text = re.sub(r'^  File ".*\n(?:    .*\n)*', "", text, flags=re.M)

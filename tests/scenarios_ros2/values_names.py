@@ -30,7 +30,6 @@ node.resolve_topic_name('a b')
 node.resolve_topic_name('{node}/a')
 other.resolve_topic_name('a')
 other.resolve_topic_name('~/a')
-node.resolve_service_name('a')
 node.get_clock().clock_type
 node.context is rclpy.get_default_context()
 node.executor

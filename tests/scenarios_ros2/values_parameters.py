@@ -3,12 +3,12 @@
 import sys
 
 import rclpy
-from rclpy.parameter import Parameter, ParameterType, parameter_value_to_python
+from rclpy.parameter import Parameter, parameter_value_to_python
 from scenario import attempt
 
 rclpy.init(args=sys.argv)
 node = rclpy.create_node("values_parameters")
-names = {"node": node, "Parameter": Parameter, "ParameterType": ParameterType, "to_python": parameter_value_to_python}
+names = {"node": node, "Parameter": Parameter, "to_python": parameter_value_to_python}
 for text in """
 node.declare_parameter('rate', 2.0).value
 node.declare_parameter('count', 3)
