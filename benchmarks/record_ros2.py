@@ -7,6 +7,7 @@ endings, whose times do not matter, some at a time.
 from __future__ import annotations
 
 import csv
+import math
 import os
 import signal
 import sys
@@ -15,6 +16,7 @@ from collections import defaultdict
 from collections.abc import Iterator
 from concurrent.futures import ThreadPoolExecutor
 from pathlib import Path
+from statistics import median
 from typing import Any, NamedTuple
 
 from provenance import write_provenance
@@ -31,6 +33,7 @@ BLOCK = 1.6 * PERIOD  # of a callback that is always slow
 
 ENDING_RUNS = 12  # of each node and signal: some are races
 ENDING_AFTER = 1.2  # s
+ENDS_ITSELF = ("exception", "shutdown_in_callback", "system_exit")
 
 
 class Plan(NamedTuple):
@@ -99,33 +102,34 @@ def record_probe(name: str) -> None:
 
 
 def record_endings() -> None:
-    """Send each node of the endings a signal, many times: how it ended, how often, and how soon after the signal.
+    """End each node of the endings many times: how it ended, how often, and how soon after the signal.
 
-    A node that needs SIGKILL, 4 s later, hangs.
+    A node that needs SIGKILL, 4 s later, hangs. A node that ends by itself gets no signal.
     """
     load, start = os.getloadavg(), time.time()
     jobs = [
         (file, number)
         for file in sorted(EXAMPLES.glob("endings/*.py"))
-        for number in (signal.SIGINT, signal.SIGTERM)
+        for number in ([None] if file.stem in ENDS_ITSELF else [signal.SIGINT, signal.SIGTERM])
         for _ in range(ENDING_RUNS)
     ]
     counts: dict[tuple[str, str, int], list[float]] = defaultdict(list)
     with ros2.Nodes() as nodes, ThreadPoolExecutor(4) as pool:
 
-        def end(job: tuple[Path, signal.Signals]) -> tuple[Path, signal.Signals, int, float]:
+        def end(job: tuple[Path, signal.Signals | None]) -> tuple[tuple[str, str, int], float]:
             file, number = job
-            patience: Patience = ((number, 4.0), (signal.SIGKILL, 5.0))
-            run = nodes.launch(file, ENDING_AFTER, patience=patience)
-            return file, number, run.status, time.time() - run.start - ENDING_AFTER
+            patience: Patience = ((number or signal.SIGINT, 4.0), (signal.SIGKILL, 5.0))
+            run = nodes.launch(file, ENDING_AFTER if number else None, patience=patience)
+            late = time.time() - run.start - ENDING_AFTER if number else math.nan
+            return (file.stem, number.name if number else "", run.status), late
 
-        for file, number, status, late in pool.map(end, jobs):
-            counts[file.stem, number.name, status].append(late)
+        for key, late in pool.map(end, jobs):
+            counts[key].append(late)
     with (RECORDINGS / "endings.csv").open("w", newline="") as text:
         writer = csv.writer(text, lineterminator="\n")
         writer.writerow(["node", "signal", "status", "runs", "seconds_after_signal"])
         for key, times in counts.items():
-            writer.writerow([*key, len(times), f"{sorted(times)[len(times) // 2]:.2f}"])
+            writer.writerow([*key, len(times), f"{median(times):.2f}" if key[1] else ""])
     _write_provenance("endings", "nodes at Ctrl-C and SIGTERM", ["NODE"], start, ENDING_AFTER, 0, load)
 
 

@@ -32,6 +32,7 @@ LAYERS = [
     "plots",
     "children",
     "ros1",
+    "ros2_probe",
     "ros2",
     "doctor",
     "machine",
