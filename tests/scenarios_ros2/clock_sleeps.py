@@ -14,7 +14,7 @@ for clock in (node.get_clock(), Clock(), Clock(clock_type=ClockType.STEADY_TIME)
     mark("slept_for")
     say(clock.sleep_until(clock.now() + Duration(seconds=1.25 * P)))
     mark("slept_until")
-    say(clock.sleep_until(clock.now() - Duration(seconds=0.1)), clock.sleep_for(Duration(seconds=-1)))
+    say(clock.sleep_until(clock.now() - Duration(seconds=0.1)), clock.sleep_for(Duration(seconds=-0.1)))
     mark("at_once")
 names = {"node": node, "Clock": Clock, "ClockType": ClockType, "Duration": Duration}
 for text in """
