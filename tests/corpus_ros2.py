@@ -95,7 +95,6 @@ _ARGS: dict[str, list[tuple[str, ...]]] = {
 
 # Where the real one's outcome is a race, and why. What is simulated is one of those that it had.
 RACES: dict[str, str] = {
-    "executor_single": "an executor keeps its nodes in a set: whose timer comes first is a matter of their addresses",
     "ctrl_c_rate_in_main": "whether the thread that spins sees the context go before the interpreter does",
     "executor_multi_raises": "whether the callback has ended before its own end makes the executor look again",
 }

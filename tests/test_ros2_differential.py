@@ -30,7 +30,7 @@ from outcomes import JITTER, differences
 from rosspin import ros2
 from rosspin.children import Children
 
-AT_ONCE = 8
+AT_ONCE = 12
 RUNTIMES = {"ros2": corpus_ros2.on_the_real_one, "wall": corpus_ros2.on_the_wall}
 
 Results = dict[tuple[Scenario, str], Future[list[str]]]
@@ -75,7 +75,7 @@ def test_simulated_as_recorded(scenario: Scenario) -> None:
 @pytest.mark.parametrize("runtime", RUNTIMES)
 @pytest.mark.parametrize("scenario", SCENARIO_LIST, ids=_id)
 def test_scenario(results: Results, require: Callable[[str], None], scenario: Scenario, runtime: str) -> None:
-    """The real rclpy, where it is installed, does what is recorded; the stand-in on the wall clock what is simulated."""
+    """The real rclpy, where it is installed, does what is recorded; the stand-in on the wall what is simulated."""
     if runtime in LACKS:
         require(runtime)
     assert results[scenario, runtime].result() == []

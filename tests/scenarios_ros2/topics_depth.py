@@ -3,7 +3,7 @@
 import threading
 
 import rclpy
-from scenario import arg, begin, block, end_after, mark, until
+from scenario import arg, begin, end_after, mark, until
 from std_msgs.msg import UInt32
 
 
@@ -16,7 +16,7 @@ def publish():
 def receive(message):
     mark(f"seen_{message.data}")
     seen.append(message)
-    block(1.375 if len(seen) == 1 else 1.25)  # each ends between two messages
+    until(0.225 + 1.25 * len(seen))  # between two messages
 
 
 seen = []
