@@ -6,6 +6,10 @@ BIN := .venv/bin
 ROS1 := build-essential catkin libroscpp-dev python3-roslaunch python3-rosmaster python3-rospy rosbash
 MESSAGES := python3-actionlib-msgs python3-diagnostic-msgs python3-geometry-msgs python3-nav-msgs python3-sensor-msgs \
   python3-trajectory-msgs python3-visualization-msgs
+# The LTS of ROS 2, the messages that nodes of the tests use, and what builds a package of nodes.
+ROS2 := ros-jazzy-rclpy ros-jazzy-rmw-fastrtps-cpp $(addprefix ros-jazzy-,geometry-msgs nav-msgs rosgraph-msgs \
+  sensor-msgs std-msgs)
+COLCON := $(addprefix colcon-,core library-path package-selection python-setup-py recursive-crawl ros) 'setuptools<80'
 SUDO := $(if $(filter-out 0,$(shell id -u)),sudo)
 
 # One stamp for each PYTHON: choosing another one makes the environment anew, as changed pins do. What only the tests or
@@ -32,7 +36,7 @@ SPHINX = $(BIN)/sphinx-build -M $@ . build -n -W --keep-going $(SPHINXOPTS) || {
 
 # html and doctest share their parsed pages, so one runs after the other.
 .NOTPARALLEL:
-.PHONY: html test doctest outputs linkcheck serve lab bench ros1 record definitions pins clean
+.PHONY: html test doctest outputs linkcheck serve lab bench ros1 ros2 record definitions pins clean
 
 html doctest linkcheck: $(VENV)
 	$(SPHINX)
@@ -97,9 +101,19 @@ ros1:
 	  { echo 'ROS 1 is in the archives of Debian and Ubuntu only; install $(ROS1) $(MESSAGES) there' >&2; exit 1; }
 	$(SUDO) apt-get install --yes $(ROS1) $(MESSAGES)
 
-# Anew, on the real ROS 1: the runs that pages show where none is installed.
+# The real ROS 2 in Python, from its wheels, in an environment of its own: they start every Python beside them anew.
+ros2: build/ros2/made
+
+build/ros2/made: constraints-ros2.txt | $(VENV)
+	@$(BIN)/python -c 'import sys; from rosspin import ros2; sys.exit(ros2.unavailable() or None)'
+	$(PYTHON) -m venv --clear build/ros2
+	build/ros2/bin/pip install --quiet --disable-pip-version-check -c $< $(ROS2) $(COLCON)
+	@touch $@
+
+# Anew, on the real ROS 1 and 2: the runs that pages show where none is installed.
 record: $(VENV)
 	$(BIN)/python benchmarks/record.py
+	$(BIN)/python benchmarks/record_ros2.py
 
 # Anew, from the pinned rosbags: the message definitions that rosspin carries.
 definitions: $(VENV:=-for-test)
@@ -110,6 +124,10 @@ pins:
 	$(PYTHON) -m venv --clear build/pins
 	build/pins/bin/pip install --quiet '.[$(FOR_HTML),$(FOR_TEST)]'
 	build/pins/bin/pip freeze --exclude rosspin > constraints.txt
+	$(PYTHON) -m venv --clear build/pins
+	build/pins/bin/pip install --quiet $(ROS2) $(COLCON)
+	@# What lies in its wheels names itself a second time, by a name that no index has.
+	ls build/pins/lib/python3*/site-packages | sed -nE '/^pip-/!s/-([^-]+)\.dist-info$$/==\1/p' > constraints-ros2.txt
 
 clean:
 	rm -rf build

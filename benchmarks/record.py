@@ -8,7 +8,6 @@ from __future__ import annotations
 
 import csv
 import io
-import json
 import os
 import re
 import signal
@@ -17,14 +16,14 @@ import sys
 import time
 from collections.abc import Callable, Iterator, Sequence
 from contextlib import contextmanager
-from datetime import UTC, datetime
 from itertools import product
 from pathlib import Path
 from typing import Any, NamedTuple
 
+from provenance import write_provenance
+
 from rosspin import ros1
 from rosspin.console import read_lines
-from rosspin.machine import describe
 from rosspin.recordings import COLUMNS
 
 EXAMPLES = Path(__file__).parents[1] / "examples"
@@ -302,30 +301,12 @@ def record_hz() -> None:
 def _write_provenance(
     name: str, what: str, command: list[str], start: float, seconds: float, status: int, load: tuple[float, ...]
 ) -> None:
-    provenance = {
-        "what": what,
-        "command": " ".join(command),
-        "seconds": seconds,
-        "status": status,
-        "start": start,
-        "date": datetime.fromtimestamp(start, UTC).isoformat(timespec="seconds"),
-        **_machine(),
-        "load_before": [round(value, 2) for value in load],
-    }
-    (RECORDINGS / f"{name}.json").write_text(json.dumps(provenance, indent=2) + "\n")
-
-
-def _machine() -> dict[str, Any]:
-    """Versions and hardware; not whose machine it is."""
-    here = describe()
-    return {
+    versions = {
         "ros": _first_line("rosversion", "roscpp"),
         "python": _first_line("/usr/bin/python3", "--version").removeprefix("Python "),
         "compiler": _first_line("c++", "--version"),
-        "system": here["System"],
-        "processor": here["Processor"],
-        "cores": here["Cores"],
     }
+    write_provenance(RECORDINGS / f"{name}.json", what, command, start, seconds, status, load, versions)
 
 
 def _first_line(*command: str) -> str:

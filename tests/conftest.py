@@ -18,7 +18,7 @@ from in_chromium import launched, served
 from message_probe import PACKAGES
 from playwright.sync_api import Browser, Page
 
-from rosspin import doctor
+from rosspin import doctor, ros2
 
 # What random tests draw from, Hypothesis's too if it is asked for. CI always draws the same, as Hypothesis does there.
 # Processes that share the tests out among them draw once.
@@ -43,6 +43,7 @@ def _lacks_ros1() -> str:
 # What a test may ask for, and why it is not here ("" if it is).
 LACKS: dict[str, Callable[[], str]] = {
     "ros1": _lacks_ros1,
+    "ros2": lambda: str(ros2.Ros2Missing()) if ros2.missing() else "",
     "browser": lambda: "" if doctor.chromium() else "Chromium is not installed",
 }
 

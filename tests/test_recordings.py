@@ -1,7 +1,9 @@
 """The recordings: complete, small, and of runs that went as runs on ROS do."""
 
+import csv
 import json
 import math
+import signal
 from pathlib import Path
 
 import pytest
@@ -11,6 +13,8 @@ from rosspin import Run, recordings
 FOLDER = Path(__file__).parents[1] / "examples" / "recordings"
 # No run's ticks; docs/how-timing-works.rst and docs/publish.rst check what they say.
 TABLES = {"clock_jump.csv", "endings.csv", "first_message.csv", "hz.csv", "pipe.csv", "queue.csv"}
+# Those on ROS 2 are in a folder of their own.
+ROS2 = FOLDER / "ros2"
 FILES = sorted(file for file in [*FOLDER.glob("*.csv"), *FOLDER.glob("*.txt")] if file.name not in TABLES)
 
 NAMES = {
@@ -121,3 +125,100 @@ def test_a_first_and_a_last_tick(tmp_path: Path) -> None:
     assert run.ticks[0] == ("timer", 1, 0.5, 0.6, 0.25)
     assert [tick.source for tick in run.ticks] == ["timer", "other", "timer"]
     assert all(math.isnan(tick.duration) for tick in run.ticks[1:])
+
+
+# --- on ROS 2 ---------------------------------------------------------------------------------------------------------
+
+ROS2_TABLES = {"clock_jump", "endings"}
+ROS2_NAMES = {
+    *(f"{what}_{hertz}hz" for what in ("timer", "rate") for hertz in (2, 50)),
+    *(f"{what}_blocks_once_{periods}" for what in ("timer", "rate") for periods in (1.4, 2.4, 4.4)),
+    *("timer_blocks_always_1.6", "timer_waits", "timer_without_clock", "timer_overlaps"),
+    *(f"two_timers_{how}" for how in ("spin", "spin_once", "multi_default", "multi_own", "multi_reentrant")),
+}
+
+# The ticks from the third on, of a timer or a Rate at 2 Hz whose call or pass number 3 takes so many periods.
+ROS2_AFTER = {
+    ("timer", 1.4): [1.5, 2.2, 2.5, 3.0],
+    ("timer", 2.4): [1.5, 2.7, 3.0, 3.5],
+    ("timer", 4.4): [1.5, 3.7, 4.0, 4.5],
+    ("rate", 1.4): [1.0, 1.7, 2.0, 2.5],
+    ("rate", 2.4): [1.0, 2.2, 2.5, 3.0],
+    ("rate", 4.4): [1.0, 3.2, 3.5, 4.0],
+}
+
+
+def table(name: str) -> list[dict[str, str]]:
+    with (ROS2 / f"{name}.csv").open() as rows:
+        return list(csv.DictReader(rows))
+
+
+def times(name: str, source: str) -> list[float]:
+    return [tick.real for tick in recordings.load(ROS2 / f"{name}.csv").ticks if tick.source == source]
+
+
+def test_the_set_of_ros_2_is_complete() -> None:
+    assert {file.stem for file in ROS2.glob("*.csv")} == ROS2_NAMES | ROS2_TABLES
+    assert {file.stem for file in ROS2.glob("*.json")} == ROS2_NAMES | ROS2_TABLES
+
+
+@pytest.mark.parametrize("name", sorted(ROS2_NAMES))
+def test_recording_of_ros_2(name: str) -> None:
+    run = recordings.load(ROS2 / f"{name}.csv")
+    assert (run.runtime, run.status) == ("ros2", 0)
+    assert "with ROS 2 Jazzy, rclpy 7" in run.caption
+    assert bool(run.ticks) == (name != "timer_without_clock")
+    assert all(0 <= tick.real < run.seconds + 1 for tick in run.ticks)
+    for source in {tick.source for tick in run.ticks}:
+        numbers = [tick.number for tick in run.ticks if tick.source == source]
+        assert numbers == list(range(1, len(numbers) + 1))
+
+
+@pytest.mark.parametrize(("what", "periods"), ROS2_AFTER)
+def test_rclpy_keeps_the_grid_after_a_block(what: str, periods: float) -> None:
+    run = recordings.load(ROS2 / f"{what}_blocks_once_{periods}.csv")
+    assert run.ticks[2].duration == pytest.approx(periods * 0.5, abs=0.05)
+    assert [tick.real for tick in run.ticks[2:6]] == pytest.approx(ROS2_AFTER[what, periods], abs=0.1)
+
+
+def test_who_waits_for_a_slow_callback_in_rclpy() -> None:
+    assert times("two_timers_spin", "second_callback")[:3] == pytest.approx([1.3, 2.9, 4.5], abs=0.15)
+    for how in ("spin_once", "multi_default"):
+        assert times(f"two_timers_{how}", "second_callback") == []
+    for how in ("multi_own", "multi_reentrant"):
+        assert times(f"two_timers_{how}", "second_callback")[:4] == pytest.approx([0.5, 1.0, 1.5, 2.0], abs=0.15)
+    assert times("timer_overlaps", "timer_callback")[:4] == pytest.approx([0.5, 1.0, 1.7, 2.2], abs=0.15)
+    assert times("timer_waits", "timer_callback")[:3] == pytest.approx([2.2, 2.5, 3.0], abs=0.15)
+
+
+def test_how_nodes_of_rclpy_end() -> None:
+    statuses: dict[tuple[str, str], set[int]] = {}
+    for row in table("endings"):
+        statuses.setdefault((row["node"], row["signal"]), set()).add(int(row["status"]))
+    interrupted, hangs = {128 + signal.SIGINT}, {128 + signal.SIGKILL}
+    assert statuses == {
+        ("exception", ""): {1},
+        ("hooks", "SIGINT"): {0},
+        ("hooks", "SIGTERM"): {0},
+        ("in_callback", "SIGINT"): interrupted,
+        ("in_callback", "SIGTERM"): {0},
+        ("rate_in_main", "SIGINT"): interrupted | {128 + signal.SIGABRT},
+        ("rate_in_main", "SIGTERM"): hangs,
+        ("rate_in_thread", "SIGINT"): {0},
+        ("rate_in_thread", "SIGTERM"): {0},
+        ("rate_nobody_spins", "SIGINT"): interrupted,
+        ("rate_nobody_spins", "SIGTERM"): hangs,
+        ("shutdown_in_callback", ""): {0},
+        ("sleep_until", "SIGINT"): interrupted,
+        ("sleep_until", "SIGTERM"): {0},
+        ("spin", "SIGINT"): interrupted,
+        ("spin", "SIGTERM"): {1},
+        ("spin_caught", "SIGINT"): {0},
+        ("spin_caught", "SIGTERM"): {0},
+        ("system_exit", ""): {3},
+    }
+
+
+def test_rclpy_when_the_clock_jumps() -> None:
+    """To 100: one tick at once. Back to 50: the next one a period later."""
+    assert [float(row["ros_time"]) for row in table("clock_jump")] == [100, 101, 102, 103, 51, 52, 53]

@@ -238,7 +238,9 @@ def test_ros_missing(monkeypatch: pytest.MonkeyPatch) -> None:
 
 
 def test_a_node_deaf_to_ctrl_c_is_killed(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
-    monkeypatch.setattr(ros1, "_PATIENCE", ((signal.SIGINT, 1.0), (signal.SIGTERM, 1.0), (signal.SIGKILL, 5.0)))
+    monkeypatch.setattr(
+        ros1.Workspace, "patience", ((signal.SIGINT, 1.0), (signal.SIGTERM, 1.0), (signal.SIGKILL, 5.0))
+    )
     node = tmp_path / "deaf.py"
     node.write_text(
         "import signal, time\n"

@@ -9,7 +9,7 @@ import shlex
 import subprocess
 import sys
 import tomllib
-from collections.abc import Iterator
+from collections.abc import Callable, Iterator
 from pathlib import Path
 from urllib.parse import unquote, urlsplit
 
@@ -219,8 +219,10 @@ def test_make_command_exists(command: str) -> None:
 
 
 @pytest.mark.parametrize("command", [command for command in _commands() if " run " in command])
-def test_run_command_works(command: str, tmp_path: Path) -> None:
+def test_run_command_works(command: str, tmp_path: Path, require: Callable[[str], None]) -> None:
     """Typed as it stands, in a folder that has the examples; a run without an end is given one."""
+    if "--ros2" in command:
+        require("ros2")
     (tmp_path / "examples").symlink_to(ROOT / "examples")
     arguments = shlex.split(command.partition(" run ")[2])
     end = [] if "--seconds" in arguments else ["--seconds", "1"]

@@ -8,7 +8,7 @@ import signal
 import sys
 from collections.abc import Sequence
 
-from . import ros1
+from . import ros1, ros2
 from .clocks.clock import Clock, WallClock
 from .clocks.simulation import Simulation
 from .doctor import report
@@ -44,9 +44,9 @@ def _parser() -> argparse.ArgumentParser:
     run = commands.add_parser(
         "run",
         help="run a node file",
-        description="Run a node file on the wall clock until Ctrl-C, in simulated time, or on the real ROS 1.",
-        usage="%(prog)s FILE [--seconds S] [--simulated | --ros1] [--plot FILE.svg] [-- NODE ARGS]",
-        epilog="Everything after -- is passed to the node, for example __ns:=/mrp _rate:=10.",
+        description="Run a node file on the wall clock until Ctrl-C, in simulated time, or on the real ROS 1 or 2.",
+        usage="%(prog)s FILE [--seconds S] [--simulated | --ros1 | --ros2] [--plot FILE.svg] [-- NODE ARGS]",
+        epilog="Everything after -- is passed to the node: __ns:=/mrp _rate:=10, or on ROS 2 --ros-args -r __ns:=/mrp.",
         allow_abbrev=False,
     )
     run.add_argument("file", metavar="FILE", help="a Python node; with --ros1 also a C++ node or a launch file")
@@ -54,6 +54,7 @@ def _parser() -> argparse.ArgumentParser:
     where = run.add_mutually_exclusive_group()
     where.add_argument("--simulated", action="store_true", help="run in simulated time, which takes almost no time")
     where.add_argument("--ros1", action="store_true", help="use the real ROS 1, which must be installed")
+    where.add_argument("--ros2", action="store_true", help="use the real ROS 2, which must be installed (make ros2)")
     run.add_argument("--plot", metavar="FILE.svg", help="plot the ticks to this file, and describe them on stderr")
     run.set_defaults(do=_run, parser=run)
     doctor = commands.add_parser("doctor", help="show what can run here", description="Show what can run here.")
@@ -76,11 +77,12 @@ def _run(options: argparse.Namespace, args: Sequence[str]) -> int:
         _check_plot(options.plot)
     record = options.plot is not None
     result: Result | Run
-    if options.ros1:
+    if options.ros1 or options.ros2:
         # Whatever asks this process to end asks the nodes to.
         for number in (signal.SIGTERM, signal.SIGHUP):
             signal.signal(number, signal.default_int_handler)
-        result = ros1.launch(options.file, options.seconds, args, sys.stdout)
+        launch = ros1.launch if options.ros1 else ros2.launch
+        result = launch(options.file, options.seconds, args, sys.stdout)
     else:
         clock: Clock = Simulation() if options.simulated else WallClock()
         result = run_node(load(options.file), options.seconds, args, clock, record, lambda result: sys.stdout.flush())

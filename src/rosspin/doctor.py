@@ -6,7 +6,7 @@ import importlib.util
 import shutil
 from collections.abc import Iterator
 
-from . import ros1
+from . import ros1, ros2
 
 __all__ = ["chromium", "report"]
 
@@ -24,8 +24,7 @@ def report() -> Iterator[str]:
     yield _line("stand-in", lacking, "pip install greenlet PyYAML")
     yield _line("rospy", ros1.missing(cpp=False), f"{_APT} python3-rospy python3-roslaunch python3-rosmaster")
     yield _line("roscpp", ros1.missing(), f"{_APT} {ros1.APT}")
-    lacking = [] if importlib.util.find_spec("rclpy") else ["rclpy"]
-    yield _line("rclpy", lacking, "on Linux, with Python 3.10 to 3.13: pip install ros-rclpy ros-rmw-fastrtps-cpp")
+    yield _line("rclpy", ros2.missing(), ros2.unavailable() or ros2.REMEDY)
     yield _line("browser", [] if chromium() else ["Chromium"], f"{_APT} chromium")
 
 

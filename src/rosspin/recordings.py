@@ -55,7 +55,7 @@ def live_caption(run: Run, short: bool = False) -> str:
     """When and where a run was made that is not a recording, in the words of a recording's caption."""
     here = describe()
     version = re.search(r"/rosversion: (\S+)", run.console)  # roslaunch says so among its parameters
-    ros = f" with ROS {version[1]}" if version else ""
+    ros = f" with ROS {version[1]}" if version else " with ROS 2" if run.runtime == "ros2" else ""
     versions = "" if short else f"{ros} on {here['System']}"
     date = datetime.fromtimestamp(run.start, UTC).date()
     return f"made live on {date}{versions}, {here['Processor']} ({here['Cores']} cores)"
@@ -76,7 +76,8 @@ def load(path: str | os.PathLike[str]) -> Recording:
         ticks = read_ticks(console, start=start)
     else:
         raise ValueError(f"{file}: a recording is a .csv or a .txt file")
-    return Recording(console, ticks, provenance["status"], "ros1", provenance["seconds"], start, provenance=provenance)
+    runtime = provenance.get("runtime", "ros1")
+    return Recording(console, ticks, provenance["status"], runtime, provenance["seconds"], start, provenance=provenance)
 
 
 def _ticks(file: Path) -> Iterator[Tick]:

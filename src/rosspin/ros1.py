@@ -6,20 +6,18 @@ it is gone when the run is over, however it ends.
 
 from __future__ import annotations
 
-import math
 import os
 import re
 import shutil
 import signal
 import socket
 import subprocess
-import tempfile
-import threading
 import time
-from collections.abc import Callable, Iterator, Sequence
+from collections.abc import Mapping, Sequence
 from pathlib import Path
-from typing import NamedTuple, TextIO
+from typing import TextIO
 
+from .children import START_PATIENCE, Children, Output, check_seconds, say_deaths, shell_status
 from .console import read_ticks
 from .ticks import Run
 
@@ -28,17 +26,8 @@ __all__ = ["APT", "BuildFailed", "Ros1Missing", "Workspace", "launch", "missing"
 # What to install on Debian and Ubuntu.
 APT = "build-essential catkin libroscpp-dev python3-roslaunch python3-rosmaster python3-rospy rosbash"
 
-# Signals that ask a process to end, and how long (s) each is given to be heeded.
-Patience = Sequence[tuple[signal.Signals, float]]
-
-# As roslaunch does it: for a node.
-_PATIENCE = ((signal.SIGINT, 15.0), (signal.SIGTERM, 2.0), (signal.SIGKILL, 5.0))
-
 # roslaunch itself may take that long and a little more, for the nodes and then for its master.
 _LAUNCH_PATIENCE = ((signal.SIGINT, 25.0), (signal.SIGTERM, 2.0), (signal.SIGKILL, 5.0))
-
-# So long (s) may a master or roslaunch take to get going on a busy machine.
-_START_PATIENCE = 60.0
 
 # What in the caller's environment would change the run or its console.
 _UNWANTED = ("PYTHONHOME", "ROSCONSOLE_CONFIG_FILE", "ROSCONSOLE_FORMAT", "ROS_IP", "ROS_IPV6", "ROS_NAMESPACE")
@@ -87,14 +76,6 @@ class BuildFailed(RuntimeError):
     """The package could not be built; the message is the compiler's or CMake's."""
 
 
-class Output(NamedTuple):
-    """What a process did: console text, exit status as a shell has it, start (s since the epoch)."""
-
-    console: str
-    status: int
-    start: float
-
-
 def missing(cpp: bool = True) -> list[str]:
     """List what this machine lacks to run ROS 1 nodes: with ``cpp`` also those in C++. Empty if nothing is missing."""
     path = _path()
@@ -102,7 +83,7 @@ def missing(cpp: bool = True) -> list[str]:
     lacking = [command for command in commands if not shutil.which(command, path=path)]
     python = shutil.which("python3", path=path)
     probe = [python or "", "-c", "import rospy"]
-    if not python or subprocess.run(probe, env=_environment(), stderr=subprocess.DEVNULL).returncode:
+    if not python or subprocess.run(probe, env=_ros_environment(os.environ), stderr=subprocess.DEVNULL).returncode:
         lacking.append("rospy")
     prefixes = ["/usr", *filter(None, os.environ.get("CMAKE_PREFIX_PATH", "").split(":"))]
     if cpp and not any(Path(prefix, "include/ros/ros.h").exists() for prefix in prefixes):
@@ -127,8 +108,7 @@ def launch(
     run or ``seconds`` is negative, RuntimeError if ROS does not start, and KeyboardInterrupt if Ctrl-C is pressed
     before ``seconds`` are over.
     """
-    if seconds is not None and not 0 <= seconds < math.inf:
-        raise ValueError(f"seconds must be a number of at least 0, not {seconds!r}")
+    check_seconds(seconds)
     path = Path(node)
     with open(path, "rb"):
         pass
@@ -146,11 +126,8 @@ def launch(
             workspace.start_master()
             output = workspace.run([*command, *args], seconds, onward)
             deaths = {path.name: output.status} if output.status else {}
-    last_words = "".join(f"rosspin: {name} ended with status {_named(status)}\n" for name, status in deaths.items())
-    if onward is not None and last_words:
-        onward.write(last_words)
     return Run(
-        output.console + last_words,
+        output.console + say_deaths(deaths, onward),
         read_ticks(output.console, start=output.start),
         next(iter(deaths.values()), 0),
         "ros1",
@@ -159,42 +136,23 @@ def launch(
     )
 
 
-class Workspace:
+class Workspace(Children):
     """A temporary catkin workspace and a port for a master. Leaving it ends what was started there and removes it."""
 
     def __init__(self) -> None:
-        self.folder = Path(tempfile.mkdtemp(prefix="rosspin-"))
+        super().__init__()
         self.source = self.folder / "src"
         self.source.mkdir()
         self.port = _free_port()
-        self._mark = f"ROS_HOME={self.folder}".encode()
-        self._children: list[subprocess.Popen[bytes]] = []
         self._sources: dict[Path, Path] = {}  # what was copied here, by its copy
-
-    def __enter__(self) -> Workspace:
-        return self
-
-    def __exit__(self, *error: object) -> None:
-        try:
-            for number in (signal.SIGINT, signal.SIGTERM):
-                _signal_all(self._processes, number, 3.0)
-        finally:
-            _signal_all(self._processes, signal.SIGKILL, 5.0)
-            for child in self._children:
-                child.wait()
-            shutil.rmtree(self.folder, ignore_errors=True)
 
     @property
     def environment(self) -> dict[str, str]:
         """The environment of whatever runs here."""
         return {
-            **_environment(),
+            **_ros_environment(super().environment),
             "ROS_MASTER_URI": f"http://localhost:{self.port}",
             "ROS_HOSTNAME": "localhost",
-            "ROS_HOME": str(self.folder),
-            "ROS_LOG_DIR": str(self.folder / "log"),
-            # Through a pipe both languages would keep their lines back until they have many.
-            "PYTHONUNBUFFERED": "1",
             "ROSCONSOLE_STDOUT_LINE_BUFFERED": "1",
         }
 
@@ -219,7 +177,7 @@ class Workspace:
     def build(self, *options: str) -> str:
         """Build all packages that are here, with options for CMake; the build's console. Raises BuildFailed."""
         command = ["catkin_make", "-C", str(self.folder), "--no-color", f"-j{os.cpu_count() or 1}", *options]
-        build = self._start(command, stdout=subprocess.PIPE, stderr=subprocess.PIPE)
+        build = self.start(command, stdout=subprocess.PIPE, stderr=subprocess.PIPE)
         out, err = (text.decode(errors="replace") for text in build.communicate())
         for copy, source in self._sources.items():
             out, err = out.replace(str(copy), str(source)), err.replace(str(copy), str(source))
@@ -241,8 +199,8 @@ class Workspace:
 
     def start_master(self) -> None:
         """Start the master for nodes that are run one by one. Raises RuntimeError if it does not start."""
-        master = self._start(["rosmaster", "--core", "-p", str(self.port)], stdout=subprocess.DEVNULL)
-        deadline = time.monotonic() + _START_PATIENCE
+        master = self.start(["rosmaster", "--core", "-p", str(self.port)], stdout=subprocess.DEVNULL)
+        deadline = time.monotonic() + START_PATIENCE
         while master.poll() is None and time.monotonic() < deadline:
             with socket.socket() as probe:
                 if probe.connect_ex(("localhost", self.port)) == 0:
@@ -260,138 +218,15 @@ class Workspace:
         self.build()
         copy = self.source / package.resolve().name / file.resolve().relative_to(package.resolve())
         command = [str(self.folder / "devel/env.sh"), "roslaunch", "-p", str(self.port), str(copy), *args]
-        output = self.run(command, seconds, onward, _STARTED, _LAUNCH_PATIENCE)
+        output = self.run(command, seconds, onward, _STARTED, _LAUNCH_PATIENCE, lambda line: _TITLE.sub("", line))
         # What nodes did at Ctrl-C is only in roslaunch's log.
         log = "".join(path.read_text() for path in self.folder.glob("log/*/roslaunch-*.log"))
         deaths = [(name, int(code)) for name, code in _DIED.findall(output.console) + _STOPPED.findall(log)]
         deaths += [(name, -signal.SIGKILL) for name in _KILLED.findall(log)]
         if output.status and not deaths:
             deaths = [("roslaunch", output.status)]
-        return output, {name: _status(code) for name, code in deaths if code and not re.match("master|rosout", name)}
-
-    def run(
-        self,
-        command: Sequence[str],
-        seconds: float | None,
-        onward: TextIO | None = None,
-        begins: re.Pattern[str] | None = None,
-        patience: Patience | None = None,
-    ) -> Output:
-        """Run a command until it ends or ``seconds`` are over, then press Ctrl-C; ``patience`` says what comes after.
-
-        The seconds count from the first line of the console that matches ``begins``, or else from the start. A real
-        Ctrl-C ends the command in the same way; one that cuts ``seconds`` short goes on to the caller after that.
-        """
-        patience = patience or _PATIENCE
-        process = self._start(command, stdout=subprocess.PIPE, stderr=subprocess.STDOUT)
-        console = _Reader(process, onward, begins, patience)
-        try:
-            if begins is not None and not console.begun.wait(_START_PATIENCE):
-                raise RuntimeError(f"{command[0]} did not start anything:\n{console.text()}")
-            process.wait(seconds)
-        except subprocess.TimeoutExpired:
-            _end(process, patience)
-        except KeyboardInterrupt:
-            _end(process, patience)
-            if seconds is not None:
-                raise
-        return Output(console.text(), _status(process.wait()), console.start)
-
-    def _start(self, command: Sequence[str], stdout: int, stderr: int | None = None) -> subprocess.Popen[bytes]:
-        # In a session of its own: a Ctrl-C on the terminal is ours to pass on.
-        process = subprocess.Popen(
-            command,
-            env=self.environment,
-            stdin=subprocess.DEVNULL,
-            stdout=stdout,
-            stderr=stderr,
-            start_new_session=True,
-        )
-        self._children.append(process)
-        return process
-
-    def _processes(self) -> Iterator[int]:
-        """All that was started here, by whomever: roslaunch gives its nodes sessions of their own."""
-        for entry in Path("/proc").glob("[0-9]*/environ"):
-            try:
-                if self._mark in entry.read_bytes().split(b"\0"):
-                    yield int(entry.parent.name)
-            except OSError:
-                pass
-        for child in self._children:
-            child.poll()
-
-
-class _Reader:
-    """Collects what a process prints, and passes it on, in a thread."""
-
-    def __init__(
-        self,
-        process: subprocess.Popen[bytes],
-        onward: TextIO | None,
-        begins: re.Pattern[str] | None,
-        patience: Patience,
-    ) -> None:
-        assert process.stdout is not None
-        self.start = time.time()
-        self.begun = threading.Event()
-        self._process = process
-        self._pipe = process.stdout
-        self._onward = onward
-        self._begins = begins
-        self._patience = patience
-        self._lines: list[str] = []
-        self._thread = threading.Thread(target=self._read, daemon=True)
-        self._thread.start()
-
-    def text(self) -> str:
-        """All that has come; waits a little for what is still on its way."""
-        self._thread.join(1.0)
-        return "".join(self._lines)
-
-    def _read(self) -> None:
-        with self._pipe:
-            for raw in self._pipe:
-                line = _TITLE.sub("", raw.decode(errors="replace"))
-                if self._begins is not None and not self.begun.is_set() and self._begins.search(line):
-                    self.start = time.time()
-                    self.begun.set()
-                self._lines.append(line)
-                if self._onward is not None:
-                    self._pass_on(line)
-        self.begun.set()  # nothing more can begin
-
-    def _pass_on(self, line: str) -> None:
-        assert self._onward is not None
-        try:
-            self._onward.write(line)
-            self._onward.flush()
-        except OSError:  # nobody listens any more, as after `| head`
-            self._onward = None
-            threading.Thread(target=_end, args=(self._process, self._patience), daemon=True).start()
-
-
-def _end(process: subprocess.Popen[bytes], patience: Patience) -> None:
-    """End a process with one signal after another, each given its time (s)."""
-    for number, wait in patience:
-        process.send_signal(number)
-        try:
-            process.wait(wait)
-            return
-        except subprocess.TimeoutExpired:
-            pass
-
-
-def _signal_all(processes: Callable[[], Iterator[int]], number: signal.Signals, patience: float) -> None:
-    """Send a signal to processes, if there are any, and give them ``patience`` seconds to end."""
-    for pid in processes():
-        try:
-            os.kill(pid, number)
-        except ProcessLookupError:
-            pass
-    deadline = time.monotonic() + patience
-    while any(processes()) and time.monotonic() < deadline:
-        time.sleep(0.05)
+        statuses = {name: shell_status(code) for name, code in deaths if code}
+        return output, {name: status for name, status in statuses.items() if not re.match("master|rosout", name)}
 
 
 def _package_of(file: Path) -> Path | None:
@@ -404,21 +239,11 @@ def _path() -> str:
     return "/usr/bin:/bin:" + os.environ.get("PATH", "")
 
 
-def _environment() -> dict[str, str]:
-    environment = {name: value for name, value in os.environ.items() if name not in _UNWANTED}
-    return {**environment, "PATH": _path()}
+def _ros_environment(environment: Mapping[str, str]) -> dict[str, str]:
+    return {**{name: value for name, value in environment.items() if name not in _UNWANTED}, "PATH": _path()}
 
 
 def _free_port() -> int:
     with socket.socket() as probe:
         probe.bind(("localhost", 0))
         return int(probe.getsockname()[1])
-
-
-def _status(code: int) -> int:
-    """An exit status as a shell has it: 128 + number for a signal."""
-    return 128 - code if code < 0 else code
-
-
-def _named(status: int) -> str:
-    return f"{status} ({signal.Signals(status - 128).name})" if 128 < status < 160 else str(status)

@@ -12,8 +12,9 @@ from typing import Any
 
 __all__ = ["Ended", "end_thread", "ending_here"]
 
-# Modules whose frames are left to come to their own end: they put in order what others rely on.
-_SPARED = (__name__.partition(".")[0], "threading", "concurrent", "contextlib")
+# Modules whose frames are left to come to their own end: they put in order what others rely on. What a weak reference
+# calls may come at any time, from the garbage collector, and Python prints what is raised in it.
+_SPARED = (__name__.partition(".")[0], "threading", "concurrent", "contextlib", "weakref", "_weakrefset")
 
 # Threads in which code is being ended.
 _ending: set[int] = set()

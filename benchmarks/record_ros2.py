@@ -1,0 +1,176 @@
+"""Record a fixed set of runs on the real ROS 2 into examples/recordings/ros2, each with its provenance.
+
+`make record` runs all of it, `python benchmarks/record_ros2.py NAME...` what is named. What is timed runs alone; the
+endings, whose times do not matter, some at a time.
+"""
+
+from __future__ import annotations
+
+import csv
+import math
+import os
+import signal
+import sys
+import time
+from collections import defaultdict
+from collections.abc import Iterator
+from concurrent.futures import ThreadPoolExecutor
+from pathlib import Path
+from statistics import median
+from typing import Any, NamedTuple
+
+from provenance import write_provenance
+
+from rosspin import Tick, ros2
+from rosspin.children import Patience
+from rosspin.recordings import COLUMNS
+
+EXAMPLES = Path(__file__).parents[1] / "examples" / "ros2"
+RECORDINGS = Path(__file__).parents[1] / "examples" / "recordings" / "ros2"
+
+PERIOD = 0.5  # s, at 2 Hz
+BLOCK = 1.6 * PERIOD  # of a callback that is always slow
+
+ENDING_RUNS = 12  # of each node and signal: some are races
+ENDING_AFTER = 1.2  # s
+ENDS_ITSELF = ("exception", "shutdown_in_callback", "system_exit")
+
+
+class Plan(NamedTuple):
+    """A run of a probe: its parameters, how long (s), and what is to be seen."""
+
+    program: str
+    parameters: dict[str, Any]
+    seconds: float
+    what: str
+
+
+def _plans() -> Iterator[tuple[str, Plan]]:
+    for kind, what in (("timer", "a timer"), ("rate", "a Rate loop")):
+        program = f"{kind}_probe.py"
+        yield f"{kind}_2hz", Plan(program, {"period": PERIOD}, 5.2, f"{what} at 2 Hz")
+        yield f"{kind}_50hz", Plan(program, {"period": 0.02}, 10.0, f"{what} at 50 Hz")
+        for periods in (1.4, 2.4, 4.4):
+            parameters = {"period": PERIOD, "block": periods * PERIOD, "block_call": 3}
+            seen = f"{what} at 2 Hz whose call or pass number 3 takes {periods} periods"
+            yield f"{kind}_blocks_once_{periods}", Plan(program, parameters, 6.2, seen)
+    always = {"period": PERIOD, "block": BLOCK}
+    yield "timer_blocks_always_1.6", Plan("timer_probe.py", always, 6.2, "a timer at 2 Hz, always 1.6 periods")
+    wait = {"period": PERIOD, "wait": 4.4 * PERIOD}
+    yield "timer_waits", Plan("timer_probe.py", wait, 5.2, "a timer at 2 Hz in a node that spins after 4.4 periods")
+    sim_time = {"period": PERIOD, "use_sim_time": True}
+    yield "timer_without_clock", Plan("timer_probe.py", sim_time, 3.2, "a timer with use_sim_time and no clock")
+    two: dict[str, Any] = {**always, "second_timer": True}
+    what = "two timers at 2 Hz, the callback of the first always takes 1.6 periods"
+    for name, words, more in (
+        ("spin", "under rclpy.spin", {}),
+        ("spin_once", "under rclpy.spin_once with a timeout that varies", {"executor": "spin_once"}),
+        ("multi_default", "four threads, the node's default group", {"executor": "multi"}),
+        ("multi_own", "four threads, a group of its own for each", {"executor": "multi", "group": "own"}),
+        ("multi_reentrant", "four threads, one reentrant group", {"executor": "multi", "group": "reentrant"}),
+    ):
+        yield f"two_timers_{name}", Plan("timer_probe.py", {**two, **more}, 6.2, f"{what}; {words}")
+    overlap = {"period": PERIOD, "block": 1.2, "executor": "multi", "group": "reentrant", "threads": 2}
+    what = "a timer at 2 Hz whose callback always takes 1.2 s; two threads, a reentrant group"
+    yield "timer_overlaps", Plan("timer_probe.py", overlap, 4.2, what)
+
+
+PLANS = dict(_plans())
+
+
+def record_probe(name: str) -> None:
+    """Run a probe and write its ticks."""
+    plan = PLANS[name]
+    load = os.getloadavg()
+    parameters = [word for key, value in plan.parameters.items() for word in ("-p", f"{key}:={str(value).lower()}")]
+    command = [plan.program, "--ros-args", *parameters]
+    run = ros2.launch(EXAMPLES / plan.program, plan.seconds, command[1:])
+    if run.status:
+        raise RuntimeError(f"{name} failed with status {run.status}:\n{run.console}")
+    last: dict[str, Tick] = {}
+    with (RECORDINGS / f"{name}.csv").open("w", newline="") as text:
+        writer = csv.writer(text, lineterminator="\n")
+        writer.writerow(COLUMNS)
+        for tick in run.ticks:
+            before = last.get(tick.source)
+            past = [before.expected, before.real, before.duration] if before else [None] * 3
+            times = [*past[:2], tick.expected, tick.real, past[2]]
+            row = [f"{time:.6f}" if time is not None else "" for time in times]
+            writer.writerow([tick.source, tick.number, *row])
+            last[tick.source] = tick
+    _write_provenance(name, plan.what, command, run.start, plan.seconds, run.status, load)
+
+
+def record_endings() -> None:
+    """End each node of the endings many times: how it ended, how often, and how soon after the signal.
+
+    A node that needs SIGKILL, 4 s later, hangs. A node that ends by itself gets no signal.
+    """
+    load, start = os.getloadavg(), time.time()
+    jobs = [
+        (file, number)
+        for file in sorted(EXAMPLES.glob("endings/*.py"))
+        for number in ([None] if file.stem in ENDS_ITSELF else [signal.SIGINT, signal.SIGTERM])
+        for _ in range(ENDING_RUNS)
+    ]
+    counts: dict[tuple[str, str, int], list[float]] = defaultdict(list)
+    with ros2.Nodes() as nodes, ThreadPoolExecutor(4) as pool:
+
+        def end(job: tuple[Path, signal.Signals | None]) -> tuple[tuple[str, str, int], float]:
+            file, number = job
+            patience: Patience = ((number or signal.SIGINT, 4.0), (signal.SIGKILL, 5.0))
+            run = nodes.launch(file, ENDING_AFTER if number else None, patience=patience)
+            late = time.time() - run.start - ENDING_AFTER if number else math.nan
+            return (file.stem, number.name if number else "", run.status), late
+
+        for key, late in pool.map(end, jobs):
+            counts[key].append(late)
+    with (RECORDINGS / "endings.csv").open("w", newline="") as text:
+        writer = csv.writer(text, lineterminator="\n")
+        writer.writerow(["node", "signal", "status", "runs", "seconds_after_signal"])
+        for key, times in counts.items():
+            writer.writerow([*key, len(times), f"{median(times):.2f}" if key[1] else ""])
+    _write_provenance("endings", "nodes at Ctrl-C and SIGTERM", ["NODE"], start, ENDING_AFTER, 0, load)
+
+
+def record_clock_jump() -> None:
+    """Let ROS time jump under a timer of 1 s, and keep the times at which it ticks."""
+    load = os.getloadavg()
+    run = ros2.launch(EXAMPLES / "clock_jump.py", 5.0)
+    rows = [line.split(",") for line in run.console.splitlines() if line.startswith("ros_time,")]
+    with (RECORDINGS / "clock_jump.csv").open("w", newline="") as text:
+        writer = csv.writer(text, lineterminator="\n")
+        writer.writerow(["ros_time"])
+        writer.writerows([time] for _, time in rows)
+    what = "a timer when /clock jumps from 0 to 100, and back to 50"
+    _write_provenance("clock_jump", what, ["clock_jump.py"], run.start, 5.0, run.status, load)
+
+
+def _write_provenance(
+    name: str, what: str, command: list[str], start: float, seconds: float, status: int, load: tuple[float, ...]
+) -> None:
+    python = ".".join(map(str, sys.version_info[:3]))  # `make ros2` and the rest are of one Python
+    versions = {"ros": f"2 {ros2.version()}", "runtime": "ros2", "python": python}
+    write_provenance(RECORDINGS / f"{name}.json", what, ["python3", *command], start, seconds, status, load, versions)
+
+
+OTHERS = {"clock_jump": record_clock_jump, "endings": record_endings}
+
+
+def main(names: list[str]) -> None:
+    """Record what is named, all if nothing is."""
+    if ros2.missing():
+        raise SystemExit(f"record: {ros2.Ros2Missing()}")
+    if unknown := set(names) - {*OTHERS, *PLANS}:
+        raise SystemExit(f"record: there is no {', '.join(sorted(unknown))}; there are {', '.join([*OTHERS, *PLANS])}")
+    RECORDINGS.mkdir(exist_ok=True)
+    for name in names or [*PLANS, *OTHERS]:
+        print(name, flush=True)
+        if name in OTHERS:
+            OTHERS[name]()
+        else:
+            record_probe(name)
+
+
+if __name__ == "__main__":
+    main(sys.argv[1:])

@@ -1,0 +1,6 @@
+import rclpy
+
+rclpy.init()
+node = rclpy.create_node("shutdown_in_callback")
+node.create_timer(0.5, rclpy.shutdown)
+rclpy.spin(node)

@@ -1,0 +1,232 @@
+"""Start processes in a temporary folder, collect their consoles, press Ctrl-C, and leave nothing of them behind."""
+
+from __future__ import annotations
+
+import math
+import os
+import re
+import shutil
+import signal
+import subprocess
+import tempfile
+import threading
+import time
+from collections.abc import Callable, Iterator, Mapping, Sequence
+from pathlib import Path
+from typing import NamedTuple, Self, TextIO
+
+__all__ = ["START_PATIENCE", "Children", "Output", "Patience", "check_seconds", "say_deaths", "shell_status"]
+
+# Signals that ask a process to end, and how long (s) each is given to be heeded.
+Patience = Sequence[tuple[signal.Signals, float]]
+
+# So long (s) may a process take to get going on a busy machine.
+START_PATIENCE = 60.0
+
+
+class Output(NamedTuple):
+    """What a process did: console text, exit status as a shell has it, start (s since the epoch)."""
+
+    console: str
+    status: int
+    start: float
+
+
+class Children:
+    """A temporary folder and the processes that were started in it. Leaving it ends them and removes it."""
+
+    # What a process is sent that has to end, one after the other.
+    patience: Patience = ((signal.SIGINT, 15.0), (signal.SIGTERM, 2.0), (signal.SIGKILL, 5.0))
+
+    def __init__(self) -> None:
+        self.folder = Path(tempfile.mkdtemp(prefix="rosspin-"))
+        self._mark = f"ROS_HOME={self.folder}".encode()
+        self._children: list[subprocess.Popen[bytes]] = []
+        # A shell that starts something in the background has it ignore Ctrl-C, and our children would inherit that.
+        self._deaf = (
+            signal.getsignal(signal.SIGINT) is signal.SIG_IGN and threading.current_thread() is threading.main_thread()
+        )
+        if self._deaf:
+            signal.signal(signal.SIGINT, signal.default_int_handler)
+
+    def __enter__(self) -> Self:
+        return self
+
+    def __exit__(self, *error: object) -> None:
+        try:
+            for number in (signal.SIGINT, signal.SIGTERM):
+                _signal_all(self._processes, number, 3.0)
+        finally:
+            _signal_all(self._processes, signal.SIGKILL, 5.0)
+            for child in self._children:
+                child.wait()
+            shutil.rmtree(self.folder, ignore_errors=True)
+            if self._deaf:
+                signal.signal(signal.SIGINT, signal.SIG_IGN)
+
+    @property
+    def environment(self) -> dict[str, str]:
+        """The environment of whatever runs here. ROS, 1 or 2, writes into the folder; that also marks what is ours."""
+        return {
+            **os.environ,
+            "ROS_HOME": str(self.folder),
+            "ROS_LOG_DIR": str(self.folder / "log"),
+            # Through a pipe Python would keep its lines back until it has many.
+            "PYTHONUNBUFFERED": "1",
+        }
+
+    def run(
+        self,
+        command: Sequence[str],
+        seconds: float | None,
+        onward: TextIO | None = None,
+        begins: re.Pattern[str] | None = None,
+        patience: Patience | None = None,
+        clean: Callable[[str], str] = str,
+        more: Mapping[str, str] | None = None,
+    ) -> Output:
+        """Run a command until it ends or ``seconds`` are over, then press Ctrl-C; ``patience`` says what comes after.
+
+        The seconds count from the first line of the console that matches ``begins``, or else from the start. A real
+        Ctrl-C ends the command in the same way; one that cuts ``seconds`` short goes on to the caller after that.
+        ``clean`` makes of each line what the console is to have of it; ``more`` is added to the environment.
+        """
+        patience = patience or self.patience
+        process = self.start(command, subprocess.PIPE, subprocess.STDOUT, more)
+        console = _Reader(process, onward, begins, patience, clean)
+        try:
+            if begins is not None and not console.begun.wait(START_PATIENCE):
+                raise RuntimeError(f"{command[0]} did not start anything:\n{console.text()}")
+            process.wait(seconds)
+        except subprocess.TimeoutExpired:
+            _end(process, patience)
+        except KeyboardInterrupt:
+            _end(process, patience)
+            if seconds is not None:
+                raise
+        return Output(console.text(), shell_status(process.wait()), console.start)
+
+    def start(
+        self, command: Sequence[str], stdout: int, stderr: int | None = None, more: Mapping[str, str] | None = None
+    ) -> subprocess.Popen[bytes]:
+        """Start a command and leave it alone."""
+        # In a session of its own: a Ctrl-C on the terminal is ours to pass on.
+        process = subprocess.Popen(
+            command,
+            env={**self.environment, **(more or {})},
+            stdin=subprocess.DEVNULL,
+            stdout=stdout,
+            stderr=stderr,
+            start_new_session=True,
+        )
+        self._children.append(process)
+        return process
+
+    def _processes(self) -> Iterator[int]:
+        """All that was started here, by whomever: roslaunch gives its nodes sessions of their own."""
+        for entry in Path("/proc").glob("[0-9]*/environ"):
+            try:
+                if self._mark in entry.read_bytes().split(b"\0"):
+                    yield int(entry.parent.name)
+            except OSError:
+                pass
+        for child in self._children:
+            child.poll()
+
+
+class _Reader:
+    """Collects what a process prints, and passes it on, in a thread."""
+
+    def __init__(
+        self,
+        process: subprocess.Popen[bytes],
+        onward: TextIO | None,
+        begins: re.Pattern[str] | None,
+        patience: Patience,
+        clean: Callable[[str], str],
+    ) -> None:
+        assert process.stdout is not None
+        self.start = time.time()
+        self.begun = threading.Event()
+        self._process = process
+        self._pipe = process.stdout
+        self._onward = onward
+        self._begins = begins
+        self._patience = patience
+        self._clean = clean
+        self._lines: list[str] = []
+        self._thread = threading.Thread(target=self._read, daemon=True)
+        self._thread.start()
+
+    def text(self) -> str:
+        """All that has come; waits a little for what is still on its way."""
+        self._thread.join(1.0)
+        return "".join(self._lines)
+
+    def _read(self) -> None:
+        with self._pipe:
+            for raw in self._pipe:
+                line = raw.decode(errors="replace")
+                if self._begins is not None and not self.begun.is_set() and self._begins.search(line):
+                    self.start = time.time()
+                    self.begun.set()
+                if line := self._clean(line):
+                    self._lines.append(line)
+                    if self._onward is not None:
+                        self._pass_on(line)
+        self.begun.set()  # nothing more can begin
+
+    def _pass_on(self, line: str) -> None:
+        assert self._onward is not None
+        try:
+            self._onward.write(line)
+            self._onward.flush()
+        except OSError:  # nobody listens any more, as after `| head`
+            self._onward = None
+            threading.Thread(target=_end, args=(self._process, self._patience), daemon=True).start()
+
+
+def _end(process: subprocess.Popen[bytes], patience: Patience) -> None:
+    """End a process with one signal after another, each given its time (s)."""
+    for number, wait in patience:
+        process.send_signal(number)
+        try:
+            process.wait(wait)
+            return
+        except subprocess.TimeoutExpired:
+            pass
+
+
+def _signal_all(processes: Callable[[], Iterator[int]], number: signal.Signals, patience: float) -> None:
+    """Send a signal to processes, if there are any, and give them ``patience`` seconds to end."""
+    for pid in processes():
+        try:
+            os.kill(pid, number)
+        except ProcessLookupError:
+            pass
+    deadline = time.monotonic() + patience
+    while any(processes()) and time.monotonic() < deadline:
+        time.sleep(0.05)
+
+
+def check_seconds(seconds: float | None) -> None:
+    """Raise ValueError if a run cannot last so long."""
+    if seconds is not None and not 0 <= seconds < math.inf:
+        raise ValueError(f"seconds must be a number of at least 0, not {seconds!r}")
+
+
+def say_deaths(deaths: Mapping[str, int], onward: TextIO | None) -> str:
+    """The last lines of a console, which name the nodes that did not end with 0; also written to ``onward``."""
+    words = "".join(f"rosspin: {name} ended with status {_named(status)}\n" for name, status in deaths.items())
+    if onward is not None and words:
+        onward.write(words)
+    return words
+
+
+def shell_status(code: int) -> int:
+    """An exit status as a shell has it: 128 + number for a signal."""
+    return 128 - code if code < 0 else code
+
+
+def _named(status: int) -> str:
+    return f"{status} ({signal.Signals(status - 128).name})" if 128 < status < 160 else str(status)

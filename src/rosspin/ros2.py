@@ -1,0 +1,218 @@
+"""Run nodes on the real ROS 2: Python nodes on rclpy, each in a process of its own, and collect the run.
+
+Nothing of a run leaves this machine, and nothing is left of it: no process, no folder, no shared memory.
+"""
+
+from __future__ import annotations
+
+import math
+import os
+import platform
+import random
+import re
+import shutil
+import signal
+import sys
+import time
+from collections.abc import Sequence
+from functools import cache
+from pathlib import Path
+from typing import TextIO
+
+from .children import START_PATIENCE, Children, Patience, check_seconds, say_deaths
+from .ticks import Run, Tick
+
+__all__ = ["Nodes", "REMEDY", "Nodes", "Ros2Missing", "launch", "missing", "python", "unavailable", "version"]
+
+REMEDY = "make ros2"
+
+NS = 10**9
+
+# Where `make ros2` puts it: an environment of its own, as its packages start every Python beside them anew.
+_MADE = Path(__file__).parents[2] / "build" / "ros2" / "bin" / "python"
+
+# The Python that a ROS 2 of the system's is made for.
+_SYSTEM = "/usr/bin:/bin"
+
+_PROBE = Path(__file__).with_name("ros2_probe.py")
+
+# Of a name of its own, without the source: so its frames in a traceback are lines that can be told apart.
+_SITECUSTOMIZE = f"""import sys; sys.path.remove(__file__.rpartition("/")[0])
+exec(compile(open({str(_PROBE)!r}).read(), "<rosspin>", "exec"), {{}})
+"""
+
+# What the probe says, see there; and its frames, which a node without it would not have.
+_TOLD = re.compile(r"\x1b]rosspin;(\w+) ([^\x07]*)\x07\n?")
+_FRAME = re.compile(r'^ +File "<rosspin>", line .*\n')
+_BEGIN = re.compile(r"\x1b]rosspin;begin ")
+
+# What in the caller's environment would change the run or its console.
+_UNWANTED = re.compile(
+    "PYTHONHOME|RCUTILS_.*|RMW_.*|ROS_(DOMAIN_ID|LOCALHOST_ONLY|STATIC_PEERS|DISABLE_LOANED_MESSAGES|SECURITY_.*)|FAST.*"
+)
+
+# Also what another such environment leaves in that of its children: with it, the wheels would not find their libraries.
+_UNWANTED_BY_WHEELS = re.compile(f"{_UNWANTED.pattern}|_ROS_WHEELS_BOOTSTRAP_COMPLETE|LD_LIBRARY_PATH|PYTHONPATH")
+
+
+class Ros2Missing(RuntimeError):
+    """ROS 2 is not installed; the message says what to do."""
+
+    def __init__(self) -> None:
+        super().__init__(f"ROS 2 is not installed (no rclpy): {unavailable() or REMEDY}")
+
+
+@cache
+def python() -> str:
+    """The Python that has rclpy: of ``make ros2``, or that of a ROS 2 whose set-up has been sourced; "" if none is."""
+    if _MADE.exists():
+        return str(_MADE)
+    if "AMENT_PREFIX_PATH" in os.environ:
+        return shutil.which("python3", path=f"{_SYSTEM}:{os.environ.get('PATH', '')}") or ""
+    return ""
+
+
+@cache
+def version() -> str:
+    """Which ROS 2 is installed, such as ``Jazzy, rclpy 7.1.6``; "" if none is."""
+    code = (
+        "import os, rclpy; from importlib.metadata import distributions, version\n"
+        "wheels = [found.name for found in distributions() if found.name.endswith('-rclpy')]\n"
+        "name = max(wheels or ['rclpy'], key=len)\n"  # ros-jazzy-rclpy brings ros-rclpy
+        "distro = name.split('-')[1] if wheels else os.environ.get('ROS_DISTRO', '')\n"
+        "print(f'{distro.title()}, rclpy {version(name)}')"
+    )
+    if not python():
+        return ""
+    with Nodes() as nodes:
+        return nodes.run([python(), "-c", code], START_PATIENCE).console.strip()
+
+
+def missing() -> list[str]:
+    """List what this machine lacks to run ROS 2 nodes. Empty if nothing is missing."""
+    return [] if "rclpy" in version() else ["rclpy"]
+
+
+def unavailable() -> str:
+    """Why ROS 2 cannot be installed from its wheels with this Python; "" if it can."""
+    system, machine, own = platform.system(), platform.machine(), sys.version_info[:2]
+    if (system, machine) == ("Linux", "x86_64") and (3, 10) <= own <= (3, 14):
+        return ""
+    here = f"{system} on {machine} with Python {own[0]}.{own[1]}"
+    return f"the wheels of ROS 2 are for Linux on x86_64 with Python 3.10 to 3.14; this is {here}"
+
+
+def launch(
+    node: str | os.PathLike[str],
+    seconds: float | None = None,
+    args: Sequence[str] = (),
+    onward: TextIO | None = None,
+) -> Run:
+    """Run a node file on the real ROS 2, where it meets no other node.
+
+    Time counts from the moment in which its first node has been made. Ctrl-C is pressed at ``seconds``; without them,
+    the run ends at a real Ctrl-C or when the node does. What does not end is killed, when ``ros2 launch`` would do so.
+    ``args`` are the node's, such as ``("--ros-args", "-r", "__ns:=/mrp")``. The console is also written to
+    ``onward``, as it comes. The ticks are those of timers, from call to return, and of each Rate from pass to pass.
+
+    Raises :class:`Ros2Missing`, OSError if the file cannot be read, ValueError if it is no Python file or ``seconds``
+    is negative, RuntimeError if no node is made within a minute, and KeyboardInterrupt if Ctrl-C is pressed before
+    ``seconds`` are over.
+    """
+    check_seconds(seconds)
+    path = Path(node)
+    with open(path, "rb"):
+        pass
+    if path.suffix != ".py":
+        raise ValueError(f"{path}: not a Python node (.py)")
+    if missing():
+        raise Ros2Missing
+    with Nodes() as nodes:
+        return nodes.launch(path, seconds, args, onward)
+
+
+class Nodes(Children):
+    """A temporary folder for what nodes write, and the nodes. Leaving it ends what was started and removes it.
+
+    Its nodes see no others; with ``meet`` they see each other.
+    """
+
+    # As `ros2 launch` does it.
+    patience = ((signal.SIGINT, 5.0), (signal.SIGTERM, 5.0), (signal.SIGKILL, 5.0))
+
+    def __init__(self, meet: bool = False) -> None:
+        super().__init__()
+        self._discovery = {"ROS_AUTOMATIC_DISCOVERY_RANGE": "LOCALHOST" if meet else "OFF"}
+        if meet:
+            # Any up to 101 is free of the ports that Linux gives out by itself; a node of somebody else's is in 0.
+            self._discovery["ROS_DOMAIN_ID"] = str(random.randint(1, 101))
+        (self.folder / "sitecustomize.py").write_text(_SITECUSTOMIZE)
+
+    @property
+    def environment(self) -> dict[str, str]:
+        """The environment of whatever runs here."""
+        unwanted = _UNWANTED if python() != str(_MADE) else _UNWANTED_BY_WHEELS
+        return {
+            **{name: value for name, value in super().environment.items() if not unwanted.fullmatch(name)},
+            **self._discovery,
+            # By shared memory Fast DDS would leave half a megabyte of it for every node that is killed.
+            "FASTDDS_BUILTIN_TRANSPORTS": "UDPv4",
+        }
+
+    def launch(
+        self,
+        file: Path,
+        seconds: float | None = None,
+        args: Sequence[str] = (),
+        onward: TextIO | None = None,
+        patience: Patience | None = None,
+    ) -> Run:
+        """Run a node file: see :func:`launch`; ``patience`` says what it is sent at the end."""
+        told = _Told()
+        path = os.pathsep.join(filter(None, (str(self.folder), self.environment.get("PYTHONPATH"))))
+        command = [python(), str(file), *args]
+        begins = None if seconds is None else _BEGIN
+        output = self.run(command, seconds, onward, begins, patience, told, {"PYTHONPATH": path})
+        # Python has told of an interrupt itself; of an abort or a kill nobody has.
+        silent = output.status > 128 and output.status != 128 + signal.SIGINT
+        return Run(
+            output.console + say_deaths({file.name: output.status} if silent else {}, onward),
+            told.ticks(),
+            output.status,
+            "ros2",
+            time.time() - output.start if seconds is None else seconds,
+            told.start or output.start,
+        )
+
+
+class _Told:
+    """Takes what the probe says out of the lines of a console, and keeps it."""
+
+    def __init__(self) -> None:
+        self.start = 0.0
+        self._zero = 0
+        self._ticks: dict[tuple[str, int], tuple[int, int]] = {}
+        self._durations: dict[tuple[str, int], int] = {}
+
+    def __call__(self, line: str) -> str:
+        return "" if _FRAME.match(line) else _TOLD.sub(self._keep, line)
+
+    def _keep(self, told: re.Match[str]) -> str:
+        if told[1] == "begin":
+            self._zero = int(told[2])
+            self.start = self._zero / NS
+        else:
+            source, number, *times = told[2].split("\t")
+            if told[1] == "tick":
+                self._ticks[source, int(number)] = int(times[0]), int(times[1])
+            else:
+                self._durations[source, int(number)] = int(times[0])
+        return ""
+
+    def ticks(self) -> tuple[Tick, ...]:
+        """The ticks, in the order in which they began."""
+        ticks = [
+            Tick(*key, (expected - self._zero) / NS, (real - self._zero) / NS, self._durations.get(key, math.nan) / NS)
+            for key, (expected, real) in self._ticks.items()
+        ]
+        return tuple(sorted(ticks, key=lambda tick: tick.real))
