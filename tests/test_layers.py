@@ -28,6 +28,7 @@ LAYERS = [
     "measures",
     "advice",
     "plots",
+    "roscpp",
     "ros1",
     "doctor",
     "machine",
@@ -43,7 +44,6 @@ LAYERS = [
 # Packages that only these modules may import.
 KEEPERS = {
     "greenlet": {"clocks.stacks"},
-    "matplotlib": {"plots", "__main__"},
     "IPython": {"site.magics"},
     "js": {"clocks.jspi", "page"},
     "pyodide": {"clocks.jspi", "page"},
@@ -115,7 +115,7 @@ def test_the_stand_in_knows_only_the_time_of_a_clock() -> None:
 
 
 def test_data_are_below_the_simulator() -> None:
-    for module in ("console", "measures", "plots", "recordings"):
+    for module in ("console", "measures", "plots", "recordings", "roscpp"):
         assert {layer(name) for name in imports(module) & MODULES.keys()} <= {"ticks", "console", "measures", "machine"}
 
 

@@ -1,7 +1,7 @@
 """Sphinx extension: listings that can be run in the page, and what the pages allow themselves to load.
 
 A listing of the class ``live`` (``:class: live`` on its literalinclude, the tag ``live`` on a notebook cell) is run
-by ``web/``, which finds it in the page.
+by ``web/``, which finds it in the page. So are the figures with a handle moved.
 """
 
 from __future__ import annotations
@@ -21,6 +21,7 @@ __all__ = ["setup"]
 # What `make html` builds from web/, below the html_static_path.
 _SCRIPT = "live/live.js"
 _STYLE = "live/live.css"
+_HANDLES = "handles/handles.js"
 
 # Until the script is there, which takes it away.
 _NO_SCRIPT = '<p class="live-missing">To run this listing here, the page needs JavaScript.</p>'
@@ -53,9 +54,13 @@ def _mark_cells(app: Sphinx, doctree: nodes.document) -> None:
 
 def _live_listings(app: Sphinx, doctree: nodes.document | None) -> list[nodes.literal_block]:
     # Where web/ was not built, as for the doctests, the listings are plain.
-    if doctree is None or not any((app.confdir / folder / _SCRIPT).is_file() for folder in app.config.html_static_path):
+    if doctree is None or not _is_built(app, _SCRIPT):
         return []
     return [node for node in doctree.findall(nodes.literal_block) if "live" in node["classes"]]
+
+
+def _is_built(app: Sphinx, file: str) -> bool:
+    return any((app.confdir / folder / file).is_file() for folder in app.config.html_static_path)
 
 
 def _say_what_is_missing(app: Sphinx, doctree: nodes.document, name: str) -> None:
@@ -69,6 +74,8 @@ def _add_files(app: Sphinx, page: str, template: str, context: dict[str, Any], d
     if _live_listings(app, doctree):
         app.add_js_file(_SCRIPT, loading_method="defer")
         app.add_css_file(_STYLE)
+    if " data-positions='" in context.get("body", "") and _is_built(app, _HANDLES):
+        app.add_js_file(_HANDLES, loading_method="defer")
 
 
 def _finish_pages(app: Sphinx, error: Exception | None) -> None:
