@@ -137,11 +137,10 @@ def with_handle(
         "positions": [[f"{value:g}", said[value], alts[value], rows[value]] for value in runs],
     }
     handle = (
-        '<div class="rosspin-handle" hidden><label>'
-        f"<span>{html.escape(label)} ({html.escape(unit)})</span> "
+        f'<label class="rosspin-handle" hidden>{html.escape(label)} ({html.escape(unit)}) '
+        f'<b aria-hidden="true">{html.escape(said[at])}</b> '
         f'<input type="range" min="0" max="{len(runs) - 1}" step="1" value="{list(runs).index(at)}" '
-        f'autocomplete="off" aria-valuetext="{html.escape(said[at])}"></label> '
-        f'<span aria-hidden="true">{html.escape(said[at])}</span></div>'
+        f'autocomplete="off" aria-valuetext="{html.escape(said[at])}"></label>'
     )
     return replace(
         _timeline(rows[at], scale, period, alts[at]),
@@ -280,7 +279,7 @@ def _draw_row(number: int, row: _Row, scale: _Scale) -> Iterator[str]:
     for real, _ in row.ticks:
         above = above + 1 if real - before < 1e-3 else 0
         before = real
-        yield _mark(number, scale(real), y - 8 * above, 4)
+        yield _mark(number, scale(real), y - 10 * above, 4)
 
 
 # --- what the plots are made of ---------------------------------------------------------------------------------------

@@ -51,7 +51,7 @@ function drawRow(number, [name, words, expected, lost, ticks], { first, span }) 
   for (const [real] of ticks) {
     above = real - before < 1e-3 ? above + 1 : 0
     before = real
-    drawn.push(mark(number, scale(real), y - 8 * above))
+    drawn.push(mark(number, scale(real), y - 10 * above))
   }
   return drawn
 }
