@@ -267,8 +267,8 @@ def _draw_row(number: int, row: _Row, scale: _Scale) -> Iterator[str]:
         yield f'<line x1="{x}" x2="{x}" y1="{y - 13}" y2="{y + 13}" stroke="currentColor" stroke-opacity="0.55"/>'
     for real, duration in row.ticks:
         if duration:
-            x, width = scale(real), _percent(100 * duration / scale.span)
-            yield f'<rect x="{x}" y="{y - 5}" width="{width}" height="10" fill="{_colour(number)}" fill-opacity="0.45"/>'
+            place = f'x="{scale(real)}" y="{y - 5}" width="{_percent(100 * duration / scale.span)}" height="10"'
+            yield f'<rect {place} fill="{_colour(number)}" fill-opacity="0.45"/>'
     for time in row.lost:
         yield (
             f'<svg x="{scale(time)}" y="{y}" overflow="visible">'
@@ -312,8 +312,8 @@ class _Scale(NamedTuple):
         power = 10.0 ** math.floor(math.log10(self.span / most))
         step = next(factor * power for factor in (1, 2, 5, 10) if self.span / (factor * power) <= most)
         step = max(step, 1) if whole else step
-        for number in range(math.ceil(self.first / step - 1e-9), math.floor((self.first + self.span) / step + 1e-9) + 1):
-            yield number * step
+        lowest, highest = self.first / step - 1e-9, (self.first + self.span) / step + 1e-9
+        yield from (number * step for number in range(math.ceil(lowest), math.floor(highest) + 1))
 
 
 def _number(value: float) -> str:
@@ -375,9 +375,9 @@ def _upright(
         parts.append(f'<text x="{left + 18}" y="{y}">{html.escape(name)}</text>')
     body = []
     for number in up.numbers(5, whole=named.startswith("number")):
-        y = _number(up.down(number))
-        body.append(f'<line x1="0" x2="100%" y1="{y}" y2="{y}" stroke="currentColor" stroke-opacity="0.25"/>')
-        body.append(f'<text x="-6" y="{y}" dy="4" text-anchor="end">{number:.6g}</text>')
+        at = _number(up.down(number))
+        body.append(f'<line x1="0" x2="100%" y1="{at}" y2="{at}" stroke="currentColor" stroke-opacity="0.25"/>')
+        body.append(f'<text x="-6" y="{at}" dy="4" text-anchor="end">{number:.6g}</text>')
     drawn = "".join((*body, *marks, _axis(across, _HEIGHT + 6, title)))
     parts.append(f'<svg y="{head}" overflow="visible">{drawn}</svg>')
     return Figure("".join(parts), head + _HEIGHT + 6 + _AXIS, _NUMBERS, alt)

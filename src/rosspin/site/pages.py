@@ -45,8 +45,9 @@ class TicksDirective(SphinxDirective):
     With ``:period: S`` the plot has the whole grid of that period, and crosses for the lost ticks.
 
     ``:handle: LABEL, FROM to TO by STEP UNIT`` lets the reader move a number, whose runs are all made now. It stands
-    in ARGS as ``{}``, or it is what the file assigns to the variable named by ``:sets:``. It is ``:at:`` first, or as the
-    file has it. ``:lines: FROM-TO`` shows these lines of the file beside the plot, where the number follows the handle.
+    in ARGS as ``{}``, or it is what the file assigns to the variable named by ``:sets:``. It is ``:at:`` first, or as
+    the file has it. ``:lines: FROM-TO`` shows these lines of the file beside the plot, where the number follows the
+    handle.
 
     A C++ file can only be ``timer_probe.cpp``, of which the rule is known.
     """
