@@ -248,7 +248,7 @@ def _rospy_does(name: str) -> str:
 
 
 class MachineDirective(SphinxDirective):
-    """``.. machine:: matplotlib Sphinx``: the machine that builds this page, and the versions of these packages."""
+    """``.. machine:: myst-nb Sphinx``: the machine that builds this page, and the versions of these packages."""
 
     has_content = False
     optional_arguments = 1
