@@ -16,6 +16,7 @@ from playwright.sync_api import Browser, BrowserContext, Locator, Page, expect
 from test_browser import FAINT, TOO_WIDE
 
 from rosspin import Tick, simulate
+from rosspin.plots import with_handle
 from rosspin.roscpp import timer_probe
 
 SPINNER = ROOT / "examples/my_robotics_pkg/src/spinner_py_node.py"
@@ -215,6 +216,29 @@ def test_the_number_in_the_code_follows(context: BrowserContext, address: str) -
     figure.handle.press("End")
     assert figure.value() != 0.5
     assert code.inner_text() == before.replace("0.5", f"{figure.value():g}")
+
+
+def test_the_page_draws_each_position_as_python_does(context: BrowserContext, site: Path) -> None:
+    """Also of three rows, with ticks at one time, and with names that are no HTML."""
+    blocks = [0.0, 0.7, 1.2, 1.499, 2.2]
+    run = probes("_block_call:=3", seconds=6)
+    runs = {
+        block: {**run(block), "a<b & c": [tick._replace(real=tick.real + 0.0123456) for tick in run(block)["rospy"]]}
+        for block in blocks
+    }
+    by_python = {block: with_handle("The third call takes", "s", runs, at=block, period=0.5) for block in blocks}
+    page = context.new_page()
+    for block in blocks:
+        page.set_content(by_python[block]._repr_html_())
+        wanted = page.locator("svg[role=img]").evaluate("picture => picture.outerHTML")
+        page.set_content(by_python[1.2]._repr_html_())
+        page.add_script_tag(path=site / "_static/handles/handles.js")
+        figure = Figure(page, FIGURES[3])
+        figure.handle.press("Home")
+        for _ in range(blocks.index(block)):
+            figure.handle.press("ArrowRight")
+        assert figure.value() == block
+        assert figure.markup() == wanted
 
 
 def test_one_figure_moves_alone(context: BrowserContext, address: str) -> None:

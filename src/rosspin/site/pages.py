@@ -90,10 +90,10 @@ class TicksDirective(SphinxDirective):
         if found is None:
             raise ValueError("a handle is LABEL, FROM to TO by STEP UNIT")
         first, last, step = map(float, found.group(2, 3, 4))
-        values = [round(first + number * step, 9) for number in range(round((last - first) / step) + 1)]
-        runs = {value: self._ticks(value) for value in values}
         sets = self.options.get("sets", "")
         at = self.options["at"] if "at" in self.options else float(self._assignment(sets)[2])
+        values = {at, *(round(first + number * step, 9) for number in range(round((last - first) / step) + 1))}
+        runs = {value: self._ticks(value) for value in sorted(values)}
         return with_handle(found[1], found[5], runs, at, period, sets)
 
     def _ticks(self, value: float | None) -> dict[str, Sequence[Tick]]:
