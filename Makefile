@@ -41,7 +41,7 @@ html: $(WEB)
 
 # What runs in the page: made anew only when its sources change, its packages only when their pins do.
 $(WEB): $(NPM) web/build.mjs $(wildcard web/src/*) $(shell find src/rosspin -name '*.py' -o -name '*.txt')
-	$(BIN)/node web/build.mjs build/npm "$$($(BIN)/python -c 'import yaml; print(*yaml.__path__)')" build/web/live
+	$(BIN)/node --experimental-wasm-jspi web/build.mjs build/npm "$$($(BIN)/python -c 'import yaml; print(*yaml.__path__)')" build/web/live
 
 $(NPM): web/package.json web/package-lock.json web/.npmrc | $(VENV)
 	mkdir -p build/npm
@@ -56,7 +56,8 @@ outputs: $(VENV)
 test: $(VENV:=-for-test) html doctest
 	$(BIN)/ruff check
 	$(BIN)/mypy
-	$(BIN)/pytest
+	@# A file that waits (for ROS, for a clock, for a browser) beside one that works.
+	$(BIN)/pytest --numprocesses 2 --dist loadfile
 
 serve: html
 	$(BIN)/python -m http.server --bind 127.0.0.1 --directory build/html $(PORT)

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import gzip
+import json
 import re
 from collections.abc import Iterator
 from functools import partial
@@ -12,7 +13,7 @@ from urllib.parse import unquote, urlsplit
 
 from in_chromium import launched, served
 from playwright.sync_api import Browser, Page, Request
-from ratios import line
+from ratios import Times, line, ratio
 
 from rosspin.doctor import chromium
 from rosspin.measures import quantile, say_time
@@ -30,6 +31,14 @@ CLICK = """([button, text]) => new Promise(resolve => {
     look()
 })"""
 
+# What the start of Python takes by itself, from the same files.
+BARE = """async ([base, lockFileContents]) => {
+    const { loadPyodide } = await import(base + "pyodide.mjs")
+    const start = performance.now()
+    await loadPyodide({ lockFileContents, checkAPIVersion: false })
+    return (performance.now() - start) / 1e3
+}"""
+
 # Tells the page's own time at each tick; that of the run begins when the node does.
 TICKER = """
 import rospy
@@ -46,7 +55,7 @@ RUN_TICKER = """([address, source, seconds]) => new Promise(resolve => {
         if (data.kind === "batch") times.push(...data.chunks.map(([, text]) => Number(text)).filter(time => time))
         if (data.kind === "end") resolve(times)
     }
-    worker.postMessage({ source, filename: "ticker.py", seconds, args: [], speed: 1 })
+    worker.postMessage({ source, filename: "ticker.py", seconds, args: "", speed: 1 })
 })"""
 
 
@@ -62,8 +71,13 @@ def report(rounds: int = 5, seconds: float = 20.0, pause: float = 6.0) -> Iterat
 
 
 def _report(browser: Browser, address: str, rounds: int, seconds: float, pause: float) -> Iterator[str]:
-    weights, ready, cold, warm, stopped, again, loaded = [], [], [], [], [], [], []
+    weights, ready, loaded = [], [], []
+    times: Times = {name: [] for name in ("bare", "cold", "next page", "warm", "stopped", "again")}
     for _ in range(rounds):
+        with browser.new_context() as context:
+            page = context.new_page()
+            page.goto(address + TUTORIAL, wait_until="networkidle")
+            times["bare"].append(page.evaluate(BARE, [f"{address}_static/live/", _lock()]))
         with browser.new_context() as context:
             page = context.new_page()
             asked: set[str] = set()  # by a second worker again, but then it comes from the browser's cache
@@ -72,28 +86,43 @@ def _report(browser: Browser, address: str, rounds: int, seconds: float, pause: 
             weights.append(_weight(asked))
             ready.append(page.evaluate("performance.getEntriesByType('navigation')[0].domContentLoadedEventEnd") / 1e3)
             asked.clear()
-            cold.append(_click(page, "Run", "counter = 1"))
+            times["cold"].append(_click(page, "Run", "counter = 1"))
             loaded.append(_weight(asked))
             page.wait_for_timeout(pause * 1e3)
-            stopped.append(_click(page, "Stop", "stopped"))
-            again.append(_click(page, "Run", "counter = 1"))
+            times["stopped"].append(_click(page, "Stop", "stopped"))
+            times["again"].append(_click(page, "Run", "counter = 1"))
             page.get_by_text(re.compile("^done: ")).wait_for(state="attached")
-            warm.append(_click(page, "Run", "counter = 1"))
+            times["warm"].append(_click(page, "Run", "counter = 1"))
+            page.goto(address, wait_until="networkidle")
+            page.goto(address + TUTORIAL, wait_until="networkidle")
+            times["next page"].append(_click(page, "Run", "counter = 1"))
     with browser.new_context() as context:
         page = context.new_page()
         page.goto(address + TUTORIAL)
-        times = page.evaluate(RUN_TICKER, [f"{address}_static/live/worker.js", TICKER, seconds])
-    late = [time / 1e3 - number * 0.1 for number, time in enumerate(times)]
+        ticked = page.evaluate(RUN_TICKER, [f"{address}_static/live/worker.js", TICKER, seconds])
+    late = [time / 1e3 - number * 0.1 for number, time in enumerate(ticked)]
     late = [value - min(late) for value in late]
 
-    yield f"  the page untouched: {max(weights) / 1e6:.2f} MB gzipped, ready after {median(ready):.2f} s"
-    yield line("  s from click to counter 1, cold", median(cold), most=4)
-    yield line("  s from click to counter 1, warm", median(warm), most=0.5)
-    yield line("  s from Stop to stopped", median(stopped), most=0.1)
-    yield line("  s from click to counter 1, after Stop", median(again), most=0.5)
-    yield line("  MB gzipped, loaded by the first click", max(loaded) / 1e6, most=7)
+    bare = median(times["bare"])
+    yield f"  the page untouched: ready after {median(ready):.2f} s"
+    yield line("  MB gzipped, the page untouched", max(weights) / 1e6, most=0.35)
+    yield line("  MB gzipped, loaded by the first click", max(loaded) / 1e6, most=11)
+    for name, most in [("cold", 0.5), ("next page", 0.4)]:
+        said = f"{median(times[name]):.2f} s / {bare:.2f} s"
+        yield line(
+            f"  click to counter 1, {name} / bare loadPyodide", ratio(times, name, "bare"), most=most, times=said
+        )
+    yield line("  s from click to counter 1, warm", median(times["warm"]), most=0.5)
+    yield line("  s from Stop to stopped", median(times["stopped"]), most=0.1)
+    yield line("  s from click to counter 1, after Stop", median(times["again"]), most=0.5)
     middle, high = say_time(median(late)), say_time(quantile(late, 0.95))
     yield f"  10 Hz timer, {len(late)} ticks, later than the earliest of them: median {middle}, p95 {high}"
+
+
+def _lock() -> str:
+    """A lock file without packages, as the pages have it."""
+    path = SITE.parent / "npm" / "node_modules" / "pyodide" / "pyodide-lock.json"
+    return json.dumps({"info": json.loads(path.read_text(encoding="utf-8"))["info"], "packages": {}})
 
 
 def _note(asked: set[str], request: Request) -> None:

@@ -12,11 +12,14 @@ import json
 import os
 import random
 import re
+import signal
 import subprocess
 import sys
 import time
-from collections.abc import Iterator
+from collections.abc import Callable, Iterator, Sequence
+from contextlib import contextmanager
 from datetime import UTC, datetime
+from itertools import product
 from pathlib import Path
 from typing import Any, NamedTuple
 
@@ -29,7 +32,8 @@ from rosspin.roscpp import timer_probe
 EXAMPLES = Path(__file__).parents[1] / "examples"
 RECORDINGS = EXAMPLES / "recordings"
 PROBES = EXAMPLES / "timing_probes"
-LAUNCH_FILE = EXAMPLES / "my_robotics_pkg" / "launch" / "spinner.launch"
+PACKAGE = EXAMPLES / "my_robotics_pkg"
+TOPICS = EXAMPLES / "topics"
 
 PERIOD = 0.5  # s, at 2 Hz
 
@@ -126,19 +130,31 @@ def record_probe(workspace: ros1.Workspace, name: str) -> None:
 
 
 def record_launch() -> None:
-    """Launch both nodes of the tutorial and keep their console, from the first of them on."""
+    """Launch both nodes of the first tutorial."""
+    _record_launch("launch", "spinner.launch", "both nodes of the tutorial")
+
+
+def record_publish() -> None:
+    """Launch the publisher and the subscribers of the second tutorial, with the publisher of each language."""
+    _record_launch("publish_py", "publish.launch", "a publisher in Python, subscribers in both languages")
+    words = ["publisher:=publisher_cpp_node"]
+    _record_launch("publish_cpp", "publish.launch", "a publisher in C++, subscribers in both languages", words)
+
+
+def _record_launch(name: str, file: str, what: str, args: Sequence[str] = ()) -> None:
+    """Keep the console of a launch file, from the first node on."""
     load = os.getloadavg()
-    run = ros1.launch(LAUNCH_FILE, 3.2)
+    run = ros1.launch(PACKAGE / "launch" / file, 3.2, args)
     console = run.console[re.search(r".*process\[mrp/", run.console).start() :]  # type: ignore[union-attr]
-    (RECORDINGS / "launch.txt").write_text(console)
-    command = ["roslaunch", "my_robotics_pkg", "spinner.launch"]
-    _write_provenance("launch", "both nodes of the tutorial", command, run.start, run.seconds, run.status, load)
+    (RECORDINGS / f"{name}.txt").write_text(console)
+    command = ["roslaunch", "my_robotics_pkg", file, *args]
+    _write_provenance(name, what, command, run.start, run.seconds, run.status, load)
 
 
 def record_endings() -> None:
     """Press Ctrl-C on the tutorial's C++ nodes, and on the same nodes with a line as the original page has it."""
     load, start = os.getloadavg(), time.time()
-    source = EXAMPLES / "my_robotics_pkg" / "src"
+    source = PACKAGE / "src"
     rate = (source / "spinner_rate_cpp_node.cpp").read_text()
     timer = (source / "spinner_cpp_node.cpp").read_text()
     nodes = {
@@ -179,11 +195,10 @@ def record_pipe() -> None:
     """Let the tutorial's nodes print into a pipe, as they are and told to write each line at once."""
     load, start = os.getloadavg(), time.time()
     unset = ["env", "-u", "PYTHONUNBUFFERED", "-u", "ROSCONSOLE_STDOUT_LINE_BUFFERED"]
-    package = EXAMPLES / "my_robotics_pkg"
     with ros1.Workspace() as workspace, (RECORDINGS / "pipe.csv").open("w", newline="") as text:
-        program = workspace.executable(package / "src" / "spinner_cpp_node.cpp")
+        program = workspace.executable(PACKAGE / "src" / "spinner_cpp_node.cpp")
         workspace.start_master()
-        commands = {"roscpp": [str(program)], "rospy": ["python3", str(package / "src" / "spinner_py_node.py")]}
+        commands = {"roscpp": [str(program)], "rospy": ["python3", str(PACKAGE / "src" / "spinner_py_node.py")]}
         writer = csv.writer(text, lineterminator="\n")
         writer.writerow(["language", "told", "seconds_late"])
         for language, command in commands.items():
@@ -233,6 +248,82 @@ def record_clock_jump() -> None:
     )
 
 
+@contextmanager
+def _topics() -> Iterator[tuple[ros1.Workspace, Callable[[str, str], list[str]]]]:
+    """A workspace with the nodes of the second tutorial, and what makes the command of one: language and name."""
+    with ros1.Workspace() as workspace:
+        workspace.add_package(PACKAGE)
+        workspace.add_nodes("topics", *TOPICS.glob("*.cpp"))
+        workspace.build()
+        workspace.start_master()
+
+        def command(language: str, name: str) -> list[str]:
+            if language == "roscpp":
+                return [str(path) for path in workspace.folder.glob(f"devel/lib/*/{name}_cpp_node")]
+            return ["python3", *(str(path) for path in EXAMPLES.rglob(f"{name}_py_node.py"))]
+
+        yield workspace, command
+
+
+_COUNTER = re.compile(r"counter = (\d+)")
+
+
+def record_first_message() -> None:
+    """Let a node publish at once, and keep the first number that it hears itself and that another node hears."""
+    load, start = os.getloadavg(), time.time()
+    with _topics() as (workspace, command), (RECORDINGS / "first_message.csv").open("w", newline="") as text:
+        writer = csv.writer(text, lineterminator="\n")
+        writer.writerow(["language", "latch", "same_node", "other_node"])
+        for language, latch, _ in product(("rospy", "roscpp"), ("false", "true"), range(5)):
+            words = command(language, "subscriber")
+            listener = subprocess.Popen(words, env=workspace.environment, stdout=subprocess.PIPE, text=True)
+            assert listener.stdout
+            listener.stdout.readline()  # its namespace
+            time.sleep(1)  # until it has subscribed
+            own = workspace.run([*command(language, "eager"), f"_latch:={latch}"], 1.2, begins=_COUNTER).console
+            listener.send_signal(signal.SIGINT)
+            heard = [_COUNTER.findall(console)[0] for console in (own, listener.communicate()[0])]
+            writer.writerow([language, latch, *heard])
+    node = ["rosrun", "topics", "NODE", "_latch:=LATCH"]
+    _write_provenance("first_message", "a node that publishes at once", node, start, 1.2, 0, load)
+
+
+def record_queue() -> None:
+    """Send 30 numbers to a callback that takes as long as 8 of them, and keep those that it is called with."""
+    load, start = os.getloadavg(), time.time()
+    with _topics() as (workspace, command), (RECORDINGS / "queue.csv").open("w", newline="") as text:
+        writer = csv.writer(text, lineterminator="\n")
+        writer.writerow(["language", "queue_size", "seen"])
+        for language, (size, seconds) in product(("rospy", "roscpp"), ((1, 6), (3, 8), (10, 20), (100, 28))):
+            output = workspace.run([*command(language, "slow"), f"_queue_size:={size}"], seconds, begins=_COUNTER)
+            writer.writerow([language, size, " ".join(_COUNTER.findall(output.console))])
+    node = ["rosrun", "topics", "NODE", "_queue_size:=SIZE"]
+    _write_provenance("queue", "a slow callback and the subscriber's queue", node, start, 28.0, 0, load)
+
+
+# A report of rostopic hz.
+_HZ = re.compile(r"average rate: ([\d.]+)\s+min: ([\d.]+)s max: ([\d.]+)s std dev: ([\d.]+)s")
+
+
+def record_hz() -> None:
+    """Let ``rostopic hz`` watch a node that slows down after 20 s; keep what it reports each second."""
+    load, start = os.getloadavg(), time.time()
+    with _topics() as (workspace, command), (RECORDINGS / "hz.csv").open("w", newline="") as text:
+        writer = csv.writer(text, lineterminator="\n")
+        writer.writerow(["window", "report", "rate", "min", "max", "std_dev"])
+        for window in ("", "10"):
+            node = subprocess.Popen(command("rospy", "slowing"), env=workspace.environment)
+            option = ["-w", window] if window else []
+            console = workspace.run(
+                ["rostopic", "hz", *option, "/counter"], 59.5, begins=re.compile("average rate")
+            ).console
+            node.send_signal(signal.SIGINT)
+            node.wait()
+            for number, report in enumerate(_HZ.findall(console), 1):
+                writer.writerow([window or "all", number, *report])
+    _write_provenance("hz", "a publisher that slows down", ["rostopic", "hz", "/counter"], start, 60.0, 0, load)
+
+
 def _write_provenance(
     name: str, what: str, command: list[str], start: float, seconds: float, status: int, load: tuple[float, ...]
 ) -> None:
@@ -266,7 +357,16 @@ def _first_line(*command: str) -> str:
     return subprocess.run(command, check=True, capture_output=True, text=True).stdout.splitlines()[0]
 
 
-OTHERS = {"launch": record_launch, "endings": record_endings, "pipe": record_pipe, "clock_jump": record_clock_jump}
+OTHERS = {
+    "launch": record_launch,
+    "publish": record_publish,
+    "endings": record_endings,
+    "pipe": record_pipe,
+    "clock_jump": record_clock_jump,
+    "first_message": record_first_message,
+    "queue": record_queue,
+    "hz": record_hz,
+}
 
 
 def main(names: list[str]) -> None:

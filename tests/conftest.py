@@ -21,7 +21,9 @@ from playwright.sync_api import Browser, Page
 from rosspin import doctor
 
 # What random tests draw from, Hypothesis's too if it is asked for. CI always draws the same, as Hypothesis does there.
-SEED = int(os.environ.get("ROSSPIN_SEED") or (0 if "CI" in os.environ else random.SystemRandom().randrange(10**6)))
+# Processes that share the tests out among them draw once.
+DRAWN = "0" if "CI" in os.environ else str(random.SystemRandom().randrange(10**6))
+SEED = int(os.environ.get("ROSSPIN_SEED") or os.environ.setdefault("ROSSPIN_DRAWN_SEED", DRAWN))
 
 ROOT = Path(__file__).parent.parent
 SITE = ROOT / "build" / "html"

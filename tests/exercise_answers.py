@@ -20,6 +20,9 @@ def times(found: str, *wrong: object) -> dict[str, str]:
     return {found: f"{found.partition(' = ')[0]} = {list(wrong)}"}
 
 
+PLAIN_HEARD, LATCHED_HEARD = "without_latch = [2, 3, 4]", "with_latch = [1, 2, 3]"
+THREE, SLOW_HEARD = "three_at_once = [3]", "slow_callback = [0, 3, 6]"
+
 # --- nodes ------------------------------------------------------------------------------------------------------------
 
 DO_SPIN = "    rospy.spin()"
@@ -191,6 +194,48 @@ FINALLY = (
 HOOKED = {FINALLY: HOOK + RATE + WHILE + PASS}  # the solution with a hook and a question in place of the ``finally``
 
 MISSING = "missing = int(lateness.to_sec() / 0.4)"
+
+PUBLISHER = 'self.publisher = rospy.Publisher("counter", UInt32, queue_size=10)'
+PUBLISH = "self.publisher.publish(self.counter)"
+IN_CALLBACK = {  # the publisher is made in the callback
+    f"        {PUBLISHER}\n": "",
+    PUBLISH: f"{PUBLISHER}\n        {PUBLISH}",
+}
+LISTENS = f"""{NODE}from std_msgs.msg import UInt32
+rospy.Subscriber("counter", UInt32, lambda message: rospy.loginfo("[LISTENER] counter = %d", message.data))
+publisher = rospy.Publisher("/counter", UInt32, queue_size=1)
+"""
+
+GOAL = "        self.publisher.publish(7)"
+LATCHES = "latch=True, "
+
+
+def planner(publishing: str, latch: str = "") -> dict[str, str]:
+    """The solution of exercise 17 with a planner that publishes in another way."""
+    lines = "\n".join(f"        {line}" for line in publishing.splitlines())
+    return {LATCHES: latch, GOAL: lines}
+
+
+WAITS = "while not self.publisher.get_num_connections():\n    rospy.sleep(0.1)\nself.publisher.publish(7)"
+LISTENER = """        class Listener(rospy.SubscribeListener):
+            def peer_subscribe(self, topic_name, topic_publish, peer_publish):
+                peer_publish(UInt32(7))
+        self.publisher = rospy.Publisher("goal", UInt32, Listener(), queue_size=1)"""
+
+SIZE = ", queue_size=1)"
+NEWEST = "self.positionCallback, queue_size=1)"
+STEP = """        rospy.loginfo("[CONTROLLER] position = " + str(message.data))
+        rospy.sleep(0.33)  # the computation"""
+STORES = {  # the callback stores the position, and LOOP uses it
+    SIZE: ")\n        self.newest = None",
+    STEP: "        self.newest = message.data",
+}
+LOOPS = """    while not rospy.is_shutdown():
+        if controller.newest is None:
+            rospy.sleep(0.01)
+            continue
+        rospy.loginfo("[CONTROLLER] position = " + str(controller.newest))
+        rospy.sleep(0.33)"""
 
 # --- right ------------------------------------------------------------------------------------------------------------
 
@@ -420,6 +465,75 @@ rospy.spin()
         {'"D"': '"(D)"'},
         {'"C"': '"C."'},
         {'log_1 = "B"': "", 'log_2 = "E"': 'log_1, log_2 = "BE"'},
+    ],
+    15: [
+        {PLAIN_HEARD: "without_latch = (2, 3, 4)"},
+        {LATCHED_HEARD: "with_latch = range(1, 4)"},
+        {THREE: "three_at_once = (3,)"},
+        {SLOW_HEARD: "slow_callback = [0.0, 3.0, 6.0]"},
+        {SLOW_HEARD: "slow_callback = [3 * n for n in range(3)]", PLAIN_HEARD: "without_latch = iter([2, 3, 4])"},
+    ],
+    16: [
+        {"publish(self.counter)": "publish(data=self.counter)"},
+        {"publish(self.counter)": "publish(UInt32(self.counter))"},
+        {"UInt32, queue_size=10": "UInt32, latch=True, queue_size=1"},
+        {PUBLISHER: PUBLISHER.replace('"counter"', '"/counter"'), "Duration(0.2)": "Duration(1 / 5)"},
+        {PUBLISHER: PUBLISHER.replace(", queue_size=10", "")},
+        LISTENS + "for count in range(1, 100):\n    rospy.sleep(0.2)\n    if rospy.is_shutdown():\n        break\n"
+        "    publisher.publish(count)\n",
+        LISTENS + "rate = rospy.Rate(5)\ncount = 0\nwhile not rospy.is_shutdown():\n    rate.sleep()\n"
+        "    count += 1\n    publisher.publish(count)\n",
+        LISTENS + "from itertools import count\ncounts = count(1)\n"
+        "rospy.Timer(rospy.Duration(0.2), lambda event: publisher.publish(next(counts)))\nrospy.spin()\n",
+    ],
+    17: [
+        {LATCHES: "latch=1, "},
+        {LATCHES: "", '"goal", UInt32, queue_size': '"goal", UInt32, latch=True, queue_size'},
+        planner(WAITS),
+        planner(
+            f"import threading\ndef wait():\n    {WAITS.replace(chr(10), chr(10) + '    ')}\n"
+            "threading.Thread(target=wait, daemon=True).start()"
+        ),
+        planner(
+            "def look(event):\n    if self.publisher.get_num_connections():\n        timer.shutdown()\n"
+            "        self.publisher.publish(7)\ntimer = rospy.Timer(rospy.Duration(0.1), look)"
+        ),
+        {f'        self.publisher = rospy.Publisher("goal", UInt32, {LATCHES}queue_size=10)\n{GOAL}': LISTENER},
+        {GOAL: "        self.publisher.publish(UInt32(data=7))"},
+    ],
+    18: [
+        {"Subscriber(": "Subscriber(name=", "UInt32, self.pos": "data_class=UInt32, callback=self.pos"},
+        {**STORES, DO_SPIN: LOOPS},
+        {
+            **STORES,
+            SIZE: ")\n        self.newest = None\n        rospy.Timer(rospy.Duration(0.33), self.step)\n\n"
+            "    def step(self, event):\n        if self.newest is None:\n            return\n"
+            '        rospy.loginfo("[CONTROLLER] position = " + str(self.newest))\n        rospy.sleep(0.33)',
+        },
+        {
+            **STORES,
+            SIZE: ")\n        import threading\n        self.turn = threading.Condition()\n        self.newest = None\n"
+            "        threading.Thread(target=self.steps, daemon=True).start()\n\n    def steps(self):\n"
+            "        while True:\n            with self.turn:\n                self.turn.wait()\n"
+            '            rospy.loginfo("[CONTROLLER] position = " + str(self.newest))\n            rospy.sleep(0.33)',
+            STEP: "        with self.turn:\n            self.newest = message.data\n            self.turn.notify()",
+        },
+        {
+            **STORES,
+            SIZE: ")\n        import queue, threading\n        self.queue = queue.LifoQueue()\n"
+            "        threading.Thread(target=self.steps, daemon=True).start()\n\n    def steps(self):\n"
+            "        while True:\n            newest = self.queue.get()\n"
+            '            rospy.loginfo("[CONTROLLER] position = " + str(newest))\n            rospy.sleep(0.33)',
+            STEP: "        self.queue.put(message.data)",
+        },
+        {"rospy.sleep(0.33)": "rospy.sleep(0.35)"},
+    ],
+    19: [
+        {'"C"': '"c"', '"D"': "'d'"},
+        {'"E"': '" E "'},
+        {'"B"': '"(B)"'},
+        {'"C"': '"C."'},
+        {'report_1 = "C"': "", 'report_2 = "D"': 'report_1, report_2 = "CD"'},
     ],
 }
 
@@ -874,5 +988,116 @@ rospy.spin()
         ({'log_4 = "C"': "log_4 = 3"}, "one of the letters A to G, not `3`", 'Write it as `"A"`'),
         ({'log_4 = "C"': "log_4 = C"}, "NameError: name 'C' is not defined", "Python names"),
         ({'log_4 = "C"': ""}, "`log_4`: there is no answer yet", "Look at the first tick"),
+    ],
+    15: [
+        (times(PLAIN_HEARD, 1, 2, 3), "Without `latch`: not 1, 2, 3", "is not connected yet"),
+        (times(LATCHED_HEARD, 2, 3, 4), "With `latch`: not 2, 3, 4", "keeps its last message for whoever"),
+        (times(THREE, 1, 2, 3), "Three at once: not 1, 2, 3", "keeps one message only, the last"),
+        (times(THREE, 1), "Three at once: not 1.", "not the first"),
+        (times(THREE), "Three at once: not nothing at all", "keeps its last message for whoever"),
+        (times(SLOW_HEARD, 0, 1, 2), "The slow callback: not 0, 1, 2", "happens without a `queue_size`"),
+        (times(SLOW_HEARD, 0, 4, 8), "The slow callback: not 0, 4, 8", "does not wait for the next message"),
+        (times(SLOW_HEARD, 0, 1, 4), "The slow callback: not 0, 1, 4", "is replaced by each newer one"),
+        (times(SLOW_HEARD, 0, 3, 7), "the third of these counters is not 7", "Is the connection there"),
+        (times(PLAIN_HEARD, 2, 3), "3 counters are asked for, not 2", "Is the connection there"),
+        ({PLAIN_HEARD: "without_latch = 2"}, "a list of counters, not a value of type `int`", "`[1, 2, 3]`"),
+        ({THREE: ""}, "Three at once: there is no prediction yet", "Give `three_at_once` a list of counters"),
+    ],
+    16: [
+        (
+            {f"        {PUBLISH}\n": ""},
+            "on `/counter`: the node published nothing",
+            'Make a `rospy.Publisher("counter"',
+        ),
+        (IN_CALLBACK, "The listener: where counter 1 was due, counter 2 came", "Make it once, before the timer"),
+        ({PUBLISHER: PUBLISHER.replace('"counter"', '"count"')}, "it was published on `/count`", "queue_size=10"),
+        ({PUBLISHER: PUBLISHER.replace('"counter"', '"~counter"')}, "on `/publisher_py_node/counter`", "queue_size=10"),
+        (
+            {PUBLISHER: PUBLISHER.replace("UInt32", "Int32"), "import UInt32": "import Int32, UInt32"},
+            "are of the type std_msgs/Int32",
+            "have to name the same type",
+        ),
+        ({"Duration(0.2)": "Duration(5)"}, "nothing was published on `/counter`", "in `__init__`"),
+        ({"Duration(0.2)": "Duration(0.5)"}, "On `/counter`: counter 1 came at 0.5 s, not at 0.2 s", "in `__init__`"),
+        (
+            {"        self.counter += 1\n": "", PUBLISH: f"{PUBLISH}\n        self.counter += 1"},
+            "where counter 1 was due, counter 0 came",
+            "in `__init__`",
+        ),
+        ({"publish(self.counter)": "publish(str(self.counter))"}, "timer died of", "in `__init__`"),
+        ({"publish(self.counter)": "publish()"}, "where counter 1 was due, counter 0 came", "in `__init__`"),
+        ({PUBLISHER: PUBLISHER.replace("UInt32, ", "")}, "missing 1 required positional", "in `__init__`"),
+        ({"self.publisher.": "self.pub."}, "has no attribute 'pub'", "with its `self.`"),
+        (
+            {PUBLISH: f"{PUBLISH}\n        {PUBLISH}"},
+            "On `/counter`: where counter 2 was due, counter 1 came",
+            "in `__init__`",
+        ),
+        ({"        rospy.Subscriber": "        pass  # "}, "The listener: no counter", "Make it once"),
+    ],
+    17: [
+        ({LATCHES: ""}, "With `_subscribes_at:=1.0`: the goal did not arrive", "has a parameter `latch`"),
+        ({LATCHES: "", "queue_size=10": "queue_size=1000"}, "the goal did not arrive", "has a parameter `latch`"),
+        (
+            planner("rospy.sleep(1.2)\nself.publisher.publish(7)"),
+            "With `_subscribes_at:=2.5`: the goal did not",
+            "latch",
+        ),
+        (
+            planner("rospy.Timer(rospy.Duration(0.2), lambda event: self.publisher.publish(7))"),
+            "With `_subscribes_at:=1.0`: the goal arrived 15 times",
+            "Publish once, and let the publisher keep",
+        ),
+        (
+            planner("rospy.Timer(rospy.Duration(3), lambda event: self.publisher.publish(7), oneshot=True)"),
+            "With `_subscribes_at:=1.0`: the goal arrived only at 3 s",
+            "has a parameter `latch`",
+        ),
+        ({GOAL: GOAL.replace("7", "8")}, "the goal 8 arrived, not 7", "has a parameter `latch`"),
+        ({GOAL: ""}, "the goal did not arrive", "has a parameter `latch`"),
+        (
+            {LATCHES: "", '"goal", UInt32, self.goalCallback': '"goal", UInt32, self.goalCallback, latch=True'},
+            "unexpected keyword argument 'latch'",
+            "latch",
+        ),
+        ({GOAL: GOAL + "\n        self.publisher.unregister()"}, "the goal did not arrive", "has a parameter `latch`"),
+        ({LATCHES: "latch=true, "}, "name 'true' is not defined", "Python names what it did not find"),
+        ({DO_SPIN: ""}, "the goal did not arrive", "The node ended by itself"),
+        ({GOAL: f"{GOAL}\n        self.publisher.publish(0)"}, "the goal 0 arrived, not 7", "latch"),
+    ],
+    18: [
+        (
+            {SIZE: ")"},
+            "at 0.43 s the controller steered by position 2, which was 0.23 s old",
+            "how many messages may wait there",
+        ),
+        ({SIZE: ")", "queue_size=10": "queue_size=1"}, "steered by position 2", "has a queue, too"),
+        ({NEWEST: "self.positionCallback, queue_size=2)"}, "A newer one had arrived", "has a queue, too"),
+        ({NEWEST: "self.positionCallback, queue_size=10)"}, "A newer one had arrived", "has a queue, too"),
+        ({NEWEST: "self.positionCallback, queue_size=0)"}, "queue size may not be set to zero", "has a queue, too"),
+        ({NEWEST: 'self.positionCallback, queue_size="1")'}, "queue size must be an integer", "has a queue, too"),
+        ({"rospy.sleep(0.33)": "rospy.sleep(0.05)"}, "less than 0.33 s after the last time", "takes 0.33 s"),
+        ({"Duration(0.1)": "Duration(0.4)"}, "the sensor published 25 positions", "The sensor is as it is"),
+        ({'position = " + str(message.data)': 'position = " + str(message)'}, "is no position that", "has a queue"),
+        (
+            {"        rospy.sleep(0.33)": "        raise RuntimeError\n        rospy.sleep(0.33)"},
+            "RuntimeError",
+            "has a queue, too",
+        ),
+        ({"        rospy.Subscriber": "        pass  # "}, "the controller steered 0 times", "has a queue"),
+        ({NEWEST: "self.positionCallback(), queue_size=1)"}, "missing 1 required positional", "has a queue, too"),
+        ({"rospy.sleep(0.33)": "rospy.sleep(0.6)"}, "the controller steered 17 times", "has a queue"),
+    ],
+    19: [
+        ({'"C"': '"A"'}, "`report_1`: it is not A", "`min` and `max` equal to the period"),
+        ({'"C"': '"E"'}, "`report_1`: it is not E", "too low from the start"),
+        ({'"D"': '"A"'}, "`report_2`: it is not A", "equal to the period"),
+        ({'"D"': '"C"'}, "`report_2`: it is not C", "right at first"),
+        ({'"E"': '"C"'}, "`report_3`: it is not C", "right at first"),
+        ({'"B"': '"D"'}, "`report_4`: it is not D", "`min` 0"),
+        ({'"E"': '"B"'}, "`report_3`: it is not B", "twice as many messages"),
+        ({'"B"': '"F"'}, "one of the letters A to E, not `'F'`", 'Write it as `"A"`'),
+        ({'"B"': "4"}, "one of the letters A to E, not `4`", 'Write it as `"A"`'),
+        ({'report_4 = "B"': ""}, "`report_4`: there is no answer yet", "Compare the average"),
     ],
 }

@@ -14,7 +14,7 @@ import pytest
 from conftest import ROOT
 from playwright.sync_api import Browser, Page
 from test_figures import FIGURES, opened
-from test_live import TIMER, TUTORIAL, Cell, node, open_tutorial
+from test_live import TIMER, TUTORIAL, Cell, link, node, open_tutorial
 
 AXE = ROOT / "build" / "npm" / "node_modules" / "axe-core" / "axe.min.js"
 
@@ -51,7 +51,7 @@ def test_pages(
 
 @pytest.mark.parametrize("scheme", ["light", "dark"])
 def test_open_cells(address: str, browser: Browser, violations: Callable[[Page], list[str]], scheme: Scheme) -> None:
-    """One cell that has run, with output on stderr, one that runs, and one that could not."""
+    """One cell that has run, with output on stderr and a tick chosen, one that runs, and one that could not."""
     with browser.new_context(color_scheme=scheme) as context:
         page = context.new_page()
         open_tutorial(page, address)
@@ -59,6 +59,7 @@ def test_open_cells(address: str, browser: Browser, violations: Callable[[Page],
         done.write(node("rospy.logerr('late')\nrospy.Timer(rospy.Duration(0.1), lambda event: None)\nrospy.spin()"))
         done.run(2)
         done.ends("done")
+        done.element.get_by_role("slider").press("End")
         failed.write("1 / 0")
         failed.run(2)
         failed.ends("error")
@@ -77,3 +78,18 @@ def test_moved_figures(address: str, browser: Browser, violations: Callable[[Pag
             opened(page, address, kind).handle.press("End")
             wrong[kind.page, kind.number] = violations(page)
     assert not {kind: found for kind, found in wrong.items() if found}
+
+
+@pytest.mark.parametrize("scheme", ["light", "dark"])
+@pytest.mark.parametrize("cell", [TIMER, 99])
+def test_shared_code(
+    address: str, browser: Browser, violations: Callable[[Page], list[str]], scheme: Scheme, cell: int
+) -> None:
+    """That came with a link, into a listing or into none; what cannot be copied is shown."""
+    with browser.new_context(color_scheme=scheme) as context:
+        page = context.new_page()
+        page.goto(f"{address}{TUTORIAL}?lang=python{link(cell=cell, text='argv')}")
+        page.locator(".live-notice:visible").wait_for()
+        Cell(page, TIMER).button("Share").click()
+        page.get_by_label("To be copied").wait_for()
+        assert violations(page) == []

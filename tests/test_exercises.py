@@ -132,7 +132,7 @@ def test_the_page_for_teachers_knows_the_exercises() -> None:
 
 def test_the_parts_come_one_after_the_other() -> None:
     order = [exercise.part for exercise in EXERCISES]
-    assert order == sorted(order, key=["Predict", "Change", "Diagnose"].index)
+    assert order == sorted(order, key=["Predict", "Change", "Diagnose", "Publish"].index)
     assert [exercise.number for exercise in EXERCISES] == NUMBERS
 
 
@@ -296,7 +296,7 @@ def test_a_changed_console_or_namespace_does_not_matter(monkeypatch: pytest.Monk
 
 
 def test_wrong_calls() -> None:
-    with pytest.raises(ValueError, match="there is no exercise 99: they are numbered 1 to 14"):
+    with pytest.raises(ValueError, match="there is no exercise 99: they are numbered 1 to 19"):
         check(99, "")
 
 
@@ -322,7 +322,7 @@ def test_the_magic_shows_the_console_and_returns_the_feedback(
 ) -> None:
     feedback = shell.run_cell_magic("answer", "5", answer_in(CELLS[5][1]))
     assert feedback.passed
-    assert "You have solved 1 of 14 exercises." in feedback._repr_markdown_()
+    assert "You have solved 1 of 19 exercises." in feedback._repr_markdown_()
     assert capsys.readouterr().out == "[INFO] [1.500000]: [SPINNER PY NODE] counter = 1\n"
 
 

@@ -14,10 +14,10 @@ ROOT = Path(__file__).parents[1]
 EXAMPLES = ROOT / "examples"
 PACKAGE = EXAMPLES / "my_robotics_pkg"
 PAGES = sorted((ROOT / "docs").rglob("*.rst"))
-TUTORIAL = ROOT / "docs" / "tutorial.rst"
+TUTORIAL, PUBLISH = ROOT / "docs" / "tutorial.rst", ROOT / "docs" / "publish.rst"
 
-# Each step of the tutorial and the listing that it starts from, below examples/.
-STARTS_FROM = {
+# Each step of a tutorial and the listing that it starts from, below examples/.
+SPIN_FROM = {
     "steps/1_class.py": "my_robotics_pkg/src/plain_py_node.py",
     "steps/2_callback.py": "steps/1_class.py",
     "my_robotics_pkg/src/spinner_py_node.py": "steps/2_callback.py",
@@ -26,6 +26,18 @@ STARTS_FROM = {
     "my_robotics_pkg/src/spinner_rate_py_node.py": "my_robotics_pkg/src/plain_py_node.py",
     "my_robotics_pkg/src/spinner_rate_cpp_node.cpp": "my_robotics_pkg/src/plain_cpp_node.cpp",
 }
+PUBLISH_FROM = {
+    "steps/3_class.cpp": "my_robotics_pkg/src/spinner_cpp_node.cpp",
+    "my_robotics_pkg/src/publisher_cpp_node.cpp": "steps/3_class.cpp",
+    "my_robotics_pkg/src/publisher_py_node.py": "my_robotics_pkg/src/spinner_py_node.py",
+    **{
+        f"my_robotics_pkg/src/{new}_{language}": f"my_robotics_pkg/src/{old}_{language}"
+        for new, old in (("pubsub", "publisher"), ("subscriber", "plain"))
+        for language in ("cpp_node.cpp", "py_node.py")
+    },
+}
+STARTS_FROM = {TUTORIAL: SPIN_FROM, PUBLISH: PUBLISH_FROM}
+MANIFESTS = ("CMakeLists.txt", "package.xml")
 PYTHON = sorted(path for path in EXAMPLES.rglob("*.py") if not path.name.startswith("test_"))  # pytest runs those
 
 
@@ -66,29 +78,35 @@ def added(old: Path, new: Path) -> set[int]:
     return {line for tag, _, _, j1, j2 in matcher.get_opcodes() if tag != "equal" for line in range(j1 + 1, j2 + 1)}
 
 
-def test_each_step_names_the_listing_that_it_starts_from() -> None:
+@pytest.mark.parametrize("page", STARTS_FROM, ids=lambda page: page.stem)
+def test_each_step_names_the_listing_that_it_starts_from(page: Path) -> None:
     named = {
-        listing.name: (TUTORIAL.parent / listing.options["changed-from"]).resolve().relative_to(EXAMPLES).as_posix()
-        for listing in listings(TUTORIAL)
+        listing.name: (page.parent / listing.options["changed-from"]).resolve().relative_to(EXAMPLES).as_posix()
+        for listing in listings(page)
         if "changed-from" in listing.options
     }
-    assert named == STARTS_FROM
-    assert not [listing.name for listing in listings(TUTORIAL) if "emphasize-lines" in listing.options]
+    assert named == STARTS_FROM[page]
+    # By number only in listings that are no step.
+    numbered = {listing.path.parent.name for listing in listings(page) if "emphasize-lines" in listing.options}
+    assert numbered <= {"topics"}
 
 
-def test_marked_lines_are_the_ones_that_the_step_adds(site: Path) -> None:
-    page = BeautifulSoup((site / "docs/tutorial.html").read_text(encoding="utf-8"), "html.parser")
-    marked = [[line.get_text().rstrip() for line in pre.select(".hll")] for pre in page.select("pre:has(.hll)")]
-    steps = [listing.path for listing in listings(TUTORIAL) if "changed-from" in listing.options]
+@pytest.mark.parametrize("page", STARTS_FROM, ids=lambda page: page.stem)
+def test_marked_lines_are_the_ones_that_the_step_adds(site: Path, page: Path) -> None:
+    html = BeautifulSoup((site / f"docs/{page.stem}.html").read_text(encoding="utf-8"), "html.parser")
+    marked = [[line.get_text().rstrip() for line in pre.select(".hll")] for pre in html.select("pre:has(.hll)")]
+    steps = [listing for listing in listings(page) if {"changed-from", "emphasize-lines"} & listing.options.keys()]
     for step, lines in zip(steps, marked, strict=True):
-        text = step.read_text().splitlines()
-        old = EXAMPLES / STARTS_FROM[step.relative_to(EXAMPLES).as_posix()]
-        assert lines == [text[number - 1] for number in sorted(added(old, step))]
+        if "changed-from" in step.options:
+            text = step.path.read_text().splitlines()
+            old = EXAMPLES / STARTS_FROM[page][step.name]
+            assert lines == [text[number - 1] for number in sorted(added(old, step.path))]
 
 
 def test_every_step_and_node_is_shown() -> None:
     shown = {listing.path for page in PAGES for listing in listings(page)}
     files = {*EXAMPLES.glob("steps/*"), *EXAMPLES.glob("how-to/*.py"), *EXAMPLES.glob("threads/*.*")}
+    files |= set(EXAMPLES.glob("topics/*.*"))
     files |= {path for folder in ("src", "launch", "test") for path in PACKAGE.glob(f"{folder}/*.*")}
     assert files - shown == set()
 
@@ -102,14 +120,27 @@ def test_code_on_pages_comes_from_files(page: Path) -> None:
     assert all(listing.path.is_file() for listing in listings(page))
 
 
+def cmake_lines(node: str) -> list[str]:
+    return [
+        f"add_executable({node} src/{node}.cpp)",
+        f"add_dependencies({node} ${{catkin_EXPORTED_TARGETS}})",
+        f"target_link_libraries({node} ${{catkin_LIBRARIES}})",
+    ]
+
+
 def test_cmake_lines() -> None:
     cmake = [listing.shown for listing in listings(TUTORIAL) if listing.path.name == "CMakeLists.txt"]
-    lines = [
-        "add_executable(spinner_cpp_node src/spinner_cpp_node.cpp)",
-        "add_dependencies(spinner_cpp_node ${catkin_EXPORTED_TARGETS})",
-        "target_link_libraries(spinner_cpp_node ${catkin_LIBRARIES})",
-    ]
+    lines = cmake_lines("spinner_cpp_node")
     assert cmake == [lines, *([line] for line in lines)]  # the TL;DR, then one by one
+
+
+def test_cmake_and_package_lines_of_the_second_tutorial() -> None:
+    shown = {name: [each.shown for each in listings(PUBLISH) if each.path.name == name] for name in MANIFESTS}
+    nodes = [cmake_lines(f"{name}_cpp_node") for name in ("publisher", "pubsub", "subscriber")]
+    lines = [*nodes[0], "", *nodes[1], "", *nodes[2]]
+    needs = "find_package(catkin REQUIRED COMPONENTS roscpp rospy std_msgs)"
+    assert shown["CMakeLists.txt"] == [lines, [needs], lines]
+    assert shown["package.xml"] == [["  <depend>std_msgs</depend>"]]
 
 
 def test_every_cpp_node_is_built_and_every_node_installed() -> None:
@@ -141,6 +172,15 @@ def test_launch_file(kind: str) -> None:
         ("node", {"name": name, "pkg": "my_robotics_pkg", "type": file, "output": "screen"})
         for name, file in [(f"{kind}_cpp_node", f"{kind}_cpp_node"), (f"{kind}_py_node", f"{kind}_py_node.py")]
     ]
+
+
+def test_launch_file_of_the_second_tutorial() -> None:
+    argument, group = ElementTree.parse(PACKAGE / "launch/publish.launch").getroot()
+    assert (argument.tag, argument.attrib) == ("arg", {"name": "publisher", "default": "publisher_py_node.py"})
+    assert group.attrib == {"ns": "mrp"}
+    nodes = {node.attrib["name"]: node.attrib["type"] for node in group}
+    assert nodes.pop("publisher_node") == "$(arg publisher)"
+    assert nodes == {"subscriber_cpp_node": "subscriber_cpp_node", "subscriber_py_node": "subscriber_py_node.py"}
 
 
 # The names and messages of the original page.

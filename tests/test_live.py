@@ -2,13 +2,16 @@
 
 from __future__ import annotations
 
+import base64
+import gzip
 import json
 import re
 import subprocess
 import sys
+import zlib
 from collections.abc import Iterator
 from pathlib import Path
-from typing import Literal
+from typing import Any, Literal
 
 import pytest
 from conftest import ROOT, faults
@@ -19,7 +22,8 @@ from test_live_scenarios import lines_of
 
 from rosspin import simulate
 from rosspin.exercises import check
-from rosspin.site.live import policy
+from rosspin.measures import describe_timeline
+from rosspin.site.live import plot, policy
 
 TUTORIAL = "docs/tutorial.html"
 EXAMPLES = ROOT / "examples"
@@ -44,8 +48,8 @@ class Cell:
         self.element = page.locator("div.live").nth(index)
         self.console = self.element.get_by_role("log", name="Console")
         self.status = self.element.get_by_role("status")
-        self.plot = self.element.locator("figure svg")
-        self.editor = self.element.get_by_role("textbox")
+        self.plot = self.element.locator("figure:not(.live-made) svg")
+        self.editor = self.element.get_by_role("textbox", name="Code of")
 
     def button(self, name: str) -> Locator:
         return self.element.get_by_role("button", name=re.compile(f"^{name} "))
@@ -198,6 +202,415 @@ def test_bad_seconds(page: Page) -> None:
     assert cell.ends("error: seconds") == ""
     cell.button("Reset").click()
     expect(cell.element.get_by_role("spinbutton")).to_have_value("10")
+
+
+# --- how Python starts ------------------------------------------------------------------------------------------------
+
+
+def _asked(page: Page, name: str) -> list[str]:
+    """A list of the requests for a file from now on."""
+    found: list[str] = []
+    page.on("request", lambda request: found.append(request.url) if f"/live/{name}" in request.url else None)
+    return found
+
+
+def _first_run(page: Page, address: str, text: str = "") -> str:
+    open_tutorial(page, address)
+    cell = Cell(page, TIMER)
+    if text:
+        cell.write(text)
+    cell.run(2)
+    return cell.ends("done")
+
+
+@pytest.mark.parametrize("sign", ["hover", "focus"])
+def test_python_is_asked_for_when_the_reader_points_at_run(context: BrowserContext, address: str, sign: str) -> None:
+    page = context.new_page()
+    asked = _asked(page, "")
+    open_tutorial(page, address)
+    page.wait_for_load_state("networkidle")
+    assert not [url for url in asked if "/live/live." not in url]
+    with page.expect_request(re.compile("/snapshot.gz")):
+        getattr(Cell(page, TIMER).button("Run"), sign)()
+
+
+def test_snapshot_is_kept_for_the_next_page(context: BrowserContext, address: str) -> None:
+    page = context.new_page()
+    asked = _asked(page, "snapshot.gz")
+    for _ in range(2):
+        assert "counter = 1" in _first_run(page, address)
+        assert asked
+        page.wait_for_function("async () => (await (await caches.open('rosspin')).keys()).length === 1")
+        page.wait_for_timeout(1000)  # the spare worker has asked, too
+    found = len(asked)
+    _first_run(page, address)
+    assert len(asked) == found
+
+
+@pytest.mark.parametrize("body", [None, b"no gzip", gzip.compress(b"no snapshot")], ids=["none", "no gzip", "broken"])
+def test_without_a_snapshot_python_starts_plainly(context: BrowserContext, address: str, body: bytes | None) -> None:
+    expected = simulate(EXAMPLES / LISTINGS[TIMER], 2).console
+    context.route("**/snapshot.gz*", lambda route: route.abort() if body is None else route.fulfill(body=body))
+    page = context.new_page()
+    whole, snapshots = _asked(page, "python_stdlib.zip"), _asked(page, "snapshot.gz")
+    assert _first_run(page, address) == expected
+    assert whole
+    assert page.evaluate("async () => (await (await caches.open('rosspin')).keys()).length") == 0
+    context.unroute("**/snapshot.gz*")
+    del whole[:], snapshots[:]
+    assert _first_run(page, address) == expected
+    assert snapshots and not whole
+
+
+def test_a_kept_snapshot_that_is_broken_is_thrown_away(context: BrowserContext, address: str) -> None:
+    page = context.new_page()
+    _first_run(page, address)
+    page.evaluate(
+        """async () => {
+            const cache = await caches.open("rosspin")
+            for (const key of await cache.keys()) await cache.put(key, new Response("broken"))
+        }"""
+    )
+    assert "counter = 1" in _first_run(page, address)
+    snapshots = _asked(page, "snapshot.gz")
+    assert "counter = 1" in _first_run(page, address)
+    assert snapshots
+
+
+def test_module_that_is_not_in_the_snapshot(context: BrowserContext, address: str) -> None:
+    text = "import sys\nprint('csv' in sys.modules)\nimport csv\nprint(csv.reader(['a,b']).__next__())\n"
+    assert _first_run(context.new_page(), address, text) == "False\n['a', 'b']\n"
+
+
+def test_what_is_drawn_at_random_differs(context: BrowserContext, address: str) -> None:
+    text = "import random\nprint(random.random())\n"
+    drawn = {_first_run(context.new_page(), address, text) for _ in range(2)}
+    assert len(drawn) == 2
+
+
+def test_node_finds_no_traces_of_the_snapshot(context: BrowserContext, address: str) -> None:
+    """Its environment and its path are those of a plain start; nothing that made the snapshot is left in it."""
+    text = "import os, sys\nprint(sorted(os.environ.items()), sys.path, sys.argv)\nprint(sorted(globals()))\n"
+    found = _first_run(context.new_page(), address, text)
+    context.route("**/snapshot.gz*", lambda route: route.abort())
+    page = context.new_page()
+    page.goto(address + TUTORIAL)
+    page.evaluate("caches.delete('rosspin')")
+    plain = _first_run(page, address, text)
+    assert re.sub("'LANG', '.*?'", "", found) == re.sub("'LANG', '.*?'", "", plain)
+
+
+# --- arguments --------------------------------------------------------------------------------------------------------
+
+
+def test_arguments_are_offered_where_a_node_reads_parameters(page: Page) -> None:
+    cell = Cell(page, TIMER)
+    field = cell.element.get_by_role("textbox", name="Arguments")
+    expect(field).to_be_hidden()
+    cell.write(node("print(rospy.get_param('~frequency', 1.0), rospy.get_name())"))
+    expect(field).to_be_visible()
+    for words, said in {
+        "": "1.0 /a_node",
+        "_frequency:=5": "5 /a_node",
+        "_frequency:='[1, 2]' __ns:=/mrp": "[1, 2] /mrp/a_node",
+        "'_frequency:=two words'": "two words /a_node",
+    }.items():
+        field.fill(words)
+        cell.run(1)
+        assert cell.ends("done") == f"{said}\n"
+    field.fill("_frequency:='5")
+    field.press("Enter")
+    assert cell.ends("error") == "arguments: no closing quotation\n"
+    cell.button("Reset").click()
+    expect(field).to_be_hidden()
+    expect(cell.element.locator(".live-arguments input")).to_have_value("")
+
+
+def test_arguments_set_a_parameter(context: BrowserContext, address: str) -> None:
+    page = context.new_page()
+    page.goto(address + "docs/how-to/frequency-from-parameter.html?lang=python")
+    cell = Cell(page, 0)
+    cell.element.get_by_role("textbox", name="Arguments").fill("_frequency:=5")
+    cell.run(1)
+    listing = EXAMPLES / "my_robotics_pkg" / "src" / "spinner_param_py_node.py"
+    assert cell.ends("done: 5 ticks") == simulate(listing, 1, ["_frequency:=5"]).console
+
+
+# --- plots ------------------------------------------------------------------------------------------------------------
+
+
+@pytest.mark.parametrize("index", range(len(LISTINGS)))
+def test_plot_is_there_before_the_first_run(page: Page, index: int) -> None:
+    """It makes way for that of a run, and comes back."""
+    cell = Cell(page, index)
+    made = cell.element.locator("figure.live-made")
+    ticks = simulate(EXAMPLES / LISTINGS[index], 10).ticks
+    if not ticks:
+        expect(made).to_have_count(0)
+        return
+    expect(made).to_be_visible()
+    expect(made).to_contain_text("simulated when this page was made: the first 10 s")
+    said = describe_timeline(ticks[0].source, ticks)
+    expect(made.locator("svg")).to_have_attribute("aria-label", f"Timeline. {said}")
+    cell.run(10)
+    cell.ends("done")
+    expect(made).to_be_hidden()
+    expect(cell.plot.first).to_have_attribute("aria-label", f"Timeline. {said}")
+    cell.button("Reset").click()
+    expect(made).to_be_visible()
+
+
+def test_plot_of_a_listing_that_says_for_how_long() -> None:
+    text = (
+        "import rospy\nrospy.init_node('a')\nrospy.Timer(rospy.Duration(rospy.get_param('~p')), print)\nrospy.spin()\n"
+    )
+    assert "print: 4 ticks" in plot(f"%%simulate 2 -- _p:=0.5\n{text}")
+    assert "the first 2 s" in plot(f"%%simulate 2 -- _p:=0.5\n{text}")
+    for other in (f"%%answer 1\n{text}", "print(1)\n", "import rospy\n1 / 0\n", "while True: pass", "print("):
+        assert plot(other) == ""
+
+
+# What each of these nodes prints at its ticks: a timer beside another one, and a loop that works.
+TWO_TIMERS = """
+import rospy
+
+def slow(event):
+    print("slow begins")
+    rospy.sleep(0.3)
+    print("slow ends")
+
+def fast(event):
+    print("fast", "and", "more")
+
+rospy.init_node("a_node")
+print("before")
+rospy.Timer(rospy.Duration(0.5), slow)
+rospy.Timer(rospy.Duration(0.25), fast)
+rospy.spin()
+"""
+LOOP = """
+import rospy
+
+rospy.init_node("a_node")
+print("before")
+rate = rospy.Rate(2)
+while not rospy.is_shutdown():
+    print("begins")
+    rospy.sleep(0.1)
+    print("ends")
+    rate.sleep()
+"""
+
+
+def _marked(cell: Cell) -> list[str]:
+    return cell.console.locator(".of-tick").all_text_contents()
+
+
+def test_tick_leads_to_its_lines(page: Page) -> None:
+    """By the arrow keys; the lines of two threads that print at the same time are told apart."""
+    cell = Cell(page, TIMER)
+    cell.write(TWO_TIMERS)
+    cell.run(1)
+    cell.ends("done")
+    handle = cell.element.get_by_role("slider")
+    handle.focus()
+    found = {}
+    for _ in range(6):
+        page.keyboard.press("ArrowRight")
+        found[handle.get_attribute("aria-valuetext")] = _marked(cell)
+    assert found == {
+        "fast, tick 1: expected 0.25 s, real 0.25 s, on time": ["fast and more\n"],
+        "slow, tick 1: expected 0.5 s, real 0.5 s, on time": ["slow begins\n", "slow ends\n"],
+        "fast, tick 2: expected 0.5 s, real 0.5 s, on time": ["fast and more\n"],
+        "fast, tick 3: expected 0.75 s, real 0.75 s, on time": ["fast and more\n"],
+        "slow, tick 2: expected 1 s, real 1 s, on time": ["slow begins\n", "slow ends\n"],
+        "fast, tick 4: expected 1 s, real 1 s, on time": ["fast and more\n"],
+    }
+    page.keyboard.press("Home")
+    expect(handle).to_have_attribute("aria-valuenow", "1")
+    page.keyboard.press("End")
+    expect(handle).to_have_attribute("aria-valuenow", "6")
+    page.keyboard.press("Tab")
+    assert _marked(cell) == []
+
+
+def test_pass_of_a_loop_leads_to_its_lines(page: Page) -> None:
+    cell = Cell(page, TIMER)
+    cell.write(LOOP)
+    cell.run(1.2)
+    cell.ends("done")
+    cell.element.get_by_role("slider").press("ArrowRight")
+    assert _marked(cell) == ["begins\n", "ends\n"]
+
+
+def test_pointing_at_a_tick(page: Page) -> None:
+    cell = Cell(page, TIMER)
+    cell.write((EXAMPLES / LISTINGS[TIMER]).read_text(encoding="utf-8").replace("0.5", "0.4"))
+    cell.run(2)
+    cell.ends("done: 5 ticks")
+    mark = cell.plot.locator("g circle").nth(2).bounding_box()
+    assert mark
+    page.mouse.move(mark["x"] + mark["width"] / 2 + 1, mark["y"] + mark["height"] / 2)
+    expect(cell.element.locator(".live-tick")).to_have_text(
+        "timerCallback, tick 3: expected 1.2 s, real 1.2 s, on time"
+    )
+    assert _marked(cell) == ["[INFO] [1.200000]: [SPINNER PY NODE] counter = 3\n"]
+    page.mouse.move(0, 0)
+    assert _marked(cell) == []
+
+
+@pytest.mark.parametrize(
+    ("body", "named", "line"),
+    [
+        ("\n\nraise KeyError('mine')", 'File "spinner_py_node.py", line 6', 6),
+        ("while True: pass", "spinner_py_node.py:4", 4),
+        ("rospy.Service", "spinner_py_node.py:4", 4),
+    ],
+)
+def test_error_leads_to_its_line(page: Page, body: str, named: str, line: int) -> None:
+    cell = Cell(page, TIMER)
+    cell.write(node(body))
+    cell.run(1)
+    cell.ends("error")
+    cell.console.get_by_role("button", name=named).first.click()
+    expect(cell.editor).to_be_focused()
+    assert page.evaluate("getSelection().toString()") == node(body).splitlines()[line - 1]
+
+
+# --- links and copies -------------------------------------------------------------------------------------------------
+
+
+def _copied(page: Page) -> str:
+    text: str = page.evaluate("navigator.clipboard.readText()")
+    return text
+
+
+def test_a_link_carries_the_code(page: Page, address: str) -> None:
+    """It opens with a notice, does not run, and leaves alone what the reader has written."""
+    page.context.grant_permissions(["clipboard-read", "clipboard-write"])
+    cell = Cell(page, TIMER)
+    code = node("print(rospy.get_param('~word'), '<b>ä</b>')")
+    cell.write(code)
+    cell.element.get_by_role("textbox", name="Arguments").fill("_word:=shared")
+    cell.element.get_by_role("spinbutton").fill("3")
+    cell.button("Share").click()
+    expect(cell.status).to_have_text("the link is copied; the code is in it")
+    copied = _copied(page)
+    mine = node("print('mine')")
+    cell.write(mine)
+
+    other = page.context.new_page()
+    wrong = faults(other, address)
+    other.goto(copied)
+    opened = Cell(other, TIMER)
+    expect(opened.element.locator(".live-notice")).to_contain_text("This code came with the link")
+    expect(opened.element.locator(".live-notice")).to_be_in_viewport()
+    assert opened.element.locator("pre").first.text_content() == code
+    expect(opened.status).to_have_text("as it came with the link")
+    other.wait_for_timeout(500)
+    assert opened.text() == ""
+    expect(opened.element.get_by_role("spinbutton")).to_have_value("3")
+    opened.element.get_by_role("combobox").select_option("instantly")
+    opened.button("Run").click()
+    assert opened.ends("done") == "shared <b>ä</b>\n"
+    opened.write("print('theirs')")
+    opened.button("Reset").click()
+    expect(opened.element.locator(".live-notice")).to_be_hidden()
+    assert "#" not in other.url
+    other.reload()
+    assert opened.element.locator("pre").first.text_content() == mine
+    assert not wrong
+    other.close()
+
+
+def _fragment(data: bytes) -> str:
+    packed = zlib.compressobj(9, zlib.DEFLATED, -15)
+    return "#code=" + base64.urlsafe_b64encode(packed.compress(data) + packed.flush()).decode().rstrip("=")
+
+
+def link(**changed: Any) -> str:
+    return _fragment(json.dumps({"cell": TIMER, "text": "print(1)", "seconds": 2, "args": ""} | changed).encode())
+
+
+@pytest.mark.parametrize(
+    ("fragment", "said"),
+    [
+        ("#code=", "cannot be read"),
+        ("#code=%%%", "cannot be read"),
+        ("#code=AAAA", "cannot be read"),
+        (link()[:-6], "cannot be read"),
+        (_fragment(b"[]"), "cannot be read"),
+        (_fragment(b"null"), "cannot be read"),
+        (_fragment(b"{"), "cannot be read"),
+        (link(text=5), "cannot be read"),
+        (link(seconds="2"), "cannot be read"),
+        (link(seconds=-1), "cannot be read"),
+        (link(args=["a"]), "cannot be read"),
+        (link(cell="0"), "cannot be read"),
+        (link(cell=99), "no longer has"),
+        (link(cell=-1), "no longer has"),
+        (link(text="x" * 1_000_000), "too long"),
+        ("#code=" + "A" * 1_000_000, "too long"),
+    ],
+    ids=lambda value: value[:20],
+)
+def test_a_broken_link_does_nothing_but_say_so(page: Page, address: str, fragment: str, said: str) -> None:
+    other = page.context.new_page()
+    wrong = faults(other, address)
+    other.goto(address + TUTORIAL + fragment)
+    expect(other.get_by_role("alert").filter(has_text="link")).to_contain_text(said)
+    for index, name in enumerate(LISTINGS):
+        shown = other.locator("div.live > .highlight > pre").nth(index).text_content()
+        assert shown == (EXAMPLES / name).read_text(encoding="utf-8")
+    assert not wrong
+    other.close()
+
+
+def test_html_in_a_link_is_text(page: Page, address: str) -> None:
+    html = "<script>document.title = 'taken'</script><img src=x onerror=\"document.title = 'taken'\">"
+    other = page.context.new_page()
+    wrong = faults(other, address)
+    other.goto(address + TUTORIAL + link(text=html, args=html))
+    cell = Cell(other, TIMER)
+    expect(cell.element.locator("pre").first).to_have_text(html)
+    assert other.title() != "taken" and cell.element.locator("img, script").count() == 0
+    assert not wrong
+    other.close()
+
+
+@pytest.mark.parametrize("index", [TIMER, RATE])
+def test_run_is_copied_as_a_test(page: Page, index: int, tmp_path: Path) -> None:
+    """It passes as it is, and fails when the period is changed."""
+    page.context.grant_permissions(["clipboard-read", "clipboard-write"])
+    cell = Cell(page, index)
+    expect(cell.button("Copy as test")).to_be_hidden()
+    cell.run(2)
+    cell.ends("done")
+    cell.button("Copy as test").click()
+    expect(cell.status).to_have_text("the test is copied")
+    text = _copied(page)
+    path = tmp_path / "test_copied.py"
+    for period, outcome in {"as it is": 0, "changed": 1}.items():
+        path.write_text(text if period == "as it is" else _with_another_period(text), encoding="utf-8")
+        run = subprocess.run(
+            [sys.executable, "-m", "pytest", "-q", "-p", "no:cacheprovider", path], capture_output=True
+        )
+        assert run.returncode == outcome, run.stdout.decode()
+
+
+def _with_another_period(text: str) -> str:
+    changed = re.sub(r"(timer_delta_t_in_seconds|loop_frequency_in_hz) = [\d.]+", r"\1 = 0.25", text)
+    assert changed != text
+    return changed
+
+
+def test_run_with_an_error_is_no_test(page: Page) -> None:
+    cell = Cell(page, TIMER)
+    for body in ("1 / 0", "rospy.Timer(rospy.Duration(0.5), lambda event: 1 / 0)\nrospy.spin()", "print('x' * 60_000)"):
+        cell.write(node(body))
+        cell.run(1)
+        cell.ends("done|error")
+        expect(cell.button("Copy as test")).to_be_hidden()
 
 
 # --- edit -------------------------------------------------------------------------------------------------------------
@@ -368,7 +781,7 @@ def test_ticks_at_the_same_time_are_drawn_apart(exercises: Page) -> None:
     cell.button("Reset").click()
 
 
-@pytest.mark.parametrize(("notebook", "seconds"), [("timer", 2.0), ("rate", 2.0)])
+@pytest.mark.parametrize(("notebook", "seconds"), [("timer", 2.0), ("rate", 2.0), ("publish", 2.0)])
 def test_simulated_cell(context: BrowserContext, address: str, notebook: str, seconds: float) -> None:
     """It runs for the seconds in its first line, and what it printed when the site was built makes way."""
     page = context.new_page()
@@ -377,8 +790,8 @@ def test_simulated_cell(context: BrowserContext, address: str, notebook: str, se
     cell.element.get_by_role("combobox").select_option("instantly")
     cell.button("Run").click()
     text = cell.element.locator("pre").first.text_content() or ""
-    file = {"timer": "spinner_py_node", "rate": "spinner_rate_py_node"}[notebook]
-    run = simulate(EXAMPLES / f"my_robotics_pkg/src/{file}.py", seconds)
+    files = {"timer": "spinner_py_node", "rate": "spinner_rate_py_node", "publish": "pubsub_py_node"}
+    run = simulate(EXAMPLES / f"my_robotics_pkg/src/{files[notebook]}.py", seconds)
     assert text.startswith(f"%%simulate {seconds}")
     assert cell.ends(f"done: {len(run.ticks)} ticks") == run.console
     expect(output).to_be_hidden()

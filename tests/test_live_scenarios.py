@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import os
 import re
+import shlex
 from collections.abc import Callable, Iterator
 from typing import Any
 from unittest import mock
@@ -61,7 +62,7 @@ def run_in_page(browser: Browser, address: str) -> Iterator[Callable[..., tuple[
             run(PRELUDE.format(files=FILES), "prelude.py", 1)
 
         def run(source: str, name: str, seconds: float, args: tuple[str, ...] = ()) -> tuple[str, dict[str, Any]]:
-            job = {"source": source, "filename": name, "seconds": seconds, "args": args, "speed": 0}
+            job = {"source": source, "filename": name, "seconds": seconds, "args": shlex.join(args), "speed": 0}
             console, result = page.evaluate("job => runJob(job)", job)
             if result is None:  # Python broke down; the next run needs another
                 begin()
@@ -143,7 +144,10 @@ def test_garbage_is_not_collected_while_stacks_are_suspended(
     assert run_in_page(GARBAGE, "garbage.py", 20)[0] == "ended\n"
 
 
-@pytest.mark.parametrize("path", sorted(ROOT.glob("examples/**/spinner*.py")), ids=lambda path: path.name)
+NODES = [path for name in ("spinner", "pub", "eager", "slow") for path in sorted(ROOT.glob(f"examples/**/{name}*.py"))]
+
+
+@pytest.mark.parametrize("path", NODES, ids=lambda path: path.name)
 def test_example(run_in_page: Callable[..., tuple[str, dict[str, Any]]], path: Any) -> None:
     run = simulate(path, 60, ["__ns:=/mrp"])
     console, result = run_in_page(path.read_text(encoding="utf-8"), path.name, 60, ("__ns:=/mrp",))

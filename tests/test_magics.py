@@ -13,7 +13,8 @@ from traitlets.config import Config
 
 from rosspin import Run
 
-NODE = (Path(__file__).parent.parent / "examples" / "my_robotics_pkg" / "src" / "spinner_py_node.py").read_text()
+NODES = Path(__file__).parent.parent / "examples" / "my_robotics_pkg" / "src"
+NODE = (NODES / "spinner_py_node.py").read_text()
 
 LINES = (
     "[INFO] [0.000000]: [SPINNER PY NODE] namespace of node = /\n"
@@ -52,6 +53,16 @@ def test_name_quiet_and_the_node_s_own_arguments(shell: Any, capsys: pytest.Capt
     assert capsys.readouterr() == ("", "")
     assert "run" not in shell.user_ns
     assert shell.user_ns["mine"].console == LINES.replace("node = /\n", "node = /mrp/\n")
+
+
+def test_the_run_has_the_messages(shell: Any) -> None:
+    node = (NODES / "publisher_py_node.py").read_text()
+    shell.run_cell(f"%%simulate 1\n{node}")
+    messages = shell.user_ns["run"].messages
+    assert [(sent.topic, sent.time, sent.message.data) for sent in messages] == [
+        ("/counter", 0.5, 1),
+        ("/counter", 1, 2),
+    ]
 
 
 def test_warnings_go_to_stderr(shell: Any, capsys: pytest.CaptureFixture[str]) -> None:

@@ -16,8 +16,8 @@ from rosspin.__main__ import main
 
 NOTEBOOKS = sorted(path.stem for path in (ROOT / "notebooks").glob("*.md"))
 PATH = {"timer": "rate", "rate": "drift", "drift": "slow-callback", "slow-callback": "two-languages"}
-PATH |= {"two-languages": "exercises"}
-NODES = {"timer": "spinner_py_node.py", "rate": "spinner_rate_py_node.py"}
+PATH |= {"two-languages": "publish", "publish": "exercises"}
+NODES = {"timer": "spinner_py_node.py", "rate": "spinner_rate_py_node.py", "publish": "pubsub_py_node.py"}
 
 
 def cells(name: str, kind: str) -> list[str]:

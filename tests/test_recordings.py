@@ -9,12 +9,14 @@ import pytest
 from rosspin import Run, recordings
 
 FOLDER = Path(__file__).parents[1] / "examples" / "recordings"
-# No run's ticks; docs/how-timing-works.rst checks what they say.
-TABLES = {"clock_jump.csv", "endings.csv", "pipe.csv"}
+# No run's ticks; docs/how-timing-works.rst and docs/publish.rst check what they say.
+TABLES = {"clock_jump.csv", "endings.csv", "first_message.csv", "hz.csv", "pipe.csv", "queue.csv"}
 FILES = sorted(file for file in [*FOLDER.glob("*.csv"), *FOLDER.glob("*.txt")] if file.name not in TABLES)
 
 NAMES = {
     "launch.txt",
+    "publish_cpp.txt",
+    "publish_py.txt",
     *(
         f"{what}_{language}_{hertz}hz.csv"
         for what in ("timer", "rate")

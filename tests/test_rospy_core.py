@@ -120,7 +120,7 @@ THIS_LINE = Talker.speak.__code__.co_firstlineno + 1
         ("${line}", str(THIS_LINE)),
         ("${file}", __file__),
         ("${logger}", "rosout"),
-        ("${thread}", str(threading.get_ident())),
+        pytest.param("${thread}", str(threading.get_ident()), id="thread"),
         ("${time:%M:%S}|${walltime:%S}", "00:01|01"),
         ("${nonsense} ${message}", "${nonsense} here"),
         ("", ""),

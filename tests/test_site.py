@@ -114,6 +114,12 @@ def test_images_say_what_they_show(pages: dict[Path, BeautifulSoup]) -> None:
     assert not poor
 
 
+def test_a_topic_is_drawn_from_its_messages() -> None:
+    """By ``ticks`` with ``:topic:``."""
+    labels = [tag["aria-label"] for tag in _page("docs/publish").select("figure svg")]
+    assert labels == ["Timeline. /counter: 4 ticks from 0.500 s to 2.000 s. All 4 ticks were on time."]
+
+
 def test_pages_load_nothing_from_elsewhere(pages: dict[Path, BeautifulSoup]) -> None:
     foreign = []
     for path, page in pages.items():
@@ -257,7 +263,7 @@ def test_the_first_paragraph_of_the_site_is_one_sentence() -> None:
     [
         *("callback", "callback queue", "cycle", "drift", "executor", "grid", "jitter", "lateness", "namespace"),
         *("node handle", "overrun", "pass", "period", "rate", "rosspin", "simulated time", "spin", "stand-in"),
-        *("tick", "timestamp"),
+        *("tick", "timestamp", "latch", "message", "publisher", "subscriber", "topic"),
     ],
 )
 def test_the_glossary_has(term: str) -> None:

@@ -2,8 +2,12 @@
 // the folder PACKAGES and PyYAML, whose package is the folder YAML, into the folder OUT.
 
 import { cpSync, existsSync, mkdirSync, readFileSync, readdirSync, rmSync, writeFileSync } from "node:fs"
+import { createHash } from "node:crypto"
 import { createRequire } from "node:module"
 import path from "node:path"
+import { gzipSync } from "node:zlib"
+
+import { snapshot } from "./snapshot.mjs"
 
 const here = import.meta.dirname
 const [packages, yaml, out] = process.argv.slice(2).map((folder) => path.resolve(folder))
@@ -25,14 +29,6 @@ const common = {
 await build({ ...common, entryPoints: ["live.js", "live.css"].map((name) => path.join(here, "src", name)) })
 // Loaded with each page that has a figure to move, for that alone.
 await build({ ...common, outdir: path.join(out, "../handles"), entryPoints: [path.join(here, "src/handles.js")] })
-// Loaded when a listing is touched.
-const { metafile } = await build({
-  ...common,
-  format: "esm",
-  external: ["./pyodide.mjs"],
-  entryPoints: ["editor.js", "worker.js"].map((name) => path.join(here, "src", name)),
-})
-
 for (const name of ["pyodide.mjs", "pyodide.asm.mjs", "pyodide.asm.wasm", "python_stdlib.zip"]) {
   cpSync(path.join(packages, "node_modules/pyodide", name), path.join(out, name))
 }
@@ -47,6 +43,29 @@ for (const folder of [path.join(here, "../src/rosspin"), yaml]) {
   }
 }
 writeFileSync(path.join(out, "rosspin.json"), JSON.stringify(texts))
+
+// The snapshot: made anew only when what is in it changes, which is also when readers need to load it again.
+const inputs = ["pyodide.mjs", "pyodide.asm.mjs", "pyodide.asm.wasm", "python_stdlib.zip", "rosspin.json"]
+  .map((name) => path.join(out, name))
+  .concat(["snapshot.mjs", "snapshot.py", "src/start.js"].map((name) => path.join(here, name)))
+const hash = createHash("sha256").update(process.version)
+inputs.forEach((file) => hash.update(readFileSync(file)))
+const version = hash.digest("hex").slice(0, 16)
+const kept = path.join(out, "../..", `snapshot-${version}.gz`)
+if (!existsSync(kept)) {
+  const { info } = JSON.parse(readFileSync(path.join(packages, "node_modules/pyodide/pyodide-lock.json"), "utf8"))
+  writeFileSync(kept, gzipSync(await snapshot(out, info), { level: 9 }))
+}
+cpSync(kept, path.join(out, "snapshot.gz"))
+
+// Loaded when a listing is touched.
+const { metafile } = await build({
+  ...common,
+  format: "esm",
+  define: { SNAPSHOT: JSON.stringify(version) },
+  external: ["./pyodide.mjs"],
+  entryPoints: ["editor.js", "worker.js"].map((name) => path.join(here, "src", name)),
+})
 
 // What is bundled keeps its licence.
 const used = new Set(["pyodide"])

@@ -6,16 +6,18 @@ from importlib import import_module
 from typing import TYPE_CHECKING, Any
 
 if TYPE_CHECKING:
-    from .run import TimeStandsStill, measure, simulate
+    from .run import TimeStandsStill, simulate
     from .steps import NodeFailed, StartedNode, start
     from .ticks import Message, Run, Tick
+    from .wall import measure
     from .world import NotSimulated
 
 # Where the names come from that are imported when they are asked for: pytest loads this package in every run.
 _MODULES = {
-    "run": ("TimeStandsStill", "measure", "simulate"),
+    "run": ("TimeStandsStill", "simulate"),
     "steps": ("NodeFailed", "StartedNode", "start"),
     "ticks": ("Message", "Run", "Tick"),
+    "wall": ("measure",),
     "world": ("NotSimulated",),
 }
 

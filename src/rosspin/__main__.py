@@ -14,7 +14,7 @@ from .clocks.simulation import Simulation
 from .doctor import report
 from .measures import by_source, describe_periods, describe_timeline
 from .plots import timeline
-from .process import load
+from .process import leave, load
 from .run import Result, run_node, say_error, split_words
 from .ticks import Run
 
@@ -84,13 +84,15 @@ def _run(options: argparse.Namespace, args: Sequence[str]) -> int:
         result = ros1.launch(options.file, options.seconds, args, sys.stdout)
     else:
         clock: Clock = Simulation() if options.simulated else WallClock()
-        result = run_node(load(options.file), options.seconds, args, clock, record, process=True)
+        result = run_node(load(options.file), options.seconds, args, clock, record, lambda result: sys.stdout.flush())
     if options.plot is not None:
         if not result.ticks:
             raise ValueError(f"{options.plot} was not written: the node did not tick")
         timeline(result.ticks).save(options.plot)
         for source, ticks in by_source(result.ticks).items():
             print(f"{options.plot}: {describe_timeline(source, ticks)} {describe_periods(ticks)}", file=sys.stderr)
+    if isinstance(result, Result):
+        leave(result.status, result.world)
     return result.status
 
 

@@ -8,27 +8,37 @@ from __future__ import annotations
 import gc
 import io
 import json
+import logging
 import os
+import random
 import shlex
 import signal
 import sys
-from collections.abc import Sequence
+import threading
+import time
+from collections import defaultdict, deque
+from collections.abc import Callable, Iterable, Sequence
 from contextlib import redirect_stderr, redirect_stdout
+from functools import wraps
 from typing import Any, cast
 
 from js import performance
 from pyodide.ffi import run_sync
 
+from . import rospy
 from .advice import advice
 from .clocks.clock import NS
+from .clocks.patches import patched
 from .clocks.simulation import PacedSimulation, Simulation
+from .clocks.stacks import whose
 from .exercises import check
 from .measures import by_source, describe_timeline
+from .pinned import as_test
 from .process import load_source
 from .run import TimeStandsStill, run_node, say_error, split_words
-from .world import NotSimulated, World
+from .world import NotSimulated, Record, World, current_world
 
-__all__ = ["run"]
+__all__ = ["run", "wake"]
 
 # The page interrupts whatever does not give way, for the watchdog of a run to look at it; the rest is to go on.
 signal.signal(signal.SIGINT, signal.SIG_IGN)
@@ -41,28 +51,45 @@ gc.freeze()
 # A plot shows no more ticks than this, the last ones.
 _MOST_TICKS = 2000
 
+# A console (characters) that is worth pinning in a test.
+_LONGEST = 50_000
 
-def run(source: str, filename: str, seconds: float, args: Sequence[str], speed: float, page: Any) -> str:
+# Of what a tick prints so much is kept in mind; the page's console holds no more lines.
+_MOST_CHUNKS = 1000
+
+
+def wake() -> None:
+    """To be called when Python has started, maybe from a memory snapshot: what is drawn at random differs again."""
+    random.seed()
+    logging._startTime = time.time_ns()  # type: ignore[attr-defined]
+
+
+def run(source: str, filename: str, seconds: float, args: str, speed: float, page: Any) -> str:
     """Run the node in the text ``source`` for ``seconds``, ``speed`` times as fast as real time; 0: at once.
 
-    ``args`` are its command line. A text that begins with ``%%simulate SECONDS -- ARGS`` brings its own; one that
-    begins with ``%%answer NUMBER`` is checked as the answer to an exercise.
+    ``args`` are its command line, split into words as a shell does. A text that begins with ``%%simulate SECONDS --
+    ARGS`` brings its own; one that begins with ``%%answer NUMBER`` is checked as the answer to an exercise.
 
     ``page`` is a JavaScript object: its ``print(text, isError)`` is given what the node prints and its
     ``tick(source, number, expected, real)`` each tick that begins (s), both as they happen; ``wait(ms)`` is a promise
     that is kept after so long. The result, as JSON: the exit ``status``, the number of ``errors`` in its threads, a
     ``verdict`` on an answer and whether it ``solved`` the exercise, the last ``ticks`` with their durations, their
-    ``count``, and a text ``alternative`` to their plot. Errors end on the console and give status 1.
+    ``count``, the ``chunks`` that each printed (a call of ``print`` is one, counted from 0), a text ``alternative`` to
+    their plot, and a ``test`` that pins it all, empty where that would be long or where there was an error. Errors end
+    on the console and give status 1.
     """
     environment = dict(os.environ)
-    with redirect_stdout(_Stream(page, False)), redirect_stderr(_Stream(page, True)):
+    printed = _Printed()
+    with redirect_stdout(_Stream(page, False, printed)), redirect_stderr(_Stream(page, True, printed)):
         try:
             magic, words, node_args = _magic(source)
             if magic == "answer":
                 return json.dumps(_check(words, source))
             if magic == "simulate":
-                seconds, args = float(words[0]), node_args
-            return json.dumps(_run(source, filename, seconds, args, speed, page))
+                seconds = float(words[0])
+            else:
+                node_args = _split(args, "arguments")
+            return json.dumps(_run(source, filename, seconds, node_args, speed, page, printed))
         except (ValueError, SyntaxError, NotSimulated, TimeStandsStill) as error:
             print(say_error(error), file=sys.stderr)
             if isinstance(error, SyntaxError):
@@ -81,10 +108,17 @@ def _magic(source: str) -> tuple[str, Sequence[str], Sequence[str]]:
     first = source.partition("\n")[0]
     if not first.startswith("%%"):
         return "", (), ()
-    (magic, *words), args = split_words(shlex.split(first[2:]) or [""])
+    (magic, *words), args = split_words(_split(first[2:], first) or [""])
     if magic not in ("simulate", "answer") or not words:
         raise ValueError(f"{first}: the first line can be %%simulate SECONDS or %%answer NUMBER here")
     return magic, words, args
+
+
+def _split(text: str, name: str) -> list[str]:
+    try:
+        return shlex.split(text)
+    except ValueError as error:
+        raise ValueError(f"{name}: {str(error)[0].lower()}{str(error)[1:]}") from None
 
 
 def _node(text: str) -> str:
@@ -100,20 +134,85 @@ def _check(words: Sequence[str], source: str) -> dict[str, Any]:
     return {"status": 0, "verdict": feedback.verdict, "solved": feedback.passed}
 
 
-def _run(source: str, filename: str, seconds: float, args: Sequence[str], speed: float, page: Any) -> dict[str, Any]:
+def _run(
+    source: str, filename: str, seconds: float, args: Sequence[str], speed: float, page: Any, printed: _Printed
+) -> dict[str, Any]:
     pacer = _Pacer(page, speed)
-    result = run_node(load_source(_node(source), filename), seconds, list(args), pacer.simulation)
+    node = load_source(_node(source), filename)
+
+    def main() -> None:
+        current_world().ticks = printed
+        node.main()
+
+    with patched([(rospy.Rate, "__init__", printed.forget_before)]):
+        result = run_node(node._replace(main=main), seconds, args, pacer.simulation)
     for hint in dict.fromkeys(map(_hint, result.world.errors)):
         if hint:
             print(hint, file=sys.stderr)
     groups = by_source(result.ticks)
+    console = "".join(printed.texts)
+    pins = not (result.status or result.world.errors or printed.size > _LONGEST or len(result.ticks) > _MOST_TICKS)
     return {
         "status": result.status,
         "errors": len(result.world.errors),
         "count": len(result.ticks),
         "ticks": [[*tick[:4], tick.duration if tick.duration >= 0 else 0] for tick in result.ticks[-_MOST_TICKS:]],
+        "chunks": [list(chunks) for chunks in printed.chunks[-_MOST_TICKS:]],
         "alternative": " ".join(describe_timeline(source, group) for source, group in groups.items()),
+        "test": as_test(_node(source), filename, seconds, args, console, result.ticks) if pins else "",
     }
+
+
+class _Printed(list[Record]):
+    """The ticks of a run, and what was printed during each: the numbers of its ``chunks``, counted from 0.
+
+    ``texts`` are the first chunks, ``size`` is the length of all.
+    """
+
+    def __init__(self) -> None:
+        super().__init__()
+        self.texts: list[str] = []
+        self.size = 0
+        self.chunks: list[deque[int]] = []
+        self._count = 0
+        self._last: dict[int, int] = {}  # of each thread, its last tick
+        self._since: defaultdict[int, deque[tuple[int, int]]] = defaultdict(_deque)  # its chunks since, and when (ns)
+
+    def append(self, record: Record) -> None:
+        super().append(record)
+        thread = threading.get_ident()
+        # The pass of a loop is recorded at its end, the call of a timer when it begins.
+        passed = record[4] is not None
+        since = self._since.pop(thread, ())
+        self.chunks.append(_deque(number for number, when in since if passed and when >= record[3]))
+        self._last[thread] = len(self) - 1
+
+    def forget_before(self, make: Callable[..., None]) -> Callable[..., None]:
+        """``Rate.__init__``, for which what its thread has printed before belongs to no pass of its loop."""
+
+        @wraps(make)
+        def make_after(*args: Any, **kwargs: Any) -> None:
+            self._since.pop(threading.get_ident(), None)
+            make(*args, **kwargs)
+
+        return make_after
+
+    def note(self, text: str) -> None:
+        """A chunk is printed."""
+        self.size += len(text)
+        if self.size <= _LONGEST:
+            self.texts.append(text)
+        world, thread = whose(), threading.get_ident()
+        last = self._last.get(thread)
+        if last is not None and self[last][4] is None:
+            self.chunks[last].append(self._count)
+        elif isinstance(world, World):
+            self._since[thread].append((self._count, world.clock.now()))
+        self._count += 1
+
+
+def _deque(items: Iterable[Any] = ()) -> deque[Any]:
+    return deque(items, _MOST_CHUNKS)
 
 
 class _Pacer:
@@ -142,11 +241,13 @@ class _Pacer:
 class _Stream(io.TextIOBase):
     encoding = "utf-8"
 
-    def __init__(self, page: Any, is_error: bool) -> None:
+    def __init__(self, page: Any, is_error: bool, printed: _Printed) -> None:
         self._page = page
         self._is_error = is_error
+        self._printed = printed
 
     def write(self, text: str) -> int:
+        self._printed.note(text)
         self._page.print(text, self._is_error)
         return len(text)
 

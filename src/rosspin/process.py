@@ -27,8 +27,8 @@ from .messages import MessageFinder
 from .world import NotSimulated, World
 
 __all__ = [
-    *("Capture", "Node", "NodeLike", "Process", "capture", "execute", "load", "load_source"),
-    *("print_error", "run_at_exit"),
+    *("Capture", "Node", "NodeLike", "Process", "byte_stream", "capture", "execute", "folder_of", "leave"),
+    *("load", "load_source", "print_error", "refuse_a_run_within_a_run", "run_at_exit"),
 ]
 
 
@@ -42,6 +42,7 @@ class Node(NamedTuple):
     argv0: str
     filename: str
     folder: str | None  # of the node file: its neighbours can be imported
+    source: str | None = None  # the text that it was made of, if it was
 
 
 NodeLike = str | os.PathLike[str] | Callable[[], Any]
@@ -62,7 +63,7 @@ def load_source(source: str, filename: str) -> Node:
     code = compile(source, filename, "exec", dont_inherit=True)
     linecache.cache[filename] = (len(source), None, source.splitlines(keepends=True), filename)
     folder = str(Path(filename).resolve().parent) if os.path.exists(filename) else None
-    return Node(lambda: execute(code, filename), filename, filename, folder)
+    return Node(lambda: execute(code, filename), filename, filename, folder, source)
 
 
 def execute(code: CodeType, filename: str) -> None:
@@ -95,7 +96,7 @@ class Process:
     def __init__(self, node: Node, args: Sequence[str], modules: Mapping[str, ModuleType], ros: int) -> None:
         self._node = node
         self._args = args
-        self._finder = MessageFinder(ros, _folder(node))
+        self._finder = MessageFinder(ros, folder_of(node))
         self.messages = self._finder.messages
         self._modules = dict(modules)  # those that only the node has
         self._put_inside = self._begin
@@ -172,7 +173,7 @@ def _state_of_loggers() -> Callable[[], None]:
     return put
 
 
-def _folder(node: Node) -> Path | None:
+def folder_of(node: Node) -> Path | None:
     """The folder of a node's code, from which its package is looked for: a function's, too."""
     return Path(node.filename).parent if os.path.exists(node.filename) else None
 
@@ -273,6 +274,14 @@ def run_at_exit(world: World) -> None:
             print_error(world, error)
 
 
+def leave(status: int, world: World) -> None:
+    """Exit at once, if Python would wait for threads that are left of a node: one that was killed."""
+    if any(thread.ident in world.idents and not thread.daemon for thread in threading.enumerate()):
+        sys.stdout.flush()
+        sys.stderr.flush()
+        os._exit(status)
+
+
 # --- its streams ------------------------------------------------------------------------------------------------------
 
 
@@ -281,8 +290,8 @@ class Capture:
 
     def __init__(self, stdout: TextIO | None = None, stderr: TextIO | None = None) -> None:
         self._chunks: list[bytes] = []
-        self.stdout = _stream(self._chunks, stdout)
-        self.stderr = _stream(self._chunks, stderr)
+        self.stdout = byte_stream(self._keep(stdout))
+        self.stderr = byte_stream(self._keep(stderr))
 
     def __len__(self) -> int:
         """How many pieces were written."""
@@ -299,28 +308,35 @@ class Capture:
         with _one_at_a_time, redirect_stdout(self.stdout), redirect_stderr(self.stderr):
             yield
 
+    def _keep(self, onward: TextIO | None) -> Callable[[bytes], None]:
+        decode = codecs.getincrementaldecoder("utf-8")(errors="replace").decode
 
-def _stream(chunks: list[bytes], onward: TextIO | None) -> TextIO:
-    sink: Any = _Sink(chunks, onward)
-    return io.TextIOWrapper(sink, encoding="utf-8", errors="backslashreplace", newline="\n", write_through=True)
+        def keep(data: bytes) -> None:
+            self._chunks.append(data)
+            if onward is not None:
+                onward.write(decode(data))
+
+        return keep
 
 
 class _Sink(io.BufferedIOBase):
     """The bytes of a stream, for nodes that write some: ``sys.stdout.buffer``."""
 
-    def __init__(self, chunks: list[bytes], onward: TextIO | None) -> None:
-        self._chunks = chunks
-        self._onward = onward
-        self._decode = codecs.getincrementaldecoder("utf-8")(errors="replace").decode
+    def __init__(self, take: Callable[[bytes], None]) -> None:
+        self._take = take
 
     def writable(self) -> bool:
         return True
 
     def write(self, data: Any) -> int:
-        self._chunks.append(bytes(data))
-        if self._onward is not None:
-            self._onward.write(self._decode(data))
+        self._take(bytes(data))
         return len(data)
+
+
+def byte_stream(take: Callable[[bytes], None]) -> TextIO:
+    """A stream such as ``sys.stdout``: ``take`` is called with all that is written, as UTF-8."""
+    sink: Any = _Sink(take)
+    return io.TextIOWrapper(sink, encoding="utf-8", errors="backslashreplace", newline="\n", write_through=True)
 
 
 @contextmanager

@@ -7,15 +7,15 @@ import os
 import signal
 import sys
 import traceback
-from collections.abc import Iterator, Sequence
+from collections.abc import Callable, Iterator, Sequence
 from contextlib import contextmanager
 from functools import partial
-from typing import NamedTuple
+from typing import NamedTuple, TextIO
 
 from . import rospy
-from .clocks.clock import NS, Clock, WallClock, nanoseconds
+from .clocks.clock import NS, Clock, nanoseconds
 from .clocks.ending import Ended
-from .clocks.programs import Died, Killed, run_on_the_wall, run_simulated
+from .clocks.programs import Died, Killed, LastResort, run_on_the_wall, run_simulated
 from .clocks.simulation import Simulation, Standstill
 from .clocks.stacks import StackExit
 from .clocks.threads import begin_main, end_main
@@ -26,8 +26,8 @@ from .ticks import Message, Run, Tick
 from .world import NotSimulated, World
 
 __all__ = [
-    *("PATIENCE", "Result", "TimeStandsStill", "duration", "explained", "measure", "messages_of", "new_world"),
-    *("run_main", "run_node", "say_error", "simulate", "split_words", "ticks_of"),
+    *("PATIENCE", "Result", "TimeStandsStill", "duration", "explained", "messages_of", "new_world"),
+    *("run_captured", "run_main", "run_node", "say_error", "simulate", "split_words", "ticks_of"),
 ]
 
 # After Ctrl-C roslaunch waits 15 s, asks once more with SIGTERM, and kills after another 2 s.
@@ -59,31 +59,17 @@ def simulate(node: NodeLike, seconds: float, args: Sequence[str] = ()) -> Run:
     too large or not a number, :class:`TimeStandsStill` if the node never lets the time go on, and
     :class:`NotSimulated` if it needs a real ROS.
     """
-    return _run("simulated", node, seconds, args, Simulation())
+    return run_captured(Simulation(), load(node), seconds, args)
 
 
-def measure(node: NodeLike, seconds: float, args: Sequence[str] = ()) -> Run:
-    """Run a node for ``seconds`` on the wall clock; its ticks show the jitter of this machine.
-
-    Like :func:`simulate`, but in real time. Raises RuntimeError if it is not called in the main thread.
-    """
-    return _run("wall", node, seconds, args, WallClock())
-
-
-def _run(runtime: str, node: NodeLike, seconds: float, args: Sequence[str], clock: Clock) -> Run:
-    loaded = load(node)
+def run_captured(clock: Clock, node: Node, seconds: float, args: Sequence[str], *streams: TextIO) -> Run:
+    """Run a loaded node on a clock, in this process. What it prints also goes to ``streams``: stdout's and stderr's."""
     duration(seconds)  # run_node takes None as for ever
-    with capture() as console:
-        result = run_node(loaded, seconds, args, clock)
-    return Run(
-        console.text(),
-        result.ticks,
-        result.status,
-        runtime,
-        seconds,
-        result.start,
-        messages_of(result.world, round(result.start * NS)),
-    )
+    with capture(*streams) as console:
+        result = run_node(node, seconds, args, clock)
+    runtime = "simulated" if isinstance(clock, Simulation) else "wall"
+    messages = messages_of(result.world, round(result.start * NS))
+    return Run(console.text(), result.ticks, result.status, runtime, seconds, result.start, messages)
 
 
 class Result(NamedTuple):
@@ -96,26 +82,39 @@ class Result(NamedTuple):
 
 
 def run_node(
-    node: Node, seconds: float | None, args: Sequence[str], clock: Clock, record: bool = True, process: bool = False
+    node: Node,
+    seconds: float | None,
+    args: Sequence[str],
+    clock: Clock,
+    record: bool = True,
+    give_up: Callable[[Result], object] | None = None,
 ) -> Result:
     """Run a loaded node on a clock: if ``seconds`` is None, on the wall until Ctrl-C.
 
-    Its console goes where ``sys.stdout`` and ``sys.stderr`` go; ``record`` keeps its ticks. ``process`` says that this
-    process is there only for the node: if nothing else ends the node, the process is ended.
+    Its console goes where ``sys.stdout`` and ``sys.stderr`` go; ``record`` keeps its ticks. With ``give_up`` this
+    process is there only for the node: if nothing else ends the node, the process is killed, after a call with what
+    the run gave so far (without one if code in C lets no thread run).
     """
     until = None if seconds is None else duration(seconds)
     with Process(node, args, rospy.MODULES, ros=1).inside():
         world = new_world(clock, record)
         start = 0 if isinstance(clock, Simulation) else clock.now()
+
+        def result(status: int) -> Result:
+            return Result(status, ticks_of(world, start), start / NS, world)
+
+        last_resort = give_up and LastResort(
+            lambda killed: give_up(result(_say_killed(node, seconds, killed))),
+            lambda stacks: _killed(seconds) + _say_where(node, [each for each in stacks if _of_node(node, each[1])]),
+        )
         with explained(node, world, clock, seconds):
             if isinstance(clock, Simulation):
                 assert until is not None
                 run_simulated(lambda: run_main(node, world), world, clock, until, PATIENCE * NS)
             else:
-                last_words = _killed(seconds) if process else ""
-                run_on_the_wall(lambda: run_main(node, world), world, until, PATIENCE * NS, last_words)
+                run_on_the_wall(lambda: run_main(node, world), world, until, PATIENCE * NS, last_resort)
     assert world.exit_status is not None
-    return Result(world.exit_status, ticks_of(world, start), start / NS, world)
+    return result(world.exit_status)
 
 
 def new_world(clock: Clock, record: bool) -> World:
@@ -144,12 +143,20 @@ def explained(node: Node, world: World, clock: Clock, seconds: float | None) -> 
     except Stuck as error:
         place = clock.failed if isinstance(clock, Simulation) else ""
         raise _stands_still(node, error.places, place, clock, error.waits) from None
-    if os.getpid() != world.pid:  # a child that the node has forked ends here
-        os._exit(world.exit_status or 0)
 
 
 def run_main(node: Node, world: World) -> None:
     """Do with a node's code what the interpreter does with a program, and keep the exit status."""
+    try:
+        _run_main(node, world)
+    finally:
+        if os.getpid() != world.pid:  # a child that the node has forked ends here
+            sys.stdout.flush()
+            sys.stderr.flush()
+            os._exit(world.exit_status or 0)
+
+
+def _run_main(node: Node, world: World) -> None:
     status = 0
     begin_main(world)
     try:
@@ -243,12 +250,18 @@ def _killed(seconds: float | None) -> str:
 
 
 def _say_killed(node: Node, seconds: float | None, killed: Killed) -> int:
-    sys.stderr.write(_killed(seconds))
-    for name, places in killed.waited:
+    sys.stderr.write(_killed(seconds) + _say_where(node, killed.waited))
+    return 128 + signal.SIGKILL
+
+
+def _say_where(node: Node, waited: Sequence[tuple[str, list[Place]]]) -> str:
+    """Where the threads of a node were, a line for each."""
+    lines = []
+    for name, places in waited:
         place = _of_node(node, places)
         where = f"was at {_say_place(place)}" if place else "had done its work and waited for other threads"
-        sys.stderr.write(f"rosspin: {name} {where}\n")
-    return 128 + signal.SIGKILL
+        lines.append(f"rosspin: {name} {where}\n")
+    return "".join(lines)
 
 
 def _of_node(node: Node, places: Sequence[Place]) -> Place | None:

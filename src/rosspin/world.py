@@ -24,6 +24,10 @@ class NotSimulated(NotImplementedError):
 
     def __init__(self, name: str) -> None:
         super().__init__(f"{name} is not simulated; run this node on a real ROS")
+        self.name = name
+
+    def __reduce__(self) -> tuple[Any, ...]:
+        return NotSimulated, (self.name,), self.__dict__
 
 
 class World(Program):

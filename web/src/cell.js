@@ -2,10 +2,14 @@
 
 import { Console } from "./console.js"
 import { Plot } from "./plot.js"
+import { pack } from "./share.js"
 import { release, start, warmUp } from "./workers.js"
 
 /** For how long (s) a node runs, unless the reader says otherwise. */
 const SECONDS = "10"
+
+/** What a node has in it that reads its command line. */
+const READS_ARGUMENTS = /\b(get_param|search_param|declare_parameter|argv)\b/
 
 /** The cells of the page that are answers to exercises. */
 const exercises = []
@@ -20,6 +24,12 @@ function make(tag, properties = {}, ...children) {
   return element
 }
 
+/** The plot that stands below a listing since the site was built. */
+function made(listing) {
+  const next = (listing.closest(".literal-block-wrapper") ?? listing).nextElementSibling
+  return next?.matches("figure.live-made") ? next : null
+}
+
 /** A short text that differs when the given one does (FNV-1a). */
 function fingerprint(text) {
   let hash = 0x811c9dc5
@@ -29,6 +39,7 @@ function fingerprint(text) {
 
 export class Cell {
   #base
+  #index
   #pre
   #original
   #highlighted
@@ -36,7 +47,10 @@ export class Cell {
   #name
   #answers // whether it is an answer to an exercise, which is checked rather than run
   #simulates // whether its first line says for how long it runs
+  #made // the plot that was made with the page, if there is one
   #output // of a notebook's cell: what it printed when the site was built
+  #test = "" // pins what the last run showed
+  #shared = false // whether the text came with a link; it is not kept
   #editor = null
   #worker = null
   #runs = 0
@@ -49,6 +63,7 @@ export class Cell {
    */
   constructor(listing, index, base, missing) {
     this.#base = base
+    this.#index = index
     this.#pre = listing.querySelector("pre")
     this.#original = this.#pre.textContent
     this.#highlighted = [...this.#pre.childNodes]
@@ -63,6 +78,7 @@ export class Cell {
       listing.append(make("p", { className: "live-missing", textContent: missing }))
       return
     }
+    this.#made = made(listing)
     this.#build(listing)
     const edited = this.#stored()
     if (edited !== null) this.#show(edited)
@@ -79,10 +95,18 @@ export class Cell {
       return element
     }
     this.run = button("Run", () => this.#run())
+    for (const sign of ["pointerenter", "focus"]) this.run.addEventListener(sign, () => this.#warmUp())
     this.stop = button("Stop", () => this.#stop())
     this.edit = button("Edit", () => this.#edit())
     this.reset = button("Reset", () => this.#reset())
+    this.share = button("Share", () => this.#share())
+    this.pin = button("Copy as test", () => this.#copy(this.#test, "the test is copied"))
+    this.pin.hidden = true
     this.seconds = make("input", { type: "number", min: "0", max: "3600", step: "any", value: SECONDS })
+    this.args = make("input", { type: "text", spellcheck: false, autocomplete: "off", autocapitalize: "off" })
+    this.arguments = make("label", { className: "live-arguments" }, "Arguments ", this.args)
+    this.args.addEventListener("keydown", (event) => event.key === "Enter" && this.#run())
+    this.args.addEventListener("input", () => this.#offer())
     this.speed = make("select", {})
     for (const [text, speed] of [["real time", 1], ["10 times as fast", 10], ["instantly", 0]]) {
       this.speed.append(make("option", { textContent: text, value: speed }))
@@ -90,21 +114,37 @@ export class Cell {
     this.speed.ariaLabel = "Speed"
     this.status = make("span", { className: "live-status" })
     this.status.role = "status"
-    const bar = make("div", { className: "live-bar" }, this.run, this.stop, this.edit, this.reset)
+    const bar = make("div", { className: "live-bar" }, this.run, this.stop, this.edit, this.reset, this.share, this.pin)
     bar.role = "group"
     bar.ariaLabel = `Run ${this.#name} in this page`
     if (!this.#answers && !this.#simulates) bar.append(make("label", {}, this.seconds, " s"))
     if (!this.#answers) bar.append(this.speed)
+    if (!this.#answers && !this.#simulates) bar.append(this.arguments)
     bar.append(this.status)
-    this.console = new Console(`Console of ${this.#name}`)
-    this.plot = new Plot()
-    listing.append(make("div", { className: "live-cell" }, bar, this.console.element, this.plot.element))
+    this.console = new Console(`Console of ${this.#name}`, this.#name, (line) => this.#edit(line))
+    this.plot = new Plot(`Ticks of ${this.#name}`, (chunks) => this.console.mark(chunks))
+    this.notice = make("p", { className: "live-notice", hidden: true })
+    this.copied = make("textarea", { readOnly: true, hidden: true, rows: 4 })
+    this.copied.ariaLabel = "To be copied"
+    const parts = [this.notice, bar, this.copied, this.console.element, this.plot.element, this.#made].filter(Boolean)
+    listing.append(make("div", { className: "live-cell" }, ...parts))
+    this.#offer()
     this.#pre.addEventListener("click", () => getSelection().isCollapsed && this.#edit())
   }
 
   /** The text as it is now. */
   get #text() {
     return this.#editor ? this.#editor.text() : this.#pre.textContent
+  }
+
+  /** Offer what can be done with the text as it is: arguments for a node that reads some, Reset for one that was changed. */
+  #offer() {
+    this.arguments.hidden = !READS_ARGUMENTS.test(this.#text) && !this.args.value
+    this.reset.ariaDisabled = String(this.#untouched && this.console.empty)
+  }
+
+  get #untouched() {
+    return this.#text === this.#original && this.seconds.value === SECONDS && !this.args.value
   }
 
   /** What there is to say of earlier visits. */
@@ -116,8 +156,7 @@ export class Cell {
   #say(status) {
     this.status.textContent = status
     this.stop.ariaDisabled = String(this.#worker === null)
-    const untouched = this.#text === this.#original && this.seconds.value === SECONDS
-    this.reset.ariaDisabled = String(untouched && this.console.empty)
+    this.#offer()
   }
 
   // --- the text ---
@@ -136,6 +175,7 @@ export class Cell {
   }
 
   #store(text, what = "") {
+    if (this.#shared && !what) return // what the reader has written before stays
     try {
       if (text === this.#original) localStorage.removeItem(this.#key)
       else localStorage.setItem(this.#key + what, text)
@@ -144,7 +184,8 @@ export class Cell {
     }
   }
 
-  async #edit() {
+  /** Open the editor, at a line if one is given. */
+  async #edit(line) {
     this.#warmUp()
     if (!this.#editor) {
       const { open } = await import(`${this.#base}editor.js`)
@@ -153,7 +194,7 @@ export class Cell {
         changed: (text) => {
           this.#show(text)
           this.#store(text)
-          this.reset.ariaDisabled = "false"
+          this.#offer()
         },
         run: () => this.#run(),
         leave: () => this.run.focus(),
@@ -161,28 +202,84 @@ export class Cell {
       this.#pre.before(this.#editor.element)
       this.#pre.hidden = true
     }
-    this.#editor.focus()
+    if (line) this.#editor.goTo(line)
+    else this.#editor.focus()
   }
 
   #reset() {
+    this.#restore()
+    this.#store(this.#original)
+    if (this.#shared) history.replaceState(null, "", location.pathname + location.search)
+    this.#shared = false
+    this.notice.hidden = true
+    this.#say(this.#before)
+  }
+
+  /** Show the cell as it came with the page. */
+  #restore() {
     this.#end()
     this.#editor?.element.remove()
     this.#editor = null
     this.#pre.replaceChildren(...this.#highlighted)
     this.#pre.hidden = false
-    this.#store(this.#original)
     this.seconds.value = SECONDS
+    this.args.value = ""
     this.#clear(false)
-    this.#say(this.#before)
+  }
+
+  // --- links and copies ---
+
+  /** Show a text that came with a link, and the fields beside it. It is not run. */
+  receive({ text, seconds, args }) {
+    this.#restore()
+    this.#shared = true
+    this.#show(text)
+    this.seconds.value = seconds
+    this.args.value = args
+    this.notice.textContent =
+      "This code came with the link that you opened, not with the page. Read it before you run it. What you change " +
+      "is not kept. Reset brings the page's own code back."
+    this.notice.hidden = false
+    this.#say("as it came with the link")
+    this.notice.scrollIntoView({ block: "center" })
+  }
+
+  async #share() {
+    const link = new URL(location.href)
+    if (this.#pre.closest(".sd-tab-set")) link.searchParams.set("lang", "python")
+    const seconds = this.seconds.valueAsNumber || 0
+    try {
+      link.hash = await pack({ cell: this.#index, text: this.#text, seconds, args: this.args.value })
+    } catch {
+      this.#say("error: the listing is too long for a link")
+      return
+    }
+    await this.#copy(link.href, "the link is copied; the code is in it")
+  }
+
+  /** Copy a text, or where the browser does not let us, let the reader copy it. */
+  async #copy(text, said) {
+    try {
+      await navigator.clipboard.writeText(text)
+      this.copied.hidden = true
+      this.#say(said)
+    } catch {
+      this.copied.hidden = false
+      this.copied.value = text
+      this.copied.select()
+      this.#say("copy what is marked")
+    }
   }
 
   // --- runs ---
 
-  /** Take away what the last run showed. What the cell printed when the site was built makes way for a run. */
+  /** Take away what the last run showed. What was made when the site was built makes way for a run. */
   #clear(runs) {
     this.console.clear()
     this.plot.clear()
+    this.copied.hidden = this.pin.hidden = true
     if (this.#output) this.#output.hidden = runs
+    if (this.#made) this.#made.hidden = runs
   }
 
   #warmUp() {
@@ -202,7 +299,8 @@ export class Cell {
       this.#say("error: seconds must be a number from 0 to 3600")
       return
     }
-    const job = { source: this.#text, filename: this.#name, seconds, args: [], speed: Number(this.speed.value) }
+    const args = this.args.value
+    const job = { source: this.#text, filename: this.#name, seconds, args, speed: Number(this.speed.value) }
     this.#worker = start(this.#base, job, (message) => number === this.#runs && this.#hear(message))
     this.#say("starting Python")
   }
@@ -216,8 +314,10 @@ export class Cell {
     } else if (message.kind === "end") {
       release(this.#worker)
       this.#worker = null
-      const { status, errors, verdict, count, ticks, alternative } = message.result
-      if (count) this.plot.finish(ticks, alternative)
+      const { status, errors, verdict, count, ticks, chunks, alternative } = message.result
+      this.#test = message.result.test
+      this.pin.hidden = !this.#test
+      if (count) this.plot.finish(ticks, alternative, chunks)
       if (verdict) this.#say(verdict + this.#progress(message.result.solved))
       else if (status === 0 && errors) this.#say("done, but with an error: see the console")
       else if (status === 0) this.#say(count ? `done: ${count} tick${count === 1 ? "" : "s"}` : "done")

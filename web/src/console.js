@@ -7,8 +7,14 @@ export class Console {
   #notice = document.createElement("p")
   #leftOut = 0
   #open = false // whether the last line goes on
+  #place // finds where the node's file is named
+  #goTo
 
-  constructor(name) {
+  /** `goTo(line)` is called when the reader chooses a line of the file `filename`, such as one in a traceback. */
+  constructor(name, filename, goTo) {
+    const file = filename.replace(/[^\w ]/g, "\\$&")
+    this.#place = new RegExp(`(File "${file}", line (\\d+)|${file}:(\\d+))`)
+    this.#goTo = goTo
     this.element = document.createElement("div")
     this.element.className = "live-console"
     this.element.role = "log"
@@ -31,13 +37,13 @@ export class Console {
     this.#open = false
   }
 
-  /** Add chunks, each [whether it is of stderr, text]; `leftOut` lines before them were left out. */
+  /** Add chunks, each [whether it is of stderr, text, number]; `leftOut` lines before them were left out. */
   print(chunks, leftOut) {
     if (!chunks.length) return
     this.element.hidden = false
     const atEnd = this.element.scrollTop + this.element.clientHeight >= this.element.scrollHeight - 2
     this.#leftOut += leftOut
-    for (const [isError, text] of chunks) this.#add(isError, text)
+    for (const chunk of chunks) this.#add(...chunk)
     while (this.#text.childElementCount > MOST_LINES) {
       this.#text.firstChild.remove()
       this.#leftOut++
@@ -47,17 +53,46 @@ export class Console {
     if (atEnd) this.element.scrollTop = this.element.scrollHeight
   }
 
-  #add(isError, text) {
+  /** Mark the lines in which these chunks are, and show the first of them. */
+  mark(chunks) {
+    const numbers = new Set(chunks)
+    let first = null
+    for (const line of this.#text.children) {
+      const marked = line.chunks.some((number) => numbers.has(number))
+      line.classList.toggle("of-tick", marked)
+      if (marked) first ??= line
+    }
+    if (!first) return
+    const { top, bottom } = this.element.getBoundingClientRect()
+    const place = first.getBoundingClientRect()
+    if (place.top < top || place.bottom > bottom) this.element.scrollTop += place.top - top
+  }
+
+  /** A text; where it names a line of the node's file, it leads there. */
+  #linked(text) {
+    const [before, named, ...rest] = text.split(this.#place)
+    if (named === undefined) return [text]
+    const line = Number(rest[0] ?? rest[1])
+    const button = document.createElement("button")
+    button.type = "button"
+    button.textContent = named
+    button.addEventListener("click", () => this.#goTo(line))
+    return [before, button, rest.slice(2).join("")]
+  }
+
+  #add(isError, text, number) {
     const lines = text.split(/(?<=\n)/)
     if (lines.length > MOST_LINES) this.#leftOut += lines.splice(0, lines.length - MOST_LINES).length
     for (const line of lines) {
       const last = this.#text.lastChild
       if (this.#open && last.classList.contains("stderr") === isError) {
         last.append(line)
+        last.chunks.push(number)
       } else {
         const element = document.createElement("span")
+        element.chunks = [number]
         if (isError) element.className = "stderr"
-        element.append(line)
+        element.append(...(isError ? this.#linked(line) : [line]))
         this.#text.append(element)
       }
       this.#open = !line.endsWith("\n")

@@ -55,5 +55,10 @@ export function open(text, label, { changed, run, leave }) {
     element: view.dom,
     text: () => view.state.doc.toString(),
     focus: () => view.focus(),
+    goTo: (number) => {
+      const { from, to } = view.state.doc.line(Math.min(number, view.state.doc.lines))
+      view.dispatch({ selection: { anchor: from, head: to }, scrollIntoView: true })
+      view.focus()
+    },
   }
 }

@@ -1,6 +1,7 @@
 // Loaded with each page that has listings to run. Nothing else is loaded until the reader touches one of them.
 
 import { Cell } from "./cell.js"
+import { unpack } from "./share.js"
 
 const base = new URL(".", document.currentScript.src).href
 
@@ -19,4 +20,25 @@ function missing() {
 }
 
 document.querySelectorAll(".live-missing").forEach((line) => line.remove())
-document.querySelectorAll("div.live").forEach((listing, index) => new Cell(listing, index, base, missing()))
+const why = missing()
+const cells = [...document.querySelectorAll("div.live")].map((listing, index) => new Cell(listing, index, base, why))
+
+/** Show the code that came with the link, if there is some, or say why not. */
+async function receive() {
+  document.querySelector(".live-notice.of-page")?.remove()
+  let said
+  try {
+    const shared = await unpack(location.hash)
+    if (!shared) return
+    if (cells[shared.cell] && !why) return cells[shared.cell].receive(shared)
+    said = why || "The code in this link belongs to a listing that this page no longer has."
+  } catch (error) {
+    said = error.message
+  }
+  const notice = Object.assign(document.createElement("p"), { className: "live-notice of-page", textContent: said })
+  notice.role = "alert"
+  document.querySelector("article").prepend(notice)
+}
+
+receive()
+addEventListener("hashchange", receive)

@@ -29,11 +29,22 @@ function step(length) {
   return [5, 2, 1].map((factor) => factor * power).find((size) => length / size >= 4)
 }
 
+/** A time in seconds. */
+const say = (time) => `${Number(time.toFixed(6))} s`
+
 export class Plot {
   #ticks = []
   #frame = 0
+  #chunks = [] // of each tick: what it printed
+  #places = [] // of each tick: where its mark is
+  #chosen = -1
+  #name
+  #choose
 
-  constructor() {
+  /** `choose(chunks)` is called with what a tick printed when the reader points at it; with none when no longer. */
+  constructor(name, choose) {
+    this.#name = name
+    this.#choose = choose
     this.element = document.createElement("figure")
     this.element.className = "rosspin-plot"
     this.clear()
@@ -43,6 +54,7 @@ export class Plot {
     cancelAnimationFrame(this.#frame)
     this.#frame = 0
     this.#ticks = []
+    this.#chosen = -1
     this.element.hidden = true
     this.element.replaceChildren()
   }
@@ -59,10 +71,78 @@ export class Plot {
   }
 
   /** Draw the ticks of a run that has ended, which are now known in full; `alternative` says what they show. */
-  finish(ticks, alternative) {
+  finish(ticks, alternative, chunks) {
     this.clear()
     this.#ticks = ticks
+    this.#chunks = chunks
     this.#paint(`Timeline. ${alternative}`)
+    this.#offer()
+  }
+
+  /** Let the reader choose a tick: by pointing at it, or like a slider, with the arrow keys. */
+  #offer() {
+    const picture = this.element.querySelector("svg")
+    const ring = draw("circle", { r: 5.5, fill: "none", stroke: "currentColor", "stroke-width": 1.2 })
+    const handle = document.createElement("div")
+    handle.className = "live-handle"
+    handle.tabIndex = 0
+    handle.role = "slider"
+    handle.ariaLabel = this.#name
+    handle.ariaValueMin = 1
+    handle.ariaValueMax = this.#ticks.length
+    const said = document.createElement("p")
+    said.className = "live-tick"
+    said.ariaHidden = "true" // it is the handle's value
+
+    const show = (index) => {
+      this.#chosen = index
+      ring.remove()
+      const text = index < 0 ? "Point at a tick, or use the arrow keys here." : this.#describe(index)
+      said.textContent = handle.ariaValueText = text
+      handle.ariaValueNow = Math.max(index + 1, 1)
+      if (index >= 0) {
+        const [x, y] = this.#places[index]
+        ring.setAttribute("cx", x)
+        ring.setAttribute("cy", y)
+        picture.append(ring)
+      }
+      this.#choose(this.#chunks[index] ?? [])
+    }
+    const point = (event) => {
+      const { left, top, width } = picture.getBoundingClientRect()
+      const scale = WIDTH / width
+      const [x, y] = [(event.clientX - left) * scale, (event.clientY - top) * scale]
+      const distances = this.#places.map((place) => Math.hypot(place[0] - x, place[1] - y))
+      const nearest = distances.indexOf(Math.min(...distances))
+      if (nearest !== this.#chosen) show(nearest)
+    }
+    handle.addEventListener("pointermove", point)
+    handle.addEventListener("pointerdown", point)
+    handle.addEventListener("pointerleave", () => document.activeElement !== handle && show(-1))
+    handle.addEventListener("blur", () => show(-1))
+    handle.addEventListener("keydown", (event) => {
+      const last = this.#ticks.length - 1
+      const [later, earlier] = [this.#chosen + 1, this.#chosen - 1]
+      const keys = { ArrowRight: later, ArrowUp: later, ArrowLeft: earlier, ArrowDown: earlier, Home: 0, End: last }
+      const next = keys[event.key]
+      if (next === undefined) return
+      event.preventDefault()
+      show(Math.min(Math.max(next, 0), last))
+    })
+    show(-1)
+    const stage = document.createElement("div")
+    stage.className = "live-stage"
+    picture.replaceWith(stage)
+    stage.append(picture, handle)
+    stage.after(said)
+  }
+
+  /** A tick in words. */
+  #describe(index) {
+    const [source, number, expected, real] = this.#ticks[index]
+    const late = Number((real - expected).toFixed(6))
+    const lateness = late > 0 ? `${say(late)} late` : late < 0 ? `${say(-late)} early` : "on time"
+    return `${source}, tick ${number}: expected ${say(expected)}, real ${say(real)}, ${lateness}`
   }
 
   #paint(alternative) {
@@ -90,6 +170,7 @@ export class Plot {
       texts.append(draw("text", { x: left - 8, y: ROW * (row + 0.5) + 3.5, "text-anchor": "end" }, source))
     })
     const latest = new Map()
+    this.#places = []
     for (const [source, , expected, real, duration] of this.#ticks) {
       const row = sources.indexOf(source)
       const y = ROW * (row + 0.5)
@@ -101,7 +182,9 @@ export class Plot {
       // Ticks at the same time are drawn one above the other.
       const together = real - (latest.get(source) ?? -1) < 1e-3
       latest.set(source, real)
-      marks.append(mark(row, x(real) * 1, together ? y - 7 : y))
+      const place = [Number(x(real)), together ? y - 7 : y]
+      this.#places.push(place)
+      marks.append(mark(row, ...place))
     }
     const picture = draw("svg", { viewBox: `0 0 ${WIDTH} ${bottom + 34}`, role: "img", "aria-label": alternative })
     picture.append(grid, bars, marks, axis, texts)

@@ -2,6 +2,7 @@
 
 import { info } from "pyodide/pyodide-lock.json"
 import { loadPyodide } from "./pyodide.mjs"
+import { install, options } from "./start.js"
 
 // What is printed is sent so often (ms), and no more than so much (characters) of it at a time.
 const INTERVAL = 50
@@ -13,6 +14,7 @@ const LOOK = 400
 /** What Python sees of the page. What it prints and when it ticks is gathered, so that a flood does not drown it. */
 class Page {
   #chunks = []
+  #count = 0
   #size = 0
   #leftOut = 0
   #ticks = []
@@ -20,7 +22,7 @@ class Page {
   #timer = null
 
   print(text, isError) {
-    this.#chunks.push([isError, text])
+    this.#chunks.push([isError, text, this.#count++])
     this.#size += text.length
     while (this.#size > MOST && this.#chunks.length > 1) {
       const [, dropped] = this.#chunks.shift()
@@ -58,6 +60,9 @@ class Page {
   }
 }
 
+// Where Pyodide puts the standard library.
+const STDLIB = "/lib/python314.zip"
+
 /** Stands for the shared memory through which Python is told of signals: it looks there every now and then. */
 const signals = {
   last: Infinity,
@@ -69,17 +74,60 @@ const signals = {
   set 0(_) {},
 }
 
-async function boot() {
-  const loading = fetch(new URL("rosspin.json", import.meta.url)).then((response) => response.json())
-  const lockFileContents = JSON.stringify({ info, packages: {} })
-  const python = await loadPyodide({ lockFileContents, checkAPIVersion: false })
-  const folder = python.runPython("import site; site.getsitepackages()[0]")
-  for (const [name, text] of Object.entries(await loading)) {
-    const path = `${folder}/${name}`
-    python.FS.mkdirTree(path.slice(0, path.lastIndexOf("/")))
-    python.FS.writeFile(path, text)
+const address = (name) => new URL(name, import.meta.url).href
+
+/** What keeps the snapshot across pages; undefined where the browser offers nothing of the kind, as without https. */
+const opening = globalThis.caches?.open("rosspin").catch(() => undefined)
+
+// The address of the memory snapshot says which one it is.
+const url = address(`snapshot.gz?${SNAPSHOT}`)
+
+async function load(response) {
+  if (!response.ok) throw new Error(`${response.status} ${url}`)
+  return new Response(response.body.pipeThrough(new DecompressionStream("gzip"))).arrayBuffer()
+}
+
+/** Keep the snapshot, and none of earlier visits. */
+async function keep(cache, response) {
+  try {
+    for (const key of await cache.keys()) await cache.delete(key)
+    await cache.put(url, response)
+  } catch {
+    // There is no room for it: the next page loads it again.
   }
-  const { run } = python.pyimport("rosspin.page")
+}
+
+async function startFromSnapshot() {
+  const cache = await opening
+  const kept = await cache?.match(url)
+  const response = kept ?? (await fetch(url))
+  const copy = cache && !kept && response.clone()
+  const _loadSnapshot = load(response)
+  _loadSnapshot.catch(() => {}) // it is awaited later, and until then nobody would have handled it
+  // Of the standard library, all that most nodes need is in the snapshot. Pyodide is given our own texts in its place,
+  // and it is loaded when something is imported from it.
+  const python = await loadPyodide({ ...options(info), stdLibURL: address("rosspin.json"), _loadSnapshot })
+  if (copy) keep(cache, copy) // now that it is known to be whole
+  install(python, JSON.parse(python.FS.readFile(STDLIB, { encoding: "utf8" })))
+  python.FS.unlink(STDLIB)
+  python.FS.createLazyFile("/lib", STDLIB.split("/").at(-1), address("python_stdlib.zip"), true, false)
+  return python
+}
+
+async function startPlainly() {
+  const loading = fetch(address("rosspin.json")).then((response) => response.json())
+  const python = await loadPyodide(options(info))
+  install(python, await loading)
+  return python
+}
+
+async function boot() {
+  const python = await startFromSnapshot().catch(async () => {
+    await globalThis.caches?.delete("rosspin").catch(() => {}) // what was kept may be what is broken
+    return startPlainly()
+  })
+  const { run, wake } = python.pyimport("rosspin.page")
+  wake()
   python.setInterruptBuffer(signals)
   python.setStdin({ stdin: () => null }) // there is nobody to ask: EOFError
   return run

@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-import math
 import os
 import select
 import signal
@@ -12,11 +11,12 @@ import time
 from _thread import get_ident
 from collections.abc import Callable, Iterator
 from contextlib import contextmanager, nullcontext
-from typing import Any
+from typing import Any, NamedTuple
 
 from ..frames import Place, places, trail
 from .clock import NS
 from .ending import Ended, end_thread, ending_here
+from .guard import LastWords, guard
 from .signals import Died, send, simulated_signals
 from .simulation import Simulation
 from .stacks import Program, Stack, current, enter
@@ -24,7 +24,7 @@ from .threads import followed_threads, simulated_threads
 from .virtual_time import virtual_time
 from .watchdog import watch
 
-__all__ = ["Died", "Killed", "SimulatedProgram", "end_program", "run_on_the_wall", "run_simulated"]
+__all__ = ["Died", "Killed", "LastResort", "SimulatedProgram", "end_program", "run_on_the_wall", "run_simulated"]
 
 # A run that does not get on by so much (ns) in seconds of real time will not end.
 _LEAST_STEP = 1_000_000
@@ -32,8 +32,8 @@ _LEAST_STEP = 1_000_000
 # Ends what blocks in the main thread. Programs leave it alone.
 _END: int = getattr(signal, "SIGRTMAX", 0) or getattr(signal, "SIGUSR2", signal.SIGINT)
 
-# After a program was killed, calls that heed no signal are given so long (s).
-_DEAF = 1.5
+# After a program was killed, calls that heed no signal are given so long (s); then what is left has as long again.
+_DEAF = 1.0
 
 
 def end_program() -> None:
@@ -104,19 +104,34 @@ def _name(ident: int) -> str:
     return thread.name if thread else f"thread {ident}"
 
 
+class LastResort(NamedTuple):
+    """What is done if nothing but the end of the process ends a program: one of these is called, then it is killed.
+
+    ``give_up`` is called in a thread of the process; ``last_words`` if code in C lets none of them run.
+    """
+
+    give_up: Callable[[Killed], object]
+    last_words: LastWords
+
+
 def run_on_the_wall(
-    main: Callable[[], object], program: Program, until: int | None, patience: int, last_words: str = ""
+    main: Callable[[], object],
+    program: Program,
+    until: int | None,
+    patience: int,
+    last_resort: LastResort | None = None,
 ) -> None:
     """Run ``main`` as a program on the wall clock, in the main thread (else RuntimeError); otherwise as run_simulated.
 
     Ctrl-C comes ``until`` ns after the start, if that is not None, or from whoever runs this process. If even then the
-    main thread stays in a call that heeds no signal, it is waited for; but with ``last_words`` this process is killed.
+    main thread stays in a call that heeds no signal, it is waited for, unless there is a ``last_resort``.
     """
     if threading.current_thread() is not threading.main_thread():
         raise RuntimeError("on the wall clock a node can run only in the main thread, which handles its signals")
     seconds = None if until is None else until / NS
-    guard = _guard(seconds, patience / NS + _DEAF, last_words) if last_words else nullcontext()
-    with guard as interrupted, _own_signals(), _Alarm(program, seconds, patience / NS, interrupted) as alarm:
+    guarded = guard(seconds, patience / NS + 2 * _DEAF, last_resort.last_words) if last_resort else nullcontext()
+    give_up = last_resort.give_up if last_resort else None
+    with guarded as interrupted, _own_signals(), _Alarm(program, seconds, patience / NS, interrupted, give_up) as alarm:
         before = enter(program)
         try:
             with followed_threads(), ending_here():
@@ -153,45 +168,6 @@ def _own_signals() -> Iterator[None]:
                 signal.signal(number, handler)
 
 
-@contextmanager
-def _guard(until: float | None, patience: float, last_words: str) -> Iterator[Callable[[], None]]:
-    """A process that kills this one if it goes on for ``patience`` seconds after a Ctrl-C, whatever it does.
-
-    A thread would not do: code in C may keep all others from running. Gives a function that tells of a Ctrl-C; one that
-    comes from a terminal it hears itself.
-    """
-    read, write = os.pipe()
-    guarded = os.getpid()
-    guardian = os.fork()
-    if not guardian:
-        os.close(write)
-        deadline = [math.inf if until is None else time.monotonic() + until + patience]
-
-        def interrupted(number: int, frame: Any) -> None:
-            deadline[0] = min(deadline[0], time.monotonic() + patience)
-
-        signal.signal(signal.SIGINT, interrupted)
-        while os.getppid() == guarded:
-            if select.select([read], [], [], 0.2)[0]:
-                if not os.read(read, 1):
-                    break  # it has come to its end
-                interrupted(0, None)
-            if time.monotonic() > deadline[0]:
-                os.write(2, last_words.encode())
-                os.kill(guarded, signal.SIGKILL)
-        os._exit(0)
-    os.close(read)
-
-    def tell() -> None:
-        os.write(write, b"!")
-
-    try:
-        yield tell
-    finally:
-        os.close(write)
-        os.waitpid(guardian, 0)
-
-
 def _end(number: int, frame: Any) -> None:
     raise Ended
 
@@ -203,13 +179,19 @@ class _Alarm:
     """
 
     def __init__(
-        self, program: Program, until: float | None, patience: float, interrupted: Callable[[], None] | None
+        self,
+        program: Program,
+        until: float | None,
+        patience: float,
+        interrupted: Callable[[], None] | None,
+        give_up: Callable[[Killed], object] | None,
     ) -> None:
         self.waited: list[tuple[str, list[Place]]] = []
         self._program = program
         self._until = until
         self._patience = patience
         self._interrupted = interrupted
+        self._give_up = give_up
         self._ident = get_ident()
         self._thread = threading.Thread(target=self._run, daemon=True)
 
@@ -241,7 +223,11 @@ class _Alarm:
         frames = sys._current_frames()
         idents = [self._ident, *self._program.idents]
         self.waited = [(_name(ident), places(trail(frames.get(ident)))) for ident in idents]
+        deaf = time.monotonic() + _DEAF
         while not self._is_over(0.1):
+            if self._give_up and time.monotonic() > deaf:
+                self._give_up(Killed(self.waited))
+                os.kill(os.getpid(), signal.SIGKILL)
             signal.pthread_kill(self._ident, _END)
 
     def _wait_for_ctrl_c(self, timeout: float | None) -> bool | None:

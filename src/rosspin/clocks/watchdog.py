@@ -24,7 +24,7 @@ _LOOKS = 9
 # An import may take so many times as long: a large library on a slow machine does.
 _PATIENT = 10
 
-# A thread that has the processor for less than this share of the time waits for something.
+# A thread that has a processor, or wants one, for less than this share of the time waits for something else.
 _BUSY = 0.2
 
 
@@ -63,7 +63,7 @@ class Watchdog:
                 raise KeyboardInterrupt from None
 
     def _busy_until_now(self) -> float:
-        """For how long (s) the thread that is watched has had the processor. In a page it always has."""
+        """For how long (s) the thread that is watched has had a processor or wanted one. In a page it always has."""
         return perf_counter()
 
     def _is_stuck(self, frame: FrameType | None) -> bool:
@@ -89,6 +89,7 @@ class _FromAThread(Watchdog):
         self._ident = get_ident()
         self._is_main = threading.current_thread() is threading.main_thread()
         self._clock = time.pthread_getcpuclockid(self._ident) if hasattr(time, "pthread_getcpuclockid") else None
+        self._scheduled = f"/proc/self/task/{threading.get_native_id()}/schedstat"
         super().__init__(sign_of_life)
         self._done = threading.Event()
         self._watcher = threading.Thread(target=self._watch, daemon=True)
@@ -107,7 +108,12 @@ class _FromAThread(Watchdog):
         super().__exit__(kind, error, trace)
 
     def _busy_until_now(self) -> float:
-        return time.process_time() if self._clock is None else time.clock_gettime(self._clock)
+        try:
+            with open(self._scheduled) as file:  # Linux also tells for how long it stood in the queue, in ns
+                worked, queued, _ = map(int, file.read().split())
+            return (worked + queued) / 1e9
+        except OSError:
+            return time.process_time() if self._clock is None else time.clock_gettime(self._clock)
 
     def _on_signal(self, number: int, frame: FrameType | None) -> None:
         if self._done.is_set():

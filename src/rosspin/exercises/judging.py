@@ -23,8 +23,8 @@ from ..clocks.simulation import Simulation
 from ..process import Node, capture, execute, load_source
 from ..rospy.state import State
 from ..rospy.timer import Timer
-from ..run import Result, TimeStandsStill, run_node
-from ..ticks import Tick
+from ..run import Result, TimeStandsStill, messages_of, run_node
+from ..ticks import Message, Tick
 from ..world import NotSimulated, World
 from .feedback import Finding
 from .shaking import shake, turns
@@ -75,11 +75,13 @@ class Seen:
     """What an answer did in one run of ``seconds``.
 
     ``printed`` are the lines that it printed, also after Ctrl-C; ``timers`` are those that it had started by then;
-    ``loops`` are the lines of the answer in which a thread other than a timer's slept again and again.
+    ``loops`` are the lines of the answer in which a thread other than a timer's slept again and again; ``messages`` are
+    what it published.
     """
 
-    def __init__(self, clock: _Watched, seconds: float) -> None:
+    def __init__(self, clock: _Watched, seconds: float, messages: Sequence[Message]) -> None:
         self.seconds = seconds
+        self.messages = tuple(messages)
         self.printed = tuple(clock.printed)
         self.timers = tuple(clock.timers)
         of_timers = {timer.thread for timer in self.timers}
@@ -237,7 +239,7 @@ class Answer:
                 self.console, self._ran = console.text(), True
         if failure := _failure(result, allowed):
             raise Fails(f"{started} {failure}", _hint_for_errors(result.world.errors))
-        return Seen(clock, seconds), result.world.interrupted
+        return Seen(clock, seconds, messages_of(result.world, 0)), result.world.interrupted
 
 
 def _load(source: Any) -> Node:
@@ -316,7 +318,7 @@ def _hint_for(error: Exception) -> str:
     if isinstance(error, TimeStandsStill):
         return "Something goes on without ever sleeping: a loop without a `sleep()`, or a period of 0."
     if isinstance(error, NotSimulated):
-        return "Timers, rates, sleeps and log lines are all that an answer needs."
+        return "Timers, rates, sleeps, topics and log lines are all that an answer needs."
     return ""
 
 

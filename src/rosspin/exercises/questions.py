@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import math
 from collections.abc import Callable, Iterator, Mapping, Sequence
-from itertools import islice, pairwise
+from itertools import count, islice, pairwise
 from typing import Any, NamedTuple
 
 from ..roscpp import timer_ticks
@@ -25,14 +25,17 @@ _TUTORIAL = "docs/tutorial"
 _PARAMETER = "docs/how-to/frequency-from-parameter"
 _SHARED = "docs/how-to/shared-data"
 _TIMER_OR_RATE = "docs/how-to/timer-or-rate"
+_PUBLISH = "docs/publish"
+_PUBLISHING = "notebooks/publish"
+_IRREGULAR = "docs/how-to/irregular-loop"
 
 
 class Exercise(NamedTuple):
     """An exercise of the site.
 
-    ``part`` is "Predict", "Change" or "Diagnose"; ``needs`` are the pages that one should have read, by their paths
-    without ending; ``reveals`` is the misconception that a wrong answer gives away, as its holder would put it.
-    ``find`` judges an answer; ``hint`` is for answers of which nothing more can be said.
+    ``part`` is "Predict", "Change", "Diagnose" or "Publish"; ``needs`` are the pages that one should have read, by
+    their paths without ending; ``reveals`` is the misconception that a wrong answer gives away, as its holder would put
+    it. ``find`` judges an answer; ``hint`` is for answers of which nothing more can be said.
     """
 
     number: int
@@ -57,56 +60,70 @@ def _exercise(part: str, title: str, needs: tuple[str, ...], reveals: str, hint:
 
 # --- predict ----------------------------------------------------------------------------------------------------------
 
-# Times that a wrong belief predicts, and what to say to whoever predicts them.
+# Numbers that a wrong belief predicts, and what to say to whoever predicts them.
 _Beliefs = Mapping[tuple[float, ...], str]
+
+# What can be asked for: how a number is said, what a list of them is, and an example.
+_ASKED = {
+    "times": (say, "times in seconds", "[1.0, 2.0, 3.0]"),
+    "counters": (lambda number: f"{number:g}", "counters", "[1, 2, 3]"),
+}
 
 
 class _Prediction(NamedTuple):
-    """A variable that is asked for: in words what it is, the times (s) that are right, and wrong ones."""
+    """A variable that is asked for: in words what it is, the numbers that are right, and wrong ones.
+
+    ``asked`` says what the numbers are: "times" (s) or "counters".
+    """
 
     variable: str
     what: str
     real: Sequence[float]
     beliefs: _Beliefs
+    asked: str = "times"
 
 
 def _compare(answer: Answer, predictions: Sequence[_Prediction]) -> Iterator[Finding]:
     variables = answer.variables()
-    for variable, what, real, beliefs in predictions:
+    for prediction in predictions:
+        variable, what, _, _, asked = prediction
+        _, listed, example = _ASKED[asked]
         value = variables.get(variable)
         if value is ... or value is None:
-            yield Finding(False, f"{what}: there is no prediction yet.", f"Give `{variable}` a list of times.")
+            yield Finding(False, f"{what}: there is no prediction yet.", f"Give `{variable}` a list of {asked}.")
             continue
-        predicted = _times(value)
+        predicted = _numbers(value)
         if predicted is None:
-            text = f"{what}: the prediction is a list of times in seconds, not {a_value(value)}."
-            yield Finding(False, text, "Write it as `[1.0, 2.0, 3.0]`.")
+            text = f"{what}: the prediction is a list of {listed}, not {a_value(value)}."
+            yield Finding(False, text, f"Write it as `{example}`.")
         else:
-            yield _compare_times(what, predicted, real, beliefs)
+            yield _compare_numbers(prediction, predicted)
 
 
-def _times(value: Any) -> list[float] | None:
+def _numbers(value: Any) -> list[float] | None:
     """A prediction as numbers; None if it is none."""
     try:
-        times = [float(time) for time in islice(iter(value), 100)]
+        numbers = [float(number) for number in islice(iter(value), 100)]
     except Exception:  # whatever the value is
         return None
-    return times if not isinstance(value, (str, bytes)) and all(map(math.isfinite, times)) else None
+    return numbers if not isinstance(value, (str, bytes)) and all(map(math.isfinite, numbers)) else None
 
 
-def _compare_times(what: str, predicted: Sequence[float], real: Sequence[float], beliefs: _Beliefs) -> Finding:
-    said = ", ".join(map(say, predicted)) or "no time at all"
+def _compare_numbers(prediction: _Prediction, predicted: Sequence[float]) -> Finding:
+    _, what, real, beliefs, asked = prediction
+    say_one = _ASKED[asked][0]
+    said = ", ".join(map(say_one, predicted)) or "nothing at all"
     if _same(predicted, real):
         return Finding(True, f"{what}: {said}.")
-    for times, why in beliefs.items():
-        if _same(predicted, times):
+    for numbers, why in beliefs.items():
+        if _same(predicted, numbers):
             return Finding(False, f"{what}: not {said}.", why)
     if not real:
         return Finding(False, f"{what}: not {said}.")
     if len(predicted) != len(real):
-        return Finding(False, f"{what}: {len(real)} times are asked for, not {len(predicted)}.")
-    wrong = next(n for n, times in enumerate(zip(predicted, real, strict=True)) if not _same(times[:1], times[1:]))
-    return Finding(False, f"{what}: {_NTH[wrong]} of these times is not {say(predicted[wrong])}.")
+        return Finding(False, f"{what}: {len(real)} {asked} are asked for, not {len(predicted)}.")
+    wrong = next(n for n, pair in enumerate(zip(predicted, real, strict=True)) if not _same(pair[:1], pair[1:]))
+    return Finding(False, f"{what}: {_NTH[wrong]} of these {asked} is not {say_one(predicted[wrong])}.")
 
 
 _NTH = ("the first", "the second", "the third")
@@ -562,20 +579,25 @@ _LOGS = {"log_1": "B", "log_2": "E", "log_3": "D", "log_4": "C"}
     "Look at the first tick, at the distances between the ticks, and at what goes on to the end.",
 )
 def _name_the_fault(answer: Answer) -> Iterator[Finding]:
+    yield from _choose(answer, _LOGS, FAULTS)
+
+
+def _choose(answer: Answer, right: Mapping[str, str], choices: Mapping[str, str]) -> Iterator[Finding]:
+    """Whether each variable is the right letter; ``choices`` has what would be seen if it were another."""
     variables = answer.variables()
-    for log, fault in _LOGS.items():
-        value = variables.get(log)
+    for variable, letter in right.items():
+        value = variables.get(variable)
         if value is ... or value is None:
-            yield Finding(False, f"`{log}`: there is no answer yet.")
+            yield Finding(False, f"`{variable}`: there is no answer yet.")
             continue
         named = value.strip(" ().").upper() if isinstance(value, str) else ""
-        if named not in FAULTS:
-            text = f"`{log}`: the answer is one of the letters A to {max(FAULTS)}, not `{plain(_shown(value))}`."
+        if named not in choices:
+            text = f"`{variable}`: the answer is one of the letters A to {max(choices)}, not `{plain(_shown(value))}`."
             yield Finding(False, text, 'Write it as `"A"`.')
-        elif named != fault:
-            yield Finding(False, f"`{log}`: it is not {named}.", FAULTS[named])
+        elif named != letter:
+            yield Finding(False, f"`{variable}`: it is not {named}.", choices[named])
         else:
-            yield Finding(True, f"`{log}`: it is {named}.")
+            yield Finding(True, f"`{variable}`: it is {named}.")
 
 
 def _shown(value: object) -> str:
@@ -583,6 +605,204 @@ def _shown(value: object) -> str:
         return repr(value)
     except Exception:  # whatever the value is
         return type(value).__name__
+
+
+# --- publish ----------------------------------------------------------------------------------------------------------
+
+
+def _heard(latch: bool = False, timer: bool = True, together: int = 1) -> list[float]:
+    """The first counters that a node hears from itself: it publishes some at once, and then one every 0.5 s."""
+    heard: list[float] = []
+
+    def node() -> None:
+        import rospy
+        from std_msgs.msg import UInt32
+
+        rospy.init_node("pubsub_py_node")
+        counts = count(1)
+        publisher = rospy.Publisher("counter", UInt32, latch=latch, queue_size=10)
+        rospy.Subscriber("counter", UInt32, lambda message: heard.append(message.data))
+        for _ in range(together):
+            publisher.publish(next(counts))
+        if timer:
+            rospy.Timer(rospy.Duration(0.5), lambda event: publisher.publish(next(counts)))
+        rospy.spin()
+
+    simulate(node, 3.0)
+    return heard[:3]
+
+
+def _heard_by_a_slow_callback(queue_size: int) -> list[float]:
+    """The first counters of those published each 0.1 s, 0 first, that a callback hears that takes 0.33 s."""
+    heard: list[float] = []
+
+    def node() -> None:
+        import rospy
+        from std_msgs.msg import UInt32
+
+        def callback(message: Any) -> None:
+            heard.append(message.data)
+            rospy.sleep(0.33)
+
+        rospy.init_node("pubsub_py_node")
+        counts = count()
+        publisher = rospy.Publisher("counter", UInt32, queue_size=10)
+        rospy.Subscriber("counter", UInt32, callback, queue_size=queue_size)
+        rospy.sleep(0.5)
+        rospy.Timer(rospy.Duration(0.1), lambda event: publisher.publish(next(counts)))
+        rospy.spin()
+
+    simulate(node, 3.0)
+    return heard[:3]
+
+
+@_exercise(
+    "Publish",
+    "What the subscriber hears",
+    (_PUBLISH, _PUBLISHING),
+    "What is published waits until somebody subscribes. A latch keeps everything. A queue of 1 makes a callback wait "
+    "for the next message.",
+    "Is the connection there when the message is published? Which message is the newest one when the callback is free?",
+)
+def _what_is_heard(answer: Answer) -> Iterator[Finding]:
+    plain_: _Beliefs = {
+        (1, 2, 3): "When 1 is published, the subscriber is not connected yet: nobody keeps it for later.",
+    }
+    latched: _Beliefs = {
+        (2, 3, 4): "A publisher that latches keeps its last message for whoever connects later.",
+    }
+    together: _Beliefs = {
+        (1, 2, 3): "A publisher that latches keeps one message only, the last.",
+        (1,): "It is the last message that is kept, not the first.",
+        (): "A publisher that latches keeps its last message for whoever connects later.",
+    }
+    slow: _Beliefs = {
+        (0, 1, 2): "This is what happens without a `queue_size`. With 1, all but the newest are dropped.",
+        (0, 4, 8): "The callback does not wait for the next message: the newest one is there already.",
+        (0, 1, 4): "The message that waits is replaced by each newer one.",
+    }
+    predictions = [
+        _Prediction("without_latch", "without `latch`", _heard(), plain_, "counters"),
+        _Prediction("with_latch", "with `latch`", _heard(latch=True), latched, "counters"),
+        _Prediction("three_at_once", "three at once", _heard(True, False, 3), together, "counters"),
+        _Prediction("slow_callback", "the slow callback", _heard_by_a_slow_callback(1), slow, "counters"),
+    ]
+    yield from _compare(answer, predictions)
+
+
+_NOT_CONNECTED = "A publisher that was made just now is not connected to anyone. Make it once, before the timer."
+
+
+@_exercise(
+    "Publish",
+    "Publish the counter",
+    (_PUBLISH,),
+    "A publisher can be made when it is needed. A topic is found by its type.",
+    'Make a `rospy.Publisher("counter", UInt32, queue_size=10)` in `__init__`, and let the callback publish.',
+)
+def _publish_the_counter(answer: Answer) -> Iterator[Finding]:
+    seen = answer.run(2.0)
+    wanted = grid(0.2, 2.0)
+    sent = [message for message in seen.messages if message.topic == "/counter"]
+    heard = seen.values("LISTENER", "counter")
+    if not sent:
+        others = dict.fromkeys(f"`{plain(message.topic)}`" for message in seen.messages)
+        text = f"it was published on {', '.join(others)}" if others else "the node published nothing"
+        yield Finding(False, f"nothing was published on `/counter`: {text}.")
+        return
+    if wrong := {message.message._type for message in sent} - {"std_msgs/UInt32"}:
+        text = f"the messages on `/counter` are of the type {', '.join(sorted(wrong))}, not std_msgs/UInt32."
+        yield Finding(False, text, "Both ends of a topic have to name the same type: otherwise they do not connect.")
+        return
+    published = [Printed(message.time, 0, str(message.message.data)) for message in sent]
+    on_topic = on_time(published, wanted, "On `/counter`")
+    yield on_topic
+    yield on_time(heard, wanted, "The listener", _NOT_CONNECTED if on_topic.right else "")
+
+
+@_exercise(
+    "Publish",
+    "Reach a subscriber that comes late",
+    (_PUBLISH, _PUBLISHING),
+    "What is published waits for its subscribers. A longer queue keeps it for them.",
+    "`rospy.Publisher` has a parameter `latch`.",
+)
+def _reach_a_late_subscriber(answer: Answer) -> Iterator[Finding]:
+    for comes in (1.0, 2.5):
+        word = f"_subscribes_at:={comes}"
+        heard = answer.run(4.0, word).values("LISTENER", "goal")
+        what = f"With `{word}`"
+        if not heard:
+            yield Finding(False, f"{what}: the goal did not arrive.")
+        elif wrong := [line.text for line in heard if line.text != "7"]:
+            yield Finding(False, f"{what}: the goal {plain(wrong[0])} arrived, not 7.")
+        elif len(heard) > 1:
+            text = f"{what}: the goal arrived {len(heard)} times; a robot would start anew each time."
+            yield Finding(False, text, "Publish once, and let the publisher keep the message.")
+        elif not comes <= heard[0].time <= comes + 0.5:
+            yield Finding(False, f"{what}: the goal arrived only at {say(heard[0].time)}.")
+        else:
+            yield Finding(True, f"{what}: the goal arrived once, at {say(heard[0].time)}.")
+
+
+@_exercise(
+    "Publish",
+    "Steer by the newest position",
+    (_PUBLISH, _PUBLISHING, _SHARED),
+    "A subscriber always gets the newest message. It is the publisher's queue that has to be short.",
+    "The subscriber has a queue, too: `queue_size` says how many messages may wait there.",
+)
+def _steer_by_the_newest(answer: Answer) -> Iterator[Finding]:
+    seen = answer.run(10.0)
+    sent = {message.message.data: message.time for message in seen.messages if message.topic == "/position"}
+    steps = [line for line in seen.values("CONTROLLER", "position") if line.time <= seen.seconds]
+    if len(sent) < 99:
+        text = f"the sensor published {len(sent)} positions in {say(seen.seconds)}, not one every 0.1 s."
+        yield Finding(False, text, "The sensor is as it is: change how the controller listens to it.")
+        return
+    if len(steps) < 20:
+        yield Finding(
+            False, f"the controller steered {len(steps)} times in {say(seen.seconds)}; it can do so 20 times."
+        )
+        return
+    if short := [after for line, after in pairwise(steps) if after.time - line.time < 0.33 - CLOSE]:
+        text = f"the controller steered again at {say(short[0].time)}, less than 0.33 s after the last time."
+        yield Finding(False, text, "Its computation takes 0.33 s, and nothing else can be done about that.")
+        return
+    for time, _, text in steps:
+        made = sent.get(int(text)) if text.isdigit() else None
+        if made is None:
+            yield Finding(False, f"`position = {plain(text)}` is no position that the sensor has published.")
+            return
+        if time - made > 0.1 + CLOSE:
+            said = f"at {say(time)} the controller steered by position {text}, which was {say(time - made)} old."
+            yield Finding(False, f"{said} A newer one had arrived.")
+            return
+    yield Finding(True, f"the controller steered {len(steps)} times, by the newest position each time.")
+
+
+# What each report could be explained by, and what rostopic would show of it.
+CAUSES = {
+    "A": "Then the average would be as asked for, and `min` and `max` equal to the period.",
+    "B": "Then there would be twice as many messages as asked for.",
+    "C": "Then the average would have been right at first, and `max` would be the period that it has now.",
+    "D": "Then the average would be right, `min` 0 and `max` many periods.",
+    "E": "Then the average would be too low from the start, and `min` and `max` nearly equal.",
+}
+
+# Which of them each report shows.
+_REPORTS = {"report_1": "C", "report_2": "D", "report_3": "E", "report_4": "B"}
+
+
+@_exercise(
+    "Publish",
+    "Read rostopic hz",
+    (_PUBLISH, _PUBLISHING, _IRREGULAR),
+    "rostopic hz says what the rate is now. If the average is right, the loop is regular.",
+    "Compare the average with what was asked for, `min` with `max`, and the first report with the second.",
+)
+def _read_rostopic_hz(answer: Answer) -> Iterator[Finding]:
+    yield from _choose(answer, _REPORTS, CAUSES)
 
 
 EXERCISES = tuple(_exercises)

@@ -1,7 +1,8 @@
 """Sphinx extension: listings that can be run in the page, and what the pages allow themselves to load.
 
 A listing of the class ``live`` (``:class: live`` on its literalinclude, the tag ``live`` on a notebook cell) is run
-by ``web/``, which finds it in the page. So are the figures with a handle moved.
+by ``web/``, which finds it in the page. Below it stands the plot of a run that is made with the page. Figures with a
+handle are moved by ``web/``, too.
 """
 
 from __future__ import annotations
@@ -9,19 +10,30 @@ from __future__ import annotations
 import base64
 import hashlib
 import re
+import shlex
+from collections.abc import Sequence
 from pathlib import Path
-from typing import Any
+from typing import Any, cast
 
 from docutils import nodes
 from sphinx.application import Sphinx
 from sphinx.util.typing import ExtensionMetadata
 
-__all__ = ["setup"]
+from ..clocks.simulation import Simulation
+from ..plots import timeline
+from ..process import capture, load_source
+from ..run import TimeStandsStill, run_node, split_words
+from ..world import NotSimulated
+
+__all__ = ["plot", "setup"]
 
 # What `make html` builds from web/, below the html_static_path.
 _SCRIPT = "live/live.js"
 _STYLE = "live/live.css"
 _HANDLES = "handles/handles.js"
+
+# For how long (s) a listing is run, unless its first line says otherwise; web/src/cell.js says so, too.
+SECONDS = 10.0
 
 # Until the script is there, which takes it away.
 _NO_SCRIPT = '<p class="live-missing">To run this listing here, the page needs JavaScript.</p>'
@@ -39,7 +51,7 @@ _CHARSET = '<meta charset="utf-8" />'
 def setup(app: Sphinx) -> ExtensionMetadata:
     """Connect what follows."""
     app.connect("doctree-read", _mark_cells)
-    app.connect("doctree-resolved", _say_what_is_missing)
+    app.connect("doctree-resolved", _add_below)
     app.connect("html-page-context", _add_files)
     app.connect("build-finished", _finish_pages)
     return {"parallel_read_safe": True, "parallel_write_safe": True}
@@ -63,11 +75,36 @@ def _is_built(app: Sphinx, file: str) -> bool:
     return any((app.confdir / folder / file).is_file() for folder in app.config.html_static_path)
 
 
-def _say_what_is_missing(app: Sphinx, doctree: nodes.document, name: str) -> None:
+def _add_below(app: Sphinx, doctree: nodes.document, name: str) -> None:
+    """Add to each live listing its plot, and what is missing until the script is there."""
     for listing in _live_listings(app, doctree):
-        captioned = isinstance(listing.parent, nodes.container)
+        captioned = isinstance(listing.parent, nodes.container) and "literal-block-wrapper" in listing.parent["classes"]
         place = listing.parent if captioned else listing
-        place.parent.insert(place.parent.index(place) + 1, nodes.raw("", _NO_SCRIPT, format="html"))
+        where = place.parent.index(place) + 1
+        place.parent.insert(where, nodes.raw("", plot(listing.astext()) + _NO_SCRIPT, format="html"))
+
+
+def plot(text: str) -> str:
+    """The timeline of a run of a listing in simulated time, as HTML; empty if it has no ticks.
+
+    A first line ``%%simulate SECONDS -- ARGS`` says for how long and with which arguments.
+    """
+    first, _, rest = text.partition("\n")
+    seconds, args = SECONDS, cast(Sequence[str], ())
+    if first.startswith("%%"):
+        (magic, *words), args = split_words(shlex.split(first[2:]))
+        if magic != "simulate":
+            return ""
+        seconds, text = float(words[0]), "\n" + rest
+    with capture():
+        try:
+            ticks = run_node(load_source(text, "<listing>"), seconds, args, Simulation()).ticks
+        except (SyntaxError, NotSimulated, TimeStandsStill):
+            return ""
+    if not ticks:
+        return ""
+    figure = timeline(ticks).captioned(f"simulated when this page was made: the first {seconds:g} s")
+    return figure._repr_html_().replace('<figure class="', '<figure class="live-made ', 1)
 
 
 def _add_files(app: Sphinx, page: str, template: str, context: dict[str, Any], doctree: nodes.document | None) -> None:

@@ -6,19 +6,21 @@ import argparse
 import json
 import shlex
 import sys
+from collections.abc import Callable
 from dataclasses import replace
+from functools import partial
 from typing import Any, NoReturn
 
 from IPython.core.error import UsageError
 from IPython.core.magic import Magics as BaseMagics
 from IPython.core.magic import cell_magic, magics_class
 
-from ..clocks.clock import Clock, WallClock
 from ..clocks.simulation import Simulation
 from ..exercises import EXERCISES, Feedback, check
-from ..process import capture, load_source
-from ..run import run_node, split_words
+from ..process import load_source
+from ..run import run_captured, split_words
 from ..ticks import Run
+from ..wall import measured
 from .claims import MIME, Facts
 
 __all__ = ["Magics"]
@@ -53,12 +55,12 @@ class Magics(BaseMagics):
     @cell_magic
     def simulate(self, line: str, cell: str) -> None:
         """``%%simulate SECONDS [--name NAME] [--quiet] [-- NODE ARGS]``: run the cell in simulated time."""
-        self._run("simulate", "simulated", Simulation(), line, cell)
+        self._run("simulate", partial(run_captured, Simulation()), line, cell)
 
     @cell_magic
     def measure(self, line: str, cell: str) -> None:
         """``%%measure SECONDS [--name NAME] [--quiet] [-- NODE ARGS]``: run the cell on the wall clock."""
-        self._run("measure", "wall", WallClock(), line, cell)
+        self._run("measure", measured, line, cell)
 
     @cell_magic
     def answer(self, line: str, cell: str) -> Feedback:
@@ -85,14 +87,10 @@ class Magics(BaseMagics):
             said = "\n".join(f"The text around this cell no longer holds: {stands}\n{now}" for _, stands, now in found)
             shell.display_pub.publish({MIME: json.dumps(found), "text/plain": said})
 
-    def _run(self, magic: str, runtime: str, clock: Clock, line: str, cell: str) -> None:
+    def _run(self, magic: str, run: Callable[..., Run], line: str, cell: str) -> None:
         own, args = split_words(shlex.split(line))
         options = _parser(magic).parse_args(own)
         shell: Any = self.shell
-        filename = f"<cell {shell.execution_count}>"
+        node = load_source(_below_its_magic(cell), f"<cell {shell.execution_count}>")
         streams = () if options.quiet else (sys.stdout, sys.stderr)
-        with capture(*streams) as console:
-            result = run_node(load_source(_below_its_magic(cell), filename), options.seconds, args, clock)
-        shell.user_ns[options.name] = Run(
-            console.text(), result.ticks, result.status, runtime, options.seconds, result.start
-        )
+        shell.user_ns[options.name] = run(node, options.seconds, args, *streams)

@@ -26,6 +26,7 @@ from sphinx.util.docutils import SphinxDirective, SphinxRole
 from sphinx.util.typing import ExtensionMetadata
 
 from .. import machine, rospy
+from ..measures import topic_ticks
 from ..plots import Figure, timeline, with_handle
 from ..process import NodeLike, execute
 from ..roscpp import timer_probe
@@ -42,7 +43,8 @@ class TicksDirective(SphinxDirective):
     """``.. ticks:: FILE ARGS`` with ``:seconds: S``: runs a node file in simulated time and draws its timeline.
 
     FILE is relative to the page. More than one, each on a line of the content as ``NAME: FILE ARGS``, share one plot.
-    With ``:period: S`` the plot has the whole grid of that period, and crosses for the lost ticks.
+    With ``:period: S`` the plot has the whole grid of that period, and crosses for the lost ticks. With
+    ``:topic: /NAME`` it draws the messages that the node published on a topic, in place of its ticks.
 
     ``:handle: LABEL, FROM to TO by STEP UNIT`` lets the reader move a number, whose runs are all made now. It stands
     in ARGS as ``{}``, or it is what the file assigns to the variable named by ``:sets:``. It is ``:at:`` first, or as
@@ -57,7 +59,7 @@ class TicksDirective(SphinxDirective):
     final_argument_whitespace = True
     option_spec: ClassVar = {
         **dict.fromkeys(("seconds", "period", "at"), lambda text: float(directives.unchanged_required(text))),
-        **dict.fromkeys(("handle", "sets", "lines"), directives.unchanged_required),
+        **dict.fromkeys(("handle", "sets", "lines", "topic"), directives.unchanged_required),
     }
 
     def run(self) -> list[nodes.Node]:
@@ -112,7 +114,9 @@ class TicksDirective(SphinxDirective):
             at = self._assignment(self.options["sets"])
             code = compile(f"{at.string[: at.start(2)]}{value}{at.string[at.end(2) :]}", path, "exec")
             node = partial(execute, code, path)
-        return simulate(node, self.options["seconds"], args).ticks
+        run = simulate(node, self.options["seconds"], args)
+        topic = self.options.get("topic")
+        return topic_ticks(run.messages, topic) if topic else run.ticks
 
     def _assignment(self, variable: str) -> re.Match[str]:
         """The line of the first file that assigns a number to a variable."""

@@ -1,0 +1,101 @@
+"""A process that kills the one it guards, if nothing within it can."""
+
+from __future__ import annotations
+
+import faulthandler
+import math
+import os
+import re
+import select
+import signal
+import sys
+import threading
+import time
+from collections.abc import Callable, Iterator
+from contextlib import contextmanager
+
+from ..frames import Place
+
+__all__ = ["LastWords", "guard"]
+
+# Where the threads of the guarded process are, name and places innermost first, to what is said before it is killed.
+LastWords = Callable[[list[tuple[str, list[Place]]]], str]
+
+# The stacks are looked at so long (s) before the end.
+_BEFORE = 0.2
+
+# A timer of faulthandler cannot be set for later (s).
+_LATEST = threading.TIMEOUT_MAX / 2
+
+
+@contextmanager
+def guard(until: float | None, patience: float, last_words: LastWords) -> Iterator[Callable[[], None]]:
+    """A process that kills this one if it goes on for ``patience`` seconds after a Ctrl-C, whatever it does.
+
+    A thread would not do: code in C may keep all others from running. Ctrl-C comes ``until`` seconds from now, if that
+    is not None; of another one the function tells that this gives, and one from a terminal the guardian hears itself.
+    The last words go to ``sys.stderr``.
+    """
+    read, write = os.pipe()
+    stacks, dump = os.pipe()
+    sys.stderr.flush()
+    guarded = os.getpid()
+    guardian = os.fork()
+    if not guardian:
+        os.close(write)
+        os.close(dump)
+        _watch(guarded, read, time.monotonic() + (math.inf if until is None else until + patience), patience)
+        sys.stderr.write(last_words(_read_stacks(stacks)))
+        sys.stderr.flush()
+        os.kill(guarded, signal.SIGKILL)
+        os._exit(0)
+    os.close(read)
+    os.close(stacks)
+
+    def interrupted() -> None:
+        os.write(write, b"!")
+        faulthandler.dump_traceback_later(patience - _BEFORE, file=dump)
+
+    if until is not None and until < _LATEST:
+        faulthandler.dump_traceback_later(until + patience - _BEFORE, file=dump)
+    try:
+        yield interrupted
+    finally:
+        faulthandler.cancel_dump_traceback_later()
+        os.write(write, b".")  # to close it is not enough: a child that a node has forked may hold it
+        os.close(write)
+        os.close(dump)
+        os.waitpid(guardian, 0)
+
+
+def _watch(guarded: int, read: int, deadline: float, patience: float) -> None:
+    """Wait until the deadline, or until ``patience`` seconds after a Ctrl-C; exit if the guarded process ends first."""
+
+    def interrupted(number: int, frame: object) -> None:
+        nonlocal deadline
+        deadline = min(deadline, time.monotonic() + patience)
+
+    signal.signal(signal.SIGINT, interrupted)
+    while os.getppid() == guarded:
+        if select.select([read], [], [], 0.2)[0]:
+            if os.read(read, 1) != b"!":
+                break  # it has come to its end
+            interrupted(0, None)
+        if time.monotonic() > deadline:
+            return
+    os._exit(0)
+
+
+def _read_stacks(stacks: int) -> list[tuple[str, list[Place]]]:
+    """What :mod:`faulthandler`, which needs no Python to run for that, has written of the guarded process."""
+    os.set_blocking(stacks, False)
+    try:
+        text = os.read(stacks, 1 << 16).decode(errors="replace")
+    except BlockingIOError:
+        return []
+    main, found = threading.main_thread(), []
+    for ident, stack in re.findall(r"hread 0x([0-9a-f]+).*\n((?:  .*\n)*)", text):
+        name = main.name if int(ident, 16) == main.ident else "another thread"
+        lines = re.findall(r'  File "(.*)", line (\d+) in', stack)
+        found.append((name, [Place(file, int(line), "") for file, line in lines]))
+    return found

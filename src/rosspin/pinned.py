@@ -1,0 +1,48 @@
+"""A run as a test: the text of a pytest function that makes the run again and compares."""
+
+from __future__ import annotations
+
+import re
+from collections.abc import Sequence
+from pathlib import PurePath
+
+from .ticks import Tick
+
+__all__ = ["as_test"]
+
+
+def as_test(
+    source: str, filename: str, seconds: float, args: Sequence[str], console: str, ticks: Sequence[Tick]
+) -> str:
+    """A test that a node still does what it did in a simulated run of ``seconds``, which ended with status 0.
+
+    It carries the node's ``source``, so it stands by itself.
+    """
+    name = PurePath(filename).stem
+    words = f", {list(args)!r}" if args else ""
+    seen = [f"        {(tick.source, tick.number, tick.expected, tick.real)!r}," for tick in ticks]
+    return "\n".join(
+        [
+            "from rosspin import simulate",
+            "",
+            f"NODE = {_text(source, '')}",
+            "",
+            "",
+            f"def test_{re.sub(r'[^0-9a-zA-Z_]', '_', name)}(tmp_path):",
+            f"    node = tmp_path / {filename!r}",
+            '    node.write_text(NODE, encoding="utf-8")',
+            f"    run = simulate(node, {seconds!r}{words})",
+            "    assert run.status == 0",
+            "    assert [(tick.source, tick.number, tick.expected, tick.real) for tick in run.ticks] == [",
+            *seen,
+            "    ]",
+            f"    assert run.console == {_text(console, '    ')}",
+            "",
+        ]
+    )
+
+
+def _text(text: str, indent: str) -> str:
+    """A text as Python writes it, line by line."""
+    lines = [f"{indent}    {line!r}" for line in text.splitlines(keepends=True)]
+    return "\n".join(["(", *lines, f"{indent})"]) if lines else "''"

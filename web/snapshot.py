@@ -1,0 +1,30 @@
+"""Run in the page's Python before its memory is kept: imports what a node may import, and leaves no traces."""
+
+import gc
+import importlib
+import os
+import sys
+from pathlib import Path
+
+import rosspin
+from rosspin.messages.library import Library
+
+# rosspin imports these when it needs them.
+LATER = ["yaml", "rosspin.page"]
+
+# So do nodes, and this saves them the wait for the standard library.
+NODES = ["datetime", "statistics"]
+
+for name in [*LATER, *NODES]:
+    importlib.import_module(name)
+for path in Path(rosspin.__file__).parent.glob("messages/ros*.py"):
+    importlib.import_module(f"rosspin.messages.{path.stem}")
+for ros in (1, 2):
+    Library(ros).names("std_msgs")  # reads all definitions
+
+del os.environ["PYTHONHASHSEED"]
+sys.path.remove("")  # the start from a snapshot puts one there, too
+for name in [name for name in globals() if not name.startswith("__") and name not in ("gc", "name")]:
+    del globals()[name]
+gc.collect()
+del gc, name

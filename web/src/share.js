@@ -1,0 +1,48 @@
+// A listing in the address of its page: what follows the # is never sent to a server.
+
+/** The beginning of such a fragment. */
+const SIGN = "#code="
+
+// No listing is longer (bytes); a link that says otherwise is not read to its end.
+const MOST = 100_000
+
+async function* read(stream) {
+  const reader = stream.getReader()
+  for (let part = await reader.read(); !part.done; part = await reader.read()) yield part.value
+}
+
+/** The fragment that carries an object. RangeError: it is too long. */
+export async function pack(object) {
+  const bytes = new TextEncoder().encode(JSON.stringify(object))
+  if (bytes.length > MOST) throw new RangeError("too long for a link")
+  let text = ""
+  for await (const part of read(new Blob([bytes]).stream().pipeThrough(new CompressionStream("deflate-raw")))) {
+    for (const byte of part) text += String.fromCharCode(byte)
+  }
+  return SIGN + btoa(text).replaceAll("+", "-").replaceAll("/", "_").replaceAll("=", "")
+}
+
+/** The listing in a fragment, checked; null if there is none. Error: what is wrong with it, in words. */
+export async function unpack(fragment) {
+  if (!fragment.startsWith(SIGN)) return null
+  const unreadable = new Error("The code in this link cannot be read: the link is broken.")
+  const tooLong = new Error("The code in this link is too long for a listing.")
+  if (fragment.length > 2 * MOST) throw tooLong
+  const parts = []
+  let size = 0
+  try {
+    const packed = atob(fragment.slice(SIGN.length).replaceAll("-", "+").replaceAll("_", "/"))
+    const bytes = Uint8Array.from(packed, (character) => character.charCodeAt(0))
+    for await (const part of read(new Blob([bytes]).stream().pipeThrough(new DecompressionStream("deflate-raw")))) {
+      parts.push(part)
+      size += part.length
+      if (size > MOST) throw tooLong
+    }
+    const { cell, text, seconds, args } = JSON.parse(await new Blob(parts).text())
+    const right = Number.isInteger(cell) && typeof text === "string" && typeof args === "string"
+    if (!right || !Number.isFinite(seconds) || seconds < 0 || seconds > 3600) throw unreadable
+    return { cell, text, seconds, args }
+  } catch (error) {
+    throw error === tooLong ? tooLong : unreadable
+  }
+}
