@@ -2,8 +2,10 @@
 
 from __future__ import annotations
 
+import io
 import re
 from collections.abc import Callable
+from contextlib import redirect_stdout
 from pathlib import Path
 from typing import Any
 
@@ -17,6 +19,7 @@ from IPython.core.interactiveshell import InteractiveShell
 from rosspin import simulate
 from rosspin.console import read_ticks
 from rosspin.exercises import EXERCISES, check
+from rosspin.measures import periods
 from rosspin.recordings import load
 from rosspin.ros1 import Workspace
 
@@ -166,6 +169,57 @@ def test_the_node_with_a_slow_callback_does_what_the_solution_says(blocks_for: s
     node.write_text(re.findall(r"%%simulate [^\n]*\n(.*?)```", section(2), re.DOTALL)[0])
     console = simulate(node, 5.5, [f"_blocks_for:={blocks_for}"]).console
     assert times_of(console, 4) == pytest.approx(solution_of(2)[f"after_{blocks_for.replace('.', '_')}_seconds"])
+
+
+AT_ONCE = "        self.timerCallback(None)\n"
+
+
+@pytest.mark.parametrize(
+    ("variable", "old", "new"),
+    [
+        ("without_latch", "", ""),
+        ("with_latch", "UInt32, queue_size", "UInt32, latch=True, queue_size"),
+        (
+            "three_at_once",
+            f"UInt32, queue_size=10)\n<SUB>{AT_ONCE}        rospy.Timer(rospy.Duration(0.5), self.timerCallback)\n",
+            f"UInt32, latch=True, queue_size=10)\n<SUB>{AT_ONCE * 3}",
+        ),
+    ],
+)
+def test_the_node_that_publishes_at_once_does_what_the_solution_says(
+    variable: str, old: str, new: str, tmp_path: Path
+) -> None:
+    [text] = re.findall(r"```python\n(.*?)```", section(15), re.DOTALL)
+    subscriber = '        rospy.Subscriber("counter", UInt32, self.counterCallback)\n'
+    old, new = (part.replace("<SUB>", subscriber) for part in (old, new))
+    assert old in text
+    node = tmp_path / "node.py"
+    node.write_text(text.replace(old, new))
+    heard = [tick.number for tick in read_ticks(simulate(node, 1.6).console)]
+    assert heard[:3] == solution_of(15)[variable]
+
+
+def test_the_reports_of_rostopic_hz_are_of_what_the_solution_says() -> None:
+    [code] = re.findall(
+        r"```\{code-cell\} ipython3\n---\n.*?\n---\n(from rosspin import.*?)```", section(19), re.DOTALL
+    )
+    names: dict[str, Any] = {}
+    with redirect_stdout(io.StringIO()):
+        exec(code, names)
+    steps = {name: [round(step, 3) for step in periods(ticks)] for name, ticks in names["reports"].items()}
+    solution: Any = solution_of(19)
+    assert {name: solution[name] for name in steps} == {name: cause_of(times) for name, times in steps.items()}
+
+
+def cause_of(steps: list[float]) -> str:
+    """The letter for a topic, by the times between its messages (s)."""
+    causes = {
+        "B": set(steps) == {0.03, 0.07},
+        "C": set(steps[:199]) == {0.1} and set(steps[200:]) == {0.5},
+        "D": steps[:10] == [0.0, 0.0, 0.0, 0.0, 0.5] * 2,
+        "E": set(steps) == {0.105, 0.106},
+    }
+    return "".join(letter for letter, holds in causes.items() if holds)
 
 
 def times_of(console: str, first: int) -> list[float]:
