@@ -15,7 +15,7 @@ SUDO := $(if $(filter-out 0,$(shell id -u)),sudo)
 # One stamp for each PYTHON: choosing another one makes the environment anew, as changed pins do. What only the tests or
 # the Lab need is added to it when they are asked for.
 VENV := .venv/made-with-$(subst /,_,$(PYTHON))
-FOR_HTML := plots,docs
+FOR_HTML := docs
 FOR_LAB := notebooks
 FOR_TEST := notebooks,test,lint
 

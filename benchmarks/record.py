@@ -9,6 +9,7 @@ from __future__ import annotations
 import csv
 import io
 import os
+import random
 import re
 import signal
 import subprocess
@@ -25,6 +26,7 @@ from provenance import write_provenance
 from rosspin import ros1
 from rosspin.console import read_lines
 from rosspin.recordings import COLUMNS
+from rosspin.roscpp import timer_probe
 
 EXAMPLES = Path(__file__).parents[1] / "examples"
 RECORDINGS = EXAMPLES / "recordings"
@@ -72,6 +74,29 @@ def _plans() -> Iterator[tuple[str, Plan]]:
     yield "two_timers_cpp_spin", Plan("timer_probe", parameters, 6.2, f"{what}; under ros::spin")
     parameters = {**parameters, "threads": 2}
     yield "two_timers_cpp_async", Plan("timer_probe", parameters, 6.2, f"{what}; under AsyncSpinner(2)")
+
+
+    for seed in (1, 2, 3):
+        what = "a timer at 2 Hz whose callbacks take random times"
+        lengths = ",".join(map(str, random_blocks(seed, 30)))
+        yield f"timer_cpp_blocks_random_{seed}", Plan("timer_probe", {"period": PERIOD, "blocks": lengths}, 30.2, what)
+
+
+def random_blocks(seed: int, count: int) -> list[float]:
+    """How long (s) the calls of a timer at 2 Hz take: drawn so that a little lateness does not change their order.
+
+    roscpp decides after each call whether the time of the next one but one has passed. It never has by a hair.
+    """
+    draw = random.Random(seed)
+    lengths: list[float] = []
+    while len(lengths) < count:
+        length = draw.choice((0.0, round(draw.uniform(0.0, 4.5) * PERIOD, 2)))
+        words = [f"_blocks:={','.join(map(str, lengths))}"]
+        tick = timer_probe(5 * PERIOD * (count + 1), words)[len(lengths)]
+        spare = tick.real + length - tick.expected - 2 * PERIOD
+        if abs(spare) > PERIOD / 4:
+            lengths.append(length)
+    return lengths
 
 
 PLANS = dict(_plans())

@@ -118,6 +118,25 @@ def _places(listed: str, end: str = "") -> set[tuple[str, int]]:
     return {(page, int(line)) for page, line in re.findall(rf"^([\w./-]+):(\d+){end}", listed, re.MULTILINE)}
 
 
+def test_a_figure_that_cannot_be_made_is_in_the_list(tree: Path) -> None:
+    page = tree / "docs" / "glossary.rst"
+    before = page.read_text()
+    node = "../examples/my_robotics_pkg/src/spinner_py_node.py"
+    wrong = {
+        f"{node}\n   :handle: Delta, 0.1 to 1 by 0.1 s\n   :sets: delta": f"{node} assigns no number to delta",
+        f"{node}\n   :handle: Delta from 0.1 to 1\n   :at: 0.5": "a handle is LABEL, FROM to TO by STEP UNIT",
+        "../examples/timing_probes/src/timer_probe.cpp _threads:=2": "the rule of roscpp's timer knows no threads",
+    }
+    page.write_text(before + "".join(f"\n.. ticks:: {text}\n   :seconds: 2\n" for text in wrong))
+    try:
+        listed = _list(_type("make doctest", tree).stdout)
+    finally:
+        page.write_text(before)
+    for why in wrong.values():
+        entry = rf"docs/glossary\.rst:\d+\n  stands  a plot of .*\n  now     ValueError: {re.escape(why)}"
+        assert re.search(entry, listed)
+
+
 def test_nothing_here_is_stale() -> None:
     assert stale_outputs(ROOT) == []
 

@@ -13,6 +13,7 @@ from typing import Any, Literal
 import pytest
 from conftest import ROOT
 from playwright.sync_api import Browser, Page
+from test_figures import FIGURES, opened
 from test_live import TIMER, TUTORIAL, Cell, link, node, open_tutorial
 
 AXE = ROOT / "build" / "npm" / "node_modules" / "axe-core" / "axe.min.js"
@@ -66,6 +67,17 @@ def test_open_cells(address: str, browser: Browser, violations: Callable[[Page],
         running.console.wait_for()
         assert TUTORIAL in page.url
         assert violations(page) == []
+
+
+@pytest.mark.parametrize("scheme", ["light", "dark"])
+def test_moved_figures(address: str, browser: Browser, violations: Callable[[Page], list[str]], scheme: Scheme) -> None:
+    wrong = {}
+    with browser.new_context(color_scheme=scheme) as context:
+        page = context.new_page()
+        for kind in FIGURES:
+            opened(page, address, kind).handle.press("End")
+            wrong[kind.page, kind.number] = violations(page)
+    assert not {kind: found for kind, found in wrong.items() if found}
 
 
 @pytest.mark.parametrize("scheme", ["light", "dark"])

@@ -202,12 +202,6 @@ def test_a_plot_that_cannot_be_written_says_so(capsys: pytest.CaptureFixture[str
     assert err == f"rosspin: {tmp_path / 'a.svg'}: Is a directory\n"
 
 
-def test_a_plot_needs_matplotlib(capsys: pytest.CaptureFixture[str], monkeypatch: pytest.MonkeyPatch) -> None:
-    monkeypatch.setitem(sys.modules, "matplotlib", None)
-    assert main(["run", TIMER_NODE, "--simulated", "--seconds", "1", "--plot", "a.svg"]) == 1
-    assert capsys.readouterr() == ("", "rosspin: --plot needs matplotlib: pip install matplotlib\n")
-
-
 # --- bad input --------------------------------------------------------------------------------------------------------
 
 

@@ -30,6 +30,7 @@ LAYERS = [
     "measures",
     "advice",
     "plots",
+    "roscpp",
     "children",
     "ros1",
     "ros2_probe",
@@ -49,7 +50,6 @@ LAYERS = [
 # Packages that only these modules may import.
 KEEPERS = {
     "greenlet": {"clocks.stacks"},
-    "matplotlib": {"plots", "__main__"},
     "IPython": {"site.magics"},
     "js": {"clocks.jspi", "page"},
     "pyodide": {"clocks.jspi", "page"},
@@ -128,7 +128,7 @@ def test_the_stand_ins_do_not_know_of_each_other() -> None:
 
 
 def test_data_are_below_the_simulator() -> None:
-    for module in ("console", "measures", "plots", "recordings"):
+    for module in ("console", "measures", "plots", "recordings", "roscpp"):
         assert {layer(name) for name in imports(module) & MODULES.keys()} <= {"ticks", "console", "measures", "machine"}
 
 

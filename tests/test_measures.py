@@ -7,7 +7,17 @@ from hypothesis import given, settings
 from hypothesis import strategies as st
 
 from rosspin import Tick
-from rosspin.measures import describe_lateness, describe_periods, lost, periods, quantile, say_time
+from rosspin.measures import (
+    describe_lateness,
+    describe_pace,
+    describe_periods,
+    lost,
+    periods,
+    quantile,
+    say_time,
+    verdict,
+)
+from rosspin.roscpp import timer_ticks
 
 
 def ticks(*reals: float, period: float = 0.5) -> list[Tick]:
@@ -115,3 +125,32 @@ def test_periods_in_words() -> None:
     assert describe_periods(ticks(*(n * 0.5 + 0.01 * (n == 50) for n in range(1, 151)))) == (
         "The median period was 500.000 ms; 98% of the 149 periods lay between 500.000 ms and 500.000 ms: a jitter of 0."
     )
+
+
+def test_the_pace_in_words() -> None:
+    assert describe_pace([]) == "no ticks"
+    assert describe_pace(ticks(0.5)) == "1 tick"
+    assert describe_pace(ticks(0.5, 1.0, 1.5)) == "3 ticks, one every 0.5 s"
+    assert describe_pace(ticks(0.5, 1.0, 1.75)) == "3 ticks, 0.5 s to 0.75 s apart"
+
+
+@pytest.mark.parametrize(
+    ("block", "every", "words"),
+    [
+        (0.7, False, "keeps its grid, no tick lost"),
+        (1.2, False, "starts a new grid, 1 tick lost"),
+        (2.2, False, "starts a new grid, 3 ticks lost"),
+        (0.4, True, "keeps its grid, no tick lost"),
+        (0.8, True, "back to back, every 0.8 s, 3 ticks lost"),
+    ],
+)
+def test_the_verdict_on_a_slow_callback(block: float, every: bool, words: str) -> None:
+    assert verdict(timer_ticks(0.5, lambda number: block * (every or number == 3), 6.0), 0.5) == words
+
+
+def test_the_verdict_where_ticks_are_dropped_and_the_grid_is_kept() -> None:
+    """As in ROS 2."""
+    times = {0.5: 0.5, 1.0: 1.0, 1.5: 2.7, 3.0: 3.0, 3.5: 3.5}
+    dropped = [Tick("A", n, expected, real, 0.0) for n, (expected, real) in enumerate(times.items(), 1)]
+    assert verdict(dropped, 0.5) == "keeps its grid, 2 ticks lost"
+    assert verdict([], 0.5) == "no ticks"

@@ -30,6 +30,7 @@ NAMES = {
     *(f"timer_{language}_blocks_once_{periods}.csv" for language in ("cpp", "py") for periods in (1.4, 2.4, 4.4)),
     *(f"timer_cpp_blocks_{calls}_1.8.csv" for calls in ("once", "twice")),
     *(f"timer_py_blocks_{calls}_2.8.csv" for calls in ("once", "twice")),
+    *(f"timer_cpp_blocks_random_{seed}.csv" for seed in (1, 2, 3)),
     *(f"timer_{language}_waits.csv" for language in ("cpp", "py")),
     *(f"timer_{language}_blocks_always_1.6.csv" for language in ("cpp", "py")),
     *(f"two_timers_{how}.csv" for how in ("py", "cpp_spin", "cpp_async")),

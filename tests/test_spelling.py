@@ -14,7 +14,7 @@ TEXTS = ["README.md", "index.rst", "conf.py", "Makefile", "docs", "notebooks", "
 
 # British too, in the sense meant here: the verb and the file LICENSE, what a computer runs, a module of Python, a noun.
 BRITISH = "license,licensed,licenses,program,programs,math,practice"
-# rospy, matplotlib, CSS and io have names in American.
+# rospy, CSS and io have names in American.
 IN_CODE = "color,initialized,colors,serialize,deserialize,writable"
 # A package, and a part of many words.
 NAMES = "simpy"

@@ -27,6 +27,8 @@ const common = {
 }
 // Loaded with the page, as a classic script: a page opened from a file has no modules, and has to say so.
 await build({ ...common, entryPoints: ["live.js", "live.css"].map((name) => path.join(here, "src", name)) })
+// Loaded with each page that has a figure to move, for that alone.
+await build({ ...common, outdir: path.join(out, "../handles"), entryPoints: [path.join(here, "src/handles.js")] })
 for (const name of ["pyodide.mjs", "pyodide.asm.mjs", "pyodide.asm.wasm", "python_stdlib.zip"]) {
   cpSync(path.join(packages, "node_modules/pyodide", name), path.join(out, name))
 }

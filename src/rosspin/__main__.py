@@ -13,6 +13,7 @@ from .clocks.clock import Clock, WallClock
 from .clocks.simulation import Simulation
 from .doctor import report
 from .measures import by_source, describe_periods, describe_timeline
+from .plots import timeline
 from .process import leave, load
 from .run import Result, run_node, say_error, split_words
 from .ticks import Run
@@ -28,7 +29,7 @@ def main(argv: Sequence[str] | None = None) -> int:
         options.parser.error(f"unknown arguments: {' '.join(unknown)} (put the node's own arguments after --)")
     try:
         return int(options.do(options, node_args))
-    except (OSError, ValueError, SyntaxError, RuntimeError, ImportError) as error:
+    except (OSError, ValueError, SyntaxError, RuntimeError) as error:
         sys.stdout.flush()
         print(f"rosspin: {say_error(error)}", file=sys.stderr)
         return 1
@@ -89,8 +90,6 @@ def _run(options: argparse.Namespace, args: Sequence[str]) -> int:
     if options.plot is not None:
         if not result.ticks:
             raise ValueError(f"{options.plot} was not written: the node did not tick")
-        from .plots import timeline
-
         timeline(result.ticks).save(options.plot)
         for source, ticks in by_source(result.ticks).items():
             print(f"{options.plot}: {describe_timeline(source, ticks)} {describe_periods(ticks)}", file=sys.stderr)
@@ -105,10 +104,6 @@ def _check_plot(path: str) -> None:
         raise ValueError(f"--plot {path}: the file name must end in .svg")
     if not os.path.isdir(os.path.dirname(path) or "."):
         raise FileNotFoundError(f"--plot {path}: there is no such folder")
-    try:
-        import matplotlib  # noqa: F401
-    except ModuleNotFoundError:
-        raise ImportError("--plot needs matplotlib: pip install matplotlib") from None
 
 
 if __name__ == "__main__":

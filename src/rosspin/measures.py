@@ -13,6 +13,7 @@ from .ticks import Message, Tick
 __all__ = [
     "by_source",
     "describe_lateness",
+    "describe_pace",
     "describe_periods",
     "describe_timeline",
     "lost",
@@ -21,6 +22,7 @@ __all__ = [
     "rostopic_hz",
     "say_time",
     "topic_ticks",
+    "verdict",
 ]
 
 # Fewer values have no hundredth part to speak of.
@@ -121,6 +123,32 @@ def describe_timeline(name: str, group: Sequence[Tick]) -> str:
     if len(group) == 1:
         span = f"1 tick at {group[0].real:.3f} s"
     return f"{name}: {span}. {describe_lateness(group)}"
+
+
+def describe_pace(ticks: Sequence[Tick]) -> str:
+    """Say in a few words how many ticks of one source there were, and how far apart."""
+    times = periods(ticks)
+    if not times:
+        return "1 tick" if ticks else "no ticks"
+    if max(times) - min(times) < 1e-6:
+        return f"{len(ticks)} ticks, one every {say_time(times[0])}"
+    return f"{len(ticks)} ticks, {say_time(min(times))} to {say_time(max(times))} apart"
+
+
+def verdict(ticks: Sequence[Tick], period: float) -> str:
+    """Say in a few words whether the grid of ``period`` seconds was kept in the end, and how many ticks were lost.
+
+    The ticks are of one source, in a simulated run: they are at their times exactly.
+    """
+    if not ticks:
+        return "no ticks"
+    count = len(lost(ticks, period))
+    losses = f"{count} tick{'' if count == 1 else 's'} lost" if count else "no tick lost"
+    pause = periods(ticks)[-1:]
+    passed = (ticks[-1].real - ticks[0].expected) / period
+    if pause and pause[0] > period * 1.001 and abs(pause[0] - ticks[-2].duration) < 1e-6:
+        return f"back to back, every {say_time(pause[0])}, {losses}"
+    return f"{'keeps its grid' if abs(passed - round(passed)) < 1e-3 else 'starts a new grid'}, {losses}"
 
 
 def describe_lateness(ticks: Sequence[Tick]) -> str:

@@ -2,12 +2,15 @@
 //
 // Parameters: ~period (s); ~block (s), how long a callback of the first timer
 // takes; ~block_call, the number of the call that does, 0 for every call;
-// ~block_calls, how many calls from that one on do; ~second_timer (bool), one
-// of the same period that takes no time; ~wait (s), how long main sleeps
+// ~block_calls, how many calls from that one on do; ~blocks, how long (s) the
+// first, the second... call takes, with commas between; ~second_timer (bool),
+// one of the same period that takes no time; ~wait (s), how long main sleeps
 // before it spins; ~threads, 1 for ros::spin, more for an AsyncSpinner.
 
 #include <cstdio>
+#include <sstream>
 #include <string>
+#include <vector>
 
 #include "ros/ros.h"
 
@@ -15,10 +18,13 @@ class Probe
 {
 public:
   Probe(const std::string& source, double block, int block_call,
-      int block_calls)
+      int block_calls, const std::string& blocks)
     : source_(source), block_(block), block_call_(block_call),
       block_calls_(block_calls)
   {
+    std::istringstream words(blocks);
+    for (std::string word; std::getline(words, word, ',');)
+      blocks_.push_back(std::stod(word));
   }
 
   void callback(const ros::TimerEvent& event)
@@ -36,7 +42,9 @@ public:
     std::puts(row);
     std::fflush(stdout);
     int since = number_ - block_call_;
-    if (block_call_ == 0 || (since >= 0 && since < block_calls_))
+    if (number_ <= static_cast<int>(blocks_.size()))
+      ros::WallDuration(blocks_[number_ - 1]).sleep();
+    else if (block_call_ == 0 || (since >= 0 && since < block_calls_))
       ros::WallDuration(block_).sleep();
   }
 
@@ -45,6 +53,7 @@ private:
   double block_;
   int block_call_;
   int block_calls_;
+  std::vector<double> blocks_;
   int number_ = 0;
 };
 
@@ -54,8 +63,9 @@ int main(int argc, char* argv[])
   ros::NodeHandle nh("~");
   ros::Duration period(nh.param("period", 0.5));
   Probe first("timerCallback", nh.param("block", 0.0),
-      nh.param("block_call", 0), nh.param("block_calls", 1));
-  Probe second("secondCallback", 0.0, 0, 1);
+      nh.param("block_call", 0), nh.param("block_calls", 1),
+      nh.param("blocks", std::string()));
+  Probe second("secondCallback", 0.0, 0, 1, "");
   ros::Timer second_timer;
 
   std::printf("start,%.6f\n", ros::Time::now().toSec());

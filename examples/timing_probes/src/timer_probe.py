@@ -10,11 +10,12 @@ import rospy
 
 
 class Probe:
-    def __init__(self, source, block, block_call, block_calls):
+    def __init__(self, source, block, block_call, block_calls, blocks):
         self.source = source
         self.block = block
         self.block_call = block_call
         self.block_calls = block_calls
+        self.blocks = [float(length) for length in blocks.split(",") if length]
         self.number = 0
 
     def callback(self, event):
@@ -25,7 +26,9 @@ class Probe:
         fields += ["" if event.last_duration is None else "%.6f" % event.last_duration]
         print(",".join(fields), flush=True)
         since = self.number - self.block_call
-        if self.block_call == 0 or 0 <= since < self.block_calls:
+        if self.number <= len(self.blocks):
+            time.sleep(self.blocks[self.number - 1])
+        elif self.block_call == 0 or 0 <= since < self.block_calls:
             time.sleep(self.block)
 
 
@@ -33,8 +36,9 @@ if __name__ == "__main__":
     rospy.init_node("timer_probe")
     period = rospy.Duration(rospy.get_param("~period", 0.5))
     block, block_call = rospy.get_param("~block", 0.0), rospy.get_param("~block_call", 0)
-    first = Probe("timerCallback", block, block_call, rospy.get_param("~block_calls", 1))
-    second = Probe("secondCallback", 0.0, 0, 1)
+    block_calls, blocks = rospy.get_param("~block_calls", 1), rospy.get_param("~blocks", "")
+    first = Probe("timerCallback", block, block_call, block_calls, blocks)
+    second = Probe("secondCallback", 0.0, 0, 1, "")
 
     print("start,%.6f" % rospy.get_time(), flush=True)
     rospy.Timer(period, first.callback)

@@ -7,10 +7,10 @@ from collections.abc import Callable, Iterator, Mapping, Sequence
 from itertools import count, islice, pairwise
 from typing import Any, NamedTuple
 
+from ..roscpp import timer_ticks
 from ..run import simulate
 from .feedback import Finding
 from .judging import CLOSE, Answer, Printed, Seen, a_value, grid, on_time, plain, say
-from .roscpp import timer_calls
 
 __all__ = ["EXERCISES", "Exercise"]
 
@@ -242,8 +242,7 @@ def _after_a_slow_callback(answer: Answer) -> Iterator[Finding]:
 
 def _roscpp(blocks_for: float) -> list[float]:
     """When calls 4, 5 and 6 come in roscpp if the third blocks (s)."""
-    calls = timer_calls(400_000_000, lambda number: int(blocks_for * 1e9) if number == 3 else 0, 6_000_000_000)
-    return [call.real / 1e9 for call in calls[3:6]]
+    return [tick.real for tick in timer_ticks(0.4, lambda number: blocks_for * (number == 3), 6.0)[3:6]]
 
 
 @_exercise(

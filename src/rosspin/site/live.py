@@ -1,7 +1,8 @@
 """Sphinx extension: listings that can be run in the page, and what the pages allow themselves to load.
 
 A listing of the class ``live`` (``:class: live`` on its literalinclude, the tag ``live`` on a notebook cell) is run
-by ``web/``, which finds it in the page. Below it stands the plot of a run that is made with the page.
+by ``web/``, which finds it in the page. Below it stands the plot of a run that is made with the page. Figures with a
+handle are moved by ``web/``, too.
 """
 
 from __future__ import annotations
@@ -29,6 +30,7 @@ __all__ = ["plot", "setup"]
 # What `make html` builds from web/, below the html_static_path.
 _SCRIPT = "live/live.js"
 _STYLE = "live/live.css"
+_HANDLES = "handles/handles.js"
 
 # For how long (s) a listing is run, unless its first line says otherwise; web/src/cell.js says so, too.
 SECONDS = 10.0
@@ -64,9 +66,13 @@ def _mark_cells(app: Sphinx, doctree: nodes.document) -> None:
 
 def _live_listings(app: Sphinx, doctree: nodes.document | None) -> list[nodes.literal_block]:
     # Where web/ was not built, as for the doctests, the listings are plain.
-    if doctree is None or not any((app.confdir / folder / _SCRIPT).is_file() for folder in app.config.html_static_path):
+    if doctree is None or not _is_built(app, _SCRIPT):
         return []
     return [node for node in doctree.findall(nodes.literal_block) if "live" in node["classes"]]
+
+
+def _is_built(app: Sphinx, file: str) -> bool:
+    return any((app.confdir / folder / file).is_file() for folder in app.config.html_static_path)
 
 
 def _add_below(app: Sphinx, doctree: nodes.document, name: str) -> None:
@@ -105,6 +111,8 @@ def _add_files(app: Sphinx, page: str, template: str, context: dict[str, Any], d
     if _live_listings(app, doctree):
         app.add_js_file(_SCRIPT, loading_method="defer")
         app.add_css_file(_STYLE)
+    if " data-positions='" in context.get("body", "") and _is_built(app, _HANDLES):
+        app.add_js_file(_HANDLES, loading_method="defer")
 
 
 def _finish_pages(app: Sphinx, error: Exception | None) -> None:

@@ -3,10 +3,14 @@
 from __future__ import annotations
 
 import os
+import re
+import shlex
 import subprocess
 import sys
-from collections.abc import Iterable, Iterator
+import textwrap
+from collections.abc import Iterable, Iterator, Sequence
 from contextlib import chdir
+from functools import partial
 from pathlib import Path
 from typing import ClassVar, cast
 
@@ -23,8 +27,11 @@ from sphinx.util.typing import ExtensionMetadata
 
 from .. import machine, rospy
 from ..measures import topic_ticks
-from ..plots import timeline
+from ..plots import Figure, timeline, with_handle
+from ..process import NodeLike, execute
+from ..roscpp import timer_probe
 from ..run import simulate
+from ..ticks import Tick
 from .checks import note
 from .claims import Facts, one_line
 from .outputs import differences
@@ -33,36 +40,105 @@ __all__ = ["setup"]
 
 
 class TicksDirective(SphinxDirective):
-    """``.. ticks:: FILE`` with ``:seconds: S``: runs a node file in simulated time and draws its timeline.
+    """``.. ticks:: FILE ARGS`` with ``:seconds: S``: runs a node file in simulated time and draws its timeline.
 
-    FILE is relative to the page. More than one file, each on a line of the content as ``NAME: FILE``, share one plot.
-    With ``:topic: /NAME`` it draws the messages that the node published on a topic, in place of its ticks.
+    FILE is relative to the page. More than one, each on a line of the content as ``NAME: FILE ARGS``, share one plot.
+    With ``:period: S`` the plot has the whole grid of that period, and crosses for the lost ticks. With
+    ``:topic: /NAME`` it draws the messages that the node published on a topic, in place of its ticks.
+
+    ``:handle: LABEL, FROM to TO by STEP UNIT`` lets the reader move a number, whose runs are all made now. It stands
+    in ARGS as ``{}``, or it is what the file assigns to the variable named by ``:sets:``. It is ``:at:`` first, or as
+    the file has it. ``:lines: FROM-TO`` shows these lines of the file beside the plot, where the number follows the
+    handle.
+
+    A C++ file can only be ``timer_probe.cpp``, of which the rule is known.
     """
 
     has_content = True
     optional_arguments = 1
     final_argument_whitespace = True
     option_spec: ClassVar = {
-        "seconds": lambda text: float(directives.unchanged_required(text)),
-        "topic": directives.unchanged_required,
+        **dict.fromkeys(("seconds", "period", "at"), lambda text: float(directives.unchanged_required(text))),
+        **dict.fromkeys(("handle", "sets", "lines", "topic"), directives.unchanged_required),
     }
 
     def run(self) -> list[nodes.Node]:
         """The plot, as inline SVG."""
+        try:
+            return list(self._shown(self._plot().captioned(self._caption())))
+        except Exception as error:
+            command = self.arguments[0] if self.arguments else "; ".join(self.content)
+            note(self.env, self.lineno, f"a plot of {command}", one_line(error))
+            return []
+
+    def _commands(self) -> dict[str, list[str]]:
         rows = [line.split(": ", 1) for line in self.content] or [["", self.arguments[0]]]
+        return {name: shlex.split(command) for name, command in rows}
+
+    def _file(self, name: str) -> str:
+        relative, path = self.env.relfn2path(name)
+        self.env.note_dependency(relative)
+        return os.fspath(path)
+
+    def _caption(self) -> str:
+        rules = [name for name, (file, *_) in self._commands().items() if file.endswith(".cpp")]
+        return "; ".join(["simulated", *(f"{name}: calculated by its rule" for name in rules)])
+
+    def _plot(self) -> Figure:
+        period = self.options.get("period")
+        if "handle" not in self.options:
+            return timeline(self._ticks(None), period)
+        found = re.fullmatch(r"(.+), (\S+) to (\S+) by (\S+) (.+)", self.options["handle"])
+        if found is None:
+            raise ValueError("a handle is LABEL, FROM to TO by STEP UNIT")
+        first, last, step = map(float, found.group(2, 3, 4))
+        sets = self.options.get("sets", "")
+        at = self.options["at"] if "at" in self.options else float(self._assignment(sets)[2])
+        values = {at, *(round(first + number * step, 9) for number in range(round((last - first) / step) + 1))}
+        runs = {value: self._ticks(value) for value in sorted(values)}
+        return with_handle(found[1], found[5], runs, at, period, sets)
+
+    def _ticks(self, value: float | None) -> dict[str, Sequence[Tick]]:
         ticks = {}
-        for name, file in rows:
-            relative, path = self.env.relfn2path(file)
-            self.env.note_dependency(relative)
-            try:
-                run = simulate(os.fspath(path), self.options["seconds"])
-                topic = self.options.get("topic")
-                shown = topic_ticks(run.messages, topic) if topic else run.ticks
-                ticks[name or shown[0].source] = shown
-            except Exception as error:
-                note(self.env, self.lineno, f"a plot of {file}", one_line(error))
-                return []
-        return [nodes.raw("", timeline(ticks).captioned("simulated")._repr_html_(), format="html")]
+        for name, (file, *args) in self._commands().items():
+            given = [word.replace("{}", str(value)) for word in args]
+            found = self._run(self._file(file), given, value)
+            ticks[name or found[0].source] = found
+        return ticks
+
+    def _run(self, path: str, args: list[str], value: float | None) -> Sequence[Tick]:
+        if path.endswith("timer_probe.cpp"):
+            return timer_probe(self.options["seconds"], args)
+        node: NodeLike = path
+        if value is not None and "sets" in self.options:
+            at = self._assignment(self.options["sets"])
+            code = compile(f"{at.string[: at.start(2)]}{value}{at.string[at.end(2) :]}", path, "exec")
+            node = partial(execute, code, path)
+        run = simulate(node, self.options["seconds"], args)
+        topic = self.options.get("topic")
+        return topic_ticks(run.messages, topic) if topic else run.ticks
+
+    def _assignment(self, variable: str) -> re.Match[str]:
+        """The line of the first file that assigns a number to a variable."""
+        file = next(iter(self._commands().values()))[0]
+        text = Path(self._file(file)).read_text(encoding="utf-8")
+        found = re.search(rf"^( *{re.escape(variable)} = )([\d.]+)$", text, re.MULTILINE)
+        if found is None:
+            raise ValueError(f"{file} assigns no number to {variable}")
+        return found
+
+    def _shown(self, plot: Figure) -> Iterator[nodes.Node]:
+        drawn = nodes.raw("", plot._repr_html_(), format="html")
+        if "lines" not in self.options:
+            yield drawn
+            return
+        first, last = map(int, self.options["lines"].split("-"))
+        file = Path(self._file(next(iter(self._commands().values()))[0]))
+        text = textwrap.dedent("\n".join(file.read_text(encoding="utf-8").splitlines()[first - 1 : last]))
+        yield nodes.raw("", '<div class="rosspin-beside">', format="html")
+        yield nodes.literal_block(text, text, language="python")
+        yield drawn
+        yield nodes.raw("", "</div>", format="html")
 
 
 class FactsDirective(SphinxDirective):
@@ -176,7 +252,7 @@ def _rospy_does(name: str) -> str:
 
 
 class MachineDirective(SphinxDirective):
-    """``.. machine:: matplotlib Sphinx``: the machine that builds this page, and the versions of these packages."""
+    """``.. machine:: myst-nb Sphinx``: the machine that builds this page, and the versions of these packages."""
 
     has_content = False
     optional_arguments = 1

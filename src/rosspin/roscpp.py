@@ -1,0 +1,56 @@
+"""When roscpp's timer calls back: its rule by itself, where no roscpp can run.
+
+The rule is compared with recordings of the real one, and with the real one where ROS 1 is installed.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Callable, Sequence
+
+from .ticks import Tick
+
+__all__ = ["timer_probe", "timer_ticks"]
+
+_NS = 1_000_000_000
+
+
+def timer_ticks(period: float, duration: Callable[[int], float], seconds: float) -> list[Tick]:
+    """The ticks of the only timer of a roscpp node, up to ``seconds`` after it was made.
+
+    ``duration(number)`` is how long call ``number``, from 1, takes (s), ``period`` that of the timer (s).
+
+    A timer is armed anew only after its callback has returned. Its next call is due one period after the last one was;
+    if even the call after that would have been due already, the next one is due now (source:
+    ros/timer_manager.h, ``updateNext``).
+    """
+    ticks: list[Tick] = []
+    step, until = round(period * _NS), round(seconds * _NS)
+    due = now = step
+    while (real := max(due, now)) <= until:
+        takes = round(duration(len(ticks) + 1) * _NS)
+        ticks.append(Tick("timerCallback", len(ticks) + 1, due / _NS, real / _NS, takes / _NS))
+        now = real + takes
+        due += step
+        if due + step < now:
+            due = now
+    return ticks
+
+
+def timer_probe(seconds: float, args: Sequence[str]) -> list[Tick]:
+    """The ticks of ``examples/timing_probes/src/timer_probe.cpp`` with these parameters, for so many seconds.
+
+    Raises ValueError for a parameter that is not about its one timer.
+    """
+    given = dict(word.removeprefix("_").split(":=", 1) for word in args)
+    if unknown := given.keys() - {"period", "block", "block_call", "block_calls", "blocks"}:
+        raise ValueError(f"the rule of roscpp's timer knows no {', '.join(sorted(unknown))}")
+    blocks = [float(length) for length in given.get("blocks", "").split(",") if length]
+    block, first = float(given.get("block", 0)), int(given.get("block_call", 0))
+    calls = int(given.get("block_calls", 1))
+
+    def duration(number: int) -> float:
+        if number <= len(blocks):
+            return blocks[number - 1]
+        return block if first == 0 or first <= number < first + calls else 0.0
+
+    return timer_ticks(float(given.get("period", 0.5)), duration, seconds)
