@@ -14,6 +14,7 @@ from pathlib import Path
 from typing import Any, Literal
 
 import pytest
+import yaml
 from conftest import ROOT, faults
 from playwright.sync_api import Browser, BrowserContext, Locator, Page, expect
 from test_browser import FAINT, TOO_WIDE
@@ -275,6 +276,18 @@ def test_a_kept_snapshot_that_is_broken_is_thrown_away(context: BrowserContext, 
     snapshots = _asked(page, "snapshot.gz")
     assert "counter = 1" in _first_run(page, address)
     assert snapshots
+
+
+def test_snapshot_is_made_anew_only_when_its_inputs_change(site: Path, tmp_path: Path) -> None:
+    """And its address in the pages follows it."""
+    (kept,) = ROOT.glob("build/snapshot-*.gz")
+    (tmp_path / kept.name).write_bytes(b"kept")
+    out = tmp_path / "web" / "live"
+    node: list[str | Path] = [ROOT / ".venv/bin/node", "--experimental-wasm-jspi", ROOT / "web/build.mjs"]
+    subprocess.run([*node, ROOT / "build/npm", *yaml.__path__, out], check=True)
+    assert (out / "snapshot.gz").read_bytes() == b"kept"
+    version = kept.stem.removeprefix("snapshot-")
+    assert version in (site / "_static/live/worker.js").read_text(encoding="utf-8")
 
 
 def test_module_that_is_not_in_the_snapshot(context: BrowserContext, address: str) -> None:
@@ -725,6 +738,9 @@ def test_what_was_solved_is_kept(exercises: Page) -> None:
     cell.ends(rf"Exercise 1: right\. You have solved \d+ of {len(NUMBERS)}\.")
     exercises.reload()
     expect(cell.status).to_have_text("solved, as you edited it")
+    shown = exercises.locator(".live-progress").all_text_contents()
+    assert len(shown) == 2 and len(set(shown)) == 1  # on the page and in the sidebar
+    assert re.fullmatch(rf"[1-9]\d* of {len(NUMBERS)} solved", shown[0])
     cell.button("Reset").click()
     expect(cell.status).to_have_text("solved")
 

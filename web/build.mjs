@@ -51,7 +51,11 @@ const inputs = ["pyodide.mjs", "pyodide.asm.mjs", "pyodide.asm.wasm", "python_st
 const hash = createHash("sha256").update(process.version)
 inputs.forEach((file) => hash.update(readFileSync(file)))
 const version = hash.digest("hex").slice(0, 16)
-const kept = path.join(out, "../..", `snapshot-${version}.gz`)
+const keeping = path.join(out, "../..")
+const kept = path.join(keeping, `snapshot-${version}.gz`)
+for (const name of readdirSync(keeping)) {
+  if (/^snapshot-.*\.gz$/.test(name) && path.join(keeping, name) !== kept) rmSync(path.join(keeping, name))
+}
 if (!existsSync(kept)) {
   const { info } = JSON.parse(readFileSync(path.join(packages, "node_modules/pyodide/pyodide-lock.json"), "utf8"))
   writeFileSync(kept, gzipSync(await snapshot(out, info), { level: 9 }))

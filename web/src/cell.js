@@ -14,8 +14,30 @@ const READS_ARGUMENTS = /\b(get_param|search_param|declare_parameter|argv)\b/
 /** The cells of the page that are answers to exercises. */
 const exercises = []
 
+/** Under this, for all pages, how many exercises are solved. */
+const PROGRESS = "rosspin:progress"
+
 /** Under this, beside the reader's text, a cell notes that its exercise has been solved. */
 const SOLVED = ":solved"
+
+/** Say on the page, if it has exercises, how many are solved, and on every page beside the link to them. */
+export function showProgress() {
+  const places = [document.querySelector('.bd-docs-nav a[href$="exercises.html"]')]
+  let said = null
+  try {
+    if (exercises.length) {
+      const solved = exercises.filter((cell) => cell.solved).length
+      localStorage.setItem(PROGRESS, `${solved} of ${exercises.length} solved`)
+      places.splice(0, 1, document.querySelector(".bd-docs-nav a[aria-current]"), document.querySelector("article h1"))
+    }
+    said = localStorage.getItem(PROGRESS)
+  } catch {
+    // the reader does not let pages keep anything
+  }
+  if (!said) return
+  document.querySelectorAll(".live-progress").forEach((element) => element.remove())
+  places.forEach((place) => place?.after(make("p", { className: "live-progress", textContent: said })))
+}
 
 /** An element with these properties and children. */
 function make(tag, properties = {}, ...children) {
@@ -334,6 +356,7 @@ export class Cell {
     if (!solved) return ""
     this.solved = true
     this.#store("yes", SOLVED)
+    showProgress()
     return ` You have solved ${exercises.filter((cell) => cell.solved).length} of ${exercises.length}.`
   }
 

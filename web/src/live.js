@@ -1,6 +1,6 @@
 // Loaded with each page that has listings to run. Nothing else is loaded until the reader touches one of them.
 
-import { Cell } from "./cell.js"
+import { Cell, showProgress } from "./cell.js"
 import { unpack } from "./share.js"
 
 const base = new URL(".", document.currentScript.src).href
@@ -40,5 +40,6 @@ async function receive() {
   document.querySelector("article").prepend(notice)
 }
 
+showProgress()
 receive()
 addEventListener("hashchange", receive)
