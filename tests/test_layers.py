@@ -22,6 +22,9 @@ LAYERS = [
     "messages",
     "rospy",
     "process",
+    "processes",
+    "launch",
+    "monitor",
     "run",
     "steps",
     "wall",
@@ -52,7 +55,7 @@ KEEPERS = {
     "sphinx": {"site.pages", "site.live", "site.checks", "site.published"},
     "docutils": {"site.pages", "site.live", "site.checks", "site.published"},
     "pytest": {"pytest_plugin"},
-    "yaml": {"rospy.client", "messages.ros1"},
+    "yaml": {"launch", "rospy.client", "messages.ros1"},
 }
 
 FILES = {
