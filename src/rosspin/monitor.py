@@ -58,8 +58,8 @@ class Member:
 class Monitor:
     """Runs nodes on a simulated clock, as a program of its own there.
 
-    ``run_main(code, world)`` is to do with a node's code what the interpreter does with a program. ``stand_ins`` are the
-    modules that the nodes are given, and ``ros`` is which ROS they import messages of.
+    ``run_main(code, world)`` is to do with a node's code what the interpreter does with a program. ``stand_ins`` are
+    the modules that the nodes are given, and ``ros`` is which ROS they import messages of.
     ``describe(code, waited)`` puts into words where the threads of a process were that had to be killed.
     """
 

@@ -289,8 +289,7 @@ def ticks_of(graph: Graph, start: int, since: int = 0) -> tuple[Tick, ...]:
 def messages_of(graph: Graph, start: int, since: int = 0) -> tuple[Message, ...]:
     """What was recorded of messages, likewise."""
     return tuple(
-        Message(topic, node, (time - start) / NS, make())
-        for topic, node, time, make in (graph.published or ())[since:]
+        Message(topic, node, (time - start) / NS, make()) for topic, node, time, make in (graph.published or ())[since:]
     )
 
 
