@@ -209,6 +209,8 @@ def explained(node: Node, world: World, clock: Clock, seconds: float | None) -> 
     except Stuck as error:
         place = clock.failed if isinstance(clock, Simulation) else ""
         raise _stands_still([node], error.places, place, clock, error.waits) from None
+    if os.getpid() != world.pid:  # a child that the node has forked ends here, if it has not come to its own end
+        os._exit(world.exit_status or 0)
 
 
 def run_main(node: Node, world: World) -> None:
