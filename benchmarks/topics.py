@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 import time
-from collections.abc import Iterator
+from collections.abc import Callable, Iterator
 from functools import partial
 from statistics import median
 from typing import Any
@@ -15,8 +15,13 @@ from rosspin import rospy, simulate
 PERIOD = 0.001
 
 
-def report(messages: int = 20_000, topics: int = 100, seconds: float = 10.0, rounds: int = 5) -> Iterator[str]:
-    """The lines of the report: so many messages of one topic, so many topics at 10 Hz for so many simulated seconds."""
+def report(
+    messages: int = 20_000, topics: int = 100, seconds: float = 10.0, nodes: int = 10, rounds: int = 5
+) -> Iterator[str]:
+    """The lines of the report: so many messages of one topic, so many topics at 10 Hz for so many simulated seconds.
+
+    The topics are first those of one node, then those of so many nodes, from each to the next.
+    """
     yield "Processor time of simulated topics"
     times = by_turns(
         rounds,
@@ -34,6 +39,9 @@ def report(messages: int = 20_000, topics: int = 100, seconds: float = 10.0, rou
     )
     taken = median(by_turns(rounds, time.process_time, {"many": lambda: many(topics, seconds)})["many"])
     yield line(f"  {topics} topics at 10 Hz, simulated / real time", seconds / taken, least=20, times=f"{taken:.2f} s")
+    taken = median(by_turns(rounds, time.process_time, {"among": lambda: among(nodes, topics, seconds)})["among"])
+    what = f"  {topics} topics at 10 Hz among {nodes} nodes, simulated / real time"
+    yield line(what, seconds / taken, least=20, times=f"{taken:.2f} s")
 
 
 def tick(number: int) -> None:
@@ -98,6 +106,34 @@ def many(topics: int, seconds: float) -> None:
         rospy.spin()
 
     simulate(node, seconds)
+    expected = topics * round(seconds * 10)
+    if len(received) < expected - topics:
+        raise AssertionError(f"{len(received)} messages for {expected}")
+
+
+def among(nodes: int, topics: int, seconds: float) -> None:
+    """Run so many nodes with so many topics in all, each from one node to the next."""
+    received: list[Any] = []
+
+    def beat(publisher: rospy.Publisher, event: object) -> None:
+        publisher.publish(1)
+
+    def make(index: int) -> Callable[[], None]:
+        def node() -> None:
+            from std_msgs.msg import UInt32
+
+            rospy.init_node(f"node{index}")
+            for number in range(topics):
+                if number % nodes == index:
+                    publisher = rospy.Publisher(f"topic{number}", UInt32, queue_size=1)
+                    rospy.Timer(rospy.Duration(0.1), partial(beat, publisher))
+                if (number + 1) % nodes == index:
+                    rospy.Subscriber(f"topic{number}", UInt32, received.append)
+            rospy.spin()
+
+        return node
+
+    simulate([make(index) for index in range(nodes)], seconds)
     expected = topics * round(seconds * 10)
     if len(received) < expected - topics:
         raise AssertionError(f"{len(received)} messages for {expected}")

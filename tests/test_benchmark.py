@@ -46,14 +46,20 @@ def test_threads_that_do_not_end_are_an_error(monkeypatch: pytest.MonkeyPatch) -
 
 
 def test_topics_are_compared() -> None:
-    title, message, many = topics.report(messages=50, topics=3, seconds=1.0, rounds=1)
+    title, message, many, among = topics.report(messages=50, topics=3, seconds=1.0, nodes=2, rounds=1)
     assert "a timer's tick" in message and "at most 8" in message
     assert "3 topics at 10 Hz" in many and "at least 20" in many
+    assert "3 topics at 10 Hz among 2 nodes" in among and "at least 20" in among
 
 
 def test_messages_that_do_not_arrive_are_an_error(monkeypatch: pytest.MonkeyPatch) -> None:
     monkeypatch.setattr(topics, "simulate", lambda node, seconds: Run("", (), 0, "simulated", seconds))
-    for function in (topics.tick, topics.publish, lambda number: topics.many(number, 1.0)):
+    for function in (
+        topics.tick,
+        topics.publish,
+        lambda number: topics.many(number, 1.0),
+        lambda number: topics.among(2, number, 1.0),
+    ):
         with pytest.raises(AssertionError, match="for "):
             function(5)
 

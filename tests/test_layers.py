@@ -23,6 +23,9 @@ LAYERS = [
     "rospy",
     "rclpy",
     "process",
+    "processes",
+    "launch",
+    "monitor",
     "run",
     "steps",
     "wall",
@@ -56,7 +59,7 @@ KEEPERS = {
     "sphinx": {"site.pages", "site.live", "site.checks", "site.published"},
     "docutils": {"site.pages", "site.live", "site.checks", "site.published"},
     "pytest": {"pytest_plugin"},
-    "yaml": {"rospy.client", "rclpy.arguments", "messages.ros1"},
+    "yaml": {"launch", "rospy.client", "rclpy.arguments", "messages.ros1"},
 }
 
 FILES = {

@@ -6,6 +6,7 @@ from importlib import import_module
 from typing import TYPE_CHECKING, Any
 
 if TYPE_CHECKING:
+    from .launch import Node
     from .run import TimeStandsStill, simulate
     from .steps import NodeFailed, StartedNode, start
     from .ticks import Message, Run, Tick
@@ -14,6 +15,7 @@ if TYPE_CHECKING:
 
 # Where the names come from that are imported when they are asked for: pytest loads this package in every run.
 _MODULES = {
+    "launch": ("Node",),
     "run": ("TimeStandsStill", "simulate"),
     "steps": ("NodeFailed", "StartedNode", "start"),
     "ticks": ("Message", "Run", "Tick"),
@@ -23,6 +25,7 @@ _MODULES = {
 
 __all__ = [
     "Message",
+    "Node",
     "NodeFailed",
     "NotSimulated",
     "Run",

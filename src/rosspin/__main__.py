@@ -12,10 +12,11 @@ from . import ros1, ros2
 from .clocks.clock import Clock, WallClock
 from .clocks.simulation import Simulation
 from .doctor import report
+from .launch import read_launch
 from .measures import by_source, describe_periods, describe_timeline
 from .plots import timeline
 from .process import leave, load
-from .run import Result, run_node, say_error, split_words
+from .run import Result, Results, run_node, run_nodes, say_error, split_words
 from .ticks import Run
 
 __all__ = ["main"]
@@ -46,16 +47,18 @@ def _parser() -> argparse.ArgumentParser:
         "run",
         help="run a node file",
         description="Run a node file on the wall clock until Ctrl-C, in simulated time, or on the real ROS 1 or 2.",
-        usage="%(prog)s FILE [--seconds S] [--simulated | --ros1 | --ros2] [--plot FILE.svg] [-- NODE ARGS]",
+        usage="%(prog)s FILE [--seconds S] [--simulated [--skip-cpp] | --ros1 | --ros2] [--plot FILE.svg] "
+        "[-- NODE ARGS]",
         epilog="Everything after -- is passed to the node: __ns:=/mrp _rate:=10, or on ROS 2 --ros-args -r __ns:=/mrp.",
         allow_abbrev=False,
     )
-    run.add_argument("file", metavar="FILE", help="a Python node; with --ros1 also a C++ node or a launch file")
+    run.add_argument("file", metavar="FILE", help="a Python node or a launch file; with --ros1 also a C++ node")
     run.add_argument("--seconds", type=float, metavar="S", help="press Ctrl-C after S seconds")
     where = run.add_mutually_exclusive_group()
     where.add_argument("--simulated", action="store_true", help="run in simulated time, which takes almost no time")
     where.add_argument("--ros1", action="store_true", help="use the real ROS 1, which must be installed")
     where.add_argument("--ros2", action="store_true", help="use the real ROS 2, which must be installed (make ros2)")
+    run.add_argument("--skip-cpp", action="store_true", help="leave out the nodes of a launch file that are in C++")
     run.add_argument("--plot", metavar="FILE.svg", help="plot the ticks to this file, and describe them on stderr")
     run.set_defaults(do=_run, parser=run)
     doctor = commands.add_parser("doctor", help="show what can run here", description="Show what can run here.")
@@ -72,18 +75,27 @@ def _doctor(options: argparse.Namespace, args: Sequence[str]) -> int:
 def _run(options: argparse.Namespace, args: Sequence[str]) -> int:
     if options.simulated and options.seconds is None:
         raise ValueError("--simulated needs --seconds: nobody can press Ctrl-C in simulated time")
-    if not options.ros1 and options.file.endswith((".cpp", ".launch")):
-        raise ValueError(f"{options.file}: C++ nodes and launch files need the real ROS 1: add --ros1")
+    launched = options.file.endswith(".launch")
+    if not options.ros1 and options.file.endswith(".cpp"):
+        raise ValueError(f"{options.file}: C++ nodes need the real ROS 1: add --ros1")
+    if not options.ros1 and launched and not options.simulated:
+        raise ValueError(
+            f"{options.file}: launch files run in simulated time or on the real ROS 1: --simulated or --ros1"
+        )
+    if options.skip_cpp and not (launched and options.simulated):
+        raise ValueError("--skip-cpp is for launch files in simulated time")
     if options.plot is not None:
         _check_plot(options.plot)
     record = options.plot is not None
-    result: Result | Run
+    result: Result | Results | Run
     if options.ros1 or options.ros2:
         # Whatever asks this process to end asks the nodes to.
         for number in (signal.SIGTERM, signal.SIGHUP):
             signal.signal(number, signal.default_int_handler)
-        launch = ros1.launch if options.ros1 else ros2.launch
-        result = launch(options.file, options.seconds, args, sys.stdout)
+        real = ros1.launch if options.ros1 else ros2.launch
+        result = real(options.file, options.seconds, args, sys.stdout)
+    elif launched:
+        result = run_nodes(read_launch(options.file, args, options.skip_cpp), options.seconds, Simulation(), record)
     else:
         clock: Clock = Simulation() if options.simulated else WallClock()
         result = run_node(load(options.file), options.seconds, args, clock, record, lambda result: sys.stdout.flush())

@@ -1,4 +1,4 @@
-"""The topics of one run: who publishes, who subscribes, and what was published.
+"""What the nodes of one run share: its topics, who publishes and subscribes, and what is recorded of the run.
 
 What is the same in every ROS. Who is told of whom, when two nodes connect, and what a queue keeps, is each ROS's own.
 """
@@ -11,7 +11,9 @@ from typing import Any, Generic, Protocol, TypeVar
 
 from .clocks.clock import Clock
 
-__all__ = ["End", "Graph", "Published", "Tester"]
+__all__ = ["End", "Graph", "Published", "Record", "Tester"]
+
+Part = TypeVar("Part")
 
 
 class End(Protocol):
@@ -37,6 +39,9 @@ class Tester(Protocol):
 
 
 E = TypeVar("E", bound=End)
+
+# A tick as it is recorded: source, number, expected, real and duration in ns; the duration is None while it runs.
+Record = list[Any]
 
 # A message as it is recorded: topic, node, time (ns), and what makes the message when somebody asks for it.
 Published = tuple[str, str, int, Callable[[], Any]]
@@ -64,15 +69,27 @@ class _Ends(Generic[E]):
 
 
 class Graph:
-    """The topics of the nodes that run on one clock; ``record`` says whether anybody asks for their messages."""
+    """What the nodes that run on one clock share.
 
-    def __init__(self, clock: Clock, record: bool) -> None:
+    ``record`` says whether anybody asks for their ticks and messages, ``several`` whether the nodes are more than one.
+    """
+
+    def __init__(self, clock: Clock, record: bool, several: bool = False) -> None:
+        self.several = several
+        self.ticks: list[Record] | None = [] if record else None
         self.published: list[Published] | None = [] if record else None
         self.tester: Tester | None = None
         self._clock = clock
+        self._parts: dict[type, Any] = {}
         self._lock = threading.Lock()
         self._publications: _Ends[Any] = _Ends()
         self._subscriptions: _Ends[Any] = _Ends()
+
+    def part(self, kind: type[Part]) -> Part:
+        """What one ROS keeps for all its nodes of this run: ``kind()``, made when it is first asked for."""
+        if kind not in self._parts:
+            self._parts[kind] = kind()
+        return self._parts[kind]  # type: ignore[no-any-return]
 
     def advertise(self, publication: End) -> list[Any]:
         """Add a publication; the subscriptions that are there already."""

@@ -20,15 +20,15 @@ from typing import Any, NamedTuple, TextIO
 
 from .clocks.ending import Ended
 from .clocks.patches import Patch, patched
-from .clocks.programs import end_program
+from .clocks.programs import end_program, end_run
 from .clocks.stacks import StackExit, whose
 from .frames import format_error, is_installed
 from .messages import MessageFinder
 from .world import NotSimulated, World
 
 __all__ = [
-    *("Capture", "Node", "NodeLike", "Process", "byte_stream", "capture", "execute", "folder_of", "leave"),
-    *("load", "load_source", "print_error", "refuse_a_run_within_a_run", "run_at_exit"),
+    *("Capture", "Node", "NodeLike", "Process", "byte_stream", "capture", "execute", "folder_of", "kept_in_order"),
+    *("leave", "load", "load_source", "print_error", "refuse_a_run_within_a_run", "run_at_exit"),
 ]
 
 
@@ -50,15 +50,18 @@ NodeLike = str | os.PathLike[str] | Callable[[], Any]
 
 
 def load(node: NodeLike) -> Node:
-    """Make a node of a file or a function. Raises OSError if it cannot be read, SyntaxError if it is not Python.
+    """Make a node of a file or a function.
 
-    ValueError if it is for both ROSes.
+    Raises OSError if it cannot be read, SyntaxError if it is not Python, ValueError for several nodes, or if it is for
+    both ROSes.
     """
     if callable(node):
         code = getattr(node, "__code__", None)
         filename = code.co_filename if code else ""
         ros = _ros([code] if code else [], filename, None)
         return Node(node, getattr(node, "__name__", "node"), filename, None, ros=ros)
+    if not isinstance(node, (str, os.PathLike)) or os.fspath(node).endswith(".launch"):
+        raise ValueError("several nodes and launch files run in simulated time (rosspin.simulate) or on a real ROS")
     path = os.fspath(node)
     with tokenize.open(path) as file:
         return load_source(file.read(), path)
@@ -148,16 +151,13 @@ class Process:
 
         Afterwards, whatever the node has changed is as before: environment, working directory, loggers, modules.
         """
-        refuse_a_run_within_a_run()
-        with _one_at_a_time, patched(_PATCHES):
-            put_outside = _state_of_process()
+        with kept_in_order():
             self._put_inside()
             try:
                 with self._finder, self._own_modules():
                     yield
             finally:
                 self._put_inside = _state_of_process()
-                put_outside()
 
     @contextmanager
     def _own_modules(self) -> Iterator[None]:
@@ -171,6 +171,18 @@ class Process:
             own = {name for name in ("__main__", *self._modules, *found) if name in sys.modules}
             self._modules = {name: sys.modules.pop(name) for name in own}
             sys.modules.update({name: before[name] for name in own if name in before})
+
+
+@contextmanager
+def kept_in_order() -> Iterator[None]:
+    """What any run needs of the process: there is one at a time, and what it changes is undone at its end."""
+    refuse_a_run_within_a_run()
+    with _one_at_a_time, patched(_PATCHES):
+        put_back = _state_of_process()
+        try:
+            yield
+        finally:
+            put_back()
 
 
 def _state_of_process() -> Callable[[], None]:
@@ -239,7 +251,7 @@ def _excepthook(real: Callable[[Any], None]) -> Callable[[Any], None]:
             real(args)
         elif isinstance(error, NotSimulated):
             world.failure = world.failure or error
-            end_program()
+            end_run()
         elif not isinstance(error, (StackExit, SystemExit)):
             sys.stderr.write(f"Exception in thread {args.thread.name}:\n")
             print_error(world, error, getattr(args.thread, "made", None))

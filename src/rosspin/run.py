@@ -12,22 +12,24 @@ from contextlib import contextmanager
 from functools import partial
 from typing import NamedTuple, TextIO
 
-from . import rclpy, rospy
+from . import launch, rclpy, rospy
 from .clocks.clock import NS, Clock, nanoseconds
 from .clocks.ending import Ended
-from .clocks.programs import Died, Killed, LastResort, run_on_the_wall, run_simulated
+from .clocks.programs import Died, Killed, LastResort, SimulatedProgram, run_on_the_wall, run_simulated
 from .clocks.simulation import Simulation, Standstill
-from .clocks.stacks import StackExit
+from .clocks.stacks import Program, StackExit
 from .clocks.threads import begin_main, end_main
 from .clocks.watchdog import Stuck
 from .frames import Place, node_frames
+from .graph import Graph
+from .monitor import Member, Monitor
 from .process import Node, NodeLike, Process, capture, load, print_error, run_at_exit
 from .ticks import Message, Run, Tick
 from .world import NotSimulated, World
 
 __all__ = [
-    *("PATIENCE", "Result", "TimeStandsStill", "duration", "explained", "messages_of", "new_world"),
-    *("run_captured", "run_main", "run_node", "say_error", "simulate", "split_words", "ticks_of"),
+    *("PATIENCE", "Result", "Results", "TimeStandsStill", "duration", "explained", "messages_of", "new_world"),
+    *("run_captured", "run_main", "run_node", "run_nodes", "say_error", "simulate", "split_words", "ticks_of"),
 ]
 
 # After Ctrl-C roslaunch waits 15 s, asks once more with SIGTERM, and kills after another 2 s.
@@ -53,18 +55,37 @@ class TimeStandsStill(RuntimeError):
     """The node keeps simulated time from going on. The message says where and how."""
 
 
-def simulate(node: NodeLike, seconds: float, args: Sequence[str] = ()) -> Run:
+def simulate(
+    node: NodeLike | Sequence[NodeLike | launch.Node], seconds: float, args: Sequence[str] = (), skip_cpp: bool = False
+) -> Run:
     """Run a node for ``seconds`` of simulated time, which begins at 0 and takes almost no real time.
 
     ``node`` is the path of a node file, or a function; ``args`` are its command line, such as ``"__ns:=/mrp"``. What is
     due exactly at ``seconds`` still runs; then Ctrl-C is pressed. The run ends earlier if the node does. As on a real
     ROS, an exception in the node is printed and gives status 1.
 
+    Several nodes run together if ``node`` is a list of them, or the path of a launch file, whose own arguments are then
+    the ``args``. They run as under roslaunch: they are started in this order, all at time 0, and each is a process to
+    itself. In a list, :class:`Node` gives one a command line of its own. What roslaunch says of nodes that end is on
+    the console, the status is 0 whatever becomes of them, and the sources of ticks begin with the nodes' names. With
+    ``skip_cpp``, the nodes of a launch file that are not in Python are left out.
+
     Raises OSError if the file cannot be read, SyntaxError if it is not Python, ValueError if ``seconds`` is negative,
     too large or not a number, :class:`TimeStandsStill` if the node never lets the time go on, and
     :class:`NotSimulated` if it needs a real ROS.
     """
-    return run_captured(Simulation(), load(node), seconds, args)
+    if isinstance(node, (str, os.PathLike)) and os.fspath(node).endswith(".launch"):
+        launched = launch.read_launch(node, args, skip_cpp)
+    elif callable(node) or isinstance(node, (str, os.PathLike)):
+        return run_captured(Simulation(), load(node), seconds, args)
+    elif args:
+        raise ValueError("give each of several nodes its own command line: rosspin.Node(node, args)")
+    else:
+        launched = launch.Launch([each if isinstance(each, launch.Node) else launch.Node(each) for each in node])
+    duration(seconds)
+    with capture() as console:
+        result = run_nodes(launched, seconds, Simulation())
+    return Run(console.text(), result.ticks, result.status, "simulated", seconds, 0.0, messages_of(result.graph, 0))
 
 
 def run_captured(clock: Clock, node: Node, seconds: float, args: Sequence[str], *streams: TextIO) -> Run:
@@ -73,7 +94,7 @@ def run_captured(clock: Clock, node: Node, seconds: float, args: Sequence[str], 
     with capture(*streams) as console:
         result = run_node(node, seconds, args, clock)
     runtime = "simulated" if isinstance(clock, Simulation) else "wall"
-    messages = messages_of(result.world, round(result.start * NS))
+    messages = messages_of(result.world.graph, round(result.start * NS))
     return Run(console.text(), result.ticks, result.status, runtime, seconds, result.start, messages)
 
 
@@ -106,12 +127,12 @@ def run_node(
         start = 0 if isinstance(clock, Simulation) else clock.now()
 
         def result(status: int) -> Result:
-            return Result(status, ticks_of(world, start), start / NS, world)
+            return Result(status, ticks_of(world.graph, start), start / NS, world)
 
         last_resort = give_up and LastResort(
             lambda killed: give_up(result(_say_killed(node, seconds, killed))),
             lambda stacks: (
-                _killed(node, seconds) + _say_where(node, [each for each in stacks if _of_node(node, each[1])])
+                _killed(node, seconds) + _say_where(node, [each for each in stacks if _of_nodes([node], each[1])])
             ),
         )
         with explained(node, world, clock, seconds):
@@ -124,12 +145,59 @@ def run_node(
     return result(world.exit_status)
 
 
+class Results(NamedTuple):
+    """How a run of several nodes ended: its exit status, ticks (none if not recorded), and what they shared."""
+
+    status: int
+    ticks: tuple[Tick, ...]
+    graph: Graph
+
+
+def run_nodes(nodes: launch.Launch, seconds: float, clock: Simulation, record: bool = True) -> Results:
+    """Run several nodes on one simulated clock. Their console goes where ``sys.stdout`` and ``sys.stderr`` go."""
+    until = duration(seconds)
+    graph = Graph(clock, record, several=True)
+    master = graph.part(rospy.state.Master)
+    for name, value in nodes.parameters:
+        master.set_param(name, value)
+    for line in nodes.left_out:
+        sys.stderr.write(f"rosspin: {line}\n")
+    members = [Member(node, load(node.node), number) for number, node in enumerate(nodes.nodes, 1)]
+    codes = [member.code for member in members]
+    if any(code.ros != 1 for code in codes):
+        raise ValueError("several nodes in one run are nodes of ROS 1; in ROS 2 one process can hold several nodes")
+    with Monitor(members, clock, graph, _run_beside_others, _say_where, rospy.MODULES, ros=1) as monitor:
+        try:
+            program = SimulatedProgram(monitor.run, Program(), clock)
+            program.advance(until)
+            program.end(None)
+        except Standstill as error:
+            raise _stands_still(codes, error.places, error.place, clock, waits=False) from None
+        except Stuck as error:
+            raise _stands_still(codes, error.places, clock.failed, clock, error.waits) from None
+        except Ended:
+            failures = [member.world.failure for member in members if member.world.failure]
+            if not failures:
+                raise
+            raise failures[0] from None
+    return Results(0, ticks_of(graph, 0), graph)
+
+
+def _run_beside_others(node: Node, world: World) -> None:
+    _at_the_end(node, world)
+    run_main(node, world)
+
+
 def new_world(node: Node, clock: Clock, record: bool) -> World:
     """The world of a node whose process the caller is in."""
     world = World(clock, sys.argv, record)
+    _at_the_end(node, world)
+    return world
+
+
+def _at_the_end(node: Node, world: World) -> None:
     if node.ros == 1:
         world.at_exit.append((rospy.core.signal_shutdown, ("atexit",), {}))  # as rospy does when it is imported
-    return world
 
 
 @contextmanager
@@ -142,7 +210,7 @@ def explained(node: Node, world: World, clock: Clock, seconds: float | None) -> 
     except Died as died:
         world.exit_status = 128 + died.number
     except Standstill as error:
-        raise _stands_still(node, error.places, error.place, clock, waits=False) from None
+        raise _stands_still([node], error.places, error.place, clock, waits=False) from None
     except Ended:
         if world.failure is not None:
             raise world.failure from None
@@ -150,7 +218,7 @@ def explained(node: Node, world: World, clock: Clock, seconds: float | None) -> 
             raise
     except Stuck as error:
         place = clock.failed if isinstance(clock, Simulation) else ""
-        raise _stands_still(node, error.places, place, clock, error.waits) from None
+        raise _stands_still([node], error.places, place, clock, error.waits) from None
     _end_if_forked(world)
 
 
@@ -219,8 +287,8 @@ def _is_ros_package(name: str) -> bool:
     )
 
 
-def ticks_of(world: World, start: int, since: int = 0) -> tuple[Tick, ...]:
-    """What was recorded of a node's ticks, in a run that began at ``start`` (ns), from the tick ``since`` on."""
+def ticks_of(graph: Graph, start: int, since: int = 0) -> tuple[Tick, ...]:
+    """What was recorded of ticks, in a run that began at ``start`` (ns), from the tick ``since`` on."""
     return tuple(
         _new_tick(
             (
@@ -231,15 +299,14 @@ def ticks_of(world: World, start: int, since: int = 0) -> tuple[Tick, ...]:
                 math.nan if duration is None else duration / NS,
             )
         )
-        for source, number, expected, real, duration in (world.ticks or ())[since:]
+        for source, number, expected, real, duration in (graph.ticks or ())[since:]
     )
 
 
-def messages_of(world: World, start: int, since: int = 0) -> tuple[Message, ...]:
-    """What was recorded of the messages in a node's graph, likewise."""
+def messages_of(graph: Graph, start: int, since: int = 0) -> tuple[Message, ...]:
+    """What was recorded of messages, likewise."""
     return tuple(
-        Message(topic, node, (time - start) / NS, make())
-        for topic, node, time, make in (world.graph.published or ())[since:]
+        Message(topic, node, (time - start) / NS, make()) for topic, node, time, make in (graph.published or ())[since:]
     )
 
 
@@ -273,25 +340,27 @@ def _say_where(node: Node, waited: Sequence[tuple[str, list[Place]]]) -> str:
     """Where the threads of a node were, a line for each."""
     lines = []
     for name, places in waited:
-        place = _of_node(node, places)
+        place = _of_nodes([node], places)
         where = f"was at {_say_place(place)}" if place else "had done its work and waited for other threads"
         lines.append(f"rosspin: {name} {where}\n")
     return "".join(lines)
 
 
-def _of_node(node: Node, places: Sequence[Place]) -> Place | None:
-    """The innermost place in the node's file or its folder."""
-    folder = node.folder + os.sep if node.folder else node.filename
-    return next((place for place in places if place.filename.startswith((node.filename, folder))), None)
+def _of_nodes(nodes: Sequence[Node], places: Sequence[Place]) -> Place | None:
+    """The innermost place in a node's file or its folder."""
+    folders = tuple(name for node in nodes for name in (node.filename, f"{node.folder or node.filename}{os.sep}"))
+    return next((place for place in places if place.filename.startswith(folders)), None)
 
 
 def _say_place(place: Place) -> str:
     return f"{place.filename}:{place.line}" + (f": {place.call}" if place.call else "")
 
 
-def _stands_still(node: Node, places: Sequence[Place], fallback: str, clock: Clock, waits: bool) -> TimeStandsStill:
+def _stands_still(
+    nodes: Sequence[Node], places: Sequence[Place], fallback: str, clock: Clock, waits: bool
+) -> TimeStandsStill:
     now = f"simulated time stands still at {clock.now() / NS} s"
-    place = _of_node(node, places)
+    place = _of_nodes(nodes, places)
     if waits:
         where = _say_place(place) if place else fallback
         why = (
@@ -302,7 +371,7 @@ def _stands_still(node: Node, places: Sequence[Place], fallback: str, clock: Clo
         where = f"{place.filename}:{place.line}" if place else fallback
         why = (
             "because the node keeps running without sleeping. "
-            f"Sleep in every loop (rate.sleep(), {_SLEEP[node.ros]}), and give timers and rates a period above 0."
+            f"Sleep in every loop (rate.sleep(), {_SLEEP[nodes[0].ros]}), and give timers and rates a period above 0."
         )
     return TimeStandsStill(f"{where}{': ' if where else ''}{now}, {why}")
 

@@ -180,7 +180,7 @@ class StartedNode:
         before = len(self._capture), len(world.ticks), len(self._messages), self._now
         with self._inside(), explained(self._node, world, self._clock, self.time):
             go_on()
-        self._messages += messages_of(world, 0, len(self._messages))
+        self._messages += messages_of(world.graph, 0, len(self._messages))
         status = self.status or 0
         errors = world.errors[self._raised :]
         died = bool(status) and not self._status_raised
@@ -204,7 +204,7 @@ class StartedNode:
         """What the node has done from these pieces of its console, ticks and messages on, since the time ``time``."""
         return Run(
             self._capture.text(piece),
-            ticks_of(self._world, 0, tick),
+            ticks_of(self._world.graph, 0, tick),
             self.status or 0,
             "simulated",
             (self._now - time) / NS,

@@ -239,5 +239,5 @@ def _send(pipe: int, kind: bytes, data: bytes = b"") -> None:
 
 
 def _plain(result: Result) -> _Outcome:
-    messages = messages_of(result.world, round(result.start * NS))
+    messages = messages_of(result.world.graph, round(result.start * NS))
     return result.status, result.start, list(map(tuple, result.ticks)), pickles.pack(messages)

@@ -5,18 +5,16 @@ from __future__ import annotations
 import os
 import threading
 from collections.abc import Callable
+from contextlib import AbstractContextManager
 from typing import Any, TypeVar
 
 from .clocks.clock import Clock
 from .clocks.stacks import Program, acting_for, whose
-from .graph import Graph
+from .graph import Graph, Record
 
 __all__ = ["NotSimulated", "Record", "World", "current_world"]
 
 Part = TypeVar("Part")
-
-# A tick as it is recorded: source, number, expected, real and duration in ns; the duration is None while it runs.
-Record = list[Any]
 
 
 class NotSimulated(NotImplementedError):
@@ -34,13 +32,17 @@ class World(Program):
     """A node's world: the clock that it runs on, its command line ``argv``, and what is recorded of it.
 
     ``record`` says whether anybody asks for its ticks and messages; ``graph`` is the one that it shares with the other
-    nodes of its run, if there are any.
+    nodes of its run, if there are any; ``number`` tells it from them.
     """
 
-    def __init__(self, clock: Clock, argv: list[str], record: bool, graph: Graph | None = None) -> None:
+    def __init__(
+        self, clock: Clock, argv: list[str], record: bool, graph: Graph | None = None, number: int = 0
+    ) -> None:
         super().__init__()
         self.clock = clock
         self.pid = os.getpid()
+        self.number = number
+        self.name = ""  # its full name in the graph, as soon as it has one
         self.graph = graph or Graph(clock, record)
         self.argv = argv
         self.errors: list[BaseException] = []  # those whose tracebacks were printed
@@ -48,15 +50,23 @@ class World(Program):
         self.main_status: int | None = None  # with which its main program has ended
         self.exit_status: int | None = None  # and all of it
         self.on_failure: Callable[[], None] | None = None  # called for each error, and a main status other than 0
-        self.ticks: list[Record] | None = [] if record else None
+        self.ticks: list[Record] | None = self.graph.ticks
         self.at_exit: list[tuple[Callable[..., Any], tuple[Any, ...], dict[str, Any]]] = []
         self._sources: dict[str, int] = {}
         self._parts: dict[type, Any] = {}
 
     def source(self, name: str) -> str:
-        """A name for something that ticks, made different from those given before: Rate, Rate 2, ..."""
+        """A name for something that ticks, made different from those given before: Rate, Rate 2, ...
+
+        With several nodes it begins with the node's: /talker Rate.
+        """
         count = self._sources[name] = self._sources.get(name, 0) + 1
-        return name if count == 1 else f"{name} {count}"
+        numbered = name if count == 1 else f"{name} {count}"
+        return f"{self.name} {numbered}" if self.graph.several else numbered
+
+    def acting(self) -> AbstractContextManager[None]:
+        """Within this context the calling code belongs to this node, whichever node's thread it is on."""
+        return acting_for(self)
 
     def note_error(self, error: BaseException) -> None:
         """Keep an exception whose traceback was printed."""

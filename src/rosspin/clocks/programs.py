@@ -24,7 +24,20 @@ from .threads import followed_threads, simulated_threads
 from .virtual_time import virtual_time
 from .watchdog import watch
 
-__all__ = ["Died", "Killed", "LastResort", "SimulatedProgram", "end_program", "run_on_the_wall", "run_simulated"]
+__all__ = [
+    "Died",
+    "Killed",
+    "LastResort",
+    "SimulatedProgram",
+    "begin_beside",
+    "end_program",
+    "end_run",
+    "press_ctrl_c",
+    "run_on_the_wall",
+    "run_simulated",
+    "send",
+    "where_it_waits",
+]
 
 # A run that does not get on by so much (ns) in seconds of real time will not end.
 _LEAST_STEP = 1_000_000
@@ -37,7 +50,15 @@ _DEAF = 1.0
 
 
 def end_program() -> None:
-    """End the program that the caller belongs to, at once: what runs it is left by :class:`Ended`."""
+    """End the program that the caller belongs to, at once, and the run if it is the only one."""
+    stack = current()
+    if isinstance(stack, Stack) and stack.program.main is not stack.clock.main:
+        stack.clock.end(stack.program, spare_me=False)
+    end_run()
+
+
+def end_run() -> None:
+    """End the run that the caller belongs to, at once: it is left by :class:`Ended`."""
     if isinstance(current(), Stack):
         raise Ended
     signal.pthread_kill(threading.main_thread().ident or 0, _END)
@@ -60,24 +81,24 @@ class SimulatedProgram:
     def __init__(self, main: Callable[[], object], program: Program, simulation: Simulation) -> None:
         self._program = program
         self._simulation = simulation
-        simulation.begin(main, program, threading.main_thread().ident or 0)
+        simulation.begin(main, program, _main_ident())
 
     def advance(self, until: int) -> None:
         """Go on until the time is ``until`` (ns), what is due exactly then included, or ``main`` has returned."""
         self._step(until)
 
-    def end(self, patience: int) -> None:
+    def end(self, patience: int | None) -> None:
         """Press Ctrl-C, and go on to the end. Raises :class:`Killed` if it has not come after ``patience`` ns."""
         simulation = self._simulation
         if simulation.is_over:
             return
 
         def kill() -> None:
-            raise Killed([(_name(stack.ident), places(stack.trail)) for stack in simulation.suspended() if stack.ident])
+            raise Killed(where_it_waits(self._program))
 
-        self._program.interrupted = True
-        send(simulation.main, signal.SIGINT)
-        simulation.at(simulation.now() + patience, kill)
+        press_ctrl_c(self._program)
+        if patience is not None:
+            simulation.at(simulation.now() + patience, kill)
         self._step(None)
 
     def _step(self, until: int | None) -> None:
@@ -97,6 +118,27 @@ def run_simulated(
     simulated = SimulatedProgram(main, program, simulation)
     simulated.advance(until)
     simulated.end(patience)
+
+
+def begin_beside(main: Callable[[], object], program: Program, simulation: Simulation) -> None:
+    """Begin another program on a simulated clock, at the instant of the call."""
+    simulation.begin_beside(main, program, _main_ident())
+
+
+def press_ctrl_c(program: Program) -> None:
+    """Send SIGINT to a simulated program, for which it is the end of its time."""
+    program.interrupted = True
+    send(program, signal.SIGINT)
+
+
+def where_it_waits(program: Program) -> list[tuple[str, list[Place]]]:
+    """Where the threads of a simulated program are: name, and frames innermost first."""
+    stacks = program.main.clock.suspended()
+    return [(_name(stack.ident), places(stack.trail)) for stack in stacks if stack.ident and stack.owner is program]
+
+
+def _main_ident() -> int:
+    return threading.main_thread().ident or 0
 
 
 def _name(ident: int) -> str:

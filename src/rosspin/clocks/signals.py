@@ -33,9 +33,9 @@ class Died(BaseException):
         self.number = number
 
 
-def send(stack: Stack, number: int) -> None:
-    """Send a signal to the program whose main stack this is; it is handled when that stack goes on."""
-    stack.clock.interrupt(stack, lambda: _handle(stack.program, number))
+def send(program: Program, number: int) -> None:
+    """Send a signal to a program; it is handled when its main stack goes on."""
+    program.main.clock.interrupt(program.main, lambda: _handle(program, number))
 
 
 def _handle(program: Program, number: int) -> None:
@@ -47,7 +47,7 @@ def _handle(program: Program, number: int) -> None:
 
 
 def _signal(stack: Stack, number: int, handler: Handler) -> Handler:
-    if stack is not stack.clock.main:
+    if stack is not stack.program.main:
         raise ValueError("signal only works in main thread of the main interpreter")
     if not (callable(handler) or handler in (signal.SIG_DFL, signal.SIG_IGN)):
         raise TypeError("signal handler must be signal.SIG_IGN, signal.SIG_DFL, or a callable object")
@@ -66,22 +66,21 @@ def _getsignal(stack: Stack, number: int) -> Handler:
 
 def _raise_signal(stack: Stack, number: int) -> None:
     _check(number)
-    main = stack.clock.main
     if number == 0:
         return
-    if stack is main:
+    if stack is stack.program.main:
         _handle(stack.program, number)
     else:
-        send(main, number)
+        send(stack.program, number)
 
 
 def _interrupt_main(stack: Stack, number: int = signal.SIGINT) -> None:
     """As a signal, but it wakes nobody: it is handled when the main stack goes on."""
-    main = stack.clock.main
-    if stack is main:
-        _handle(stack.program, number)
+    program = stack.program
+    if stack is program.main:
+        _handle(program, number)
     else:
-        main.clock.interrupt_later(main, lambda: _handle(stack.program, number))
+        stack.clock.interrupt_later(program.main, lambda: _handle(program, number))
 
 
 def _check(number: int) -> None:
@@ -100,8 +99,8 @@ def _setitimer(stack: Stack, which: int, seconds: float, interval: float = 0.0) 
         alarm = program.alarm = (delay > 0, when, interval)
 
         def ring() -> None:
-            if program.alarm is alarm:
-                send(clock.main, signal.SIGALRM)
+            if program.alarm is alarm and not program.over:
+                send(program, signal.SIGALRM)
                 set_for(interval)
 
         if delay > 0:

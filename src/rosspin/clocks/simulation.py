@@ -17,7 +17,7 @@ from itertools import count
 from ..frames import Place, places, trail
 from .clock import NS
 from .ending import ending_here
-from .stacks import Program, Stack, StackExit, Switched, current
+from .stacks import Program, Stack, StackExit, Switched, current, telling_no_turns
 
 __all__ = ["PacedSimulation", "Simulation", "Standstill"]
 
@@ -64,6 +64,7 @@ class Simulation:
         self._pauses = 0  # the newest of them ends a step
         self._paused = False
         self._closed = False
+        self._to_end: list[tuple[Program, Stack | None]] = []  # and who goes on
         self.main: Stack
         self.failed = ""  # the place of the stack that an exception ended
 
@@ -139,6 +140,13 @@ class Simulation:
         self._schedule(self._now, stack)
         return stack
 
+    def end(self, program: Program, spare_me: bool = True) -> None:
+        """End the stacks of a program at once, wherever they are; the caller's only if it is not to be spared."""
+        me = current()
+        assert isinstance(me, Stack)
+        self._to_end.append((program, me if spare_me or me.owner is not program else None))
+        self._home.switch()
+
     def at(self, when: int, function: Callable[[], object]) -> None:
         """Call ``function`` at the time ``when`` (ns), after everything that falls due then."""
         self._order += 1
@@ -174,8 +182,13 @@ class Simulation:
 
     def begin(self, main: Callable[[], object], program: Program, ident: int) -> None:
         """Have ``main`` run on a stack, ``main``, in the steps to come; ``ident`` is the thread's."""
-        self.main = self._stack(main, program, ident, "")
-        self._schedule(self._now, self.main)
+        self.begin_beside(main, program, ident)
+        self.main = program.main
+
+    def begin_beside(self, main: Callable[[], object], program: Program, ident: int) -> None:
+        """Run ``main`` as the main stack of another program, beginning when the caller gives way."""
+        program.main = self._stack(main, program, ident, "")
+        self._schedule(self._now, program.main)
 
     def advance(self, until: int | None = None) -> None:
         """Go on until the time is ``until`` (ns), and all that is due then has run; or until ``main`` has returned.
@@ -191,6 +204,9 @@ class Simulation:
         try:
             with ending_here():
                 while not (self.main.dead or self._paused):
+                    if self._to_end:
+                        self._end(*self._to_end.pop())
+                        continue
                     due = self._next()
                     if due is None:
                         raise RuntimeError(f"nothing is left to happen at {self.seconds()} s, and the node still waits")
@@ -234,10 +250,15 @@ class Simulation:
             self._cancelled.add(stack.ticket)
             stack.ticket = 0
             if len(self._cancelled) > 1000 + len(self._heap) // 2:
-                self._heap[:] = [entry for entry in self._heap if entry[1] not in self._cancelled]
-                heapify(self._heap)
-                self._cancelled.clear()
+                self._keep(lambda stack: True)
         self._schedule(self._now, stack)
+
+    def _keep(self, is_wanted: Callable[[Stack], bool]) -> None:
+        """Keep, of the wake-ups that are not cancelled, those of stacks that are wanted."""
+        cancelled = self._cancelled
+        self._heap[:] = [entry for entry in self._heap if entry[1] not in cancelled and is_wanted(entry[2])]
+        heapify(self._heap)
+        cancelled.clear()
 
     def _drop_cancelled(self) -> None:
         """Leave in front of the heap what is to happen next; when all is over, nothing."""
@@ -286,7 +307,7 @@ class Simulation:
                     self.failed = place
                 raise
             finally:
-                del self._stacks[stack]
+                self._stacks.pop(stack, None)
 
         stack = Stack(run, self._home, self, program, ident, place)
         self._stacks[stack] = None
@@ -297,18 +318,39 @@ class Simulation:
         heappush(self._heap, (when, self._order, stack))
         return self._order
 
+    def _end(self, program: Program, spared: Stack | None) -> None:
+        """Do, from home, what ``end`` was asked for."""
+        program.over = True
+        self._throw_exit([stack for stack in self._stacks if stack.owner is program and stack is not spared])
+        self._closed = False
+        for function in program.at_end:
+            self.start(function, Program(), "")
+        self._keep(lambda stack: stack.owner is not program)
+        if spared:
+            spared.switch()
+
     def close(self) -> None:
-        """End the stacks that are left. What they still print is for nobody: Python's daemon threads just stop."""
+        """End the stacks that are left."""
+        self._throw_exit(list(self._stacks))
+        self._heap.clear()
+
+    def _throw_exit(self, stacks: list[Stack]) -> None:
+        """End stacks, of which nothing goes on any more.
+
+        What they still print is for nobody: Python's daemon threads just stop.
+        """
         self._closed = True
-        with contextlib.redirect_stdout(io.StringIO()), contextlib.redirect_stderr(io.StringIO()):
-            for stack in list(self._stacks):
+        nowhere = io.StringIO()
+        with telling_no_turns(), contextlib.redirect_stdout(nowhere), contextlib.redirect_stderr(nowhere):
+            for stack in stacks:
                 try:
                     stack.throw(StackExit)
                 except (StackExit, Exception):
                     pass
                 if not stack.dead:
+                    stack.waits = False  # nobody can wake it
                     _abandoned.append(stack)
-        self._heap.clear()
+                self._stacks.pop(stack, None)
 
 
 class PacedSimulation(Simulation):

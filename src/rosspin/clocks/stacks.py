@@ -20,7 +20,10 @@ from ..frames import Trail, trail
 if TYPE_CHECKING:
     from .simulation import Simulation
 
-__all__ = ["Program", "Stack", "StackExit", "acting_for", "current", "enter", "whose"]
+__all__ = [
+    *("Program", "Stack", "StackExit", "acting_for", "current", "enter"),
+    *("telling_no_turns", "telling_turns", "whose"),
+]
 
 
 class StackExit(BaseException):
@@ -30,9 +33,12 @@ class StackExit(BaseException):
 class Program:
     """What runs as one program: its stacks, or threads, belong to it, and so does what they start.
 
-    ``interrupted`` is true once Ctrl-C has come at the end of its time; ``ending`` once it waits for its last threads,
-    as Python does at the end of a program. ``handlers`` are its signal handlers, if it is simulated.
+    ``main`` is its main stack, if it is simulated, and ``handlers`` are its signal handlers. ``interrupted`` is true
+    once Ctrl-C has come at the end of its time, ``ending`` once it waits for its last threads, as Python does at the
+    end of a program, and ``over`` once it has ended among others that go on.
     """
+
+    main: Stack
 
     def __init__(self) -> None:
         self.interrupted = False
@@ -45,12 +51,18 @@ class Program:
         self.idents: set[int] = set()  # of the threads that it started and that have not ended
         self.active: dict[int, Any] = {}  # those threads, while it is not running (simulated programs only)
         self.working: dict[Any, Any] = {}  # those of them that belong to a pool, and its queue
+        self.over = False
+        self.at_end: list[Callable[[], None]] = []  # what is to be done when it is over, however it ended
 
 
 if sys.platform == "emscripten":
     from .jspi import Switched, current
+
+    def settrace(trace: Any) -> Any:
+        """What greenlet has and JSPI lacks."""
+        raise NotImplementedError("a web page runs one node at a time")
 else:
-    from greenlet import getcurrent, greenlet
+    from greenlet import getcurrent, greenlet, settrace
 
     class Switched(greenlet):
         """A call stack that can be suspended; it begins at its first ``switch()``.
@@ -78,6 +90,7 @@ else:
 class Stack(Switched):
     """A stack of a program on a simulated clock.
 
+    It belongs to ``owner``, and what it does is done for ``program``, which is the same except for a while.
     ``ident`` is what ``threading.get_ident()`` is there; ``place`` is the line that started it, as ``file:line``.
     """
 
@@ -86,6 +99,7 @@ class Stack(Switched):
         "ended",
         "ident",
         "interrupt",
+        "owner",
         "place",
         "polled",
         "polls",
@@ -100,7 +114,7 @@ class Stack(Switched):
     ) -> None:
         super().__init__(function, home)
         self.clock = clock
-        self.program = program
+        self.owner = self.program = program
         self.ident = ident
         self.place = place
         self.ticket = 0  # the number of its wake-up, while it waits with a time limit
@@ -132,16 +146,61 @@ def enter(program: Program | None) -> Program | None:
     return before
 
 
+def _tell_nobody(program: Program) -> None:
+    pass
+
+
+_tell_turn: Callable[[Program], None] = _tell_nobody
+
+
+@contextmanager
+def telling_turns(tell: Callable[[Program], None]) -> Iterator[None]:
+    """Within this context ``tell(program)`` is called whenever code of a program goes on, also if it was on before.
+
+    For runs of several programs: where there is one, switching from stack to stack costs nothing for this.
+    """
+    global _tell_turn
+
+    def trace(event: str, stacks: Any) -> None:
+        target = stacks[1]
+        if isinstance(target, Stack):
+            tell(target.program)
+
+    before = settrace(trace), _tell_turn
+    _tell_turn = tell
+    try:
+        yield
+    finally:
+        settrace(before[0])
+        _tell_turn = before[1]
+
+
+@contextmanager
+def telling_no_turns() -> Iterator[None]:
+    """Within this context nobody is told."""
+    global _tell_turn
+    before, _tell_turn = _tell_turn, _tell_nobody
+    trace = None if before is _tell_nobody else settrace(None)
+    try:
+        yield
+    finally:
+        _tell_turn = before
+        if trace:
+            settrace(trace)
+
+
 @contextmanager
 def acting_for(program: Program) -> Iterator[None]:
     """Within this context the calling code belongs to ``program``, and so does what it starts."""
     stack = current()
     if isinstance(stack, Stack):
         before, stack.program = stack.program, program
+        _tell_turn(program)
         try:
             yield
         finally:
             stack.program = before
+            _tell_turn(before)
     else:
         outer = enter(program)
         try:

@@ -27,7 +27,7 @@ from .ending import Ended, ending_here
 from .patches import Patch, either, patched
 from .stacks import Program, Stack, StackExit, current, enter, whose
 
-__all__ = ["begin_main", "end_main", "followed_threads", "simulated_threads"]
+__all__ = ["begin_main", "end_main", "followed_threads", "simulated_threads", "unlist_threads"]
 
 _real_lock = _thread.allocate_lock
 _real_rlock = _thread.RLock
@@ -330,8 +330,15 @@ def _listed(program: Program) -> Iterator[None]:
     try:
         yield
     finally:
-        program.active = {ident: active.pop(ident) for ident in program.idents if ident in active}
-        program.working = {thread: working.pop(thread) for thread in list(working) if thread.ident in program.idents}
+        unlist_threads(program)
+
+
+def unlist_threads(program: Program) -> None:
+    """Take a simulated program's threads off those lists."""
+    active: Any = threading._active  # type: ignore[attr-defined]
+    working: Any = pools._threads_queues
+    program.active = {ident: active.pop(ident) for ident in program.idents if ident in active}
+    program.working = {thread: working.pop(thread) for thread in list(working) if thread.ident in program.idents}
 
 
 class SimpleQueue(queue._PySimpleQueue):  # type: ignore[name-defined,misc]

@@ -239,7 +239,7 @@ class Answer:
                 self.console, self._ran = console.text(), True
         if failure := _failure(result, allowed):
             raise Fails(f"{started} {failure}", _hint_for_errors(result.world.errors))
-        return Seen(clock, seconds, messages_of(result.world, 0)), result.world.interrupted
+        return Seen(clock, seconds, messages_of(result.world.graph, 0)), result.world.interrupted
 
 
 def _load(source: Any) -> Node:

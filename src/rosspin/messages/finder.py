@@ -25,7 +25,8 @@ class MessageFinder(MetaPathFinder, Loader):
     was imported through this finder is taken out of ``sys.modules``, and what was there before is put back. The context
     may be entered again; then it is the other way round.
 
-    ``messages`` makes and holds the classes: ``finder.messages["std_msgs/UInt32"]``.
+    ``messages`` makes and holds the classes: ``finder.messages["std_msgs/UInt32"]``; ``found`` are the packages that
+    were imported through this finder.
     """
 
     def __init__(self, ros: int, folder: Path | None = None) -> None:
@@ -39,23 +40,26 @@ class MessageFinder(MetaPathFinder, Loader):
 
             self.messages = ros2.Messages(self.library)
         self._hidden: dict[str, ModuleType] = {}
-        self._found: set[str] = set()  # packages that were imported through this finder
-        self._modules: dict[str, ModuleType] = {}  # and what they consist of
+        self.found: set[str] = set()
+        self._modules: dict[str, ModuleType] = {}  # what they consist of
 
     def __enter__(self) -> MessageFinder:
-        # What is imported already may be the real one, or another node's. Packages without a module msg are not asked
-        # for: a run that imports no message does not need the library.
-        names = [name.split(".") for name in list(sys.modules) if ".msg" in name]
-        packages = {package for package, module, *_ in names if module == "msg"}
-        ours = {package for package in packages if self._is_ours(package)} | self._found
-        self._hidden = _take(ours)
+        self._hidden = self.hide()
         sys.modules.update(self._modules)
         sys.meta_path.insert(0, self)
         return self
 
+    def hide(self) -> dict[str, ModuleType]:
+        """Take out of ``sys.modules`` what stands in the way of what is found here, and give it back."""
+        # What is imported already may be the real one, or another node's. Packages without a module msg are not asked
+        # for: a run that imports no message does not need the library.
+        names = [name.split(".") for name in list(sys.modules) if ".msg" in name]
+        packages = {package for package, module, *_ in names if module == "msg"}
+        return _take({package for package in packages if self._is_ours(package)} | self.found)
+
     def __exit__(self, *_: object) -> None:
         sys.meta_path.remove(self)
-        self._modules = _take(self._found)
+        self._modules = _take(self.found)
         sys.modules.update(self._hidden)
 
     def _is_ours(self, module: str) -> bool:
@@ -67,7 +71,7 @@ class MessageFinder(MetaPathFinder, Loader):
         package, *rest = fullname.split(".")
         if not self._is_ours(fullname):
             return None
-        self._found.add(package)
+        self.found.add(package)
         if not rest:
             return self._package(package)
         if rest == ["msg"]:

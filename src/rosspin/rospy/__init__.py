@@ -69,7 +69,7 @@ IN_PART = {
     ),
     **dict.fromkeys(
         (name for name in client.__all__ if "param" in name),
-        "The node has parameters of its own: there is no server through which nodes share them.",
+        "The parameters are those of the run: its nodes share them, and no other program sees them.",
     ),
     "Publisher": "The queue loses nothing: ``queue_size``, ``tcp_nodelay`` and ``headers`` have no effect.",
     "Subscriber": "There is no network: ``buff_size`` and ``tcp_nodelay`` have no effect.",

@@ -4,6 +4,8 @@ from __future__ import annotations
 
 import logging
 import os
+import sys
+import threading
 import warnings
 from collections.abc import Callable
 from copy import deepcopy
@@ -15,8 +17,8 @@ from ..messages.genpy import Duration
 from . import names, rosgraph
 from .core import add_client_shutdown_hook, handle_signal, signal_shutdown
 from .exceptions import ROSException, ROSInitException, ROSInterruptException
-from .state import State, handle_signals, state
-from .topics import Subscriber
+from .state import State, handle_signals, param_path, state
+from .topics import LATER_PUBLISHER, Subscriber
 
 __all__ = [
     "DEBUG",
@@ -95,7 +97,7 @@ def init_node(
     if "__name" in node.mappings:
         name, anonymous = node.mappings["__name"], False
     if anonymous:
-        name = f"{name}_{os.getpid()}_{node.clock.now() // 1_000_000}"
+        name = f"{name}_{os.getpid() + node.world.number}_{node.clock.now() // 1_000_000}"
     if not rosgraph.is_legal_base_name(name):
         warnings.warn(
             f"'{name}' is not a legal ROS base name. This may cause problems with other ROS tools.", stacklevel=2
@@ -104,6 +106,7 @@ def init_node(
     names.initialize_mappings(node.name)
     for parameter, value in {**node.private_parameters, **load_command_line_node_params(argv)}.items():
         set_param(rosgraph.PRIV_NAME + parameter, value)
+    _replace(node)
     node.initialized = True
     node.log_level = logging.INFO if log_level is None else _LEVELS[log_level]
     for register in node.at_init:
@@ -112,6 +115,20 @@ def init_node(
     if not disable_rostime and get_param("/use_sim_time", False):
         _listen_to_clock(node)
     node.time_initialized = True
+
+
+def _replace(node: State) -> None:
+    """Register a node's name; another node of that name is shut down (source: rosmaster/registrations.py)."""
+    other = node.master.nodes.get(node.name)
+    node.master.nodes[node.name] = node
+    if other and not other.shutdown_requested:
+        other.world.start(threading.Thread(target=_shut_down, args=(other,), daemon=True))
+
+
+def _shut_down(node: State) -> None:
+    node.clock.sleep(LATER_PUBLISHER)  # the same workers of the master tell it
+    sys.stdout.write(f"shutdown request: [{node.name}] Reason: new node registered with same name\n")
+    signal_shutdown("external shutdown request")
 
 
 def _listen_to_clock(node: State) -> None:
@@ -198,16 +215,16 @@ def get_published_topics(namespace: str = "/") -> list[list[str]]:
 
 
 # --- parameters -------------------------------------------------------------------------------------------------------
-# A node of its own is its own parameter server: a tree of dictionaries.
+# The nodes of a run share one parameter server.
 
 
 def _path(name: str) -> list[str]:
-    return [part for part in names.resolve_name(name).split(rosgraph.SEP) if part]
+    return param_path(names.resolve_name(name))
 
 
 def _find(node: State, path: list[str]) -> Any:
     """The value at a path; KeyError if there is none."""
-    value: Any = node.parameters
+    value: Any = node.master.parameters
     for part in path:
         if not isinstance(value, dict):
             raise KeyError(part)
@@ -239,20 +256,7 @@ def set_param(param_name: str, param_value: Any) -> None:
             f"'{param_name}' is not a legal ROS graph resource name. This may cause problems with other ROS tools",
             stacklevel=2,
         )
-    from xmlrpc.client import dumps, loads  # slow to import, and most nodes set nothing
-
-    value: Any = loads(dumps((param_value,)))[0][0]
-    path = _path(param_name)
-    tree = state().parameters
-    if not path:
-        tree.clear()
-        tree.update(value)
-        return
-    for part in path[:-1]:
-        if not isinstance(tree.get(part), dict):
-            tree[part] = {}
-        tree = tree[part]
-    tree[path[-1]] = value
+    state().master.set_param(names.resolve_name(param_name), param_value)
 
 
 def has_param(param_name: str) -> bool:
@@ -298,4 +302,4 @@ def get_param_names() -> list[str]:
             return [prefix]
         return [leaf for key, item in value.items() for leaf in leaves(f"{prefix}/{key}", item)]
 
-    return leaves("", state().parameters)
+    return leaves("", state().master.parameters)

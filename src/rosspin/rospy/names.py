@@ -46,6 +46,7 @@ def _set_caller_id(caller_id: str) -> None:
     """Give the node a full name, and with it a namespace."""
     node = state()
     node.name, node.namespace = caller_id, namespace(caller_id)
+    node.world.name = caller_id
 
 
 # --- names in full ----------------------------------------------------------------------------------------------------

@@ -11,9 +11,38 @@ from ..world import World, current_world
 from . import rosgraph
 from .exceptions import ROSInitException
 
-__all__ = ["State", "handle_signals", "state"]
+__all__ = ["Master", "State", "handle_signals", "param_path", "state"]
 
 Handler = Callable[[int, Any], None]
+
+
+class Master:
+    """What the nodes of one run share beside topics: the parameters, and who has which name."""
+
+    def __init__(self) -> None:
+        self.parameters: dict[str, Any] = {}  # a tree of dictionaries
+        self.nodes: dict[str, State] = {}
+
+    def set_param(self, name: str, param_value: Any) -> None:
+        """Set the parameter of a full name. The value is what XML-RPC would deliver; errors as in rospy's."""
+        from xmlrpc.client import dumps, loads  # slow to import, and most nodes set nothing
+
+        value: Any = loads(dumps((param_value,)))[0][0]
+        path, tree = param_path(name), self.parameters
+        if not path:
+            tree.clear()
+            tree.update(value)
+            return
+        for part in path[:-1]:
+            if not isinstance(tree.get(part), dict):
+                tree[part] = {}
+            tree = tree[part]
+        tree[path[-1]] = value
+
+
+def param_path(name: str) -> list[str]:
+    """Where the parameter of a full name is in the tree."""
+    return [part for part in name.split(rosgraph.SEP) if part]
 
 
 class State:
@@ -32,7 +61,7 @@ class State:
         self.resolved_mappings: dict[str, str] = {}
         self.namespace = rosgraph.get_ros_namespace(argv=argv)
         self.name = self.namespace + "unnamed"
-        self.parameters: dict[str, Any] = {}
+        self.master = world.graph.part(Master)
         self.private_parameters: dict[str, Any] = {}  # set by ``init_node``, unless the command line sets them
 
         self.init_args: tuple[Any, ...] | None = None
@@ -53,6 +82,10 @@ class State:
         self.log_times: dict[object, Any] = {}
         self.log_messages: dict[object, str] = {}
         self.logged_once: set[object] = set()
+        world.at_end.append(self._be_gone)
+
+    def _be_gone(self) -> None:
+        self.shutdown_requested = self.shutdown = True
 
     def now(self) -> int:
         """ROS time as told by /clock, else the clock's, in ns. Raises ROSInitException before ``init_node``."""

@@ -293,7 +293,8 @@ class Connection(threading.Thread):
         """The subscriber's end: what waits is dropped."""
         self._closed = True
         self._open()
-        self.publication.drop(self)
+        with self.publication.node.world.acting():
+            self.publication.drop(self)
 
     def _open(self) -> None:
         try:
@@ -309,7 +310,9 @@ class Connection(threading.Thread):
             if subscription.closed or publication.closed:
                 return
             subscription.connections = [*subscription.connections, self]
-        if publication.accept(self):
+        with publication.node.world.acting():
+            accepted = publication.accept(self)
+        if accepted:
             self._read()
             with subscription.lock:
                 subscription.connections = [each for each in subscription.connections if each is not self]
@@ -382,6 +385,7 @@ class Topics:
         self.node.at_init.append(self.register)
         self.node.before_shutdown.append(self._let_arrive)
         self.node.at_shutdown.append(self._close_all)
+        world.at_end.append(self._close_all)
 
     def acquire(self, kind: type[Impl], ends: dict[str, Impl], topic: str, data_class: type[Message]) -> Impl:
         """The node's end of a topic, for one more handle of it; to be registered as soon as it is complete."""

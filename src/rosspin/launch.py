@@ -1,0 +1,545 @@
+"""A launch file as the nodes of one run (source: roslaunch's xmlloader.py, loader.py and substitution_args.py)."""
+
+from __future__ import annotations
+
+import math
+import os
+import re
+import shlex
+from collections.abc import Callable, Iterator, Mapping, Sequence
+from dataclasses import dataclass, field, replace
+from pathlib import Path
+from typing import Any
+
+from .messages.library import Library
+from .process import NodeLike
+from .rospy.rosgraph import PRIV_NAME, canonicalize_name, load_mappings, make_global_ns, ns_join
+
+__all__ = ["Launch", "Node", "read_launch"]
+
+
+@dataclass(frozen=True)
+class Node:
+    """One of the nodes of a run: what a launch file says in ``<node>``.
+
+    ``node`` is the path of a node file, or a function; ``args`` are its command line, where remappings and private
+    parameters are written as for ``rosrun``: ``"chatter:=talk"``, ``"_rate:=10"``. ``name`` takes the place of the name
+    that the node gives itself, and ``namespace`` is the one that it starts in. If a ``required`` node ends, all end;
+    one that is to ``respawn`` is started again, ``respawn_delay`` seconds later. ``output`` is "screen" or "log": what
+    a node prints on stdout is then not on the console. ``cwd`` is the folder that it starts in (default: that of this
+    process), and ``env`` is added to its environment.
+    """
+
+    node: NodeLike
+    args: Sequence[str] = ()
+    name: str = ""
+    namespace: str = "/"
+    required: bool = False
+    respawn: bool = False
+    respawn_delay: float = 0.0
+    output: str = "screen"
+    cwd: str = ""
+    env: Mapping[str, str] = field(default_factory=dict)
+
+
+@dataclass(frozen=True)
+class Launch:
+    """The nodes of a run, in the order in which they start; the parameters that are set before; who is left out."""
+
+    nodes: Sequence[Node]
+    parameters: Sequence[tuple[str, Any]] = ()
+    left_out: Sequence[str] = ()
+
+
+def read_launch(path: str | os.PathLike[str], args: Sequence[str] = (), skip_cpp: bool = False) -> Launch:
+    """Read a launch file; ``args`` are its own, as in ``"rate:=10"``.
+
+    The packages that it names are looked for around the file. With ``skip_cpp`` nodes that are not in Python are left
+    out. Raises OSError if a file cannot be read, and ValueError, with file and line, for what is faulty or not
+    simulated.
+    """
+    reader = _Reader(Path(path), skip_cpp)
+    reader.read(os.fspath(path), _Scope(os.fspath(path), args=load_mappings([*args])))
+    names = [ns_join(node.namespace, node.name) for node in reader.nodes]
+    for name in names:
+        if names.count(name) > 1:
+            raise ValueError(f"{os.fspath(path)}: there are several nodes named {name}")
+    return Launch(reader.nodes, list(reader.parameters.items()), reader.left_out)
+
+
+# --- XML --------------------------------------------------------------------------------------------------------------
+
+
+@dataclass
+class _Tag:
+    """An element, and the line on which it begins."""
+
+    name: str
+    attributes: dict[str, str]
+    file: str
+    line: int
+    children: list[_Tag] = field(default_factory=list)
+    text: str = ""
+
+    def fault(self, what: str) -> ValueError:
+        return ValueError(f"{self.file}:{self.line}: {what}")
+
+
+def _parse(path: str) -> _Tag:
+    """The root element of a file. Raises OSError and ValueError."""
+    from xml.parsers import expat  # only needed where there is a launch file
+
+    parser = expat.ParserCreate()
+    root = _Tag("", {}, path, 1)
+    open_tags = [root]
+
+    def start(name: str, attributes: dict[str, str]) -> None:
+        tag = _Tag(name, attributes, path, parser.CurrentLineNumber)
+        open_tags[-1].children.append(tag)
+        open_tags.append(tag)
+
+    def add_text(text: str) -> None:
+        open_tags[-1].text += text
+
+    parser.StartElementHandler, parser.EndElementHandler = start, lambda name: open_tags.pop()
+    parser.CharacterDataHandler = add_text
+    with open(path, "rb") as file:
+        try:
+            parser.ParseFile(file)
+        except expat.ExpatError as error:
+            raise ValueError(f"{path}:{error.lineno}: this is not XML: {expat.ErrorString(error.code)}") from None
+    (launch,) = root.children
+    if launch.name != "launch":
+        raise launch.fault(f"a launch file begins with <launch>, not with <{launch.name}>")
+    return launch
+
+
+# --- what tags mean ---------------------------------------------------------------------------------------------------
+
+
+@dataclass
+class _Scope:
+    """What holds where a tag is."""
+
+    file: str
+    namespace: str = "/"
+    args: dict[str, str] = field(default_factory=dict)
+    declared: set[str] = field(default_factory=set)  # args
+    takes_all: bool = False  # args of the file that includes this one
+    anonymous: dict[str, str] = field(default_factory=dict)
+    remaps: dict[str, str] = field(default_factory=dict)
+    env: dict[str, str] = field(default_factory=dict)
+    private: dict[str, Any] = field(default_factory=dict)  # parameters of the nodes to come
+
+    def inner(self, namespace: str | None) -> _Scope:
+        """A scope of its own inside of this one."""
+        return replace(
+            self,
+            namespace=make_global_ns(ns_join(self.namespace, namespace)) if namespace else self.namespace,
+            args=dict(self.args),
+            declared=set(self.declared),
+            remaps=dict(self.remaps),
+            env=dict(self.env),
+            private=dict(self.private),
+        )
+
+
+# The attributes that tags may have, those that they must have first; all may have "if" and "unless".
+_ATTRIBUTES = {
+    "arg": (1, "name value default doc"),
+    "env": (2, "name value"),
+    "group": (0, "ns clear_params"),
+    "include": (1, "file ns clear_params pass_all_args"),
+    "node": (3, "pkg type name args output respawn respawn_delay cwd ns clear_params required"),
+    "param": (1, "name value type textfile command"),
+    "remap": (2, "from to"),
+    "rosparam": (0, "command file ns param subst_value"),
+}
+
+# What is part of the language and not of a simulation, and why a run can do without.
+_IGNORED = {"test", "master"}
+
+_TRUTHS = {"true": True, "1": True, "false": False, "0": False}
+
+
+class _Reader:
+    """Reads a launch file and those that it includes."""
+
+    def __init__(self, path: Path, skip_cpp: bool) -> None:
+        self.nodes: list[Node] = []
+        self.parameters: dict[str, Any] = {}
+        self.left_out: list[str] = []
+        self._library = Library(1, path.absolute().parent)
+        self._skip_cpp = skip_cpp
+
+    def read(self, path: str, scope: _Scope) -> None:
+        """Read a file in a scope."""
+        self._read_all(_parse(path).children, scope)
+
+    def _read_all(self, tags: Sequence[_Tag], scope: _Scope, known: Sequence[str] = (*_ATTRIBUTES, *_IGNORED)) -> None:
+        for tag in tags:
+            if tag.name not in known:
+                raise tag.fault(f"<{tag.name}> is not simulated")
+            if tag.name not in _IGNORED:
+                try:
+                    values = self._attributes(tag, scope)
+                    if values is not None:
+                        getattr(self, f"_read_{tag.name}")(tag, scope, **values)
+                except _Fault as error:
+                    raise tag.fault(str(error)) from None
+
+    def _attributes(self, tag: _Tag, scope: _Scope) -> dict[str, str] | None:
+        """A tag's attributes with their substitutions; None if the tag is not for now."""
+        needed, names = _ATTRIBUTES[tag.name][0], _ATTRIBUTES[tag.name][1].split()
+        found = {
+            name: self._resolve(value, scope) for name, value in tag.attributes.items() if name in ("if", "unless")
+        }
+        if len(found) == 2:
+            raise _Fault(f"<{tag.name}> has both if and unless")
+        for name, value in found.items():
+            if _truth(value, name) != (name == "if"):
+                return None
+        for name in tag.attributes:
+            if name not in (*names, "if", "unless"):
+                raise _Fault(f'<{tag.name} {name}="..."> is not simulated')
+        for name in names[:needed]:
+            if name not in tag.attributes:
+                raise _Fault(f"<{tag.name}> lacks {name}")
+        return {name: self._resolve(value, scope) for name, value in tag.attributes.items() if name not in found}
+
+    def _read_group(self, tag: _Tag, scope: _Scope, ns: str | None = None, clear_params: str = "") -> None:
+        self._read_all(tag.children, scope.inner(ns))
+
+    def _read_arg(
+        self,
+        tag: _Tag,
+        scope: _Scope,
+        name: str,
+        value: str | None = None,
+        default: str | None = None,
+        doc: str = "",
+    ) -> None:
+        if value is not None and default is not None:
+            raise _Fault(f"arg {name} has both value and default")
+        if name in scope.declared and not scope.takes_all:
+            raise _Fault(f"arg {name} is declared a second time")
+        if value is not None and name in scope.args and not scope.takes_all:
+            raise _Fault(f"arg {name} has a fixed value, and cannot be set")
+        scope.declared.add(name)
+        if value is not None:
+            scope.args[name] = value
+        elif default is not None:
+            scope.args.setdefault(name, default)
+
+    def _read_include(
+        self,
+        tag: _Tag,
+        scope: _Scope,
+        file: str,
+        ns: str | None = None,
+        clear_params: str = "",
+        pass_all_args: str = "false",
+    ) -> None:
+        inner = scope.inner(ns)
+        takes_all = _truth(pass_all_args, "pass_all_args")
+        passed = replace(
+            inner,
+            args=dict(scope.args) if takes_all else {},
+            declared=set(),
+            takes_all=takes_all,
+            private=scope.private,  # what the file adds holds after it, too
+        )
+        for child in tag.children:
+            values = self._attributes(child, scope) if child.name in ("arg", "env") else None
+            if child.name == "arg" and values:
+                self._read_arg(child, passed, **values)
+            elif child.name == "env" and values:
+                self._read_env(child, passed, **values)
+            elif child.name not in ("arg", "env"):
+                raise child.fault(f"<{child.name}> has no place in <include>")
+        if lacking := passed.declared - passed.args.keys():
+            raise _Fault(f"arg {lacking.pop()} is given no value")
+        given = passed.declared
+        passed = replace(passed, file=file, declared=set(), anonymous={})
+        self.read(file, passed)
+        if not takes_all and (unused := given - passed.declared):
+            raise _Fault(f"{file} has no arg {', '.join(sorted(unused))}")
+
+    def _read_remap(self, tag: _Tag, scope: _Scope, **names: str) -> None:
+        scope.remaps.pop(names["from"], None)
+        scope.remaps[names["from"]] = names["to"]
+
+    def _read_env(self, tag: _Tag, scope: _Scope, name: str, value: str) -> None:
+        scope.env[name] = value
+
+    def _read_param(
+        self,
+        tag: _Tag,
+        scope: _Scope,
+        name: str,
+        value: str | None = None,
+        type: str = "auto",
+        textfile: str | None = None,
+        command: str | None = None,
+        private: bool = False,
+    ) -> None:
+        if [value, textfile, command].count(None) != 2:
+            raise _Fault(f"param {name} needs one of value, textfile and command")
+        if value is not None:
+            text = value.strip()
+        elif textfile is not None:
+            text = Path(textfile).read_text(encoding="utf-8")
+        else:
+            import subprocess
+
+            text = subprocess.run(shlex.split(command or ""), stdout=subprocess.PIPE, check=True, text=True).stdout
+        found = _convert(text, type.lower().strip(), name)
+        name = name.strip()
+        if private or name.startswith(PRIV_NAME):
+            scope.private.pop(name, None)
+            scope.private[name] = found
+        else:
+            self._set(ns_join(scope.namespace, name), found)
+
+    def _set(self, name: str, value: Any) -> None:
+        if isinstance(value, dict):
+            for key, item in value.items():
+                self._set(ns_join(name, str(key)), item)
+        else:
+            name = canonicalize_name(name)
+            self.parameters.pop(name, None)
+            self.parameters[name] = value
+
+    def _read_rosparam(
+        self,
+        tag: _Tag,
+        scope: _Scope,
+        command: str = "load",
+        file: str | None = None,
+        ns: str = "",
+        param: str = "",
+        subst_value: str = "false",
+    ) -> None:
+        if command != "load":
+            raise _Fault(f'<rosparam command="{command}"> is not simulated')
+        text = tag.text if file is None else Path(file).read_text(encoding="utf-8")
+        if _truth(subst_value, "subst_value"):
+            text = self._resolve(text, scope)
+        data = _yaml(text, file or "rosparam")
+        name = ns_join(ns, param)
+        if not name and not isinstance(data, dict):
+            raise _Fault("rosparam needs a param for what is no dictionary")
+        self._set(ns_join(scope.namespace, name) if name else scope.namespace, data)
+
+    def _read_node(
+        self,
+        tag: _Tag,
+        scope: _Scope,
+        pkg: str,
+        type: str,
+        name: str,
+        args: str = "",
+        output: str = "log",
+        respawn: str = "false",
+        respawn_delay: str = "0",
+        cwd: str = "ROS_HOME",
+        ns: str | None = None,
+        clear_params: str = "",
+        required: str = "false",
+    ) -> None:
+        if "/" in name:
+            raise _Fault(f"the name of a node cannot contain a namespace: {name}")
+        if output not in ("screen", "log"):
+            raise _Fault(f"output is screen or log, not {output}")
+        if cwd not in ("ROS_HOME", "ros_home", "node"):
+            raise _Fault(f"cwd is ROS_HOME or node, not {cwd}")
+        inner = scope.inner(ns)
+        own = replace(inner, namespace=make_global_ns(ns_join(inner.namespace, name)), private={})
+        for child in tag.children:
+            if child.name == "param":
+                values = self._attributes(child, own)
+                if values is not None:
+                    self._read_param(child, own, private=True, **values)
+            else:
+                self._read_all([child], own, ("remap", "env", "rosparam"))
+        for key, value in (*inner.private.items(), *own.private.items()):
+            self._set(own.namespace + key.removeprefix(PRIV_NAME), value)
+        file = self._find_node(pkg, type)
+        if file is None:
+            self.left_out.append(f"{tag.file}:{tag.line}: {pkg}/{type} is left out")
+            return
+        node = Node(
+            str(file),
+            [*shlex.split(args), *(f"{source}:={target}" for source, target in own.remaps.items())],
+            name,
+            inner.namespace,
+            _truth(required, "required"),
+            _truth(respawn, "respawn"),
+            _number(respawn_delay, "respawn_delay"),
+            output,
+            str(file.parent) if cwd == "node" else "",
+            own.env,
+        )
+        if node.required and node.respawn:
+            raise _Fault("a node cannot be both required and started again")
+        self.nodes.append(node)
+
+    # --- packages ---
+
+    def _package(self, name: str) -> Path:
+        folder = self._library.package(name)
+        if folder is None:
+            raise _Fault(f"there is no package {name} around this file")
+        return folder
+
+    def _find_node(self, package: str, kind: str) -> Path | None:
+        """The file of a node; None if it is to be left out."""
+        if self._skip_cpp and self._library.package(package) is None:
+            return None
+        try:
+            folder = self._package(package)
+        except _Fault as fault:
+            raise _Fault(f"{fault}; --skip-cpp leaves its node {kind} out") from None
+        for place, folders, files in os.walk(folder):
+            folders[:] = sorted(name for name in folders if not name.startswith("."))
+            if kind in files and _is_python(Path(place, kind)):
+                return Path(place, kind)
+        if not _is_cpp(folder, kind):
+            raise _Fault(f"there is no node {kind} in package {package}")
+        if not self._skip_cpp:
+            raise _Fault(
+                f"{package}/{kind} is a C++ node, and only Python nodes are simulated; --skip-cpp leaves it out"
+            )
+        return None
+
+    # --- substitutions ---
+
+    def _resolve(self, text: str, scope: _Scope) -> str:
+        """Replace $(find PKG) and the like. Raises _Fault."""
+        if text.startswith("$(eval ") and text.endswith(")"):
+            return str(self._eval(text[7:-1], scope))
+        text = re.sub(r"\$\(([^()$]*)\)", lambda found: self._substitute(found[0], found[1].split(), scope), text)
+        if "$(" in text:
+            raise _Fault(f"{text}: a substitution in another one, or one that is not closed")
+        return text
+
+    def _substitute(self, whole: str, words: list[str], scope: _Scope) -> str:
+        command, *args = words or [""]
+        functions: dict[str, Callable[..., str]] = self._functions(scope)
+        if command not in functions or (len(args) != 1 and command not in ("optenv", "dirname")):
+            raise _Fault(f"{whole} is no substitution")
+        return functions[command](args[0], " ".join(args[1:])) if command == "optenv" else functions[command](*args)
+
+    def _functions(self, scope: _Scope) -> dict[str, Callable[..., str]]:
+        def env(name: str) -> str:
+            if name not in os.environ:
+                raise _Fault(f"the environment variable {name} is not set")
+            return os.environ[name]
+
+        def optenv(name: str, default: str = "") -> str:
+            return os.environ.get(name, default)
+
+        def arg(name: str) -> str:
+            if name not in scope.args:
+                raise _Fault(f"arg {name} has no value; give it one: {name}:=...")
+            return scope.args[name]
+
+        return {
+            "env": env,
+            "optenv": optenv,
+            "find": lambda name: str(self._package(name)),
+            "arg": arg,
+            # Elsewhere it is different each time. Here runs are the same each time.
+            "anon": lambda name: scope.anonymous.setdefault(name, f"{name}_anonymous"),
+            "dirname": lambda: os.path.dirname(os.path.abspath(scope.file)),
+        }
+
+    def _eval(self, expression: str, scope: _Scope) -> Any:
+        if "__" in expression:
+            raise _Fault("$(eval) may not contain double underscores")
+        functions: dict[str, Any] = self._functions(scope)
+        names = {name: _convert(value, "auto", name) for name, value in scope.args.items()}
+        names |= {name: value for name, value in vars(math).items() if not name.startswith("_")}
+        names |= functions | {"arg": lambda name: _convert(functions["arg"](name), "auto", name)}
+        names |= {"true": True, "false": False, "list": list, "dict": dict, "map": map, "str": str}
+        try:
+            return eval(expression, {"__builtins__": {}}, names | {"float": float, "int": int})
+        except _Fault:
+            raise
+        except Exception as error:
+            raise _Fault(f"$(eval {expression}): {type(error).__name__}: {error}") from None
+
+
+class _Fault(ValueError):
+    """What is wrong with the tag that is being read."""
+
+
+def _is_python(file: Path) -> bool:
+    if file.suffix == ".py":
+        return True
+    with file.open("rb") as opened:
+        return bool(re.match(rb"#!.*python", opened.readline()))
+
+
+def _is_cpp(package: Path, kind: str) -> bool:
+    """Whether a package builds, or seems to build, a program of that name."""
+    cmake = package / "CMakeLists.txt"
+    text = cmake.read_text(encoding="utf-8", errors="replace") if cmake.is_file() else ""
+    return bool(re.search(rf"add_executable\s*\(\s*{re.escape(kind)}\s", text)) or any(_sources(package, kind))
+
+
+def _sources(package: Path, kind: str) -> Iterator[Path]:
+    return (path for path in package.rglob(f"{kind}.*") if path.suffix in (".cpp", ".cc", ".cxx", ".c"))
+
+
+def _truth(text: str, name: str) -> bool:
+    try:
+        return _TRUTHS[text.strip().lower()]
+    except KeyError:
+        raise _Fault(f"{name} is true or false, not {text!r}") from None
+
+
+def _number(text: str, name: str) -> float:
+    try:
+        return float(text)
+    except ValueError:
+        raise _Fault(f"{name} is a number, not {text!r}") from None
+
+
+def _convert(text: str, kind: str, name: str) -> Any:
+    """A parameter's value, of a type, or of the one that it looks like: int, float, bool or str."""
+    if kind == "auto":
+        for convert in (float if "." in text else int if "_" not in text else str, _truth_of_a_word):
+            try:
+                return convert(text)
+            except ValueError:
+                pass
+        return text
+    if kind in ("str", "string"):
+        return text
+    if kind in ("bool", "boolean"):
+        return _truth(text, name)
+    if kind == "yaml":
+        return _yaml(text, name)
+    if kind not in ("int", "double"):
+        raise _Fault(f"type is auto, str, int, double, bool or yaml, not {kind}")
+    try:
+        return int(text) if kind == "int" else float(text)
+    except ValueError:
+        raise _Fault(f"{name} is of type {kind}, and cannot be {text!r}") from None
+
+
+def _truth_of_a_word(text: str) -> bool:
+    if text.lower() not in ("true", "false"):
+        raise ValueError
+    return text.lower() == "true"
+
+
+def _yaml(text: str, name: str) -> Any:
+    import yaml  # only needed where there is some
+
+    try:
+        data = yaml.safe_load(text)
+    except yaml.YAMLError as error:
+        raise _Fault(f"{name} is not YAML: {error}") from None
+    return {} if data is None else data
