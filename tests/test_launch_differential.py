@@ -92,7 +92,7 @@ def real(tmp_path_factory: pytest.TempPathFactory) -> Iterator[dict[str, Future[
                 found = [
                     f"{speaker}: {outcome.get(speaker)} for {exact.get(speaker)}"
                     for speaker in speakers
-                    if outcome.get(speaker) != exact.get(speaker)
+                    if outcome.get(speaker, []) != exact.get(speaker, [])
                 ]
                 if not found or not stalled:
                     break

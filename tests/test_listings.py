@@ -38,7 +38,8 @@ PUBLISH_FROM = {
 }
 STARTS_FROM = {TUTORIAL: SPIN_FROM, PUBLISH: PUBLISH_FROM}
 MANIFESTS = ("CMakeLists.txt", "package.xml")
-PYTHON = sorted(path for path in EXAMPLES.rglob("*.py") if not path.name.startswith("test_"))  # pytest runs those
+# Not what pytest and setuptools run.
+PYTHON = sorted(path for path in EXAMPLES.rglob("*.py") if not path.name.startswith(("test_", "setup", "__init__")))
 
 
 class Listing(NamedTuple):

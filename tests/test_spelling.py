@@ -14,8 +14,9 @@ TEXTS = ["README.md", "index.rst", "conf.py", "Makefile", "docs", "notebooks", "
 
 # British too, in the sense meant here: the verb and the file LICENSE, what a computer runs, a module of Python, a noun.
 BRITISH = "license,licensed,licenses,program,programs,math,practice"
-# rospy, CSS and io have names in American.
+# rospy, rclpy, CSS and io have names and messages in American.
 IN_CODE = "color,initialized,colors,serialize,deserialize,writable"
+IN_CODE += ",canceled,center,initialize,recognized,serialization,uninitialized"
 # A package, and a part of many words.
 NAMES = "simpy"
 

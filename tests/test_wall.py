@@ -164,10 +164,11 @@ def test_it_sees_the_caller_s_path_folder_and_environment_and_changes_none(
         signal.signal(signal.SIGTERM, lambda number, frame: None)
         """
     )
+    handler = signal.getsignal(signal.SIGTERM)
     assert measure(node, NEVER).console == f"mine {library} {os.getpid()}\n"
     assert (os.environ["WORD"], os.getcwd()) == ("mine", str(library))
     assert "on_the_path" not in sys.modules
-    assert signal.getsignal(signal.SIGTERM) == signal.SIG_DFL
+    assert signal.getsignal(signal.SIGTERM) == handler
 
 
 def test_its_standard_input_is_empty(write: Any) -> None:

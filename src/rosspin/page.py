@@ -141,7 +141,8 @@ def _run(
     node = load_source(_node(source), filename)
 
     def main() -> None:
-        current_world().ticks = printed
+        world = current_world()
+        world.ticks = world.graph.ticks = printed
         node.main()
 
     with patched([(rospy.Rate, "__init__", printed.forget_before)]):

@@ -10,9 +10,10 @@ import traceback
 from collections.abc import Callable, Iterator, Sequence
 from contextlib import contextmanager
 from functools import partial
+from types import ModuleType
 from typing import NamedTuple, TextIO
 
-from . import launch, rclpy, rospy
+from . import launch, rospy
 from .clocks.clock import NS, Clock, nanoseconds
 from .clocks.ending import Ended
 from .clocks.programs import Died, Killed, LastResort, SimulatedProgram, run_on_the_wall, run_simulated
@@ -42,8 +43,7 @@ _ROS_PACKAGES = {
     *("ament_index_python", "example_interfaces", "launch", "launch_ros", "rosidl_runtime_py"),
 }
 
-# What a node may import, by its ROS; what its loops should ask, and how they may sleep.
-MODULES = {1: rospy.MODULES, 2: rclpy.MODULES}
+# By the ROS of a node: what its loops should ask, and how they may sleep.
 _GOES_ON = {1: "rospy.is_shutdown()", 2: "rclpy.ok()"}
 _SLEEP = {1: "rospy.sleep(0.1)", 2: "time.sleep(0.1)"}
 
@@ -122,7 +122,7 @@ def run_node(
     the run gave so far (without one if code in C lets no thread run).
     """
     until = None if seconds is None else duration(seconds)
-    with Process(node, args, MODULES[node.ros], node.ros).inside():
+    with Process(node, args, _stand_in(node.ros).MODULES, node.ros).inside():
         world = new_world(node, clock, record)
         start = 0 if isinstance(clock, Simulation) else clock.now()
 
@@ -186,6 +186,14 @@ def run_nodes(nodes: launch.Launch, seconds: float, clock: Simulation, record: b
 def _run_beside_others(node: Node, world: World) -> None:
     _at_the_end(node, world)
     run_main(node, world)
+
+
+def _stand_in(ros: int) -> ModuleType:
+    if ros == 2:
+        from . import rclpy  # it is large, and loaded only for nodes that need it
+
+        return rclpy
+    return rospy
 
 
 def new_world(node: Node, clock: Clock, record: bool) -> World:
@@ -283,7 +291,7 @@ def _is_ros_package(name: str) -> bool:
         or root.endswith(("_msgs", "_srvs"))
         or rest.startswith("srv")
         or (root == "rospy" and rest in rospy.NOT_SIMULATED)
-        or (root == "rclpy" and rest.partition(".")[0] in rclpy.NOT_SIMULATED)
+        or (root == "rclpy" and rest.partition(".")[0] in _stand_in(2).NOT_SIMULATED)
     )
 
 

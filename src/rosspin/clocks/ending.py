@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import ctypes
+import gc
 import sys
 from _thread import get_ident
 from collections.abc import Iterator
@@ -12,8 +13,8 @@ from typing import Any
 
 __all__ = ["Ended", "end_thread", "ending_here"]
 
-# Modules whose frames are left to come to their own end: they put in order what others rely on. What a weak reference
-# calls may come at any time, from the garbage collector, and Python prints what is raised in it.
+# Modules whose frames are left to come to their own end: they put in order what others rely on. What the garbage
+# collector or a weak reference calls may come at any time, and Python prints what is raised in it.
 _SPARED = (__name__.partition(".")[0], "threading", "concurrent", "contextlib", "weakref", "_weakrefset")
 
 # Threads in which code is being ended.
@@ -56,7 +57,10 @@ def _raise(frame: FrameType, event: str, arg: Any) -> Any:
 
 
 def _is_spared(frame: FrameType) -> bool:
-    return str(frame.f_globals.get("__name__", "")).partition(".")[0] in _SPARED
+    return (
+        str(frame.f_globals.get("__name__", "")).partition(".")[0] in _SPARED
+        or frame.f_code in [getattr(callback, "__code__", None) for callback in gc.callbacks]
+    )
 
 
 @contextmanager

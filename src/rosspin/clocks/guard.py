@@ -98,4 +98,4 @@ def _read_stacks(stacks: int) -> list[tuple[str, list[Place]]]:
         name = main.name if int(ident, 16) == main.ident else "another thread"
         lines = re.findall(r'  File "(.*)", line (\d+) in', stack)
         found.append((name, [Place(file, int(line), "") for file, line in lines]))
-    return found
+    return sorted(found, key=lambda each: each[0] != main.name)  # the main thread first
