@@ -101,7 +101,8 @@ def test_the_how_to_is_a_way_through(tree: Path) -> None:
     left = _places(_list(run.stdout))
     assert run.returncode != 0
     assert len(left) == len(_places(listed, r"$")) + 1
-    assert {page for page, _ in left} == {page for page, line in _places(listed)} - {"README.md"}
+    written = {"README.md", "docs/reference/launch-files.rst"}  # all that was listed of them
+    assert {page for page, _ in left} == {page for page, line in _places(listed)} - written
 
     # The author writes it, and the build succeeds. From the end, so that no line moves before it is found.
     for page, number in sorted(left, reverse=True):

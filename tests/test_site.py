@@ -117,7 +117,7 @@ def test_images_say_what_they_show(pages: dict[Path, BeautifulSoup]) -> None:
 def test_a_topic_is_drawn_from_its_messages() -> None:
     """By ``ticks`` with ``:topic:``."""
     plots = _page("docs/publish").select("figure svg")
-    labels = [plot["aria-label"] for plot in plots if not plot.find_parent(class_="live")]
+    labels = [plot["aria-label"] for plot in plots if not plot.find_parent(class_="live-made")]
     assert labels == ["Timeline. /counter: 4 ticks from 0.500 s to 2.000 s. All 4 ticks were on time."]
 
 
