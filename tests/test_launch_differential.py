@@ -27,10 +27,13 @@ LONGER = {"queue_size_none": 14.0, "queue_size_3": 10.0}
 AT_ONCE = 4
 TRIES = 5
 
+# A race of the real one: a node ends while another one connects to it.
+_ENDED_MEANWHILE = r"\[WARN\] \[[\d.]+\]: Inbound TCP/IP connection failed: connection from sender terminated before"
+
 # What roslaunch says of itself, and what the simulation says instead.
 _OF_ROSLAUNCH = re.compile(
     r"^(?:\.\.\. |log file: |shutting down processing monitor|done|started core service|process\[.*started with pid"
-    r"|setting /run_id|INFO: cannot create a symlink|rosspin: |@stall).*\n",
+    r"|setting /run_id|INFO: cannot create a symlink|rosspin: |@stall|" + _ENDED_MEANWHILE + r").*\n",
     re.MULTILINE,
 )
 
@@ -41,7 +44,9 @@ def _outcome(console: str) -> dict[str, list[str]]:
     text = _OF_ROSLAUNCH.sub("", text)
     text = re.sub(r"pid \d+, |, pid \d+| __log:=[^]\s]+", "", text)
     text = re.sub(r"\S*/launched/nodes/", "", text)
-    text = re.sub(r"(?<=.)\[[\w/]+-\d+\] killing on exit", r"\n\g<0>", text)  # several threads of roslaunch say so
+    # Several threads of roslaunch say so, each in two pieces.
+    text = re.sub(r"(?<=.)\[[\w/]+-\d+\] killing on exit", r"\n\g<0>", text)
+    text = re.sub(r"killing on exit(?=.)", r"\g<0>\n", text)
     text = re.sub(r"\[\d+\.\d{6}\]", "[STAMP]", text)
     text = re.sub(r'^  File "(\w+\.py)", (line \d+.*)\n(?:    .*\n)*', r"  \1, \2\n", text, flags=re.MULTILINE)
     found: dict[str, list[str]] = {}
