@@ -141,8 +141,7 @@ def _run(
     node = load_source(_node(source), filename)
 
     def main() -> None:
-        world = current_world()
-        world.ticks = world.graph.ticks = printed
+        current_world().graph.ticks = printed
         node.main()
 
     with patched([(rospy.Rate, "__init__", printed.forget_before)]):
@@ -233,7 +232,7 @@ class _Pacer:
             run_sync(self._page.wait(ahead))
 
     def _show_ticks(self) -> None:
-        ticks = cast(World, self.simulation.main.program).ticks or ()
+        ticks = cast(World, self.simulation.main.program).graph.ticks or ()
         for source, number, expected, real, _ in ticks[self._shown :]:
             self._page.tick(source, number, expected / NS, real / NS)
             self._shown += 1

@@ -176,8 +176,7 @@ class StartedNode:
     def _step(self, until: int, go_on: Callable[[], None]) -> Run:
         __tracebackhide__ = True
         world = self._world
-        assert world.ticks is not None
-        before = len(self._capture), len(world.ticks), len(self._messages), self._now
+        before = len(self._capture), len(world.graph.ticks or ()), len(self._messages), self._now
         with self._inside(), explained(self._node, world, self._clock, self.time):
             go_on()
         self._messages += messages_of(world.graph, 0, len(self._messages))

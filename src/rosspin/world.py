@@ -50,7 +50,6 @@ class World(Program):
         self.main_status: int | None = None  # with which its main program has ended
         self.exit_status: int | None = None  # and all of it
         self.on_failure: Callable[[], None] | None = None  # called for each error, and a main status other than 0
-        self.ticks: list[Record] | None = self.graph.ticks
         self.at_exit: list[tuple[Callable[..., Any], tuple[Any, ...], dict[str, Any]]] = []
         self._sources: dict[str, int] = {}
         self._parts: dict[type, Any] = {}

@@ -23,7 +23,7 @@ from ..clocks.simulation import Simulation
 from ..process import Node, capture, execute, load_source
 from ..rospy.state import State
 from ..rospy.timer import Timer
-from ..run import Result, TimeStandsStill, messages_of, run_node
+from ..run import Result, TimeStandsStill, messages_of, run_node, ticks_of
 from ..ticks import Message, Tick
 from ..world import NotSimulated, World
 from .feedback import Finding
@@ -144,21 +144,17 @@ class _Watched(Simulation):
     def _note_timers(self) -> None:
         world = self.main.program
         assert isinstance(world, World)
+        ticks = ticks_of(world.graph, 0)
         for timer in world.part(State).timers:
-            calls = [record for record in world.ticks or () if record[0] == timer.source]
-            self.timers.append(SeenTimer(timer.ident, tuple(map(_tick, calls)), self._state(timer, calls)))
+            calls = tuple(tick for tick in ticks if tick.source == timer.source)
+            self.timers.append(SeenTimer(timer.ident, calls, self._state(timer, calls)))
 
-    def _state(self, timer: Timer, calls: list[list[Any]]) -> str:
+    def _state(self, timer: Timer, calls: Sequence[Tick]) -> str:
         if not timer.is_alive():
             return "stopped" if timer._shutdown or timer._oneshot else "gone"
-        if calls and calls[-1][4] is None and calls[-1][3] < self.now() - NS:
+        if calls and math.isnan(calls[-1].duration) and nanoseconds(calls[-1].real) < self.now() - NS:
             return "blocked"
         return "stopped" if timer._shutdown else "running"
-
-
-def _tick(record: list[Any]) -> Tick:
-    source, number, expected, real, duration = record
-    return Tick(source, number, expected / NS, real / NS, math.nan if duration is None else duration / NS)
 
 
 class _Listener(io.TextIOBase):

@@ -83,7 +83,7 @@ class Rate:
             self._last = now
 
     def _record_pass(self, node: State) -> None:
-        ticks = node.world.ticks
+        ticks = node.world.graph.ticks
         if ticks is not None:
             self._source = self._source or node.world.source("Rate")
             expected = self._start + self._passes * self._period
@@ -182,7 +182,7 @@ class Timer(threading.Thread):
         last_expected: Time | None = None
         last_real: Time | None = None
         last_duration: float | None = None
-        ticks = node.world.ticks
+        ticks = node.world.graph.ticks
         source = node.world.source(getattr(self._callback, "__name__", type(self._callback).__name__))
         if ticks is not None:
             self.source = source  # under which its ticks are recorded
