@@ -1,18 +1,11 @@
 // Figures with a handle. The page carries the ticks of all its positions; the one chosen is drawn as rosspin/plots.py
 // draws the first, so that moving there and back changes nothing.
 
-const COLOURS = ["#0072b2", "#d55e00", "#009e73"]
+import { COLOURS, draw } from "./svg.js"
+
 const ROW = 54
 const TICKS = 34
 const LEFT = 8
-
-/** An SVG element. */
-function draw(tag, attributes, ...children) {
-  const element = document.createElementNS("http://www.w3.org/2000/svg", tag)
-  for (const [name, value] of Object.entries(attributes)) element.setAttribute(name, value)
-  element.append(...children)
-  return element
-}
 
 const percent = (share) => `${Math.floor(share * 1e3 + 0.5) / 1e3}%`
 

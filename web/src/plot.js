@@ -1,18 +1,11 @@
 // The ticks of a run as they come, in the look of the site's figures: a line where a tick was expected, a dot where it
 // came, a bar for how long it took.
 
-const COLOURS = ["#0072b2", "#d55e00", "#009e73"]
+import { COLOURS, draw } from "./svg.js"
+
 const WIDTH = 331
 const ROW = 29
 const MOST_TICKS = 2000
-
-/** An SVG element. */
-function draw(tag, attributes, ...children) {
-  const element = document.createElementNS("http://www.w3.org/2000/svg", tag)
-  for (const [name, value] of Object.entries(attributes)) element.setAttribute(name, value)
-  element.append(...children)
-  return element
-}
 
 /** A mark for a tick: a dot in the first row, a square in the second, a triangle in the third. */
 function mark(row, x, y) {
