@@ -218,7 +218,7 @@ def _say_pace(group: Sequence[Tick], period: float) -> str:
     return describe_pace(group)
 
 
-# --- a timeline, which web/src/handles.js draws in the same way ------------------------------------------------------
+# --- a timeline, which web/src/svg.js draws in the same way ----------------------------------------------------------
 
 
 class _Row(NamedTuple):

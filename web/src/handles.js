@@ -1,60 +1,7 @@
-// Figures with a handle. The page carries the ticks of all its positions; the one chosen is drawn as rosspin/plots.py
-// draws the first, so that moving there and back changes nothing.
+// Figures with a handle. The page carries the ticks of all its positions; the one chosen is drawn as the first was, so that
+// moving there and back changes nothing.
 
-const COLOURS = ["#0072b2", "#d55e00", "#009e73"]
-const ROW = 54
-const TICKS = 34
-const LEFT = 8
-
-/** An SVG element. */
-function draw(tag, attributes, ...children) {
-  const element = document.createElementNS("http://www.w3.org/2000/svg", tag)
-  for (const [name, value] of Object.entries(attributes)) element.setAttribute(name, value)
-  element.append(...children)
-  return element
-}
-
-const percent = (share) => `${Math.floor(share * 1e3 + 0.5) / 1e3}%`
-
-/** A mark for a tick: a dot in the first row, a square in the second, a ring in the third. */
-function mark(row, x, y) {
-  const colour = COLOURS[row % COLOURS.length]
-  const shape = row % COLOURS.length
-  if (shape === 1) return draw("rect", { x, y: y - 4, width: 8, height: 8, transform: "translate(-4)", fill: colour })
-  if (shape === 2) return draw("circle", { cx: x, cy: y, r: 3.5, fill: "none", stroke: colour, "stroke-width": 2 })
-  return draw("circle", { cx: x, cy: y, r: 4, fill: colour })
-}
-
-/** What a row shows: its name and words, the times expected and lost, and [when, how long] for each tick, in seconds. */
-function drawRow(number, [name, words, expected, lost, ticks], { first, span }) {
-  const scale = (time) => percent((100 * (time - first)) / span)
-  const top = ROW * number
-  const y = top + TICKS
-  const text = draw("text", { x: -LEFT, y: top + 14 }, draw("tspan", { "font-weight": 600 }, name))
-  if (words) text.append(` ${words}`)
-  const drawn = [text]
-  for (const x of expected.map(scale)) {
-    drawn.push(draw("line", { x1: x, x2: x, y1: y - 13, y2: y + 13, stroke: "currentColor", "stroke-opacity": 0.55 }))
-  }
-  for (const [real, duration] of ticks) {
-    if (!duration) continue
-    const bar = { x: scale(real), y: y - 5, width: percent((100 * duration) / span), height: 10 }
-    drawn.push(draw("rect", { ...bar, fill: COLOURS[number % COLOURS.length], "fill-opacity": 0.45 }))
-  }
-  for (const x of lost.map(scale)) {
-    const cross = { d: "M-5 -5L5 5M-5 5L5 -5", stroke: "currentColor", "stroke-width": 2 }
-    drawn.push(draw("svg", { x, y, overflow: "visible" }, draw("path", cross)))
-  }
-  // Ticks at the same time are drawn one above the other.
-  let above = 0
-  let before = -Infinity
-  for (const [real] of ticks) {
-    above = real - before < 1e-3 ? above + 1 : 0
-    before = real
-    drawn.push(mark(number, scale(real), y - 10 * above))
-  }
-  return drawn
-}
+import { drawRow } from "./svg.js"
 
 /** The number that code beside a figure assigns to a variable; undefined where there is none. */
 function assigned(figure, name) {

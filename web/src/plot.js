@@ -1,33 +1,8 @@
-// The ticks of a run as they come, in the look of the site's figures: a line where a tick was expected, a dot where it
-// came, a bar for how long it took.
+// The ticks of a run as they come, in the look of the site's figures.
 
-const COLOURS = ["#0072b2", "#d55e00", "#009e73"]
-const WIDTH = 331
-const ROW = 29
+import { LEFT, RIGHT, draw, drawTimeline, heights, percent } from "./svg.js"
+
 const MOST_TICKS = 2000
-
-/** An SVG element. */
-function draw(tag, attributes, ...children) {
-  const element = document.createElementNS("http://www.w3.org/2000/svg", tag)
-  for (const [name, value] of Object.entries(attributes)) element.setAttribute(name, value)
-  element.append(...children)
-  return element
-}
-
-/** A mark for a tick: a dot in the first row, a square in the second, a triangle in the third. */
-function mark(row, x, y) {
-  const fill = COLOURS[row % COLOURS.length]
-  const shape = row % COLOURS.length
-  if (shape === 1) return draw("rect", { x: x - 2, y: y - 2, width: 4, height: 4, fill })
-  if (shape === 2) return draw("path", { d: `M${x} ${y - 2.6}l2.6 4.6h-5.2z`, fill })
-  return draw("circle", { cx: x, cy: y, r: 2.2, fill })
-}
-
-/** The step between the numbers on an axis of that length: 1, 2 or 5 times a power of ten, 4 to 10 of them. */
-function step(length) {
-  const power = 10 ** Math.floor(Math.log10(length / 4))
-  return [5, 2, 1].map((factor) => factor * power).find((size) => length / size >= 4)
-}
 
 /** A time in seconds. */
 const say = (time) => `${Number(time.toFixed(6))} s`
@@ -36,7 +11,7 @@ export class Plot {
   #ticks = []
   #frame = 0
   #chunks = [] // of each tick: what it printed
-  #places = [] // of each tick: where its mark is
+  #places = [] // of each tick: where its mark is, across as a share and down in pixels
   #chosen = -1
   #name
   #choose
@@ -101,8 +76,8 @@ export class Plot {
       said.textContent = handle.ariaValueText = text
       handle.ariaValueNow = Math.max(index + 1, 1)
       if (index >= 0) {
-        const [x, y] = this.#places[index]
-        ring.setAttribute("cx", x)
+        const [share, y] = this.#places[index]
+        ring.setAttribute("cx", percent(100 * share))
         ring.setAttribute("cy", y)
         picture.append(ring)
       }
@@ -110,9 +85,8 @@ export class Plot {
     }
     const point = (event) => {
       const { left, top, width } = picture.getBoundingClientRect()
-      const scale = WIDTH / width
-      const [x, y] = [(event.clientX - left) * scale, (event.clientY - top) * scale]
-      const distances = this.#places.map((place) => Math.hypot(place[0] - x, place[1] - y))
+      const [x, y] = [event.clientX - left - LEFT, event.clientY - top]
+      const distances = this.#places.map((place) => Math.hypot(place[0] * (width - LEFT - RIGHT) - x, place[1] - y))
       const nearest = distances.indexOf(Math.min(...distances))
       if (nearest !== this.#chosen) show(nearest)
     }
@@ -146,51 +120,28 @@ export class Plot {
   }
 
   #paint(alternative) {
-    const sources = [...new Set(this.#ticks.map(([source]) => source))]
-    const left = 14 + 5.4 * Math.max(...sources.map((source) => source.length))
-    const bottom = ROW * sources.length + 4
-    const first = this.#ticks[0][1] === 1 ? 0 : Math.min(...this.#ticks.map(([, , expected]) => expected))
-    const last = Math.max(first + 1, ...this.#ticks.map(([, , expected, real, duration]) => Math.max(expected, real + duration)))
-    const x = (time) => (left + ((time - first) / (last - first)) * (WIDTH - left - 10)).toFixed(2)
+    const known = this.#ticks.map(([, , expected, real, duration]) => [expected, real, Math.max(duration, 0)])
+    const first = this.#ticks[0][1] === 1 ? 0 : Math.min(...known.map(([expected]) => expected))
+    const last = Math.max(...known.map(([expected, real, duration]) => Math.max(expected, real + duration)))
+    const scale = { first, span: last - first || 1 }
 
-    const axis = draw("g", { stroke: "currentColor", "stroke-width": 0.6 })
-    axis.append(draw("path", { d: `M${x(first)} ${bottom}H${WIDTH - 4}` }))
-    const texts = draw("g", { fill: "currentColor", "font-size": 10, "text-anchor": "middle" })
-    const size = step(last - first)
-    for (let n = Math.ceil(first / size); n * size <= last + 1e-9; n++) {
-      axis.append(draw("path", { d: `M${x(n * size)} ${bottom}v3.5` }))
-      texts.append(draw("text", { x: x(n * size), y: bottom + 14 }, String(Number((n * size).toPrecision(12)))))
-    }
-    texts.append(draw("text", { x: (left + WIDTH) / 2, y: bottom + 28 }, "time (s); line: expected, mark: real"))
-
-    const grid = draw("g", { stroke: "currentColor", "stroke-width": 0.8, "stroke-opacity": 0.55 })
-    const bars = draw("g", { "fill-opacity": 0.45 })
-    const marks = draw("g", {})
-    sources.forEach((source, row) => {
-      texts.append(draw("text", { x: left - 8, y: ROW * (row + 0.5) + 3.5, "text-anchor": "end" }, source))
+    const numbers = new Map() // of the rows
+    const rows = []
+    this.#ticks.forEach(([source], index) => {
+      if (!numbers.has(source)) numbers.set(source, rows.push([source, "", [], [], []]) - 1)
+      const [, , grid, , ticks] = rows[numbers.get(source)]
+      const [expected, real, duration] = known[index]
+      if (!grid.includes(expected)) grid.push(expected)
+      ticks.push([real, duration])
     })
-    const latest = new Map()
-    this.#places = []
-    for (const [source, , expected, real, duration] of this.#ticks) {
-      const row = sources.indexOf(source)
-      const y = ROW * (row + 0.5)
-      grid.append(draw("path", { d: `M${x(expected)} ${y - 11}v22` }))
-      if (duration > 0) {
-        const width = (x(real + duration) - x(real)).toFixed(2)
-        bars.append(draw("rect", { x: x(real), y: y - 4.5, width, height: 9, fill: COLOURS[row % COLOURS.length] }))
-      }
-      // Ticks at the same time are drawn one above the other.
-      const together = real - (latest.get(source) ?? -1) < 1e-3
-      latest.set(source, real)
-      const place = [Number(x(real)), together ? y - 7 : y]
-      this.#places.push(place)
-      marks.append(mark(row, ...place))
-    }
-    const picture = draw("svg", { viewBox: `0 0 ${WIDTH} ${bottom + 34}`, role: "img", "aria-label": alternative })
-    picture.append(grid, bars, marks, axis, texts)
+    const places = rows.map(([, , , , ticks], number) =>
+      heights(number, ticks).map((height, index) => [(ticks[index][0] - first) / scale.span, height]),
+    )
+    this.#places = this.#ticks.map(([source]) => places[numbers.get(source)].shift())
+
     const caption = document.createElement("figcaption")
     caption.textContent = "simulated: this clock has no jitter, at whichever speed it runs"
-    this.element.replaceChildren(picture, caption)
+    this.element.replaceChildren(drawTimeline(rows, scale, alternative), caption)
     this.element.hidden = false
   }
 }
