@@ -10,7 +10,6 @@ import sys
 import textwrap
 from collections.abc import Iterable, Iterator, Sequence
 from contextlib import chdir
-from functools import partial
 from pathlib import Path
 from typing import ClassVar, cast
 
@@ -26,11 +25,12 @@ from sphinx.util.docutils import SphinxDirective, SphinxRole
 from sphinx.util.typing import ExtensionMetadata
 
 from .. import machine, rospy
+from ..clocks.simulation import Simulation
 from ..measures import topic_ticks
 from ..plots import Figure, timeline, with_handle
-from ..process import NodeLike, execute
+from ..process import load, load_source
 from ..roscpp import timer_probe
-from ..run import simulate
+from ..run import run_captured
 from ..ticks import Tick
 from .checks import note
 from .claims import Facts, one_line
@@ -109,12 +109,11 @@ class TicksDirective(SphinxDirective):
     def _run(self, path: str, args: list[str], value: float | None) -> Sequence[Tick]:
         if path.endswith("timer_probe.cpp"):
             return timer_probe(self.options["seconds"], args)
-        node: NodeLike = path
+        node = load(path)
         if value is not None and "sets" in self.options:
             at = self._assignment(self.options["sets"])
-            code = compile(f"{at.string[: at.start(2)]}{value}{at.string[at.end(2) :]}", path, "exec")
-            node = partial(execute, code, path)
-        run = simulate(node, self.options["seconds"], args)
+            node = load_source(f"{at.string[: at.start(2)]}{value}{at.string[at.end(2) :]}", path)
+        run = run_captured(Simulation(), node, self.options["seconds"], args)
         topic = self.options.get("topic")
         return topic_ticks(run.messages, topic) if topic else run.ticks
 
