@@ -13,10 +13,12 @@ import live
 import pytest
 import ratios
 import ros2
+import ros2_beside
 import site_build
 import threads
 import ticks
 import topics
+from rclpy_oracle import real_rclpy
 
 from rosspin import Run
 
@@ -65,14 +67,21 @@ def test_messages_that_do_not_arrive_are_an_error(monkeypatch: pytest.MonkeyPatc
 
 
 def test_ros_2_is_compared() -> None:
-    title, tick, day = ros2.report(hours=0.1, ticks=30, rounds=1)
+    title, tick, *oracle, day = ros2.report(hours=0.1, ticks=30, rounds=1)
     assert "rospy's" in tick and "at most 6" in tick
+    assert all("its own Python's" in line for line in oracle) and len(oracle) == bool(real_rclpy())
     assert "at least 10,000" in day
 
 
 def test_ticks_of_ros_2_that_are_missing_are_an_error() -> None:
     with pytest.raises(AssertionError, match="0 ticks for 3"):
         ros2.run(lambda: None, 3)
+
+
+def test_lateness_is_compared_with_the_real_rclpy(require: Callable[[str], None]) -> None:
+    require("ros2")
+    title, *lines = ros2_beside.report(turns=[(50, 0.2)], rounds=1)
+    assert ["p50 of 10 ticks" in line and "at most 1" in line for line in lines] == [True, False]
 
 
 def test_a_day_is_complete_and_leaves_no_memory() -> None:
