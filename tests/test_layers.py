@@ -19,6 +19,7 @@ LAYERS = [
     "clocks",
     "graph",
     "world",
+    "tester",
     "messages",
     "rospy",
     "rclpy",

@@ -14,7 +14,6 @@ from typing import Any
 import pytest
 
 from rosspin import NotSimulated, Run, rclpy, simulate
-from rosspin.steps import start
 
 Error = type[BaseException]
 
@@ -72,11 +71,6 @@ def test_messages_are_those_of_its_ros(write: Any) -> None:
 def test_a_node_is_not_for_both(write: Any) -> None:
     with pytest.raises(ValueError, match="imports rospy .* or rclpy .* but not both"):
         simulate(write("import rospy, rclpy\n"), 1)
-
-
-def test_a_node_of_ros_2_cannot_be_run_in_steps(write: Any) -> None:
-    with pytest.raises(ValueError, match=r"node\.py: only nodes of ROS 1 can be run in steps"):
-        start(write(PLAIN))
 
 
 @pytest.mark.parametrize(

@@ -122,7 +122,7 @@ def run_node(
     the run gave so far (without one if code in C lets no thread run).
     """
     until = None if seconds is None else duration(seconds)
-    with Process(node, args, _stand_in(node.ros).MODULES, node.ros).inside():
+    with Process(node, args, stand_in(node.ros).MODULES, node.ros).inside():
         world = new_world(node, clock, record)
         start = 0 if isinstance(clock, Simulation) else clock.now()
 
@@ -188,7 +188,8 @@ def _run_beside_others(node: Node, world: World) -> None:
     run_main(node, world)
 
 
-def _stand_in(ros: int) -> ModuleType:
+def stand_in(ros: int) -> ModuleType:
+    """The stand-in for ROS 1 or 2."""
     if ros == 2:
         from . import rclpy  # it is large, and loaded only for nodes that need it
 
@@ -291,7 +292,7 @@ def _is_ros_package(name: str) -> bool:
         or root.endswith(("_msgs", "_srvs"))
         or rest.startswith("srv")
         or (root == "rospy" and rest in rospy.NOT_SIMULATED)
-        or (root == "rclpy" and rest.partition(".")[0] in _stand_in(2).NOT_SIMULATED)
+        or (root == "rclpy" and rest.partition(".")[0] in stand_in(2).NOT_SIMULATED)
     )
 
 

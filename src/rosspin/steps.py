@@ -2,25 +2,27 @@
 
 from __future__ import annotations
 
+import signal
 from collections.abc import Callable, Iterator, Mapping, Sequence
 from contextlib import contextmanager
+from importlib import import_module
 from pathlib import Path
 from types import TracebackType
 from typing import Any
 
-from . import rospy
 from .clocks.clock import NS
 from .clocks.programs import SimulatedProgram
 from .clocks.simulation import Simulation
 from .clocks.stacks import acting_for
 from .frames import node_frames
 from .process import Capture, NodeLike, Process, load
-from .rospy.tester import Tester, give_parameters
-from .run import PATIENCE, duration, explained, messages_of, new_world, run_main, ticks_of
+from .run import PATIENCE, duration, explained, messages_of, new_world, run_main, stand_in, ticks_of
 from .ticks import Message, Run
 from .world import World
 
 __all__ = ["NodeFailed", "StartedNode", "start"]
+
+_INTERRUPTED = 128 + signal.SIGINT
 
 # So many lines of its console, the last ones, are shown of a node that failed.
 _LINES = 10
@@ -33,9 +35,10 @@ class NodeFailed(RuntimeError):
 def start(node: NodeLike, args: Sequence[str] = (), parameters: Mapping[str, Any] | None = None) -> StartedNode:
     """Start a node in simulated time, to be run in steps.
 
-    ``node`` and ``args`` are as for :func:`simulate`; ``parameters`` are set before the node runs, as by a launch file,
-    private ones by names such as ``"~rate"``. What is due at 0 s has run when this returns; the time then waits for
-    :meth:`StartedNode.advance`. Raises what :func:`simulate` does, and what ``advance`` does.
+    ``node`` and ``args`` are as for :func:`simulate`; ``parameters`` are set before the node runs, as by a launch file:
+    in ROS 1 private ones by names such as ``"~rate"``, in ROS 2 those that it declares. What is due at 0 s has run when
+    this returns; the time then waits for :meth:`StartedNode.advance`. Raises what :func:`simulate` does, what
+    ``advance`` does, and TypeError for a value that no parameter can have.
     """
     __tracebackhide__ = True  # pytest shows the lines of the test and of the node, not these
     return StartedNode(node, args, parameters or {})
@@ -55,9 +58,9 @@ class StartedNode:
         __tracebackhide__ = True
         self._node = load(node)
         self.name = Path(self._node.argv0).name  # of the file, or of the function
-        if self._node.ros != 1:
-            raise ValueError(f"{self.name}: only nodes of ROS 1 can be run in steps")
-        self._process = Process(self._node, args, rospy.MODULES, ros=1)
+        ros = stand_in(self._node.ros)
+        tester = import_module(f"{ros.__name__}.tester")
+        self._process = Process(self._node, args, ros.MODULES, self._node.ros)
         self._capture = Capture()
         self._clock = Simulation()
         self._now = 0
@@ -69,9 +72,9 @@ class StartedNode:
             self._world = world = new_world(self._node, self._clock, record=True)
             world.on_failure = self._clock.pause
             own_world = World(self._clock, [], False, world.graph)
-            world.graph.tester = self._tester = Tester(own_world, self._process.messages)
+            world.graph.tester = self._tester = tester.Tester(own_world, self._process.messages)
             with acting_for(world):
-                give_parameters(world, parameters)
+                tester.give_parameters(world, parameters)
             self._program = SimulatedProgram(lambda: run_main(self._node, world), world, self._clock)
         try:
             self.advance(0)
@@ -126,6 +129,8 @@ class StartedNode:
     def close(self) -> None:
         """Press Ctrl-C, let the node end, and check that it does so with status 0. Another call does nothing.
 
+        In ROS 2, the status may also be 130: that of a node that does not catch the KeyboardInterrupt.
+
         Raises :class:`NodeFailed` if the status is another one, or if the node has not ended 17 s later, and what the
         node raises meanwhile.
         """
@@ -148,8 +153,8 @@ class StartedNode:
         is that of the node's subscriber. By name a dict stands for a nested message, and a number for a time, in
         seconds: ``node.publish("/range", range=0.5, header={"stamp": node.time})``.
 
-        Raises LookupError if the node does not subscribe to the topic, and what ``rospy.Publisher.publish`` does if the
-        message has no such fields or they cannot have these values.
+        Raises LookupError if the node does not subscribe to the topic, and what ``rospy.Publisher.publish`` or, in
+        ROS 2, the message's class does if it has no such fields or they cannot have these values.
         """
         self._tester.publish(topic, args, fields)
 
@@ -182,6 +187,9 @@ class StartedNode:
         self._messages += messages_of(world.graph, 0, len(self._messages))
         status = self.status or 0
         errors = world.errors[self._raised :]
+        if self._closed and self._node.ros == 2 and status == _INTERRUPTED:
+            # In ROS 2 this is how most nodes end at Ctrl-C.
+            status, errors = 0, [error for error in errors if not isinstance(error, KeyboardInterrupt)]
         died = bool(status) and not self._status_raised
         if not self._closed:  # else it stays the time of Ctrl-C
             self._now = self._clock.now() if errors or died else until

@@ -1,13 +1,12 @@
 """Publishers and subscriptions (sources: rclpy/publisher.py, rclpy/subscription.py, rclpy/wait_for_message.py).
 
 On a real ROS a middleware brings the messages. Here a publisher puts copies of them into the queues of those who
-subscribe.
+subscribe. All nodes of a run are in one process, where those find each other at once.
 """
 
 from __future__ import annotations
 
 import inspect
-import threading
 import time
 from collections import deque
 from collections.abc import Callable
@@ -19,12 +18,10 @@ from .qos import DurabilityPolicy, QoSProfile, incompatible_policy
 from .state import Gate
 
 if TYPE_CHECKING:
+    from ..world import World
     from .node import Node
 
 __all__ = ["Publisher", "Subscription", "wait_for_message"]
-
-# How long (ns) it takes two processes to find each other; real ones need up to seconds. Within one it takes no time.
-DISCOVERY = 100_000_000
 
 
 class End(NamedTuple):
@@ -47,6 +44,11 @@ class _Owner:
         self.qos_profile = qos
         self.peers: list[Any] = []
         self._destroyed = False
+
+    @property
+    def world(self) -> World:
+        """The process that it is in."""
+        return self.node.context.state.world
 
     @property
     def topic_name(self) -> str:
@@ -74,7 +76,7 @@ class _Owner:
         """Take it off the topic."""
         self._check()
         self._destroyed = True
-        self.node.context.state.world.graph.remove(self.end)
+        self.world.graph.remove(self.end)
         for peer in self.peers:
             peer.peers.remove(self)
 
@@ -91,8 +93,8 @@ class Publisher(_Owner):
         super().__init__(node, msg_type, topic, full_name, qos)
         keeps = qos.durability is DurabilityPolicy.TRANSIENT_LOCAL
         self.kept: deque[Message] = deque(maxlen=qos.kept if keeps else 0)
-        for end in node.context.state.world.graph.advertise(self.end):
-            _meet(self, end.owner)
+        for end in self.world.graph.advertise(self.end):
+            _connect(self, end.owner)
 
     def publish(self, msg: Message) -> None:
         """Publish a message. TypeError for one of another class, AssertionError for one with wrong values in it.
@@ -106,12 +108,11 @@ class Publisher(_Owner):
             raise RCLError("Failed to publish: publisher's context is invalid")
         message = transfer(msg, self.msg_type)
         self.kept.append(message)
-        own = self.node.context.state
-        graph = own.world.graph
+        graph = self.world.graph
         if graph.published is not None:
             graph.record(self.end.topic, self.node.get_fully_qualified_name(), lambda: message)
         for subscription in list(self.peers):
-            subscription.deliver(message, own.clock.now())
+            subscription.deliver(message, self.world.clock.now())
 
     def get_subscription_count(self) -> int:
         """How many subscriptions it sends to."""
@@ -154,8 +155,8 @@ class Subscription(_Owner):
         self.nudge: Callable[[], None] = node.nudge
         self._executor_event = False
         self._received = 0
-        for end in node.context.state.world.graph.subscribe(self.end):
-            _meet(end.owner, self)
+        for end in self.world.graph.subscribe(self.end):
+            _connect(end.owner, self)
 
     @property
     def callback(self) -> Callable[..., Any]:
@@ -181,7 +182,7 @@ class Subscription(_Owner):
         self._received += 1
         info = {
             "source_timestamp": sent,
-            "received_timestamp": self.node.context.state.clock.now(),
+            "received_timestamp": self.world.clock.now(),
             "publication_sequence_number": self._received,
             "reception_sequence_number": None,
         }
@@ -204,22 +205,8 @@ class Subscription(_Owner):
         return len(self.peers)
 
 
-def _meet(publisher: Publisher, subscription: Subscription) -> None:
-    """Connect two ends: at once within a process, else after a while."""
-    world = subscription.node.context.state.world
-    if publisher.node.context.state.world is world:
-        _connect(publisher, subscription)
-        return
-
-    def discover() -> None:
-        world.clock.sleep(DISCOVERY)
-        _connect(publisher, subscription)
-
-    world.start(threading.Thread(target=discover, daemon=True))
-
-
 def _connect(publisher: Publisher, subscription: Subscription) -> None:
-    if publisher._destroyed or subscription._destroyed or publisher.end.type != subscription.end.type:
+    if publisher.end.type != subscription.end.type:
         return
     policy = incompatible_policy(publisher.qos_profile, subscription.qos_profile)
     if policy:
@@ -230,7 +217,7 @@ def _connect(publisher: Publisher, subscription: Subscription) -> None:
     subscription.peers.append(publisher)
     if subscription.qos_profile.durability is DurabilityPolicy.TRANSIENT_LOCAL:
         for message in publisher.kept:
-            subscription.deliver(message, publisher.node.context.state.clock.now())
+            subscription.deliver(message, publisher.world.clock.now())
 
 
 def wait_for_message(

@@ -2,9 +2,10 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterable, Mapping
+from collections.abc import Mapping
 from typing import Any
 
+from .. import tester
 from ..clocks.clock import nanoseconds
 from ..messages.ros1 import TIMES, Message, SerializationError
 from ..world import World
@@ -16,18 +17,15 @@ from .topics import Publication
 
 __all__ = ["Tester", "give_parameters"]
 
-NAME = "/tester"
 
-
-class Tester:
+class Tester(tester.Tester):
     """``world`` is its own; ``messages`` makes the classes of messages, as in ``messages["std_msgs/UInt32"]``."""
 
     def __init__(self, world: World, messages: Any) -> None:
+        super().__init__(world.graph, messages)
         self._node = world.part(State)
-        self._node.name = NAME
-        self._messages = messages
+        self._node.name = tester.NAME
         self._publications: dict[tuple[str, type[Message]], _Publication] = {}
-        self._subscribed: dict[str, str] = {}  # the topics that somebody has published, and their types
 
     def publication(self, subscription: Any) -> Publication:
         """Its end for a subscription."""
@@ -36,37 +34,14 @@ class Tester:
             self._publications[key] = _Publication(self._node, *key)
         return self._publications[key]
 
-    def subscription(self, publication: Any) -> _Subscription:
-        """Its end for a publication."""
-        self._subscribed[publication.topic] = publication.type
+    def _listen(self, publication: Any) -> _Subscription:
         return _Subscription(self._node)
 
-    def published(self, topic: str) -> str:
-        """The full name of a topic that a node publishes, or has published. Raises LookupError if none does."""
-        name = rosgraph.resolve_name(topic, NAME)
-        if name not in self._subscribed:
-            raise LookupError(f"no node publishes {name}; published are: {_list(self._subscribed.items())}")
-        return name
-
-    def message(self, type_: str, fields: dict[str, Any]) -> Message:
-        """A message of a type such as std_msgs/UInt32. Raises LookupError if there is none, and what its class does."""
-        try:
-            data_class = self._messages[type_]
-        except KeyError:
-            where = "in the common packages, or in those around the node"
-            raise LookupError(f"there is no message {type_} {where}") from None
-        return data_class(**self._filled(data_class, fields))  # type: ignore[no-any-return]
-
-    def publish(self, topic: str, args: tuple[Any, ...], fields: dict[str, Any]) -> None:
-        """Put a message into the queues of the subscribers, as ``Publisher.publish`` does.
-
-        Raises LookupError if there are none, and what ``Publisher.publish`` raises, but that breaks no connection.
-        """
-        name = rosgraph.resolve_name(topic, NAME)
+    def _publish(self, name: str, args: tuple[Any, ...], fields: Mapping[str, Any]) -> bool:
+        """Publish as ``Publisher.publish`` does; but what it raises breaks no connection."""
         ends = [end for end in self._publications.values() if end.topic == name and end.connections]
         if not ends:
-            subscribed = self._node.world.graph.subscribed()
-            raise LookupError(f"no node subscribes to {name}; subscribed to are: {_list(subscribed)}")
+            return False
         data_class = next((end.data_class for end in ends if end.data_class is not AnyMsg), None)
         if data_class:
             message = args_kwds_to_message(data_class, args, self._filled(data_class, fields))
@@ -77,25 +52,17 @@ class Tester:
         for end in ends:
             if end.data_class is AnyMsg or end.data_class._md5sum == message._md5sum:
                 end.send(message)
+        return True
 
-    def _filled(self, data_class: type[Message], fields: dict[str, Any]) -> dict[str, Any]:
-        types = dict(zip(data_class.__slots__, data_class._slot_types, strict=True))
-        return {name: self._value(types.get(name, ""), value) for name, value in fields.items()}
+    @staticmethod
+    def _types(data_class: type[Message]) -> dict[str, str]:
+        return dict(zip(data_class.__slots__, data_class._slot_types, strict=True))
 
-    def _value(self, type_: str, value: Any) -> Any:
-        """A field's value; as for rostopic a dict stands for a message, and here a number of seconds for a time."""
-        base, _, array = type_.partition("[")
-        if array and ("/" in base or base in TIMES) and isinstance(value, (list, tuple)):
-            return [self._value(base, item) for item in value]
-        if base in TIMES and type(value) in (int, float):
-            return TIMES[base]._of(nanoseconds(value))
-        if isinstance(value, dict):
-            return TIMES[base](**value) if base in TIMES else self.message(base, value)
-        return value
+    def _number(self, type_: str, value: float) -> Any:
+        return TIMES[type_]._of(nanoseconds(value)) if type_ in TIMES else value
 
-
-def _list(topics: Iterable[tuple[str, str]]) -> str:
-    return ", ".join(f"{topic} ({kind})" for topic, kind in topics) or "none"
+    def _nested(self, type_: str, fields: Mapping[str, Any]) -> Any:
+        return TIMES[type_](**fields) if type_ in TIMES else super()._nested(type_, fields)
 
 
 class _Publication(Publication):

@@ -1,0 +1,105 @@
+"""The node of a test: it is connected to every topic of the other nodes as soon as they have it."""
+
+from __future__ import annotations
+
+import json
+from collections.abc import Mapping
+from typing import Any
+
+from .. import tester
+from ..clocks.clock import NS, nanoseconds
+from ..messages.ros2 import Message
+from ..world import World
+from .qos import QoSProfile
+from .topics import End, Publisher, Subscription
+
+__all__ = ["Tester", "give_parameters"]
+
+_TIMES = {"builtin_interfaces/Time", "builtin_interfaces/Duration"}
+
+
+class Tester(tester.Tester):
+    """``world`` is its own; ``messages`` makes the classes of messages, as in ``messages["std_msgs/UInt32"]``."""
+
+    def __init__(self, world: World, messages: Any) -> None:
+        super().__init__(world.graph, messages)
+        self._publications: list[_Counterpart] = []
+
+    def publication(self, subscription: End) -> End:
+        """Its end for a subscription."""
+        self._publications.append(_Counterpart(subscription.owner))
+        return self._publications[-1].end
+
+    def _listen(self, publication: End) -> End:
+        return _Counterpart(publication.owner).end
+
+    def message(self, type_: str, fields: Mapping[str, Any]) -> Any:
+        """A message of a type such as std_msgs/UInt32 or std_msgs/msg/UInt32: see the base."""
+        return super().message(type_.replace("/msg/", "/"), fields)
+
+    def _publish(self, name: str, args: tuple[Any, ...], fields: Mapping[str, Any]) -> bool:
+        ends = [end for end in self._publications if end.end.topic == name and end.peers]
+        for end in ends:
+            end.send(self._message(end.msg_type, args, fields))
+        return bool(ends)
+
+    def _message(self, data_class: type[Message], args: tuple[Any, ...], fields: Mapping[str, Any]) -> Message:
+        """A message from what ``publish`` is given: itself, all of its fields, or some by name."""
+        if len(args) == 1 and isinstance(args[0], Message) and not fields:
+            if not isinstance(args[0], data_class):
+                raise TypeError(f"Expected {data_class}, got {type(args[0])}")
+            return args[0]
+        names = data_class.get_fields_and_field_types()
+        if args and (fields or len(args) != len(names)):
+            raise TypeError(f"{data_class.__name__} has the fields {', '.join(names) or 'none'}: give all, or by name")
+        return data_class(**self._filled(data_class, fields or dict(zip(names, args, strict=False))))
+
+    @staticmethod
+    def _types(data_class: type[Message]) -> dict[str, str]:
+        kinds = {name: field.kind for name, field in data_class._rosspin_fields.items()}
+        return {name: f"{kind.base}[]" if kind.array else kind.base for name, kind in kinds.items()}
+
+    def _number(self, type_: str, value: float) -> Any:
+        if type_ not in _TIMES:
+            return value
+        sec, nanosec = divmod(nanoseconds(value), NS)
+        return self._messages[type_](sec=sec, nanosec=nanosec)
+
+
+class _Counterpart:
+    """An end of the tester's, for one of another node's, with whose quality of service it agrees."""
+
+    def __init__(self, other: Publisher | Subscription) -> None:
+        self.world = other.world
+        self.msg_type = other.msg_type
+        self.end = End(other.end.topic, other.end.type, self)
+        self.qos_profile: QoSProfile = other.qos_profile
+        self.peers: list[Any] = []
+        self.kept: tuple[Message, ...] = ()
+
+    def deliver(self, message: Message, sent: int) -> None:
+        """The run has recorded it."""
+
+    def send(self, message: Message) -> None:
+        """Publish a message."""
+        for peer in self.peers:
+            peer.deliver(message, self.world.clock.now())
+
+
+def give_parameters(world: World, parameters: Mapping[str, Any]) -> None:
+    """Give parameters to the nodes of a process before it runs, on its command line; what stands there goes first.
+
+    Raises TypeError for a value that a parameter cannot have.
+    """
+    if parameters:
+        words = (word for name, value in parameters.items() for word in ("-p", f"{name}:={_yaml(name, value)}"))
+        world.argv[1:1] = ["--ros-args", *words, "--"]
+
+
+def _yaml(name: str, value: Any) -> str:
+    values = value if isinstance(value, (list, tuple)) else [value]
+    if not all(isinstance(each, (bool, int, float, str)) for each in values):
+        raise TypeError(f"the parameter {name} can be a bool, int, float, str, or a list of one of them, not {value!r}")
+    # JSON is YAML, but it has no infinity.
+    shown = [repr(each) if isinstance(each, float) else json.dumps(each) for each in values]
+    return f"[{', '.join(shown)}]" if values is value else shown[0]
