@@ -6,9 +6,11 @@ BIN := .venv/bin
 ROS1 := build-essential catkin libroscpp-dev python3-roslaunch python3-rosmaster python3-rospy rosbash
 MESSAGES := python3-actionlib-msgs python3-diagnostic-msgs python3-geometry-msgs python3-nav-msgs python3-sensor-msgs \
   python3-trajectory-msgs python3-visualization-msgs
-# The LTS of ROS 2, the messages that nodes of the tests use, and what builds a package of nodes.
-ROS2 := ros-jazzy-rclpy ros-jazzy-rmw-fastrtps-cpp $(addprefix ros-jazzy-,geometry-msgs nav-msgs rosgraph-msgs \
-  sensor-msgs std-msgs)
+# The LTS of ROS 2, the messages that nodes of the tests use, and what builds a package of nodes. With DISTRO=kilted,
+# another distribution beside it, to which the tests hold the same nodes.
+DISTRO := jazzy
+ROS2 := $(addprefix ros-$(DISTRO)-,rclpy rmw-fastrtps-cpp geometry-msgs nav-msgs rosgraph-msgs sensor-msgs std-msgs)
+OTHER := $(addprefix -,$(filter-out jazzy,$(DISTRO)))
 COLCON := $(addprefix colcon-,core library-path package-selection python-setup-py recursive-crawl ros) 'setuptools<80'
 SUDO := $(if $(filter-out 0,$(shell id -u)),sudo)
 
@@ -102,12 +104,12 @@ ros1:
 	$(SUDO) apt-get install --yes $(ROS1) $(MESSAGES)
 
 # The real ROS 2 in Python, from its wheels, in an environment of its own: they start every Python beside them anew.
-ros2: build/ros2/made
+ros2: build/ros2$(OTHER)/made
 
-build/ros2/made: constraints-ros2.txt | $(VENV)
+build/ros2$(OTHER)/made: constraints-ros2$(OTHER).txt | $(VENV)
 	@$(BIN)/python -c 'import sys; from rosspin import ros2; sys.exit(ros2.unavailable() or None)'
-	$(PYTHON) -m venv --clear build/ros2
-	build/ros2/bin/pip install --quiet --disable-pip-version-check -c $< $(ROS2) $(COLCON)
+	$(PYTHON) -m venv --clear $(@D)
+	$(@D)/bin/pip install --quiet --disable-pip-version-check -c $< $(ROS2) $(COLCON)
 	@touch $@
 
 # Anew, on the real ROS 1 and 2: the runs that pages show where none is installed.
@@ -127,7 +129,7 @@ pins:
 	$(PYTHON) -m venv --clear build/pins
 	build/pins/bin/pip install --quiet $(ROS2) $(COLCON)
 	@# What lies in its wheels names itself a second time, by a name that no index has.
-	ls build/pins/lib/python3*/site-packages | sed -nE '/^pip-/!s/-([^-]+)\.dist-info$$/==\1/p' > constraints-ros2.txt
+	ls build/pins/lib/python3*/site-packages | sed -nE '/^pip-/!s/-([^-]+)\.dist-info$$/==\1/p' > constraints-ros2$(OTHER).txt
 
 clean:
 	rm -rf build

@@ -13,6 +13,7 @@ from textwrap import dedent
 from typing import Any
 
 import pytest
+from corpus_ros2 import KILTED_PYTHON
 from hypothesis import settings
 from in_chromium import launched, served
 from message_probe import PACKAGES
@@ -44,6 +45,7 @@ def _lacks_ros1() -> str:
 LACKS: dict[str, Callable[[], str]] = {
     "ros1": _lacks_ros1,
     "ros2": lambda: str(ros2.Ros2Missing()) if ros2.missing() else "",
+    "kilted": lambda: "" if KILTED_PYTHON.exists() else "Kilted is not installed (make ros2 DISTRO=kilted)",
     "browser": lambda: "" if doctor.chromium() else "Chromium is not installed",
 }
 

@@ -26,6 +26,7 @@ from rosspin.children import Children
 SCENARIOS = Path(__file__).parent / "scenarios_ros2"
 RECORDED = SCENARIOS / "recorded"
 SOURCE = Path(__file__).parents[1] / "src"
+KILTED_PYTHON = Path(__file__).parents[1] / "build" / "ros2-kilted" / "bin" / "python"
 
 LONGEST = 12.0  # s of a scenario that ends by itself
 TRIES = 6
@@ -105,6 +106,20 @@ DIFFERENT: dict[str, str] = dict.fromkeys(
     "a handler that is not rclpy's is called at once; on the real one only when what the executor waits for is due",
 )
 
+# Where Kilted does otherwise than Jazzy, the reference, and how. docs/reference/rclpy-names.rst tells of it.
+_ENUMS = "the types of clocks are an enum, those of parameters are shown as numbers"
+_INIT = "rclpy.init() returns a context manager"
+KILTED: dict[str, str] = {
+    **dict.fromkeys(("clock_sleeps", "timer_clocks", "timer_queries"), _ENUMS),
+    **dict.fromkeys(("values_parameters", "values_parameters_2"), _ENUMS),
+    **dict.fromkeys(("values_nodes", "values_ros_args"), _INIT),
+    **dict.fromkeys(("context_own", "ctrl_c_hooks"), "rclpy.shutdown() after Ctrl-C is no error, and calls the hooks"),
+    **dict.fromkeys(("log_control", "log_levels"), "Logger.warn() is deprecated, as a warning says"),
+    "topics_destroyed": "publishing through a publisher that was destroyed is an InvalidHandle",
+    "topics_values": "two messages of errors read differently",
+    "values_duration": "durations can be added, subtracted and multiplied",
+}
+
 SCENARIO_LIST = [
     Scenario(file.stem, args, _name(file.stem, args, number))
     for file in sorted(SCENARIOS.glob("*.py"))
@@ -116,6 +131,11 @@ SCENARIO_LIST = [
 def on_the_real_one(nodes: Children, scenario: Scenario) -> str:
     """The console of a scenario on the real rclpy; its status in the first line."""
     return _run(nodes, scenario, [ros2.python(), str(scenario.path)])
+
+
+def on_kilted(nodes: Children, scenario: Scenario) -> str:
+    """The same on that of Kilted."""
+    return _run(nodes, scenario, [str(KILTED_PYTHON), str(scenario.path)])
 
 
 def on_the_wall(children: Children, scenario: Scenario) -> str:
