@@ -14,6 +14,7 @@ from typing import Any, NamedTuple
 
 import pytest
 from conftest import SEED
+from test_topics import LENGTH, Sink, Source
 
 from rosspin import Node, NotSimulated, Run, TimeStandsStill, rospy, simulate
 from rosspin.rospy.topics import LATER_PUBLISHER, LATER_SUBSCRIBER
@@ -586,27 +587,6 @@ def test_a_run_of_several_nodes_is_the_same_each_time() -> None:
 
 # All times are whole milliseconds. Their remainders are such that no message is published at the instant in which its
 # connection is made, and nothing happens at the one in which a node ends: the model need not know who goes first.
-
-LENGTH = 6_000
-
-
-class Source(NamedTuple):
-    """A publisher: its topic, when it is made, publishes first, and how often (ms); whether it latches."""
-
-    topic: str
-    made: int
-    first: int
-    period: int
-    latch: bool
-
-
-class Sink(NamedTuple):
-    """A subscriber: its topic, when it is made, how long its callback takes (ms), its queue_size."""
-
-    topic: str
-    made: int
-    takes: int
-    queue_size: int | None
 
 
 class Drawn(NamedTuple):

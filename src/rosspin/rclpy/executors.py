@@ -179,10 +179,14 @@ class Executor:
 
     def spin_once(self, timeout_sec: float | None = None) -> None:
         """Wait for one call, for at most ``timeout_sec`` (None, or negative: for ever), and make it."""
-        raise NotImplementedError()
+        self._spin_once(timeout_sec)
 
     def spin_once_until_future_complete(self, future: Future, timeout_sec: Any = None) -> None:
         """Like ``spin_once``, but wait no more once the future is done."""
+        future.add_done_callback(lambda _: self.wake())
+        self._spin_once(timeout_sec, future.done)
+
+    def _spin_once(self, timeout_sec: Any, condition: Callable[[], bool] = _never) -> None:
         raise NotImplementedError()
 
     def spin_until_future_complete(self, future: Future, timeout_sec: float | None = None) -> None:
@@ -367,13 +371,6 @@ class _Timeout:
 class SingleThreadedExecutor(Executor):
     """Calls in the thread that spins. While a callback runs, all others wait."""
 
-    def spin_once(self, timeout_sec: float | None = None) -> None:
-        self._spin_once(timeout_sec)
-
-    def spin_once_until_future_complete(self, future: Future, timeout_sec: Any = None) -> None:
-        future.add_done_callback(lambda _: self.wake())
-        self._spin_once(timeout_sec, future.done)
-
     def _spin_once(self, timeout_sec: Any, condition: Callable[[], bool] = _never) -> None:
         try:
             task = self.wait_for_ready_callbacks(timeout_sec, None, condition)
@@ -398,13 +395,6 @@ class MultiThreadedExecutor(Executor):
             )
         self._running: list[Task] = []
         self._pool = ThreadPoolExecutor(num_threads or _THREADS)
-
-    def spin_once(self, timeout_sec: float | None = None) -> None:
-        self._spin_once(timeout_sec)
-
-    def spin_once_until_future_complete(self, future: Future, timeout_sec: Any = None) -> None:
-        future.add_done_callback(lambda _: self.wake())
-        self._spin_once(timeout_sec, future.done)
 
     def _spin_once(self, timeout_sec: Any, condition: Callable[[], bool] = _never) -> None:
         try:
