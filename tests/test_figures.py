@@ -219,14 +219,20 @@ def test_the_number_in_the_code_follows(context: BrowserContext, address: str) -
 
 
 def test_the_page_draws_each_position_as_python_does(context: BrowserContext, site: Path) -> None:
-    """Also of three rows, with ticks at one time, and with names that are no HTML."""
+    """Also with ticks at one time, with calls that overlap, with names that are no HTML, and with fewer kinds of rows."""
     blocks = [0.0, 0.7, 1.2, 1.499, 2.2]
     run = probes("_block_call:=3", seconds=6)
     runs = {
-        block: {**run(block), "a<b & c": [tick._replace(real=tick.real + 0.0123456) for tick in run(block)["rospy"]]}
+        block: {
+            **run(block),
+            "a<b & c": [tick._replace(real=tick.real + 0.0123456) for tick in run(block)["rospy"]],
+            "at once": [Tick("A", n, n * 0.5, n * 0.5, block) for n in range(1, 7)],
+        }
         for block in blocks
     }
-    by_python = {block: with_handle("The third call takes", "s", runs, at=block, period=0.5) for block in blocks}
+    by_python = {
+        block: with_handle("The third call takes", "s", runs, at=block, period=0.5, kinds=2) for block in blocks
+    }
     page = context.new_page()
     for block in blocks:
         page.set_content(by_python[block]._repr_html_())

@@ -2,15 +2,19 @@
 
 from __future__ import annotations
 
+import math
+
 import pytest
 from hypothesis import given, settings
 from hypothesis import strategies as st
 
 from rosspin import Tick
 from rosspin.measures import (
+    at_once,
     describe_lateness,
     describe_pace,
     describe_periods,
+    describe_timeline,
     lost,
     periods,
     quantile,
@@ -154,3 +158,27 @@ def test_the_verdict_where_ticks_are_dropped_and_the_grid_is_kept() -> None:
     dropped = [Tick("A", n, expected, real, 0.0) for n, (expected, real) in enumerate(times.items(), 1)]
     assert verdict(dropped, 0.5) == "keeps its grid, 2 ticks lost"
     assert verdict([], 0.5) == "no ticks"
+
+
+@pytest.mark.parametrize(
+    ("times", "duration", "words"),
+    [
+        ({0.5: 0.7, 1.0: 1.2, 1.5: 1.7}, 0.0, "0.2 s late, no tick lost"),
+        ({0.5: 1.3, 1.5: 2.9, 3.0: 4.5}, 0.0, "up to 1.5 s late, 3 ticks lost"),
+        ({0.5: 0.5, 1.0: 1.0, 1.5: 1.5}, 0.8, "keeps its grid, no tick lost, overlaps itself"),
+    ],
+)
+def test_the_verdict_on_a_timer_beside_a_slow_one(times: dict[float, float], duration: float, words: str) -> None:
+    """As in ROS 2."""
+    found = [Tick("A", n, expected, real, duration) for n, (expected, real) in enumerate(times.items(), 1)]
+    assert verdict(found, 0.5) == words
+
+
+def test_calls_at_once_are_counted() -> None:
+    def calls(*durations: float) -> list[Tick]:
+        return [Tick("A", n, n * 0.5, n * 0.5, duration) for n, duration in enumerate(durations, 1)]
+
+    assert at_once([]) == 0
+    assert [at_once(calls(*each)) for each in ((0.5, 0.5), (0.5005, 0.1), (math.nan, 0.1))] == [1, 1, 1]
+    assert [at_once(calls(*each)) for each in ((0.6, 0.1), (1.2, 1.2, 1.2), (2.0, 0.1, 0.1))] == [2, 3, 2]
+    assert describe_timeline("A", calls(0.6, 0.6)).endswith(" were on time. Up to 2 calls ran at once.")

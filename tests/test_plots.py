@@ -9,6 +9,7 @@ import subprocess
 import sys
 import xml.etree.ElementTree as ElementTree
 from collections.abc import Callable
+from itertools import pairwise
 from pathlib import Path
 from typing import Any
 
@@ -144,6 +145,28 @@ def test_ticks_at_the_same_time_stand_one_above_the_other() -> None:
     at_once = parse(timeline([Tick("A", n, n * 0.5, 2.0, 0.0) for n in (1, 2, 3)]))
     heights = [float(mark.attrib["cy"]) for mark in at_once.iter(f"{SVG}circle")]
     assert heights[0] > heights[1] > heights[2]
+
+
+def test_calls_that_overlap_are_in_lanes() -> None:
+    def bars(ticks: list[Tick]) -> list[tuple[float, float]]:
+        found = re.findall(r'<rect x="[^"]*" y="([^"]*)" width="[^"]*" height="([^"]*)"', timeline(ticks).svg)
+        return [(float(y), float(y) + float(height)) for y, height in found]
+
+    def calls(duration: float) -> list[Tick]:
+        return [Tick("A", n, n * 0.5, n * 0.5, duration) for n in range(1, 7)]
+
+    assert len(set(bars(calls(0.5)))) == 1
+    for count, duration in ((2, 0.8), (3, 1.2), (4, 1.7)):
+        found = bars(calls(duration))
+        lanes = sorted(set(found))
+        assert found == [lanes[n % count] for n in range(6)]
+        assert all(above[1] <= below[0] for above, below in pairwise(lanes))
+
+
+def test_rows_take_turns_with_their_marks() -> None:
+    runs = {name: [Tick("A", 1, 0.5, 0.5, 0.0)] for name in "abcd"}
+    for kinds, wanted in {3: ["circle", "rect", "circle", "circle"], 2: ["circle", "rect", "circle", "rect"]}.items():
+        assert re.findall("<(circle|rect)", timeline(runs, kinds=kinds).svg) == wanted
 
 
 @pytest.mark.parametrize("values", [[0.5], [0.0], [1e-9, 2e-9], [-3.0, 4.0], [12345.6, 12345.7], [0.0, 1e6]])

@@ -11,6 +11,7 @@ from statistics import median
 from .ticks import Message, Tick
 
 __all__ = [
+    "at_once",
     "by_source",
     "describe_lateness",
     "describe_pace",
@@ -93,6 +94,15 @@ def lost(ticks: Sequence[Tick], period: float) -> list[float]:
     return [origin + number * period for number in sorted({*range(served[-1])} - {*served})]
 
 
+def at_once(ticks: Sequence[Tick]) -> int:
+    """How many of these calls ran at the same time, at most. An overlap of less than a millisecond does not count."""
+    most, ends = 0, list[float]()
+    for tick in ticks:
+        ends = [*(end for end in ends if end >= tick.real + 1e-3), tick.real + tick.duration]
+        most = max(most, len(ends))
+    return most
+
+
 def quantile(values: Sequence[float], share: float) -> float:
     """The smallest value that at least the fraction ``share`` (0 to 1) of the values do not exceed.
 
@@ -116,13 +126,14 @@ def say_time(seconds: float) -> str:
 
 
 def describe_timeline(name: str, group: Sequence[Tick]) -> str:
-    """Describe the ticks of one source in a sentence or two: how many, from when to when, and how late."""
+    """Describe the ticks of one source in a few sentences: how many, from when to when, how late, how many at once."""
     if not group:
         return f"{name}: no ticks."
     span = f"{len(group)} ticks from {group[0].real:.3f} s to {group[-1].real:.3f} s"
     if len(group) == 1:
         span = f"1 tick at {group[0].real:.3f} s"
-    return f"{name}: {span}. {describe_lateness(group)}"
+    most = at_once(group)
+    return f"{name}: {span}. {describe_lateness(group)}{f' Up to {most} calls ran at once.' if most > 1 else ''}"
 
 
 def describe_pace(ticks: Sequence[Tick]) -> str:
@@ -138,17 +149,30 @@ def describe_pace(ticks: Sequence[Tick]) -> str:
 def verdict(ticks: Sequence[Tick], period: float) -> str:
     """Say in a few words whether the grid of ``period`` seconds was kept in the end, and how many ticks were lost.
 
-    The ticks are of one source, in a simulated run: they are at their times exactly.
+    Also whether calls still come late then, and whether they overlap. The ticks are of one source, in a simulated run:
+    they are at their times exactly.
     """
     if not ticks:
         return "no ticks"
     count = len(lost(ticks, period))
     losses = f"{count} tick{'' if count == 1 else 's'} lost" if count else "no tick lost"
+    last = ticks[-1]
     pause = periods(ticks)[-1:]
-    passed = (ticks[-1].real - ticks[0].expected) / period
+    is_even = bool(pause) and abs(pause[0] - period) < 1e-6
     if pause and pause[0] > period * 1.001 and abs(pause[0] - ticks[-2].duration) < 1e-6:
         return f"back to back, every {say_time(pause[0])}, {losses}"
-    return f"{'keeps its grid' if abs(passed - round(passed)) < 1e-3 else 'starts a new grid'}, {losses}"
+    # On a new grid ticks are even, but rospy goes on to expect them on the old one.
+    if _is_on_grid(last.expected, ticks, period) and 1e-6 < last.lateness and not (is_even and last.lateness > period):
+        latest = max(tick.lateness for tick in ticks)
+        always = all(abs(tick.lateness - latest) < 1e-6 for tick in ticks)
+        return f"{'' if always else 'up to '}{say_time(latest)} late, {losses}"
+    grid = "keeps its grid" if _is_on_grid(last.real, ticks, period) else "starts a new grid"
+    return f"{grid}, {losses}{', overlaps itself' if at_once(ticks) > 1 else ''}"
+
+
+def _is_on_grid(time: float, ticks: Sequence[Tick], period: float) -> bool:
+    passed = (time - ticks[0].expected) / period
+    return abs(passed - round(passed)) < 1e-3
 
 
 def describe_lateness(ticks: Sequence[Tick]) -> str:

@@ -38,6 +38,8 @@ _COLOURS = ("#0072b2", "#d55e00", "#009e73")
 _FONT = 13
 _ROW = 54  # a row of a timeline: its name, and below that its ticks
 _TICKS = 34  # how far the middle of the ticks is below the top of their row
+_REACH = 13  # how far a line for an expected tick goes up and down from there
+_BAR = 10
 _AXIS = 42  # the height of an axis with its numbers and its title
 _LEFT, _RIGHT = 8, 14  # room for what goes beyond the plot: half a mark, half a number
 _NUMBERS = 44  # room for the numbers of a vertical axis
@@ -98,24 +100,32 @@ class Figure:
 _TEXT = f"font-family: inherit; font-size: {_FONT}px; fill: currentColor"
 
 
-def timeline(ticks: Ticks, period: float | None = None) -> Figure:
+def timeline(ticks: Ticks, period: float | None = None, kinds: int = len(_COLOURS)) -> Figure:
     """Plot when each tick was expected and when it came, in seconds; a bar shows how long it took.
 
     With ``period`` (s), there is a line for every period, even where no tick came, and a cross for every lost tick.
+    The rows are of up to three ``kinds`` in turn, each of which has a mark and a colour of its own.
     """
     groups = _groups(ticks)
     rows = [_row(name, "", group, period) for name, group in groups.items()]
-    return _timeline(rows, _scale(rows), period, _describe(groups, period))
+    return _timeline(rows, _scale(rows), period, kinds, _describe(groups, period))
 
 
 def with_handle(
-    label: str, unit: str, runs: Mapping[float, Ticks], at: float, period: float | None = None, sets: str = ""
+    label: str,
+    unit: str,
+    runs: Mapping[float, Ticks],
+    at: float,
+    period: float | None = None,
+    sets: str = "",
+    kinds: int = len(_COLOURS),
 ) -> Figure:
     """Plot a timeline that the reader of a page moves: ``runs`` are the ticks for each position of a handle.
 
     ``label`` and ``unit`` say what the position is, and ``at`` is the one shown first, also in print and wherever the
-    page's script is missing. ``period`` is that of :func:`timeline`; with it, each row says whether the grid was kept
-    and how many ticks were lost. ``sets`` names the variable that the position is in code which stands beside the plot.
+    page's script is missing. ``period`` and ``kinds`` are those of :func:`timeline`; with a period, each row says
+    whether the grid was kept and how many ticks were lost. ``sets`` names the variable that the position is in code
+    which stands beside the plot.
 
     Raises ValueError if ``at`` is no position, or if there is one without ticks.
     """
@@ -133,6 +143,7 @@ def with_handle(
     data = {
         "first": scale.first,
         "span": scale.span,
+        "kinds": kinds,
         "sets": sets,
         "positions": [[f"{value:g}", said[value], alts[value], rows[value]] for value in runs],
     }
@@ -143,7 +154,7 @@ def with_handle(
         f'autocomplete="off" aria-valuetext="{html.escape(said[at])}"></label>'
     )
     return replace(
-        _timeline(rows[at], scale, period, alts[at]),
+        _timeline(rows[at], scale, period, kinds, alts[at]),
         handle=handle,
         positions=html.escape(json.dumps(data, separators=(",", ":"), ensure_ascii=False), quote=False).replace(
             "'", "&#39;"
@@ -208,7 +219,7 @@ def _groups(ticks: Ticks) -> dict[str, list[Tick]]:
 
 def _describe(groups: Mapping[str, Sequence[Tick]], period: float | None, position: str = "") -> str:
     words = [
-        describe_timeline(name, group) + (f" Lost ticks: {len(lost(group, period))}." if period else "")
+        describe_timeline(name, group) + (f" Lost ticks: {len(lost(group, period))}." if period and group else "")
         for name, group in groups.items()
     ]
     return f"Timeline{position}. " + " ".join(words)
@@ -249,37 +260,52 @@ def _scale(rows: Iterable[_Row]) -> _Scale:
     return _Scale.of((0, *times))
 
 
-def _timeline(rows: Sequence[_Row], scale: _Scale, period: float | None, alt: str) -> Figure:
-    drawn = "".join(f"<g>{''.join(_draw_row(number, row, scale))}</g>" for number, row in enumerate(rows))
+def _timeline(rows: Sequence[_Row], scale: _Scale, period: float | None, kinds: int, alt: str) -> Figure:
+    drawn = "".join(f"<g>{''.join(_draw_row(number, row, scale, kinds))}</g>" for number, row in enumerate(rows))
     height = _ROW * len(rows)
     title = "time (s); line: expected, mark: real" + (", cross: lost" if period else "")
     return Figure(drawn + _axis(scale, height, title), height + _AXIS, _LEFT, alt)
 
 
-def _draw_row(number: int, row: _Row, scale: _Scale) -> Iterator[str]:
-    top = _ROW * number
+def _draw_row(number: int, row: _Row, scale: _Scale, kinds: int) -> Iterator[str]:
+    top, kind = _ROW * number, number % kinds
     y = top + _TICKS
+    lanes, height = _lanes(row.ticks)
     words = f" {html.escape(row.words)}" if row.words else ""
     name = html.escape(row.name)
     yield f'<text x="{-_LEFT}" y="{top + 14}"><tspan font-weight="600">{name}</tspan>{words}</text>'
     for time in row.expected:
         x = scale(time)
-        yield f'<line x1="{x}" x2="{x}" y1="{y - 13}" y2="{y + 13}" stroke="currentColor" stroke-opacity="0.55"/>'
-    for real, duration in row.ticks:
+        ends = f'x1="{x}" x2="{x}" y1="{y - _REACH}" y2="{y + _REACH}"'
+        yield f'<line {ends} stroke="currentColor" stroke-opacity="0.55"/>'
+    for (real, duration), lane in zip(row.ticks, lanes, strict=True):
         if duration:
-            place = f'x="{scale(real)}" y="{y - 5}" width="{_percent(100 * duration / scale.span)}" height="10"'
-            yield f'<rect {place} fill="{_colour(number)}" fill-opacity="0.45"/>'
+            place = f'x="{scale(real)}" y="{_number(y + lane - height / 2)}"'
+            size = f'width="{_percent(100 * duration / scale.span)}" height="{_number(height)}"'
+            yield f'<rect {place} {size} fill="{_colour(kind)}" fill-opacity="0.45"/>'
     for time in row.lost:
         yield (
             f'<svg x="{scale(time)}" y="{y}" overflow="visible">'
             '<path d="M-5 -5L5 5M-5 5L5 -5" stroke="currentColor" stroke-width="2"/></svg>'
         )
     # Ticks at the same time are drawn one above the other.
-    above, before = 0, -math.inf
-    for real, _ in row.ticks:
-        above = above + 1 if real - before < 1e-3 else 0
-        before = real
-        yield _mark(number, scale(real), y - 10 * above, 4)
+    above, before = 0, (-math.inf, 0.0)
+    for (real, _), lane in zip(row.ticks, lanes, strict=True):
+        above = above + 1 if real - before[0] < 1e-3 and lane == before[1] else 0
+        before = real, lane
+        yield _mark(kind, scale(real), y + lane - 10 * above, 4)
+
+
+def _lanes(ticks: Sequence[tuple[float, float]]) -> tuple[list[float], float]:
+    """How far down the calls of a row are, and the height of their bars: calls that overlap get a lane each."""
+    ends: list[float] = []  # of the last call in each lane
+    taken = []
+    for real, duration in ticks:
+        lane = next((lane for lane, end in enumerate(ends) if end < real + 1e-3), len(ends))
+        ends[lane : lane + 1] = [real + duration]
+        taken.append(lane)
+    pitch = 2 * _REACH / max(len(ends), 1)
+    return [(lane - (len(ends) - 1) / 2) * pitch for lane in taken], min(_BAR, pitch - 1)
 
 
 # --- what the plots are made of ---------------------------------------------------------------------------------------

@@ -4,7 +4,10 @@
 const COLOURS = ["#0072b2", "#d55e00", "#009e73"]
 const ROW = 54
 const TICKS = 34
+const REACH = 13
+const BAR = 10
 const AXIS = 42
+const LINE = { stroke: "currentColor", "stroke-opacity": 0.55 }
 export const LEFT = 8
 export const RIGHT = 14
 
@@ -16,49 +19,66 @@ export function draw(tag, attributes, ...children) {
   return element
 }
 
-export const percent = (share) => `${Math.floor(share * 1e3 + 0.5) / 1e3}%`
+const round = (value) => Math.floor(value * 1e3 + 0.5) / 1e3
+
+export const percent = (share) => `${round(share)}%`
 
 /** A mark for a tick: a dot in the first row, a square in the second, a ring in the third. */
-function mark(row, x, y) {
-  const colour = COLOURS[row % COLOURS.length]
-  const shape = row % COLOURS.length
-  if (shape === 1) return draw("rect", { x, y: y - 4, width: 8, height: 8, transform: "translate(-4)", fill: colour })
-  if (shape === 2) return draw("circle", { cx: x, cy: y, r: 3.5, fill: "none", stroke: colour, "stroke-width": 2 })
+function mark(kind, x, y) {
+  const colour = COLOURS[kind]
+  if (kind === 1) return draw("rect", { x, y: y - 4, width: 8, height: 8, transform: "translate(-4)", fill: colour })
+  if (kind === 2) return draw("circle", { cx: x, cy: y, r: 3.5, fill: "none", stroke: colour, "stroke-width": 2 })
   return draw("circle", { cx: x, cy: y, r: 4, fill: colour })
 }
 
 /** What a row shows: its name and words, the times expected and lost, and [when, how long] for each tick, in seconds. */
-export function drawRow(number, [name, words, expected, lost, ticks], { first, span }) {
+export function drawRow(number, [name, words, expected, lost, ticks], { first, span, kinds }) {
   const scale = (time) => percent((100 * (time - first)) / span)
   const top = ROW * number
   const y = top + TICKS
+  const kind = number % kinds
+  const [lanes, height] = lanesOf(ticks)
   const text = draw("text", { x: -LEFT, y: top + 14 }, draw("tspan", { "font-weight": 600 }, name))
   if (words) text.append(` ${words}`)
   const drawn = [text]
   for (const x of expected.map(scale)) {
-    drawn.push(draw("line", { x1: x, x2: x, y1: y - 13, y2: y + 13, stroke: "currentColor", "stroke-opacity": 0.55 }))
+    drawn.push(draw("line", { x1: x, x2: x, y1: y - REACH, y2: y + REACH, ...LINE }))
   }
-  for (const [real, duration] of ticks) {
-    if (!duration) continue
-    const bar = { x: scale(real), y: y - 5, width: percent((100 * duration) / span), height: 10 }
-    drawn.push(draw("rect", { ...bar, fill: COLOURS[number % COLOURS.length], "fill-opacity": 0.45 }))
-  }
+  ticks.forEach(([real, duration], index) => {
+    if (!duration) return
+    const place = { x: scale(real), y: round(y + lanes[index] - height / 2) }
+    const size = { width: percent((100 * duration) / span), height: round(height) }
+    drawn.push(draw("rect", { ...place, ...size, fill: COLOURS[kind], "fill-opacity": 0.45 }))
+  })
   for (const x of lost.map(scale)) {
     const cross = { d: "M-5 -5L5 5M-5 5L5 -5", stroke: "currentColor", "stroke-width": 2 }
     drawn.push(draw("svg", { x, y, overflow: "visible" }, draw("path", cross)))
   }
-  heights(number, ticks).forEach((height, index) => drawn.push(mark(number, scale(ticks[index][0]), height)))
+  heights(number, ticks).forEach((down, index) => drawn.push(mark(kind, scale(ticks[index][0]), down)))
   return drawn
+}
+
+/** How far down the calls of a row are, and the height of their bars: calls that overlap get a lane each. */
+function lanesOf(ticks) {
+  const ends = [] // of the last call in each lane
+  const taken = ticks.map(([real, duration]) => {
+    const free = ends.findIndex((end) => end < real + 1e-3)
+    const lane = free < 0 ? ends.length : free
+    ends[lane] = real + duration
+    return lane
+  })
+  const pitch = (2 * REACH) / Math.max(ends.length, 1)
+  return [taken.map((lane) => (lane - (ends.length - 1) / 2) * pitch), Math.min(BAR, pitch - 1)]
 }
 
 /** How far down the ticks of a row are. Those at the same time are drawn one above the other. */
 export function heights(number, ticks) {
+  const [lanes] = lanesOf(ticks)
   let above = 0
-  let before = -Infinity
-  return ticks.map(([real]) => {
-    above = real - before < 1e-3 ? above + 1 : 0
-    before = real
-    return ROW * number + TICKS - 10 * above
+  return ticks.map(([real], index) => {
+    const isAbove = index && real - ticks[index - 1][0] < 1e-3 && lanes[index] === lanes[index - 1]
+    above = isAbove ? above + 1 : 0
+    return round(ROW * number + TICKS + lanes[index] - 10 * above)
   })
 }
 
@@ -75,7 +95,7 @@ export function drawTimeline(rows, scale, alternative) {
   }
   const title = "time (s); line: expected, mark: real"
   axis.push(draw("text", { x: "100%", dx: RIGHT, y: top + 36, "text-anchor": "end" }, title))
-  const drawn = rows.map((row, number) => draw("g", {}, ...drawRow(number, row, scale)))
+  const drawn = rows.map((row, number) => draw("g", {}, ...drawRow(number, row, { kinds: COLOURS.length, ...scale })))
   return draw("svg", { height: top + AXIS, role: "img", "aria-label": alternative }, ...drawn, ...axis)
 }
 
