@@ -219,7 +219,7 @@ def test_the_number_in_the_code_follows(context: BrowserContext, address: str) -
 
 
 def test_the_page_draws_each_position_as_python_does(context: BrowserContext, site: Path) -> None:
-    """Also with ticks at one time, with calls that overlap, with names that are no HTML, and with fewer kinds of rows."""
+    """Also with ticks at one time or overlapping, with names that are no HTML, and with fewer kinds of rows."""
     blocks = [0.0, 0.7, 1.2, 1.499, 2.2]
     run = probes("_block_call:=3", seconds=6)
     runs = {
