@@ -5,6 +5,8 @@ from __future__ import annotations
 import gzip
 import json
 import re
+import threading
+import time
 from collections.abc import Callable, Iterator, Mapping, Sequence
 from pathlib import Path
 from typing import Any, Literal, NamedTuple
@@ -65,6 +67,54 @@ def loops(work: float) -> Runs:
     return {"Rate": ticks, "plain sleep": passes}
 
 
+def ros2_loops(work: float) -> Runs:
+    from rosspin import rclpy
+
+    def with_rate() -> None:
+        def loop() -> None:
+            while rclpy.ok():
+                time.sleep(work)
+                rate.sleep()
+
+        rclpy.init()
+        node = rclpy.create_node("loop")
+        rate = node.create_rate(2.0)
+        threading.Thread(target=loop, daemon=True).start()
+        rclpy.spin(node)
+
+    passes: list[Tick] = []
+
+    def with_sleep() -> None:
+        rclpy.init()
+        node = rclpy.create_node("loop")
+        while rclpy.ok():
+            begins = node.get_clock().now().nanoseconds / 1e9
+            time.sleep(work)
+            passes.append(Tick("plain sleep", len(passes) + 1, 0.0, begins, work))
+            time.sleep(0.5)
+
+    ticks = simulate(with_rate, 3.0).ticks
+    simulate(with_sleep, 3.0)
+    return {"Rate": ticks, "plain sleep": passes}
+
+
+def executors(work: float) -> Runs:
+    ways = {
+        "spin": [],
+        "4 threads": ["executor:=multi"],
+        "own groups": ["executor:=multi", "group:=own"],
+        "reentrant": ["executor:=multi", "group:=reentrant"],
+    }
+    rows = {}
+    for way, parameters in ways.items():
+        words = [f"block:={work}", "second_timer:=true", *parameters]
+        args = ["--ros-args", *(part for word in words for part in ("-p", word))]
+        ticks = simulate(ROOT / "examples/ros2/timer_probe.py", 6.2, args).ticks
+        for name, source in (("slow", "timer_callback"), ("quick", "second_callback")):
+            rows[f"{way}: {name}"] = [tick for tick in ticks if tick.source == source]
+    return rows
+
+
 class Kind(NamedTuple):
     """A figure: its page, which one of the page's it is, what it says of itself, and its runs by the handle's value."""
 
@@ -80,6 +130,8 @@ FIGURES = [
     Kind("notebooks/rate.html", 0, "Work in each pass", loops),
     Kind("notebooks/slow-callback.html", 0, "The third call takes", probes("_block_call:=3", seconds=6.2)),
     Kind("notebooks/slow-callback.html", 1, "Every call takes", probes(seconds=6.2)),
+    Kind("notebooks/ros2-rate.html", 0, "Work in each pass", ros2_loops),
+    Kind("notebooks/ros2-executors.html", 0, "Work of the slow timer", executors),
     Kind("docs/how-timing-works.html", 0, "Every call takes", probes(seconds=6)),
     Kind("docs/how-timing-works.html", 1, "The third call takes", probes("_block_call:=3", seconds=6)),
 ]
@@ -131,7 +183,7 @@ class Figure:
             assert times == pytest.approx([tick.real for tick in ticks], abs=1e-4)
             lengths = [float(width.rstrip("%")) / 100 * data["span"] for _, width in row["bars"]]
             assert lengths == pytest.approx([tick.duration for tick in ticks if tick.duration > 0], abs=1e-4)
-            assert re.search(rf"{name}: {len(ticks)} tick", alternative)
+            assert re.search(rf"{name}: {len(ticks) or 'no'} tick", alternative)
             if " lost" in row["words"]:
                 count = len(row["crosses"])
                 assert f"{count or 'no'} tick{'' if count < 2 else 's'} lost" in row["words"]

@@ -17,7 +17,15 @@ from rosspin.__main__ import main
 NOTEBOOKS = sorted(path.stem for path in (ROOT / "notebooks").glob("*.md"))
 PATH = {"timer": "rate", "rate": "drift", "drift": "slow-callback", "slow-callback": "two-languages"}
 PATH |= {"two-languages": "publish", "publish": "exercises"}
-NODES = {"timer": "spinner_py_node.py", "rate": "spinner_rate_py_node.py", "publish": "pubsub_py_node.py"}
+PATH |= {"ros2-timer": "ros2-rate", "ros2-rate": "ros2-executors", "ros2-executors": "ros2-exercises"}
+ROS1, ROS2 = "my_robotics_pkg/src", "my_robotics_pkg_ros2/my_robotics_pkg"
+NODES = {
+    "timer": f"{ROS1}/spinner_py_node.py",
+    "rate": f"{ROS1}/spinner_rate_py_node.py",
+    "publish": f"{ROS1}/pubsub_py_node.py",
+    "ros2-timer": f"{ROS2}/spinner_py_node.py",
+    "ros2-rate": f"{ROS2}/spinner_rate_py_node.py",
+}
 
 
 def cells(name: str, kind: str) -> list[str]:
@@ -27,9 +35,16 @@ def cells(name: str, kind: str) -> list[str]:
 
 @pytest.mark.parametrize("name", NODES)
 def test_the_node_is_the_tutorials(name: str) -> None:
-    node = (ROOT / "examples/my_robotics_pkg/src" / NODES[name]).read_text(encoding="utf-8")
-    simulated = [cell for cell in cells(name, "code") if cell.startswith("%%simulate")]
-    assert [cell.partition("\n")[2].strip() for cell in simulated] == [node.strip()]
+    node = (ROOT / "examples" / NODES[name]).read_text(encoding="utf-8")
+    first = next(cell for cell in cells(name, "code") if cell.startswith("%%simulate"))
+    assert first.partition("\n")[2].strip() == node.strip()
+
+
+@pytest.mark.parametrize("name", NOTEBOOKS)
+def test_each_node_can_be_run_in_the_page(name: str) -> None:
+    notebook = jupytext.read(ROOT / "notebooks" / f"{name}.md")
+    nodes = [cell for cell in notebook.cells if cell.cell_type == "code" and cell.source.startswith("%%simulate")]
+    assert not [cell.source for cell in nodes if "live" not in cell.metadata.get("tags", [])]
 
 
 @pytest.mark.parametrize("name", NOTEBOOKS)
