@@ -17,7 +17,7 @@ from conftest import ROOT, faults
 from playwright.sync_api import Browser, BrowserContext, Locator, Page, expect
 from test_browser import FAINT, TOO_WIDE
 
-from rosspin import Tick, simulate
+from rosspin import Tick, rclpy, simulate
 from rosspin.plots import with_handle
 from rosspin.roscpp import timer_probe
 
@@ -68,8 +68,6 @@ def loops(work: float) -> Runs:
 
 
 def ros2_loops(work: float) -> Runs:
-    from rosspin import rclpy
-
     def with_rate() -> None:
         def loop() -> None:
             while rclpy.ok():
@@ -101,8 +99,8 @@ def ros2_loops(work: float) -> Runs:
 def executors(work: float) -> Runs:
     ways = {
         "spin": [],
-        "4 threads": ["executor:=multi"],
-        "own groups": ["executor:=multi", "group:=own"],
+        "default": ["executor:=multi"],
+        "own": ["executor:=multi", "group:=own"],
         "reentrant": ["executor:=multi", "group:=reentrant"],
     }
     rows = {}

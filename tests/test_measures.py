@@ -165,7 +165,8 @@ def test_the_verdict_where_ticks_are_dropped_and_the_grid_is_kept() -> None:
     [
         ({0.5: 0.7, 1.0: 1.2, 1.5: 1.7}, 0.0, "0.2 s late, no tick lost"),
         ({0.5: 1.3, 1.5: 2.9, 3.0: 4.5}, 0.0, "up to 1.5 s late, 3 ticks lost"),
-        ({0.5: 0.5, 1.0: 1.0, 1.5: 1.5}, 0.8, "keeps its grid, no tick lost, overlaps itself"),
+        ({0.5: 0.5, 1.5: 1.5, 2.0: 2.0}, 0.8, "keeps its grid, overlaps itself, 1 tick lost"),
+        ({0.5: 0.5, 1.0: 1.0, 1.5: 1.5}, 0.8, "keeps its grid, overlaps itself"),
     ],
 )
 def test_the_verdict_on_a_timer_beside_a_slow_one(times: dict[float, float], duration: float, words: str) -> None:

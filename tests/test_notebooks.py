@@ -40,7 +40,7 @@ def test_the_node_is_the_tutorials(name: str) -> None:
     assert first.partition("\n")[2].strip() == node.strip()
 
 
-@pytest.mark.parametrize("name", NOTEBOOKS)
+@pytest.mark.parametrize("name", [*NODES, "ros2-executors"])
 def test_each_node_can_be_run_in_the_page(name: str) -> None:
     notebook = jupytext.read(ROOT / "notebooks" / f"{name}.md")
     nodes = [cell for cell in notebook.cells if cell.cell_type == "code" and cell.source.startswith("%%simulate")]

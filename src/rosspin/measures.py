@@ -167,7 +167,9 @@ def verdict(ticks: Sequence[Tick], period: float) -> str:
         always = all(abs(tick.lateness - latest) < 1e-6 for tick in ticks)
         return f"{'' if always else 'up to '}{say_time(latest)} late, {losses}"
     grid = "keeps its grid" if _is_on_grid(last.real, ticks, period) else "starts a new grid"
-    return f"{grid}, {losses}{', overlaps itself' if at_once(ticks) > 1 else ''}"
+    if at_once(ticks) > 1:
+        return f"{grid}, overlaps itself{', ' + losses if count else ''}"
+    return f"{grid}, {losses}"
 
 
 def _is_on_grid(time: float, ticks: Sequence[Tick], period: float) -> bool:

@@ -97,7 +97,8 @@ def _taking(real):
             if timer._rosspin_ticks:
                 tick = timer._rosspin_ticks.tell(expected, time.time_ns())
                 timer._rosspin_running[threading.get_ident()] = tick
-            elif timer._rosspin_rate:
+            elif timer._rosspin_rate and not timer._rosspin_rate._event.is_set():
+                # Of the calls during a long pass, the first one ends the sleep.
                 timer._rosspin_rate._rosspin_due = expected
         return taken
 
