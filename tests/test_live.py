@@ -20,6 +20,7 @@ from playwright.sync_api import Browser, BrowserContext, Locator, Page, expect
 from test_browser import FAINT, TOO_WIDE
 from test_exercises import CELLS, NUMBERS, answer_in
 from test_live_scenarios import lines_of
+from test_notebooks import NODES
 
 from rosspin import simulate
 from rosspin.exercises import check
@@ -797,18 +798,17 @@ def test_ticks_at_the_same_time_are_drawn_apart(exercises: Page) -> None:
     cell.button("Reset").click()
 
 
-@pytest.mark.parametrize(("notebook", "seconds"), [("timer", 2.0), ("rate", 2.0), ("publish", 2.0)])
-def test_simulated_cell(context: BrowserContext, address: str, notebook: str, seconds: float) -> None:
+@pytest.mark.parametrize("notebook", NODES)
+def test_simulated_cell(context: BrowserContext, address: str, notebook: str) -> None:
     """It runs for the seconds in its first line, and what it printed when the site was built makes way."""
     page = context.new_page()
     page.goto(f"{address}notebooks/{notebook}.html")
-    cell, output = Cell(page, 0), page.locator("div.cell:has(div.live) > .cell_output")
+    cell, output = Cell(page, 0), page.locator("div.cell:has(div.live) > .cell_output").first
     cell.element.get_by_role("combobox").select_option("instantly")
     cell.button("Run").click()
     text = cell.element.locator("pre").first.text_content() or ""
-    files = {"timer": "spinner_py_node", "rate": "spinner_rate_py_node", "publish": "pubsub_py_node"}
-    run = simulate(EXAMPLES / f"my_robotics_pkg/src/{files[notebook]}.py", seconds)
-    assert text.startswith(f"%%simulate {seconds}")
+    run = simulate(EXAMPLES / NODES[notebook], 2.0)
+    assert text.startswith("%%simulate 2.0")
     assert cell.ends(f"done: {len(run.ticks)} ticks") == run.console
     expect(output).to_be_hidden()
     cell.button("Reset").click()
