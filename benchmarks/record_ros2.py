@@ -19,6 +19,7 @@ from pathlib import Path
 from statistics import median
 from typing import Any, NamedTuple
 
+from arrivals import Arrivals
 from provenance import write_provenance
 
 from rosspin import Tick, ros2
@@ -26,6 +27,7 @@ from rosspin.children import Patience
 from rosspin.recordings import COLUMNS
 
 EXAMPLES = Path(__file__).parents[1] / "examples" / "ros2"
+NODE = Path(__file__).parents[1] / "examples/my_robotics_pkg_ros2/my_robotics_pkg/spinner_py_node.py"
 RECORDINGS = Path(__file__).parents[1] / "examples" / "recordings" / "ros2"
 
 PERIOD = 0.5  # s, at 2 Hz
@@ -172,6 +174,16 @@ def record_claims() -> None:
     _write_provenance("claims", "nodes that say what happens to them", ["NODE"], start, 3.0, 0, load)
 
 
+def record_pipe() -> None:
+    """Let the tutorial's node print into a pipe."""
+    load, start = os.getloadavg(), time.time()
+    arrivals = Arrivals()
+    run = ros2.launch(NODE, 3.2, (), arrivals)
+    with (RECORDINGS / "pipe.csv").open("w", newline="") as text:
+        csv.writer(text, lineterminator="\n").writerows([["seconds_late"], [f"{arrivals.delay or 0:.2f}"]])
+    _write_provenance("pipe", "INFO lines through a pipe", [NODE.name], start, 3.2, run.status, load)
+
+
 def record_clock_jump() -> None:
     """Let ROS time jump under a timer of 1 s, and keep the times at which it ticks."""
     load = os.getloadavg()
@@ -193,7 +205,7 @@ def _write_provenance(
     write_provenance(RECORDINGS / f"{name}.json", what, ["python3", *command], start, seconds, status, load, versions)
 
 
-OTHERS = {"claims": record_claims, "clock_jump": record_clock_jump, "endings": record_endings}
+OTHERS = {"claims": record_claims, "clock_jump": record_clock_jump, "endings": record_endings, "pipe": record_pipe}
 
 
 def main(names: list[str]) -> None:

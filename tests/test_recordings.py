@@ -13,7 +13,7 @@ from rosspin import Run, recordings, simulate
 
 FOLDER = Path(__file__).parents[1] / "examples" / "recordings"
 # No run's ticks; docs/how-timing-works.rst and docs/publish.rst check what they say.
-TABLES = {"clock_jump.csv", "endings.csv", "first_message.csv", "hz.csv", "pipe.csv", "queue.csv"}
+TABLES = {"claims.csv", "clock_jump.csv", "endings.csv", "first_message.csv", "hz.csv", "pipe.csv", "queue.csv"}
 # Those on ROS 2 are in a folder of their own.
 ROS2 = FOLDER / "ros2"
 FILES = sorted(file for file in [*FOLDER.glob("*.csv"), *FOLDER.glob("*.txt")] if file.name not in TABLES)
@@ -131,7 +131,7 @@ def test_a_first_and_a_last_tick(tmp_path: Path) -> None:
 
 # --- on ROS 2 ---------------------------------------------------------------------------------------------------------
 
-ROS2_TABLES = {"claims", "clock_jump", "endings"}
+ROS2_TABLES = {"claims", "clock_jump", "endings", "pipe"}
 ROS2_NAMES = {
     *(f"{what}_{hertz}hz" for what in ("timer", "rate") for hertz in (2, 50)),
     *(f"{what}_blocks_once_{periods}" for what in ("timer", "rate") for periods in (1.4, 2.4, 4.4)),
