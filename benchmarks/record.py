@@ -7,7 +7,6 @@ not disturb each other; what else the machine is doing is on record as its load.
 from __future__ import annotations
 
 import csv
-import io
 import os
 import random
 import re
@@ -21,10 +20,10 @@ from itertools import product
 from pathlib import Path
 from typing import Any, NamedTuple
 
+from arrivals import Arrivals
 from provenance import write_provenance
 
 from rosspin import ros1
-from rosspin.console import read_lines
 from rosspin.recordings import COLUMNS
 from rosspin.roscpp import timer_probe
 
@@ -74,7 +73,6 @@ def _plans() -> Iterator[tuple[str, Plan]]:
     yield "two_timers_cpp_spin", Plan("timer_probe", parameters, 6.2, f"{what}; under ros::spin")
     parameters = {**parameters, "threads": 2}
     yield "two_timers_cpp_async", Plan("timer_probe", parameters, 6.2, f"{what}; under AsyncSpinner(2)")
-
 
     for seed in (1, 2, 3):
         what = "a timer at 2 Hz whose callbacks take random times"
@@ -179,15 +177,36 @@ def record_endings() -> None:
     _write_provenance("endings", "C++ nodes at Ctrl-C", ["rosrun", "endings", "NODE"], start, 2.2, 0, load)
 
 
-class _Arrivals(io.StringIO):
-    """Notes how long after its stamp the first counter came."""
+# What nodes say of themselves, where ticks do not tell it: their parameters, and how long each runs (s).
+CLAIMS: dict[str, tuple[dict[str, Any], float]] = {
+    "one_shot": ({"kind": "one_shot"}, 2.2),
+    "exception": ({"kind": "exception"}, 2.2),
+    "period_zero": ({"kind": "period", "period": 0.0}, 1.2),
+    "period_negative": ({"kind": "period", "period": -1.0}, 1.2),
+    "rate": ({"kind": "rate"}, 2.2),
+    "rate_spin_once": ({"kind": "rate_spin_once"}, 2.2),
+}
 
-    delay: float | None = None
 
-    def write(self, text: str) -> int:
-        if self.delay is None and "counter = 1" in text:
-            self.delay = time.time() - next(read_lines(text)).stamp
-        return super().write(text)
+def record_claims() -> None:
+    """Let nodes in both languages say what happens to them, and when (s after they began), and keep their status."""
+    load, start = os.getloadavg(), time.time()
+    with ros1.Workspace() as workspace, (RECORDINGS / "claims.csv").open("w", newline="") as text:
+        program = workspace.executable(PROBES / "src" / "claims_probe.cpp")
+        workspace.start_master()
+        commands = {"roscpp": [str(program)], "rospy": ["python3", str(PROBES / "src" / "claims_probe.py")]}
+        writer = csv.writer(text, lineterminator="\n")
+        writer.writerow(["language", "run", "parameters", "ended_after", "status", "seconds", "what"])
+        for language, command in commands.items():
+            for name, (values, seconds) in CLAIMS.items():
+                # All, as the master keeps what the node before was given.
+                parameters = [f"_{key}:={value}" for key, value in {"period": PERIOD, **values}.items()]
+                output = workspace.run([*command, *parameters], seconds)
+                row = language, name, " ".join(parameters), seconds, output.status
+                for line in re.findall("^said,(.*)$", output.console, re.MULTILINE):
+                    writer.writerow([*row, *line.split(",", 1)])
+    command = ["rosrun", "timing_probes", "NODE"]
+    _write_provenance("claims", "nodes that say what happens to them", command, start, 2.2, 0, load)
 
 
 def record_pipe() -> None:
@@ -202,7 +221,7 @@ def record_pipe() -> None:
         writer.writerow(["language", "told", "seconds_late"])
         for language, command in commands.items():
             for told, before in (("no", unset), ("yes", [])):
-                arrivals = _Arrivals()
+                arrivals = Arrivals()
                 workspace.run([*before, *command], 5.2, arrivals)
                 writer.writerow([language, told, f"{arrivals.delay or 0:.2f}"])
     _write_provenance("pipe", "INFO lines through a pipe", ["rosrun", "my_robotics_pkg", "NODE"], start, 5.2, 0, load)
@@ -343,6 +362,7 @@ OTHERS = {
     "publish": record_publish,
     "endings": record_endings,
     "pipe": record_pipe,
+    "claims": record_claims,
     "clock_jump": record_clock_jump,
     "first_message": record_first_message,
     "queue": record_queue,

@@ -19,6 +19,7 @@ from pathlib import Path
 from statistics import median
 from typing import Any, NamedTuple
 
+from arrivals import Arrivals
 from provenance import write_provenance
 
 from rosspin import Tick, ros2
@@ -26,6 +27,7 @@ from rosspin.children import Patience
 from rosspin.recordings import COLUMNS
 
 EXAMPLES = Path(__file__).parents[1] / "examples" / "ros2"
+NODE = Path(__file__).parents[1] / "examples/my_robotics_pkg_ros2/my_robotics_pkg/spinner_py_node.py"
 RECORDINGS = Path(__file__).parents[1] / "examples" / "recordings" / "ros2"
 
 PERIOD = 0.5  # s, at 2 Hz
@@ -82,8 +84,7 @@ def record_probe(name: str) -> None:
     """Run a probe and write its ticks."""
     plan = PLANS[name]
     load = os.getloadavg()
-    parameters = [word for key, value in plan.parameters.items() for word in ("-p", f"{key}:={str(value).lower()}")]
-    command = [plan.program, "--ros-args", *parameters]
+    command = [plan.program, *_ros_args(plan.parameters)]
     run = ros2.launch(EXAMPLES / plan.program, plan.seconds, command[1:])
     if run.status:
         raise RuntimeError(f"{name} failed with status {run.status}:\n{run.console}")
@@ -99,6 +100,10 @@ def record_probe(name: str) -> None:
             writer.writerow([tick.source, tick.number, *row])
             last[tick.source] = tick
     _write_provenance(name, plan.what, command, run.start, plan.seconds, run.status, load)
+
+
+def _ros_args(parameters: dict[str, Any]) -> list[str]:
+    return ["--ros-args", *(word for key in parameters for word in ("-p", f"{key}:={str(parameters[key]).lower()}"))]
 
 
 def record_endings() -> None:
@@ -133,6 +138,52 @@ def record_endings() -> None:
     _write_provenance("endings", "nodes at Ctrl-C and SIGTERM", ["NODE"], start, ENDING_AFTER, 0, load)
 
 
+# What nodes say of themselves, where ticks do not tell it: the node, its parameters, how long it runs (s).
+CLAIMS: dict[str, tuple[str, dict[str, Any], float]] = {
+    "rate_in_main": ("rate", {"where": "main"}, 3.0),
+    "rate_in_callback": ("rate", {"where": "callback"}, 3.0),
+    "rate_in_callback_multi": ("rate", {"where": "callback", "threads": 4}, 3.0),
+    "exception": ("exception", {}, 3.0),
+    "exception_multi": ("exception", {"threads": 4}, 3.0),
+    "one_shot": ("timers", {}, 3.0),
+    "unspun": ("timers", {"kind": "unspun"}, 3.0),
+    "no_clock": ("timers", {"kind": "period", "use_sim_time": True}, 3.0),
+    "period_zero": ("timers", {"kind": "period", "period": 0.0}, 1.0),
+    "period_negative": ("timers", {"kind": "period", "period": -1.0}, 1.0),
+    "hook_at_ctrl_c": ("hooks", {}, 2.0),
+    "hook_at_shutdown": ("hooks", {"shutdown": True}, 2.0),
+}
+
+
+def record_claims() -> None:
+    """Let nodes say what happens to them, and when (s after they were made); keep it with their status.
+
+    All that one puts on its console is kept of a node that ends well: it may be that a warning is missing.
+    """
+    load, start = os.getloadavg(), time.time()
+    with (RECORDINGS / "claims.csv").open("w", newline="") as text:
+        writer = csv.writer(text, lineterminator="\n")
+        writer.writerow(["run", "command", "ended_after", "status", "seconds", "what"])
+        for name, (node, parameters, seconds) in CLAIMS.items():
+            command = [f"claims/{node}.py", *_ros_args(parameters)]
+            run = ros2.launch(EXAMPLES / command[0], seconds, command[1:])
+            for line in run.console.splitlines():
+                _, at, what = line.split(",", 2) if line.startswith("said,") else ("", "", line)
+                if at or not run.status:
+                    writer.writerow([name, " ".join(command), seconds, run.status, at, what])
+    _write_provenance("claims", "nodes that say what happens to them", ["NODE"], start, 3.0, 0, load)
+
+
+def record_pipe() -> None:
+    """Let the tutorial's node print into a pipe."""
+    load, start = os.getloadavg(), time.time()
+    arrivals = Arrivals()
+    run = ros2.launch(NODE, 3.2, (), arrivals)
+    with (RECORDINGS / "pipe.csv").open("w", newline="") as text:
+        csv.writer(text, lineterminator="\n").writerows([["seconds_late"], [f"{arrivals.delay or 0:.2f}"]])
+    _write_provenance("pipe", "INFO lines through a pipe", [NODE.name], start, 3.2, run.status, load)
+
+
 def record_clock_jump() -> None:
     """Let ROS time jump under a timer of 1 s, and keep the times at which it ticks."""
     load = os.getloadavg()
@@ -154,7 +205,7 @@ def _write_provenance(
     write_provenance(RECORDINGS / f"{name}.json", what, ["python3", *command], start, seconds, status, load, versions)
 
 
-OTHERS = {"clock_jump": record_clock_jump, "endings": record_endings}
+OTHERS = {"claims": record_claims, "clock_jump": record_clock_jump, "endings": record_endings, "pipe": record_pipe}
 
 
 def main(names: list[str]) -> None:

@@ -175,6 +175,11 @@ def test_a_fact_says_what_is_so_now(code: str, line: int, now: str) -> None:
     assert (found, said) == (line, now)
 
 
+def test_a_fact_keeps_its_annotations() -> None:
+    """They are objects, as in any file: rclpy looks at those of a callback."""
+    assert _found("def f(x: int): pass\nassert f.__annotations__['x'] is int") == []
+
+
 def test_a_value_that_is_missing_because_a_fact_failed_is_not_told() -> None:
     facts = Facts()
     assert len(list(facts.run("a = 1\nb = 1 / 0", "a page"))) == 1

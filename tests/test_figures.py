@@ -23,6 +23,7 @@ from rosspin.roscpp import timer_probe
 
 SPINNER = ROOT / "examples/my_robotics_pkg/src/spinner_py_node.py"
 PROBE = ROOT / "examples/timing_probes/src/timer_probe.py"
+PROBE_2 = ROOT / "examples/ros2/timer_probe.py"
 
 Runs = Mapping[str, Sequence[Tick]]
 Scheme = Literal["light", "dark"]
@@ -41,6 +42,20 @@ def probes(*words: str, seconds: float) -> Callable[[float], Runs]:
         return {"rospy": simulate(PROBE, seconds, args).ticks, "roscpp": timer_probe(seconds, args)}
 
     return run
+
+
+def ros_2(*words: str, seconds: float) -> Callable[[float], Runs]:
+    def run(block: float) -> Runs:
+        parameters = [part for word in (f"block:={block}", *words) for part in ("-p", word)]
+        return {"rclpy": simulate(PROBE_2, seconds, ["--ros-args", *parameters]).ticks}
+
+    return run
+
+
+def three(*words: str, seconds: float) -> Callable[[float], Runs]:
+    """One callback, three ROSes."""
+    one, two = probes(*(f"_{word}" for word in words), seconds=seconds), ros_2(*words, seconds=seconds)
+    return lambda block: {**one(block), **two(block)}
 
 
 def loops(work: float) -> Runs:
@@ -126,12 +141,15 @@ FIGURES = [
     Kind("index.html", 0, "Time delta", spinner),
     Kind("docs/tutorial.html", 0, "Time delta", spinner),
     Kind("notebooks/rate.html", 0, "Work in each pass", loops),
-    Kind("notebooks/slow-callback.html", 0, "The third call takes", probes("_block_call:=3", seconds=6.2)),
-    Kind("notebooks/slow-callback.html", 1, "Every call takes", probes(seconds=6.2)),
+    Kind("notebooks/slow-callback.html", 0, "The third call takes", three("block_call:=3", seconds=6.2)),
+    Kind("notebooks/slow-callback.html", 1, "Every call takes", three(seconds=6.2)),
     Kind("notebooks/ros2-rate.html", 0, "Work in each pass", ros2_loops),
     Kind("notebooks/ros2-executors.html", 0, "Work of the slow timer", executors),
     Kind("docs/how-timing-works.html", 0, "Every call takes", probes(seconds=6)),
     Kind("docs/how-timing-works.html", 1, "The third call takes", probes("_block_call:=3", seconds=6)),
+    Kind("docs/ros2/how-timing-works.html", 0, "The third call takes", ros_2("block_call:=3", seconds=6)),
+    Kind("docs/ros2/from-ros-1.html", 0, "The third call takes", three("block_call:=3", seconds=6)),
+    Kind("docs/ros2/from-ros-1.html", 1, "Every call takes", three(seconds=6)),
 ]
 PAGES = sorted({kind.page for kind in FIGURES})
 

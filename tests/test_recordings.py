@@ -7,12 +7,13 @@ import signal
 from pathlib import Path
 
 import pytest
+from conftest import ROOT
 
-from rosspin import Run, recordings
+from rosspin import Run, recordings, simulate
 
 FOLDER = Path(__file__).parents[1] / "examples" / "recordings"
 # No run's ticks; docs/how-timing-works.rst and docs/publish.rst check what they say.
-TABLES = {"clock_jump.csv", "endings.csv", "first_message.csv", "hz.csv", "pipe.csv", "queue.csv"}
+TABLES = {"claims.csv", "clock_jump.csv", "endings.csv", "first_message.csv", "hz.csv", "pipe.csv", "queue.csv"}
 # Those on ROS 2 are in a folder of their own.
 ROS2 = FOLDER / "ros2"
 FILES = sorted(file for file in [*FOLDER.glob("*.csv"), *FOLDER.glob("*.txt")] if file.name not in TABLES)
@@ -130,7 +131,7 @@ def test_a_first_and_a_last_tick(tmp_path: Path) -> None:
 
 # --- on ROS 2 ---------------------------------------------------------------------------------------------------------
 
-ROS2_TABLES = {"clock_jump", "endings"}
+ROS2_TABLES = {"claims", "clock_jump", "endings", "pipe"}
 ROS2_NAMES = {
     *(f"{what}_{hertz}hz" for what in ("timer", "rate") for hertz in (2, 50)),
     *(f"{what}_blocks_once_{periods}" for what in ("timer", "rate") for periods in (1.4, 2.4, 4.4)),
@@ -218,6 +219,24 @@ def test_how_nodes_of_rclpy_end() -> None:
         ("spin_caught", "SIGTERM"): {0},
         ("system_exit", ""): {3},
     }
+
+
+def test_what_nodes_of_rclpy_say_is_what_they_say_in_simulated_time() -> None:
+    """How many calls a period of 0 gives depends on the machine, in what order two threads speak on a race."""
+    by_run: dict[str, list[dict[str, str]]] = {}
+    for row in table("claims"):
+        by_run.setdefault(row["run"], []).append(row)
+    assert len(by_run) == 12
+    for name, rows in by_run.items():
+        file, *args = rows[0]["command"].split()
+        run = simulate(ROOT / "examples" / "ros2" / file, float(rows[0]["ended_after"]), args)
+        simulated = [line.split(",", 2)[1:] for line in run.console.splitlines() if line.startswith("said,")]
+        assert {int(row["status"]) for row in rows} == {run.status}, name
+        if name == "period_zero":
+            assert all(int(what.removeprefix("calls: ")) > 1000 for what in (rows[0]["what"], simulated[0][1]))
+        else:
+            assert sorted(row["what"] for row in rows) == sorted(what for _, what in simulated), name
+        assert [float(row["seconds"]) for row in rows] == pytest.approx([float(at) for at, _ in simulated], abs=0.1)
 
 
 def test_rclpy_when_the_clock_jumps() -> None:

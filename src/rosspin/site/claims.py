@@ -58,7 +58,7 @@ class Facts:
         """Each statement of ``code`` that fails: its line, itself, and what the run says now."""
         for statement in ast.parse(code, file).body:
             try:
-                exec(compile(ast.Module([statement], []), file, "exec"), self._names)
+                exec(compile(ast.Module([statement], []), file, "exec", dont_inherit=True), self._names)
             except Exception as error:
                 if not self._unset & _names(statement, ast.Load):
                     frame, line = _innermost(error, file)
