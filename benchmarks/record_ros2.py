@@ -26,6 +26,7 @@ from rosspin.children import Patience
 from rosspin.recordings import COLUMNS
 
 EXAMPLES = Path(__file__).parents[1] / "examples" / "ros2"
+NODES = Path(__file__).parents[1] / "examples" / "my_robotics_pkg_ros2" / "my_robotics_pkg"
 RECORDINGS = Path(__file__).parents[1] / "examples" / "recordings" / "ros2"
 
 PERIOD = 0.5  # s, at 2 Hz
@@ -133,6 +134,15 @@ def record_endings() -> None:
     _write_provenance("endings", "nodes at Ctrl-C and SIGTERM", ["NODE"], start, ENDING_AFTER, 0, load)
 
 
+def record_spinner() -> None:
+    """Keep the console of the tutorial's node."""
+    load = os.getloadavg()
+    command = ["spinner_py_node.py", "--ros-args", "-r", "__ns:=/mrp"]
+    run = ros2.launch(NODES / command[0], 2.2, command[1:])
+    (RECORDINGS / "spinner.txt").write_text(run.console)
+    _write_provenance("spinner", "the tutorial's node", command, run.start, run.seconds, run.status, load)
+
+
 def record_clock_jump() -> None:
     """Let ROS time jump under a timer of 1 s, and keep the times at which it ticks."""
     load = os.getloadavg()
@@ -154,7 +164,7 @@ def _write_provenance(
     write_provenance(RECORDINGS / f"{name}.json", what, ["python3", *command], start, seconds, status, load, versions)
 
 
-OTHERS = {"clock_jump": record_clock_jump, "endings": record_endings}
+OTHERS = {"clock_jump": record_clock_jump, "endings": record_endings, "spinner": record_spinner}
 
 
 def main(names: list[str]) -> None:
