@@ -20,17 +20,22 @@ from rosspin.plots import with_handle
 from rosspin.roscpp import timer_probe
 
 SPINNER = ROOT / "examples/my_robotics_pkg/src/spinner_py_node.py"
+SPINNER_2 = ROOT / "examples/my_robotics_pkg_ros2/my_robotics_pkg/spinner_py_node.py"
 PROBE = ROOT / "examples/timing_probes/src/timer_probe.py"
 
 Runs = Mapping[str, Sequence[Tick]]
 Scheme = Literal["light", "dark"]
 
 
-def spinner(delta: float) -> Runs:
-    text = SPINNER.read_text(encoding="utf-8")
+def spinner(delta: float, file: Path = SPINNER, name: str = "timerCallback") -> Runs:
+    text = file.read_text(encoding="utf-8")
     changed = text.replace("delta_t_in_seconds = 0.5", f"delta_t_in_seconds = {delta}")
     ticks = simulate(lambda: exec(compile(changed, "spinner", "exec"), {"__name__": "__main__"}), 2).ticks
-    return {"timerCallback": ticks}
+    return {name: ticks}
+
+
+def spinner_2(delta: float) -> Runs:
+    return spinner(delta, SPINNER_2, "timer_callback")
 
 
 def probes(*words: str, seconds: float) -> Callable[[float], Runs]:
@@ -82,6 +87,7 @@ FIGURES = [
     Kind("notebooks/slow-callback.html", 1, "Every call takes", probes(seconds=6.2)),
     Kind("docs/how-timing-works.html", 0, "Every call takes", probes(seconds=6)),
     Kind("docs/how-timing-works.html", 1, "The third call takes", probes("_block_call:=3", seconds=6)),
+    Kind("docs/ros2/tutorial.html", 0, "Time delta", spinner_2),
 ]
 PAGES = sorted({kind.page for kind in FIGURES})
 
