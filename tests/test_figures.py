@@ -16,8 +16,11 @@ from playwright.sync_api import Browser, BrowserContext, Locator, Page, expect
 from test_browser import FAINT, TOO_WIDE
 
 from rosspin import Tick, simulate
+from rosspin.clocks.simulation import Simulation
 from rosspin.plots import with_handle
+from rosspin.process import load_source
 from rosspin.roscpp import timer_probe
+from rosspin.run import run_captured
 
 SPINNER = ROOT / "examples/my_robotics_pkg/src/spinner_py_node.py"
 SPINNER_2 = ROOT / "examples/my_robotics_pkg_ros2/my_robotics_pkg/spinner_py_node.py"
@@ -30,8 +33,7 @@ Scheme = Literal["light", "dark"]
 def spinner(delta: float, file: Path = SPINNER, name: str = "timerCallback") -> Runs:
     text = file.read_text(encoding="utf-8")
     changed = text.replace("delta_t_in_seconds = 0.5", f"delta_t_in_seconds = {delta}")
-    ticks = simulate(lambda: exec(compile(changed, "spinner", "exec"), {"__name__": "__main__"}), 2).ticks
-    return {name: ticks}
+    return {name: run_captured(Simulation(), load_source(changed, str(file)), 2, []).ticks}
 
 
 def spinner_2(delta: float) -> Runs:
