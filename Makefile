@@ -11,7 +11,8 @@ MESSAGES := python3-actionlib-msgs python3-diagnostic-msgs python3-geometry-msgs
 DISTRO := jazzy
 ROS2 := $(addprefix ros-$(DISTRO)-,rclpy rmw-fastrtps-cpp geometry-msgs nav-msgs rosgraph-msgs sensor-msgs std-msgs)
 OTHER := $(addprefix -,$(filter-out jazzy,$(DISTRO)))
-COLCON := $(addprefix colcon-,core library-path package-selection python-setup-py recursive-crawl ros) 'setuptools<80'
+COLCON := $(addprefix colcon-,bash core library-path package-selection python-setup-py recursive-crawl ros) \
+  'setuptools<80'
 SUDO := $(if $(filter-out 0,$(shell id -u)),sudo)
 
 # One stamp for each PYTHON: choosing another one makes the environment anew, as changed pins do. What only the tests or

@@ -184,6 +184,15 @@ def record_pipe() -> None:
     _write_provenance("pipe", "INFO lines through a pipe", [NODE.name], start, 3.2, run.status, load)
 
 
+def record_spinner() -> None:
+    """Keep the console of the tutorial's node."""
+    load = os.getloadavg()
+    command = [NODE.name, "--ros-args", "-r", "__ns:=/mrp"]
+    run = ros2.launch(NODE, 2.2, command[1:])
+    (RECORDINGS / "spinner.txt").write_text(run.console)
+    _write_provenance("spinner", "the tutorial's node", command, run.start, run.seconds, run.status, load)
+
+
 def record_clock_jump() -> None:
     """Let ROS time jump under a timer of 1 s, and keep the times at which it ticks."""
     load = os.getloadavg()
@@ -205,7 +214,13 @@ def _write_provenance(
     write_provenance(RECORDINGS / f"{name}.json", what, ["python3", *command], start, seconds, status, load, versions)
 
 
-OTHERS = {"claims": record_claims, "clock_jump": record_clock_jump, "endings": record_endings, "pipe": record_pipe}
+OTHERS = {
+    "claims": record_claims,
+    "clock_jump": record_clock_jump,
+    "endings": record_endings,
+    "pipe": record_pipe,
+    "spinner": record_spinner,
+}
 
 
 def main(names: list[str]) -> None:

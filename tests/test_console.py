@@ -22,17 +22,19 @@ LAUNCHED = (
     "[INFO] [1650283863.193749]: [SPINNER PY NODE] counter = 2\n"
     "\x1b[33m[ WARN] [1650283863.2]: slow\x1b[0m\n"
     "\x1b[31m[ERROR] [1650283863.3, 12.500000]: on simulated time\x1b[0m\n"
+    "[INFO] [1650283863.693749123] [mrp.spinner_py_node]: [SPINNER PY NODE 2] counter = 1\n"
     "a line of another kind, counter = 7\n"
 )
 
 
 def test_lines_of_cpp_and_python() -> None:
     lines = list(read_lines(LAUNCHED))
-    assert len(lines) == 7
+    assert len(lines) == 8
     assert lines[0] == Line("INFO", 1650283861.4829136, "[SPINNER CPP NODE] namespace of nh = /mrp/spinner_cpp_node")
     assert lines[2] == Line("INFO", 1650283862.694406, "[SPINNER PY NODE] counter = 1")
     assert lines[5] == Line("WARN", 1650283863.2, "slow")
     assert lines[6] == Line("ERROR", 12.5, "on simulated time")
+    assert lines[7] == Line("INFO", 1650283863.693749123, "[SPINNER PY NODE 2] counter = 1")  # ROS 2
 
 
 def test_ticks_by_their_tag_on_the_grid_of_the_period() -> None:
@@ -42,9 +44,12 @@ def test_ticks_by_their_tag_on_the_grid_of_the_period() -> None:
         ("SPINNER PY NODE", 1),
         ("SPINNER CPP NODE", 2),
         ("SPINNER PY NODE", 2),
+        ("SPINNER PY NODE 2", 1),
     ]
-    assert [tick.real for tick in ticks] == pytest.approx([0.989005528, 1.694406, 1.487859902, 2.193749])
-    assert [tick.expected for tick in ticks] == pytest.approx([0.989005528, 1.694406, 1.489005528, 2.194406])
+    assert [tick.real for tick in ticks] == pytest.approx([0.989005528, 1.694406, 1.487859902, 2.193749, 2.693749123])
+    assert [tick.expected for tick in ticks] == pytest.approx(
+        [0.989005528, 1.694406, 1.489005528, 2.194406, 2.693749123]
+    )
     assert all(math.isnan(tick.duration) for tick in ticks)
 
 

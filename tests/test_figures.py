@@ -18,10 +18,14 @@ from playwright.sync_api import Browser, BrowserContext, Locator, Page, expect
 from test_browser import FAINT, TOO_WIDE
 
 from rosspin import Tick, rclpy, simulate
+from rosspin.clocks.simulation import Simulation
 from rosspin.plots import with_handle
+from rosspin.process import load_source
 from rosspin.roscpp import timer_probe
+from rosspin.run import run_captured
 
 SPINNER = ROOT / "examples/my_robotics_pkg/src/spinner_py_node.py"
+SPINNER_2 = ROOT / "examples/my_robotics_pkg_ros2/my_robotics_pkg/spinner_py_node.py"
 PROBE = ROOT / "examples/timing_probes/src/timer_probe.py"
 PROBE_2 = ROOT / "examples/ros2/timer_probe.py"
 
@@ -29,11 +33,14 @@ Runs = Mapping[str, Sequence[Tick]]
 Scheme = Literal["light", "dark"]
 
 
-def spinner(delta: float) -> Runs:
-    text = SPINNER.read_text(encoding="utf-8")
+def spinner(delta: float, file: Path = SPINNER, name: str = "timerCallback") -> Runs:
+    text = file.read_text(encoding="utf-8")
     changed = text.replace("delta_t_in_seconds = 0.5", f"delta_t_in_seconds = {delta}")
-    ticks = simulate(lambda: exec(compile(changed, "spinner", "exec"), {"__name__": "__main__"}), 2).ticks
-    return {"timerCallback": ticks}
+    return {name: run_captured(Simulation(), load_source(changed, str(file)), 2, []).ticks}
+
+
+def spinner_2(delta: float) -> Runs:
+    return spinner(delta, SPINNER_2, "timer_callback")
 
 
 def probes(*words: str, seconds: float) -> Callable[[float], Runs]:
@@ -150,6 +157,7 @@ FIGURES = [
     Kind("docs/ros2/how-timing-works.html", 0, "The third call takes", ros_2("block_call:=3", seconds=6)),
     Kind("docs/ros2/from-ros-1.html", 0, "The third call takes", three("block_call:=3", seconds=6)),
     Kind("docs/ros2/from-ros-1.html", 1, "Every call takes", three(seconds=6)),
+    Kind("docs/ros2/tutorial.html", 0, "Time delta", spinner_2),
 ]
 PAGES = sorted({kind.page for kind in FIGURES})
 

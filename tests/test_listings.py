@@ -13,8 +13,10 @@ from bs4 import BeautifulSoup
 ROOT = Path(__file__).parents[1]
 EXAMPLES = ROOT / "examples"
 PACKAGE = EXAMPLES / "my_robotics_pkg"
+PACKAGE_ROS2 = EXAMPLES / "my_robotics_pkg_ros2"
 PAGES = sorted((ROOT / "docs").rglob("*.rst"))
 TUTORIAL, PUBLISH = ROOT / "docs" / "tutorial.rst", ROOT / "docs" / "publish.rst"
+TUTORIAL_ROS2 = ROOT / "docs" / "ros2" / "tutorial.rst"
 
 # Each step of a tutorial and the listing that it starts from, below examples/.
 SPIN_FROM = {
@@ -36,10 +38,21 @@ PUBLISH_FROM = {
         for language in ("cpp_node.cpp", "py_node.py")
     },
 }
-STARTS_FROM = {TUTORIAL: SPIN_FROM, PUBLISH: PUBLISH_FROM}
+_NODES_ROS2 = "my_robotics_pkg_ros2/my_robotics_pkg"
+SPIN_FROM_ROS2 = {
+    "steps_ros2/1_class.py": f"{_NODES_ROS2}/plain_py_node.py",
+    "steps_ros2/2_callback.py": "steps_ros2/1_class.py",
+    f"{_NODES_ROS2}/spinner_py_node.py": "steps_ros2/2_callback.py",
+    f"{_NODES_ROS2}/spinner_rate_py_node.py": f"{_NODES_ROS2}/plain_py_node.py",
+}
+STARTS_FROM = {TUTORIAL: SPIN_FROM, PUBLISH: PUBLISH_FROM, TUTORIAL_ROS2: SPIN_FROM_ROS2}
 MANIFESTS = ("CMakeLists.txt", "package.xml")
 # Not what pytest and setuptools run.
 PYTHON = sorted(path for path in EXAMPLES.rglob("*.py") if not path.name.startswith(("test_", "setup", "__init__")))
+
+
+def name_of(page: Path) -> str:
+    return page.relative_to(ROOT).with_suffix("").as_posix()
 
 
 class Listing(NamedTuple):
@@ -79,7 +92,7 @@ def added(old: Path, new: Path) -> set[int]:
     return {line for tag, _, _, j1, j2 in matcher.get_opcodes() if tag != "equal" for line in range(j1 + 1, j2 + 1)}
 
 
-@pytest.mark.parametrize("page", STARTS_FROM, ids=lambda page: page.stem)
+@pytest.mark.parametrize("page", STARTS_FROM, ids=name_of)
 def test_each_step_names_the_listing_that_it_starts_from(page: Path) -> None:
     named = {
         listing.name: (page.parent / listing.options["changed-from"]).resolve().relative_to(EXAMPLES).as_posix()
@@ -92,9 +105,9 @@ def test_each_step_names_the_listing_that_it_starts_from(page: Path) -> None:
     assert numbered <= {"topics"}
 
 
-@pytest.mark.parametrize("page", STARTS_FROM, ids=lambda page: page.stem)
+@pytest.mark.parametrize("page", STARTS_FROM, ids=name_of)
 def test_marked_lines_are_the_ones_that_the_step_adds(site: Path, page: Path) -> None:
-    html = BeautifulSoup((site / f"docs/{page.stem}.html").read_text(encoding="utf-8"), "html.parser")
+    html = BeautifulSoup((site / f"{name_of(page)}.html").read_text(encoding="utf-8"), "html.parser")
     marked = [[line.get_text().rstrip() for line in pre.select(".hll")] for pre in html.select("pre:has(.hll)")]
     steps = [listing for listing in listings(page) if {"changed-from", "emphasize-lines"} & listing.options.keys()]
     for step, lines in zip(steps, marked, strict=True):
@@ -109,10 +122,11 @@ def test_every_step_and_node_is_shown() -> None:
     files = {*EXAMPLES.glob("steps/*"), *EXAMPLES.glob("how-to/*.py"), *EXAMPLES.glob("threads/*.*")}
     files |= set(EXAMPLES.glob("topics/*.*"))
     files |= {path for folder in ("src", "launch", "test") for path in PACKAGE.glob(f"{folder}/*.*")}
+    files |= {*EXAMPLES.glob("steps_ros2/*"), *PACKAGE_ROS2.glob("*.*"), *PACKAGE_ROS2.glob("*/*_node.py")}
     assert files - shown == set()
 
 
-@pytest.mark.parametrize("page", PAGES, ids=lambda page: page.stem)
+@pytest.mark.parametrize("page", PAGES, ids=name_of)
 def test_code_on_pages_comes_from_files(page: Path) -> None:
     inline = re.findall(
         r"^ *\.\. (?:code|code-block|sourcecode):: *(?:cpp|c\+\+|python|cmake|xml)\b.*", page.read_text(), re.M
@@ -235,6 +249,28 @@ def test_launch_file_of_the_second_tutorial() -> None:
                 "loop_rate.sleep()",
             ],
         ),
+        (
+            "my_robotics_pkg_ros2/my_robotics_pkg/spinner_py_node.py",
+            [
+                "class SpinnerPyNode(Node):",
+                'super().__init__("spinner_py_node")',
+                '"[SPINNER PY NODE] namespace of node = " + self.get_namespace()',
+                "def timer_callback(self):",
+                '"[SPINNER PY NODE] counter = " + str(self.counter)',
+                "timer_delta_t_in_seconds = 0.5\n",
+                "spinner_py_node = SpinnerPyNode()",
+            ],
+        ),
+        (
+            "my_robotics_pkg_ros2/my_robotics_pkg/spinner_rate_py_node.py",
+            [
+                'super().__init__("spinner_py_node")',
+                "loop_frequency_in_hz = 2.0\n",
+                "loop_rate = self.create_rate(loop_frequency_in_hz)",
+                '"[SPINNER PY NODE] counter = " + str(self.counter)',
+                "loop_rate.sleep()",
+            ],
+        ),
     ],
 )
 def test_names_and_messages_are_those_of_the_original(name: str, parts: list[str]) -> None:
@@ -249,3 +285,10 @@ def test_a_ros_timer_is_never_global() -> None:
         assert not re.search(r"^(static )?ros::Timer ", text, re.MULTILINE)
         assert not re.search(r"ros::ok\b(?!\()", text)
         assert "ros/package.h" not in text
+
+
+def test_every_node_of_ros_2_ends_in_the_same_way() -> None:
+    """As the tutorial says: without a traceback."""
+    texts = [path.read_text() for path in [*EXAMPLES.glob("steps_ros2/*.py"), *PACKAGE_ROS2.glob("*/*_node.py")]]
+    (ending,) = {re.sub(r"(?<=rclpy\.spin\()\w+", "node", text[text.index("    try:\n") :]) for text in texts}
+    assert "    except (KeyboardInterrupt, ExternalShutdownException):\n        pass\n" in ending

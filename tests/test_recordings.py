@@ -132,6 +132,7 @@ def test_a_first_and_a_last_tick(tmp_path: Path) -> None:
 # --- on ROS 2 ---------------------------------------------------------------------------------------------------------
 
 ROS2_TABLES = {"claims", "clock_jump", "endings", "pipe"}
+ROS2_CONSOLE = "spinner"
 ROS2_NAMES = {
     *(f"{what}_{hertz}hz" for what in ("timer", "rate") for hertz in (2, 50)),
     *(f"{what}_blocks_once_{periods}" for what in ("timer", "rate") for periods in (1.4, 2.4, 4.4)),
@@ -161,15 +162,16 @@ def times(name: str, source: str) -> list[float]:
 
 def test_the_set_of_ros_2_is_complete() -> None:
     assert {file.stem for file in ROS2.glob("*.csv")} == ROS2_NAMES | ROS2_TABLES
-    assert {file.stem for file in ROS2.glob("*.json")} == ROS2_NAMES | ROS2_TABLES
+    assert {file.stem for file in ROS2.glob("*.txt")} == {ROS2_CONSOLE}
+    assert {file.stem for file in ROS2.glob("*.json")} == ROS2_NAMES | ROS2_TABLES | {ROS2_CONSOLE}
 
 
-@pytest.mark.parametrize("name", sorted(ROS2_NAMES))
+@pytest.mark.parametrize("name", [*(f"{name}.csv" for name in sorted(ROS2_NAMES)), f"{ROS2_CONSOLE}.txt"])
 def test_recording_of_ros_2(name: str) -> None:
-    run = recordings.load(ROS2 / f"{name}.csv")
+    run = recordings.load(ROS2 / name)
     assert (run.runtime, run.status) == ("ros2", 0)
     assert "with ROS 2 Jazzy, rclpy 7" in run.caption
-    assert bool(run.ticks) == (name != "timer_without_clock")
+    assert bool(run.ticks) == (name != "timer_without_clock.csv")
     assert all(0 <= tick.real < run.seconds + 1 for tick in run.ticks)
     for source in {tick.source for tick in run.ticks}:
         numbers = [tick.number for tick in run.ticks if tick.source == source]

@@ -7,11 +7,13 @@ import math
 import os
 import platform
 import re
+import shutil
 import signal
 import subprocess
 import sys
 from collections.abc import Callable, Iterator
 from pathlib import Path
+from textwrap import dedent
 from typing import Any
 
 import pytest
@@ -19,6 +21,7 @@ from conftest import ROOT
 
 from rosspin import ros2
 from rosspin.__main__ import main
+from rosspin.children import Output
 from rosspin.measures import by_source
 
 EXAMPLES = ROOT / "examples"
@@ -345,25 +348,43 @@ def test_a_ros_2_that_has_been_sourced(
 # --- the package ------------------------------------------------------------------------------------------------------
 
 
-def test_colcon_builds_the_package(ros: None, tmp_path: Path) -> None:
-    """What ``ros2 run`` would start is there, and starts."""
+TUTORIAL = (ROOT / "docs" / "ros2" / "tutorial.rst").read_text(encoding="utf-8")
+BASH = re.compile(r"^( *)\.\. code-block:: bash\n(?: +:caption: (.*)\n)?\n((?:\1   .*\n|\n)+)", re.MULTILINE)
+SAVED = re.compile(r"^ *\.\. literalinclude:: (.*)\n(?: +:(?!caption).*\n)* +:caption: (.*)", re.MULTILINE)
+# What this machine has not: a ROS 2 of the system's, and the command ros2.
+NOT_RUN = {"source /opt/ros/jazzy/setup.bash", "ros2 run my_robotics_pkg spinner_py_node --ros-args -r __ns:=/mrp"}
+
+
+def test_the_tutorial_builds_its_package_and_runs_it(ros: None) -> None:
+    """By its own commands, with the files where the captions say: what ``ros2 run`` would start is there and starts."""
+    sections = TUTORIAL.partition("\nMake a package and build it\n")[2].partition("\nStop the node\n")[0]
+    blocks = [(found[2] or "", dedent(found[3]).strip()) for found in BASH.finditer(sections)]
+    assert {code for caption, code in blocks if caption.startswith("Not run here: ")} == NOT_RUN
+    make_folders, build, source, run, run_file = (code for caption, code in blocks if not caption)
     with ros2.Nodes() as nodes:
-        workspace = nodes.folder / "ws"
-        (workspace / "src").mkdir(parents=True)
-        (workspace / "src" / "my_robotics_pkg_ros2").symlink_to(PACKAGE)
-        colcon = [str(Path(ros2.python()).with_name("colcon")), "--log-base", str(workspace / "log"), "build"]
-        folders = ["--base-paths", str(workspace / "src"), "--build-base", str(workspace / "build")]
-        built = nodes.run([*colcon, *folders, "--install-base", str(workspace / "install")], 300)
+        package = nodes.folder / "my-robotics-system/ros2_ws/src/my_robotics_pkg"
+        home = {"HOME": str(nodes.folder), "PATH": f"{Path(ros2.python()).parent}:{os.environ['PATH']}"}
+
+        def type_in(*lines: str, seconds: float = 300, begins: re.Pattern[str] | None = None) -> Output:
+            return nodes.run(["bash", "-c", "\n".join(("set -e", *lines))], seconds, begins=begins, more=home)
+
+        assert type_in(make_folders).status == 0
+        for path, caption in SAVED.findall(TUTORIAL):
+            if "steps_ros2" not in path:
+                shutil.copy(ROOT / "docs" / "ros2" / path, package / caption)
+        tree = re.search(r"ros2_ws/src/my_robotics_pkg/\n\n?((?: {7}.*\n)+)", sections)
+        assert tree
+        shown = {line.strip().rstrip("/") for line in tree[1].splitlines()} | {"spinner_rate_py_node.py"}
+        assert {path.name for path in package.rglob("*")} == shown
+        built = type_in(build)
         assert built.status == 0, built.console
+        assert "Finished <<< my_robotics_pkg" in TUTORIAL
         assert "Finished <<< my_robotics_pkg" in built.console
-        programs = workspace / "install" / "my_robotics_pkg" / "lib" / "my_robotics_pkg"
-        assert {path.name for path in programs.iterdir()} == {path.stem for path in NODES.glob("*_node.py")}
-        site = next(workspace.glob("install/my_robotics_pkg/lib/python*/site-packages"))
-        begins = re.compile("counter = 1")
-        output = nodes.run([str(programs / "spinner_py_node")], 0.7, begins=begins, more={"PYTHONPATH": str(site)})
-    assert output.status == 0
-    assert "counter = 2" in output.console
-    assert not list(PACKAGE.rglob("*.egg-info"))
+        for command in (f"{source}\nexec {run}", run_file.replace("python3", "exec python3")):
+            output = type_in(f"{command} > $HOME/stdout", seconds=0.7, begins=re.compile("counter = 1"))
+            assert output.status == 0
+            assert "] [mrp.spinner_py_node]: [SPINNER PY NODE] counter = 2\n" in output.console
+            assert (nodes.folder / "stdout").read_text() == ""
 
 
 def test_the_package_is_told_of_all_its_nodes() -> None:

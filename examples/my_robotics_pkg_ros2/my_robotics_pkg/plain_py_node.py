@@ -22,7 +22,7 @@ def main():
     # Start an instance of the class
     plain_py_node = PlainPyNode()
 
-    # Keep the process alive until shutdown
+    # Call the callbacks until shutdown
     try:
         rclpy.spin(plain_py_node)
     except (KeyboardInterrupt, ExternalShutdownException):

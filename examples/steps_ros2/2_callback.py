@@ -1,0 +1,45 @@
+#!/usr/bin/env python3
+
+import rclpy
+from rclpy.executors import ExternalShutdownException
+from rclpy.node import Node
+
+
+class SpinnerPyNode(Node):
+    def __init__(self):
+        # Start the node
+        super().__init__("spinner_py_node")
+
+        # Display the namespace of the node
+        self.get_logger().info(
+            "[SPINNER PY NODE] namespace of node = " + self.get_namespace())
+
+        # Start counting from zero
+        self.counter = 0
+
+    # Respond to the timer
+    def timer_callback(self):
+        self.counter += 1
+        # Display the current counter value
+        self.get_logger().info(
+            "[SPINNER PY NODE] counter = " + str(self.counter))
+
+
+def main():
+    # Take ROS's own arguments (such as -r __ns:=/mrp)
+    rclpy.init()
+
+    # Start an instance of the class
+    spinner_py_node = SpinnerPyNode()
+
+    # Call the callbacks until shutdown
+    try:
+        rclpy.spin(spinner_py_node)
+    except (KeyboardInterrupt, ExternalShutdownException):
+        pass
+    finally:
+        rclpy.try_shutdown()
+
+
+if __name__ == '__main__':
+    main()
