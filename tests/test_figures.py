@@ -374,6 +374,6 @@ def test_the_first_screen(browser: Browser, address: str, width: int, height: in
 
         article = page.locator("article")
         seen = [article.locator(what) for what in ("p >> nth=0", ".rosspin-beside pre", "figure svg[role=img]")]
-        names = "ROS 1 in Python", "ROS 1 in C++", "Try an exercise"
+        names = "ROS 2 in Python", "ROS 1 in Python", "ROS 1 in C++", "Try an exercise"
         ways = [article.get_by_role("link", name=name) for name in names]
         assert max(map(ends, [*seen, *ways])) < height

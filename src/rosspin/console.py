@@ -16,9 +16,10 @@ __all__ = ["Line", "read_lines", "read_ticks"]
 _COLOUR = re.compile(r"\x1b\[[0-9;]*m")
 
 # rospy stamps in microseconds; roscpp in nanoseconds, and it pads the severity. On ROS time a second stamp follows.
+# In ROS 2 the name of the logger follows.
 _LINE = re.compile(
     r"\[ ?(?P<severity>DEBUG|INFO|WARN|ERROR|FATAL)\] "
-    r"\[(?P<wall>\d+\.\d+)(?:, (?P<ros>\d+\.\d+))?\]: (?P<text>.*)"
+    r"\[(?P<wall>\d+\.\d+)(?:, (?P<ros>\d+\.\d+))?\](?: \[[^]]*\])?: (?P<text>.*)"
 )
 
 _COUNTER = re.compile(r"\[(?P<source>[^]]+)\] counter = (?P<number>\d+)")
