@@ -16,7 +16,7 @@ from bs4 import BeautifulSoup
 from conftest import ROOT
 
 import rosspin
-from rosspin import console, exercises, machine, measures, plots, rclpy, roscpp, ros2, rospy
+from rosspin import console, exercises, machine, measures, plots, rclpy, ros2, roscpp, rospy
 
 PAGES = [ROOT / "index.rst", *sorted(ROOT.glob("docs/**/*.rst")), *sorted(ROOT.glob("notebooks/*.md"))]
 
