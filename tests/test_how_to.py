@@ -17,12 +17,13 @@ import pytest
 from bs4 import BeautifulSoup
 from conftest import ROOT
 
-from rosspin import simulate
+from rosspin import ros2, simulate
 from rosspin.console import read_ticks
 from rosspin.ros1 import Workspace
 
 PAGES = ROOT / "docs" / "how-to"
 PACKAGE = ROOT / "examples" / "my_robotics_pkg"
+PACKAGE_ROS2 = ROOT / "examples" / "my_robotics_pkg_ros2"
 CONTROLLER = ROOT / "examples" / "controller"
 
 
@@ -51,8 +52,9 @@ def test_the_example_test_passes_by_the_commands_on_the_page(site: Path, tmp_pat
     assert "2 passed" in run.stdout
 
 
-def test_the_long_run_of_the_page_passes() -> None:
-    run = _pytest(PACKAGE, "test")
+@pytest.mark.parametrize("package", [PACKAGE, PACKAGE_ROS2], ids=lambda package: package.name)
+def test_the_long_run_of_the_page_passes(package: Path) -> None:
+    run = _pytest(package, "test")
     assert "7 passed" in run.stdout, run.stdout
 
 
@@ -118,8 +120,25 @@ def _without_carets(text: str) -> str:
     ],
 )
 def test_the_example_test_fails_for_a_node_that_is_wrong(tmp_path: Path, file: str, old: str, new: str) -> None:
-    shutil.copytree(PACKAGE, tmp_path, dirs_exist_ok=True)
-    node = tmp_path / "src" / file
+    _fails_with_a_wrong_node(PACKAGE, tmp_path, f"src/{file}", old, new)
+
+
+@pytest.mark.parametrize(
+    ("file", "old", "new"),
+    [
+        ("spinner_py_node.py", "in_seconds = 0.5", "in_seconds = 0.6"),
+        ("spinner_py_node.py", "(KeyboardInterrupt, ExternalShutdownException)", "ValueError"),
+        ("spinner_param_py_node.py", 'get_parameter("frequency").value', 'get_parameter("use_sim_time").value or 2.0'),
+        ("spinner_param_py_node.py", "frequency_in_hz <= 0", "frequency_in_hz < 0"),
+    ],
+)
+def test_that_for_ros_2_does_so_too(tmp_path: Path, file: str, old: str, new: str) -> None:
+    _fails_with_a_wrong_node(PACKAGE_ROS2, tmp_path, f"my_robotics_pkg/{file}", old, new)
+
+
+def _fails_with_a_wrong_node(package: Path, tmp_path: Path, file: str, old: str, new: str) -> None:
+    shutil.copytree(package, tmp_path, dirs_exist_ok=True)
+    node = tmp_path / file
     assert old in node.read_text()
     node.write_text(node.read_text().replace(old, new))
     assert _pytest(tmp_path, "test").returncode == 1
@@ -188,6 +207,18 @@ def test_callbacks_that_share_data_on_the_real_ros(ros1: Workspace, tmp_path: Pa
         assert right and all(left == right for left, right in right)
 
 
+def test_callbacks_that_share_data_on_the_real_ros_2(require: Callable[[str], None]) -> None:
+    """As in simulated time: the two groups or the one reentrant group of many threads need a lock, one thread none."""
+    require("ros2")
+    with ros2.Nodes() as nodes:
+        wrong, right = (
+            _wheels(nodes.run([ros2.python(), str(THREADS / f"ros2/{name}_py_node.py")], 4.5).console)
+            for name in ("torn", "locked")
+        )
+    assert any(left != right for left, right in wrong)
+    assert right and all(left == right for left, right in right)
+
+
 def test_a_roscpp_node_needs_no_lock_under_spin(ros1: Workspace, tmp_path: Path) -> None:
     text = (THREADS / "locked_cpp_node.cpp").read_text(encoding="utf-8")
     text = re.sub(r".*\b(lock_guard|std::mutex)\b.*\n", "", text)
@@ -248,3 +279,41 @@ def test_the_launch_file_shows_lines_at_once(ros1: Workspace) -> None:
     command = [str(ros1.folder / "devel/env.sh"), "roslaunch", "-p", str(ros1.port), str(file)]
     run = ros1.run(command, 60.0, _UntilBothCount(ros1))  # type: ignore[arg-type]
     assert max(tick.number for tick in read_ticks(run.console)) < 60  # after 60 s it would be 120
+
+
+@pytest.mark.parametrize("runtime", ["wall", "ros2"])
+def test_lines_of_ros_2_come_at_once_on_stderr(require: Callable[[str], None], tmp_path: Path, runtime: str) -> None:
+    """Lines that came only at the end would never be read: the node goes on until one was."""
+    node = str(PACKAGE_ROS2 / "my_robotics_pkg" / "spinner_py_node.py")
+    command = [sys.executable, "-m", "rosspin", "run", node]
+    environment = {name: value for name, value in os.environ.items() if name not in ("PYTHONUNBUFFERED", "NO_COLOR")}
+    if runtime == "ros2":
+        require("ros2")
+        command = [ros2.python(), node]
+        environment |= {"ROS_AUTOMATIC_DISCOVERY_RANGE": "OFF", "ROS_LOG_DIR": str(tmp_path)}
+    child = subprocess.Popen(command, env=environment, stdout=subprocess.PIPE, stderr=subprocess.PIPE, text=True)
+    try:
+        assert child.stderr
+        line = next(line for line in child.stderr if "counter = 1" in line)
+        child.send_signal(signal.SIGINT)
+        printed, _ = child.communicate(timeout=60)
+    finally:
+        child.kill()
+    assert re.fullmatch(r"\[INFO\] \[\d+\.\d{9}\] \[spinner_py_node\]: \[SPINNER PY NODE\] counter = 1\n", line)
+    assert printed == ""
+    assert child.returncode == 0
+
+
+@pytest.mark.parametrize("namespace", ["/", "/mrp"])
+def test_the_frequency_is_a_parameter_on_the_real_ros_2(require: Callable[[str], None], namespace: str) -> None:
+    require("ros2")
+    node = str(PACKAGE_ROS2 / "my_robotics_pkg" / "spinner_param_py_node.py")
+    file = str(PACKAGE_ROS2 / "config" / "spinner.yaml")
+    words = ["--ros-args", "-r", f"__ns:={namespace}", "--params-file", file]
+    with ros2.Nodes() as nodes:
+        run = nodes.run([ros2.python(), node, *words], 1.5)
+        refused = nodes.run([ros2.python(), node, "--ros-args", "-p", "frequency:=5"], 60.0)
+    stamps = [tick.real for tick in read_ticks(run.console)]
+    assert min(later - earlier for earlier, later in pairwise(stamps)) < 0.35
+    assert refused.status == 1
+    assert "to '5' of type 'INTEGER', expecting type 'DOUBLE'" in refused.console
