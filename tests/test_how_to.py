@@ -25,6 +25,7 @@ PAGES = ROOT / "docs" / "how-to"
 PACKAGE = ROOT / "examples" / "my_robotics_pkg"
 PACKAGE_ROS2 = ROOT / "examples" / "my_robotics_pkg_ros2"
 CONTROLLER = ROOT / "examples" / "controller"
+CONTROLLER_ROS2 = ROOT / "examples" / "controller_ros2"
 
 
 def _pytest(folder: Path, *arguments: str) -> subprocess.CompletedProcess[str]:
@@ -63,6 +64,13 @@ def test_the_controller_s_test_reads_in_15_lines() -> None:
     assert sum(bool(line.strip()) for line in text.splitlines()) <= 15
 
 
+def test_the_controller_of_ros_2_passes_the_same_test() -> None:
+    one, two = ((folder / "test/test_controller.py").read_text() for folder in (CONTROLLER, CONTROLLER_ROS2))
+    assert two == one.replace("../src/", "../controller/")
+    run = _pytest(CONTROLLER_ROS2, "test")
+    assert "2 passed" in run.stdout, run.stdout
+
+
 IGNORES_SILENCE = "return rospy.Time.now() - self.last_heard < rospy.Duration(0.2)", "return True"
 MISSPELT = "message.range", "message.rang"
 
@@ -83,6 +91,14 @@ MISSPELT = "message.range", "message.rang"
 def test_the_controller_s_test_fails_for_a_controller_that_is_wrong(tmp_path: Path, old: str, new: str) -> None:
     run = _pytest_of_a_changed_controller(tmp_path, old, new)
     assert run.returncode == 1, run.stdout
+
+
+@pytest.mark.parametrize(
+    ("old", "new"),
+    [("return silence < Duration(seconds=0.2)", "return True"), ("timer(0.02,", "timer(0.025,")],
+)
+def test_it_fails_for_a_controller_of_ros_2_that_is_wrong(tmp_path: Path, old: str, new: str) -> None:
+    _fails_with_a_wrong_node(CONTROLLER_ROS2, tmp_path, "controller/controller_py_node.py", old, new)
 
 
 def _pytest_of_a_changed_controller(folder: Path, old: str, new: str) -> subprocess.CompletedProcess[str]:
