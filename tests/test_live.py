@@ -12,6 +12,7 @@ import zlib
 from collections.abc import Iterator
 from pathlib import Path
 from typing import Any, Literal
+from urllib.parse import parse_qs, urlsplit
 
 import pytest
 import yaml
@@ -553,6 +554,23 @@ def test_a_link_carries_the_code(page: Page, address: str) -> None:
     assert opened.element.locator("pre").first.text_content() == mine
     assert not wrong
     other.close()
+
+
+@pytest.mark.parametrize(
+    ("tabs", "query"), [(["ROS 2"], {"ros": ["2"]}), (["ROS 1", "Python"], {"ros": ["1"], "lang": ["python"]})]
+)
+def test_a_link_chooses_the_tabs_of_its_listing(
+    context: BrowserContext, address: str, tabs: list[str], query: dict[str, list[str]]
+) -> None:
+    context.grant_permissions(["clipboard-read", "clipboard-write"])
+    page = context.new_page()
+    page.goto(address + "docs/how-to/frequency-from-parameter.html")
+    for tab in tabs:
+        page.locator(".sd-tab-label", has_text=tab).locator("visible=true").first.click()
+    cell = Cell(page, len(tabs) - 1)
+    cell.button("Share").click()
+    expect(cell.status).to_have_text("the link is copied; the code is in it")
+    assert parse_qs(urlsplit(_copied(page)).query) == query
 
 
 def _fragment(data: bytes) -> str:
