@@ -16,21 +16,28 @@ from playwright.sync_api import Browser, BrowserContext, Locator, Page, expect
 from test_browser import FAINT, TOO_WIDE
 
 from rosspin import Tick, simulate
+from rosspin.clocks.simulation import Simulation
 from rosspin.plots import with_handle
+from rosspin.process import load_source
 from rosspin.roscpp import timer_probe
+from rosspin.run import run_captured
 
 SPINNER = ROOT / "examples/my_robotics_pkg/src/spinner_py_node.py"
+SPINNER_ROS2 = ROOT / "examples/my_robotics_pkg_ros2/my_robotics_pkg/spinner_py_node.py"
 PROBE = ROOT / "examples/timing_probes/src/timer_probe.py"
 
 Runs = Mapping[str, Sequence[Tick]]
 Scheme = Literal["light", "dark"]
 
 
-def spinner(delta: float) -> Runs:
-    text = SPINNER.read_text(encoding="utf-8")
-    changed = text.replace("delta_t_in_seconds = 0.5", f"delta_t_in_seconds = {delta}")
-    ticks = simulate(lambda: exec(compile(changed, "spinner", "exec"), {"__name__": "__main__"}), 2).ticks
-    return {"timerCallback": ticks}
+def spinner(path: Path, callback: str) -> Callable[[float], Runs]:
+    text = path.read_text(encoding="utf-8")
+
+    def run(delta: float) -> Runs:
+        changed = text.replace("delta_t_in_seconds = 0.5", f"delta_t_in_seconds = {delta}")
+        return {callback: run_captured(Simulation(), load_source(changed, str(path)), 2.0, []).ticks}
+
+    return run
 
 
 def probes(*words: str, seconds: float) -> Callable[[float], Runs]:
@@ -75,8 +82,8 @@ class Kind(NamedTuple):
 
 
 FIGURES = [
-    Kind("index.html", 0, "Time delta", spinner),
-    Kind("docs/tutorial.html", 0, "Time delta", spinner),
+    Kind("index.html", 0, "Time delta", spinner(SPINNER_ROS2, "timer_callback")),
+    Kind("docs/tutorial.html", 0, "Time delta", spinner(SPINNER, "timerCallback")),
     Kind("notebooks/rate.html", 0, "Work in each pass", loops),
     Kind("notebooks/slow-callback.html", 0, "The third call takes", probes("_block_call:=3", seconds=6.2)),
     Kind("notebooks/slow-callback.html", 1, "Every call takes", probes(seconds=6.2)),

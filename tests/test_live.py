@@ -154,6 +154,7 @@ def test_the_edition_is_asked_and_remembered(context: BrowserContext, address: s
     page = context.new_page()
     page.goto(address + "index.html")
     page.get_by_role("link", name=edition, exact=True).click()
+    page.wait_for_url(re.compile(r"tutorial\.html\?ros="))
     page.goto(address + "docs/how-to/frequency-from-parameter.html")
     for listing in (0, 1):
         expect(Cell(page, listing).button("Run")).to_be_visible(visible=listing == number)
