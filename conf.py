@@ -37,6 +37,7 @@ html_static_path = ["docs/_static"]
 if (root / "build/web").exists():  # what runs in the page, from `make html`; the doctests do without
     html_static_path.append("build/web")
 html_css_files = ["site.css"]
+html_js_files = ["edition.js"]
 templates_path = ["docs/_templates"]
 html_sidebars = {"**": ["pages"]}
 html_theme_options = {

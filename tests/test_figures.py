@@ -25,7 +25,7 @@ from rosspin.roscpp import timer_probe
 from rosspin.run import run_captured
 
 SPINNER = ROOT / "examples/my_robotics_pkg/src/spinner_py_node.py"
-SPINNER_2 = ROOT / "examples/my_robotics_pkg_ros2/my_robotics_pkg/spinner_py_node.py"
+SPINNER_ROS2 = ROOT / "examples/my_robotics_pkg_ros2/my_robotics_pkg/spinner_py_node.py"
 PROBE = ROOT / "examples/timing_probes/src/timer_probe.py"
 PROBE_2 = ROOT / "examples/ros2/timer_probe.py"
 
@@ -33,14 +33,14 @@ Runs = Mapping[str, Sequence[Tick]]
 Scheme = Literal["light", "dark"]
 
 
-def spinner(delta: float, file: Path = SPINNER, name: str = "timerCallback") -> Runs:
-    text = file.read_text(encoding="utf-8")
-    changed = text.replace("delta_t_in_seconds = 0.5", f"delta_t_in_seconds = {delta}")
-    return {name: run_captured(Simulation(), load_source(changed, str(file)), 2, []).ticks}
+def spinner(path: Path, callback: str) -> Callable[[float], Runs]:
+    text = path.read_text(encoding="utf-8")
 
+    def run(delta: float) -> Runs:
+        changed = text.replace("delta_t_in_seconds = 0.5", f"delta_t_in_seconds = {delta}")
+        return {callback: run_captured(Simulation(), load_source(changed, str(path)), 2.0, []).ticks}
 
-def spinner_2(delta: float) -> Runs:
-    return spinner(delta, SPINNER_2, "timer_callback")
+    return run
 
 
 def probes(*words: str, seconds: float) -> Callable[[float], Runs]:
@@ -145,8 +145,8 @@ class Kind(NamedTuple):
 
 
 FIGURES = [
-    Kind("index.html", 0, "Time delta", spinner),
-    Kind("docs/tutorial.html", 0, "Time delta", spinner),
+    Kind("index.html", 0, "Time delta", spinner(SPINNER_ROS2, "timer_callback")),
+    Kind("docs/tutorial.html", 0, "Time delta", spinner(SPINNER, "timerCallback")),
     Kind("notebooks/rate.html", 0, "Work in each pass", loops),
     Kind("notebooks/slow-callback.html", 0, "The third call takes", three("block_call:=3", seconds=6.2)),
     Kind("notebooks/slow-callback.html", 1, "Every call takes", three(seconds=6.2)),
@@ -157,7 +157,7 @@ FIGURES = [
     Kind("docs/ros2/how-timing-works.html", 0, "The third call takes", ros_2("block_call:=3", seconds=6)),
     Kind("docs/ros2/from-ros-1.html", 0, "The third call takes", three("block_call:=3", seconds=6)),
     Kind("docs/ros2/from-ros-1.html", 1, "Every call takes", three(seconds=6)),
-    Kind("docs/ros2/tutorial.html", 0, "Time delta", spinner_2),
+    Kind("docs/ros2/tutorial.html", 0, "Time delta", spinner(SPINNER_ROS2, "timer_callback")),
 ]
 PAGES = sorted({kind.page for kind in FIGURES})
 
@@ -456,6 +456,6 @@ def test_the_first_screen(browser: Browser, address: str, width: int, height: in
 
         article = page.locator("article")
         seen = [article.locator(what) for what in ("p >> nth=0", ".rosspin-beside pre", "figure svg[role=img]")]
-        names = "ROS 1 in Python", "ROS 1 in C++", "Try an exercise"
+        names = "ROS 2 in Python", "ROS 1 in Python", "ROS 1 in C++", "Try an exercise"
         ways = [article.get_by_role("link", name=name) for name in names]
         assert max(map(ends, [*seen, *ways])) < height

@@ -17,13 +17,15 @@ import pytest
 from bs4 import BeautifulSoup
 from conftest import ROOT
 
-from rosspin import simulate
+from rosspin import ros2, simulate
 from rosspin.console import read_ticks
 from rosspin.ros1 import Workspace
 
 PAGES = ROOT / "docs" / "how-to"
 PACKAGE = ROOT / "examples" / "my_robotics_pkg"
+PACKAGE_ROS2 = ROOT / "examples" / "my_robotics_pkg_ros2"
 CONTROLLER = ROOT / "examples" / "controller"
+CONTROLLER_ROS2 = ROOT / "examples" / "controller_ros2"
 
 
 def _pytest(folder: Path, *arguments: str) -> subprocess.CompletedProcess[str]:
@@ -51,14 +53,22 @@ def test_the_example_test_passes_by_the_commands_on_the_page(site: Path, tmp_pat
     assert "2 passed" in run.stdout
 
 
-def test_the_long_run_of_the_page_passes() -> None:
-    run = _pytest(PACKAGE, "test")
+@pytest.mark.parametrize("package", [PACKAGE, PACKAGE_ROS2], ids=lambda package: package.name)
+def test_the_long_run_of_the_page_passes(package: Path) -> None:
+    run = _pytest(package, "test")
     assert "7 passed" in run.stdout, run.stdout
 
 
 def test_the_controller_s_test_reads_in_15_lines() -> None:
     text = (CONTROLLER / "test/test_controller.py").read_text(encoding="utf-8")
     assert sum(bool(line.strip()) for line in text.splitlines()) <= 15
+
+
+def test_the_controller_of_ros_2_passes_the_same_test() -> None:
+    one, two = ((folder / "test/test_controller.py").read_text() for folder in (CONTROLLER, CONTROLLER_ROS2))
+    assert two == one.replace("../src/", "../controller/")
+    run = _pytest(CONTROLLER_ROS2, "test")
+    assert "2 passed" in run.stdout, run.stdout
 
 
 IGNORES_SILENCE = "return rospy.Time.now() - self.last_heard < rospy.Duration(0.2)", "return True"
@@ -81,6 +91,14 @@ MISSPELT = "message.range", "message.rang"
 def test_the_controller_s_test_fails_for_a_controller_that_is_wrong(tmp_path: Path, old: str, new: str) -> None:
     run = _pytest_of_a_changed_controller(tmp_path, old, new)
     assert run.returncode == 1, run.stdout
+
+
+@pytest.mark.parametrize(
+    ("old", "new"),
+    [("return silence < Duration(seconds=0.2)", "return True"), ("timer(0.02,", "timer(0.025,")],
+)
+def test_it_fails_for_a_controller_of_ros_2_that_is_wrong(tmp_path: Path, old: str, new: str) -> None:
+    _fails_with_a_wrong_node(CONTROLLER_ROS2, tmp_path, "controller/controller_py_node.py", old, new)
 
 
 def _pytest_of_a_changed_controller(folder: Path, old: str, new: str) -> subprocess.CompletedProcess[str]:
@@ -118,8 +136,23 @@ def _without_carets(text: str) -> str:
     ],
 )
 def test_the_example_test_fails_for_a_node_that_is_wrong(tmp_path: Path, file: str, old: str, new: str) -> None:
-    shutil.copytree(PACKAGE, tmp_path, dirs_exist_ok=True)
-    node = tmp_path / "src" / file
+    _fails_with_a_wrong_node(PACKAGE, tmp_path, f"src/{file}", old, new)
+
+
+@pytest.mark.parametrize(
+    ("file", "old", "new"),
+    [
+        ("spinner_py_node.py", "in_seconds = 0.5", "in_seconds = 0.6"),
+        ("spinner_py_node.py", "(KeyboardInterrupt, ExternalShutdownException)", "ValueError"),
+    ],
+)
+def test_that_for_ros_2_does_so_too(tmp_path: Path, file: str, old: str, new: str) -> None:
+    _fails_with_a_wrong_node(PACKAGE_ROS2, tmp_path, f"my_robotics_pkg/{file}", old, new)
+
+
+def _fails_with_a_wrong_node(package: Path, tmp_path: Path, file: str, old: str, new: str) -> None:
+    shutil.copytree(package, tmp_path, dirs_exist_ok=True)
+    node = tmp_path / file
     assert old in node.read_text()
     node.write_text(node.read_text().replace(old, new))
     assert _pytest(tmp_path, "test").returncode == 1
@@ -188,6 +221,16 @@ def test_callbacks_that_share_data_on_the_real_ros(ros1: Workspace, tmp_path: Pa
         assert right and all(left == right for left, right in right)
 
 
+def test_callbacks_that_share_data_on_the_real_ros_2(require: Callable[[str], None]) -> None:
+    """Without the lock a report shows half a reading, with it none does."""
+    require("ros2")
+    wrong, right = (
+        _wheels(ros2.launch(THREADS / f"ros2/{name}_py_node.py", 2.5).console) for name in ("torn", "locked")
+    )
+    assert any(left != right for left, right in wrong)
+    assert right and all(left == right for left, right in right)
+
+
 def test_a_roscpp_node_needs_no_lock_under_spin(ros1: Workspace, tmp_path: Path) -> None:
     text = (THREADS / "locked_cpp_node.cpp").read_text(encoding="utf-8")
     text = re.sub(r".*\b(lock_guard|std::mutex)\b.*\n", "", text)
@@ -248,3 +291,45 @@ def test_the_launch_file_shows_lines_at_once(ros1: Workspace) -> None:
     command = [str(ros1.folder / "devel/env.sh"), "roslaunch", "-p", str(ros1.port), str(file)]
     run = ros1.run(command, 60.0, _UntilBothCount(ros1))  # type: ignore[arg-type]
     assert max(tick.number for tick in read_ticks(run.console)) < 60  # after 60 s it would be 120
+
+
+@pytest.mark.parametrize("runtime", ["wall", "ros2"])
+def test_lines_of_ros_2_come_at_once_on_stderr(require: Callable[[str], None], tmp_path: Path, runtime: str) -> None:
+    """Lines that came only at the end would never be read: the node goes on until one was."""
+    node = str(PACKAGE_ROS2 / "my_robotics_pkg" / "spinner_py_node.py")
+    command = [sys.executable, "-m", "rosspin", "run", node]
+    environment = {name: value for name, value in os.environ.items() if name not in ("PYTHONUNBUFFERED", "NO_COLOR")}
+    if runtime == "ros2":
+        require("ros2")
+        command = [ros2.python(), node]
+        environment |= {"ROS_AUTOMATIC_DISCOVERY_RANGE": "OFF", "ROS_LOG_DIR": str(tmp_path)}
+    child = subprocess.Popen(command, env=environment, stdout=subprocess.PIPE, stderr=subprocess.PIPE, text=True)
+    try:
+        assert child.stderr
+        line = next(line for line in child.stderr if "counter = 1" in line)
+        child.send_signal(signal.SIGINT)
+        printed, _ = child.communicate(timeout=60)
+    finally:
+        child.kill()
+    assert re.fullmatch(r"\[INFO\] \[\d+\.\d{9}\] \[spinner_py_node\]: \[SPINNER PY NODE\] counter = 1\n", line)
+    assert printed == ""
+    assert child.returncode == 0
+
+
+@pytest.mark.parametrize("namespace", ["/", "/mrp"])
+def test_the_frequency_is_a_parameter_on_the_real_ros_2(require: Callable[[str], None], namespace: str) -> None:
+    """That of the file, 10 Hz, in any namespace."""
+    require("ros2")
+    file = str(PACKAGE_ROS2 / "config" / "spinner.yaml")
+    args = ["--ros-args", "-r", f"__ns:={namespace}", "--params-file", file]
+    run = ros2.launch(PACKAGE_ROS2 / "my_robotics_pkg/spinner_param_py_node.py", 2.0, args)
+    assert run.status == 0
+    assert min(later.expected - earlier.expected for earlier, later in pairwise(run.ticks)) < 0.15
+
+
+def test_a_frequency_without_a_point_is_refused_on_the_real_ros_2(require: Callable[[str], None]) -> None:
+    require("ros2")
+    file = PACKAGE_ROS2 / "my_robotics_pkg/spinner_param_py_node.py"
+    run = ros2.launch(file, 60.0, ["--ros-args", "-p", "frequency:=5"])
+    assert run.status == 1
+    assert "to '5' of type 'INTEGER', expecting type 'DOUBLE'" in run.console

@@ -12,6 +12,7 @@ import zlib
 from collections.abc import Iterator
 from pathlib import Path
 from typing import Any, Literal
+from urllib.parse import parse_qs, urlsplit
 
 import pytest
 import yaml
@@ -140,12 +141,24 @@ def test_the_language_is_asked_and_remembered(
     """A link on the first page chooses it, for each later page too; where the text says Run, there is one."""
     page = context.new_page()
     page.goto(address)
-    page.locator(f"article a[href$='?lang={language}']").click()
+    page.locator(f"article a[href$='lang={language}']").click()
     words, run = page.get_by_text("You can run the Python listings on this page"), Cell(page, 0).button("Run")
     expect(words).to_be_visible(visible=shown)
     expect(run).to_be_visible(visible=shown)
     page.goto(address + "docs/how-to/frequency-from-parameter.html")
-    expect(Cell(page, 0).button("Run")).to_be_visible(visible=shown)
+    expect(Cell(page, 1).button("Run")).to_be_visible(visible=shown)
+
+
+@pytest.mark.parametrize(("edition", "number"), [("ROS 2 in Python", 0), ("ROS 1 in Python", 1)])
+def test_the_edition_is_asked_and_remembered(context: BrowserContext, address: str, edition: str, number: int) -> None:
+    """A link on the first page chooses the ROS, for the tabs of each later page."""
+    page = context.new_page()
+    page.goto(address + "index.html")
+    page.get_by_role("link", name=edition, exact=True).click()
+    page.wait_for_url(re.compile(r"tutorial\.html\?ros="))
+    page.goto(address + "docs/how-to/frequency-from-parameter.html")
+    for listing in (0, 1):
+        expect(Cell(page, listing).button("Run")).to_be_visible(visible=listing == number)
 
 
 def test_choosing_a_language_at_the_top_shows_listings_with_run(context: BrowserContext, address: str) -> None:
@@ -340,14 +353,22 @@ def test_arguments_are_offered_where_a_node_reads_parameters(page: Page) -> None
     expect(cell.element.locator(".live-arguments input")).to_have_value("")
 
 
-def test_arguments_set_a_parameter(context: BrowserContext, address: str) -> None:
+@pytest.mark.parametrize(
+    ("ros", "listing", "arguments"),
+    [
+        (1, "my_robotics_pkg/src/spinner_param_py_node.py", "_frequency:=5"),
+        (2, "my_robotics_pkg_ros2/my_robotics_pkg/spinner_param_py_node.py", "--ros-args -p frequency:=5.0"),
+    ],
+)
+def test_arguments_set_a_parameter(
+    context: BrowserContext, address: str, ros: int, listing: str, arguments: str
+) -> None:
     page = context.new_page()
-    page.goto(address + "docs/how-to/frequency-from-parameter.html?lang=python")
-    cell = Cell(page, 0)
-    cell.element.get_by_role("textbox", name="Arguments").fill("_frequency:=5")
+    page.goto(f"{address}docs/how-to/frequency-from-parameter.html?lang=python&ros={ros}")
+    cell = Cell(page, 2 - ros)
+    cell.element.get_by_role("textbox", name="Arguments").fill(arguments)
     cell.run(1)
-    listing = EXAMPLES / "my_robotics_pkg" / "src" / "spinner_param_py_node.py"
-    assert cell.ends("done: 5 ticks") == simulate(listing, 1, ["_frequency:=5"]).console
+    assert cell.ends("done: 5 ticks") == simulate(EXAMPLES / listing, 1, arguments.split()).console
 
 
 # --- plots ------------------------------------------------------------------------------------------------------------
@@ -535,6 +556,23 @@ def test_a_link_carries_the_code(page: Page, address: str) -> None:
     assert opened.element.locator("pre").first.text_content() == mine
     assert not wrong
     other.close()
+
+
+@pytest.mark.parametrize(
+    ("tabs", "query"), [(["ROS 2"], {"ros": ["2"]}), (["ROS 1", "Python"], {"ros": ["1"], "lang": ["python"]})]
+)
+def test_a_link_chooses_the_tabs_of_its_listing(
+    context: BrowserContext, address: str, tabs: list[str], query: dict[str, list[str]]
+) -> None:
+    context.grant_permissions(["clipboard-read", "clipboard-write"])
+    page = context.new_page()
+    page.goto(address + "docs/how-to/frequency-from-parameter.html")
+    for tab in tabs:
+        page.locator(".sd-tab-label", has_text=tab).locator("visible=true").first.click()
+    cell = Cell(page, len(tabs) - 1)
+    cell.button("Share").click()
+    expect(cell.status).to_have_text("the link is copied; the code is in it")
+    assert parse_qs(urlsplit(_copied(page)).query) == query
 
 
 def _fragment(data: bytes) -> str:

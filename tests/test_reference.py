@@ -16,7 +16,7 @@ from bs4 import BeautifulSoup
 from conftest import ROOT
 
 import rosspin
-from rosspin import console, exercises, machine, measures, plots, roscpp, rospy
+from rosspin import console, exercises, machine, measures, plots, rclpy, ros2, roscpp, rospy
 
 PAGES = [ROOT / "index.rst", *sorted(ROOT.glob("docs/**/*.rst")), *sorted(ROOT.glob("notebooks/*.md"))]
 
@@ -63,6 +63,60 @@ def test_every_name_of_the_real_rospy_is_known(require: Callable[[str], None]) -
     assert rospy.NOT_SIMULATED - set(real) <= {"numpy_msg"}  # a module that is imported by itself
 
 
+def _names_of_rclpy(site: Path) -> dict[str, list[str]]:
+    """By module, those that the page lists."""
+    rows = _page(site, "reference/rclpy-names").select("#supported tbody tr")
+    cells = [[[code.get_text() for code in cell.select("code")] for cell in row.select("td")] for row in rows]
+    return {module: names for [module], names in cells}
+
+
+def test_every_name_of_the_stand_in_for_rclpy_is_listed_once(site: Path) -> None:
+    page, found = _page(site, "reference/rclpy-names"), _names_of_rclpy(site)
+    assert found.keys() == rclpy.MODULES.keys()
+    assert all(found.values())
+    assert {name for names in found.values() for name in names} == {
+        name for file in rclpy.MODULES.values() for name in file.__all__
+    }
+    part = [code.get_text() for code in page.select("#supported-in-part td:first-child code")]
+    assert sorted(part) == sorted(rclpy.IN_PART)
+    lacks = [code.get_text() for code in page.select("#not-supported > p:nth-of-type(2) code")]
+    missing = {f"rclpy.{name}" for name in rclpy.NOT_SIMULATED}
+    assert sorted(lacks) == sorted(missing | {f"Node.{name}" for name in rclpy.node.NOT_SIMULATED})
+
+
+@pytest.fixture(scope="module")
+def real_rclpy(require: Callable[[str], None]) -> dict[str, list[str]]:
+    """The public names of the modules that the stand-in has, of the package itself, and of a Node."""
+    require("ros2")
+    code = (
+        "import importlib, json, pkgutil, sys\n"
+        "names = {name: dir(importlib.import_module(name)) for name in sys.argv[1:]}\n"
+        "import rclpy, rclpy.node\n"
+        "names[''] = [module.name for module in pkgutil.iter_modules(rclpy.__path__)]\n"
+        "names['Node'] = dir(rclpy.node.Node)\n"
+        "print(json.dumps({key: [n for n in found if n[0] != '_'] for key, found in names.items()}))\n"
+    )
+    with ros2.Nodes() as nodes:
+        real: dict[str, list[str]] = json.loads(nodes.run([ros2.python(), "-c", code, *rclpy.MODULES], 60).console)
+    return real
+
+
+def test_the_real_rclpy_has_the_names_that_are_listed(site: Path, real_rclpy: dict[str, list[str]]) -> None:
+    listed = {(module, name) for module, names in _names_of_rclpy(site).items() for name in names}
+    lacking = {(module, name) for module, name in listed if name not in real_rclpy[module]}
+    assert lacking == {("rclpy.timer", "TimerInfo")}  # which Kilted has
+
+
+def test_every_module_of_the_real_rclpy_and_every_name_of_its_node_is_known(
+    real_rclpy: dict[str, list[str]],
+) -> None:
+    ours = {name.split(".")[1] for name in rclpy.MODULES if "." in name}
+    assert set(real_rclpy[""]) - ours - rclpy.NOT_SIMULATED == set()
+    assert rclpy.NOT_SIMULATED <= set(real_rclpy[""])
+    unknown = [name for name in real_rclpy["Node"] if not hasattr(rclpy.node.Node, name)]
+    assert set(unknown) == rclpy.node.NOT_SIMULATED
+
+
 def test_docstrings_say_something() -> None:
     for name in sorted(set(rospy.__all__)):
         value = getattr(rospy, name)
@@ -99,4 +153,4 @@ def test_glossary_words_are_linked_to(site: Path) -> None:
     pages = [path.read_text(encoding="utf-8") for path in site.rglob("*.html") if path.name != "glossary.html"]
     linked = {word for word in words if any(f"glossary.html#{word}" in page for page in pages)}
     assert {"term-tick", "term-period", "term-lateness", "term-jitter", "term-drift", "term-overrun"} <= linked
-    assert len(words) == 25
+    assert len(words) == 26

@@ -262,12 +262,17 @@ def test_the_first_paragraph_of_the_site_is_one_sentence() -> None:
     assert _page("index").select("article p")[0].get_text().count(".") == 1
 
 
+def test_the_first_page_says_when_ros_1_ended_and_what_to_choose() -> None:
+    text = " ".join(_page("index").select("article")[0].get_text().split())
+    assert "ROS 1 ended on 31 May 2025. If the choice is yours, learn ROS 2." in text
+
+
 @pytest.mark.parametrize(
     "term",
     [
         *("callback", "callback queue", "cycle", "drift", "executor", "grid", "jitter", "lateness", "namespace"),
         *("node handle", "overrun", "pass", "period", "rate", "rosspin", "simulated time", "spin", "stand-in"),
-        *("tick", "timestamp", "latch", "message", "publisher", "subscriber", "topic"),
+        *("tick", "timestamp", "latch", "message", "publisher", "subscriber", "topic", "callback group"),
     ],
 )
 def test_the_glossary_has(term: str) -> None:
@@ -280,6 +285,16 @@ def test_every_page_is_on_the_path_of_the_course_or_in_its_sidebar() -> None:
     targets = {str(tag["href"]).partition("#")[0] for tag in _page("docs/paths").select("article a.internal")}
     assert {f"../notebooks/{name}.html" for name in ("timer", "rate", "slow-callback", "drift", "exercises")} <= targets
     assert {"tutorial.html", "how-timing-works.html", "how-to/irregular-loop.html"} <= targets
+    assert {f"../notebooks/ros2-{name}.html" for name in ("timer", "rate", "executors", "exercises")} <= targets
+    assert {f"ros2/{name}.html" for name in ("tutorial", "how-timing-works", "from-ros-1")} <= targets
+
+
+def test_the_reading_paths_give_the_minutes_of_the_notebooks() -> None:
+    for row in _page("docs/paths").select("tr:has(a.internal[href*='/notebooks/'])"):
+        name = Path(str(row.select("a.internal")[0]["href"])).stem
+        text = (ROOT / "notebooks" / f"{name}.md").read_text(encoding="utf-8")
+        if found := re.search(r"\*\*Time\*\*: (\d+) minutes", text):
+            assert row.select("td")[0].get_text().strip() == found[1], name
 
 
 def test_citation() -> None:

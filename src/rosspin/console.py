@@ -1,4 +1,4 @@
-"""Read log lines and ticks from the console text of any runtime, in C++ or Python."""
+"""Read log lines and ticks from the console text of any runtime, of either ROS."""
 
 from __future__ import annotations
 

@@ -60,15 +60,17 @@ def simulate(
 ) -> Run:
     """Run a node for ``seconds`` of simulated time, which begins at 0 and takes almost no real time.
 
-    ``node`` is the path of a node file, or a function; ``args`` are its command line, such as ``"__ns:=/mrp"``. What is
-    due exactly at ``seconds`` still runs; then Ctrl-C is pressed. The run ends earlier if the node does. As on a real
+    ``node`` is the path of a node file, or a function; what it imports says for which ROS it is. ``args`` are its
+    command line, such as ``"__ns:=/mrp"``, or ``"--ros-args", "-r", "__ns:=/mrp"`` in ROS 2. What is due exactly at
+    ``seconds`` still runs; then Ctrl-C is pressed, which does what it does in that ROS: rospy ends with status 0, rclpy
+    raises KeyboardInterrupt, with status 130 if nothing catches it. The run ends earlier if the node does. As on a real
     ROS, an exception in the node is printed and gives status 1.
 
-    Several nodes run together if ``node`` is a list of them, or the path of a launch file, whose own arguments are then
-    the ``args``. They run as under roslaunch: they are started in this order, all at time 0, and each is a process to
-    itself. In a list, :class:`Node` gives one a command line of its own. What roslaunch says of nodes that end is on
-    the console, the status is 0 whatever becomes of them, and the sources of ticks begin with the nodes' names. With
-    ``skip_cpp``, the nodes of a launch file that are not in Python are left out.
+    Several nodes of ROS 1 run together if ``node`` is a list of them, or the path of a launch file, whose own arguments
+    are then the ``args``. They run as under roslaunch: they are started in this order, all at time 0, and each is a
+    process to itself. In a list, :class:`Node` gives one a command line of its own. What roslaunch says of nodes that
+    end is on the console, the status is 0 whatever becomes of them, and the sources of ticks begin with the nodes'
+    names. With ``skip_cpp``, the nodes of a launch file that are not in Python are left out.
 
     Raises OSError if the file cannot be read, SyntaxError if it is not Python, ValueError if ``seconds`` is negative,
     too large or not a number, :class:`TimeStandsStill` if the node never lets the time go on, and

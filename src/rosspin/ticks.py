@@ -45,9 +45,9 @@ class Run:
     """What a node did in one run.
 
     ``console`` is what it printed to stdout and stderr, in order; ``ticks`` are in the order in which they began;
-    ``status`` is its exit status; ``runtime`` says where it ran ("simulated", "wall", "ros1"); ``seconds`` is the time
-    after which Ctrl-C was pressed; ``start`` is when the run began, in seconds since the epoch (0.0 if simulated);
-    ``messages`` are what its topics were given, in the order of publishing (none if it ran on a real ROS).
+    ``status`` is its exit status; ``runtime`` says where it ran ("simulated", "wall", "ros1", "ros2"); ``seconds`` is
+    the time after which Ctrl-C was pressed; ``start`` is when the run began, in seconds since the epoch (0.0 if
+    simulated); ``messages`` are what its topics were given, in the order of publishing (none if it ran on a real ROS).
     """
 
     console: str = field(repr=False)

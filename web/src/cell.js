@@ -268,7 +268,10 @@ export class Cell {
 
   async #share() {
     const link = new URL(location.href)
-    if (this.#pre.closest(".sd-tab-set")) link.searchParams.set("lang", "python")
+    for (let tab = this.#pre.closest(".sd-tab-content"); tab; tab = tab.parentElement.closest(".sd-tab-content")) {
+      const { syncGroup, syncId } = tab.previousElementSibling.dataset
+      link.searchParams.set(syncGroup, syncId)
+    }
     const seconds = this.seconds.valueAsNumber || 0
     try {
       link.hash = await pack({ cell: this.#index, text: this.#text, seconds, args: this.args.value })

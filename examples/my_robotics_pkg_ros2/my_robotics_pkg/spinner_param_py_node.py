@@ -27,7 +27,8 @@ class SpinnerPyNode(Node):
 
         # Start the timer, which takes a period
         timer_delta_t_in_seconds = 1.0 / frequency_in_hz
-        self.create_timer(timer_delta_t_in_seconds, self.timer_callback)
+        self.create_timer(
+            timer_delta_t_in_seconds, self.timer_callback)
 
     # Respond to the timer
     def timer_callback(self):

@@ -19,7 +19,8 @@ class SpinnerPyNode(Node):
 
         # Start the timer
         timer_delta_t_in_seconds = 0.5
-        self.create_timer(timer_delta_t_in_seconds, self.timer_callback)
+        self.create_timer(
+            timer_delta_t_in_seconds, self.timer_callback)
 
     # Respond to the timer
     def timer_callback(self):

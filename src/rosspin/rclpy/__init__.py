@@ -31,7 +31,6 @@ from . import (
 )
 from .context import Context, get_default_context
 from .executors import Executor, SingleThreadedExecutor
-from .node import Node
 from .parameter import Parameter
 from .signals import SignalHandlerOptions, install_signal_handlers, uninstall_signal_handlers
 from .state import state
@@ -41,7 +40,6 @@ from .utilities import get_rmw_implementation_identifier, ok, try_shutdown
 __all__ = [
     "Context",
     "Future",
-    "Node",
     "Parameter",
     "SignalHandlerOptions",
     "create_node",
@@ -90,9 +88,9 @@ def shutdown(*, context: Context | None = None, uninstall_handlers: bool | None 
         uninstall_signal_handlers()
 
 
-def create_node(node_name: str, **kwargs: Any) -> Node:
+def create_node(node_name: str, **kwargs: Any) -> node.Node:
     """A :class:`rclpy.node.Node`, with the same arguments."""
-    return Node(node_name, **kwargs)
+    return node.Node(node_name, **kwargs)
 
 
 def get_global_executor() -> Executor:
@@ -109,7 +107,7 @@ def get_global_executor() -> Executor:
     return own.executor
 
 
-def spin(node: Node, executor: Executor | None = None) -> None:
+def spin(node: node.Node, executor: Executor | None = None) -> None:
     """Call what is due in a node until its context is shut down.
 
     Raises what a callback raises, and ExternalShutdownException if it waits when a signal shuts the context down; at
@@ -124,7 +122,7 @@ def spin(node: Node, executor: Executor | None = None) -> None:
         executor.remove_node(node)
 
 
-def spin_once(node: Node, *, executor: Executor | None = None, timeout_sec: float | None = None) -> None:
+def spin_once(node: node.Node, *, executor: Executor | None = None, timeout_sec: float | None = None) -> None:
     """Wait for one call of a node, for at most ``timeout_sec`` (None: for ever), and make it."""
     executor = executor or get_global_executor()
     added = False
@@ -137,7 +135,7 @@ def spin_once(node: Node, *, executor: Executor | None = None, timeout_sec: floa
 
 
 def spin_until_future_complete(
-    node: Node, future: Future, executor: Executor | None = None, timeout_sec: float | None = None
+    node: node.Node, future: Future, executor: Executor | None = None, timeout_sec: float | None = None
 ) -> None:
     """Call what is due in a node until a future is done, for at most ``timeout_sec``."""
     executor = executor or get_global_executor()
@@ -152,9 +150,10 @@ def spin_until_future_complete(
 
 # What rclpy has beside: its modules need a real ROS.
 NOT_SIMULATED = {
-    *("action", "client", "event_handler", "lifecycle", "parameter_client", "parameter_event_handler"),
-    *("parameter_service", "qos_event", "qos_overriding_options", "serialization", "service", "service_introspection"),
-    *("time_source", "topic_endpoint_info", "type_support", "waitable"),
+    *("action", "client", "constants", "destroyable", "event_handler", "experimental", "lifecycle", "logging_service"),
+    *("parameter_client", "parameter_event_handler", "parameter_service", "qos_event", "qos_overriding_options"),
+    *("serialization", "service", "service_introspection", "time_source", "topic_endpoint_info"),
+    *("topic_or_service_is_hidden", "type_description_service", "type_hash", "type_support", "waitable"),
 }
 
 # Names that do less here than in rclpy, or otherwise, and what that is.
@@ -212,6 +211,7 @@ _HOMES = {
     "Publisher": "rclpy.publisher",
     "RcutilsLogger": "rclpy.impl.rcutils_logger",
     "Subscription": "rclpy.subscription",
+    "Time": "rclpy.time",
 }
 for _name, _module in MODULES.items():
     for _value in [value for value in vars(_module).values() if isinstance(value, type)]:

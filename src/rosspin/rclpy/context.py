@@ -15,7 +15,7 @@ from .state import state
 if TYPE_CHECKING:
     from .node import Node
 
-__all__ = ["Context", "get_default_context"]
+__all__ = ["Context"]
 
 
 class Context:

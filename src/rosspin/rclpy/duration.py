@@ -7,7 +7,7 @@ from typing import Any
 
 from ..clocks.clock import NS
 
-__all__ = ["Duration", "Infinite", "Ordered"]
+__all__ = ["Duration", "Infinite"]
 
 
 class Ordered:

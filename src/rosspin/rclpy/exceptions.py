@@ -8,13 +8,12 @@ if TYPE_CHECKING:
     from .parameter import Parameter
 
 __all__ = [
-    *("ExternalShutdownException", "InvalidHandle", "InvalidNamespaceException", "InvalidNodeNameException"),
+    *("InvalidHandle", "InvalidNamespaceException", "InvalidNodeNameException"),
     *("InvalidParameterException", "InvalidParameterTypeException", "InvalidParameterValueException"),
     *("InvalidServiceNameException", "InvalidTopicNameException", "NameValidationException"),
     *("NoTypeSupportImportedException", "NotInitializedException", "ParameterAlreadyDeclaredException"),
     *("ParameterException", "ParameterImmutableException", "ParameterNotDeclaredException"),
-    *("ParameterUninitializedException", "RCLError", "ROSInterruptException", "TimeoutException"),
-    *("ShutdownException", "ConditionReachedException", "UnknownROSArgsError"),
+    *("ParameterUninitializedException", "ROSInterruptException"),
 ]
 
 
@@ -180,5 +179,5 @@ _ELSEWHERE = {
         "rclpy.executors",
     ),
 }
-for _name in __all__:
+for _name in {*__all__, *_ELSEWHERE}:
     globals()[_name].__module__ = _ELSEWHERE.get(_name, "rclpy.exceptions")

@@ -454,8 +454,9 @@ class Node(Parameters):
 # Methods of rclpy's Node that are not here.
 NOT_SIMULATED = {
     *("add_waitable", "clients", "count_clients", "count_services", "create_client", "create_service"),
-    *("destroy_client", "destroy_service", "get_client_names_and_types_by_node", "get_publishers_info_by_topic"),
+    *("destroy_client", "get_client_names_and_types_by_node", "get_publishers_info_by_topic"),
     *("get_publisher_names_and_types_by_node", "get_service_names_and_types", "get_subscriptions_info_by_topic"),
-    *("get_service_names_and_types_by_node", "get_subscriber_names_and_types_by_node", "list_parameters"),
-    *("remove_waitable", "resolve_service_name", "services", "set_descriptor", "waitables"),
+    *("get_node_names_and_namespaces_with_enclaves", "get_service_names_and_types_by_node", "handle"),
+    *("get_subscriber_names_and_types_by_node", "list_parameters", "remove_waitable", "resolve_service_name"),
+    *("destroy_service", "services", "set_descriptor", "wait_for_node", "waitables"),
 }

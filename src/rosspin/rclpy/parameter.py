@@ -20,7 +20,7 @@ from .exceptions import (
 )
 from .names import validate_parameter_name
 
-__all__ = ["PARAMETER_SEPARATOR_STRING", "Parameter", "Parameters", "parameter_value_to_python"]
+__all__ = ["PARAMETER_SEPARATOR_STRING", "Parameter", "parameter_value_to_python"]
 
 PARAMETER_SEPARATOR_STRING = "."
 

@@ -11,7 +11,7 @@ from .duration import Duration
 __all__ = [
     *("DurabilityPolicy", "HistoryPolicy", "InvalidQoSProfileException", "LivelinessPolicy", "QoSDurabilityPolicy"),
     *("QoSHistoryPolicy", "QoSLivelinessPolicy", "QoSPresetProfiles", "QoSProfile", "QoSReliabilityPolicy"),
-    *("ReliabilityPolicy", "incompatible_policy", "qos_profile_action_status_default", "qos_profile_best_available"),
+    *("ReliabilityPolicy", "qos_profile_action_status_default", "qos_profile_best_available"),
     *("qos_profile_default", "qos_profile_parameter_events", "qos_profile_parameters", "qos_profile_sensor_data"),
     *("qos_profile_services_default", "qos_profile_system_default", "qos_profile_unknown"),
 ]

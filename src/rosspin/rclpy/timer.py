@@ -14,7 +14,7 @@ from .context import Context, get_default_context
 from .exceptions import InvalidHandle, RCLError, ROSInterruptException, not_accepted
 from .time import Time
 
-__all__ = ["Call", "Rate", "Timer", "TimerInfo"]
+__all__ = ["Rate", "Timer", "TimerInfo"]
 
 
 # A timer of less (ns) has no grid: it is due again as soon as it was called, which takes a real machine so long.

@@ -46,7 +46,7 @@ def _below_its_magic(cell: str) -> str:
 
 @magics_class
 class Magics(BaseMagics):
-    """Cell magics. In a cell that is run as a node file, ``import rospy`` imports rosspin's stand-in."""
+    """Cell magics. In a cell that is run as a node file, ``import rospy`` or ``import rclpy`` imports a stand-in."""
 
     def __init__(self, shell: Any) -> None:
         super().__init__(shell)

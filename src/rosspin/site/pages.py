@@ -24,7 +24,7 @@ from sphinx.environment import BuildEnvironment
 from sphinx.util.docutils import SphinxDirective, SphinxRole
 from sphinx.util.typing import ExtensionMetadata
 
-from .. import machine, rospy
+from .. import machine, rclpy, rospy
 from ..clocks.simulation import Simulation
 from ..measures import topic_ticks
 from ..plots import Figure, timeline, with_handle
@@ -217,24 +217,30 @@ class UsageDirective(SphinxDirective):
         return [nodes.literal_block(text, text, language="text")]
 
 
-class RospyNamesDirective(SphinxDirective):
-    """``.. rospy-names:: full``: the names that it has; ``part``: those it has in part; ``none``: those it has not."""
+class NamesDirective(SphinxDirective):
+    """``.. names:: rospy full``: the names that a stand-in has; ``part``: those it has in part; ``none``: has not."""
 
-    required_arguments = 1
+    required_arguments = 2
 
     def run(self) -> list[nodes.Node]:
-        """A table of what the names do, by their docstrings, or of what is lacking; the missing ones are a row."""
-        match self.arguments[0]:
-            case "full":
+        """A table of what there is, or of what is lacking; what is missing is a row of names."""
+        module, which = self.arguments
+        stand_in = {"rospy": rospy, "rclpy": rclpy}[module]
+        match which:
+            case "full" if module == "rospy":
                 names = sorted(set(rospy.__all__) - rospy.IN_PART.keys(), key=str.lower)
                 text = _table("Name", "What it does", rows=[(_code(name), _rospy_does(name)) for name in names])
+            case "full":
+                rows = [(_code(name), _code(*sorted(names, key=str.lower))) for name, names in _rclpy_names().items()]
+                text = _table("Module", "Names", rows=rows)
             case "part":
                 lacking: dict[str, list[str]] = {}
-                for name, what in sorted(rospy.IN_PART.items()):
+                for name, what in sorted(stand_in.IN_PART.items()):
                     lacking.setdefault(what, []).append(name)
                 text = _table("Names", "What is different", rows=[(_code(*lacking[what]), what) for what in lacking])
             case _:
-                text = _code(*sorted(rospy.NOT_SIMULATED, key=str.lower))
+                missing = rospy.NOT_SIMULATED if module == "rospy" else _rclpy_lacks()
+                text = _code(*sorted(missing, key=str.lower))
         return self.parse_text_to_nodes(text)
 
 
@@ -248,6 +254,25 @@ def _rospy_does(name: str) -> str:
     if isinstance(value, int):
         return f"A severity, {value}, for the ``log_level`` of ``init_node``."
     return " ".join((value.__doc__ or "").partition("\n\n")[0].split())
+
+
+def _rclpy_lacks() -> set[str]:
+    """Its modules and the methods of its Node that are not there."""
+    return {f"rclpy.{name}" for name in rclpy.NOT_SIMULATED} | {f"Node.{name}" for name in rclpy.node.NOT_SIMULATED}
+
+
+def _rclpy_names() -> dict[str, list[str]]:
+    """The names of each module of rclpy. One file may be several: then a class is in its own, a function in its own."""
+    return {
+        module: [
+            name
+            for name in file.__all__
+            if file.__name__.endswith(module)
+            or module.endswith(f".{name}")
+            or getattr(getattr(file, name), "__module__", "") == module
+        ]
+        for module, file in sorted(rclpy.MODULES.items())
+    }
 
 
 class MachineDirective(SphinxDirective):
@@ -307,7 +332,7 @@ def setup(app: Sphinx) -> ExtensionMetadata:
     app.add_directive("facts", FactsDirective)
     app.add_directive("literalinclude", ListingDirective, override=True)
     app.add_directive("usage", UsageDirective)
-    app.add_directive("rospy-names", RospyNamesDirective)
+    app.add_directive("names", NamesDirective)
     app.add_directive("machine", MachineDirective)
     app.add_role("fact", FactRole())
     app.add_lexer("ipython3", CellLexer)
