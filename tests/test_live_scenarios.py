@@ -122,7 +122,7 @@ def lines_of(console: str) -> list[str]:
     return [line for line in text.splitlines() if not line.startswith(HINTS)]
 
 
-def chosen(scenarios: Sequence[Any]) -> Any:
+def chosen(scenarios: Sequence[Any]) -> pytest.MarkDecorator:
     """The scenarios that can be the same in the page."""
     found = [scenario for scenario in scenarios if scenario.file not in LEFT_OUT]
     return pytest.mark.parametrize("scenario", found, ids=lambda scenario: scenario.name)

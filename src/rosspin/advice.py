@@ -47,7 +47,6 @@ def _on_rclpy(error: BaseException, module: str, frame: FrameType) -> str:
         ParameterNotDeclaredException,
         RCLError,
     )
-    from .rclpy.timer import Timer
 
     if isinstance(error, NotInitializedException):
         return "Call rclpy.init() before you make a node."
@@ -60,15 +59,10 @@ def _on_rclpy(error: BaseException, module: str, frame: FrameType) -> str:
     if isinstance(error, TypeError) and "float()" in str(error) and frame.f_code.co_name == "create_timer":
         return "The period of a timer comes first and is a number of seconds: create_timer(0.5, self.timer_callback)"
     if isinstance(error, TypeError) and module.endswith(".executors"):
-        of_timer = isinstance(frame.f_locals.get("entity"), Timer)
         if "not callable" in str(error):
             return "Pass the callback itself, without calling it: self.timer_callback, not self.timer_callback()."
-        if "positional argument" in str(error) and of_timer:
-            return "A timer passes its callback no argument: def timer_callback(), or (self) in a class."
         if "positional argument" in str(error):
-            return (
-                "A subscription passes its callback the message: def callback(message), or (self, message) in a class."
-            )
+            return "A timer passes its callback no argument: def timer_callback(), or (self) in a class."
     return ""
 
 
