@@ -616,6 +616,19 @@ def test_errors_of_ros2_end_in_a_sentence_that_helps(page: Page, body: str, stat
     assert "rosspin/" not in console and "pyodide" not in console
 
 
+LOOP_IN_MAIN = "rate = node.create_rate(2)\nwhile rclpy.ok():\n    rate.sleep()"
+SPIN = "import threading\nthreading.Thread(target=rclpy.spin, args=[node], daemon=True).start()\n"
+
+
+@pytest.mark.parametrize(("spin", "ticks"), [("", "1 tick"), (SPIN, "4 ticks|5 ticks")])
+def test_rate_that_nobody_wakes(page: Page, spin: str, ticks: str) -> None:
+    cell = Cell(page, TIMER)
+    cell.write(node2(spin + LOOP_IN_MAIN))
+    cell.run(2)
+    console = cell.ends(f"done: ({ticks}), ended by Ctrl-C")
+    assert ("another one has to spin the node" in console) == (not spin)
+
+
 @pytest.mark.parametrize("seconds", [0.4, 2])
 def test_nobody_is_told_to_spin_who_does(page: Page, seconds: float) -> None:
     cell = Cell(page, TIMER)

@@ -20,6 +20,7 @@ from collections import defaultdict, deque
 from collections.abc import Callable, Iterable, Sequence
 from contextlib import redirect_stderr, redirect_stdout
 from functools import wraps
+from traceback import walk_tb
 from typing import Any, cast
 
 from js import performance
@@ -278,4 +279,18 @@ def _hint(error: BaseException) -> str:
             f"This page has stand-ins for rospy and rclpy, and Python's standard library, but no {error.name}. "
             "Run the node on your own computer: python -m rosspin run FILE"
         )
+    if isinstance(error, KeyboardInterrupt) and _is_of_a_rate_that_nobody_wakes(error):
+        return (
+            "The timer that wakes this Rate was due, but nobody called it: while this thread sleeps, another one has "
+            "to spin the node."
+        )
     return advice(error)
+
+
+def _is_of_a_rate_that_nobody_wakes(error: KeyboardInterrupt) -> bool:
+    sleep = stand_in(2).MODULES["rclpy.timer"].Rate.sleep
+    for frame, _ in walk_tb(error.__traceback__):
+        if frame.f_code is sleep.__code__:
+            timer = frame.f_locals["self"]._timer
+            return bool(timer.time_left() < -timer.timer_period_ns)
+    return False
