@@ -137,5 +137,5 @@ def test_a_line_says_whether_its_goal_holds(value: float, goal: Any, expected: s
 def test_the_page_is_measured(site: Path, require: Callable[[str], None]) -> None:
     require("browser")
     lines = list(live.report(rounds=1, seconds=1.0, pause=0.0))
-    assert sum("at most" in line for line in lines) == 7
+    assert sum("at most" in line for line in lines) == 8
     assert "10 ticks" in lines[-1]

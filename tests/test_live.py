@@ -40,6 +40,10 @@ LISTINGS = [
     "my_robotics_pkg/src/spinner_rate_py_node.py",
 ]
 TIMER, RATE = 3, 4
+ROS2 = [
+    EXAMPLES / "my_robotics_pkg_ros2" / "my_robotics_pkg" / f"spinner_{name}py_node.py"
+    for name in ("", "rate_", "param_")
+]
 PATIENCE = 120_000  # ms until something that does not come is given up
 
 
@@ -114,6 +118,11 @@ def open_tutorial(page: Page, address: str) -> None:
 def node(body: str) -> str:
     """A node file around some lines."""
     return f'import rospy\n\nrospy.init_node("a_node")\n{body}\n'
+
+
+def node2(body: str) -> str:
+    """The same for ROS 2."""
+    return f'import rclpy\nrclpy.init()\nnode = rclpy.create_node("a_node")\n{body}\n'
 
 
 # --- before it is touched ---------------------------------------------------------------------------------------------
@@ -272,7 +281,9 @@ def test_without_a_snapshot_python_starts_plainly(context: BrowserContext, addre
     assert whole
     assert page.evaluate("async () => (await (await caches.open('rosspin')).keys()).length") == 0
     context.unroute("**/snapshot.gz*")
-    del whole[:], snapshots[:]
+    page.close()  # its spare worker may still be starting
+    page = context.new_page()
+    whole, snapshots = _asked(page, "python_stdlib.zip"), _asked(page, "snapshot.gz")
     assert _first_run(page, address) == expected
     assert snapshots and not whole
 
@@ -469,9 +480,33 @@ def test_tick_leads_to_its_lines(page: Page) -> None:
     assert _marked(cell) == []
 
 
-def test_pass_of_a_loop_leads_to_its_lines(page: Page) -> None:
+LOOP_OF_ROS2 = """
+import threading
+import time
+
+import rclpy
+
+rclpy.init()
+node = rclpy.create_node("a_node")
+
+def loop():
+    print("before")
+    rate = node.create_rate(2)
+    while rclpy.ok():
+        print("begins")
+        time.sleep(0.1)
+        print("ends")
+        rate.sleep()
+
+threading.Thread(target=loop, daemon=True).start()
+rclpy.spin(node)
+"""
+
+
+@pytest.mark.parametrize("loop", [LOOP, LOOP_OF_ROS2], ids=["ROS 1", "ROS 2"])
+def test_pass_of_a_loop_leads_to_its_lines(page: Page, loop: str) -> None:
     cell = Cell(page, TIMER)
-    cell.write(LOOP)
+    cell.write(loop)
     cell.run(1.2)
     cell.ends("done")
     cell.element.get_by_role("slider").press("ArrowRight")
@@ -510,6 +545,119 @@ def test_error_leads_to_its_line(page: Page, body: str, named: str, line: int) -
     cell.console.get_by_role("button", name=named).first.click()
     expect(cell.editor).to_be_focused()
     assert page.evaluate("getSelection().toString()") == node(body).splitlines()[line - 1]
+
+
+@pytest.mark.parametrize(
+    ("log", "level"),
+    [
+        ("rospy.logwarn", "WARN"),
+        ("rospy.logerr", "ERROR"),
+        ("rospy.logfatal", "FATAL"),
+        ("node.get_logger().warning", "WARN"),
+        ("node.get_logger().error", "ERROR"),
+        ("node.get_logger().fatal", "FATAL"),
+    ],
+)
+def test_logged_line_leads_to_its_call(page: Page, log: str, level: str) -> None:
+    """Also from a timer's callback, which the stand-in calls. A line that is no warning leads nowhere."""
+    cell = Cell(page, TIMER)
+    call = f"    {log}('late\\nvery')"
+    if log.startswith("rospy"):
+        text = node(
+            f"def tick(event):\n{call}\nrospy.Timer(rospy.Duration(1), tick)\nrospy.loginfo('fine')\nrospy.spin()"
+        )
+    else:
+        text = node2(
+            f"def tick():\n{call}\nnode.create_timer(1, tick)\nnode.get_logger().info('fine')\nrclpy.spin(node)"
+        )
+    cell.write(text)
+    cell.run(1)
+    assert "late\nvery\n" in cell.ends("done")
+    (line,) = cell.console.locator(".stderr", has_text="late").all()
+    expect(cell.console.locator("span", has_text="fine").get_by_role("button")).to_have_count(0)
+    button = line.get_by_role("button")
+    expect(button).to_have_text(f"[{level}]")
+    button.click()
+    expect(cell.editor).to_be_focused()
+    assert page.evaluate("getSelection().toString()") == call
+
+
+# --- nodes of ROS 2 ---------------------------------------------------------------------------------------------------
+
+
+@pytest.mark.parametrize("path", ROS2, ids=lambda path: path.stem)
+def test_node_of_ros2(page: Page, path: Path) -> None:
+    """It is as good as one of ROS 1; INFO lines, which ROS 2 puts on stderr, do not look like errors."""
+    cell = Cell(page, TIMER)
+    cell.write(path.read_text(encoding="utf-8"))
+    cell.run(2)
+    run = simulate(path, 2)
+    assert cell.ends(f"done: {len(run.ticks)} ticks$") == run.console
+    expect(cell.plot).to_have_attribute("aria-label", f"Timeline. {describe_timeline(run.ticks[0].source, run.ticks)}")
+    expect(cell.console.locator(".stderr")).to_have_count(0)
+    cell.element.get_by_role("slider").press("ArrowRight")
+    assert [line[-12:] for line in _marked(cell)] == ["counter = 1\n"]
+    field = cell.element.get_by_role("textbox", name="Arguments")
+    expect(field).to_be_visible(visible=path.stem.startswith("spinner_param"))
+
+
+def test_arguments_set_a_parameter_of_ros2(page: Page) -> None:
+    cell = Cell(page, TIMER)
+    cell.write(ROS2[2].read_text(encoding="utf-8"))
+    field = cell.element.get_by_role("textbox", name="Arguments")
+    expect(field).to_have_attribute("placeholder", "--ros-args -p frequency:=5.0")
+    field.fill("--ros-args -p frequency:=5.0 -r __ns:=/mrp")
+    cell.run(1)
+    args = ["--ros-args", "-p", "frequency:=5.0", "-r", "__ns:=/mrp"]
+    assert cell.ends("done: 5 ticks") == simulate(ROS2[2], 1, args).console
+    field.fill("--ros-args -p frequency:=5")
+    cell.run(1)
+    assert "5 is an integer, 5.0 is not." in cell.ends("error")
+
+
+@pytest.mark.parametrize(
+    ("body", "status", "sentence"),
+    [
+        ("import rclpy.action", "error", "On a computer with ROS 2, run: python -m rosspin run --ros2 FILE"),
+        ("from std_srvs.srv import Empty", "error", "std_srvs is not simulated"),
+        ("import numpy", "error", "stand-ins for rospy and rclpy, and Python's standard library, but no numpy"),
+        ("node.create_timer(0.5, print)", "done$", "never called. Is rclpy.spin(node) missing"),
+        (
+            "node.create_timer(0.5, lambda event: 1)\nrclpy.spin(node)",
+            "error",
+            "A timer passes its callback no argument",
+        ),
+        ("node.create_timer(0.5, print)\nrclpy.spin(node)", "done: 4 ticks, ended by Ctrl-C", "KeyboardInterrupt"),
+        ("while rclpy.ok(): pass", "error", "Sleep in every loop (rate.sleep(), time.sleep(0.1))"),
+    ],
+)
+def test_errors_of_ros2_end_in_a_sentence_that_helps(page: Page, body: str, status: str, sentence: str) -> None:
+    cell = Cell(page, TIMER)
+    cell.write(node2(body))
+    cell.run(2)
+    console = cell.ends(status)
+    assert sentence in console
+    assert "rosspin/" not in console and "pyodide" not in console
+
+
+LOOP_IN_MAIN = "rate = node.create_rate(2)\nwhile rclpy.ok():\n    rate.sleep()"
+SPIN = "import threading\nthreading.Thread(target=rclpy.spin, args=[node], daemon=True).start()\n"
+
+
+@pytest.mark.parametrize(("spin", "ticks"), [("", "1 tick"), (SPIN, "4 ticks|5 ticks")])
+def test_rate_that_nobody_wakes(page: Page, spin: str, ticks: str) -> None:
+    cell = Cell(page, TIMER)
+    cell.write(node2(spin + LOOP_IN_MAIN))
+    cell.run(2)
+    console = cell.ends(f"done: ({ticks}), ended by Ctrl-C")
+    assert ("another one has to spin the node" in console) == (not spin)
+
+
+@pytest.mark.parametrize("seconds", [0.4, 2])
+def test_nobody_is_told_to_spin_who_does(page: Page, seconds: float) -> None:
+    cell = Cell(page, TIMER)
+    cell.run(seconds)
+    assert "missing" not in cell.ends("done")
 
 
 # --- links and copies -------------------------------------------------------------------------------------------------
@@ -630,11 +778,14 @@ def test_html_in_a_link_is_text(page: Page, address: str) -> None:
     other.close()
 
 
-@pytest.mark.parametrize("index", [TIMER, RATE])
-def test_run_is_copied_as_a_test(page: Page, index: int, tmp_path: Path) -> None:
+@pytest.mark.parametrize(
+    "listing", [*[EXAMPLES / LISTINGS[index] for index in (TIMER, RATE)], *ROS2[:2]], ids=lambda path: path.parts[-3]
+)
+def test_run_is_copied_as_a_test(page: Page, listing: Path, tmp_path: Path) -> None:
     """It passes as it is, and fails when the period is changed."""
     page.context.grant_permissions(["clipboard-read", "clipboard-write"])
-    cell = Cell(page, index)
+    cell = Cell(page, TIMER)
+    cell.write(listing.read_text(encoding="utf-8"))
     expect(cell.button("Copy as test")).to_be_hidden()
     cell.run(2)
     cell.ends("done")

@@ -10,7 +10,7 @@ import rosspin
 from rosspin.messages.library import Library
 
 # rosspin imports these when it needs them.
-LATER = ["yaml", "rosspin.page"]
+LATER = ["yaml", "rosspin.page", "rosspin.rclpy"]
 
 # So do nodes, and this saves them the wait for the standard library.
 NODES = ["datetime", "statistics"]

@@ -1,6 +1,8 @@
-"""Explain errors to people who are learning rospy."""
+"""Explain errors to people who are learning rospy or rclpy."""
 
 from __future__ import annotations
+
+from types import FrameType
 
 from .frames import node_frames
 from .rospy.exceptions import ROSInitException
@@ -10,16 +12,21 @@ __all__ = ["advice"]
 
 def advice(error: BaseException) -> str:
     """A sentence of advice on an error in a node; an empty string if there is none."""
-    if not _ends_in_rospy(error):
+    frame = _innermost(error)
+    if frame is None:
         return ""
+    module = str(frame.f_globals["__name__"])
+    return _on_rclpy(error, module, frame) if ".rclpy." in module else _on_rospy(error, module)
+
+
+def _on_rospy(error: BaseException, module: str) -> str:
     if isinstance(error, ROSInitException) and "init_node()" in str(error):
         return 'Call rospy.init_node("a_name") before you use anything else from rospy.'
     if isinstance(error, ZeroDivisionError):
         return "Nothing can have a frequency of 0 Hz or a period of 0 s: give rospy.Rate and rospy.Timer more than 0."
     if isinstance(error, AttributeError) and error.name == "to_sec":
         return "The period of a rospy.Timer is a Duration: rospy.Timer(rospy.Duration(0.5), callback)"
-    caller = _innermost(error)
-    if isinstance(error, TypeError) and caller.endswith(".topics"):
+    if isinstance(error, TypeError) and module.endswith(".topics"):
         if "positional argument" in str(error):
             return (
                 "A subscriber passes its callback one argument: def callback(message), or (self, message) in a class."
@@ -33,17 +40,35 @@ def advice(error: BaseException) -> str:
     return ""
 
 
-def _innermost(error: BaseException) -> str:
-    """The module in which an error was raised."""
+def _on_rclpy(error: BaseException, module: str, frame: FrameType) -> str:
+    from .rclpy.exceptions import (  # where an error comes from rclpy, it is there
+        InvalidParameterTypeException,
+        NotInitializedException,
+        ParameterNotDeclaredException,
+        RCLError,
+    )
+
+    if isinstance(error, NotInitializedException):
+        return "Call rclpy.init() before you make a node."
+    if isinstance(error, ParameterNotDeclaredException):
+        return 'Declare a parameter before you read it: self.declare_parameter("frequency", 2.0).'
+    if isinstance(error, InvalidParameterTypeException):
+        return "A parameter keeps the type with which it was declared. 5 is an integer, 5.0 is not."
+    if isinstance(error, RCLError) and "timer period" in str(error):
+        return "The period of a timer cannot be negative: give create_timer the seconds from one call to the next."
+    if isinstance(error, TypeError) and "float()" in str(error) and frame.f_code.co_name == "create_timer":
+        return "The period of a timer comes first and is a number of seconds: create_timer(0.5, self.timer_callback)"
+    if isinstance(error, TypeError) and module.endswith(".executors"):
+        if "not callable" in str(error):
+            return "Pass the callback itself, without calling it: self.timer_callback, not self.timer_callback()."
+        if "positional argument" in str(error):
+            return "A timer passes its callback no argument: def timer_callback(), or (self) in a class."
+    return ""
+
+
+def _innermost(error: BaseException) -> FrameType | None:
+    """The frame in which an error was raised, if that was in a stand-in and not in a line of the node."""
     trace = error.__traceback__
     while trace and trace.tb_next:
         trace = trace.tb_next
-    return str(trace.tb_frame.f_globals.get("__name__", "")) if trace else ""
-
-
-def _ends_in_rospy(error: BaseException) -> bool:
-    """Whether an error was raised by the stand-in, not by a line of the node."""
-    trace = error.__traceback__
-    while trace and trace.tb_next:
-        trace = trace.tb_next
-    return trace is not None and node_frames(trace) is None
+    return trace.tb_frame if trace and node_frames(trace) is None else None

@@ -20,22 +20,23 @@ from collections import defaultdict, deque
 from collections.abc import Callable, Iterable, Sequence
 from contextlib import redirect_stderr, redirect_stdout
 from functools import wraps
+from traceback import walk_tb
 from typing import Any, cast
 
 from js import performance
 from pyodide.ffi import run_sync
 
-from . import rospy
 from .advice import advice
 from .clocks.clock import NS
 from .clocks.patches import patched
 from .clocks.simulation import PacedSimulation, Simulation
 from .clocks.stacks import whose
 from .exercises import check
+from .frames import trail
 from .measures import by_source, describe_timeline
 from .pinned import as_test
 from .process import load_source
-from .run import TimeStandsStill, run_node, say_error, split_words
+from .run import TimeStandsStill, run_node, say_error, split_words, stand_in
 from .world import NotSimulated, Record, World, current_world
 
 __all__ = ["run", "wake"]
@@ -48,11 +49,20 @@ signal.signal(signal.SIGINT, signal.SIG_IGN)
 gc.disable()
 gc.freeze()
 
+# A node that has a timer and ends before it is due, by its ROS.
+_NOBODY_SPINS = {
+    ros: f"The node had a timer, which was never called. Is {spin} missing at its end?"
+    for ros, spin in {1: "rospy.spin()", 2: "rclpy.spin(node)"}.items()
+}
+
 # A plot shows no more ticks than this, the last ones.
 _MOST_TICKS = 2000
 
 # A console (characters) that is worth pinning in a test.
 _LONGEST = 50_000
+
+# How the lines of both ROSes begin that a reader may want to trace.
+_SERIOUS = ("[WARN]", "[ERROR]", "[FATAL]")
 
 # Of what a tick prints so much is kept in mind; the page's console holds no more lines.
 _MOST_CHUNKS = 1000
@@ -70,17 +80,18 @@ def run(source: str, filename: str, seconds: float, args: str, speed: float, pag
     ``args`` are its command line, split into words as a shell does. A text that begins with ``%%simulate SECONDS --
     ARGS`` brings its own; one that begins with ``%%answer NUMBER`` is checked as the answer to an exercise.
 
-    ``page`` is a JavaScript object: its ``print(text, isError)`` is given what the node prints and its
-    ``tick(source, number, expected, real)`` each tick that begins (s), both as they happen; ``wait(ms)`` is a promise
-    that is kept after so long. The result, as JSON: the exit ``status``, the number of ``errors`` in its threads, a
-    ``verdict`` on an answer and whether it ``solved`` the exercise, the last ``ticks`` with their durations, their
-    ``count``, the ``chunks`` that each printed (a call of ``print`` is one, counted from 0), a text ``alternative`` to
-    their plot, and a ``test`` that pins it all, empty where that would be long or where there was an error. Errors end
-    on the console and give status 1.
+    ``page`` is a JavaScript object: its ``print(text, isError, line)`` is given what the node prints, with the line of
+    the node that logged it if it is a warning or worse, else 0; its ``tick(source, number, expected, real)`` each tick
+    that begins (s), both as they happen; ``wait(ms)`` is a promise that is kept after so long. The result, as JSON: the
+    exit ``status``, the number of ``errors`` in its threads, a ``verdict`` on an answer and whether it ``solved`` the
+    exercise, the last ``ticks`` with their durations, their ``count``, the ``chunks`` that each printed (a call of
+    ``print`` is one, counted from 0), a text ``alternative`` to their plot, and a ``test`` that pins it all, empty
+    where that would be long or where there was an error. Errors end on the console and give status 1.
     """
     environment = dict(os.environ)
     printed = _Printed()
-    with redirect_stdout(_Stream(page, False, printed)), redirect_stderr(_Stream(page, True, printed)):
+    streams = [_Stream(page, is_error, printed, filename) for is_error in (False, True)]
+    with redirect_stdout(streams[0]), redirect_stderr(streams[1]):
         try:
             magic, words, node_args = _magic(source)
             if magic == "answer":
@@ -95,7 +106,8 @@ def run(source: str, filename: str, seconds: float, args: str, speed: float, pag
             if isinstance(error, SyntaxError):
                 print("Python could not read this line, so nothing ran.", file=sys.stderr)
             if isinstance(error, NotSimulated):
-                print("On a computer with ROS 1, run: python -m rosspin run --ros1 FILE", file=sys.stderr)
+                ros = load_source(_node(source), filename).ros
+                print(f"On a computer with ROS {ros}, run: python -m rosspin run --ros{ros} FILE", file=sys.stderr)
             return json.dumps({"status": 1})
         finally:
             os.environ.clear()  # the next run in this page is to find what this one found
@@ -144,11 +156,15 @@ def _run(
         current_world().graph.ticks = printed
         node.main()
 
-    with patched([(rospy.Rate, "__init__", printed.forget_before)]):
+    modules = stand_in(node.ros).MODULES
+    with patched([(modules["rospy" if node.ros == 1 else "rclpy.timer"].Rate, "__init__", printed.forget_before)]):
         result = run_node(node._replace(main=main), seconds, args, pacer.simulation)
-    for hint in dict.fromkeys(map(_hint, result.world.errors)):
-        if hint:
-            print(hint, file=sys.stderr)
+    hints = [_hint(error) for error in result.world.errors]
+    ended_early = result.status == 0 and pacer.simulation.now() < seconds * NS
+    if ended_early and not result.ticks and result.world.has_sources:
+        hints.append(_NOBODY_SPINS[node.ros])
+    for hint in dict.fromkeys(filter(None, hints)):
+        print(hint, file=sys.stderr)
     groups = by_source(result.ticks)
     console = "".join(printed.texts)
     pins = not (result.status or result.world.errors or printed.size > _LONGEST or len(result.ticks) > _MOST_TICKS)
@@ -188,7 +204,7 @@ class _Printed(list[Record]):
         self._last[thread] = len(self) - 1
 
     def forget_before(self, make: Callable[..., None]) -> Callable[..., None]:
-        """``Rate.__init__``, for which what its thread has printed before belongs to no pass of its loop."""
+        """``Rate.__init__`` of either ROS, for which what its thread has printed belongs to no pass of its loop."""
 
         @wraps(make)
         def make_after(*args: Any, **kwargs: Any) -> None:
@@ -241,21 +257,40 @@ class _Pacer:
 class _Stream(io.TextIOBase):
     encoding = "utf-8"
 
-    def __init__(self, page: Any, is_error: bool, printed: _Printed) -> None:
+    def __init__(self, page: Any, is_error: bool, printed: _Printed, filename: str) -> None:
         self._page = page
         self._is_error = is_error
         self._printed = printed
+        self._filename = filename
 
     def write(self, text: str) -> int:
         self._printed.note(text)
-        self._page.print(text, self._is_error)
+        self._page.print(text, self._is_error, self._line() if text.startswith(_SERIOUS) else 0)
         return len(text)
+
+    def _line(self) -> int:
+        """The line of the node that is being run; 0 if there is none."""
+        return next((line for code, _, line in trail(sys._getframe(2)) if code.co_filename == self._filename), 0)
 
 
 def _hint(error: BaseException) -> str:
     if isinstance(error, ModuleNotFoundError):
         return (
-            f"This page has rospy's stand-in and Python's standard library, but no {error.name}. "
+            f"This page has stand-ins for rospy and rclpy, and Python's standard library, but no {error.name}. "
             "Run the node on your own computer: python -m rosspin run FILE"
         )
+    if isinstance(error, KeyboardInterrupt) and _is_of_a_rate_that_nobody_wakes(error):
+        return (
+            "The timer that wakes this Rate was due, but nobody called it: while this thread sleeps, another one has "
+            "to spin the node."
+        )
     return advice(error)
+
+
+def _is_of_a_rate_that_nobody_wakes(error: KeyboardInterrupt) -> bool:
+    sleep = stand_in(2).MODULES["rclpy.timer"].Rate.sleep
+    for frame, _ in walk_tb(error.__traceback__):
+        if frame.f_code is sleep.__code__:
+            timer = frame.f_locals["self"]._timer
+            return bool(timer.time_left() < -timer.timer_period_ns)
+    return False

@@ -63,6 +63,11 @@ class World(Program):
         numbered = name if count == 1 else f"{name} {count}"
         return f"{self.name} {numbered}" if self.graph.several else numbered
 
+    @property
+    def has_sources(self) -> bool:
+        """Whether there is, or was, something that could tick."""
+        return bool(self._sources)
+
     def acting(self) -> AbstractContextManager[None]:
         """Within this context the calling code belongs to this node, whichever node's thread it is on."""
         return acting_for(self)

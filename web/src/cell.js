@@ -9,7 +9,13 @@ import { release, start, warmUp } from "./workers.js"
 const SECONDS = "10"
 
 /** What a node has in it that reads its command line. */
-const READS_ARGUMENTS = /\b(get_param|search_param|declare_parameter|argv)\b/
+const READS_ARGUMENTS = /\b(get_param|search_param|declare_parameters?|argv)\b/
+
+/** An example of how a parameter is set, by the ROS of the node. */
+const EXAMPLE = { rospy: "_frequency:=5", rclpy: "--ros-args -p frequency:=5.0" }
+
+/** The status of a node that Ctrl-C ended, as it does at the end of a run unless the node has seen to it. */
+const BY_CTRL_C = 130
 
 /** The cells of the page that are answers to exercises. */
 const exercises = []
@@ -162,6 +168,7 @@ export class Cell {
   /** Offer what can be done with the text as it is: arguments for a node that reads some, Reset for one that was changed. */
   #offer() {
     this.arguments.hidden = !READS_ARGUMENTS.test(this.#text) && !this.args.value
+    this.args.placeholder = EXAMPLE[this.#text.match(/\b(rospy|rclpy)\b/)?.[1]] ?? ""
     this.reset.ariaDisabled = String(this.#untouched && this.console.empty)
   }
 
@@ -343,9 +350,11 @@ export class Cell {
       this.#test = message.result.test
       this.pin.hidden = !this.#test
       if (count) this.plot.finish(ticks, alternative, chunks)
+      const ticked = count ? `: ${count} tick${count === 1 ? "" : "s"}` : ""
       if (verdict) this.#say(verdict + this.#progress(message.result.solved))
       else if (status === 0 && errors) this.#say("done, but with an error: see the console")
-      else if (status === 0) this.#say(count ? `done: ${count} tick${count === 1 ? "" : "s"}` : "done")
+      else if (status === 0) this.#say(`done${ticked}`)
+      else if (status === BY_CTRL_C) this.#say(`done${ticked}, ended by Ctrl-C with a traceback`)
       else this.#say("error: see the console")
     } else {
       this.#end()

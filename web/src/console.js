@@ -2,6 +2,11 @@
 
 const MOST_LINES = 1000
 
+// ROS 2 logs on stderr what is no error, too.
+const NO_ERROR = /^\[(DEBUG|INFO)\]/
+
+const LEVEL = /^\[\w+\]/
+
 export class Console {
   #text = document.createElement("pre")
   #notice = document.createElement("p")
@@ -13,7 +18,7 @@ export class Console {
   /** `goTo(line)` is called when the reader chooses a line of the file `filename`, such as one in a traceback. */
   constructor(name, filename, goTo) {
     const file = filename.replace(/[^\w ]/g, "\\$&")
-    this.#place = new RegExp(`(File "${file}", line (\\d+)|${file}:(\\d+))`)
+    this.#place = new RegExp(`File "${file}", line (\\d+)|${file}:(\\d+)`)
     this.#goTo = goTo
     this.element = document.createElement("div")
     this.element.className = "live-console"
@@ -37,7 +42,10 @@ export class Console {
     this.#open = false
   }
 
-  /** Add chunks, each [whether it is of stderr, text, number]; `leftOut` lines before them were left out. */
+  /**
+   * Add chunks, each [whether it is of stderr, text, number, line of the node that logged it or 0]; `leftOut` lines
+   * before them were left out.
+   */
   print(chunks, leftOut) {
     if (!chunks.length) return
     this.element.hidden = false
@@ -68,19 +76,21 @@ export class Console {
     if (place.top < top || place.bottom > bottom) this.element.scrollTop += place.top - top
   }
 
-  /** A text; where it names a line of the node's file, it leads there. */
-  #linked(text) {
-    const [before, named, ...rest] = text.split(this.#place)
-    if (named === undefined) return [text]
-    const line = Number(rest[0] ?? rest[1])
+  /** A text; where it names a line of the node's file, it leads there. So does the level of what the node logged. */
+  #linked(text, logged) {
+    const found = text.match(logged ? LEVEL : this.#place)
+    if (!found) return [text]
+    const line = logged || Number(found[1] ?? found[2])
     const button = document.createElement("button")
     button.type = "button"
-    button.textContent = named
+    button.textContent = found[0]
+    if (logged) button.title = `line ${line}`
     button.addEventListener("click", () => this.#goTo(line))
-    return [before, button, rest.slice(2).join("")]
+    return [text.slice(0, found.index), button, text.slice(found.index + found[0].length)]
   }
 
-  #add(isError, text, number) {
+  #add(isError, text, number, logged) {
+    isError &&= !NO_ERROR.test(text)
     const lines = text.split(/(?<=\n)/)
     if (lines.length > MOST_LINES) this.#leftOut += lines.splice(0, lines.length - MOST_LINES).length
     for (const line of lines) {
@@ -92,7 +102,7 @@ export class Console {
         const element = document.createElement("span")
         element.chunks = [number]
         if (isError) element.className = "stderr"
-        element.append(...(isError ? this.#linked(line) : [line]))
+        element.append(...(isError ? this.#linked(line, logged) : [line]))
         this.#text.append(element)
       }
       this.#open = !line.endsWith("\n")

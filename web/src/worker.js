@@ -21,8 +21,8 @@ class Page {
   #sent = 0
   #timer = null
 
-  print(text, isError) {
-    this.#chunks.push([isError, text, this.#count++])
+  print(text, isError, line) {
+    this.#chunks.push([isError, text, this.#count++, line])
     this.#size += text.length
     while (this.#size > MOST && this.#chunks.length > 1) {
       const [, dropped] = this.#chunks.shift()
