@@ -194,14 +194,14 @@ def _change_the_rate(answer: Answer) -> Iterator[Finding]:
     yield on_time(answer.run(1.0).counters(), grid(0.1, 1.0))
 
 
-def _stopped(seen: Seen, calls: int) -> Iterator[Finding]:
-    """Whether the timers that printed the counters have stopped, after so many calls."""
+def stopped(seen: Seen, calls: int, timer: str = "a `rospy.Timer`") -> Iterator[Finding]:
+    """Whether the timers that printed the counters have stopped, after so many calls; ``timer`` is what they are."""
     counters = seen.counters()
     if not counters:
         return
     timers, others = seen.printers(counters)
     if others:
-        text = f"counter {plain(others[0].text)} was not printed by the callback of a `rospy.Timer`."
+        text = f"counter {plain(others[0].text)} was not printed by the callback of {timer}."
         yield Finding(False, text, "Let a timer call back, and stop it.")
         return
     states = {timer.state for timer in timers}
@@ -232,7 +232,7 @@ def _stopped(seen: Seen, calls: int) -> Iterator[Finding]:
 def _fire_once(answer: Answer) -> Iterator[Finding]:
     seen = answer.run(5.0)
     yield on_time(seen.counters(), [1.5])
-    yield from _stopped(seen, 1)
+    yield from stopped(seen, 1)
 
 
 @_exercise(
@@ -247,7 +247,7 @@ def _stop_after_five(answer: Answer) -> Iterator[Finding]:
     yield on_time(seen.counters(), grid(0.5, 2.5))
     stops = "Stop one timer, and no more: `rospy.signal_shutdown()` ends the whole node."
     yield on_time(seen.counters("HEARTBEAT"), grid(1.0, 6.0), "The heartbeat", stops)
-    yield from _stopped(seen, 5)
+    yield from stopped(seen, 5)
 
 
 @_exercise(
@@ -389,33 +389,38 @@ def _count_parts(seen: Seen) -> Finding:
 def _stop_the_motor(answer: Answer) -> Iterator[Finding]:
     for seconds, where in ((2.08, "while the loop sleeps"), (2.03, "while the sensor is read")):
         seen = answer.run(seconds)
-        yield _check_motor(seen, seconds, f"Ctrl-C {where}")
+        yield check_motor(seen, seconds, f"Ctrl-C {where}", _ASKS)
     seen = answer.run(5.0, "_fails_at:=1.0", allowed=lambda error: "no sensor" in str(error))
-    yield _check_motor(seen, 1.06, "The sensor fails")
+    yield check_motor(seen, 1.06, "The sensor fails", _ASKS)
 
 
-def _check_motor(seen: Seen, end: float, what: str) -> Finding:
-    """Whether the motor is driven until the time ``end`` (s), and stands from then on."""
+_ASKS = (
+    "A hook runs in the middle of a pass, which then goes on. Ask `rospy.is_shutdown()` before you drive, or stop the "
+    "motor after the loop, in a `finally`."
+)
+
+
+def check_motor(seen: Seen, end: float, what: str, again: str) -> Finding:
+    """Whether the motor is driven until the time ``end`` (s), and stands from then on.
+
+    ``again`` is a hint for those who then drive it again.
+    """
     printed = [(line.time, as_number(line.text)) for line in seen.values("MOTOR", "speed")]
     commands = [(time, speed) for time, speed in printed if speed is not None]
     driven = [time for time, speed in commands if speed and time < end]
     paused = [time for time, speed in commands if not speed and time < end - CLOSE]
-    stopped = next((n for n, (time, speed) in enumerate(commands) if not speed and time >= end - CLOSE), None)
+    stop = next((n for n, (time, speed) in enumerate(commands) if not speed and time >= end - CLOSE), None)
     due = int(end / 0.1)
     if paused or abs(len(driven) - due) > 1:
         told = f"stopped at {say(paused[0])}" if paused else f"told a speed {len(driven)} times, not about {due} times"
         hint = "Until the node ends, the loop has to drive the motor as before."
         return Finding(False, f"{what}: up to then the motor was {told}.", hint)
-    if stopped is None:
+    if stop is None:
         return Finding(False, f"{what}: nobody stops the motor. It goes on at its last speed.")
-    time = commands[stopped][0]
-    if again := [later for later, speed in commands[stopped:] if speed]:
-        text = f"{what}: the motor was stopped at {say(time)}, and driven again at {say(again[0])}."
-        hint = (
-            "A hook runs in the middle of a pass, which then goes on. Ask `rospy.is_shutdown()` before you drive, or "
-            "stop the motor after the loop, in a `finally`."
-        )
-        return Finding(False, text, hint)
+    time = commands[stop][0]
+    if later := [time for time, speed in commands[stop:] if speed]:
+        text = f"{what}: the motor was stopped at {say(time)}, and driven again at {say(later[0])}."
+        return Finding(False, text, again)
     if time > end + 0.5:
         text = f"{what} at {say(end)}: the motor was not stopped before {say(time)}."
         hint = "An exception that is caught, or that ends a timer alone, does not end the node: no hook is called."
