@@ -66,6 +66,8 @@ def hint(error: BaseException, whose: str) -> str:
         return ""
     if isinstance(error, NotInitializedException) or (isinstance(error, RCLError) and "rcl_init()" in str(error)):
         return "Call `rclpy.init()` before you make a node, and `rclpy.shutdown()` only at the end."
+    if isinstance(error, AttributeError) and (error.name or "").startswith("_"):
+        return 'A class of `Node` begins its `__init__` with `super().__init__("a_name")`.'
     if isinstance(error, ParameterNotDeclaredException):
         return 'A parameter is declared before it is read: `self.declare_parameter("name", default)`.'
     if isinstance(error, InvalidParameterTypeException):

@@ -389,21 +389,22 @@ def _count_parts(seen: Seen) -> Finding:
 def _stop_the_motor(answer: Answer) -> Iterator[Finding]:
     for seconds, where in ((2.08, "while the loop sleeps"), (2.03, "while the sensor is read")):
         seen = answer.run(seconds)
-        yield check_motor(seen, seconds, f"Ctrl-C {where}", _ASKS)
+        yield check_motor(seen, seconds, f"Ctrl-C {where}", _ASKS, _CAUGHT)
     seen = answer.run(5.0, "_fails_at:=1.0", allowed=lambda error: "no sensor" in str(error))
-    yield check_motor(seen, 1.06, "The sensor fails", _ASKS)
+    yield check_motor(seen, 1.06, "The sensor fails", _ASKS, _CAUGHT)
 
 
 _ASKS = (
     "A hook runs in the middle of a pass, which then goes on. Ask `rospy.is_shutdown()` before you drive, or stop the "
     "motor after the loop, in a `finally`."
 )
+_CAUGHT = "An exception that is caught, or that ends a timer alone, does not end the node: no hook is called."
 
 
-def check_motor(seen: Seen, end: float, what: str, again: str) -> Finding:
+def check_motor(seen: Seen, end: float, what: str, again: str, late: str) -> Finding:
     """Whether the motor is driven until the time ``end`` (s), and stands from then on.
 
-    ``again`` is a hint for those who then drive it again.
+    ``again`` is a hint for those who then drive it again, ``late`` for those who do not stop it at once.
     """
     printed = [(line.time, as_number(line.text)) for line in seen.values("MOTOR", "speed")]
     commands = [(time, speed) for time, speed in printed if speed is not None]
@@ -423,8 +424,7 @@ def check_motor(seen: Seen, end: float, what: str, again: str) -> Finding:
         return Finding(False, text, again)
     if time > end + 0.5:
         text = f"{what} at {say(end)}: the motor was not stopped before {say(time)}."
-        hint = "An exception that is caught, or that ends a timer alone, does not end the node: no hook is called."
-        return Finding(False, text, hint)
+        return Finding(False, text, late)
     return Finding(True, f"{what}: the motor was stopped at {say(time)}.")
 
 

@@ -230,6 +230,11 @@ def _one_image_at_a_time(seen: Seen, takes: float) -> Finding:
     if len(begun) < least:
         text = f"{what} took {len(begun)} images in {say(seen.seconds)}; it can take {least}."
         return Finding(False, text, "The camera is to work as before: each second, as far as its work allows.")
+    for image, later in pairwise(begun):
+        if not any(image.time <= line.time <= later.time for line in done):
+            text = f"{what} began image {later.text} at {say(later.time)}, while it still took image {image.text}."
+            reentrant = "In a `ReentrantCallbackGroup` calls of one timer may overlap; in the other kind they may not."
+            return Finding(False, text, reentrant)
     for number, image in enumerate(begun, 1):
         end = next((line for line in done if line.text == image.text), None)
         if image.text != str(number):
@@ -240,11 +245,6 @@ def _one_image_at_a_time(seen: Seen, takes: float) -> Finding:
             after = f"done after {say(end.time - image.time)}" if end else "never done"
             text = f"{what}: image {number} was {after}, not after {say(takes)}."
             return Finding(False, text, "An image takes its time, and nothing can be done about that.")
-    for image, later in pairwise(begun):
-        if later.time < image.time + takes - CLOSE:
-            text = f"{what} began image {later.text} at {say(later.time)}, while image {image.text} was being taken."
-            reentrant = "In a `ReentrantCallbackGroup` calls of one timer may overlap; in the other kind they may not."
-            return Finding(False, text, reentrant)
     if takes < 1 and (late := [line for n, line in enumerate(begun, 1) if abs(line.time - n) > CLOSE]):
         text = f"{what} began image {late[0].text} at {say(late[0].time)}, not at {say(float(late[0].text))}."
         return Finding(False, text, "The camera is to work as before: each second.")
@@ -294,7 +294,7 @@ def _wake_a_rate(answer: Answer) -> Iterator[Finding]:
         seen = answer.run(seconds, *_with("work", work))
         counters = seen.counters()
         hint = ""
-        if len(counters) == 1:
+        if len(counters) == 1 and seen.interrupted:
             hint = "The first `sleep()` never returned. A Rate is a timer: who calls it back while the loop sleeps?"
         elif len(counters) > 1 and abs(counters[1].time - 0.5 - work) < CLOSE:
             hint = "The work is a part of the period: the pause has to be as much shorter."
@@ -312,6 +312,10 @@ def _wake_a_rate(answer: Answer) -> Iterator[Finding]:
             return
 
 
+_SWALLOWED = "Catch what a signal raises, and nothing else: an error is to end the node with its traceback."
+_DRIVEN_AGAIN = "Stop the motor last, when no callback can run any more: after `spin`, in a `finally`."
+
+
 @_exercise(
     "Repair",
     "End without a traceback",
@@ -324,19 +328,15 @@ def _end_without_a_traceback(answer: Answer) -> Iterator[Finding]:
     for seconds, where in ((2.08, "while the node waits"), (2.03, "while the sensor is read")):
         seen = answer.run(seconds)
         what = f"Ctrl-C {where}"
-        yield check_motor(seen, seconds, what, _DRIVEN_AGAIN)
+        yield check_motor(seen, seconds, what, _DRIVEN_AGAIN, _SWALLOWED)
         yield _ends_well(answer, seen, what)
     seen, ending = _terminated(answer, 2.08)
-    yield check_motor(seen, 2.08, "SIGTERM", _DRIVEN_AGAIN)
+    yield check_motor(seen, 2.08, "SIGTERM", _DRIVEN_AGAIN, _SWALLOWED)
     yield ending
     seen = answer.ending(5.0, *_with("fails_at", 10))
-    yield check_motor(seen, 1.06, "The sensor fails", _DRIVEN_AGAIN)
+    yield check_motor(seen, 1.06, "The sensor fails", _DRIVEN_AGAIN, _SWALLOWED)
     if seen.status:
         yield Finding(True, f"The sensor fails: the node ended with status {seen.status}.")
     else:
-        swallowed = "Catch what a signal raises, and nothing else: an error is to end the node with its traceback."
         went_on = "went on" if seen.interrupted else "ended with status 0, as if all were well"
-        yield Finding(False, f"The sensor fails: the node {went_on}.", swallowed)
-
-
-_DRIVEN_AGAIN = "Stop the motor last, when no callback can run any more: after `spin`, in a `finally`."
+        yield Finding(False, f"The sensor fails: the node {went_on}.", _SWALLOWED)
