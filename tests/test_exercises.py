@@ -24,6 +24,7 @@ from rosspin.exercises import EXERCISES, check
 from rosspin.measures import periods
 from rosspin.recordings import load
 from rosspin.ros1 import Workspace
+from rosspin.ros2 import launch
 
 NUMBERS = list(range(1, len(EXERCISES) + 1))
 NOTEBOOKS = {1: ROOT / "notebooks" / "exercises.md", 2: ROOT / "notebooks" / "ros2-exercises.md"}
@@ -301,6 +302,21 @@ def test_the_cpp_node_does_what_the_solution_says(require: Callable[[str], None]
             wanted = solution_of(3)[f"after_{blocks_for.replace('.', '_')}_seconds"]
             assert ticks("kept", blocks_for) == pytest.approx([1.2, *wanted], abs=0.15)
         assert ticks("not_kept", "0.6") == solution_of(3)["not_kept"]
+
+
+# --- the real ROS 2 -----------------------------------------------------------------------------------------------------
+
+
+@pytest.mark.parametrize("number", [25, 26])
+def test_the_solution_ends_well_on_the_real_ros_2(number: int, require: Callable[[str], None], tmp_path: Path) -> None:
+    """What the unchanged cells do, scenarios of their own hold: ``ctrl_c_spin``, ``ctrl_c_rate_nobody_spins``."""
+    require("ros2")
+    node = tmp_path / "node.py"
+    node.write_text(answer_in(CELLS[number][1]))
+    run = launch(node, 1.5)
+    assert run.status == 0
+    assert "Traceback" not in run.console
+    assert run.console.endswith("speed = 0.0\n") or "counter = 2" in run.console
 
 
 # --- strange answers --------------------------------------------------------------------------------------------------
