@@ -304,7 +304,7 @@ def test_the_cpp_node_does_what_the_solution_says(require: Callable[[str], None]
         assert ticks("not_kept", "0.6") == solution_of(3)["not_kept"]
 
 
-# --- the real ROS 2 -----------------------------------------------------------------------------------------------------
+# --- the real ROS 2 -------------------------------------------------------------------------------------------------
 
 
 @pytest.mark.parametrize("number", [25, 26])
