@@ -152,7 +152,7 @@ class Answer:
 
     def __init__(self, text: Any, ros: int = 1) -> None:
         self._text = text
-        self._number = ros
+        self._ros_number = ros
         self.console = ""
         self.ended_early = False
         self._ran = False
@@ -160,7 +160,7 @@ class Answer:
     @property
     def ros(self) -> Ros:
         """What there is to know of its ROS."""
-        if self._number == 1:
+        if self._ros_number == 1:
             return in_rospy
         from . import in_rclpy
 
@@ -211,23 +211,16 @@ class Answer:
         listener: Any = _Listener(clock)
         try:
             with capture(listener, listener) as console, _plain_environment():
-                _, _, _, world = result = run_node(node, seconds, args, clock)
+                result = run_node(node, seconds, args, clock)
         except (TimeStandsStill, NotSimulated, RuntimeError) as error:
             raise Fails(f"{_started(args)} node cannot be run: `{plain(str(error))}`", _hint_for(error)) from None
         finally:
             if not self._ran:
                 self.console, self._ran = console.text(), True
+        world, loops = result.world, clock.loops()
         messages = messages_of(world.graph, 0)
-        return Seen(
-            seconds,
-            clock.printed,
-            clock.timers,
-            clock.loops(),
-            messages,
-            result.status,
-            world.errors,
-            world.interrupted,
-        )
+        how = result.status, world.errors, world.interrupted
+        return Seen(seconds, clock.printed, clock.timers, loops, messages, *how)
 
     def _load(self) -> Node:
         source = self._text
@@ -238,7 +231,7 @@ class Answer:
         read = "Python could not read the answer, so nothing ran. The error may be in the line before."
         try:
             self._refuse_the_other_ros(_imported(source))
-            return load_source(source, _FILENAME)._replace(ros=self._number)
+            return load_source(source, _FILENAME)._replace(ros=self._ros_number)
         except SyntaxError as error:
             said = plain(error.msg)  # may end in a question
             raise Fails(f"Line {error.lineno} is not Python: {said}{'' if said.endswith('?') else '.'}", read) from None
@@ -246,13 +239,13 @@ class Answer:
             raise Fails(f"This is not Python: {plain(str(error))}.", read) from None
 
     def _refuse_the_other_ros(self, imported: Collection[str]) -> None:
-        own, other = _MODULES[self._number], _MODULES[3 - self._number]
+        own, other = _MODULES[self._ros_number], _MODULES[3 - self._ros_number]
         if other not in imported:
             return
-        here = f"This exercise is on ROS {self._number}, where a node imports `{own}`."
+        here = f"This exercise is on ROS {self._ros_number}, where a node imports `{own}`."
         if own in imported:
             raise Fails("The node imports both `rospy` (ROS 1) and `rclpy` (ROS 2). A node has one ROS.", here)
-        raise Fails(f"This node is for ROS {3 - self._number}: it imports `{other}`.", here)
+        raise Fails(f"This node is for ROS {3 - self._ros_number}: it imports `{other}`.", here)
 
     def _failure(self, seen: Seen, allowed: _Allowed) -> str:
         """What went wrong in a run, as the rest of a sentence; empty if nothing did."""
