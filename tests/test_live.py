@@ -761,7 +761,7 @@ def test_each_page_of_exercises_counts_its_own(pages_of_exercises: dict[int, Pag
         cell = exercise(page, ON_PAGE[ros][0])
         cell.write(CELLS[ON_PAGE[ros][0]][1].source)
         cell.button("Run").click()
-        cell.ends("right")
+        cell.ends(f"Exercise {ON_PAGE[ros][0]}: right")
     page = pages_of_exercises[1].context.new_page()
     page.goto(address)
     for ros, numbers in ON_PAGE.items():
