@@ -2,6 +2,8 @@
 
 from __future__ import annotations
 
+import exercise_answers_ros2
+
 Answer = str | dict[str, str]
 
 # --- predictions ------------------------------------------------------------------------------------------------------
@@ -1101,3 +1103,6 @@ rospy.spin()
         ({'report_4 = "B"': ""}, "`report_4`: there is no answer yet", "Compare the average"),
     ],
 }
+
+RIGHT |= exercise_answers_ros2.RIGHT
+WRONG |= exercise_answers_ros2.WRONG

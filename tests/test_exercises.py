@@ -4,6 +4,8 @@ from __future__ import annotations
 
 import io
 import re
+import subprocess
+import sys
 from collections.abc import Callable
 from contextlib import redirect_stdout
 from pathlib import Path
@@ -22,19 +24,21 @@ from rosspin.exercises import EXERCISES, check
 from rosspin.measures import periods
 from rosspin.recordings import load
 from rosspin.ros1 import Workspace
+from rosspin.ros2 import launch
 
 NUMBERS = list(range(1, len(EXERCISES) + 1))
-NOTEBOOK = ROOT / "notebooks" / "exercises.md"
-PAGE = NOTEBOOK.read_text(encoding="utf-8")
+NOTEBOOKS = {1: ROOT / "notebooks" / "exercises.md", 2: ROOT / "notebooks" / "ros2-exercises.md"}
+PAGES = {ros: notebook.read_text(encoding="utf-8") for ros, notebook in NOTEBOOKS.items()}
+ON_PAGE = {ros: [exercise.number for exercise in EXERCISES if exercise.ros == ros] for ros in NOTEBOOKS}
 
 
 def _cells() -> dict[int, list[Any]]:
-    """The cells of each exercise in the notebook that hold an answer."""
-    notebook = jupytext.read(NOTEBOOK)
+    """The cells of each exercise in the notebooks that hold an answer."""
     found: dict[int, list[Any]] = {number: [] for number in NUMBERS}
-    for cell in notebook.cells:
-        if match := re.match(r"%%answer (\d+)\n", cell.source):
-            found[int(match[1])].append(cell)
+    for notebook in NOTEBOOKS.values():
+        for cell in jupytext.read(notebook).cells:
+            if match := re.match(r"%%answer (\d+)\n", cell.source):
+                found[int(match[1])].append(cell)
     return found
 
 
@@ -108,35 +112,46 @@ def test_every_exercise_has_answers_enough(number: int) -> None:
 
 def test_exercises_are_what_the_page_says() -> None:
     """Each has its number, its title and links to the pages that it needs, and stands in its part."""
-    parts = re.split(r"^## (.*)$", PAGE, flags=re.MULTILINE)
-    of = {part: text for part, text in zip(parts[1::2], parts[2::2], strict=True)}
-    for number, part, title, needs, *_ in EXERCISES:
-        assert f"### {number}. {title}\n" in of[part]
+    of: dict[tuple[int, str], str] = {}
+    for ros, page in PAGES.items():
+        parts = re.split(r"^## (.*)$", page, flags=re.MULTILINE)
+        of |= {(ros, part): text for part, text in zip(parts[1::2], parts[2::2], strict=True)}
+    for number, part, title, needs, *_, ros in EXERCISES:
+        assert f"### {number}. {title}\n" in of[ros, part]
         text = section(number)
         line = re.search(r"\*\*You need\*\*:(.*?)\n\n", text, re.DOTALL)
         assert line
-        linked = [(NOTEBOOK.parent / path).resolve() for path in re.findall(r"\]\((.*?)\)", line[1])]
+        linked = [(NOTEBOOKS[ros].parent / path).resolve() for path in re.findall(r"\]\((.*?)\)", line[1])]
         assert [path.relative_to(ROOT).with_suffix("").as_posix() for path in linked] == list(needs)
         assert all(path.exists() for path in linked)
 
 
 def section(number: int) -> str:
     """The text of an exercise on the page."""
-    return re.split(r"^##+ ", PAGE.partition(f"### {number}. ")[2], maxsplit=1, flags=re.MULTILINE)[0]
+    page = PAGES[EXERCISES[number - 1].ros]
+    return re.split(r"^##+ ", page.partition(f"### {number}. ")[2], maxsplit=1, flags=re.MULTILINE)[0]
+
+
+@pytest.mark.parametrize("ros", NOTEBOOKS)
+def test_the_page_says_how_many_they_are(ros: int) -> None:
+    words = {7: "seven exercises in three parts", 19: "nineteen exercises in four parts"}
+    assert words[len(ON_PAGE[ros])] in " ".join(PAGES[ros].split())
 
 
 def test_the_page_for_teachers_knows_the_exercises() -> None:
     page = (ROOT / "docs/for-teachers.rst").read_text(encoding="utf-8")
     table = page.partition("Exercise that reveals it")[2].partition("\n\n")[0]
     named = re.findall(r"\*([A-Z][^*\n]+)\*", table)
-    assert named
+    assert {exercise.ros for exercise in EXERCISES if exercise.title in named} == {1, 2}
     assert set(named) <= {exercise.title for exercise in EXERCISES}
 
 
 def test_the_parts_come_one_after_the_other() -> None:
-    order = [exercise.part for exercise in EXERCISES]
-    assert order == sorted(order, key=["Predict", "Change", "Diagnose", "Publish"].index)
+    for ros in NOTEBOOKS:
+        order = [exercise.part for exercise in EXERCISES if exercise.ros == ros]
+        assert order == sorted(order, key=["Predict", "Change", "Repair", "Diagnose", "Publish"].index)
     assert [exercise.number for exercise in EXERCISES] == NUMBERS
+    assert len({exercise.title for exercise in EXERCISES}) == len(NUMBERS)
 
 
 @pytest.mark.parametrize("number", NUMBERS)
@@ -147,8 +162,9 @@ def test_hints_stand_between_the_answer_and_the_solution(number: int) -> None:
     assert hints == [str(n) for n in range(1, len(hints) + 1)]
 
 
-def test_the_page_has_no_roles_that_only_sphinx_reads() -> None:
-    assert not re.search(r"\{(term|ref|doc)\}`", PAGE)
+def test_the_pages_have_no_roles_that_only_sphinx_reads() -> None:
+    for page in PAGES.values():
+        assert not re.search(r"\{(term|ref|doc)\}`", page)
 
 
 @pytest.mark.parametrize(("number", "index", "variable"), [(1, 0, "timer"), (1, 1, "loop"), (1, 2, "busy_loop")])
@@ -169,6 +185,26 @@ def test_the_node_with_a_slow_callback_does_what_the_solution_says(blocks_for: s
     node.write_text(re.findall(r"%%simulate [^\n]*\n(.*?)```", section(2), re.DOTALL)[0])
     console = simulate(node, 5.5, [f"_blocks_for:={blocks_for}"]).console
     assert times_of(console, 4) == pytest.approx(solution_of(2)[f"after_{blocks_for.replace('.', '_')}_seconds"])
+
+
+@pytest.mark.parametrize(
+    ("variable", "first", "old", "new", "args"),
+    [
+        ("after_1_0_seconds", 4, "", "", ["-p", "blocks_for:=1.0"]),
+        ("after_1_8_seconds", 4, "", "", ["-p", "blocks_for:=1.8"]),
+        ("always_slow", 1, "        if self.counter == 3:\n            time", "        time", []),
+        ("without_spin", 1, "rclpy.spin(spinner_py_node)", "while rclpy.ok():\n            time.sleep(0.1)", []),
+    ],
+)
+def test_the_node_of_ros_2_does_what_the_solution_says(
+    variable: str, first: int, old: str, new: str, args: list[str], tmp_path: Path
+) -> None:
+    [text] = re.findall(r"%%simulate [^\n]*\n(.*?)```", section(20), re.DOTALL)
+    assert old in text
+    node = tmp_path / "node.py"
+    node.write_text(text.replace(old, new) if old else text)
+    ticks = simulate(node, 5.5, ["--ros-args", *args] if args else []).ticks
+    assert [tick.real for tick in ticks][first - 1 : first + 2] == pytest.approx(solution_of(20)[variable])
 
 
 AT_ONCE = "        self.timerCallback(None)\n"
@@ -268,6 +304,21 @@ def test_the_cpp_node_does_what_the_solution_says(require: Callable[[str], None]
         assert ticks("not_kept", "0.6") == solution_of(3)["not_kept"]
 
 
+# --- the real ROS 2 -------------------------------------------------------------------------------------------------
+
+
+@pytest.mark.parametrize("number", [25, 26])
+def test_the_solution_ends_well_on_the_real_ros_2(number: int, require: Callable[[str], None], tmp_path: Path) -> None:
+    """What the unchanged cells do, scenarios of their own hold: ``ctrl_c_spin``, ``ctrl_c_rate_nobody_spins``."""
+    require("ros2")
+    node = tmp_path / "node.py"
+    node.write_text(answer_in(CELLS[number][1]))
+    run = launch(node, 1.5)
+    assert run.status == 0
+    assert "Traceback" not in run.console
+    assert run.console.endswith("speed = 0.0\n") or "counter = 2" in run.console
+
+
 # --- strange answers --------------------------------------------------------------------------------------------------
 
 
@@ -349,8 +400,41 @@ def test_a_changed_console_or_namespace_does_not_matter(monkeypatch: pytest.Monk
     assert check(4, answer_in(CELLS[4][1])).passed
 
 
+@pytest.mark.parametrize(
+    ("number", "answer", "said", "hint"),
+    [
+        (21, "import rospy\n", "This node is for ROS 1: it imports `rospy`.", "where a node imports `rclpy`"),
+        (21, "from rospy import spin\n", "This node is for ROS 1", "This exercise is on ROS 2"),
+        (4, "import rclpy\n", "This node is for ROS 2: it imports `rclpy`.", "where a node imports `rospy`"),
+        (4, "from rclpy.node import Node\n", "This node is for ROS 2", "This exercise is on ROS 1"),
+        (4, "import rospy, rclpy\n", "imports both `rospy` (ROS 1) and `rclpy` (ROS 2)", "imports `rospy`"),
+        (21, "import rclpy\nimport rospy\n", "A node has one ROS", "imports `rclpy`"),
+        (20, "import rospy\n", "This node is for ROS 1", "This exercise is on ROS 2"),
+    ],
+)
+def test_an_answer_for_the_other_ros_is_told_so(number: int, answer: str, said: str, hint: str) -> None:
+    feedback = check(number, answer)
+    assert not feedback.passed
+    assert said in repr(feedback)
+    assert hint in feedback.hint
+
+
+def test_ros_2_is_loaded_for_its_own_exercises_only() -> None:
+    """The page starts from a memory snapshot that does not hold it."""
+    code = """
+import sys
+from rosspin.exercises import check
+for number, answer in ((1, "timer = 0"), (4, "import rclpy"), (4, "import rospy"), (21, "import rospy")):
+    check(number, answer)
+    assert not [name for name in sys.modules if name.startswith("rosspin.rclpy")], number
+check(21, "import rclpy")
+assert "rosspin.rclpy" in sys.modules
+"""
+    subprocess.run([sys.executable, "-c", code], check=True)
+
+
 def test_wrong_calls() -> None:
-    with pytest.raises(ValueError, match="there is no exercise 99: they are numbered 1 to 19"):
+    with pytest.raises(ValueError, match="there is no exercise 99: they are numbered 1 to 26"):
         check(99, "")
 
 
@@ -378,6 +462,11 @@ def test_the_magic_shows_the_console_and_returns_the_feedback(
     assert feedback.passed
     assert "You have solved 1 of 19 exercises." in feedback._repr_markdown_()
     assert capsys.readouterr().out == "[INFO] [1.500000]: [SPINNER PY NODE] counter = 1\n"
+
+
+def test_the_magic_counts_the_exercises_of_each_page_by_themselves(shell: InteractiveShell) -> None:
+    said = shell.run_cell_magic("answer", "20", answer_in(CELLS[20][1]))._repr_markdown_()
+    assert f"You have solved 1 of {len(ON_PAGE[2])} exercises." in said
 
 
 def test_the_magic_counts_as_a_line(shell: InteractiveShell) -> None:

@@ -19,12 +19,12 @@ import yaml
 from conftest import ROOT, faults
 from playwright.sync_api import Browser, BrowserContext, Locator, Page, expect
 from test_browser import FAINT, TOO_WIDE
-from test_exercises import CELLS, NUMBERS, answer_in
+from test_exercises import CELLS, NOTEBOOKS, NUMBERS, ON_PAGE, answer_in
 from test_live_scenarios import lines_of
 from test_notebooks import NODES
 
 from rosspin import simulate
-from rosspin.exercises import check
+from rosspin.exercises import EXERCISES, check
 from rosspin.measures import describe_timeline
 from rosspin.site.live import plot, policy
 
@@ -878,25 +878,33 @@ def test_keyboard_alone(page: Page) -> None:
 
 
 @pytest.fixture(scope="module")
-def exercises(browser: Browser, address: str) -> Iterator[Page]:
-    """The page of exercises; nothing may go wrong in it."""
+def pages_of_exercises(browser: Browser, address: str) -> Iterator[dict[int, Page]]:
+    """The page of exercises on each ROS; nothing may go wrong in them."""
     with browser.new_context(viewport={"width": 1280, "height": 900}) as context:
         context.set_default_timeout(PATIENCE)
-        page = context.new_page()
-        wrong = faults(page, address)
-        page.goto(address + "notebooks/exercises.html")
-        yield page
-        assert not wrong
+        pages = {ros: context.new_page() for ros in NOTEBOOKS}
+        wrong = [faults(page, address) for page in pages.values()]
+        for ros, page in pages.items():
+            page.goto(f"{address}notebooks/{NOTEBOOKS[ros].stem}.html")
+        yield pages
+        assert not any(wrong)
+
+
+@pytest.fixture
+def exercises(pages_of_exercises: dict[int, Page]) -> Page:
+    """The page of those on ROS 1."""
+    return pages_of_exercises[1]
 
 
 def exercise(page: Page, number: int) -> Cell:
-    return Cell(page, number - 1 if number < 2 else number)  # one cell before the 2nd is no exercise
+    """The cell of an exercise: one before the 2nd, and one before the first on ROS 2, is no exercise."""
+    return Cell(page, {1: 0}.get(number, number) if number in ON_PAGE[1] else number - ON_PAGE[2][0] + 1)
 
 
 @pytest.mark.parametrize("number", NUMBERS)
-def test_exercise_is_checked(exercises: Page, number: int) -> None:
+def test_exercise_is_checked(pages_of_exercises: dict[int, Page], number: int) -> None:
     """The page says of an answer what a notebook says of it."""
-    cell = exercise(exercises, number)
+    cell = exercise(pages_of_exercises[EXERCISES[number - 1].ros], number)
     for answer, status in zip(CELLS[number], ("not yet", "right"), strict=True):
         if status == "right":
             cell.write(answer.source)
@@ -920,19 +928,42 @@ assert signal.getsignal(signal.SIGINT) == signal.SIG_IGN
     subprocess.run([sys.executable, "-c", code], check=True)
 
 
-def test_what_was_solved_is_kept(exercises: Page) -> None:
+@pytest.mark.parametrize("ros", NOTEBOOKS)
+def test_what_was_solved_is_kept(pages_of_exercises: dict[int, Page], ros: int) -> None:
     """Told after each right answer, and known when the reader comes back."""
-    cell = exercise(exercises, 1)
-    cell.write(CELLS[1][1].source)
+    page, numbers = pages_of_exercises[ros], ON_PAGE[ros]
+    cell = exercise(page, numbers[0])
+    cell.write(CELLS[numbers[0]][1].source)
     cell.button("Run").click()
-    cell.ends(rf"Exercise 1: right\. You have solved \d+ of {len(NUMBERS)}\.")
-    exercises.reload()
+    cell.ends(rf"Exercise {numbers[0]}: right\. You have solved \d+ of {len(numbers)}\.")
+    page.reload()
     expect(cell.status).to_have_text("solved, as you edited it")
-    shown = exercises.locator(".live-progress").all_text_contents()
-    assert len(shown) == 2 and len(set(shown)) == 1  # on the page and in the sidebar
-    assert re.fullmatch(rf"[1-9]\d* of {len(NUMBERS)} solved", shown[0])
+    said = page.locator("article .live-progress").text_content() or ""
+    assert re.fullmatch(rf"[1-9]\d* of {len(numbers)} solved", said)
+    assert beside_its_link(page, ros) == said
     cell.button("Reset").click()
     expect(cell.status).to_have_text("solved")
+
+
+def test_each_page_of_exercises_counts_its_own(pages_of_exercises: dict[int, Page], address: str) -> None:
+    """A page that runs nodes shows both counts in its sidebar."""
+    for ros, page in pages_of_exercises.items():
+        cell = exercise(page, ON_PAGE[ros][0])
+        cell.write(CELLS[ON_PAGE[ros][0]][1].source)
+        cell.button("Run").click()
+        cell.ends(f"Exercise {ON_PAGE[ros][0]}: right")
+    page = pages_of_exercises[1].context.new_page()
+    page.goto(address + "docs/tutorial.html")
+    for ros, numbers in ON_PAGE.items():
+        assert beside_its_link(page, ros).endswith(f" of {len(numbers)} solved")
+    expect(page.locator(".live-progress")).to_have_count(2)
+    page.close()
+
+
+def beside_its_link(page: Page, ros: int) -> str:
+    """What the sidebar says beside the link to a page of exercises."""
+    links = page.locator(".bd-docs-nav a").filter(has_text=re.compile("^Exercises$"))
+    return links.nth(ros - 1).locator("xpath=following-sibling::*[1]").text_content() or ""
 
 
 def test_hints_are_asked_for_one_at_a_time(exercises: Page) -> None:

@@ -320,7 +320,8 @@ def test_no_number_in_how_timing_works_is_typed(name: str) -> None:
 
 
 def test_the_page_for_teachers_names_exercises_that_there_are() -> None:
-    titles = {tag.get_text().rstrip("#") for tag in _page("notebooks/exercises").select("article h2, article h3")}
+    pages = [_page(f"notebooks/{name}") for name in ("exercises", "ros2-exercises")]
+    titles = {tag.get_text().rstrip("#") for page in pages for tag in page.select("article h2, article h3")}
     named = [tag.get_text() for tag in _page("docs/for-teachers").select("td em")]
     assert len(named) >= 11
     assert set(named) <= {re.sub(r"^\d+\. ", "", title) for title in titles}

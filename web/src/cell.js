@@ -20,29 +20,33 @@ const BY_CTRL_C = 130
 /** The cells of the page that are answers to exercises. */
 const exercises = []
 
-/** Under this, for all pages, how many exercises are solved. */
-const PROGRESS = "rosspin:progress"
+/** Under this and the path of a page, how many of its exercises are solved. */
+const PROGRESS = "rosspin:progress:"
 
 /** Under this, beside the reader's text, a cell notes that its exercise has been solved. */
 const SOLVED = ":solved"
 
-/** Say on the page, if it has exercises, how many are solved, and on every page beside the link to them. */
+/** Say on a page that has exercises how many are solved, and on every page beside the links to such pages. */
 export function showProgress() {
-  const places = [document.querySelector('.bd-docs-nav a[href$="exercises.html"]')]
-  let said = null
+  document.querySelectorAll(".live-progress").forEach((element) => element.remove())
   try {
     if (exercises.length) {
       const solved = exercises.filter((cell) => cell.solved).length
-      localStorage.setItem(PROGRESS, `${solved} of ${exercises.length} solved`)
-      places.splice(0, 1, document.querySelector(".bd-docs-nav a[aria-current]"), document.querySelector("article h1"))
+      localStorage.setItem(PROGRESS + location.pathname, `${solved} of ${exercises.length} solved`)
+      sayProgress(document.querySelector("article h1"), location.pathname)
     }
-    said = localStorage.getItem(PROGRESS)
+    document.querySelectorAll('.bd-docs-nav a[href$="exercises.html"], .bd-docs-nav a[aria-current]').forEach((link) => {
+      sayProgress(link, link.pathname)
+    })
   } catch {
     // the reader does not let pages keep anything
   }
-  if (!said) return
-  document.querySelectorAll(".live-progress").forEach((element) => element.remove())
-  places.forEach((place) => place?.after(make("p", { className: "live-progress", textContent: said })))
+}
+
+/** Say beside an element how many exercises of a page are solved, if that is known. */
+function sayProgress(place, page) {
+  const said = localStorage.getItem(PROGRESS + page)
+  if (said) place.after(make("p", { className: "live-progress", textContent: said }))
 }
 
 /** An element with these properties and children. */

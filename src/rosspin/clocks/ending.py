@@ -57,10 +57,9 @@ def _raise(frame: FrameType, event: str, arg: Any) -> Any:
 
 
 def _is_spared(frame: FrameType) -> bool:
-    return (
-        str(frame.f_globals.get("__name__", "")).partition(".")[0] in _SPARED
-        or frame.f_code in [getattr(callback, "__code__", None) for callback in gc.callbacks]
-    )
+    return str(frame.f_globals.get("__name__", "")).partition(".")[0] in _SPARED or frame.f_code in [
+        getattr(callback, "__code__", None) for callback in gc.callbacks
+    ]
 
 
 @contextmanager

@@ -6,7 +6,7 @@ import ast
 import io
 import math
 import os
-import re
+import signal
 import sys
 import threading
 import traceback
@@ -14,28 +14,30 @@ from collections import Counter
 from collections.abc import Callable, Collection, Iterator, Sequence
 from contextlib import contextmanager
 from types import CodeType, FrameType
-from typing import Any, NamedTuple
+from typing import Any
 
-from .. import rospy
-from ..advice import advice
 from ..clocks.clock import NS, nanoseconds
+from ..clocks.programs import send
 from ..clocks.simulation import Simulation
 from ..process import Node, capture, execute, load_source
-from ..rospy.state import State
-from ..rospy.timer import Timer
-from ..run import Result, TimeStandsStill, messages_of, run_node, ticks_of
-from ..ticks import Message, Tick
+from ..run import TimeStandsStill, messages_of, run_node, ticks_of
+from ..ticks import Tick
 from ..world import NotSimulated, World
+from . import in_rospy
 from .feedback import Finding
+from .seen import Printed, Ros, Seen, SeenTimer
 from .shaking import shake, turns
 
-__all__ = ["CLOSE", "Answer", "Fails", "Printed", "Seen", "SeenTimer", "a_value", "grid", "on_time", "plain", "say"]
+__all__ = ["CLOSE", "Answer", "Fails", "a_value", "grid", "on_time", "plain", "say"]
 
 # What the reader sees as the name of the node file: in tracebacks, and where a node never sleeps.
 _FILENAME = "<answer>"
 
 # Nobody means a time difference below this (s).
 CLOSE = 1e-3
+
+# What a node of each ROS imports.
+_MODULES = {1: "rospy", 2: "rclpy"}
 
 # A thread that has slept so often in one line of the answer runs a loop there.
 _LOOPS = 3
@@ -51,71 +53,25 @@ class Fails(Exception):
 # --- what a run shows -------------------------------------------------------------------------------------------------
 
 
-class Printed(NamedTuple):
-    """A line that was printed: when (s), in which thread, and its text."""
-
-    time: float
-    thread: int
-    text: str
-
-
-class SeenTimer(NamedTuple):
-    """What a timer did: its thread, its calls, and how it was when Ctrl-C came.
-
-    ``state`` is "running"; "stopped", as by ``shutdown()`` or after the call of a one-shot timer; "blocked" if a call
-    had not ended for a second; "gone" if its thread had ended in some other way.
-    """
-
-    thread: int | None
-    calls: tuple[Tick, ...]
-    state: str
-
-
-class Seen:
-    """What an answer did in one run of ``seconds``.
-
-    ``printed`` are the lines that it printed, also after Ctrl-C; ``timers`` are those that it had started by then;
-    ``loops`` are the lines of the answer in which a thread other than a timer's slept again and again; ``messages`` are
-    what it published.
-    """
-
-    def __init__(self, clock: _Watched, seconds: float, messages: Sequence[Message]) -> None:
-        self.seconds = seconds
-        self.messages = tuple(messages)
-        self.printed = tuple(clock.printed)
-        self.timers = tuple(clock.timers)
-        of_timers = {timer.thread for timer in self.timers}
-        self.loops = sorted(
-            {line for (thread, line), count in clock.sleeps.items() if count >= _LOOPS and thread not in of_timers}
-        )
-
-    def values(self, tag: str, name: str) -> list[Printed]:
-        """The lines ``[tag] name = value``, however they were printed, each with its value as the text."""
-        sign = re.compile(rf"(?:^|: )\[{tag}\] {name} = (.*)")
-        found = [(line, sign.search(line.text)) for line in self.printed]
-        return [line._replace(text=match[1].strip()) for line, match in found if match]
-
-    def counters(self, tag: str = "SPINNER PY NODE") -> list[Printed]:
-        """The lines ``[tag] counter = 1`` and so on, up to Ctrl-C."""
-        return [line for line in self.values(tag, "counter") if line.time <= self.seconds]
-
-    def printers(self, lines: Collection[Printed]) -> tuple[list[SeenTimer], list[Printed]]:
-        """The timers in whose threads lines were printed, and the lines that none of them printed."""
-        threads = {line.thread for line in lines}
-        timers = [timer for timer in self.timers if timer.thread in threads]
-        return timers, [line for line in lines if line.thread not in {timer.thread for timer in timers}]
-
-
 class _Watched(Simulation):
     """A simulated clock that notes what happens on it."""
 
-    def __init__(self, until: float) -> None:
+    def __init__(self, ros: Ros, until: float) -> None:
         super().__init__()
         self.printed: list[Printed] = []
         self.timers: list[SeenTimer] = []
-        self.sleeps: Counter[tuple[int, int]] = Counter()
+        self._ros = ros
+        self._sleeps: Counter[tuple[int, int]] = Counter()
         self._whole = True  # whether the last line was printed to its end
         self.at(nanoseconds(until), self._note_timers)  # before Ctrl-C, which is to come then, too
+
+    def terminate(self, at: float) -> None:
+        """Send the node SIGTERM at a time (s)."""
+        self.at(nanoseconds(at), lambda: send(self.main.program, signal.SIGTERM))
+
+    def loops(self) -> list[int]:
+        """The lines of the answer in which something other than a timer's callback slept again and again."""
+        return sorted({line for (_, line), count in self._sleeps.items() if count >= _LOOPS})
 
     def sleep(self, ns: int) -> None:
         self._note_sleep(sys._getframe())
@@ -128,33 +84,43 @@ class _Watched(Simulation):
     def note_print(self, text: str) -> None:
         for piece in text.splitlines(keepends=True):
             if self._whole:
-                self.printed.append(Printed(self.seconds(), threading.get_ident(), piece))
+                self.printed.append(Printed(self.seconds(), piece, self._timer(sys._getframe())))
             else:
                 self.printed[-1] = self.printed[-1]._replace(text=self.printed[-1].text + piece)
             self._whole = piece.endswith("\n")
 
+    def _timer(self, frame: FrameType | None) -> Any:
+        """The timer in whose call a frame is."""
+        while frame:
+            timer = self._ros.timer_of(frame)
+            if timer is not None:
+                return timer
+            frame = frame.f_back
+        return None
+
     def _note_sleep(self, frame: FrameType | None) -> None:
         while frame and frame.f_code.co_filename != _FILENAME:
-            if frame.f_code is rospy.spin.__code__:
+            if frame.f_code in self._ros.WAITING:
                 return
             frame = frame.f_back
-        if frame:
-            self.sleeps[threading.get_ident(), frame.f_lineno] += 1
+        if frame and self._timer(frame) is None:
+            self._sleeps[threading.get_ident(), frame.f_lineno] += 1
 
     def _note_timers(self) -> None:
         world = self.main.program
         assert isinstance(world, World)
         ticks = ticks_of(world.graph, 0)
-        for timer in world.part(State).timers:
-            calls = tuple(tick for tick in ticks if tick.source == timer.source)
-            self.timers.append(SeenTimer(timer.ident, calls, self._state(timer, calls)))
+        for timer, source, has_ended, was_asked in self._ros.timers(world, self.printed):
+            calls = tuple(tick for tick in ticks if tick.source == source)
+            self.timers.append(SeenTimer(timer, calls, self._state(calls, has_ended, was_asked)))
 
-    def _state(self, timer: Timer, calls: Sequence[Tick]) -> str:
-        if not timer.is_alive():
-            return "stopped" if timer._shutdown or timer._oneshot else "gone"
-        if calls and math.isnan(calls[-1].duration) and nanoseconds(calls[-1].real) < self.now() - NS:
-            return "blocked"
-        return "stopped" if timer._shutdown else "running"
+    def _state(self, calls: Sequence[Tick], has_ended: bool, was_asked: bool) -> str:
+        if not has_ended and calls and math.isnan(calls[-1].duration):
+            if nanoseconds(calls[-1].real) < self.now() - NS:
+                return "blocked"
+        if was_asked:
+            return "stopped"
+        return "gone" if has_ended else "running"
 
 
 class _Listener(io.TextIOBase):
@@ -179,78 +145,149 @@ def _nothing(error: BaseException) -> bool:
 
 
 class Answer:
-    """The answer to one exercise.
+    """The answer to one exercise, which is on ROS 1 or 2.
 
     ``console`` is that of its first run; ``ended_early`` says whether a run was over before its time.
     """
 
-    def __init__(self, text: Any) -> None:
+    def __init__(self, text: Any, ros: int = 1) -> None:
         self._text = text
+        self._ros_number = ros
         self.console = ""
         self.ended_early = False
         self._ran = False
+
+    @property
+    def ros(self) -> Ros:
+        """What there is to know of its ROS."""
+        if self._ros_number == 1:
+            return in_rospy
+        from . import in_rclpy
+
+        return in_rclpy
 
     def run(self, seconds: float, *args: str, seed: int | None = None, allowed: _Allowed = _nothing) -> Seen:
         """Run the answer as a node in simulated time; ``args`` are its command line.
 
         With a ``seed`` its threads take turns at any line. A node that cannot be run, or fails of an error that is not
-        ``allowed``, ends the check.
+        ``allowed``, ends the check. That Ctrl-C ends it as its ROS has it is no failure.
         """
-        node = _load(self._text)
+        seen = self.ending(seconds, *args, seed=seed)
+        if failure := self._failure(seen, allowed):
+            raise Fails(f"{_started(args)} {failure}", self._hint_for_errors(seen.errors))
+        self.ended_early |= not seen.interrupted and allowed is _nothing and seed is None
+        return seen
+
+    def ending(self, seconds: float, *args: str, terminated_at: float | None = None, seed: int | None = None) -> Seen:
+        """Run it likewise, however it ends; SIGTERM may come before Ctrl-C. One that cannot be run ends the check."""
+        node = self._load()
         if gaps := _gaps(self._text):
             lines = f"line {gaps[0]}" if len(gaps) == 1 else f"lines {', '.join(map(str, gaps))}"
             raise Fails(f"There is still a gap, `...`, in {lines}.")
         if seed is None:
-            seen, interrupted = self._run(node, seconds, args, allowed)
-            self.ended_early |= not interrupted and allowed is _nothing
-            return seen
+            return self._run(node, seconds, args, terminated_at)
         code = compile(shake(self._text), _FILENAME, "exec", dont_inherit=True)
         with turns(seed):
-            return self._run(node._replace(main=lambda: execute(code, _FILENAME)), seconds, args, allowed)[0]
+            return self._run(node._replace(main=lambda: execute(code, _FILENAME)), seconds, args, terminated_at)
 
     def variables(self) -> dict[str, Any]:
         """The variables that the answer assigns. One that cannot be run, or fails, ends the check."""
-        node = _load(self._text)
+        node = self._load()
         found: dict[str, Any] = {}
 
         def main() -> None:
             node.main()
             found.update(vars(sys.modules["__main__"]))
 
-        self._run(node._replace(main=main), 0.0, ())
+        seen = self._run(node._replace(main=main), 0.0, ())
+        if failure := self._failure(seen, _nothing):
+            raise Fails(f"{_started(())} {failure}", self._hint_for_errors(seen.errors))
         return found
 
-    def _run(self, node: Node, seconds: float, args: Sequence[str], allowed: _Allowed = _nothing) -> tuple[Seen, bool]:
-        """What was seen, and whether the node ran until Ctrl-C."""
-        started = f"Started with `{' '.join(args)}`, the" if args else "The"
-        clock = _Watched(seconds)
+    def _run(self, node: Node, seconds: float, args: Sequence[str], terminated_at: float | None = None) -> Seen:
+        clock = _Watched(self.ros, seconds)
+        if terminated_at is not None:
+            clock.terminate(terminated_at)
         listener: Any = _Listener(clock)
         try:
             with capture(listener, listener) as console, _plain_environment():
                 result = run_node(node, seconds, args, clock)
         except (TimeStandsStill, NotSimulated, RuntimeError) as error:
-            raise Fails(f"{started} node cannot be run: `{plain(str(error))}`", _hint_for(error)) from None
+            raise Fails(f"{_started(args)} node cannot be run: `{plain(str(error))}`", _hint_for(error)) from None
         finally:
             if not self._ran:
                 self.console, self._ran = console.text(), True
-        if failure := _failure(result, allowed):
-            raise Fails(f"{started} {failure}", _hint_for_errors(result.world.errors))
-        return Seen(clock, seconds, messages_of(result.world.graph, 0)), result.world.interrupted
+        world, loops = result.world, clock.loops()
+        messages = messages_of(world.graph, 0)
+        how = result.status, world.errors, world.interrupted
+        return Seen(seconds, clock.printed, clock.timers, loops, messages, *how)
+
+    def _load(self) -> Node:
+        source = self._text
+        if source is ... or source is None:
+            raise Fails("There is no answer yet.", "Write it in a cell that begins with `%%answer`.")
+        if not isinstance(source, str):
+            raise Fails(f"The answer is a text, not {a_value(source)}.")
+        read = "Python could not read the answer, so nothing ran. The error may be in the line before."
+        try:
+            self._refuse_the_other_ros(_imported(source))
+            return load_source(source, _FILENAME)._replace(ros=self._ros_number)
+        except SyntaxError as error:
+            said = plain(error.msg)  # may end in a question
+            raise Fails(f"Line {error.lineno} is not Python: {said}{'' if said.endswith('?') else '.'}", read) from None
+        except (ValueError, RecursionError, MemoryError) as error:
+            raise Fails(f"This is not Python: {plain(str(error))}.", read) from None
+
+    def _refuse_the_other_ros(self, imported: Collection[str]) -> None:
+        own, other = _MODULES[self._ros_number], _MODULES[3 - self._ros_number]
+        if other not in imported:
+            return
+        here = f"This exercise is on ROS {self._ros_number}, where a node imports `{own}`."
+        if own in imported:
+            raise Fails("The node imports both `rospy` (ROS 1) and `rclpy` (ROS 2). A node has one ROS.", here)
+        raise Fails(f"This node is for ROS {3 - self._ros_number}: it imports `{other}`.", here)
+
+    def _failure(self, seen: Seen, allowed: _Allowed) -> str:
+        """What went wrong in a run, as the rest of a sentence; empty if nothing did."""
+        endings = self.ros.ENDINGS if seen.interrupted else ()
+        if wrong := [error for error in seen.errors if not (allowed(error) or isinstance(error, endings))]:
+            return self.say_error(wrong[-1])
+        if seen.status == 137:
+            return f"node did not end at Ctrl-C: its loop does not ask `{self.ros.GOES_ON}`."
+        failed = seen.status and not seen.errors and not endings
+        return f"node ended with status {seen.status} instead of 0." if failed else ""
+
+    def say_error(self, error: BaseException) -> str:
+        """What an exception has ended, and where, as the rest of a sentence."""
+        lines = [line for code, line in _frames(error) if code.co_filename == _FILENAME]
+        place = f" in line {lines[-1]}" if lines else ""
+        said = plain(traceback.format_exception_only(error)[-1])
+        return f"{self._whose(error)} died of `{said}`{place}."
+
+    def _whose(self, error: BaseException) -> str:
+        codes = {code for code, _ in _frames(error)}
+        return self.ros.whose(codes) or ("thread" if threading.Thread.run.__code__ in codes else "node")
+
+    def _hint_for_errors(self, errors: Sequence[BaseException]) -> str:
+        if not errors:
+            return ""
+        error = errors[-1]
+        missing = ""
+        if isinstance(error, (AttributeError, ImportError, NameError)):
+            missing = "Python names what it did not find. Is it spelt as it is where it was made, with its `self.`?"
+        return self.ros.hint(error, self._whose(error)) or missing
 
 
-def _load(source: Any) -> Node:
-    if source is ... or source is None:
-        raise Fails("There is no answer yet.", "Write it in a cell that begins with `%%answer`.")
-    if not isinstance(source, str):
-        raise Fails(f"The answer is a text, not {a_value(source)}.")
-    read = "Python could not read the answer, so nothing ran. The error may be in the line before."
-    try:
-        return load_source(source, _FILENAME)
-    except SyntaxError as error:
-        said = plain(error.msg)  # may end in a question
-        raise Fails(f"Line {error.lineno} is not Python: {said}{'' if said.endswith('?') else '.'}", read) from None
-    except (ValueError, RecursionError, MemoryError) as error:
-        raise Fails(f"This is not Python: {plain(str(error))}.", read) from None
+def _started(args: Sequence[str]) -> str:
+    return f"Started with `{' '.join(args)}`, the" if args else "The"
+
+
+def _imported(source: str) -> set[str]:
+    """The modules that an answer imports, by the first words of their names."""
+    nodes = list(ast.walk(ast.parse(source)))
+    names = [alias.name for node in nodes if isinstance(node, ast.Import) for alias in node.names]
+    names += [node.module or "" for node in nodes if isinstance(node, ast.ImportFrom)]
+    return {name.partition(".")[0] for name in names}
 
 
 def _gaps(source: str) -> list[int]:
@@ -258,28 +295,17 @@ def _gaps(source: str) -> list[int]:
     return [node.lineno for node in ast.walk(ast.parse(source)) if isinstance(node, ast.Constant) and node.value is ...]
 
 
+# By these a reader may have changed the console, or the namespace of every node.
+_VARIABLES = ("ROSCONSOLE_FORMAT", "ROS_NAMESPACE", "RCUTILS_CONSOLE_OUTPUT_FORMAT", "RCUTILS_COLORIZED_OUTPUT")
+
+
 @contextmanager
 def _plain_environment() -> Iterator[None]:
-    """Without the variables by which a reader may have changed the console or the namespace of every node."""
-    kept = {name: os.environ.pop(name) for name in ("ROSCONSOLE_FORMAT", "ROS_NAMESPACE") if name in os.environ}
+    kept = {name: os.environ.pop(name) for name in _VARIABLES if name in os.environ}
     try:
         yield
     finally:
         os.environ.update(kept)
-
-
-def _failure(result: Result, allowed: _Allowed) -> str:
-    """What went wrong in a run, as the rest of a sentence; empty if nothing did."""
-    errors = result.world.errors
-    if wrong := [error for error in errors if not allowed(error)]:
-        error = wrong[-1]
-        lines = [line for code, line in _frames(error) if code.co_filename == _FILENAME]
-        place = f" in line {lines[-1]}" if lines else ""
-        said = plain(traceback.format_exception_only(error)[-1])
-        return f"{_whose(error)} died of `{said}`{place}."
-    if result.status == 137:
-        return "node did not end at Ctrl-C: its loop does not ask `rospy.is_shutdown()`."
-    return f"node ended with status {result.status} instead of 0." if result.status and not errors else ""
 
 
 def _frames(error: BaseException) -> Iterator[tuple[CodeType, int]]:
@@ -288,26 +314,6 @@ def _frames(error: BaseException) -> Iterator[tuple[CodeType, int]]:
     while trace:
         yield trace.tb_frame.f_code, trace.tb_lineno
         trace = trace.tb_next
-
-
-def _whose(error: BaseException) -> str:
-    codes = {code for code, _ in _frames(error)}
-    if Timer.run.__code__ in codes:
-        return "timer"
-    if rospy.signal_shutdown.__code__ in codes:
-        return "shutdown hook"
-    return "thread" if threading.Thread.run.__code__ in codes else "node"
-
-
-def _hint_for_errors(errors: Sequence[BaseException]) -> str:
-    if not errors:
-        return ""
-    if isinstance(errors[-1], TypeError) and _whose(errors[-1]) == "shutdown hook":
-        return "A shutdown hook is called without arguments."
-    if isinstance(errors[-1], (AttributeError, ImportError, NameError)):
-        missing = "Python names what it did not find. Is it spelt as it is where it was made, with its `self.`?"
-        return advice(errors[-1]) or missing
-    return advice(errors[-1])
 
 
 def _hint_for(error: Exception) -> str:

@@ -1,20 +1,21 @@
-"""The exercises of ``notebooks/exercises.md``: what each needs and reveals, and how its answer is judged."""
+"""The exercises on ROS 1, ``notebooks/exercises.md``: what each needs and reveals, and how its answer is judged."""
 
 from __future__ import annotations
 
 import math
-from collections.abc import Callable, Iterator, Mapping, Sequence
-from itertools import count, islice, pairwise
-from typing import Any, NamedTuple
+from collections.abc import Callable, Iterator, Sequence
+from itertools import count, pairwise
+from typing import Any
 
 from ..roscpp import timer_ticks
 from ..run import simulate
+from .exercise import Exercises
 from .feedback import Finding
-from .judging import CLOSE, Answer, Printed, Seen, a_value, grid, on_time, plain, say
+from .judging import CLOSE, Answer, grid, on_time, plain, say
+from .predictions import Beliefs, Prediction, as_number, choose, compare, same
+from .seen import Printed, Seen
 
-__all__ = ["EXERCISES", "Exercise"]
-
-_Find = Callable[[Answer], Iterator[Finding]]
+__all__ = ["EXERCISES"]
 
 _TIMER = "notebooks/timer"
 _RATE = "notebooks/rate"
@@ -30,107 +31,13 @@ _PUBLISHING = "notebooks/publish"
 _IRREGULAR = "docs/how-to/irregular-loop"
 
 
-class Exercise(NamedTuple):
-    """An exercise of the site.
+EXERCISES = Exercises(ros=1, first=1)
+"""The exercises of the page, in their order."""
 
-    ``part`` is "Predict", "Change", "Diagnose" or "Publish"; ``needs`` are the pages that one should have read, by
-    their paths without ending; ``reveals`` is the misconception that a wrong answer gives away, as its holder would put
-    it. ``find`` judges an answer; ``hint`` is for answers of which nothing more can be said.
-    """
-
-    number: int
-    part: str
-    title: str
-    needs: tuple[str, ...]
-    reveals: str
-    hint: str
-    find: _Find
-
-
-_exercises: list[Exercise] = []
-
-
-def _exercise(part: str, title: str, needs: tuple[str, ...], reveals: str, hint: str) -> Callable[[_Find], _Find]:
-    def add(find: _Find) -> _Find:
-        _exercises.append(Exercise(len(_exercises) + 1, part, title, needs, reveals, hint, find))
-        return find
-
-    return add
+_exercise = EXERCISES.add
 
 
 # --- predict ----------------------------------------------------------------------------------------------------------
-
-# Numbers that a wrong belief predicts, and what to say to whoever predicts them.
-_Beliefs = Mapping[tuple[float, ...], str]
-
-# What can be asked for: how a number is said, what a list of them is, and an example.
-_ASKED = {
-    "times": (say, "times in seconds", "[1.0, 2.0, 3.0]"),
-    "counters": (lambda number: f"{number:g}", "counters", "[1, 2, 3]"),
-}
-
-
-class _Prediction(NamedTuple):
-    """A variable that is asked for: in words what it is, the numbers that are right, and wrong ones.
-
-    ``asked`` says what the numbers are: "times" (s) or "counters".
-    """
-
-    variable: str
-    what: str
-    real: Sequence[float]
-    beliefs: _Beliefs
-    asked: str = "times"
-
-
-def _compare(answer: Answer, predictions: Sequence[_Prediction]) -> Iterator[Finding]:
-    variables = answer.variables()
-    for prediction in predictions:
-        variable, what, _, _, asked = prediction
-        _, listed, example = _ASKED[asked]
-        value = variables.get(variable)
-        if value is ... or value is None:
-            yield Finding(False, f"{what}: there is no prediction yet.", f"Give `{variable}` a list of {asked}.")
-            continue
-        predicted = _numbers(value)
-        if predicted is None:
-            text = f"{what}: the prediction is a list of {listed}, not {a_value(value)}."
-            yield Finding(False, text, f"Write it as `{example}`.")
-        else:
-            yield _compare_numbers(prediction, predicted)
-
-
-def _numbers(value: Any) -> list[float] | None:
-    """A prediction as numbers; None if it is none."""
-    try:
-        numbers = [float(number) for number in islice(iter(value), 100)]
-    except Exception:  # whatever the value is
-        return None
-    return numbers if not isinstance(value, (str, bytes)) and all(map(math.isfinite, numbers)) else None
-
-
-def _compare_numbers(prediction: _Prediction, predicted: Sequence[float]) -> Finding:
-    _, what, real, beliefs, asked = prediction
-    say_one = _ASKED[asked][0]
-    said = ", ".join(map(say_one, predicted)) or "nothing at all"
-    if _same(predicted, real):
-        return Finding(True, f"{what}: {said}.")
-    for numbers, why in beliefs.items():
-        if _same(predicted, numbers):
-            return Finding(False, f"{what}: not {said}.", why)
-    if not real:
-        return Finding(False, f"{what}: not {said}.")
-    if len(predicted) != len(real):
-        return Finding(False, f"{what}: {len(real)} {asked} are asked for, not {len(predicted)}.")
-    wrong = next(n for n, pair in enumerate(zip(predicted, real, strict=True)) if not _same(pair[:1], pair[1:]))
-    return Finding(False, f"{what}: {_NTH[wrong]} of these {asked} is not {say_one(predicted[wrong])}.")
-
-
-_NTH = ("the first", "the second", "the third")
-
-
-def _same(one: Sequence[float], other: Sequence[float]) -> bool:
-    return len(one) == len(other) and all(abs(a - b) < 0.01 for a, b in zip(one, other, strict=True))
 
 
 def _simulated(node: Callable[[], None], first: int = 1) -> list[float]:
@@ -185,28 +92,28 @@ _AT_ONCE = "A loop makes its first pass at once; `rate.sleep()` comes at the end
     "When does the first tick come: at the start, or one period later? How far apart are the ticks?",
 )
 def _first_ticks(answer: Answer) -> Iterator[Finding]:
-    timer: _Beliefs = {
+    timer: Beliefs = {
         (0.0, 0.4, 0.8): "A timer waits for one period before its first call.",
         (2.5, 5.0, 7.5): "This takes 0.4 for a frequency. A timer is given its period, in seconds.",
         (0.0, 2.5, 5.0): "This takes 0.4 for a frequency. A timer is given its period, in seconds.",
     }
-    loop: _Beliefs = {
+    loop: Beliefs = {
         (0.25, 0.5, 0.75): _AT_ONCE,
         (0.0, 4.0, 8.0): "This takes 4 for a period. A rate is given its frequency, in Hz.",
         (4.0, 8.0, 12.0): "This takes 4 for a period. A rate is given its frequency, in Hz.",
     }
-    busy: _Beliefs = {
+    busy: Beliefs = {
         (0.25, 0.5, 0.75): _AT_ONCE,
         (0.0, 0.35, 0.7): "`rate.sleep()` sleeps until the next period begins: the work is a part of the period.",
         (0.1, 0.35, 0.6): "This is when the work ends. The counter is printed before it.",
         (0.1, 0.45, 0.8): "The counter is printed before the work, and the work is a part of the period.",
     }
     predictions = [
-        _Prediction("timer", "the timer", _simulated(_timer_node(0.4)), timer),
-        _Prediction("loop", "the loop", _simulated(_loop_node(4.0)), loop),
-        _Prediction("busy_loop", "the loop with 0.1 s of work", _simulated(_loop_node(4.0, 0.1)), busy),
+        Prediction("timer", "the timer", _simulated(_timer_node(0.4)), timer),
+        Prediction("loop", "the loop", _simulated(_loop_node(4.0)), loop),
+        Prediction("busy_loop", "the loop with 0.1 s of work", _simulated(_loop_node(4.0, 0.1)), busy),
     ]
-    yield from _compare(answer, predictions)
+    yield from compare(answer, predictions)
 
 
 _UNMOVED = "The slow callback keeps its timer busy until it returns: no other call of it can begin before."
@@ -221,12 +128,12 @@ _KEEPS_TO_THE_GRID = "This is what ROS 2 does: it leaves ticks out and keeps to 
     "The callback ends at 1.2 s plus the time for which it blocks. Which ticks were due by then?",
 )
 def _after_a_slow_callback(answer: Answer) -> Iterator[Finding]:
-    short: _Beliefs = {
+    short: Beliefs = {
         (1.6, 2.0, 2.4): _UNMOVED,
         (2.2, 2.6, 3.0): "This is what roscpp does. rospy counts anew only after a longer delay.",
         (2.2, 2.4, 2.8): f"{_KEEPS_TO_THE_GRID} rospy makes up for short delays.",
     }
-    long: _Beliefs = {
+    long: Beliefs = {
         (1.6, 2.0, 2.4): _UNMOVED,
         (3.0, 3.0, 3.0): "This is what a queue of calls would give. There is none: ticks are lost here.",
         (3.0, 3.2, 3.6): f"{_KEEPS_TO_THE_GRID} rospy counts anew after a long delay.",
@@ -234,10 +141,10 @@ def _after_a_slow_callback(answer: Answer) -> Iterator[Finding]:
         (3.0, 3.0, 3.4): "Calls in a row follow a shorter delay. This one is too long to be made up for.",
     }
     predictions = [
-        _Prediction("after_1_0_seconds", "blocked for 1.0 s", _simulated(_timer_node(0.4, 1.0), 4), short),
-        _Prediction("after_1_8_seconds", "blocked for 1.8 s", _simulated(_timer_node(0.4, 1.8), 4), long),
+        Prediction("after_1_0_seconds", "blocked for 1.0 s", _simulated(_timer_node(0.4, 1.0), 4), short),
+        Prediction("after_1_8_seconds", "blocked for 1.8 s", _simulated(_timer_node(0.4, 1.8), 4), long),
     ]
-    yield from _compare(answer, predictions)
+    yield from compare(answer, predictions)
 
 
 def _roscpp(blocks_for: float) -> list[float]:
@@ -253,24 +160,24 @@ def _roscpp(blocks_for: float) -> list[float]:
     "The callback ends at 1.2 s plus the time for which it blocks. Is the call after the next one due by then, too?",
 )
 def _ticks_in_cpp(answer: Answer) -> Iterator[Finding]:
-    short: _Beliefs = {
+    short: Beliefs = {
         (1.6, 2.0, 2.4): _UNMOVED,
         (1.8, 2.2, 2.6): "roscpp counts anew only if the call after the next one is overdue as well.",
     }
-    long: _Beliefs = {
+    long: Beliefs = {
         (1.6, 2.0, 2.4): _UNMOVED,
         (2.2, 2.2, 2.4): "This is what rospy does. roscpp never has more than one call of a timer waiting.",
         (2.2, 2.4, 2.8): f"{_KEEPS_TO_THE_GRID} roscpp counts anew.",
     }
-    kept: _Beliefs = {
+    kept: Beliefs = {
         (0.4, 0.8, 1.2): "This is what rospy does. In C++ a timer ends with the last `ros::Timer` that stands for it.",
     }
     predictions = [
-        _Prediction("after_0_6_seconds", "blocked for 0.6 s", _roscpp(0.6), short),
-        _Prediction("after_1_0_seconds", "blocked for 1.0 s", _roscpp(1.0), long),
-        _Prediction("not_kept", "with a timer that nobody keeps", [], kept),
+        Prediction("after_0_6_seconds", "blocked for 0.6 s", _roscpp(0.6), short),
+        Prediction("after_1_0_seconds", "blocked for 1.0 s", _roscpp(1.0), long),
+        Prediction("not_kept", "with a timer that nobody keeps", [], kept),
     ]
-    yield from _compare(answer, predictions)
+    yield from compare(answer, predictions)
 
 
 # --- change -----------------------------------------------------------------------------------------------------------
@@ -287,14 +194,14 @@ def _change_the_rate(answer: Answer) -> Iterator[Finding]:
     yield on_time(answer.run(1.0).counters(), grid(0.1, 1.0))
 
 
-def _stopped(seen: Seen, calls: int) -> Iterator[Finding]:
-    """Whether the timers that printed the counters have stopped, after so many calls."""
+def stopped(seen: Seen, calls: int, timer: str = "a `rospy.Timer`") -> Iterator[Finding]:
+    """Whether the timers that printed the counters have stopped, after so many calls; ``timer`` is what they are."""
     counters = seen.counters()
     if not counters:
         return
     timers, others = seen.printers(counters)
     if others:
-        text = f"counter {plain(others[0].text)} was not printed by the callback of a `rospy.Timer`."
+        text = f"counter {plain(others[0].text)} was not printed by the callback of {timer}."
         yield Finding(False, text, "Let a timer call back, and stop it.")
         return
     states = {timer.state for timer in timers}
@@ -325,7 +232,7 @@ def _stopped(seen: Seen, calls: int) -> Iterator[Finding]:
 def _fire_once(answer: Answer) -> Iterator[Finding]:
     seen = answer.run(5.0)
     yield on_time(seen.counters(), [1.5])
-    yield from _stopped(seen, 1)
+    yield from stopped(seen, 1)
 
 
 @_exercise(
@@ -340,7 +247,7 @@ def _stop_after_five(answer: Answer) -> Iterator[Finding]:
     yield on_time(seen.counters(), grid(0.5, 2.5))
     stops = "Stop one timer, and no more: `rospy.signal_shutdown()` ends the whole node."
     yield on_time(seen.counters("HEARTBEAT"), grid(1.0, 6.0), "The heartbeat", stops)
-    yield from _stopped(seen, 5)
+    yield from stopped(seen, 5)
 
 
 @_exercise(
@@ -400,7 +307,7 @@ def _two_rates(answer: Answer) -> Iterator[Finding]:
     for tag, frequency in (("FAST", 10), ("SLOW", 2)):
         counters = seen.counters(tag)
         wanted = grid(1 / frequency, 2.0)
-        shared = _same([line.time for line in counters], wanted)
+        shared = same([line.time for line in counters], wanted)
         yield on_time(counters, wanted, f"`[{tag}]`", "Give each timer a counter of its own." if shared else "")
 
 
@@ -458,7 +365,7 @@ def _count_parts(seen: Seen) -> Finding:
         due = 0.5 * number
         if len(reports) < number or reports[number - 1].time > due + 0.1:
             return Finding(False, f"the report due at {say(due)} did not come.", stuck)
-        time, _, text = reports[number - 1]
+        time, text, _ = reports[number - 1]
         if not text.isdigit():
             return Finding(False, f"`parts = {plain(text)}` is no number of parts.")
         total += int(text)
@@ -482,45 +389,43 @@ def _count_parts(seen: Seen) -> Finding:
 def _stop_the_motor(answer: Answer) -> Iterator[Finding]:
     for seconds, where in ((2.08, "while the loop sleeps"), (2.03, "while the sensor is read")):
         seen = answer.run(seconds)
-        yield _check_motor(seen, seconds, f"Ctrl-C {where}")
+        yield check_motor(seen, seconds, f"Ctrl-C {where}", _ASKS, _CAUGHT)
     seen = answer.run(5.0, "_fails_at:=1.0", allowed=lambda error: "no sensor" in str(error))
-    yield _check_motor(seen, 1.06, "The sensor fails")
+    yield check_motor(seen, 1.06, "The sensor fails", _ASKS, _CAUGHT)
 
 
-def _check_motor(seen: Seen, end: float, what: str) -> Finding:
-    """Whether the motor is driven until the time ``end`` (s), and stands from then on."""
-    printed = [(line.time, _number(line.text)) for line in seen.values("MOTOR", "speed")]
+_ASKS = (
+    "A hook runs in the middle of a pass, which then goes on. Ask `rospy.is_shutdown()` before you drive, or stop the "
+    "motor after the loop, in a `finally`."
+)
+_CAUGHT = "An exception that is caught, or that ends a timer alone, does not end the node: no hook is called."
+
+
+def check_motor(seen: Seen, end: float, what: str, again: str, late: str) -> Finding:
+    """Whether the motor is driven until the time ``end`` (s), and stands from then on.
+
+    ``again`` is a hint for those who then drive it again, ``late`` for those who do not stop it at once.
+    """
+    printed = [(line.time, as_number(line.text)) for line in seen.values("MOTOR", "speed")]
     commands = [(time, speed) for time, speed in printed if speed is not None]
     driven = [time for time, speed in commands if speed and time < end]
     paused = [time for time, speed in commands if not speed and time < end - CLOSE]
-    stopped = next((n for n, (time, speed) in enumerate(commands) if not speed and time >= end - CLOSE), None)
+    stop = next((n for n, (time, speed) in enumerate(commands) if not speed and time >= end - CLOSE), None)
     due = int(end / 0.1)
     if paused or abs(len(driven) - due) > 1:
         told = f"stopped at {say(paused[0])}" if paused else f"told a speed {len(driven)} times, not about {due} times"
         hint = "Until the node ends, the loop has to drive the motor as before."
         return Finding(False, f"{what}: up to then the motor was {told}.", hint)
-    if stopped is None:
+    if stop is None:
         return Finding(False, f"{what}: nobody stops the motor. It goes on at its last speed.")
-    time = commands[stopped][0]
-    if again := [later for later, speed in commands[stopped:] if speed]:
-        text = f"{what}: the motor was stopped at {say(time)}, and driven again at {say(again[0])}."
-        hint = (
-            "A hook runs in the middle of a pass, which then goes on. Ask `rospy.is_shutdown()` before you drive, or "
-            "stop the motor after the loop, in a `finally`."
-        )
-        return Finding(False, text, hint)
+    time = commands[stop][0]
+    if later := [time for time, speed in commands[stop:] if speed]:
+        text = f"{what}: the motor was stopped at {say(time)}, and driven again at {say(later[0])}."
+        return Finding(False, text, again)
     if time > end + 0.5:
         text = f"{what} at {say(end)}: the motor was not stopped before {say(time)}."
-        hint = "An exception that is caught, or that ends a timer alone, does not end the node: no hook is called."
-        return Finding(False, text, hint)
+        return Finding(False, text, late)
     return Finding(True, f"{what}: the motor was stopped at {say(time)}.")
-
-
-def _number(text: str) -> float | None:
-    try:
-        return float(text)
-    except ValueError:
-        return None
 
 
 # --- diagnose ---------------------------------------------------------------------------------------------------------
@@ -547,7 +452,7 @@ def _compare_missing(what: str, found: Sequence[Printed], wanted: Sequence[int])
     if len(found) != len(wanted):
         return Finding(False, f"{what}: {len(wanted)} callbacks printed {len(found)} lines with `missing = `.")
     for number, (line, missing) in enumerate(zip(found, wanted, strict=True), 1):
-        said = _number(line.text)
+        said = as_number(line.text)
         if said != missing:
             whole = said is not None and said == int(said)
             hint = "" if whole else "A tick is missing or not: the number is a whole one."
@@ -579,32 +484,7 @@ _LOGS = {"log_1": "B", "log_2": "E", "log_3": "D", "log_4": "C"}
     "Look at the first tick, at the distances between the ticks, and at what goes on to the end.",
 )
 def _name_the_fault(answer: Answer) -> Iterator[Finding]:
-    yield from _choose(answer, _LOGS, FAULTS)
-
-
-def _choose(answer: Answer, right: Mapping[str, str], choices: Mapping[str, str]) -> Iterator[Finding]:
-    """Whether each variable is the right letter; ``choices`` has what would be seen if it were another."""
-    variables = answer.variables()
-    for variable, letter in right.items():
-        value = variables.get(variable)
-        if value is ... or value is None:
-            yield Finding(False, f"`{variable}`: there is no answer yet.")
-            continue
-        named = value.strip(" ().").upper() if isinstance(value, str) else ""
-        if named not in choices:
-            text = f"`{variable}`: the answer is one of the letters A to {max(choices)}, not `{plain(_shown(value))}`."
-            yield Finding(False, text, 'Write it as `"A"`.')
-        elif named != letter:
-            yield Finding(False, f"`{variable}`: it is not {named}.", choices[named])
-        else:
-            yield Finding(True, f"`{variable}`: it is {named}.")
-
-
-def _shown(value: object) -> str:
-    try:
-        return repr(value)
-    except Exception:  # whatever the value is
-        return type(value).__name__
+    yield from choose(answer, _LOGS, FAULTS)
 
 
 # --- publish ----------------------------------------------------------------------------------------------------------
@@ -665,29 +545,29 @@ def _heard_by_a_slow_callback(queue_size: int) -> list[float]:
     "Is the connection there when the message is published? Which message is the newest one when the callback is free?",
 )
 def _what_is_heard(answer: Answer) -> Iterator[Finding]:
-    plain_: _Beliefs = {
+    plain_: Beliefs = {
         (1, 2, 3): "When 1 is published, the subscriber is not connected yet: nobody keeps it for later.",
     }
-    latched: _Beliefs = {
+    latched: Beliefs = {
         (2, 3, 4): "A publisher that latches keeps its last message for whoever connects later.",
     }
-    together: _Beliefs = {
+    together: Beliefs = {
         (1, 2, 3): "A publisher that latches keeps one message only, the last.",
         (1,): "It is the last message that is kept, not the first.",
         (): "A publisher that latches keeps its last message for whoever connects later.",
     }
-    slow: _Beliefs = {
+    slow: Beliefs = {
         (0, 1, 2): "This is what happens without a `queue_size`. With 1, all but the newest are dropped.",
         (0, 4, 8): "The callback does not wait for the next message: the newest one is there already.",
         (0, 1, 4): "The message that waits is replaced by each newer one.",
     }
     predictions = [
-        _Prediction("without_latch", "without `latch`", _heard(), plain_, "counters"),
-        _Prediction("with_latch", "with `latch`", _heard(latch=True), latched, "counters"),
-        _Prediction("three_at_once", "three at once", _heard(True, False, 3), together, "counters"),
-        _Prediction("slow_callback", "the slow callback", _heard_by_a_slow_callback(1), slow, "counters"),
+        Prediction("without_latch", "without `latch`", _heard(), plain_, "counters"),
+        Prediction("with_latch", "with `latch`", _heard(latch=True), latched, "counters"),
+        Prediction("three_at_once", "three at once", _heard(True, False, 3), together, "counters"),
+        Prediction("slow_callback", "the slow callback", _heard_by_a_slow_callback(1), slow, "counters"),
     ]
-    yield from _compare(answer, predictions)
+    yield from compare(answer, predictions)
 
 
 _NOT_CONNECTED = "A publisher that was made just now is not connected to anyone. Make it once, before the timer."
@@ -714,7 +594,7 @@ def _publish_the_counter(answer: Answer) -> Iterator[Finding]:
         text = f"the messages on `/counter` are of the type {', '.join(sorted(wrong))}, not std_msgs/UInt32."
         yield Finding(False, text, "Both ends of a topic have to name the same type: otherwise they do not connect.")
         return
-    published = [Printed(message.time, 0, str(message.message.data)) for message in sent]
+    published = [Printed(message.time, str(message.message.data)) for message in sent]
     on_topic = on_time(published, wanted, "On `/counter`")
     yield on_topic
     yield on_time(heard, wanted, "The listener", _NOT_CONNECTED if on_topic.right else "")
@@ -769,7 +649,7 @@ def _steer_by_the_newest(answer: Answer) -> Iterator[Finding]:
         text = f"the controller steered again at {say(short[0].time)}, less than 0.33 s after the last time."
         yield Finding(False, text, "Its computation takes 0.33 s, and nothing else can be done about that.")
         return
-    for time, _, text in steps:
+    for time, text, _ in steps:
         made = sent.get(int(text)) if text.isdigit() else None
         if made is None:
             yield Finding(False, f"`position = {plain(text)}` is no position that the sensor has published.")
@@ -802,8 +682,4 @@ _REPORTS = {"report_1": "C", "report_2": "D", "report_3": "E", "report_4": "B"}
     "Compare the average with what was asked for, `min` with `max`, and the first report with the second.",
 )
 def _read_rostopic_hz(answer: Answer) -> Iterator[Finding]:
-    yield from _choose(answer, _REPORTS, CAUSES)
-
-
-EXERCISES = tuple(_exercises)
-"""All exercises, in their order."""
+    yield from choose(answer, _REPORTS, CAUSES)

@@ -197,7 +197,7 @@ class Timer:
 
     def is_flowing(self) -> bool:
         """Whether it becomes due by itself, as time goes on."""
-        return self.clock.flows and not self._cancelled
+        return self.clock.flows and not self._cancelled and not self._destroyed
 
     def time_left(self) -> int:
         """When it is due, in ns from now."""

@@ -73,7 +73,10 @@ class Magics(BaseMagics):
         if not feedback.passed:
             return feedback
         self._solved.add(feedback.number)
-        return replace(feedback, progress=f"You have solved {len(self._solved)} of {len(EXERCISES)} exercises.")
+        ros = EXERCISES[feedback.number - 1].ros
+        on_page = {exercise.number for exercise in EXERCISES if exercise.ros == ros}
+        solved = f"You have solved {len(self._solved & on_page)} of {len(on_page)} exercises."
+        return replace(feedback, progress=solved)
 
     @cell_magic
     def facts(self, line: str, cell: str) -> None:

@@ -1,0 +1,83 @@
+"""ROS 2, as judging sees it. It is imported for answers on ROS 2 only: its stand-in is large."""
+
+from __future__ import annotations
+
+from collections.abc import Collection, Sequence
+from types import CodeType, FrameType
+from typing import Any
+
+from .. import rclpy
+from ..frames import node_frames
+from ..rclpy.exceptions import (
+    ExternalShutdownException,
+    InvalidParameterTypeException,
+    NotInitializedException,
+    ParameterNotDeclaredException,
+    RCLError,
+    ROSInterruptException,
+)
+from ..rclpy.executors import Executor
+from ..rclpy.timer import Timer
+from ..world import World
+from .seen import Printed
+
+__all__ = ["ENDINGS", "GOES_ON", "NAME", "SPINS", "WAITING", "hint", "timer_of", "timers", "whose"]
+
+NAME = "rclpy"
+GOES_ON = "rclpy.ok()"
+SPINS = "rclpy.spin(node)"
+# RCLError: rclpy.shutdown() after Ctrl-C
+ENDINGS: tuple[type[BaseException], ...] = (
+    KeyboardInterrupt,
+    ExternalShutdownException,
+    ROSInterruptException,
+    RCLError,
+)
+WAITING: Collection[CodeType] = (
+    rclpy.spin.__code__,
+    Executor.spin.__code__,
+    Executor.spin_until_future_complete.__code__,
+)
+
+
+def timer_of(frame: FrameType) -> Any:
+    """The timer that an executor calls in a frame."""
+    called = frame.f_locals["entity"] if frame.f_code is Executor._call.__code__ else None
+    return called if isinstance(called, Timer) else None
+
+
+def timers(world: World, printed: Sequence[Printed]) -> list[tuple[Any, str, bool, bool]]:
+    """The timers that have printed something; the others are of no interest."""
+    found = {id(line.timer): line.timer for line in printed if line.timer is not None}
+    return [(timer, timer._source, False, timer._cancelled or timer._destroyed) for timer in found.values()]
+
+
+def whose(codes: Collection[CodeType]) -> str:
+    """An exception in a callback ends the node, so there is nothing else to tell apart."""
+    return ""
+
+
+def hint(error: BaseException, whose: str) -> str:
+    """What may be behind an error that rclpy raises."""
+    trace = error.__traceback__
+    while trace and trace.tb_next:
+        trace = trace.tb_next
+    if trace is None or node_frames(trace) is not None:
+        return ""
+    if isinstance(error, NotInitializedException) or (isinstance(error, RCLError) and "rcl_init()" in str(error)):
+        return "Call `rclpy.init()` before you make a node, and `rclpy.shutdown()` only at the end."
+    if isinstance(error, AttributeError) and (error.name or "").startswith("_"):
+        return 'A class of `Node` begins its `__init__` with `super().__init__("a_name")`.'
+    if isinstance(error, ParameterNotDeclaredException):
+        return 'A parameter is declared before it is read: `self.declare_parameter("name", default)`.'
+    if isinstance(error, InvalidParameterTypeException):
+        return "A parameter keeps the type of its default. A float has a point: `0.5`, `2.0`."
+    if isinstance(error, RCLError) and "period must be non-negative" in str(error):
+        return "A timer is given its period, in seconds, and refuses a negative one."
+    if isinstance(error, ZeroDivisionError):
+        return "Nothing can have a frequency of 0 Hz."
+    if isinstance(error, TypeError) and "positional argument" in str(error):
+        return "In ROS 2 a timer calls back without arguments: `def timer_callback(self)`."
+    if isinstance(error, TypeError) and "not callable" in str(error):
+        return "Give a timer the callback itself, without calling it: `self.timer_callback`."
+    return ""

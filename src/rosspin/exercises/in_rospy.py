@@ -1,0 +1,49 @@
+"""ROS 1, as judging sees it."""
+
+from __future__ import annotations
+
+from collections.abc import Collection, Sequence
+from types import CodeType, FrameType
+from typing import Any
+
+from .. import rospy
+from ..advice import advice
+from ..rospy.state import State
+from ..rospy.timer import Timer
+from ..world import World
+from .seen import Printed
+
+__all__ = ["ENDINGS", "GOES_ON", "NAME", "SPINS", "WAITING", "hint", "timer_of", "timers", "whose"]
+
+NAME = "rospy"
+GOES_ON = "rospy.is_shutdown()"
+SPINS = "rospy.spin()"
+ENDINGS: tuple[type[BaseException], ...] = ()
+WAITING: Collection[CodeType] = (rospy.spin.__code__,)
+
+
+def timer_of(frame: FrameType) -> Any:
+    """The timer whose thread began in a frame."""
+    return frame.f_locals["self"] if frame.f_code is Timer.run.__code__ else None
+
+
+def timers(world: World, printed: Sequence[Printed]) -> list[tuple[Any, str, bool, bool]]:
+    """The timers that were started."""
+    return [
+        (timer, timer.source, not timer.is_alive(), timer._shutdown or timer._oneshot and not timer.is_alive())
+        for timer in world.part(State).timers
+    ]
+
+
+def whose(codes: Collection[CodeType]) -> str:
+    """A timer, which ends with its thread; or a shutdown hook."""
+    if Timer.run.__code__ in codes:
+        return "timer"
+    return "shutdown hook" if rospy.signal_shutdown.__code__ in codes else ""
+
+
+def hint(error: BaseException, whose: str) -> str:
+    """What rospy's advice is."""
+    if isinstance(error, TypeError) and whose == "shutdown hook":
+        return "A shutdown hook is called without arguments."
+    return advice(error)
