@@ -144,13 +144,6 @@ class TimerEvent(_Attributes):
         self.current_real = current_real
         self.last_duration = last_duration
 
-    @classmethod
-    def _of(cls, *in_ns: int | None) -> TimerEvent:
-        """The event of these five in ns. Its attributes are made when one is asked for: most callbacks ask for none."""
-        event = object.__new__(cls)
-        event._in_ns = in_ns
-        return event
-
     @property
     def __dict__(self) -> dict[str, Any]:  # type: ignore[override]
         attributes: dict[str, Any] = super().__dict__
@@ -158,7 +151,9 @@ class TimerEvent(_Attributes):
             *times, duration = attributes.pop("_in_ns")
             made: list[Any] = [None if time is None else Time._of(time) for time in times]
             made.append(None if duration is None else duration / 1e9)
-            attributes.update(vars(TimerEvent(*made)) | attributes)
+            made_and_set = vars(TimerEvent(*made)) | attributes
+            attributes.clear()
+            attributes.update(made_and_set)
         return attributes
 
     def __getattr__(self, name: str) -> Any:
@@ -169,6 +164,13 @@ class TimerEvent(_Attributes):
 
     def __getstate__(self) -> dict[str, Any]:
         return vars(self)
+
+
+def _event(*in_ns: int | None) -> TimerEvent:
+    """A timer's event, in ns. Its attributes are made when one of them is asked for: most callbacks ask for none."""
+    event = object.__new__(TimerEvent)
+    event._in_ns = in_ns  # type: ignore[attr-defined]
+    return event
 
 
 class Timer(threading.Thread):
@@ -232,7 +234,7 @@ class Timer(threading.Thread):
             if ticks is not None:
                 tick = ticks.add(source, number, expected, real)
             callback = self._callback  # called through a variable, it is not looked for among the methods
-            callback(TimerEvent._of(last_expected, last_real, expected, real, duration))
+            callback(_event(last_expected, last_real, expected, real, duration))
             duration = clock.now() - began
             if ticks is not None:
                 ticks.end(tick, duration)
