@@ -2,6 +2,8 @@
 
 from __future__ import annotations
 
+import copy
+import pickle
 import re
 import threading
 from collections.abc import Callable
@@ -572,3 +574,70 @@ def test_only_a_time_is_taken_for_one() -> None:
         assert rospy.get_time() == 0 and rostime.is_wallclock()
 
     assert simulate(node, 1).status == 0
+
+
+# --- the event --------------------------------------------------------------------------------------------------------
+
+
+def event_seen(look: Callable[[Any], object]) -> list[object]:
+    """What ``look`` finds in the first event of a timer, and in the second, after a call of 0.1 s."""
+    found: list[object] = []
+
+    def callback(event: rospy.timer.TimerEvent) -> None:
+        found.append(look(event))
+        rospy.sleep(0.1)
+
+    real_times(lambda: rospy.Timer(rospy.Duration(0.5), callback), 1.0)
+    return found
+
+
+FIRST = dict(
+    last_expected=None,
+    last_real=None,
+    current_expected=rospy.Time(0.5),
+    current_real=rospy.Time(0.5),
+    last_duration=None,
+)
+SECOND = dict(
+    last_expected=rospy.Time(0.5),
+    last_real=rospy.Time(0.5),
+    current_expected=rospy.Time(1),
+    current_real=rospy.Time(1),
+    last_duration=0.1,
+)
+
+
+@pytest.mark.parametrize(
+    "look",
+    [
+        lambda event: {name: getattr(event, name) for name in FIRST},
+        lambda event: {name: getattr(event, name) for name in reversed(FIRST)},
+        lambda event: dict(vars(event)),
+        lambda event: vars(copy.copy(event)),
+        lambda event: vars(pickle.loads(pickle.dumps(event))),
+    ],
+)
+def test_an_event_has_its_attributes_however_they_are_asked_for(look: Callable[[Any], object]) -> None:
+    assert event_seen(look) == [FIRST, SECOND]
+
+
+def test_the_attributes_of_an_event_are_listed_in_their_order() -> None:
+    assert event_seen(lambda event: list(vars(event))) == [list(FIRST)] * 2
+    assert event_seen(lambda event: [name for name in dir(event) if not name.startswith("__")]) == [sorted(FIRST)] * 2
+
+
+def test_what_a_callback_sets_of_an_event_stays() -> None:
+    def look(event: Any) -> dict[str, Any]:
+        event.current_real, event.note = 7, "mine"
+        return dict(vars(event))
+
+    assert event_seen(look) == [each | dict(current_real=7, note="mine") for each in (FIRST, SECOND)]
+
+
+def test_what_an_event_has_not_is_an_error() -> None:
+    def look(event: Any) -> str:
+        with pytest.raises(AttributeError) as caught:
+            event.real
+        return str(caught.value)
+
+    assert event_seen(look) == ["'TimerEvent' object has no attribute 'real'"] * 2

@@ -11,7 +11,7 @@ from typing import Any, Generic, Protocol, TypeVar
 
 from .clocks.clock import Clock
 
-__all__ = ["End", "Graph", "Published", "Record", "Tester"]
+__all__ = ["End", "Graph", "Published", "Tester", "TickLog"]
 
 Part = TypeVar("Part")
 
@@ -40,11 +40,45 @@ class Tester(Protocol):
 
 E = TypeVar("E", bound=End)
 
-# A tick as it is recorded: source, number, expected, real and duration in ns; the duration is None while it runs.
-Record = list[Any]
-
 # A message as it is recorded: topic, node, time (ns), and what makes the message when somebody asks for it.
 Published = tuple[str, str, int, Callable[[], Any]]
+
+
+class TickLog:
+    """The ticks of a run, in the order in which they were recorded. Times are in ns; a tick is known by its place.
+
+    All fields of all ticks are in one list. An object for each tick would cost more than the tick: memory that is no
+    longer in the processor's cache when it is needed again, and that the garbage collector goes through.
+    """
+
+    _FIELDS = 5
+
+    def __init__(self) -> None:
+        self._fields: list[Any] = []  # source, number, expected, real, duration, source, number, ...
+
+    def __len__(self) -> int:
+        return len(self._fields) // self._FIELDS
+
+    def add(self, source: str, number: int, expected: int, real: int, duration: int | None = None) -> int:
+        """Record a tick; its place. If it has no duration yet, ``end`` gives it one."""
+        fields = self._fields
+        fields += (source, number, expected, real, duration)  # in one go, whatever other threads and signals do
+        end = len(fields)
+        while fields[end - 4] != number or fields[end - 5] != source:
+            end -= self._FIELDS  # another thread came in between
+        return end // self._FIELDS - 1
+
+    def end(self, place: int, duration: int) -> None:
+        """Record how long a tick took that has ended now."""
+        self._fields[place * self._FIELDS + 4] = duration
+
+    def is_running(self, place: int) -> bool:
+        """Whether a tick has not ended."""
+        return self._fields[place * self._FIELDS + 4] is None
+
+    def columns(self, since: int = 0) -> tuple[list[Any], ...]:
+        """Sources, numbers, when expected, when real, durations (None while it runs), from the tick ``since`` on."""
+        return tuple(self._fields[since * self._FIELDS + field :: self._FIELDS] for field in range(self._FIELDS))
 
 
 class _Ends(Generic[E]):
@@ -76,7 +110,7 @@ class Graph:
 
     def __init__(self, clock: Clock, record: bool, several: bool = False) -> None:
         self.several = several
-        self.ticks: list[Record] | None = [] if record else None
+        self.ticks = TickLog() if record else None
         self.published: list[Published] | None = [] if record else None
         self.tester: Tester | None = None
         self._clock = clock

@@ -33,11 +33,12 @@ from .clocks.simulation import PacedSimulation, Simulation
 from .clocks.stacks import whose
 from .exercises import check
 from .frames import trail
+from .graph import TickLog
 from .measures import by_source, describe_timeline
 from .pinned import as_test
 from .process import load_source
 from .run import TimeStandsStill, run_node, say_error, split_words, stand_in
-from .world import NotSimulated, Record, World, current_world
+from .world import NotSimulated, World, current_world
 
 __all__ = ["run", "wake"]
 
@@ -179,7 +180,7 @@ def _run(
     }
 
 
-class _Printed(list[Record]):
+class _Printed(TickLog):
     """The ticks of a run, and what was printed during each: the numbers of its ``chunks``, counted from 0.
 
     ``texts`` are the first chunks, ``size`` is the length of all.
@@ -194,14 +195,14 @@ class _Printed(list[Record]):
         self._last: dict[int, int] = {}  # of each thread, its last tick
         self._since: defaultdict[int, deque[tuple[int, int]]] = defaultdict(_deque)  # its chunks since, and when (ns)
 
-    def append(self, record: Record) -> None:
-        super().append(record)
+    def add(self, source: str, number: int, expected: int, real: int, duration: int | None = None) -> int:
         thread = threading.get_ident()
         # The pass of a loop is recorded at its end, the call of a timer when it begins.
-        passed = record[4] is not None
+        passed = duration is not None
         since = self._since.pop(thread, ())
-        self.chunks.append(_deque(number for number, when in since if passed and when >= record[3]))
-        self._last[thread] = len(self) - 1
+        self.chunks.append(_deque(number for number, when in since if passed and when >= real))
+        self._last[thread] = place = super().add(source, number, expected, real, duration)
+        return place
 
     def forget_before(self, make: Callable[..., None]) -> Callable[..., None]:
         """``Rate.__init__`` of either ROS, for which what its thread has printed belongs to no pass of its loop."""
@@ -220,7 +221,7 @@ class _Printed(list[Record]):
             self.texts.append(text)
         world, thread = whose(), threading.get_ident()
         last = self._last.get(thread)
-        if last is not None and self[last][4] is None:
+        if last is not None and self.is_running(last):
             self.chunks[last].append(self._count)
         elif isinstance(world, World):
             self._since[thread].append((self._count, world.clock.now()))
@@ -248,8 +249,9 @@ class _Pacer:
             run_sync(self._page.wait(ahead))
 
     def _show_ticks(self) -> None:
-        ticks = cast(World, self.simulation.main.program).graph.ticks or ()
-        for source, number, expected, real, _ in ticks[self._shown :]:
+        ticks = cast(World, self.simulation.main.program).graph.ticks
+        assert ticks is not None
+        for source, number, expected, real, _ in zip(*ticks.columns(self._shown)):
             self._page.tick(source, number, expected / NS, real / NS)
             self._shown += 1
 

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import gc
 import math
 import os
 import signal
@@ -300,18 +301,34 @@ def _is_ros_package(name: str) -> bool:
 
 def ticks_of(graph: Graph, start: int, since: int = 0) -> tuple[Tick, ...]:
     """What was recorded of ticks, in a run that began at ``start`` (ns), from the tick ``since`` on."""
-    return tuple(
-        _new_tick(
-            (
-                source,
-                number,
-                (expected - start) / NS,
-                (real - start) / NS,
-                math.nan if duration is None else duration / NS,
+    if graph.ticks is None:
+        return ()
+    sources, numbers, expected, real, durations = graph.ticks.columns(since)
+    with _no_collections():
+        return tuple(
+            map(
+                _new_tick,
+                zip(
+                    sources,
+                    numbers,
+                    [(time - start) / NS for time in expected],
+                    [(time - start) / NS for time in real],
+                    [math.nan if duration is None else duration / NS for duration in durations],
+                ),
             )
         )
-        for source, number, expected, real, duration in (graph.ticks or ())[since:]
-    )
+
+
+@contextmanager
+def _no_collections() -> Iterator[None]:
+    """Within this context the garbage collector does not go through what is made, again and again as it grows."""
+    collects = gc.isenabled()
+    gc.disable()
+    try:
+        yield
+    finally:
+        if collects:
+            gc.enable()
 
 
 def messages_of(graph: Graph, start: int, since: int = 0) -> tuple[Message, ...]:

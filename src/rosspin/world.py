@@ -10,9 +10,9 @@ from typing import Any, TypeVar
 
 from .clocks.clock import Clock
 from .clocks.stacks import Program, acting_for, whose
-from .graph import Graph, Record
+from .graph import Graph
 
-__all__ = ["NotSimulated", "Record", "World", "current_world"]
+__all__ = ["NotSimulated", "World", "current_world"]
 
 Part = TypeVar("Part")
 

@@ -349,7 +349,7 @@ class Executor:
                 else:
                     callback(*args)
                 if tick is not None:
-                    tick[4] = entity.stamp(entity.clock.ns()) - tick[3]
+                    entity.end(tick)
         finally:
             group.ending_execution(entity)
             self.wake()

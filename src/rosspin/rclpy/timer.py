@@ -7,7 +7,6 @@ import threading
 from collections.abc import Callable
 from typing import Any, NamedTuple
 
-from ..world import Record
 from .callback_groups import CallbackGroup
 from .clock import Clock, ROSClock
 from .context import Context, get_default_context
@@ -23,11 +22,11 @@ _CALL = 100_000
 
 
 class Call(NamedTuple):
-    """What an executor is to call; ``tick`` is the record of it, if it is one."""
+    """What an executor is to call; ``tick`` is its place in the log and when it began (ns), if it is one."""
 
     callback: Any
     args: tuple[Any, ...]
-    tick: Record | None
+    tick: tuple[int, int] | None
 
 
 class TimerInfo(NamedTuple):
@@ -177,8 +176,8 @@ class Timer:
         tick = None
         if self._ticks is not None:
             self._count += 1
-            tick = [self._source, self._count, self.stamp(expected), self.stamp(now), None]
-            self._ticks.append(tick)
+            began = self.stamp(now)
+            tick = self._ticks.add(self._source, self._count, self.stamp(expected), began), began
         return Call(self._callback, self._info(expected, now) if self._wants_info else (), tick)
 
     def _info(self, expected: int, now: int) -> tuple[TimerInfo]:
@@ -190,6 +189,12 @@ class Timer:
         return ns + self.clock._state.clock.now() - self.clock.ns() if self.clock.flows else ns
 
     # --- what executors ask, whether or not it was destroyed ---------------------------------------------------------
+
+    def end(self, tick: tuple[int, int]) -> None:
+        """Record that a call which was taken has ended now."""
+        if self._ticks is not None:
+            place, began = tick
+            self._ticks.end(place, self.stamp(self.clock.ns()) - began)
 
     def is_due(self) -> bool:
         """Whether a call is due."""
@@ -288,4 +293,4 @@ class Rate:
             self._source = self._source or self._world.source("Rate")
             self._passes += 1
             duration = self._timer.stamp(self._timer.clock.ns()) - self._pass_start
-            ticks.append([self._source, self._passes, self._expected, self._pass_start, duration])
+            ticks.add(self._source, self._passes, self._expected, self._pass_start, duration)

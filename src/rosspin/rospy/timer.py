@@ -68,7 +68,10 @@ class Rate:
         """What ``sleep`` does, for a loop whose passes are not ticks of their own."""
         if node.ros_time is None:
             now = node.clock.now()
-            node.clock.sleep(self._remaining(now))
+            last = self._last
+            if last > now:
+                self._last = last = now
+            node.clock.sleep(self._period - (now - last))  # _remaining(now), without the cost of a call
         else:
             now = node.now()
             try:
@@ -89,7 +92,7 @@ class Rate:
             expected = self._start + self._passes * self._period
             self._passes += 1
             duration = node.now() - self._pass_start
-            ticks.append([self._source, self._passes, expected, self._pass_start, duration])
+            ticks.add(self._source, self._passes, expected, self._pass_start, duration)
 
 
 def sleep(duration: float | genpy.Duration) -> None:
@@ -119,7 +122,11 @@ def _sleep(node: State, ns: int) -> None:
         raise ROSInterruptException("ROS shutdown request")
 
 
-class TimerEvent:
+class _Attributes:
+    """Where a TimerEvent's attributes are."""
+
+
+class TimerEvent(_Attributes):
     """What a timer passes to its callback. All but ``last_duration`` are Times; in the first call, each last is None.
 
     ``last_expected``, ``last_real``: when the previous call was expected and when it came; ``current_expected``,
@@ -139,6 +146,34 @@ class TimerEvent:
         self.current_expected = current_expected
         self.current_real = current_real
         self.last_duration = last_duration
+
+    @property
+    def __dict__(self) -> dict[str, Any]:  # type: ignore[override]
+        attributes: dict[str, Any] = super().__dict__
+        if "_in_ns" in attributes:
+            *times, duration = attributes.pop("_in_ns")
+            made: list[Any] = [None if time is None else Time._of(time) for time in times]
+            made.append(None if duration is None else duration / 1e9)
+            made_and_set = vars(TimerEvent(*made)) | attributes
+            attributes.clear()
+            attributes.update(made_and_set)
+        return attributes
+
+    def __getattr__(self, name: str) -> Any:
+        try:
+            return vars(self)[name]
+        except KeyError:
+            raise AttributeError(f"{type(self).__name__!r} object has no attribute {name!r}") from None
+
+    def __getstate__(self) -> dict[str, Any]:
+        return vars(self)
+
+
+def _event(*in_ns: int | None) -> TimerEvent:
+    """A timer's event, in ns. Its attributes are made when one of them is asked for: most callbacks ask for none."""
+    event = object.__new__(TimerEvent)
+    event._in_ns = in_ns  # type: ignore[attr-defined]
+    return event
 
 
 class Timer(threading.Thread):
@@ -179,15 +214,14 @@ class Timer(threading.Thread):
         rate = Rate(1.0 / self._period.to_sec(), self._reset)
         period = self._period.to_nsec()
         expected = node.now() + period
-        last_expected: Time | None = None
-        last_real: Time | None = None
-        last_duration: float | None = None
-        ticks = node.world.graph.ticks
-        source = node.world.source(getattr(self._callback, "__name__", type(self._callback).__name__))
+        world = node.world
+        ticks = world.graph.ticks
+        source = world.source(getattr(self._callback, "__name__", type(self._callback).__name__))
         if ticks is not None:
             self.source = source  # under which its ticks are recorded
             node.timers.append(self)
         number = 0
+        last_expected = last_real = duration = None  # in ns, as all times here
         while not node.shutdown and not self._shutdown:
             try:
                 rate.wait(node)
@@ -195,21 +229,19 @@ class Timer(threading.Thread):
                 if node.shutdown:
                     break
                 raise
-            if self._shutdown or node.world.interrupted:
+            if self._shutdown or world.interrupted:
                 break
             began = clock.now()
             real = began if node.ros_time is None else node.now()
-            current_expected, current_real = Time._of(expected), Time._of(real)
             number += 1
             if ticks is not None:
-                tick = [source, number, expected, real, None]
-                ticks.append(tick)
-            self._callback(TimerEvent(last_expected, last_real, current_expected, current_real, last_duration))
+                tick = ticks.add(source, number, expected, real)
+            callback = self._callback  # called through a variable, it is not looked for among the methods
+            callback(_event(last_expected, last_real, expected, real, duration))
             duration = clock.now() - began
             if ticks is not None:
-                tick[4] = duration
+                ticks.end(tick, duration)
             if self._oneshot:
                 break
-            last_duration = duration / 1e9
-            last_expected, last_real = current_expected, current_real
+            last_expected, last_real = expected, real
             expected += period
