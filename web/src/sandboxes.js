@@ -1,0 +1,95 @@
+// Judges answers, each in a sandbox of its own: a frame without the site's origin, which may ask for nothing, and in it
+// a worker with a fresh Python. What an answer does there reaches neither the page, nor the browser's stores, nor the
+// network, nor another answer; with the frame, all of it goes.
+
+import { MOST } from "./answers.js"
+import { make } from "./make.js"
+
+/** For how long (ms) an answer may run, and for how long Python may start. */
+const TIME = 20_000
+const START = 60_000
+
+/** So much (characters) is kept of what the checker says. */
+const LONGEST = 20_000
+
+const VERDICTS = ["solved", "not yet", "not judged"]
+
+const notJudged = (said) => ({ verdict: "not judged", said })
+
+const STOPPED = notJudged("Stopped before it was judged. Drop the file again to have it judged.")
+
+async function load(address, how) {
+  const response = await fetch(address)
+  if (!response.ok) throw new Error(`${response.status} ${address}`)
+  return response[how]()
+}
+
+async function loadSnapshot(live) {
+  const packed = await load(`${live}snapshot.gz?${SNAPSHOT}`, "blob")
+  return new Response(packed.stream().pipeThrough(new DecompressionStream("gzip"))).arrayBuffer()
+}
+
+/** What a worker needs, loaded once. `base` is the address of the folder that our files are in. */
+async function loadAll(base) {
+  const live = new URL("../live/", base).href
+  const [worker, module, texts, wasm, stdlib, snapshot] = await Promise.all([
+    load(`${base}answer.js`, "text"),
+    load(`${live}pyodide.asm.mjs`, "text"),
+    load(`${live}rosspin.json`, "text"),
+    load(`${live}pyodide.asm.wasm`, "arrayBuffer"),
+    load(`${live}python_stdlib.zip`, "arrayBuffer"),
+    loadSnapshot(live).catch(() => null), // without it, Python starts plainly
+  ])
+  return { worker, module, texts, wasm, stdlib, snapshot }
+}
+
+let loading = null
+
+/** The verdict on an answer, and what was said of it. It is stopped when the AbortSignal says so. */
+export async function judge(base, number, answer, stopped) {
+  if (answer.length > MOST.answer) {
+    return notJudged(`It has ${answer.length} characters; at most ${MOST.answer} are judged.`)
+  }
+  loading ??= loadAll(base)
+  let files
+  try {
+    files = await loading
+  } catch {
+    loading = null
+    return notJudged("Python could not be loaded. Is the site still there?")
+  }
+  if (stopped.aborted) return STOPPED
+
+  const frame = make("iframe", { sandbox: "allow-scripts", hidden: true, title: "Sandbox", src: `${base}sandbox.html` })
+  const { port1, port2 } = new MessageChannel()
+  let timer
+  const verdict = await new Promise((resolve) => {
+    const limit = (ms, result) => {
+      clearTimeout(timer)
+      timer = setTimeout(() => resolve(result), ms)
+    }
+    limit(START, notJudged("Python did not start."))
+    port1.onmessage = ({ data }) => {
+      if (data === "begun") limit(TIME, { verdict: "did not end", said: `It was ended after ${TIME / 1000} s.` })
+      else resolve(read(data))
+    }
+    stopped.addEventListener("abort", () => resolve(STOPPED))
+    frame.onload = () => frame.contentWindow.postMessage({ ...files, number, answer }, "*", [port2])
+    document.body.append(frame)
+  })
+  clearTimeout(timer)
+  port1.close()
+  frame.remove() // and its worker with it, whatever that does
+  return verdict
+}
+
+/** What came out of a sandbox; it is not trusted. */
+function read(data) {
+  try {
+    const { verdict, said } = JSON.parse(data)
+    if (VERDICTS.includes(verdict)) return { verdict, said: String(said).slice(0, LONGEST) }
+  } catch {
+    // see below
+  }
+  return notJudged("The sandbox gave no verdict.")
+}
