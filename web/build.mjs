@@ -87,7 +87,6 @@ await build({
 await build({
   ...common,
   outdir: handIn,
-  format: "esm",
   external: ["node:*", "ws"], // of which Pyodide has no need here
   entryPoints: [path.join(here, "src/answer.js")],
 })

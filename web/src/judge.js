@@ -2,7 +2,7 @@
 
 import { read } from "./answers.js"
 import { make, save } from "./make.js"
-import { judge } from "./sandboxes.js"
+import { Sandbox } from "./sandboxes.js"
 
 const base = new URL(".", document.currentScript.src).href
 
@@ -86,11 +86,13 @@ async function add(files) {
 /** Judge what waits, one answer after the other. */
 async function work() {
   lanes++
+  const sandbox = new Sandbox(base)
   for (let answer = waiting.shift(); answer; answer = waiting.shift()) {
     answer.becomes({ verdict: "being judged", said: "" })
-    answer.becomes(await judge(base, answer.number, answer.code, stop.signal))
+    answer.becomes(await sandbox.judge(answer.number, answer.code, stop.signal))
     tell()
   }
+  sandbox.end()
   lanes--
   tell()
 }

@@ -1,12 +1,22 @@
-// All that the page of a sandbox does: it starts the worker that it is sent, which judges one answer. The page and its
-// worker have an origin of their own and may ask for nothing: see web/build.mjs for the policy.
+// All that the page of a sandbox does. It is sent first what a worker needs, then answers, one at a time, and starts a
+// worker for each, which ends the one before it. The page and its workers have an origin of their own, and may ask for
+// nothing: web/build.mjs has their policy.
 
-addEventListener(
-  "message",
-  ({ data, ports }) => {
-    const address = URL.createObjectURL(new Blob([data.worker], { type: "text/javascript" }))
-    const buffers = Object.values(data).filter((value) => value instanceof ArrayBuffer)
-    new Worker(address, { type: "module" }).postMessage(data, [...ports, ...buffers])
-  },
-  { once: true },
-)
+let given
+let worker
+
+async function prepare({ script, wasm, ...files }) {
+  const address = URL.createObjectURL(new Blob([script], { type: "text/javascript" }))
+  return { address, files: { ...files, wasm: await WebAssembly.compile(wasm) } }
+}
+
+addEventListener("message", async ({ data, ports }) => {
+  if (data.script) {
+    given = prepare(data)
+    return
+  }
+  const { address, files } = await given
+  worker?.terminate()
+  worker = new Worker(address)
+  worker.postMessage({ ...files, ...data }, ports)
+})

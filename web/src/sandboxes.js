@@ -1,6 +1,6 @@
-// Judges answers, each in a sandbox of its own: a frame without the site's origin, which may ask for nothing, and in it
-// a worker with a fresh Python. What an answer does there reaches neither the page, nor the browser's stores, nor the
-// network, nor another answer; with the frame, all of it goes.
+// Judges answers in a sandbox: a frame without the site's origin, which may ask for nothing, and in it a worker with a
+// fresh Python for each answer. What an answer does there reaches neither the page, nor the browser's stores, nor the
+// network, nor another answer.
 
 import { MOST } from "./answers.js"
 import { make } from "./make.js"
@@ -29,10 +29,10 @@ async function loadSnapshot(live) {
   return new Response(packed.stream().pipeThrough(new DecompressionStream("gzip"))).arrayBuffer()
 }
 
-/** What a worker needs, loaded once. `base` is the address of the folder that our files are in. */
+/** What sandboxes need. `base` is the address of the folder that our files are in. */
 async function loadAll(base) {
   const live = new URL("../live/", base).href
-  const [worker, module, texts, wasm, stdlib, snapshot] = await Promise.all([
+  const [script, module, texts, wasm, stdlib, snapshot] = await Promise.all([
     load(`${base}answer.js`, "text"),
     load(`${live}pyodide.asm.mjs`, "text"),
     load(`${live}rosspin.json`, "text"),
@@ -40,54 +40,76 @@ async function loadAll(base) {
     load(`${live}python_stdlib.zip`, "arrayBuffer"),
     loadSnapshot(live).catch(() => null), // without it, Python starts plainly
   ])
-  return { worker, module, texts, wasm, stdlib, snapshot }
+  return { script, module, texts, wasm, stdlib, snapshot }
 }
 
 let loading = null
 
-/** The verdict on an answer, and what was said of it. It is stopped when the AbortSignal says so. */
-export async function judge(base, number, answer, stopped) {
-  if (answer.length > MOST.answer) {
-    return notJudged(`It has ${answer.length} characters; at most ${MOST.answer} are judged.`)
-  }
-  loading ??= loadAll(base)
-  let files
-  try {
-    files = await loading
-  } catch {
-    loading = null
-    return notJudged("Python could not be loaded. Is the site still there?")
-  }
-  if (stopped.aborted) return STOPPED
+export class Sandbox {
+  #base
+  #frame = null
 
-  const frame = make("iframe", { sandbox: "allow-scripts", hidden: true, title: "Sandbox", src: `${base}sandbox.html` })
-  const { port1, port2 } = new MessageChannel()
-  let timer
-  const verdict = await new Promise((resolve) => {
-    const limit = (ms, result) => {
-      clearTimeout(timer)
-      timer = setTimeout(() => resolve(result), ms)
+  constructor(base) {
+    this.#base = base
+  }
+
+  /** The verdict on an answer, and what was said of it. Stopped when the AbortSignal says so. */
+  async judge(number, answer, stopped) {
+    if (answer.length > MOST.answer) {
+      return notJudged(`It has ${answer.length} characters; at most ${MOST.answer} are judged.`)
     }
-    limit(START, notJudged("Python did not start."))
-    port1.onmessage = ({ data }) => {
-      if (data === "begun") limit(TIME, { verdict: "did not end", said: `It was ended after ${TIME / 1000} s.` })
-      else resolve(read(data))
+    try {
+      this.#frame ??= await this.#open()
+    } catch {
+      loading = null
+      return notJudged("Python could not be loaded. Is the site still there?")
     }
-    stopped.addEventListener("abort", () => resolve(STOPPED))
-    frame.onload = () => frame.contentWindow.postMessage({ ...files, number, answer }, "*", [port2])
+    if (stopped.aborted) return STOPPED
+    const { port1, port2 } = new MessageChannel()
+    let timer
+    const verdict = await new Promise((resolve) => {
+      const limit = (ms, result) => {
+        clearTimeout(timer)
+        timer = setTimeout(() => resolve(result), ms)
+      }
+      limit(START, notJudged("Python did not start."))
+      port1.onmessage = ({ data }) => {
+        if (data === "begun") limit(TIME, { verdict: "did not end", said: `It was ended after ${TIME / 1000} s.` })
+        else resolve(read(data))
+      }
+      stopped.addEventListener("abort", () => resolve(STOPPED))
+      this.#frame.contentWindow.postMessage({ number, answer }, "*", [port2])
+    })
+    clearTimeout(timer)
+    if (!verdict.heard) this.end() // whatever it does now
+    port1.close()
+    return verdict
+  }
+
+  async #open() {
+    loading ??= loadAll(this.#base)
+    const files = await loading
+    const src = `${this.#base}sandbox.html`
+    const frame = make("iframe", { sandbox: "allow-scripts", hidden: true, title: "Sandbox", src })
+    const loaded = new Promise((resolve) => frame.addEventListener("load", resolve))
     document.body.append(frame)
-  })
-  clearTimeout(timer)
-  port1.close()
-  frame.remove() // and its worker with it, whatever that does
-  return verdict
+    await loaded
+    frame.contentWindow.postMessage(files, "*")
+    return frame
+  }
+
+  /** End all that runs in it. */
+  end() {
+    this.#frame?.remove()
+    this.#frame = null
+  }
 }
 
 /** What came out of a sandbox; it is not trusted. */
 function read(data) {
   try {
     const { verdict, said } = JSON.parse(data)
-    if (VERDICTS.includes(verdict)) return { verdict, said: String(said).slice(0, LONGEST) }
+    if (VERDICTS.includes(verdict)) return { verdict, said: String(said).slice(0, LONGEST), heard: true }
   } catch {
     // see below
   }
