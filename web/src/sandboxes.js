@@ -10,7 +10,7 @@ const TIME = 20_000
 const START = 60_000
 
 /** So much (characters) is kept of what the checker says. */
-const LONGEST = 20_000
+const LONGEST = 30_000
 
 const VERDICTS = ["solved", "not yet", "not judged"]
 
