@@ -194,7 +194,7 @@ const progress = make("progress", { ariaLabel: "Answers judged" })
 const stopButton = button("Stop", end)
 const bar = make("div", { className: "judge-bar" })
 bar.append(progress, stopButton, button("Save as CSV", saveTable), status)
-const notes = make("ul", { role: "alert" })
+const notes = make("ul")
 const table = make("table", { className: "table" })
 const scroll = make("div", { className: "judge-scroll", role: "region", ariaLabel: "Who solved what", tabIndex: 0 }, table)
 const words = ["solved", "not yet", "did not end", "not judged"].map((verdict) => `${SIGNS[verdict]} ${verdict}`)
@@ -214,7 +214,7 @@ function missing() {
 }
 
 const place = document.querySelector(".rosspin-judge")
-place.replaceChildren(...(missing() ? [make("p", { textContent: missing() })] : [drop, notes, results]))
+place.replaceChildren(...(missing() ? [make("p", { textContent: missing() })] : [drop, make("div", { role: "alert" }, notes), results]))
 if (!missing()) {
   for (const kind of ["dragenter", "dragover", "dragleave", "drop"]) {
     addEventListener(kind, (event) => {
