@@ -12,11 +12,11 @@ from typing import Any, Literal
 
 import pytest
 from conftest import faults
+from exercise_answers import RIGHT as RIGHT_ANSWERS
+from exercise_answers import WRONG as WRONG_ANSWERS
 from playwright.sync_api import Browser, BrowserContext, Download, FilePayload, Locator, Page, expect
 from test_browser import FAINT, TOO_WIDE
 from test_exercises import CELLS, NUMBERS, answer_in, written
-from test_exercises import RIGHT as RIGHT_ANSWERS
-from test_exercises import WRONG as WRONG_ANSWERS
 from test_live import PATIENCE, Cell
 
 from rosspin.exercises.reach import reaches_for
