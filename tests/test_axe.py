@@ -14,6 +14,7 @@ import pytest
 from conftest import ROOT
 from playwright.sync_api import Browser, Page
 from test_figures import FIGURES, opened
+from test_hand_in import HTML, WRONG, Table, handed_in
 from test_live import TIMER, TUTORIAL, Cell, link, node, open_tutorial
 
 AXE = ROOT / "build" / "npm" / "node_modules" / "axe-core" / "axe.min.js"
@@ -94,3 +95,16 @@ def test_shared_code(
         Cell(page, TIMER).button("Share").click()
         page.locator("textarea:visible").wait_for()
         assert violations(page) == []
+
+
+@pytest.mark.parametrize("scheme", ["light", "dark"])
+def test_judged_answers(
+    address: str, browser: Browser, violations: Callable[[Page], list[str]], scheme: Scheme
+) -> None:
+    """A right one, a wrong one, one that was not judged, and a file that was refused."""
+    with browser.new_context(color_scheme=scheme) as context:
+        table = Table(context.new_page(), address)
+        table.drop(ada=handed_in(), ben=handed_in(HTML, answers={"1": WRONG, "99": ""}), odd="")
+        table.done()
+        table.said("Ada, exercise 1: solved")
+        assert violations(table.page) == []

@@ -29,6 +29,13 @@ const common = {
 await build({ ...common, entryPoints: ["live.js", "live.css"].map((name) => path.join(here, "src", name)) })
 // Loaded with each page that has a figure to move, for that alone.
 await build({ ...common, outdir: path.join(out, "../handles"), entryPoints: [path.join(here, "src/handles.js")] })
+// Loaded with the pages of exercises and with that for teachers. The worker of a sandbox is all one text.
+const handIn = path.join(out, "../hand-in")
+await build({
+  ...common,
+  outdir: handIn,
+  entryPoints: ["hand-in.js", "hand-in.css"].map((name) => path.join(here, "src", name)),
+})
 for (const name of ["pyodide.mjs", "pyodide.asm.mjs", "pyodide.asm.wasm", "python_stdlib.zip"]) {
   cpSync(path.join(packages, "node_modules/pyodide", name), path.join(out, name))
 }
@@ -70,6 +77,34 @@ const { metafile } = await build({
   external: ["./pyodide.mjs"],
   entryPoints: ["editor.js", "worker.js"].map((name) => path.join(here, "src", name)),
 })
+
+await build({
+  ...common,
+  outdir: handIn,
+  define: { SNAPSHOT: JSON.stringify(version) },
+  entryPoints: [path.join(here, "src/judge.js")],
+})
+await build({
+  ...common,
+  outdir: handIn,
+  external: ["node:*", "ws"], // of which Pyodide has no need here
+  entryPoints: [path.join(here, "src/answer.js")],
+})
+
+// The page of a sandbox has no address to load from: not even its own script. "blob:" is what it is sent.
+const { outputFiles } = await build({ ...common, write: false, entryPoints: [path.join(here, "src/sandbox.js")] })
+const script = outputFiles[0].text
+const digest = createHash("sha256").update(script).digest("base64")
+const policy = `default-src 'none'; script-src 'sha256-${digest}' blob: 'wasm-unsafe-eval'`
+writeFileSync(
+  path.join(handIn, "sandbox.html"),
+  `<!doctype html>
+<meta charset="utf-8">
+<meta http-equiv="Content-Security-Policy" content="${policy}">
+<title>Sandbox</title>
+<script>${script}</script>
+`,
+)
 
 // What is bundled keeps its licence.
 const used = new Set(["pyodide"])

@@ -1,6 +1,7 @@
 """Run a node in a web page: in simulated time that keeps pace with real time, in the page's own Python (Pyodide).
 
-``web/worker.js`` calls :func:`run`. Nothing here is needed, or can run, outside of a browser.
+``web/src/worker.js`` calls :func:`run`, ``web/src/answer.js`` :func:`judge`. Nothing here is needed, or can run,
+outside of a browser.
 """
 
 from __future__ import annotations
@@ -32,6 +33,7 @@ from .clocks.patches import patched
 from .clocks.simulation import PacedSimulation, Simulation
 from .clocks.stacks import whose
 from .exercises import check
+from .exercises.reach import reaches_for
 from .frames import trail
 from .graph import TickLog
 from .measures import by_source, describe_timeline
@@ -40,7 +42,7 @@ from .process import load_source
 from .run import TimeStandsStill, run_node, say_error, split_words, stand_in
 from .world import NotSimulated, World, current_world
 
-__all__ = ["run", "wake"]
+__all__ = ["judge", "run", "wake"]
 
 # The page interrupts whatever does not give way, for the watchdog of a run to look at it; the rest is to go on.
 signal.signal(signal.SIGINT, signal.SIG_IGN)
@@ -114,6 +116,22 @@ def run(source: str, filename: str, seconds: float, args: str, speed: float, pag
             os.environ.clear()  # the next run in this page is to find what this one found
             os.environ.update(environment)
             gc.collect()
+
+
+def judge(number: int, answer: str) -> str:
+    """Check an answer that somebody has handed in, a text without magic, in a page that does nothing else.
+
+    The result, as JSON: the ``verdict``, which is "solved", "not yet" or "not judged", and what is ``said`` of it.
+    """
+    if found := reaches_for(answer):
+        said = f"The answer uses {found}, which no exercise needs. Read the answer, and judge it yourself."
+        return json.dumps({"verdict": "not judged", "said": said})
+    try:
+        feedback = check(number, answer)
+    except ValueError as error:
+        return json.dumps({"verdict": "not judged", "said": say_error(error)})
+    said = "\n".join(filter(None, [feedback.shown_console(), str(feedback)]))
+    return json.dumps({"verdict": "solved" if feedback.passed else "not yet", "said": said})
 
 
 def _magic(source: str) -> tuple[str, Sequence[str], Sequence[str]]:

