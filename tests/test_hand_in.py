@@ -11,7 +11,7 @@ from pathlib import Path
 from typing import Any, Literal
 
 import pytest
-from conftest import faults
+from conftest import ROOT, faults
 from exercise_answers import RIGHT as RIGHT_ANSWERS
 from exercise_answers import WRONG as WRONG_ANSWERS
 from playwright.sync_api import Browser, BrowserContext, Download, FilePayload, Locator, Page, expect
@@ -456,7 +456,10 @@ def test_the_scripts_are_loaded_where_they_are_needed(site: Path) -> None:
     for path in site.rglob("*.html"):
         for name in re.findall(r"hand-in/([\w-]+)\.js", path.read_text(encoding="utf-8")):
             found[name].add(path.relative_to(site).as_posix())
-    assert found == {"hand-in": {EXERCISES}, "judge": {TEACHERS}}
+    notebooks = (ROOT / "notebooks").glob("*.md")
+    asking = {f"notebooks/{path.stem}.html" for path in notebooks if "\n%%answer " in path.read_text(encoding="utf-8")}
+    assert EXERCISES in asking
+    assert found == {"hand-in": asking, "judge": {TEACHERS}}
 
 
 # --- how it looks -----------------------------------------------------------------------------------------------------
