@@ -13,6 +13,7 @@ from textwrap import dedent
 from typing import Any
 
 import pytest
+from firefox import firefox
 from hypothesis import settings
 from in_chromium import launched, served
 from message_probe import PACKAGES
@@ -45,6 +46,7 @@ LACKS: dict[str, Callable[[], str]] = {
     "ros1": _lacks_ros1,
     "ros2": lambda: str(ros2.Ros2Missing()) if ros2.missing() else "",
     "browser": lambda: "" if doctor.chromium() else "Chromium is not installed",
+    "firefox": lambda: "" if firefox() else "Firefox is not installed",
 }
 
 
