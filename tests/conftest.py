@@ -14,6 +14,7 @@ from typing import Any
 
 import pytest
 from corpus_ros2 import KILTED_PYTHON
+from firefox import firefox
 from hypothesis import settings
 from in_chromium import launched, served
 from message_probe import PACKAGES
@@ -47,6 +48,7 @@ LACKS: dict[str, Callable[[], str]] = {
     "ros2": lambda: str(ros2.Ros2Missing()) if ros2.missing() else "",
     "kilted": lambda: "" if KILTED_PYTHON.exists() else "Kilted is not installed (make ros2 DISTRO=kilted)",
     "browser": lambda: "" if doctor.chromium() else "Chromium is not installed",
+    "firefox": lambda: "" if firefox() else "Firefox is not installed",
 }
 
 

@@ -194,25 +194,33 @@ class Figure:
         return float(said[1])
 
     def check(self) -> float:
-        """The ticks are those of a run made here and now, and the words are about them; the value of the handle."""
+        """The figure shows what a run gives that is made here and now; the value of the handle."""
         value = self.value()
-        data = json.loads(self.element.get_attribute("data-positions") or "")
-        runs, shown = self.kind.runs(value), self.element.evaluate(SHOWN)
-        assert [row["name"] for row in shown] == list(runs)
-        alternative = self.picture.get_attribute("aria-label") or ""
-        assert alternative.startswith(f"Timeline, {self.kind.label}: {value:g} s. ")
         expect(self.element.locator("b")).to_have_text(f"{value:g} s")
-        for row, (name, ticks) in zip(shown, runs.items(), strict=True):
-            times = [float(mark.rstrip("%")) / 100 * data["span"] for mark in row["marks"]]
-            assert times == pytest.approx([tick.real for tick in ticks], abs=1e-4)
-            lengths = [float(width.rstrip("%")) / 100 * data["span"] for _, width in row["bars"]]
-            assert lengths == pytest.approx([tick.duration for tick in ticks if tick.duration > 0], abs=1e-4)
-            assert re.search(rf"{name}: {len(ticks) or 'no'} tick", alternative)
-            if " lost" in row["words"]:
-                count = len(row["crosses"])
-                assert f"{count or 'no'} tick{'' if count < 2 else 's'} lost" in row["words"]
-                assert f"Lost ticks: {count}." in alternative
+        shown = self.element.evaluate(SHOWN)
+        check_rows(self.kind, value, shown, self.picture.get_attribute("aria-label") or "", self.span())
         return value
+
+    def span(self) -> float:
+        """How long (s) its axis is."""
+        return float(json.loads(self.element.get_attribute("data-positions") or "")["span"])
+
+
+def check_rows(kind: Kind, value: float, shown: Any, alternative: str, span: float) -> None:
+    """The ticks of a figure are those of a run at this position, and the words are about them."""
+    runs = kind.runs(value)
+    assert [row["name"] for row in shown] == list(runs)
+    assert alternative.startswith(f"Timeline, {kind.label}: {value:g} s. ")
+    for row, (name, ticks) in zip(shown, runs.items(), strict=True):
+        times = [float(mark.rstrip("%")) / 100 * span for mark in row["marks"]]
+        assert times == pytest.approx([tick.real for tick in ticks], abs=1e-4)
+        lengths = [float(width.rstrip("%")) / 100 * span for _, width in row["bars"]]
+        assert lengths == pytest.approx([tick.duration for tick in ticks if tick.duration > 0], abs=1e-4)
+        assert re.search(rf"{name}: {len(ticks) or 'no'} tick", alternative)
+        if " lost" in row["words"]:
+            count = len(row["crosses"])
+            assert f"{count or 'no'} tick{'' if count < 2 else 's'} lost" in row["words"]
+            assert f"Lost ticks: {count}." in alternative
 
 
 @pytest.fixture

@@ -1,0 +1,92 @@
+"""The site in Firefox: its figures move there as in Chromium, and its listings run."""
+
+from __future__ import annotations
+
+import re
+from collections.abc import Callable, Iterator
+from typing import Any
+
+import pytest
+from conftest import ROOT
+from firefox import Tab, firefox, tab
+from test_figures import SHOWN, Kind, check_rows, kinds
+
+from rosspin import simulate
+
+SPINNER = ROOT / "examples/my_robotics_pkg/src/spinner_py_node.py"
+
+# A figure: what a screen reader is told of its handle, and the place of that; its rows, alternative text and axis (s).
+FIGURE = f"""async number => {{
+    const figure = document.querySelectorAll("figure[data-positions]")[number]
+    const handle = figure.querySelector("input")
+    await new Promise(requestAnimationFrame)
+    const {{ x, y, width, height }} = handle.getBoundingClientRect()
+    return {{
+        value: handle.getAttribute("aria-valuetext"),
+        place: [x, y, width, height],
+        rows: ({SHOWN})(figure),
+        alternative: figure.querySelector("svg[role=img]").getAttribute("aria-label"),
+        span: JSON.parse(figure.dataset.positions).span,
+    }}
+}}"""
+TO_HANDLE = """number => {
+    const handle = document.querySelectorAll("figure[data-positions] input")[number]
+    handle.scrollIntoView({ behavior: "instant", block: "center" })
+    handle.focus()
+}"""
+
+
+@pytest.fixture(scope="module")
+def page(require: Callable[[str], None]) -> Iterator[Tab]:
+    require("firefox")
+    with tab(firefox() or "") as page:
+        page.resize(1280, 800)
+        yield page
+        assert not page.wrong
+
+
+def figure(page: Tab, kind: Kind) -> Any:
+    """A figure of the page that is open, whose ticks are those of a run."""
+    seen = page.evaluate(FIGURE, kind.number)
+    said = re.fullmatch(r"([\d.]+) s", seen["value"])
+    assert said
+    seen["value"] = float(said[1])
+    check_rows(kind, seen["value"], seen["rows"], seen["alternative"], seen["span"])
+    return seen
+
+
+@kinds
+def test_a_figure_moves(page: Tab, address: str, kind: Kind) -> None:
+    page.open(address + kind.page)
+    page.evaluate(TO_HANDLE, kind.number)
+    found = []
+    for key in ("Home", "ArrowRight", "PageUp", "End", "ArrowLeft"):
+        page.press(key)
+        found.append(figure(page, kind)["value"])
+    assert found[0] < found[1] < found[2] < found[3] > found[4]
+
+    x, y, width, height = figure(page, kind)["place"]
+    places = [(x + width * share, y + height / 2) for share in (0.5, 0.1, 0.45, 0.8)]
+    found = [figure(page, kind)["value"] for _ in page.drag(places)]
+    assert found == sorted(set(found))
+
+
+# The console of a page's first listing after a run.
+RUN = """async () => {
+    const cell = document.querySelector(".live-cell")
+    cell.querySelector("select").value = "0" // instantly
+    cell.querySelector("button").click()
+    const status = cell.querySelector("[role=status]")
+    while (!/^(done|error|stopped)/.test(status.textContent)) await new Promise(go => setTimeout(go, 50))
+    return [status.textContent, cell.querySelector("[role=log] pre").textContent]
+}"""
+
+
+def test_a_listing_runs(page: Tab, address: str) -> None:
+    page.open(address + "docs/tutorial.html")
+    if not page.evaluate("() => 'Suspending' in WebAssembly"):
+        assert "lacks JSPI" in page.evaluate("() => document.querySelector('.live-missing').textContent")
+        return
+    status, console = page.evaluate(RUN)
+    assert status == "done: 20 ticks"
+    assert console == simulate(SPINNER, 10).console
