@@ -254,8 +254,8 @@ def test_headings_on_how_timing_works_show_the_verdict(name: str, least: int) ->
 
 def test_the_sidebar_in_order() -> None:
     captions = [tag.get_text() for tag in _page("index").select("nav.bd-docs-nav .caption")]
-    order = ["Before you start", "Tutorial", "Practice", "Explanation", "How-to", "Reference", "For teachers"]
-    assert [caption for caption in captions if caption in order] == order
+    of_ros_1 = [f"{caption} (ROS 1)" for caption in ("Before you start", "Tutorials", "Practice")]
+    assert captions == ["ROS 2", *of_ros_1, "Explanation", "How-to", "Reference", "For teachers"]
 
 
 def test_the_first_paragraph_of_the_site_is_one_sentence() -> None:
