@@ -296,7 +296,7 @@ def test_the_number_in_the_code_follows(context: BrowserContext, address: str) -
     figure = opened(context.new_page(), address, FIGURES[0])
     code = context.pages[0].locator(".rosspin-beside pre")
     before = code.inner_text()
-    assert before in "\n".join(line[8:] for line in SPINNER.read_text(encoding="utf-8").splitlines())
+    assert before in "\n".join(line[8:] for line in SPINNER_ROS2.read_text(encoding="utf-8").splitlines())
     figure.handle.press("End")
     assert figure.value() != 0.5
     assert code.inner_text() == before.replace("0.5", f"{figure.value():g}")

@@ -96,6 +96,7 @@ def run_ros2_in_page(browser: Browser, address: str) -> Iterator[RunInPage]:
 # What the page adds at the end, for a reader who does not know what the error means.
 HINTS = (
     "The node had a timer, which was never called",
+    "The timer that wakes this Rate was due",
     "A timer passes its callback no",
     "The period of a timer",
     "A parameter keeps the type",

@@ -75,7 +75,7 @@ const { metafile } = await build({
   format: "esm",
   define: { SNAPSHOT: JSON.stringify(version) },
   external: ["./pyodide.mjs"],
-  entryPoints: ["editor.js", "worker.js"].map((name) => path.join(here, "src", name)),
+  entryPoints: ["editor.js", "share.js", "worker.js"].map((name) => path.join(here, "src", name)),
 })
 
 await build({

@@ -2,7 +2,6 @@
 
 import { Console } from "./console.js"
 import { Plot } from "./plot.js"
-import { pack } from "./share.js"
 import { release, start, warmUp } from "./workers.js"
 
 /** For how long (s) a node runs, unless the reader says otherwise. */
@@ -284,6 +283,7 @@ export class Cell {
       link.searchParams.set(syncGroup, syncId)
     }
     const seconds = this.seconds.valueAsNumber || 0
+    const { pack } = await import(`${this.#base}share.js`)
     try {
       link.hash = await pack({ cell: this.#index, text: this.#text, seconds, args: this.args.value })
     } catch {

@@ -1,7 +1,6 @@
 // Loaded with each page that has listings to run. Nothing else is loaded until the reader touches one of them.
 
 import { Cell, showProgress } from "./cell.js"
-import { unpack } from "./share.js"
 
 const base = new URL(".", document.currentScript.src).href
 
@@ -26,10 +25,11 @@ const cells = [...document.querySelectorAll("div.live")].map((listing, index) =>
 /** Show the code that came with the link, if there is some, or say why not. */
 async function receive() {
   document.querySelector(".live-notice.of-page")?.remove()
+  if (!location.hash.startsWith("#code=")) return
   let said
   try {
+    const { unpack } = await import(`${base}share.js`)
     const shared = await unpack(location.hash)
-    if (!shared) return
     if (cells[shared.cell] && !why) return cells[shared.cell].receive(shared)
     said = why || "The code in this link belongs to a listing that this page no longer has."
   } catch (error) {

@@ -22,9 +22,8 @@ export async function pack(object) {
   return SIGN + btoa(text).replaceAll("+", "-").replaceAll("/", "_").replaceAll("=", "")
 }
 
-/** The listing in a fragment, checked; null if there is none. Error: what is wrong with it, in words. */
+/** The listing in such a fragment, checked. Error: what is wrong with it, in words. */
 export async function unpack(fragment) {
-  if (!fragment.startsWith(SIGN)) return null
   const unreadable = new Error("The code in this link cannot be read: the link is broken.")
   const tooLong = new Error("The code in this link is too long for a listing.")
   if (fragment.length > 2 * MOST) throw tooLong
