@@ -62,6 +62,7 @@ SPELT_ANEW = {
     "[0.5, 1.0, 1.5, 2.0]": "[0.4, 0.8, 1.2, 1.6, 2.0]",
     "0.5": "0.4",
     "   assert launched_periods == {period}\n": "",
+    '   assert counted["rospy", ""] == counted["rclpy", ""] == ["1", "2", "3", "4"], counted\n': "",
 }
 
 
