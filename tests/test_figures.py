@@ -60,7 +60,7 @@ def ros_2(*words: str, seconds: float) -> Callable[[float], Runs]:
 
 
 def three(*words: str, seconds: float) -> Callable[[float], Runs]:
-    """One callback, three ROSes."""
+    """One callback in rospy, roscpp and rclpy."""
     one, two = probes(*(f"_{word}" for word in words), seconds=seconds), ros_2(*words, seconds=seconds)
     return lambda block: {**one(block), **two(block)}
 

@@ -333,3 +333,15 @@ def test_a_frequency_without_a_point_is_refused_on_the_real_ros_2(require: Calla
     run = ros2.launch(file, 60.0, ["--ros-args", "-p", "frequency:=5"])
     assert run.status == 1
     assert "to '5' of type 'INTEGER', expecting type 'DOUBLE'" in run.console
+
+
+@pytest.mark.parametrize("args", [["-p", "frequency:=5.0"], ["--ros-args", "-p", "freqency:=5.0"]])
+def test_a_frequency_not_meant_for_the_node_is_ignored_on_the_real_ros_2(
+    require: Callable[[str], None], args: list[str]
+) -> None:
+    """Without --ros-args, or of another name: the node keeps its own, and nothing is said."""
+    require("ros2")
+    run = ros2.launch(PACKAGE_ROS2 / "my_robotics_pkg/spinner_param_py_node.py", 1.2, args)
+    assert run.status == 0
+    assert min(later.expected - earlier.expected for earlier, later in pairwise(run.ticks)) > 0.45
+    assert all("[SPINNER PY NODE] counter = " in line for line in run.console.splitlines())
