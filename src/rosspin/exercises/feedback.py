@@ -65,6 +65,6 @@ class Feedback:
         return "\n".join(lines)
 
     def __repr__(self) -> str:
-        return self._repr_markdown_().replace("**", "").replace("`", "").replace("\n\n", "\n")
+        return self._repr_markdown_().replace("**", "").replace("\n\n", "\n")
 
     __str__ = __repr__
