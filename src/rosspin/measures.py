@@ -166,13 +166,13 @@ def verdict(ticks: Sequence[Tick], period: float, due: int = 0) -> str:
         return f"never called (0 of {due})" if due else "no ticks"
     count = len(lost(ticks, period))
     losses = f"{count} tick{'' if count == 1 else 's'} lost" if count else "no tick lost"
-    if len(ticks) + count < due - 1:
-        losses = f"{len(ticks)} of {due} ticks came"
     last = ticks[-1]
     pause = periods(ticks)[-1:]
     is_even = bool(pause) and abs(pause[0] - period) < 1e-6
     if pause and pause[0] > period * 1.001 and abs(pause[0] - ticks[-2].duration) < 1e-6:
         return f"back to back, every {say_time(pause[0])}, {losses}"
+    if len(ticks) + count < due - 1:
+        losses = f"{len(ticks)} of {due} ticks came"
     # On a new grid ticks are even, but rospy goes on to expect them on the old one.
     if _is_on_grid(last.expected, ticks, period) and 1e-6 < last.lateness and not (is_even and last.lateness > period):
         latest = max(tick.lateness for tick in ticks)
