@@ -329,7 +329,7 @@ WRONG: dict[int, list[tuple[Answer, str, str]]] = {
         (times(LONG, 3.2, 3.6, 4.0), "not 3.2 s", "One overdue tick still comes"),
         (times(ALWAYS, 0.4, 1.2, 2.0), "Each callback takes 0.6 s: not 0.4 s, 1.2 s", "does not wait any longer"),
         (times(ALWAYS, 0.4, 1.4, 2.4), "not 0.4 s, 1.4 s", "does not count from the end"),
-        (times(UNSPUN, 0.4, 0.8, 1.2), "Without spin: not 0.4 s", "it is spin that calls back"),
+        (times(UNSPUN, 0.4, 0.8, 1.2), "Without spin: not 0.4 s", "only spin calls callbacks"),
         (times(UNSPUN, 0.0), "Without spin: not 0 s", "When does the callback return?"),
         ({UNSPUN: "without_spin = None"}, "Without spin: there is no prediction yet", "Give `without_spin`"),
         ({SHORT: "after_1_0_seconds = 2.2"}, "a list of times in seconds, not a value of type `float`", "Write it as"),
@@ -470,7 +470,7 @@ WRONG: dict[int, list[tuple[Answer, str, str]]] = {
             "With `takes:=0.6`, the motor: counter 10 came at 1.6 s",
             "a single-threaded executor",
         ),
-        (ALONE, "With `takes:=0.6`, the motor: counter 1", "in the same group"),
+        (ALONE, "With `takes:=0.6`, the motor: counter 1", "in the same mutually exclusive group"),
         (
             {"MultiThreadedExecutor": "SingleThreadedExecutor"},
             "the motor: counter 10 came at 1.6 s",
@@ -488,7 +488,7 @@ WRONG: dict[int, list[tuple[Answer, str, str]]] = {
                 ", MutuallyExclusiveCallbackGroup())": ", group)",
             },
             "the motor: counter 1",
-            "in the same group",
+            "in the same mutually exclusive group",
         ),
         ({"time.sleep(self.takes)": "pass"}, "image 1 was done after 0 s, not after 0.6 s", "takes its time"),
         ({"time.sleep(self.takes)": "time.sleep(0.05)"}, "done after 0.05 s, not after 0.6 s", "takes its time"),
@@ -524,9 +524,9 @@ WRONG: dict[int, list[tuple[Answer, str, str]]] = {
         (
             {THREAD: SPINNING_THREAD, SPIN: "        spinner_py_node.loop()\n"},
             "Ctrl-C: the thread died of `rclpy.executors.ExternalShutdownException`",
-            "in whichever thread it is",
+            "Let the main part spin",
         ),
-        (IN_MAIN, "SIGTERM at 3.3 s: the node did not end", "wakes no Rate"),
+        (IN_MAIN, "SIGTERM at 3.3 s: the node did not end", "Let the main part spin"),
         (
             {SPIN_CAUGHT: "    rclpy.spin(spinner_py_node)\n"},
             "Ctrl-C: the node died of `KeyboardInterrupt`",

@@ -158,6 +158,20 @@ def test_the_verdict_where_ticks_are_dropped_and_the_grid_is_kept() -> None:
     dropped = [Tick("A", n, expected, real, 0.0) for n, (expected, real) in enumerate(times.items(), 1)]
     assert verdict(dropped, 0.5) == "keeps its grid, 2 ticks lost"
     assert verdict([], 0.5) == "no ticks"
+    # Dropped to the end of the run as well.
+    assert verdict(dropped, 0.5, due=7) == verdict(dropped, 0.5, due=8) == "keeps its grid, 2 ticks lost"
+    assert verdict(dropped, 0.5, due=12) == "keeps its grid, 5 of 12 ticks came"
+    assert verdict([], 0.5, due=12) == "never called (0 of 12)"
+
+
+def test_rounded_times_lose_no_tick() -> None:
+    """The real rclpy rounds when a tick was expected, by microseconds."""
+    assert lost([Tick("A", n, n * 0.02 - 5e-5 * (n % 2), n * 0.02, 0.0) for n in range(2, 9)], 0.02) == []
+
+
+def test_times_beside_short_ones_are_in_their_unit() -> None:
+    late = [Tick("A", n, n * 0.5, n * 0.5 + lateness, 0.0) for n, lateness in enumerate((0.002, 0.03, 0.109), 1)]
+    assert describe_lateness(late) == "Half of the 3 ticks were at most 30 ms late; the latest was 109 ms late."
 
 
 @pytest.mark.parametrize(

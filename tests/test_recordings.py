@@ -84,8 +84,8 @@ def test_recording(file: Path) -> None:
 def test_the_caption_of_a_run_made_now() -> None:
     run = Run("PARAMETERS\n * /rosversion: 1.15.15\n", (), 0, "ros1", 5.0, start=86400.0)
     long, short = recordings.live_caption(run), recordings.live_caption(run, short=True)
-    assert long.startswith("made live on 1970-01-02 with ROS 1.15.15 on ")
-    assert short.startswith("made live on 1970-01-02, ")
+    assert long.startswith("measured on 1970-01-02 with ROS 1.15.15 on ")
+    assert short.startswith("measured on 1970-01-02, ")
     assert long.endswith(short.partition(", ")[2])
 
 

@@ -29,6 +29,9 @@ __all__ = [
 # Fewer values have no hundredth part to speak of.
 _MANY = 100
 
+# Nobody means a difference below this part of a period: on a real clock, ROS 2 rounds when a tick was expected.
+_CLOSE = 0.02
+
 
 def by_source(ticks: Sequence[Tick]) -> dict[str, list[Tick]]:
     """Group ticks by source; the sources are in the order of their first ticks."""
@@ -87,7 +90,7 @@ def lost(ticks: Sequence[Tick], period: float) -> list[float]:
         if tick.expected - previous > 1.5 * period:  # roscpp and rclpy move ``expected`` to the new grid
             moved = 0.0
         due = tick.expected + moved
-        served.append(int((due - origin) / period + 1e-3))
+        served.append(int((due - origin) / period + _CLOSE))
         if tick.real - due > 2 * period:  # rospy leaves it as it was: see ``rospy.Rate.sleep``
             moved = tick.real - tick.expected
         previous = tick.expected
@@ -125,6 +128,12 @@ def say_time(seconds: float) -> str:
     return f"{seconds * 1e6:.3g} µs" if abs(seconds) >= 0.5e-9 else "0"
 
 
+def _say_beside(seconds: float, other: float) -> str:
+    """Format a length of time that stands beside another one, in ms if that is shorter."""
+    in_ms = 0.5e-6 <= other < 0.0995 <= seconds < 0.9995
+    return f"{seconds * 1e3:.3g} ms" if in_ms else say_time(seconds)
+
+
 def describe_timeline(name: str, group: Sequence[Tick]) -> str:
     """Describe the ticks of one source in a few sentences: how many, from when to when, how late, how many at once."""
     if not group:
@@ -146,14 +155,15 @@ def describe_pace(ticks: Sequence[Tick]) -> str:
     return f"{len(ticks)} ticks, {say_time(min(times))} to {say_time(max(times))} apart"
 
 
-def verdict(ticks: Sequence[Tick], period: float) -> str:
+def verdict(ticks: Sequence[Tick], period: float, due: int = 0) -> str:
     """Say in a few words whether the grid of ``period`` seconds was kept in the end, and how many ticks were lost.
 
     Also whether calls still come late then, and whether they overlap. The ticks are of one source, in a simulated run:
-    they are at their times exactly.
+    they are at their times exactly. ``due`` is how many ticks were due in that run, if that is known: of a source that
+    was not called any more before its end, it is said how many of them came.
     """
     if not ticks:
-        return "no ticks"
+        return f"never called (0 of {due})" if due else "no ticks"
     count = len(lost(ticks, period))
     losses = f"{count} tick{'' if count == 1 else 's'} lost" if count else "no tick lost"
     last = ticks[-1]
@@ -161,6 +171,8 @@ def verdict(ticks: Sequence[Tick], period: float) -> str:
     is_even = bool(pause) and abs(pause[0] - period) < 1e-6
     if pause and pause[0] > period * 1.001 and abs(pause[0] - ticks[-2].duration) < 1e-6:
         return f"back to back, every {say_time(pause[0])}, {losses}"
+    if len(ticks) + count < due - 1:
+        losses = f"{len(ticks)} of {due} ticks came"
     # On a new grid ticks are even, but rospy goes on to expect them on the old one.
     if _is_on_grid(last.expected, ticks, period) and 1e-6 < last.lateness and not (is_even and last.lateness > period):
         latest = max(tick.lateness for tick in ticks)
@@ -189,8 +201,10 @@ def describe_lateness(ticks: Sequence[Tick]) -> str:
         return f"The only tick was {latest}."
     if median(late) < 0.5e-6:
         return f"At least half of the {len(late)} ticks were on time; the latest was {latest}."
-    most = f" and 99% at most {say_time(quantile(late, 0.99))}" if len(late) >= _MANY else ""
-    return f"Half of the {len(late)} ticks were at most {say_time(median(late))} late{most}; the latest was {latest}."
+    middle = median(late)
+    most = f" and 99% at most {_say_beside(quantile(late, 0.99), middle)}" if len(late) >= _MANY else ""
+    latest = f"{_say_beside(max(late), middle)} late"
+    return f"Half of the {len(late)} ticks were at most {say_time(middle)} late{most}; the latest was {latest}."
 
 
 def describe_periods(ticks: Sequence[Tick]) -> str:

@@ -161,7 +161,7 @@ def _check(words: Sequence[str], source: str) -> dict[str, Any]:
     feedback = check(int(words[0]), _node(source))
     if console := feedback.shown_console():
         print(console)
-    print(feedback)
+    print(str(feedback).replace("`", ""))  # a console is no Markdown
     return {"status": 0, "verdict": feedback.verdict, "solved": feedback.passed}
 
 

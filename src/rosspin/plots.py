@@ -107,7 +107,7 @@ def timeline(ticks: Ticks, period: float | None = None, kinds: int = len(_COLOUR
     The rows are of up to three ``kinds`` in turn, each of which has a mark and a colour of its own.
     """
     groups = _groups(ticks)
-    rows = [_row(name, "", group, period) for name, group in groups.items()]
+    rows = _rows(groups, period)
     return _timeline(rows, _scale(rows), period, kinds, _describe(groups, period))
 
 
@@ -132,11 +132,7 @@ def with_handle(
     if at not in runs:
         raise ValueError(f"{at!r} is no position of the handle: they are {', '.join(map(repr, runs))}")
     positions = {value: _groups(ticks) for value, ticks in runs.items()}
-    say = verdict if period else _say_pace
-    rows = {
-        value: [_row(name, say(group, period or 0), group, period) for name, group in groups.items()]
-        for value, groups in positions.items()
-    }
+    rows = {value: _rows(groups, period, worded=True) for value, groups in positions.items()}
     scale = _scale([row for group in rows.values() for row in group])
     said = {value: f"{value:g} {unit}" for value in runs}
     alts = {value: _describe(groups, period, f", {label}: {said[value]}") for value, groups in positions.items()}
@@ -225,10 +221,6 @@ def _describe(groups: Mapping[str, Sequence[Tick]], period: float | None, positi
     return f"Timeline{position}. " + " ".join(words)
 
 
-def _say_pace(group: Sequence[Tick], period: float) -> str:
-    return describe_pace(group)
-
-
 # --- a timeline, which web/src/svg.js draws in the same way ----------------------------------------------------------
 
 
@@ -242,7 +234,19 @@ class _Row(NamedTuple):
     ticks: list[tuple[float, float]]  # when each came and how long it took; 0 where that is not known
 
 
-def _row(name: str, words: str, group: Sequence[Tick], period: float | None) -> _Row:
+def _rows(groups: Mapping[str, Sequence[Tick]], period: float | None, worded: bool = False) -> list[_Row]:
+    """The rows of a timeline; ``worded``: with a few words on each. One without ticks has the grid of the others."""
+    rows = [_row(name, group, period) for name, group in groups.items()]
+    grid = max((row.expected for row in rows), key=len)
+    due = len(grid)
+    for number, group in enumerate(groups.values()):
+        words = (verdict(group, period, due) if period else describe_pace(group)) if worded else ""
+        expected = rows[number].expected or (grid if period else [])
+        rows[number] = rows[number]._replace(words=words, expected=expected)
+    return rows
+
+
+def _row(name: str, group: Sequence[Tick], period: float | None) -> _Row:
     gone = lost(group, period) if period else []
     expected = {tick.expected for tick in group if not period} | set(gone)
     if period and group:
@@ -251,7 +255,7 @@ def _row(name: str, words: str, group: Sequence[Tick], period: float | None) -> 
         expected |= {group[0].expected + step * period for step in range(steps)}
     times = sorted({round(time, 6) for time in expected})
     ticks = [(round(tick.real, 6), round(tick.duration, 6) if tick.duration > 0 else 0.0) for tick in group]
-    return _Row(name, words, times, [round(time, 6) for time in gone], ticks)
+    return _Row(name, "", times, [round(time, 6) for time in gone], ticks)
 
 
 def _scale(rows: Iterable[_Row]) -> _Scale:

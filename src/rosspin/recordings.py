@@ -58,7 +58,7 @@ def live_caption(run: Run, short: bool = False) -> str:
     ros = f" with ROS {version[1]}" if version else " with ROS 2" if run.runtime == "ros2" else ""
     versions = "" if short else f"{ros} on {here['System']}"
     date = datetime.fromtimestamp(run.start, UTC).date()
-    return f"made live on {date}{versions}, {here['Processor']} ({here['Cores']} cores)"
+    return f"measured on {date}{versions}, {here['Processor']} ({here['Cores']} cores)"
 
 
 def load(path: str | os.PathLike[str]) -> Recording:

@@ -5,6 +5,7 @@ The rule is compared with recordings of the real one, and with the real one wher
 
 from __future__ import annotations
 
+import math
 from collections.abc import Callable, Sequence
 
 from .ticks import Tick
@@ -28,8 +29,9 @@ def timer_ticks(period: float, duration: Callable[[int], float], seconds: float)
     due = now = step
     while (real := max(due, now)) <= until:
         takes = round(duration(len(ticks) + 1) * _NS)
-        ticks.append(Tick("timerCallback", len(ticks) + 1, due / _NS, real / _NS, takes / _NS))
         now = real + takes
+        took = takes / _NS if now <= until else math.nan
+        ticks.append(Tick("timerCallback", len(ticks) + 1, due / _NS, real / _NS, took))
         due += step
         if due + step < now:
             due = now

@@ -10,11 +10,16 @@ __all__ = ["Feedback", "Finding"]
 # So many lines of a console are shown.
 _MOST_LINES = 30
 
+_WORDS = {True: "Right", False: "Wrong", None: "Open"}
+
 
 class Finding(NamedTuple):
-    """One thing about an answer: whether it is right, and in words (Markdown) what it is. ``hint`` is how to go on."""
+    """One thing about an answer: whether it is right, and in words (Markdown) what it is. ``hint`` is how to go on.
 
-    right: bool
+    Where nothing has been answered yet, ``right`` is None.
+    """
+
+    right: bool | None
     text: str
     hint: str = ""
 
@@ -52,7 +57,7 @@ class Feedback:
     def _repr_markdown_(self) -> str:
         lines = [f"**{self.verdict}**", ""]
         for right, text, _ in self.findings:
-            lines.append(f"- {'Right' if right else 'Wrong'}: {text[0].upper()}{text[1:]}")
+            lines.append(f"- {_WORDS[right]}: {text[0].upper()}{text[1:]}")
         if not self.passed:
             lines += ["", f"**Hint:** {self.hint}"]
         if self.progress:

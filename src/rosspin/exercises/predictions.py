@@ -43,7 +43,7 @@ def compare(answer: Answer, predictions: Sequence[Prediction]) -> Iterator[Findi
         _, listed, example = _ASKED[asked]
         value = variables.get(variable)
         if value is ... or value is None:
-            yield Finding(False, f"{what}: there is no prediction yet.", f"Give `{variable}` a list of {asked}.")
+            yield Finding(None, f"{what}: there is no prediction yet.", f"Give `{variable}` a list of {asked}.")
             continue
         predicted = _numbers(value)
         if predicted is None:
@@ -93,7 +93,7 @@ def choose(answer: Answer, right: Mapping[str, str], choices: Mapping[str, str])
     for variable, letter in right.items():
         value = variables.get(variable)
         if value is ... or value is None:
-            yield Finding(False, f"`{variable}`: there is no answer yet.")
+            yield Finding(None, f"`{variable}`: there is no answer yet.")
             continue
         named = value.strip(" ().").upper() if isinstance(value, str) else ""
         if named not in choices:

@@ -22,6 +22,7 @@ _FROM_ROS_1 = "docs/ros2/from-ros-1"
 _TIMER = "notebooks/ros2-timer"
 _RATE = "notebooks/ros2-rate"
 _EXECUTORS = "notebooks/ros2-executors"
+_PARAMETER = "docs/how-to/frequency-from-parameter"
 
 EXERCISES = Exercises(ros=2, first=len(questions.EXERCISES) + 1)
 """The exercises of the page, in their order."""
@@ -98,7 +99,7 @@ def _after_a_slow_callback(answer: Answer) -> Iterator[Finding]:
         (0.4, 1.4, 2.4): "The timer does not count from the end of a callback.",
     }
     unspun: Beliefs = {
-        (0.4, 0.8, 1.2): "This is what rospy does, where each timer has a thread. In ROS 2 it is spin that calls back.",
+        (0.4, 0.8, 1.2): "This is what rospy does, where each timer has a thread. In ROS 2 only spin calls callbacks.",
     }
     predictions = [
         Prediction("after_1_0_seconds", "blocked for 1.0 s", _simulated(_node(lambda n: 1.0 * (n == 3)), 4), short),
@@ -135,7 +136,7 @@ def _with(name: str, value: float) -> tuple[str, ...]:
 @_exercise(
     "Change",
     "Take the period from a parameter",
-    (_TUTORIAL, _TIMER),
+    (_TUTORIAL, _TIMER, _PARAMETER),
     "A parameter can be read without being declared. A timer refuses a period of 0.",
     "`self.declare_parameter(name, default).value` is a parameter's value. Look at it before you make the timer.",
 )
@@ -216,7 +217,7 @@ def _free_a_neighbour(answer: Answer) -> Iterator[Finding]:
 def _motor_on_time(seen: Seen, what: str) -> Finding:
     starved = (
         "While the camera's callback runs, a single-threaded executor calls nothing, and no executor calls what is in "
-        "the same group. A node's timers are in one group unless you give them others."
+        "the same mutually exclusive group. A node's timers are in one such group unless you give them others."
     )
     return on_time(seen.counters("MOTOR"), grid(0.1, seen.seconds), f"{what}, the motor", starved)
 
@@ -289,6 +290,7 @@ def _terminated(answer: Answer, at: float, *args: str) -> tuple[Seen, Finding]:
     "A Rate is a timer that wakes who sleeps: while one thread sleeps on it, another has to spin.",
 )
 def _wake_a_rate(answer: Answer) -> Iterator[Finding]:
+    endings = []
     for work, seconds in ((0.1, 3.3), (0.4, 3.05)):
         what = f"With `work:={work}`"
         seen = answer.run(seconds, *_with("work", work))
@@ -300,10 +302,13 @@ def _wake_a_rate(answer: Answer) -> Iterator[Finding]:
             hint = "The work is a part of the period: the pause has to be as much shorter."
         finding = on_time(counters, grid(0.5, seconds, start=0.0), what, hint)
         yield finding
-        yield _ends_well(answer, seen, f"{what}, Ctrl-C")
+        endings.append(_ends_well(answer, seen, f"{what}, Ctrl-C"))
         if not finding.right:
+            yield from endings
             return
+    # SIGTERM first: where the loop is in the main part, nothing that is caught there helps.
     yield _terminated(answer, 3.3)[1]
+    yield from endings
     for seed in range(2):
         counters = answer.run(3.3, seed=seed).counters()
         finding = on_time(counters, grid(0.5, 3.3, start=0.0), "When the threads take turns at every line")
