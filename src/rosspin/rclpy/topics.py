@@ -152,7 +152,7 @@ class Subscription(_Owner):
         self.callback = callback
         self.callback_group = callback_group
         self.messages: deque[tuple[Message, dict[str, Any]]] = deque(maxlen=qos.kept)
-        self.nudge: Callable[[], None] = node.nudge
+        self.nudge: Callable[[], None] | None = None  # tells the executor that waits
         self._executor_event = False
         self._received = 0
         for end in self.world.graph.subscribe(self.end):
@@ -187,7 +187,8 @@ class Subscription(_Owner):
             "reception_sequence_number": None,
         }
         self.messages.append((transfer(message, self.msg_type), info))
-        self.nudge()
+        if self.nudge:
+            self.nudge()
 
     def take(self) -> Any:
         """What is to be called; None if there is no message any more."""
