@@ -13,7 +13,7 @@ from typing import Any
 
 import pytest
 
-from rosspin import NotSimulated, Run, rclpy, simulate
+from rosspin import NotSimulated, Run, rclpy, ros2, simulate
 
 Error = type[BaseException]
 
@@ -584,3 +584,27 @@ def test_handlers_of_the_node_go_first_if_they_come_later() -> None:
         os.kill(os.getpid(), signal.SIGINT)
 
     assert run(body).console == "own True\n"
+
+
+# --- a node's own names -----------------------------------------------------------------------------------------------
+
+NAMES = Path(__file__).with_name("rclpy_names.py")
+
+
+def names_of(console: str) -> dict[str, set[str]]:
+    return {kind: set(names) for kind, *names in map(str.split, console.splitlines())}
+
+
+def test_what_rclpy_does_not_have_is_out_of_the_way_of_a_nodes_own_names() -> None:
+    """A class of a node's may call its own methods and attributes as it likes, if it may on a real ROS."""
+    real = names_of(NAMES.with_suffix(".txt").read_text())
+    done = simulate(NAMES, 1)
+    assert done.status == 0
+    for kind, names in names_of(done.console).items():
+        ours = {name for name in names - real[kind] if not name.startswith(("_rosspin_", "_Parameters__"))}
+        assert ours == set(), kind
+
+
+def test_the_recorded_names_are_those_of_rclpy(require: Callable[[str], None]) -> None:
+    require("ros2")
+    assert names_of(ros2.launch(NAMES, 5).console) == names_of(NAMES.with_suffix(".txt").read_text())

@@ -13,6 +13,7 @@ from collections.abc import Callable
 from typing import TYPE_CHECKING, Any, NamedTuple
 
 from ..messages.ros2 import Message, transfer
+from .callback_groups import ReentrantCallbackGroup
 from .exceptions import InvalidHandle, RCLError
 from .qos import DurabilityPolicy, QoSProfile, incompatible_policy
 from .state import Gate
@@ -221,6 +222,16 @@ def _connect(publisher: Publisher, subscription: Subscription) -> None:
             subscription.deliver(message, publisher.world.clock.now())
 
 
+class _OutOfReach(ReentrantCallbackGroup):
+    """The group of a subscription from which no executor takes anything.
+
+    On a real ROS an executor that spins the node races the one who waits; here the latter wins.
+    """
+
+    def can_execute(self, entity: Any) -> bool:
+        return False
+
+
 def wait_for_message(
     msg_type: type[Message], node: Node, topic: str, *, qos_profile: QoSProfile | int = 1, time_to_wait: float = -1
 ) -> tuple[bool, Message | None]:
@@ -229,7 +240,7 @@ def wait_for_message(
     Whether there was one, and the message. A signal ends it; ``rclpy.shutdown()`` does not.
     """
     own, gate = node.context.state, Gate()
-    subscription = node.create_subscription(msg_type, topic, lambda _: None, qos_profile)
+    subscription = node.create_subscription(msg_type, topic, lambda _: None, qos_profile, callback_group=_OutOfReach())
     subscription.nudge = gate.open
     own.waiting[gate] = None
     until = None if time_to_wait < 0 else time.monotonic_ns() + int(float(time_to_wait) * 1e9)
