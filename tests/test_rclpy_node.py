@@ -588,7 +588,7 @@ def test_handlers_of_the_node_go_first_if_they_come_later() -> None:
 
 # --- a node's own names -----------------------------------------------------------------------------------------------
 
-NAMES = Path(__file__).with_name("rclpy_names.py")
+NAMES = Path(__file__).with_name("rclpy_names_probe.py")
 
 
 def names_of(console: str) -> dict[str, set[str]]:

@@ -7,7 +7,7 @@ from collections.abc import Callable, Iterator, Mapping, Sequence
 from contextlib import contextmanager
 from importlib import import_module
 from pathlib import Path
-from types import TracebackType
+from types import NoneType, TracebackType
 from typing import Any
 
 from .clocks.clock import NS
@@ -15,7 +15,7 @@ from .clocks.programs import SimulatedProgram
 from .clocks.simulation import Simulation
 from .clocks.stacks import acting_for
 from .frames import node_frames
-from .process import Capture, NodeLike, Process, load
+from .process import Capture, NodeLike, Process, load, refuse_text
 from .run import PATIENCE, duration, explained, messages_of, new_world, run_main, stand_in, ticks_of
 from .ticks import Message, Run
 from .world import World
@@ -41,6 +41,9 @@ def start(node: NodeLike, args: Sequence[str] = (), parameters: Mapping[str, Any
     ``advance`` does, and TypeError for a value that no parameter can have.
     """
     __tracebackhide__ = True  # pytest shows the lines of the test and of the node, not these
+    refuse_text(args)
+    if not isinstance(parameters, (Mapping, NoneType)):
+        raise TypeError(f"parameters are given by name, as in {{'rate': 10.0}}, not as {parameters!r}")
     return StartedNode(node, args, parameters or {})
 
 

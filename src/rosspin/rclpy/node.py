@@ -236,7 +236,7 @@ class Node(Parameters):
         Raises InvalidTopicNameException, TypeError and ValueError for what is no QoS, AttributeError for what is no
         message of ROS 2, RCLError if the process uses the topic with another type.
         """
-        qos = self.__prepare("publisher", msg_type, qos_profile, event_callbacks, qos_overriding_options)
+        qos = self.__prepare("publisher", msg_type, topic, qos_profile, event_callbacks, qos_overriding_options)
         full_name = self.__resolve(topic)
         if (other := self.__other_type(full_name, msg_type)) is not None:
             raise RCLError(
@@ -265,7 +265,7 @@ class Node(Parameters):
         """
         if raw:
             raise NotSimulated("Node.create_subscription(raw=True)")
-        qos = self.__prepare("subscription", msg_type, qos_profile, event_callbacks, qos_overriding_options)
+        qos = self.__prepare("subscription", msg_type, topic, qos_profile, event_callbacks, qos_overriding_options)
         full_name = self.__resolve(topic)
         if self.__other_type(full_name, msg_type) is not None:
             raise RCLError("Failed to create subscription: invalid allocator")
@@ -277,7 +277,7 @@ class Node(Parameters):
         self._wake_executor()
         return subscription
 
-    def __prepare(self, what: str, msg_type: Any, qos: Any, events: Any, options: Any) -> QoSProfile:
+    def __prepare(self, what: str, msg_type: Any, topic: Any, qos: Any, events: Any, options: Any) -> QoSProfile:
         if events is not None:
             raise NotSimulated(f"Node.create_{what}(event_callbacks=...)")
         if options is not None:
@@ -289,6 +289,7 @@ class Node(Parameters):
             qos = QoSProfile(depth=qos)
         if not isinstance(qos, QoSProfile):
             raise TypeError(f"Expected QoSProfile or int, but received {type(qos)!r}")
+        self.__check_text(topic)
         if not (isinstance(msg_type, type) and issubclass(msg_type, Message)):
             raise AttributeError(
                 f"type object '{type(msg_type).__name__}' has no attribute '_TYPE_SUPPORT' "
@@ -314,7 +315,14 @@ class Node(Parameters):
         except InvalidTopicNameException as error:
             raise RCLError(f"failed to resolve name: {error.error_msg}") from None
 
+    @staticmethod
+    def __check_text(topic: Any, only_expand: bool = False) -> None:
+        if not isinstance(topic, str):
+            signature = "(arg0: rclpy::Node, arg1: str, arg2: bool, arg3: bool) -> str"
+            raise not_accepted(signature, "Node", topic, only_expand, False, function="rclpy_resolve_name")
+
     def __resolve(self, topic: str, only_expand: bool = False) -> str:
+        self.__check_text(topic, only_expand)
         names.validate_topic_name(topic)
         full_name = names.expand_topic_name(topic, self.__name, self.__namespace)
         if not only_expand:
@@ -343,6 +351,9 @@ class Node(Parameters):
 
     def __count(self, topic_name: str, owners: str) -> int:
         full_name = self.__resolve(topic_name)
+        if not self._context.ok():
+            what = {"_publishers": "publishers", "_subscriptions": "subscribers"}[owners]
+            raise RCLError(f"Error in rcl_count_{what}: rcl node's context is invalid")
         return sum(owner.end.topic == full_name for node in self._context.nodes for owner in getattr(node, owners))
 
     def get_node_names(self) -> list[str]:
@@ -449,7 +460,7 @@ class Node(Parameters):
     def __getattr__(self, name: str) -> Any:
         if name in NOT_SIMULATED:
             raise NotSimulated(f"Node.{name}")
-        raise AttributeError(f"'{type(self).__name__}' object has no attribute '{name}'", name=name, obj=self)
+        return object.__getattribute__(self, name)  # raises: with what a property of this name lacks, if one does
 
 
 # Methods of rclpy's Node that are not here.

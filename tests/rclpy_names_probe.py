@@ -1,6 +1,6 @@
 """Print the names that rclpy's classes have, of which a node makes classes of its own; mangled ones are nobody else's.
 
-python tests/rclpy_names.py > tests/rclpy_names.txt     record them, in the environment of a real ROS 2
+python tests/rclpy_names_probe.py > tests/rclpy_names_probe.txt     record them, in the environment of a real ROS 2
 """
 
 import rclpy
