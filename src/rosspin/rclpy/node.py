@@ -35,6 +35,8 @@ class Node(Parameters):
     Raises NotInitializedException before ``init``, InvalidNodeNameException and InvalidNamespaceException.
     """
 
+    __destroyed = False
+
     def __init__(
         self,
         node_name: str,
@@ -70,7 +72,6 @@ class Node(Parameters):
             self.__name, self.__namespace = arguments.name(self.__name, self.__namespace)
         self.__full_name = f"{self.__namespace.rstrip('/')}/{self.__name}"
         self._logger = logging.get_logger(self.__full_name[1:].replace("/", "."))
-        self.__destroyed = False
         self.__executor: Executor | None = None
 
         self._publishers: list[Publisher] = []
