@@ -154,7 +154,8 @@ class StartedNode:
 
         As with ``rospy.Publisher.publish`` it is given whole, by all its fields, or by some of them by name; its class
         is that of the node's subscriber. By name a dict stands for a nested message, and a number for a time, in
-        seconds: ``node.publish("/range", range=0.5, header={"stamp": node.time})``.
+        seconds: ``node.publish("/range", range=0.5, header={"stamp": node.time})``. In ROS 2 the whole message may be
+        such a dict, too.
 
         Raises LookupError if the node does not subscribe to the topic, and what ``rospy.Publisher.publish`` or, in
         ROS 2, the message's class does if it has no such fields or they cannot have these values.
