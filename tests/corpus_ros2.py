@@ -98,6 +98,7 @@ _ARGS: dict[str, list[tuple[str, ...]]] = {
 RACES: dict[str, str] = {
     "ctrl_c_rate_in_main": "whether the thread that spins sees the context go before the interpreter does",
     "executor_multi_raises": "whether the callback has ended before its own end makes the executor look again",
+    "topics_wait_while_spun": "whether the one who waits or the executor that spins takes the message",
 }
 
 # Where the stand-in is known to do otherwise, and how.

@@ -325,3 +325,35 @@ def test_bad_options(capsys: pytest.CaptureFixture[str], args: list[str], text: 
         main(args)
     assert caught.value.code == 2
     assert text in capsys.readouterr().err
+
+
+@pytest.mark.parametrize("name", ["my.launch.py", "my.launch.xml", "my.launch.yaml", "my_launch.xml"])
+@pytest.mark.parametrize("where", ["--simulated", "--ros1", "--ros2"])
+def test_launch_files_of_ros_2(capsys: pytest.CaptureFixture[str], name: str, where: str) -> None:
+    assert main(["run", name, where, "--seconds", "1"]) == 1
+    text = f"{name}: rosspin runs launch files of ROS 1 (.launch) only; run the nodes of this one one by one"
+    assert capsys.readouterr() == ("", f"rosspin: {text}\n")
+
+
+@pytest.mark.parametrize(("module", "ros", "other"), [("rospy", 1, 2), ("rclpy", 2, 1)])
+def test_a_node_of_the_other_ros(
+    capsys: pytest.CaptureFixture[str], write: Any, module: str, ros: int, other: int
+) -> None:
+    path = write(f"import {module}\n")
+    assert main(["run", str(path), f"--ros{other}", "--seconds", "1"]) == 1
+    assert capsys.readouterr() == ("", f"rosspin: {path}: this is a node of ROS {ros}: --ros{ros}\n")
+
+
+@pytest.mark.parametrize(
+    ("code", "text"),
+    [
+        (b"import rospy\nx = '\xe9'\n", "the byte 0xe9 is not utf-8"),
+        (b"import rospy\nx = '\0'\n", "source code string cannot contain null bytes"),
+    ],
+)
+def test_a_stray_byte_is_shown_with_file_and_line(
+    capsys: pytest.CaptureFixture[str], tmp_path: Path, code: bytes, text: str
+) -> None:
+    path = tmp_path / "node.py"
+    path.write_bytes(code)
+    assert simulated(capsys, str(path)) == (1, f'rosspin: File "{path}", line 2\nSyntaxError: {text}\n')

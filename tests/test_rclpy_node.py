@@ -13,7 +13,7 @@ from typing import Any
 
 import pytest
 
-from rosspin import NotSimulated, Run, rclpy, simulate
+from rosspin import NotSimulated, Run, rclpy, ros2, simulate
 
 Error = type[BaseException]
 
@@ -204,6 +204,7 @@ def test_before_init_and_after_shutdown() -> None:
             ("[a, b]", ["a", "b"]),
         ),
         ("[]", None),
+        *(("9223372036854775807", 2**63 - 1), ("9223372036854775808", 2.0**63), ("-9223372036854775809", -(2.0**63))),
     ],
 )
 def test_values_on_the_command_line(word: str, value: Any) -> None:
@@ -584,3 +585,79 @@ def test_handlers_of_the_node_go_first_if_they_come_later() -> None:
         os.kill(os.getpid(), signal.SIGINT)
 
     assert run(body).console == "own True\n"
+
+
+# --- a node's own names -----------------------------------------------------------------------------------------------
+
+NAMES = Path(__file__).with_name("rclpy_names_probe.py")
+
+
+def names_of(console: str) -> dict[str, set[str]]:
+    return {kind: set(names) for kind, *names in map(str.split, console.splitlines())}
+
+
+def test_what_rclpy_does_not_have_is_out_of_the_way_of_a_nodes_own_names() -> None:
+    """A class of a node's may call its own methods and attributes as it likes, if it may on a real ROS."""
+    real = names_of(NAMES.with_suffix(".txt").read_text())
+    done = simulate(NAMES, 1)
+    assert done.status == 0
+    for kind, names in names_of(done.console).items():
+        ours = {name for name in names - real[kind] if not name.startswith(("_rosspin_", "_Parameters__"))}
+        assert ours == set(), kind
+
+
+def test_the_recorded_names_are_those_of_rclpy(require: Callable[[str], None]) -> None:
+    require("ros2")
+    assert names_of(ros2.launch(NAMES, 5).console) == names_of(NAMES.with_suffix(".txt").read_text())
+
+
+@pytest.mark.parametrize(
+    "call",
+    [
+        lambda node, kind: node.create_publisher("chatter", kind, 10),
+        lambda node, kind: node.create_subscription("chatter", kind, print, 10),
+        lambda node, kind: node.resolve_topic_name(kind),
+    ],
+)
+def test_a_topic_that_is_no_text(call: Callable[[Any, Any], Any]) -> None:
+    def body(node: Any) -> None:
+        from std_msgs.msg import String
+
+        with pytest.raises(TypeError) as caught:
+            call(node, String)
+        assert re.sub("0x[0-9a-f]+", "0x0", str(caught.value)) == (
+            "rclpy_resolve_name(): incompatible function arguments. The following argument types are supported:\n"
+            "    1. (arg0: rclpy::Node, arg1: str, arg2: bool, arg3: bool) -> str\n\n"
+            "Invoked with: <rclpy._rclpy_pybind11.Node object at 0x0>, <class 'std_msgs.msg._string.String'>, "
+            "False, False"
+        )
+
+    values(body)
+
+
+@pytest.mark.parametrize(
+    ("call", "lacks"),
+    [
+        (lambda node: node.create_timer(1, print), "_default_callback_group"),
+        (lambda node: node.get_logger(), "_logger"),
+        (lambda node: node.declare_parameter("x", 1), "_parameter_overrides"),
+        (lambda node: node.nothing, "nothing"),
+    ],
+)
+def test_a_node_that_forgets_its_base_s_init(call: Callable[[Any], Any], lacks: str) -> None:
+    class Forgetful(rclpy.node.Node):
+        def __init__(self) -> None:
+            call(self)
+
+    values(lambda _: refused(AttributeError, f"'Forgetful' object has no attribute '{lacks}'", Forgetful))
+
+
+def test_nothing_is_counted_after_shutdown() -> None:
+    def body(node: Any) -> None:
+        rclpy.shutdown()
+        for what in ("publishers", "subscribers"):
+            count = getattr(node, f"count_{what}")
+            message = f"Error in rcl_count_{what}: rcl node's context is invalid"
+            refused(rclpy.exceptions.RCLError, message, lambda: count("x"))
+
+    values(body)

@@ -10,6 +10,7 @@ from typing import Any
 import pytest
 
 from rosspin import Run, rclpy, simulate
+from rosspin.rclpy.executors import MultiThreadedExecutor, SingleThreadedExecutor
 
 Body = Callable[[Any, Any], object]
 
@@ -222,6 +223,24 @@ def test_wait_for_message() -> None:
 
     assert run(body).status == 0
     assert found == [(False, None, 0.3), (True, 7, 0.8)]
+
+
+@pytest.mark.parametrize("executor", [SingleThreadedExecutor, MultiThreadedExecutor])
+def test_the_executor_that_spins_meanwhile_leaves_the_message_to_the_one_who_waits(executor: Any) -> None:
+    found: list[Any] = []
+
+    def body(node: Any, UInt32: Any) -> None:
+        publisher = node.create_publisher(UInt32, "topic", 10)
+        node.create_timer(0.5, lambda: publisher.publish(UInt32(data=7)))
+        spinner = executor()
+        spinner.add_node(node)
+        threading.Thread(target=spinner.spin, daemon=True).start()
+        for seconds in (0.3, 2, -1):
+            there, message = rclpy.topics.wait_for_message(UInt32, node, "topic", time_to_wait=seconds)
+            found.append((there, getattr(message, "data", None), time.time()))
+
+    assert run(body).status == 0
+    assert found == [(False, None, 0.3), (True, 7, 0.5), (True, 7, 1.0)]
 
 
 def test_a_message_of_the_instant_in_which_a_callback_ends_has_arrived() -> None:

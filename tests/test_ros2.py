@@ -392,3 +392,20 @@ def test_the_package_is_told_of_all_its_nodes() -> None:
     for node in NODES.glob("*_node.py"):
         assert f"'{node.stem} = my_robotics_pkg.{node.stem}:main'" in setup
         assert os.access(node, os.X_OK)
+
+
+def test_a_node_may_import_its_own_package_and_is_told_what_messages_there_are(ros: None, tmp_path: Path) -> None:
+    package = tmp_path / "own_pkg"
+    package.mkdir()
+    (package / "__init__.py").touch()
+    (package / "helper.py").write_text("value = 1")
+    node = package / "node.py"
+    begin = "import rclpy; from own_pkg.helper import value; rclpy.init(); rclpy.create_node('n'); print(value)\n"
+    node.write_text(f"{begin}import nav2_msgs.msg\n")
+    onward = io.StringIO()
+    run = ros2.launch(node, 5, onward=onward)
+    assert run.status == 1
+    assert run.console.startswith("1\n")
+    assert run.console == onward.getvalue()
+    last = run.console.splitlines()[-1]
+    assert re.fullmatch("rosspin: make ros2 does not install nav2_msgs; its message packages are .*std_msgs.*", last)

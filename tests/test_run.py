@@ -17,7 +17,7 @@ from typing import Any
 import pytest
 
 import rosspin
-from rosspin import NotSimulated, Tick, TimeStandsStill, measure, rospy, simulate
+from rosspin import NotSimulated, Tick, TimeStandsStill, measure, rospy, simulate, start
 from rosspin.clocks.simulation import Simulation
 from rosspin.process import load
 from rosspin.run import run_node
@@ -527,3 +527,32 @@ def test_runs_in_several_threads_take_turns() -> None:
     for thread in threads:
         thread.join()
     assert consoles == {word: f"{word}\n" * 200 for word in words}
+
+
+@pytest.mark.parametrize("run", [simulate, measure, lambda node, _, args: start(node, args)])
+def test_a_command_line_is_in_words(run: Any) -> None:
+    with pytest.raises(TypeError, match=r"args is a list of words, not a text: \['a:=b', 'c'\], not 'a:=b c'"):
+        run(print, 0, "a:=b c")
+
+
+@pytest.mark.parametrize("run", [simulate, measure, lambda node, _: start(node)])
+def test_what_is_no_node(run: Any) -> None:
+    with pytest.raises(TypeError, match="^a node is the path of a file, or a function, not 3$"):
+        run(3, 0)
+
+
+def test_a_launch_file_of_ros_2() -> None:
+    with pytest.raises(ValueError, match="my.launch.py: rosspin runs launch files of ROS 1"):
+        simulate("my.launch.py", 1)
+
+
+def test_a_node_may_import_its_own_package(write: Any, tmp_path: Path) -> None:
+    """As after a build: that of the folder in which it is."""
+    (tmp_path / "pkg").mkdir()
+    write("", "pkg/__init__.py")
+    write("value = 1", "pkg/helper.py")
+    path = write("from pkg.helper import value\nprint(value)", "pkg/node.py")
+    for value in (1, 2):
+        write(f"value = {value}", "pkg/helper.py")
+        os.utime(path.parent / "helper.py", (value, value))
+        assert simulate(path, 1).console == f"{value}\n"

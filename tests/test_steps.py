@@ -903,7 +903,10 @@ def test_a_node_of_ros_2_is_connected_and_has_its_parameters() -> None:
         node.publish("/a", data=6)
         node.publish("a", node.message("std_msgs/UInt32", data=7))
         node.advance(0.25)
-        assert [message.message.linear.x for message in node.messages("command")] == [5.0, 5.0, 7.0]
+        node.publish("a", {"data": 8})
+        node.publish("point", {"header": {"stamp": 0.5}, "point": {"x": 3.0}})
+        assert node.advance(0.25).console == "500000000 3.0\n"
+        assert [message.message.linear.x for message in node.messages("command")] == [5.0, 5.0, 7.0, 8.0]
         assert node.message("std_msgs/msg/UInt32") == node.message("std_msgs/UInt32", data=0)
     assert node.status == 128 + signal.SIGINT  # of the KeyboardInterrupt that it does not catch
     assert "KeyboardInterrupt" in node.run.console
@@ -944,6 +947,12 @@ def test_the_command_line_of_a_node_of_ros_2_goes_before_its_parameters() -> Non
 def test_what_no_parameter_can_be_is_an_error(value: object) -> None:
     with pytest.raises(TypeError, match="the parameter period can be"):
         start(controller, parameters={"period": value})
+
+
+@pytest.mark.parametrize("parameters", [[("period", 1)], "period:=1", 3])
+def test_parameters_are_given_by_name(parameters: Any) -> None:
+    with pytest.raises(TypeError, match="parameters are given by name, as in {'rate': 10.0}, not as "):
+        start(controller, parameters=parameters)
 
 
 def test_wrong_messages_to_a_node_of_ros_2_are_errors_and_do_nothing() -> None:

@@ -15,7 +15,7 @@ from .doctor import report
 from .launch import read_launch
 from .measures import by_source, describe_periods, describe_timeline
 from .plots import timeline
-from .process import leave, load
+from .process import leave, load, refuse_launch_of_ros2, refuse_other_ros
 from .run import Result, Results, run_node, run_nodes, say_error, split_words
 from .ticks import Run
 
@@ -82,6 +82,9 @@ def _run(options: argparse.Namespace, args: Sequence[str]) -> int:
         raise ValueError(
             f"{options.file}: launch files run in simulated time or on the real ROS 1: --simulated or --ros1"
         )
+    refuse_launch_of_ros2(options.file)
+    if (options.ros1 or options.ros2) and options.file.endswith(".py"):
+        refuse_other_ros(options.file, 1 if options.ros1 else 2)
     if options.skip_cpp and not (launched and options.simulated):
         raise ValueError("--skip-cpp is for launch files in simulated time")
     if options.plot is not None:

@@ -8,12 +8,13 @@ import io
 import linecache
 import logging
 import os
+import re
 import sys
 import threading
 import tokenize
 import traceback
 from collections.abc import Callable, Iterator, Mapping, Sequence
-from contextlib import contextmanager, redirect_stderr, redirect_stdout
+from contextlib import contextmanager, redirect_stderr, redirect_stdout, suppress
 from pathlib import Path
 from types import CodeType, ModuleType
 from typing import Any, NamedTuple, TextIO
@@ -27,8 +28,17 @@ from .messages import MessageFinder
 from .world import NotSimulated, World
 
 __all__ = [
-    *("Capture", "Node", "NodeLike", "Process", "byte_stream", "capture", "execute", "folder_of", "kept_in_order"),
-    *("leave", "load", "load_source", "print_error", "refuse_a_run_within_a_run", "run_at_exit"),
+    *("Capture", "Node", "NodeLike", "Process", "around_package", "byte_stream", "capture", "execute", "folder_of"),
+    *(
+        "kept_in_order",
+        "leave",
+        "load",
+        "load_source",
+        "print_error",
+        "refuse_a_run_within_a_run",
+        "refuse_launch_of_ros2",
+    ),
+    *("refuse_other_ros", "refuse_text", "run_at_exit"),
 ]
 
 
@@ -52,43 +62,91 @@ NodeLike = str | os.PathLike[str] | Callable[[], Any]
 def load(node: NodeLike) -> Node:
     """Make a node of a file or a function.
 
-    Raises OSError if it cannot be read, SyntaxError if it is not Python, ValueError for several nodes, or if it is for
-    both ROSes.
+    Raises OSError if it cannot be read, SyntaxError if it is not Python, ValueError for several nodes, for a launch
+    file, or if it is for both ROSes, TypeError for what is neither.
     """
     if callable(node):
         code = getattr(node, "__code__", None)
         filename = code.co_filename if code else ""
         ros = _ros([code] if code else [], filename, None)
         return Node(node, getattr(node, "__name__", "node"), filename, None, ros=ros)
-    if not isinstance(node, (str, os.PathLike)) or os.fspath(node).endswith(".launch"):
+    if isinstance(node, (list, tuple)) or (isinstance(node, (str, os.PathLike)) and str(node).endswith(".launch")):
         raise ValueError("several nodes and launch files run in simulated time (rosspin.simulate) or on a real ROS")
+    if not isinstance(node, (str, os.PathLike)):
+        raise TypeError(f"a node is the path of a file, or a function, not {node!r}")
     path = os.fspath(node)
-    with tokenize.open(path) as file:
-        return load_source(file.read(), path)
+    refuse_launch_of_ros2(path)
+    return load_source(_read(path), path)
+
+
+def _read(path: str) -> str:
+    """The text of a Python file. SyntaxError for bytes that are none."""
+    try:
+        with tokenize.open(path) as file:
+            return file.read()
+    except UnicodeDecodeError as error:
+        line = error.object.count(b"\n", 0, error.start) + 1
+        text = f"the byte 0x{error.object[error.start]:02x} is not {error.encoding}"
+        raise SyntaxError(text, (path, line, None, None)) from None
+
+
+def refuse_launch_of_ros2(path: str) -> None:
+    """ValueError for a launch file of ROS 2, by its name."""
+    if re.search(r"[._]launch\.(xml|ya?ml)$|\.launch\.py$", path):
+        raise ValueError(
+            f"{path}: rosspin runs launch files of ROS 1 (.launch) only; run the nodes of this one one by one"
+        )
+
+
+def refuse_other_ros(path: str, ros: int) -> None:
+    """ValueError if a node file is for the other ROS. What is wrong with it otherwise, its run will show."""
+    with suppress(SyntaxError):
+        code = compile(_read(path), path, "exec", dont_inherit=True)
+        if _roses([code], str(Path(path).resolve().parent)) == {3 - ros}:
+            raise ValueError(f"{path}: this is a node of ROS {3 - ros}: --ros{3 - ros}")
+
+
+def refuse_text(args: Sequence[str]) -> None:
+    """TypeError for a command line that is not in words."""
+    if isinstance(args, str):
+        raise TypeError(f"args is a list of words, not a text: {args.split()!r}, not {args!r}")
 
 
 def load_source(source: str, filename: str) -> Node:
     """Load a node from its source text. Raises SyntaxError if it is not Python, ValueError if it is for both ROSes."""
-    code = compile(source, filename, "exec", dont_inherit=True)
+    try:
+        code = compile(source, filename, "exec", dont_inherit=True)
+    except SyntaxError as error:  # of null bytes Python does not say where
+        line = source.partition("\0")[0].count("\n") + 1
+        raise error if error.filename else SyntaxError(error.msg, (filename, line, None, None)) from None
     linecache.cache[filename] = (len(source), None, source.splitlines(keepends=True), filename)
     folder = str(Path(filename).resolve().parent) if os.path.exists(filename) else None
     return Node(lambda: execute(code, filename), filename, filename, folder, source, _ros([code], filename, folder))
 
 
+_ROSES = {"rospy": 1, "rclpy": 2}
+
+
 def _ros(codes: list[CodeType], filename: str, folder: str | None) -> int:
     """The ROS that code is for: 2 if it, or else a neighbour that it imports, imports ``rclpy``. Both: ValueError."""
+    found = _roses(codes, folder)
+    if len(found) == 2:
+        raise ValueError(f"{filename}: a node imports rospy (ROS 1) or rclpy (ROS 2), but not both")
+    return 2 if 2 in found else 1
+
+
+def _roses(codes: list[CodeType], folder: str | None) -> set[int]:
+    """The ROSes whose Python code imports, or else a neighbour that it imports."""
     seen: set[str] = set()
     while codes:
         names = {name for code in codes for name in _names(code)}
         roots = {name.partition(".")[0] for name in names}
-        if roots >= {"rospy", "rclpy"}:
-            raise ValueError(f"{filename}: a node imports rospy (ROS 1) or rclpy (ROS 2), but not both")
-        if roots & {"rospy", "rclpy"} or folder is None:
-            return 2 if "rclpy" in roots else 1
+        if roots & _ROSES.keys() or folder is None:
+            return {_ROSES[root] for root in roots & _ROSES.keys()}
         paths = {path for name in names - seen if (path := _neighbour(folder, name))}
         seen |= names
         codes = [compile(Path(path).read_bytes(), path, "exec", dont_inherit=True) for path in sorted(paths)]
-    return 1
+    return set()
 
 
 def _names(code: CodeType) -> Iterator[str]:
@@ -102,6 +160,14 @@ def _names(code: CodeType) -> Iterator[str]:
 def _neighbour(folder: str, name: str) -> str | None:
     path = os.path.join(folder, *name.split("."))
     return next((file for file in (f"{path}.py", os.path.join(path, "__init__.py")) if os.path.isfile(file)), None)
+
+
+def around_package(folder: str) -> str:
+    """The folder from which the package in a folder can be imported, as after ``colcon build``; "" if it is none."""
+    around = folder
+    while os.path.isfile(os.path.join(around, "__init__.py")):
+        around = os.path.dirname(around)
+    return around if around != folder else ""
 
 
 def execute(code: CodeType, filename: str) -> None:
@@ -144,6 +210,8 @@ class Process:
         sys.excepthook, sys.unraisablehook = sys.__excepthook__, sys.__unraisablehook__
         if self._node.folder is not None:
             sys.path.insert(0, self._node.folder)
+            if around := around_package(self._node.folder):
+                sys.path.append(around)
 
     @contextmanager
     def inside(self) -> Iterator[None]:
@@ -226,12 +294,13 @@ def folder_of(node: Node) -> Path | None:
 
 
 def _lies_in(folder: str | None, name: str) -> bool:
-    """Whether a module is, or belongs to, a neighbour of the node; a virtual environment below its folder is none."""
+    """Whether a module is, or belongs to, a neighbour of the node or its package; a virtual environment is none."""
     file: str | None = getattr(sys.modules[name], "__file__", None)
     if folder is None or file is None:
         return False
-    neighbour = os.path.join(folder, name.partition(".")[0])
-    return os.path.abspath(file).startswith((neighbour + ".", neighbour + os.sep))
+    root = name.partition(".")[0]
+    neighbours = [os.path.join(each, root) for each in (folder, around_package(folder)) if each]
+    return os.path.abspath(file).startswith(tuple(each + end for each in neighbours for end in (".", os.sep)))
 
 
 def print_error(world: World, error: BaseException, made: traceback.FrameSummary | None = None) -> None:

@@ -20,6 +20,7 @@ from pathlib import Path
 from typing import TextIO
 
 from .children import START_PATIENCE, Children, Patience, check_seconds, say_deaths
+from .process import around_package
 from .ticks import Run, Tick
 
 __all__ = ["Nodes", "REMEDY", "Nodes", "Ros2Missing", "launch", "missing", "python", "unavailable", "version"]
@@ -40,6 +41,8 @@ _PROBE = Path(__file__).with_name("ros2_probe.py")
 _SITECUSTOMIZE = f"""import sys; sys.path.remove(__file__.rpartition("/")[0])
 exec(compile(open({str(_PROBE)!r}).read(), "<rosspin>", "exec"), {{}})
 """
+
+_MESSAGES = re.compile(r"\w+_(msgs|srvs|interfaces)").fullmatch
 
 # What the probe says, see there; and its frames, which a node without it would not have.
 _TOLD = re.compile(r"\x1b]rosspin;(\w+) ([^\x07]*)\x07\n?")
@@ -169,20 +172,36 @@ class Nodes(Children):
     ) -> Run:
         """Run a node file: see :func:`launch`; ``patience`` says what it is sent at the end."""
         told = _Told()
-        path = os.pathsep.join(filter(None, (str(self.folder), self.environment.get("PYTHONPATH"))))
+        folders = (str(self.folder), around_package(str(file.resolve().parent)), self.environment.get("PYTHONPATH"))
+        path = os.pathsep.join(filter(None, folders))
         command = [python(), str(file), *args]
         begins = None if seconds is None else _BEGIN
         output = self.run(command, seconds, onward, begins, patience, told, {"PYTHONPATH": path})
         # Python has told of an interrupt itself; of an abort or a kill nobody has.
         silent = output.status > 128 and output.status != 128 + signal.SIGINT
+        said = say_deaths({file.name: output.status} if silent else {}, onward) + _say_lacking(output.console, onward)
         return Run(
-            output.console + say_deaths({file.name: output.status} if silent else {}, onward),
+            output.console + said,
             told.ticks(),
             output.status,
             "ros2",
             time.time() - output.start if seconds is None else seconds,
             told.start or output.start,
         )
+
+
+def _say_lacking(console: str, onward: TextIO | None) -> str:
+    """What to say if a node ended because ROS 2's wheels, which are few, lack a package of messages."""
+    found = re.search(r"^ModuleNotFoundError: No module named '(\w+)\b.*\n\Z", console, re.M)
+    if not found or not _MESSAGES(found[1]) or python() != str(_MADE):
+        return ""
+    there = sorted(
+        path.name for path in _MADE.parents[1].glob("lib/python*/site-packages/*_*s") if _MESSAGES(path.name)
+    )
+    line = f"rosspin: {REMEDY} does not install {found[1]}; its message packages are {', '.join(there)}\n"
+    if onward:
+        onward.write(line)
+    return line
 
 
 class _Told:

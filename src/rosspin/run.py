@@ -8,7 +8,7 @@ import os
 import signal
 import sys
 import traceback
-from collections.abc import Callable, Iterator, Sequence
+from collections.abc import Callable, Iterable, Iterator, Sequence
 from contextlib import contextmanager
 from functools import partial
 from types import ModuleType
@@ -25,7 +25,7 @@ from .clocks.watchdog import Stuck
 from .frames import Place, node_frames
 from .graph import Graph
 from .monitor import Member, Monitor
-from .process import Node, NodeLike, Process, capture, load, print_error, run_at_exit
+from .process import Node, NodeLike, Process, capture, load, print_error, refuse_text, run_at_exit
 from .ticks import Message, Run, Tick
 from .world import NotSimulated, World
 
@@ -77,9 +77,10 @@ def simulate(
     too large or not a number, :class:`TimeStandsStill` if the node never lets the time go on, and
     :class:`NotSimulated` if it needs a real ROS.
     """
+    refuse_text(args)
     if isinstance(node, (str, os.PathLike)) and os.fspath(node).endswith(".launch"):
         launched = launch.read_launch(node, args, skip_cpp)
-    elif callable(node) or isinstance(node, (str, os.PathLike)):
+    elif callable(node) or isinstance(node, (str, os.PathLike)) or not isinstance(node, Iterable):
         return run_captured(Simulation(), load(node), seconds, args)
     elif args:
         raise ValueError("give each of several nodes its own command line: rosspin.Node(node, args)")

@@ -7,7 +7,7 @@ from collections.abc import Callable, Iterator, Mapping, Sequence
 from contextlib import contextmanager
 from importlib import import_module
 from pathlib import Path
-from types import TracebackType
+from types import NoneType, TracebackType
 from typing import Any
 
 from .clocks.clock import NS
@@ -15,7 +15,7 @@ from .clocks.programs import SimulatedProgram
 from .clocks.simulation import Simulation
 from .clocks.stacks import acting_for
 from .frames import node_frames
-from .process import Capture, NodeLike, Process, load
+from .process import Capture, NodeLike, Process, load, refuse_text
 from .run import PATIENCE, duration, explained, messages_of, new_world, run_main, stand_in, ticks_of
 from .ticks import Message, Run
 from .world import World
@@ -41,6 +41,9 @@ def start(node: NodeLike, args: Sequence[str] = (), parameters: Mapping[str, Any
     ``advance`` does, and TypeError for a value that no parameter can have.
     """
     __tracebackhide__ = True  # pytest shows the lines of the test and of the node, not these
+    refuse_text(args)
+    if not isinstance(parameters, (Mapping, NoneType)):
+        raise TypeError(f"parameters are given by name, as in {{'rate': 10.0}}, not as {parameters!r}")
     return StartedNode(node, args, parameters or {})
 
 
@@ -151,7 +154,8 @@ class StartedNode:
 
         As with ``rospy.Publisher.publish`` it is given whole, by all its fields, or by some of them by name; its class
         is that of the node's subscriber. By name a dict stands for a nested message, and a number for a time, in
-        seconds: ``node.publish("/range", range=0.5, header={"stamp": node.time})``.
+        seconds: ``node.publish("/range", range=0.5, header={"stamp": node.time})``. In ROS 2 the whole message may be
+        such a dict, too.
 
         Raises LookupError if the node does not subscribe to the topic, and what ``rospy.Publisher.publish`` or, in
         ROS 2, the message's class does if it has no such fields or they cannot have these values.

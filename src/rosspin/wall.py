@@ -33,6 +33,7 @@ from .process import (
     load,
     load_source,
     refuse_a_run_within_a_run,
+    refuse_text,
 )
 from .run import Result, duration, messages_of, run_captured, run_node
 from .ticks import Run, Tick
@@ -62,6 +63,7 @@ def measure(node: NodeLike, seconds: float, args: Sequence[str] = ()) -> Run:
     A message in the result is None if it could not be taken out of the node's process: one that no subscriber could
     have got, because it holds an object of the node's own class.
     """
+    refuse_text(args)
     return measured(load(node), seconds, args)
 
 

@@ -16,7 +16,7 @@ from ..rclpy.exceptions import (
     RCLError,
     ROSInterruptException,
 )
-from ..rclpy.executors import Executor
+from ..rclpy.executors import Executor, _call
 from ..rclpy.timer import Timer
 from ..world import World
 from .seen import Printed
@@ -42,7 +42,7 @@ WAITING: Collection[CodeType] = (
 
 def timer_of(frame: FrameType) -> Any:
     """The timer that an executor calls in a frame."""
-    called = frame.f_locals["entity"] if frame.f_code is Executor._call.__code__ else None
+    called = frame.f_locals["entity"] if frame.f_code is _call.__code__ else None
     return called if isinstance(called, Timer) else None
 
 

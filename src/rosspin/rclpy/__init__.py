@@ -168,6 +168,7 @@ IN_PART = {
     "Timer": "A period of less than 1 µs calls every 0.1 ms, about as often as a real machine can.",
     "TimerInfo": "Here it is; on a real ROS 2 from Kilted on.",
     "signals": "A handler that the node sets itself is called at once, not when the executor wakes.",
+    "wait_for_message": "It gets the message, also while another thread spins the node; on a real ROS the two race.",
 }
 
 # What a node may import, by its name on a real ROS.

@@ -224,7 +224,8 @@ def _scalar(text: str) -> Any:
     if text.lower() in _FALSE:
         return False
     if re.fullmatch(r"[-+]?(0[xX][0-9a-fA-F]+|0[0-7]*|[1-9]\d*)", text):
-        return int(text, 0) if re.match(r"[-+]?(0[xX]|[1-9]|0$)", text) else int(text, 8)
+        number = int(text, 0) if re.match(r"[-+]?(0[xX]|[1-9]|0$)", text) else int(text, 8)
+        return number if -(2**63) <= number < 2**63 else float(number)
     if re.fullmatch(r"[-+]?(\d+\.?\d*([eE][-+]?\d+)?|\.\d+([eE][-+]?\d+)?|\.?(inf|nan|Inf|NaN|INF|NAN))", text):
         return float(text.replace(".i", "i").replace(".n", "n").replace(".I", "I").replace(".N", "N"))
     return text

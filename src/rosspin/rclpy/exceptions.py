@@ -32,18 +32,22 @@ class UnknownROSArgsError(RuntimeError):
     """There are words after ``--ros-args`` that no ROS knows."""
 
 
-def not_accepted(signature: str, *args: object) -> TypeError:
-    """What the C part says of arguments of the wrong type; those that are its own objects are given by their names."""
+def not_accepted(signature: str, *args: object, function: str = "") -> TypeError:
+    """What the C part says of arguments of the wrong type; those that are its own objects are given by their names.
+
+    Without a ``function`` they are those of a class.
+    """
     words = ", ".join(
         f"<rclpy._rclpy_pybind11.{arg} object at {id(arg):#x}>" if arg in _OBJECTS else repr(arg) for arg in args
     )
     return TypeError(
-        "__init__(): incompatible constructor arguments. The following argument types are supported:\n"
-        f"    1. rclpy._rclpy_pybind11.{signature}\n\nInvoked with: {words}"
+        f"{function or '__init__'}(): incompatible {'function' if function else 'constructor'} arguments. "
+        "The following argument types are supported:\n"
+        f"    1. {'' if function else 'rclpy._rclpy_pybind11.'}{signature}\n\nInvoked with: {words}"
     )
 
 
-_OBJECTS = ("Clock", "Context")
+_OBJECTS = ("Clock", "Context", "Node")
 
 
 class NotInitializedException(Exception):

@@ -90,6 +90,9 @@ class Executor:
     round, and begins another round when it is used up, or when it is called with another timeout.
     """
 
+    # Names that rclpy's class does not have are mangled or begin with _rosspin, here and in Node: a node's own classes
+    # may have them, too.
+
     def __init__(self, *, context: Context | None = None) -> None:
         self._context = context or get_default_context()
         if self._context.arguments is None:
@@ -102,19 +105,16 @@ class Executor:
         self._nodes: dict[Node, None] = {}  # in the order of their addition
         self._tasks: list[Entry] = []
         self._is_shutdown = False
-        self._round: Iterator[Task] | None = None
-        self._round_args: tuple[Any, ...] = ()
-        self._gate = Gate()
-        self._waits = False
-        self._triggered = False  # something has changed: wait for other things than before
-        self._waited_until = -1
-        self._calls = 0  # how many were handed out one after the other, as time did not go on by itself
-        self._called_at = 0
-        self._context.state.waiting[self._gate] = None
+        self.__round: Iterator[Task] | None = None
+        self.__round_args: tuple[Any, ...] = ()
+        self.__gate = Gate()
+        self.__waits = False
+        self.__triggered = False  # something has changed: wait for other things than before
+        self.__waited_until = -1
+        self.__calls = 0  # how many were handed out one after the other, as time did not go on by itself
+        self.__called_at = 0
+        self._context.state.waiting[self.__gate] = None
         self._context.on_shutdown(self.wake)
-
-    def __del__(self) -> None:
-        self._context.state.waiting.pop(vars(self).get("_gate"), None)
 
     @property
     def context(self) -> Context:
@@ -133,8 +133,8 @@ class Executor:
         self._is_shutdown = True
         self.wake()
         self._nodes = {}
-        self._round = None
-        self._context.state.waiting.pop(self._gate, None)
+        self.__round = None
+        self._context.state.waiting.pop(self.__gate, None)
         return True
 
     def add_node(self, node: Node) -> bool:
@@ -158,14 +158,14 @@ class Executor:
 
     def wake(self) -> None:
         """Something has changed: do not go on waiting."""
-        self._triggered = True
-        if self._waits:
-            self._gate.open()
+        self.__triggered = True
+        if self.__waits:
+            self.__gate.open()
 
-    def nudge(self) -> None:
+    def _rosspin_nudge(self) -> None:
         """Something may have become due."""
-        if self._waits:
-            self._gate.open()
+        if self.__waits:
+            self.__gate.open()
 
     # --- spinning -----------------------------------------------------------------------------------------------------
 
@@ -179,14 +179,14 @@ class Executor:
 
     def spin_once(self, timeout_sec: float | None = None) -> None:
         """Wait for one call, for at most ``timeout_sec`` (None, or negative: for ever), and make it."""
-        self._spin_once(timeout_sec)
+        self._rosspin_spin_once(timeout_sec)
 
     def spin_once_until_future_complete(self, future: Future, timeout_sec: Any = None) -> None:
         """Like ``spin_once``, but wait no more once the future is done."""
         future.add_done_callback(lambda _: self.wake())
-        self._spin_once(timeout_sec, future.done)
+        self._rosspin_spin_once(timeout_sec, future.done)
 
-    def _spin_once(self, timeout_sec: Any, condition: Callable[[], bool] = _never) -> None:
+    def _rosspin_spin_once(self, timeout_sec: Any, condition: Callable[[], bool] = _never) -> None:
         raise NotImplementedError()
 
     def spin_until_future_complete(self, future: Future, timeout_sec: float | None = None) -> None:
@@ -209,20 +209,20 @@ class Executor:
         """
         args = (timeout_sec, nodes, condition)
         now = self._clock.now()
-        self._calls = self._calls + 1 if now <= self._called_at + _CALL else 1
-        self._called_at = now
-        if self._calls > _FREE_CALLS:
+        self.__calls = self.__calls + 1 if now <= self.__called_at + _CALL else 1
+        self.__called_at = now
+        if self.__calls > _FREE_CALLS:
             self._clock.sleep(_CALL)
         while True:
-            if self._round is None or self._round_args != args:
-                self._round_args = args
-                self._round = self._new_round(*args)
+            if self.__round is None or self.__round_args != args:
+                self.__round_args = args
+                self.__round = self.__new_round(*args)
             try:
-                return next(self._round)
+                return next(self.__round)
             except StopIteration:
-                self._round = None
+                self.__round = None
 
-    def _new_round(self, timeout_sec: Any, nodes: list[Node] | None, condition: Callable[[], bool]) -> Iterator[Task]:
+    def __new_round(self, timeout_sec: Any, nodes: list[Node] | None, condition: Callable[[], bool]) -> Iterator[Task]:
         seconds = timeout_sec.seconds if isinstance(timeout_sec, _Timeout) else timeout_sec
         timeout = -1 if seconds is None or seconds < 0 else int(float(seconds) * 1e9)
         deadline = time.monotonic_ns() + timeout if timeout > 0 else None
@@ -238,8 +238,8 @@ class Executor:
                 if entry[0].done() or entry[0].cancelled():
                     self._tasks.remove(entry)
 
-            timers, subscriptions, guards = self._gather(spun)
-            ready, is_over = self._wait(timers, subscriptions, guards, timeout, deadline)
+            timers, subscriptions, guards = self.__gather(spun)
+            ready, is_over = self.__wait(timers, subscriptions, guards, timeout, deadline)
             if self._is_shutdown:
                 raise ShutdownException()
             if not self._context.ok():
@@ -249,15 +249,15 @@ class Executor:
                 for timer in node._timers:
                     if timer in ready and timer.is_due() and timer.callback_group.can_execute(timer):
                         works = True
-                        yield self._task(timer, node)
+                        yield self.__task(timer, node)
                 for subscription in node._subscriptions:
                     if subscription in ready and subscription.callback_group.can_execute(subscription):
                         works = True
-                        yield self._task(subscription, node)
+                        yield self.__task(subscription, node)
                 for guard in node._guards:
                     if guard._executor_triggered and guard.callback_group.can_execute(guard):
                         works = True
-                        yield self._task(guard, node)
+                        yield self.__task(guard, node)
             if is_over:
                 if timeout == 0 and not works:
                     self._clock.sleep(_LOOK)
@@ -271,7 +271,7 @@ class Executor:
         """Whether a call may be handed out: it is not already, and its group lets it."""
         return not entity._executor_event and bool(entity.callback_group.can_execute(entity))
 
-    def _gather(self, nodes: list[Node]) -> tuple[list[Timer], list[Subscription], list[GuardCondition]]:
+    def __gather(self, nodes: list[Node]) -> tuple[list[Timer], list[Subscription], list[GuardCondition]]:
         """What to wait for."""
         can_execute = self.can_execute
         timers = [timer for node in nodes for timer in node._timers if can_execute(timer)]
@@ -281,7 +281,7 @@ class Executor:
             guard.triggered = guard.triggered or guard._executor_triggered
         return timers, subscriptions, guards
 
-    def _wait(
+    def __wait(
         self,
         timers: list[Timer],
         subscriptions: list[Subscription],
@@ -293,12 +293,12 @@ class Executor:
         if not self._context.ok():
             reason = "either rcl_init() was not called or rcl_shutdown() was called."
             raise RCLError(f"failed to initialize wait set: the given context is not valid, {reason}")
-        if self._clock.now() != self._waited_until:
+        if self._clock.now() != self.__waited_until:
             self._clock.sleep(0)  # a message that another thread sends at this time has arrived
         watched = [timer.clock.watchers for timer in timers if not timer.clock.flows]
         for watchers in watched:
-            watchers.append(self._gate)
-        self._waits = True
+            watchers.append(self.__gate)
+        self.__waits = True
         is_last = False
         try:
             while True:
@@ -306,8 +306,8 @@ class Executor:
                 ready.update(subscription for subscription in subscriptions if subscription.messages)
                 triggered = [guard for guard in guards if guard.triggered]
                 is_over = deadline is not None and time.monotonic_ns() >= deadline
-                if self._triggered:
-                    self._triggered, is_last = False, True
+                if self.__triggered:
+                    self.__triggered, is_last = False, True
                 if ready or triggered or is_over or is_last or timeout == 0:
                     break
                 if self._is_shutdown or not self._context.ok():
@@ -315,50 +315,51 @@ class Executor:
                 left = [timer.time_left() for timer in timers if timer.is_flowing()]
                 if deadline is not None:
                     left.append(deadline - time.monotonic_ns())
-                is_last = not self._gate.wait(min(left, default=None))
+                is_last = not self.__gate.wait(min(left, default=None))
         finally:
-            self._waits = False
+            self.__waits = False
             for watchers in watched:
-                watchers.remove(self._gate)
+                watchers.remove(self.__gate)
         for guard in triggered:
             guard.triggered, guard._executor_triggered = False, True
-        self._waited_until = self._clock.now()
+        self.__waited_until = self._clock.now()
         return ready, is_over or timeout == 0
 
-    def _task(self, entity: Any, node: Node) -> Task:
+    def __task(self, entity: Any, node: Node) -> Task:
         """The task of calling what is due; until it is taken, it is not handed out once more."""
         entity._executor_event = True
-        task = Task(self._call, (entity,), executor=self)
+        task = Task(_call, (entity, self), executor=self)
         self._tasks.append((task, entity, node))
         return task
-
-    async def _call(self, entity: Any) -> None:
-        group = entity.callback_group
-        if not group.beginning_execution(entity):
-            entity._executor_event = False
-            self.wake()
-            return
-        try:
-            call = entity.take()
-            entity._executor_event = False
-            self.wake()
-            if call is not None:
-                callback, args, tick = call
-                if inspect.iscoroutinefunction(callback):
-                    await callback(*args)
-                else:
-                    callback(*args)
-                if tick is not None:
-                    entity.end(tick)
-        finally:
-            group.ending_execution(entity)
-            self.wake()
 
     def __enter__(self: E) -> E:
         return self
 
     def __exit__(self, *error: object) -> None:
         self.shutdown()
+
+
+async def _call(entity: Any, executor: Executor) -> None:
+    group = entity.callback_group
+    if not group.beginning_execution(entity):
+        entity._executor_event = False
+        executor.wake()
+        return
+    try:
+        call = entity.take()
+        entity._executor_event = False
+        executor.wake()
+        if call is not None:
+            callback, args, tick = call
+            if inspect.iscoroutinefunction(callback):
+                await callback(*args)
+            else:
+                callback(*args)
+            if tick is not None:
+                entity.end(tick)
+    finally:
+        group.ending_execution(entity)
+        executor.wake()
 
 
 class _Timeout:
@@ -371,7 +372,7 @@ class _Timeout:
 class SingleThreadedExecutor(Executor):
     """Calls in the thread that spins. While a callback runs, all others wait."""
 
-    def _spin_once(self, timeout_sec: Any, condition: Callable[[], bool] = _never) -> None:
+    def _rosspin_spin_once(self, timeout_sec: Any, condition: Callable[[], bool] = _never) -> None:
         try:
             task = self.wait_for_ready_callbacks(timeout_sec, None, condition)
         except (ShutdownException, TimeoutException, ConditionReachedException):
@@ -393,17 +394,17 @@ class MultiThreadedExecutor(Executor):
                 "MultiThreadedExecutor is used with a single thread.\nUse the SingleThreadedExecutor instead.",
                 stacklevel=2,
             )
-        self._running: list[Task] = []
-        self._pool = ThreadPoolExecutor(num_threads or _THREADS)
+        self._futures: list[Task] = []
+        self._executor = ThreadPoolExecutor(num_threads or _THREADS)
 
-    def _spin_once(self, timeout_sec: Any, condition: Callable[[], bool] = _never) -> None:
+    def _rosspin_spin_once(self, timeout_sec: Any, condition: Callable[[], bool] = _never) -> None:
         try:
             task = self.wait_for_ready_callbacks(timeout_sec, None, condition)
         except (ExternalShutdownException, ShutdownException, TimeoutException, ConditionReachedException):
             return
-        self._pool.submit(task)
-        self._running.append(task)
-        for running in list(self._running):
+        self._executor.submit(task)
+        self._futures.append(task)
+        for running in list(self._futures):
             if running.done():
-                self._running.remove(running)
+                self._futures.remove(running)
                 running.result()

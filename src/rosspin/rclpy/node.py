@@ -35,6 +35,8 @@ class Node(Parameters):
     Raises NotInitializedException before ``init``, InvalidNodeNameException and InvalidNamespaceException.
     """
 
+    __destroyed = False
+
     def __init__(
         self,
         node_name: str,
@@ -62,16 +64,15 @@ class Node(Parameters):
         namespace = namespace or "/"
         namespace = namespace if namespace.startswith("/") else f"/{namespace}"
         names.validate_namespace(namespace)
-        self._arguments = [] if cli_args is None else [Arguments(["--ros-args", *cli_args])]
+        self.__arguments = [] if cli_args is None else [Arguments(["--ros-args", *cli_args])]
         if use_global_arguments and self._context.arguments:
-            self._arguments.append(self._context.arguments)
-        self._name, self._namespace = node_name, namespace
-        for arguments in reversed(self._arguments):
-            self._name, self._namespace = arguments.name(self._name, self._namespace)
-        self._full_name = f"{self._namespace.rstrip('/')}/{self._name}"
-        self._logger = logging.get_logger(self._full_name[1:].replace("/", "."))
-        self._destroyed = False
-        self._executor: Executor | None = None
+            self.__arguments.append(self._context.arguments)
+        self.__name, self.__namespace = node_name, namespace
+        for arguments in reversed(self.__arguments):
+            self.__name, self.__namespace = arguments.name(self.__name, self.__namespace)
+        self.__full_name = f"{self.__namespace.rstrip('/')}/{self.__name}"
+        self._logger = logging.get_logger(self.__full_name[1:].replace("/", "."))
+        self.__executor: Executor | None = None
 
         self._publishers: list[Publisher] = []
         self._subscriptions: list[Subscription] = []
@@ -81,8 +82,8 @@ class Node(Parameters):
         self._rate_group = ReentrantCallbackGroup()
 
         overrides: dict[str, Parameter] = {}
-        for arguments in reversed(self._arguments):
-            values = arguments.parameters(self._full_name)
+        for arguments in reversed(self.__arguments):
+            values = arguments.parameters(self.__full_name)
             overrides |= {name: Parameter(name, value=value) for name, value in values.items()}
         overrides |= {parameter.name: parameter for parameter in parameter_overrides or ()}
         super().__init__(overrides, allow_undeclared_parameters)
@@ -90,7 +91,7 @@ class Node(Parameters):
         if automatically_declare_parameters_from_overrides:
             entries = [(name, parameter.value) for name, parameter in overrides.items()]
             self.declare_parameters("", entries, ignore_override=True)
-        self._listen_to_clock()
+        self.__listen_to_clock()
         if not self.has_parameter("start_type_description_service"):
             self.declare_parameter("start_type_description_service", True)
 
@@ -109,15 +110,15 @@ class Node(Parameters):
     @property
     def executor(self) -> Executor | None:
         """The executor that it was added to last."""
-        return self._executor
+        return self.__executor
 
     @executor.setter
     def executor(self, new_executor: Executor | None) -> None:
-        if self._executor is new_executor:
+        if self.__executor is new_executor:
             return
-        if self._executor is not None:
-            self._executor.remove_node(self)
-        self._executor = new_executor
+        if self.__executor is not None:
+            self.__executor.remove_node(self)
+        self.__executor = new_executor
         if new_executor is not None:
             new_executor.add_node(self)
 
@@ -143,18 +144,18 @@ class Node(Parameters):
 
     def get_name(self) -> str:
         """Its name. InvalidHandle if it was destroyed."""
-        self._check()
-        return self._name
+        self.__check()
+        return self.__name
 
     def get_namespace(self) -> str:
         """Its namespace: ``/``, or without a slash at the end. InvalidHandle."""
-        self._check()
-        return self._namespace
+        self.__check()
+        return self.__namespace
 
     def get_fully_qualified_name(self) -> str:
         """Namespace and name. InvalidHandle."""
-        self._check()
-        return self._full_name
+        self.__check()
+        return self.__full_name
 
     def get_clock(self) -> Clock:
         """Its clock, which tells ROS time."""
@@ -164,18 +165,18 @@ class Node(Parameters):
         """Its logger, called as the node with its namespace: ``mrp.spinner``."""
         return self._logger
 
-    def _check(self) -> None:
-        if self._destroyed:
+    def __check(self) -> None:
+        if self.__destroyed:
             raise InvalidHandle()
 
-    def nudge(self) -> None:
+    def __nudge(self) -> None:
         """Something may have become due."""
-        if self._executor:
-            self._executor.nudge()
+        if self.__executor:
+            self.__executor._rosspin_nudge()
 
     def _wake_executor(self) -> None:
-        if self._executor:
-            self._executor.wake()
+        if self.__executor:
+            self.__executor.wake()
 
     # --- timers -------------------------------------------------------------------------------------------------------
 
@@ -194,7 +195,7 @@ class Node(Parameters):
         group = callback_group or self.default_callback_group
         period = int(float(timer_period_sec) * 1e9)
         timer = Timer(callback, group, period, clock or self._clock, context=self._context, autostart=autostart)
-        timer.nudge = self.nudge
+        timer.nudge = self.__nudge
         group.add_entity(timer)
         self._timers.append(timer)
         self._wake_executor()
@@ -213,7 +214,7 @@ class Node(Parameters):
         """Call ``callback()`` once after each ``trigger()``."""
         group = callback_group or self.default_callback_group
         guard = GuardCondition(callback, group, self._context)
-        guard.nudge = self.nudge
+        guard.nudge = self.__nudge
         group.add_entity(guard)
         self._guards.append(guard)
         self._wake_executor()
@@ -236,9 +237,9 @@ class Node(Parameters):
         Raises InvalidTopicNameException, TypeError and ValueError for what is no QoS, AttributeError for what is no
         message of ROS 2, RCLError if the process uses the topic with another type.
         """
-        qos = self._prepare("publisher", msg_type, qos_profile, event_callbacks, qos_overriding_options)
-        full_name = self._resolve(topic)
-        if (other := self._other_type(full_name, msg_type)) is not None:
+        qos = self.__prepare("publisher", msg_type, topic, qos_profile, event_callbacks, qos_overriding_options)
+        full_name = self.__resolve(topic)
+        if (other := self.__other_type(full_name, msg_type)) is not None:
             raise RCLError(
                 "Failed to create publisher: create_publisher() called for existing topic name "
                 f"rt{full_name} with incompatible type {other}"
@@ -265,29 +266,31 @@ class Node(Parameters):
         """
         if raw:
             raise NotSimulated("Node.create_subscription(raw=True)")
-        qos = self._prepare("subscription", msg_type, qos_profile, event_callbacks, qos_overriding_options)
-        full_name = self._resolve(topic)
-        if self._other_type(full_name, msg_type) is not None:
+        qos = self.__prepare("subscription", msg_type, topic, qos_profile, event_callbacks, qos_overriding_options)
+        full_name = self.__resolve(topic)
+        if self.__other_type(full_name, msg_type) is not None:
             raise RCLError("Failed to create subscription: invalid allocator")
         group = callback_group or self.default_callback_group
         subscription = Subscription(self, msg_type, topic, full_name, callback, group, qos)
+        subscription.nudge = self.__nudge
         group.add_entity(subscription)
         self._subscriptions.append(subscription)
         self._wake_executor()
         return subscription
 
-    def _prepare(self, what: str, msg_type: Any, qos: Any, events: Any, options: Any) -> QoSProfile:
+    def __prepare(self, what: str, msg_type: Any, topic: Any, qos: Any, events: Any, options: Any) -> QoSProfile:
         if events is not None:
             raise NotSimulated(f"Node.create_{what}(event_callbacks=...)")
         if options is not None:
             raise NotSimulated(f"Node.create_{what}(qos_overriding_options=...)")
-        self._check()
+        self.__check()
         if isinstance(qos, int):
             if qos < 0:
                 raise ValueError("history depth must be greater than or equal to zero")
             qos = QoSProfile(depth=qos)
         if not isinstance(qos, QoSProfile):
             raise TypeError(f"Expected QoSProfile or int, but received {type(qos)!r}")
+        self.__check_text(topic)
         if not (isinstance(msg_type, type) and issubclass(msg_type, Message)):
             raise AttributeError(
                 f"type object '{type(msg_type).__name__}' has no attribute '_TYPE_SUPPORT' "
@@ -298,7 +301,7 @@ class Node(Parameters):
             raise RCLError(f"Failed to create {what}: rcl node's context is invalid")
         return qos
 
-    def _other_type(self, full_name: str, msg_type: type[Message]) -> str | None:
+    def __other_type(self, full_name: str, msg_type: type[Message]) -> str | None:
         """The type with which this process uses a topic, in DDS's words, if it is another one."""
         for node in self._context.nodes:
             for owner in (*node._publishers, *node._subscriptions):
@@ -309,16 +312,23 @@ class Node(Parameters):
     def resolve_topic_name(self, topic: str, *, only_expand: bool = False) -> str:
         """The full name that a topic's name stands for in this node. RCLError if it is not valid."""
         try:
-            return self._resolve(topic, only_expand)
+            return self.__resolve(topic, only_expand)
         except InvalidTopicNameException as error:
             raise RCLError(f"failed to resolve name: {error.error_msg}") from None
 
-    def _resolve(self, topic: str, only_expand: bool = False) -> str:
+    @staticmethod
+    def __check_text(topic: Any, only_expand: bool = False) -> None:
+        if not isinstance(topic, str):
+            signature = "(arg0: rclpy::Node, arg1: str, arg2: bool, arg3: bool) -> str"
+            raise not_accepted(signature, "Node", topic, only_expand, False, function="rclpy_resolve_name")
+
+    def __resolve(self, topic: str, only_expand: bool = False) -> str:
+        self.__check_text(topic, only_expand)
         names.validate_topic_name(topic)
-        full_name = names.expand_topic_name(topic, self._name, self._namespace)
+        full_name = names.expand_topic_name(topic, self.__name, self.__namespace)
         if not only_expand:
-            for arguments in self._arguments:
-                full_name = arguments.topic(full_name, self._name, self._namespace)
+            for arguments in self.__arguments:
+                full_name = arguments.topic(full_name, self.__name, self.__namespace)
         names.validate_full_topic_name(full_name)
         return full_name
 
@@ -334,33 +344,36 @@ class Node(Parameters):
 
     def count_publishers(self, topic_name: str) -> int:
         """How many publishers of this process a topic has."""
-        return self._count(topic_name, "_publishers")
+        return self.__count(topic_name, "_publishers")
 
     def count_subscribers(self, topic_name: str) -> int:
         """How many subscriptions of this process a topic has."""
-        return self._count(topic_name, "_subscriptions")
+        return self.__count(topic_name, "_subscriptions")
 
-    def _count(self, topic_name: str, owners: str) -> int:
-        full_name = self._resolve(topic_name)
+    def __count(self, topic_name: str, owners: str) -> int:
+        full_name = self.__resolve(topic_name)
+        if not self._context.ok():
+            what = {"_publishers": "publishers", "_subscriptions": "subscribers"}[owners]
+            raise RCLError(f"Error in rcl_count_{what}: rcl node's context is invalid")
         return sum(owner.end.topic == full_name for node in self._context.nodes for owner in getattr(node, owners))
 
     def get_node_names(self) -> list[str]:
         """The names of the nodes of this process."""
-        return [node._name for node in self._context.nodes]
+        return [node.__name for node in self._context.nodes]
 
     def get_node_names_and_namespaces(self) -> list[tuple[str, str]]:
         """Names and namespaces of the nodes of this process."""
-        return [(node._name, node._namespace) for node in self._context.nodes]
+        return [(node.__name, node.__namespace) for node in self._context.nodes]
 
     def get_fully_qualified_node_names(self) -> list[str]:
         """The full names of the nodes of this process."""
-        return [node._full_name for node in self._context.nodes]
+        return [node.__full_name for node in self._context.nodes]
 
     # --- the end ------------------------------------------------------------------------------------------------------
 
     def destroy_timer(self, timer: Timer) -> bool:
         """Destroy a timer of this node; whether it was there."""
-        return self._destroy(timer, self._timers)
+        return self.__destroy(timer, self._timers)
 
     def destroy_rate(self, rate: Rate) -> bool:
         """Destroy a Rate of this node; whether it was there."""
@@ -370,17 +383,17 @@ class Node(Parameters):
 
     def destroy_guard_condition(self, guard: GuardCondition) -> bool:
         """Destroy a guard condition of this node; whether it was there."""
-        return self._destroy(guard, self._guards)
+        return self.__destroy(guard, self._guards)
 
     def destroy_publisher(self, publisher: Publisher) -> bool:
         """Destroy a publisher of this node; whether it was there."""
-        return self._destroy(publisher, self._publishers)
+        return self.__destroy(publisher, self._publishers)
 
     def destroy_subscription(self, subscription: Subscription) -> bool:
         """Destroy a subscription of this node; whether it was there."""
-        return self._destroy(subscription, self._subscriptions)
+        return self.__destroy(subscription, self._subscriptions)
 
-    def _destroy(self, entity: Any, entities: list[Any]) -> bool:
+    def __destroy(self, entity: Any, entities: list[Any]) -> bool:
         if entity not in entities:
             return False
         entities.remove(entity)
@@ -395,52 +408,52 @@ class Node(Parameters):
         """Destroy all that it has made, and itself. Its logger goes on."""
         for entities in (self._publishers, self._subscriptions, self._timers, self._guards):
             while entities:
-                self._destroy(entities[0], entities)
-        self._destroyed = True
+                self.__destroy(entities[0], entities)
+        self.__destroyed = True
         if self in self._context.nodes:
             self._context.nodes.remove(self)
         self._wake_executor()
 
     # --- ROS time -----------------------------------------------------------------------------------------------------
 
-    def _listen_to_clock(self) -> None:
+    def __listen_to_clock(self) -> None:
         """ROS time is what /clock says if ``use_sim_time`` is true; until it says something, it is 0.
 
         Source: rclpy/time_source.py.
         """
-        self._clock_subscription: Subscription | None = None
+        self.__clock_subscription: Subscription | None = None
         if not self.has_parameter("use_sim_time"):
             self.declare_parameter("use_sim_time", False)
         self._context.nodes.append(self)
         given = self.get_parameter("use_sim_time")
         if given.type_ is Parameter.Type.BOOL:
-            self._use_sim_time(given.value)
+            self.__use_sim_time(given.value)
         else:
             self._logger.error(f"Invalid type for parameter 'use_sim_time' {given.type_!r} should be bool")
-        self.add_on_set_parameters_callback(self._on_use_sim_time)
+        self.add_on_set_parameters_callback(self.__on_use_sim_time)
 
-    def _on_use_sim_time(self, parameters: list[Parameter]) -> Any:
+    def __on_use_sim_time(self, parameters: list[Parameter]) -> Any:
         reason = ""
         for parameter in parameters:
             if parameter.name == "use_sim_time":
                 if parameter.type_ is Parameter.Type.BOOL:
-                    self._use_sim_time(parameter.value)
+                    self.__use_sim_time(parameter.value)
                 else:
                     reason = "use_sim_time parameter set to something besides a bool"
                     self._logger.error(reason)
         return import_module("rcl_interfaces.msg").SetParametersResult(successful=not reason, reason=reason)
 
-    def _use_sim_time(self, enabled: bool) -> None:
+    def __use_sim_time(self, enabled: bool) -> None:
         self._clock._set_ros_time_is_active(enabled)
-        if enabled and self._clock_subscription is None:
+        if enabled and self.__clock_subscription is None:
             qos = QoSProfile(depth=1, reliability=ReliabilityPolicy.BEST_EFFORT)
             kind = import_module("rosgraph_msgs.msg").Clock
-            self._clock_subscription = self.create_subscription(kind, "/clock", self._tell_time, qos)
-        elif not enabled and self._clock_subscription is not None:
-            self.destroy_subscription(self._clock_subscription)
-            self._clock_subscription = None
+            self.__clock_subscription = self.create_subscription(kind, "/clock", self.__tell_time, qos)
+        elif not enabled and self.__clock_subscription is not None:
+            self.destroy_subscription(self.__clock_subscription)
+            self.__clock_subscription = None
 
-    def _tell_time(self, message: Any) -> None:
+    def __tell_time(self, message: Any) -> None:
         self._clock.set_ros_time_override(Time.from_msg(message.clock))
 
     # --- what needs a real ROS ----------------------------------------------------------------------------------------
@@ -448,7 +461,7 @@ class Node(Parameters):
     def __getattr__(self, name: str) -> Any:
         if name in NOT_SIMULATED:
             raise NotSimulated(f"Node.{name}")
-        raise AttributeError(f"'{type(self).__name__}' object has no attribute '{name}'", name=name, obj=self)
+        return object.__getattribute__(self, name)  # raises: with what a property of this name lacks, if one does
 
 
 # Methods of rclpy's Node that are not here.

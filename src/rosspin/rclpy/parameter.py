@@ -150,9 +150,9 @@ class Parameters:
         self._descriptors: dict[str, Any] = {}
         self._parameter_overrides = overrides
         self._allow_undeclared_parameters = allow_undeclared
-        self._before_set: list[Callable[[list[Parameter]], list[Parameter]]] = []
-        self._on_set: list[Callable[[list[Parameter]], Any]] = []
-        self._after_set: list[Callable[[list[Parameter]], Any]] = []
+        self._pre_set_parameters_callbacks: list[Callable[[list[Parameter]], list[Parameter]]] = []
+        self._on_set_parameters_callbacks: list[Callable[[list[Parameter]], Any]] = []
+        self._post_set_parameters_callbacks: list[Callable[[list[Parameter]], Any]] = []
 
     # --- declaring ----------------------------------------------------------------------------------------------------
 
@@ -166,15 +166,15 @@ class Parameters:
         InvalidParameterValueException if the value is out of range or refused by a callback, TypeError and ValueError.
         """
         entry: tuple[Any, ...] = (name,) if value is None and descriptor is None else (name, value, descriptor)
-        return self._declare("", [entry], ignore_override)[0]
+        return self.__declare("", [entry], ignore_override)[0]
 
     def declare_parameters(
         self, namespace: str, parameters: Iterable[tuple[Any, ...]], ignore_override: bool = False
     ) -> list[Parameter]:
         """Declare parameters given by name, or name and value, or these and a descriptor, as ``namespace.name``."""
-        return self._declare(namespace, parameters, ignore_override)
+        return self.__declare(namespace, parameters, ignore_override)
 
-    def _declare(self, namespace: str, entries: Iterable[tuple[Any, ...]], ignore_override: bool) -> list[Parameter]:
+    def __declare(self, namespace: str, entries: Iterable[tuple[Any, ...]], ignore_override: bool) -> list[Parameter]:
         declared: list[tuple[Parameter, Any]] = []
         for index, entry in enumerate(entries):
             if not 1 <= len(entry) <= 3:
@@ -212,7 +212,7 @@ class Parameters:
         if again := [parameter.name for parameter, _ in declared if parameter.name in self._parameters]:
             raise ParameterAlreadyDeclaredException(again)
         for parameter, descriptor in declared:
-            reason = self._set([parameter], {parameter.name: descriptor})
+            reason = self.__set([parameter], {parameter.name: descriptor})
             if reason is not None:
                 if reason.startswith("Wrong parameter type"):
                     raise InvalidParameterTypeException(parameter, _Type(descriptor.type).name)
@@ -295,8 +295,10 @@ class Parameters:
 
     def set_parameters_atomically(self, parameter_list: list[Parameter]) -> Any:
         """Set all or none; a SetParametersResult. ParameterNotDeclaredException."""
-        if self._before_set:
-            parameter_list = [each for callback in self._before_set for each in callback(parameter_list)]
+        if self._pre_set_parameters_callbacks:
+            parameter_list = [
+                each for callback in self._pre_set_parameters_callbacks for each in callback(parameter_list)
+            ]
             if not parameter_list:
                 return _result(
                     "parameter list cannot be empty, this might be due to pre_set_parameters_callback modifying the "
@@ -307,17 +309,17 @@ class Parameters:
         undeclared = [parameter.name for parameter in parameter_list if parameter.name not in self._parameters]
         if undeclared and not self._allow_undeclared_parameters:
             raise ParameterNotDeclaredException(undeclared[1:])  # rclpy has lost the first one when it says so
-        return _result(self._set(parameter_list, None))
+        return _result(self.__set(parameter_list, None))
 
-    def _set(self, parameters: list[Parameter], descriptors: dict[str, Any] | None) -> str | None:
+    def __set(self, parameters: list[Parameter], descriptors: dict[str, Any] | None) -> str | None:
         """Set parameters, declaring them if descriptors are given; why not, or None."""
         known = self._descriptors if descriptors is None else descriptors
         for parameter in parameters:
             if parameter.name in known:
-                reason = self._refused(parameter, known[parameter.name], check_read_only=descriptors is None)
+                reason = self.__refused(parameter, known[parameter.name], check_read_only=descriptors is None)
                 if reason is not None:
                     return reason
-        for callback in self._on_set:
+        for callback in self._on_set_parameters_callbacks:
             result = callback(parameters)
             if not isinstance(result, import_module("rcl_interfaces.msg").SetParametersResult):
                 warnings.warn("Callback returned an invalid type, it should return SetParameterResult.", stacklevel=4)
@@ -335,11 +337,11 @@ class Parameters:
             elif name not in self._descriptors:
                 self._descriptors[name] = _Descriptor(name, dynamic_typing=True)
             self._parameters[name] = parameter
-        for callback in self._after_set:
+        for callback in self._post_set_parameters_callbacks:
             callback(parameters)
         return None
 
-    def _refused(self, parameter: Parameter, descriptor: Any, check_read_only: bool) -> str | None:
+    def __refused(self, parameter: Parameter, descriptor: Any, check_read_only: bool) -> str | None:
         """Why a parameter may not have this value, or None."""
         descriptor.name = parameter.name
         if check_read_only and descriptor.read_only:
@@ -358,27 +360,27 @@ class Parameters:
 
     def add_pre_set_parameters_callback(self, callback: Callable[[list[Parameter]], list[Parameter]]) -> None:
         """Let a function replace the parameters that are about to be set; the newest function goes first."""
-        self._before_set.insert(0, callback)
+        self._pre_set_parameters_callbacks.insert(0, callback)
 
     def add_on_set_parameters_callback(self, callback: Callable[[list[Parameter]], Any]) -> None:
         """Let a function refuse parameters, which returns a SetParametersResult; the newest goes first."""
-        self._on_set.insert(0, callback)
+        self._on_set_parameters_callbacks.insert(0, callback)
 
     def add_post_set_parameters_callback(self, callback: Callable[[list[Parameter]], Any]) -> None:
         """Call a function with the parameters that were set; the newest goes first."""
-        self._after_set.insert(0, callback)
+        self._post_set_parameters_callbacks.insert(0, callback)
 
     def remove_pre_set_parameters_callback(self, callback: Callable[[list[Parameter]], list[Parameter]]) -> None:
         """Do not call it any more; ValueError if it is not there."""
-        self._before_set.remove(callback)
+        self._pre_set_parameters_callbacks.remove(callback)
 
     def remove_on_set_parameters_callback(self, callback: Callable[[list[Parameter]], Any]) -> None:
         """Do not call it any more; ValueError if it is not there."""
-        self._on_set.remove(callback)
+        self._on_set_parameters_callbacks.remove(callback)
 
     def remove_post_set_parameters_callback(self, callback: Callable[[list[Parameter]], Any]) -> None:
         """Do not call it any more; ValueError if it is not there."""
-        self._after_set.remove(callback)
+        self._post_set_parameters_callbacks.remove(callback)
 
 
 class _Descriptor:

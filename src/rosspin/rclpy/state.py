@@ -5,6 +5,7 @@ from __future__ import annotations
 import threading
 from collections.abc import Callable
 from typing import TYPE_CHECKING, Any
+from weakref import WeakKeyDictionary
 
 from ..world import World, current_world
 
@@ -45,7 +46,7 @@ class State:
         self.executor: Executor | None = None  # the one that ``rclpy.spin`` uses
 
         self.contexts: list[Context] = []  # those that were initialised
-        self.waiting: dict[Any, None] = {}  # Gates at which executors wait; a signal opens them
+        self.waiting: WeakKeyDictionary[Gate, None] = WeakKeyDictionary()  # a signal opens them
         self.handled: set[int] = set()  # signals that shut the contexts down
         self.before: dict[int, Any] = {}  # signal handlers that were there before rclpy's
         self.asleep = False  # whether the main thread sleeps on a Clock: C code, in which no handler runs

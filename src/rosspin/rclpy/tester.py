@@ -44,12 +44,14 @@ class Tester(tester.Tester):
         return bool(ends)
 
     def _message(self, data_class: type[Message], args: tuple[Any, ...], fields: Mapping[str, Any]) -> Message:
-        """A message from what ``publish`` is given: itself, all of its fields, or some by name."""
+        """A message from what ``publish`` is given: itself, all of its fields, or some by name, also in a dict."""
         if len(args) == 1 and isinstance(args[0], Message) and not fields:
             if not isinstance(args[0], data_class):
                 raise TypeError(f"Expected {data_class}, got {type(args[0])}")
             return args[0]
         names = data_class.get_fields_and_field_types()
+        if len(args) == 1 and isinstance(args[0], Mapping) and not fields and args[0].keys() <= names.keys():
+            return data_class(**self._filled(data_class, args[0]))
         if args and (fields or len(args) != len(names)):
             raise TypeError(f"{data_class.__name__} has the fields {', '.join(names) or 'none'}: give all, or by name")
         return data_class(**self._filled(data_class, fields or dict(zip(names, args, strict=False))))

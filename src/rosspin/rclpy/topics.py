@@ -13,6 +13,7 @@ from collections.abc import Callable
 from typing import TYPE_CHECKING, Any, NamedTuple
 
 from ..messages.ros2 import Message, transfer
+from .callback_groups import ReentrantCallbackGroup
 from .exceptions import InvalidHandle, RCLError
 from .qos import DurabilityPolicy, QoSProfile, incompatible_policy
 from .state import Gate
@@ -152,7 +153,7 @@ class Subscription(_Owner):
         self.callback = callback
         self.callback_group = callback_group
         self.messages: deque[tuple[Message, dict[str, Any]]] = deque(maxlen=qos.kept)
-        self.nudge: Callable[[], None] = node.nudge
+        self.nudge: Callable[[], None] | None = None  # tells the executor that waits
         self._executor_event = False
         self._received = 0
         for end in self.world.graph.subscribe(self.end):
@@ -187,7 +188,8 @@ class Subscription(_Owner):
             "reception_sequence_number": None,
         }
         self.messages.append((transfer(message, self.msg_type), info))
-        self.nudge()
+        if self.nudge:
+            self.nudge()
 
     def take(self) -> Any:
         """What is to be called; None if there is no message any more."""
@@ -220,6 +222,16 @@ def _connect(publisher: Publisher, subscription: Subscription) -> None:
             subscription.deliver(message, publisher.world.clock.now())
 
 
+class _OutOfReach(ReentrantCallbackGroup):
+    """The group of a subscription from which no executor takes anything.
+
+    On a real ROS an executor that spins the node races the one who waits; here the latter wins.
+    """
+
+    def can_execute(self, entity: Any) -> bool:
+        return False
+
+
 def wait_for_message(
     msg_type: type[Message], node: Node, topic: str, *, qos_profile: QoSProfile | int = 1, time_to_wait: float = -1
 ) -> tuple[bool, Message | None]:
@@ -228,7 +240,7 @@ def wait_for_message(
     Whether there was one, and the message. A signal ends it; ``rclpy.shutdown()`` does not.
     """
     own, gate = node.context.state, Gate()
-    subscription = node.create_subscription(msg_type, topic, lambda _: None, qos_profile)
+    subscription = node.create_subscription(msg_type, topic, lambda _: None, qos_profile, callback_group=_OutOfReach())
     subscription.nudge = gate.open
     own.waiting[gate] = None
     until = None if time_to_wait < 0 else time.monotonic_ns() + int(float(time_to_wait) * 1e9)

@@ -1,0 +1,15 @@
+"""Print the names that rclpy's classes have, of which a node makes classes of its own; mangled ones are nobody else's.
+
+python tests/rclpy_names_probe.py > tests/rclpy_names_probe.txt     record them, in the environment of a real ROS 2
+"""
+
+import rclpy
+from rclpy.executors import Executor, MultiThreadedExecutor, SingleThreadedExecutor
+from rclpy.node import Node
+
+rclpy.init()
+for made in (Node("node"), Executor(), SingleThreadedExecutor(), MultiThreadedExecutor(2)):
+    kind = type(made).__name__
+    names = {name for name in dir(made) if not (name.startswith("__") and name.endswith("__"))}
+    print(kind, *sorted(name for name in names if not name.startswith(("_Node__", "_Executor__"))))
+rclpy.shutdown()
