@@ -473,7 +473,7 @@ rospy.spin()
         {LATCHED_HEARD: "with_latch = range(1, 4)"},
         {THREE: "three_at_once = (3,)"},
         {SLOW_HEARD: "slow_callback = [0.0, 3.0, 6.0]"},
-        {SLOW_HEARD: "slow_callback = [3 * n for n in range(3)]", PLAIN_HEARD: "without_latch = iter([2, 3, 4])"},
+        {SLOW_HEARD: "slow_callback = [3 * n for n in range(3)]", PLAIN_HEARD: "without_latch = (2, 3, 4)"},
     ],
     16: [
         {"publish(self.counter)": "publish(data=self.counter)"},

@@ -348,10 +348,45 @@ def test_keyboard_alone(table: Table) -> None:
         ("class A:\n    def f(self):\n        return self.__class__", "__class__"),
         ("import sys\nmatch sys:\n    case object(modules=found):\n        pass", "modules"),
         ("import rospy\nrospy.Timer._oneshot", "_oneshot"),
+        ("import rospy\nclass A:\n    _oneshot = 1\nrospy.Timer._oneshot", "_oneshot"),
+        ("a._other", "_other"),
+        ("from dataclasses import inspect", "inspect"),
+        ("import dataclasses as d\nd.inspect", "inspect"),
+        ("import asyncio\nasyncio.events.sys", "sys"),
+        ("import json\njson.dumps = print", "dumps"),
+        ("from json import JSONEncoder\ndel JSONEncoder.encode", "encode"),
+        ("import os\nos.open('x', 1)", "open"),
+        ("open('x')", "open"),
+        ("exec = exec\nexec('1')", "exec"),
+        ("from traceback import walk_stack", "walk_stack"),
+        ("import sys\nsys.exc_info()", "exc_info"),
+        ("import typing\ntyping.get_type_hints(1)", "get_type_hints"),
+        ("import logging\nlogging.FileHandler('x')", "FileHandler"),
+        ("def f(frame):\n    return frame.f_globals", "f_globals"),
+        ("e.__class__.__base__", "__base__"),
+        ("import _msgs", "_msgs"),
     ],
 )
 def test_what_no_exercise_needs_is_found(answer: str, name: str) -> None:
     assert reaches_for(answer) == name
+
+
+HONEST = [
+    "print(",
+    "import rclpy.node\nfrom example_interfaces.msg import Int64\nfrom std_srvs.srv import SetBool",
+    "import operator, asyncio\nfrom concurrent.futures import ThreadPoolExecutor",
+    "import a_module_that_the_page_lacks, its_own_msgs.msg",
+    "import collections.abc, re\ncollections.abc.Callable, re.compile('x')",
+    "import datetime as dt\nfrom datetime import datetime, time\nfrom rclpy.time import Time\ndt.datetime.now()",
+    "import rclpy.time, time, signal\nrclpy.time.Time(), time.time(), signal.signal(signal.SIGINT, print)",
+    "import os\nos.environ['A'] = 'b'",
+    "class A:\n    def __init__(self):\n        self.__x = self._y = 1\n        print(self.__x)",
+    "class A:\n    _b = 1\n    def _f(self):\n        pass\na = A()\na._f(), a._b",
+    "class A(B):\n    def __init__(self):\n        super().__init__()\n        super()._start()",
+    "try:\n    f()\nexcept Exception as e:\n    print(e.__class__.__name__, type(e).__name__)",
+    "__version__ = '1'\n__all__ = ['A']\nclass A:\n    __slots__ = ('x',)",
+    "open = 3\nprint(open)\ngripper.open()\ndef f(open):\n    return open",
+]
 
 
 def test_no_honest_answer_is_suspected() -> None:
@@ -359,7 +394,7 @@ def test_no_honest_answer_is_suspected() -> None:
         wrong = [answer for answer, *_ in WRONG_ANSWERS[number] if "__import__" not in str(answer)]
         for answer in [*RIGHT_ANSWERS[number], *wrong, *map(answer_in, CELLS[number])]:
             assert reaches_for(written(number, answer)) == ""
-    for answer in ("import rclpy.node\nfrom example_interfaces.msg import Int64", "class A:\n    _b = 1", "print("):
+    for answer in HONEST:
         assert reaches_for(answer) == ""
 
 
