@@ -391,7 +391,7 @@ HONEST = [
 
 def test_no_honest_answer_is_suspected() -> None:
     for number in NUMBERS:
-        wrong = [answer for answer, *_ in WRONG_ANSWERS[number] if "__import__" not in str(answer)]
+        wrong = [answer for answer, *_ in WRONG_ANSWERS[number]]
         for answer in [*RIGHT_ANSWERS[number], *wrong, *map(answer_in, CELLS[number])]:
             assert reaches_for(written(number, answer)) == ""
     for answer in HONEST:

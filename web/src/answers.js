@@ -12,7 +12,10 @@ export function write(name, id, answers) {
   return JSON.stringify({ format: FORMAT, version: VERSION, name, id, date, answers }, null, 1)
 }
 
-/** What a file holds, with `answers` as pairs of a number and a text and `date` as a Date or null. Error: why it is refused, in a sentence. */
+/**
+ * What a file holds, with `answers` as pairs of a number and a text, and `date` as a Date or null. Error: why it is
+ * refused, in a sentence.
+ */
 export async function read(file) {
   const refuse = (why) => {
     throw new Error(`${file.name} is refused: ${why}.`)

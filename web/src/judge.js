@@ -1,6 +1,7 @@
 // Loaded with the teachers' page: judges the files that students hand in, and shows who solved what.
 
 import { read } from "./answers.js"
+import { HAS_JSPI, LACKS_JSPI } from "./jspi.js"
 import { make, save } from "./make.js"
 import { STOPPED, Sandbox } from "./sandboxes.js"
 
@@ -210,7 +211,8 @@ function field(value) {
 
 function saveTable() {
   const columns = numbers()
-  const lines = [["name", "file", "date", "same browser as", "answers", "solved", ...columns.map((n) => `exercise ${n}`)]]
+  const titles = columns.map((number) => `exercise ${number}`)
+  const lines = [["name", "file", "date", "same browser as", "answers", "solved", ...titles]]
   for (const { name, file, date, others, solved, answers } of rows) {
     const verdicts = columns.map((number) => answers.get(number)?.verdict ?? "")
     lines.push([name, file, date, others.join(", "), answers.size, solved, ...verdicts])
@@ -257,11 +259,7 @@ const results = make("div", { hidden: true }, bar, scroll, legend, detail)
 /** Why nothing can be judged here, in a sentence; "" if it can. */
 function missing() {
   if (location.protocol === "file:") return "Opened as a file, this page cannot check answers. Serve the site: make serve"
-  if ("Suspending" in WebAssembly) return ""
-  return (
-    "This browser cannot check answers: it lacks JSPI, which Chrome and Edge have from version 137, Firefox from 153 " +
-    "and Safari from 27."
-  )
+  return HAS_JSPI ? "" : `This browser cannot check answers: ${LACKS_JSPI}`
 }
 
 const place = document.querySelector(".rosspin-judge")

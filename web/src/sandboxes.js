@@ -16,7 +16,8 @@ const VERDICTS = ["solved", "not yet", "to read", "not judged"]
 
 const notJudged = (said) => ({ verdict: "not judged", said })
 
-export const STOPPED = { verdict: "stopped", said: "Stopped before it was judged. Drop the file again to have it judged." }
+const STOPPED_SAID = "Stopped before it was judged. Drop the file again to have it judged."
+export const STOPPED = { verdict: "stopped", said: STOPPED_SAID }
 
 async function load(address, how) {
   const response = await fetch(address)
