@@ -565,8 +565,8 @@ WRONG: dict[int, list[tuple[Answer, str, str]]] = {
         (times(TIMER, 0.4, 0.9, 1.2), "the second of these times is not 0.9 s", "When does the first tick come"),
         ({TIMER: "timer = [period]"}, "NameError: name 'period' is not defined` in line 2", "Python names what it did"),
         ({TIMER: "timer = range(10**9)"}, "3 times are asked for, not 100", "When does"),
-        ({TIMER: "class Mine(list):\n    pass\ntimer = Mine([0.4, 0.8, 1.2])"}, "a value of type `Mine`", "Write it as"),
-        ({TIMER: "class Mine(float):\n    pass\ntimer = [Mine(0.4), 0.8, 1.2]"}, "a value of type `list`", "Write it as"),
+        ({TIMER: "class A(list):\n    pass\ntimer = A([0.4, 0.8, 1.2])"}, "a value of type `A`", "Write it as"),
+        ({TIMER: "class A(float):\n    pass\ntimer = [A(0.4), 0.8, 1.2]"}, "a value of type `list`", "Write it as"),
     ],
     2: [
         (times(ONE, 1.6, 2.0, 2.4), "Blocked for 1.0 s: not 1.6 s", "keeps its timer busy until it returns"),
