@@ -1,4 +1,4 @@
-// The file in which a student hands in answers: JSON with a name and the texts. What it says beside that is not read.
+// The file in which a student hands in answers: JSON with a name, a date and the texts. What else it says is not read.
 
 const FORMAT = "rosspin-answers"
 const VERSION = 1
