@@ -47,7 +47,7 @@ html doctest linkcheck: $(VENV)
 html: $(WEB)
 
 # What runs in the page: made anew only when its sources change, its packages only when their pins do.
-$(WEB): $(NPM) $(wildcard web/*.mjs web/*.py web/src/*) $(shell find src/rosspin -name '*.py' -o -name '*.txt')
+$(WEB): $(NPM) $(wildcard web/*.mjs web/*.py web/src/* notebooks/*exercises.md) $(shell find src/rosspin -name '*.py' -o -name '*.txt')
 	$(BIN)/node --experimental-wasm-jspi web/build.mjs build/npm "$$($(BIN)/python -c 'import yaml; print(*yaml.__path__)')" build/web/live
 
 $(NPM): web/package.json web/package-lock.json web/.npmrc | $(VENV)

@@ -245,9 +245,9 @@ RIGHT: dict[int, list[Answer]] = {
     1: [
         {TIMER: "timer = (0.4, 0.8, 1.2)"},
         {TIMER: "timer = [0.4 * n for n in range(1, 4)]", LOOP: "\nloop = [n / 4 for n in range(3)]"},
-        {TIMER: "timer = (n * 0.4 for n in (1, 2, 3))"},
+        {TIMER: "timer = [n * 0.4 for n in (1, 2, 3)]"},
         {BUSY: "busy_loop = loop"},
-        {TIMER: "from fractions import Fraction\ntimer = [Fraction(2, 5), Fraction('4/5'), Fraction(12, 10)]"},
+        {TIMER: "from fractions import Fraction\ntimer = [float(Fraction(n, 5)) for n in (2, 4, 6)]"},
         {LOOP: "\nloop = [0, .25, .5]\nprint(loop)"},
     ],
     2: [
@@ -255,7 +255,7 @@ RIGHT: dict[int, list[Answer]] = {
         {EIGHTEEN: "back = 1.2 + 1.8\nafter_1_8_seconds = [back + n * 0.4 for n in range(3)]"},
         {EIGHTEEN: "after_1_8_seconds = [3, 3.4, 3.8]"},
         {ONE: "after_1_0_seconds = [2.2] * 2 + [2.4]"},
-        {EIGHTEEN: "after_1_8_seconds = map(float, '3.0 3.4 3.8'.split())"},
+        {EIGHTEEN: "after_1_8_seconds = list(map(float, '3.0 3.4 3.8'.split()))"},
         {ONE: "after_1_0_seconds = [2.201, 2.199, 2.4]"},
     ],
     3: [
@@ -263,7 +263,7 @@ RIGHT: dict[int, list[Answer]] = {
         {KEPT: "not_kept = list()"},
         {CPP_SHORT: "after_0_6_seconds = [1.2 + 0.6, 2, 2.4]"},
         {CPP_LONG: "after_1_0_seconds = tuple(2.2 + n * 0.4 for n in range(3))"},
-        {CPP_LONG: "after_1_0_seconds = [2.2, 2.6, 3]", KEPT: "not_kept = iter([])"},
+        {CPP_LONG: "after_1_0_seconds = [2.2, 2.6, 3]", KEPT: "not_kept = []"},
     ],
     4: [
         {"= 0.1": "= 1 / 10"},
@@ -473,7 +473,7 @@ rospy.spin()
         {LATCHED_HEARD: "with_latch = range(1, 4)"},
         {THREE: "three_at_once = (3,)"},
         {SLOW_HEARD: "slow_callback = [0.0, 3.0, 6.0]"},
-        {SLOW_HEARD: "slow_callback = [3 * n for n in range(3)]", PLAIN_HEARD: "without_latch = iter([2, 3, 4])"},
+        {SLOW_HEARD: "slow_callback = [3 * n for n in range(3)]", PLAIN_HEARD: "without_latch = (2, 3, 4)"},
     ],
     16: [
         {"publish(self.counter)": "publish(data=self.counter)"},
@@ -564,7 +564,9 @@ WRONG: dict[int, list[tuple[Answer, str, str]]] = {
         ({LOOP: "\nloop = ..."}, "The loop: there is no prediction yet", "Give `loop` a list of times"),
         (times(TIMER, 0.4, 0.9, 1.2), "the second of these times is not 0.9 s", "When does the first tick come"),
         ({TIMER: "timer = [period]"}, "NameError: name 'period' is not defined` in line 2", "Python names what it did"),
-        ({TIMER: "timer = __import__('itertools').count()"}, "3 times are asked for, not 100", "When does"),
+        ({TIMER: "timer = range(10**9)"}, "3 times are asked for, not 100", "When does"),
+        ({TIMER: "class A(list):\n    pass\ntimer = A([0.4, 0.8, 1.2])"}, "a value of type `A`", "Write it as"),
+        ({TIMER: "class A(float):\n    pass\ntimer = [A(0.4), 0.8, 1.2]"}, "a value of type `list`", "Write it as"),
     ],
     2: [
         (times(ONE, 1.6, 2.0, 2.4), "Blocked for 1.0 s: not 1.6 s", "keeps its timer busy until it returns"),
@@ -987,6 +989,7 @@ rospy.spin()
         ({'log_4 = "C"': 'log_4 = "E"'}, "`log_4`: it is not E", "a traceback would name a thread"),
         ({'log_4 = "C"': 'log_4 = "G"'}, "`log_4`: it is not G", "each number would be printed once"),
         ({'log_4 = "C"': 'log_4 = "H"'}, "one of the letters A to G, not `'H'`", 'Write it as `"A"`'),
+        ({'log_4 = "C"': "class Mine(str):\n    pass\nlog_4 = Mine('C')"}, "not `Mine`", 'Write it as `"A"`'),
         ({'log_4 = "C"': "log_4 = 3"}, "one of the letters A to G, not `3`", 'Write it as `"A"`'),
         ({'log_4 = "C"': "log_4 = C"}, "NameError: name 'C' is not defined", "Python names"),
         ({'log_4 = "C"': ""}, "`log_4`: there is no answer yet", "Look at the first tick"),

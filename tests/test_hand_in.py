@@ -7,6 +7,7 @@ import io
 import json
 import re
 from collections.abc import Iterator
+from datetime import datetime
 from pathlib import Path
 from typing import Any, Literal
 
@@ -27,6 +28,19 @@ EXERCISES = "notebooks/exercises.html"
 RIGHT = CELLS[1][1].source
 WRONG = "%%answer 1\ntimer = [0, 1, 2]\nloop = [0, 1, 2]\nbusy_loop = [0, 1, 2]\n"
 ENDLESS = "%%answer 1\nsum(iter(int, 1))\n"  # gives way to no interrupt
+
+# Stands in for Python where a test is about the table: an answer is the verdict on it.
+NO_PYTHON = """
+addEventListener("message", ({ data, ports: [port] }) => {
+    const answer = data.answer.trim()
+    const say = (verdict, said) => port.postMessage(JSON.stringify({ verdict, said }))
+    port.postMessage("begun")
+    if (answer === "huge") say("solved", "x".repeat(1e6))
+    else if (answer === "number") say("solved", 5)
+    else if (answer === "object") port.postMessage({ verdict: "solved", said: "" })
+    else if (answer !== "endless") say(answer, answer)
+})
+"""
 
 
 def handed_in(name: Any = "Ada", **changed: Any) -> str:
@@ -104,6 +118,15 @@ def table(page: Page, address: str) -> Table:
     return Table(page, address)
 
 
+@pytest.fixture
+def quick(context: BrowserContext, table: Table) -> Table:
+    """One that starts no Python."""
+    context.route("**/answer.js", lambda route: route.fulfill(body=NO_PYTHON))
+    context.route("**/*.wasm", lambda route: route.fulfill(body=b"\0asm\1\0\0\0"))
+    context.route("**/snapshot.gz*", lambda route: route.fulfill(body=b""))
+    return table
+
+
 # --- the file ---------------------------------------------------------------------------------------------------------
 
 
@@ -135,6 +158,7 @@ def test_what_was_answered_is_saved(page: Page, address: str) -> None:
     name, found = _hand_in(page, " Ada <Lovelace>/2 ")
     assert name == "rosspin-answers-Ada-Lovelace-2.json"
     assert found.pop("id")
+    assert abs((datetime.fromisoformat(found.pop("date")) - datetime.now().astimezone()).days) <= 1
     answers = {"1": RIGHT, "20": other}
     assert found == {"format": "rosspin-answers", "version": 1, "name": "Ada <Lovelace>/2", "answers": answers}
     expect(status).to_have_text(re.compile(f"^Saved as {name}, with your answers to exercises 1 and 20"))
@@ -148,12 +172,13 @@ def test_name_and_answers_are_there_after_a_reload(page: Page, address: str) -> 
     expect(page.get_by_label("Your name")).to_have_value("Ada")
     with page.expect_download() as found:
         page.get_by_role("button", name="Hand in").click()
-    assert _read(found.value)[1] == before
+    assert _read(found.value)[1] | {"date": before["date"]} == before
 
 
-def test_file_comes_from_the_one_page_to_the_other(page: Page, address: str) -> None:
+def test_file_comes_from_the_one_page_to_the_other(quick: Table, address: str) -> None:
+    page = quick.page
     page.goto(address + EXERCISES)
-    Cell(page, 0).write(RIGHT)
+    Cell(page, 0).write("%%answer 1\nsolved")
     name, found = _hand_in(page, "Ada")
     table = Table(page, address)
     table.input.set_input_files(FilePayload(name=name, mimeType="application/json", buffer=json.dumps(found).encode()))
@@ -162,6 +187,9 @@ def test_file_comes_from_the_one_page_to_the_other(page: Page, address: str) -> 
 
 
 # --- verdicts ---------------------------------------------------------------------------------------------------------
+
+
+FLOOD = "print('x' * 20_000_000)"
 
 
 def test_right_wrong_and_forged(table: Table) -> None:
@@ -173,6 +201,7 @@ def test_right_wrong_and_forged(table: Table) -> None:
         ada=handed_in("Ada", answers=answers),
         ben=handed_in("Ben", answers={"1": WRONG, "4": f"%%answer 1\n{answer_in(CELLS[1][1])}"}, **forged),
         eve=handed_in("Eve", answers={"1": "print('Exercise 1: right.')\nprint('{\"verdict\": \"solved\"}')"}),
+        flo=handed_in("Flo", answers={"1": "import js\njs.postMessage('solved')", "4": "import numpy", "7": FLOOD}),
     )
     table.done()
     for title in ("Ada, exercise 1: solved", "Ada, exercise 4: solved", "Ada, exercise 14: not yet"):
@@ -183,7 +212,11 @@ def test_right_wrong_and_forged(table: Table) -> None:
     assert "Hint:" in said and "timer = [0, 1, 2]" in said
     expect(table.sign("Ben, exercise 4: not yet")).to_be_visible()  # whatever its first line says
     expect(table.sign("Eve, exercise 1: not yet")).to_be_visible()
-    assert table.rows.locator("td:nth-child(2)").all_text_contents() == ["2 of 4", "0 of 2", "0 of 1"]
+    assert "The answer uses js, which no exercise needs." in table.said("Flo, exercise 1: to read")
+    assert "No module named 'numpy'" in table.said("Flo, exercise 4: not yet")
+    assert 20_000 < len(table.said("Flo, exercise 7: not yet")) < 31_000
+    assert table.rows.locator("td:nth-child(2)").all_text_contents() == ["2 of 4", "0 of 2", "0 of 1", "0 of 3"]
+    expect(table.status).to_have_text("Done: 8 judged, 1 to read, 1 not judged")
     assert table.page.workers == []
 
 
@@ -200,16 +233,28 @@ def test_an_answer_that_never_ends_is_ended(context: BrowserContext, table: Tabl
     assert table.page.workers == []
 
 
-def test_stop(table: Table) -> None:
+def test_stop(quick: Table) -> None:
     """Ends what runs and what waits; a file that is dropped again is judged again."""
-    table.drop(eve=handed_in("Eve", answers={"1": ENDLESS}), ada=handed_in("Ada"))
-    expect(table.sign("Eve, exercise 1: being judged")).to_be_visible()
-    table.page.get_by_role("button", name="Stop").click()
-    table.done()
-    assert "Stopped before it was judged" in table.said("Eve, exercise 1: not judged")
-    table.drop(ada=handed_in("Ada"))
-    table.done()
-    expect(table.sign("Ada, exercise 1: solved")).to_be_visible()
+    waiting = {str(number): "endless" for number in range(3, 10)}
+    quick.drop(eve=handed_in("Eve", answers={"1": "solved", "2": "to read"} | waiting))
+    for title in ("Eve, exercise 2: to read", "Eve, exercise 3: being judged"):
+        expect(quick.sign(title)).to_be_visible()
+    quick.page.get_by_role("button", name="Stop").click()
+    expect(quick.status).to_have_text("Done: 1 judged, 1 to read, 7 stopped")
+    assert "Stopped before it was judged" in quick.said("Eve, exercise 9: stopped")
+    quick.drop(again=handed_in("Eve", answers={"1": "not yet"}))
+    expect(quick.status).to_have_text("Done: 1 judged")
+    expect(quick.sign("Eve, exercise 1: not yet")).to_be_visible()
+
+
+def test_what_comes_out_of_a_sandbox_is_not_trusted(quick: Table) -> None:
+    """Only a text of JSON that is not too long is read."""
+    answers = {"1": "huge", "2": "number", "3": "object", "4": "no such verdict", "5": "#" * 50_001, "6": "solved"}
+    quick.drop(eve=handed_in("Eve", answers=answers))
+    expect(quick.status).to_have_text("Done: 1 judged, 5 not judged")
+    for number in range(1, 5):
+        assert "The sandbox gave no verdict." in quick.said(f"Eve, exercise {number}: not judged")
+    assert "It has 50001 characters; at most 50000 are judged" in quick.said("Eve, exercise 5: not judged")
 
 
 # --- files that are no answers ----------------------------------------------------------------------------------------
@@ -243,33 +288,27 @@ def test_what_is_no_file_of_answers_is_refused(table: Table) -> None:
     assert table.notes.all_text_contents() == refused
 
 
-def test_an_answer_that_is_too_long_is_not_judged(table: Table) -> None:
-    """The others of the file are."""
-    table.drop(ada=handed_in(answers={"1": RIGHT, "4": "#" * 50_001}))
-    table.done()
-    assert "It has 50001 characters; at most 50000 are judged" in table.said("Ada, exercise 4: not judged")
-    expect(table.sign("Ada, exercise 1: solved")).to_be_visible()
-
-
 # --- the table --------------------------------------------------------------------------------------------------------
 
 
-def test_students_of_the_same_name_and_files_that_come_again(table: Table) -> None:
-    """Only the same file of the same student takes the place of an earlier one; the page says so."""
-    table.drop(ada=handed_in(answers={"99": "x"}), other=handed_in(id="a2", answers={"98": "x"}))
-    table.done()
-    table.drop(ada=handed_in(id="a3", answers={"97": "x"}))
-    expect(table.rows).to_have_count(3)
-    expect(table.notes).to_have_count(0)
-    table.done()
-    table.drop(ada=handed_in(answers={"96": "x"}))
-    expect(table.notes).to_contain_text("ada.json takes the place of the file of the same name")
-    expect(table.rows).to_have_count(3)
-    table.done()
-    assert table.rows.locator("th").all_inner_texts() == ["Ada\nada.json", "Ada\nother.json", "Ada\nada.json"]
-    signs = table.page.locator(".judge-scroll button")
-    said = ["Ada, exercise 96: not judged", "Ada, exercise 98: not judged", "Ada, exercise 97: not judged"]
-    assert [sign.get_attribute("aria-label") for sign in signs.all()] == said
+def test_who_is_who(quick: Table) -> None:
+    """Of one student's files the newest counts; students of the same name, or on the same computer, stay apart."""
+    days = [f"2026-11-{day}T12:00:00.000Z" for day in (20, 21, 22)]
+    quick.drop(
+        b=handed_in("Sam", date=days[1], answers={"1": "solved"}), c=handed_in("Sam", id="a2"), d=handed_in("Al")
+    )
+    expect(quick.notes).to_have_count(0)
+    quick.drop(a=handed_in("Sam", date=days[0], answers={"2": "solved"}))
+    expect(quick.notes).to_have_text("a.json is left out: Sam handed in b.json after it.")
+    quick.drop(b=handed_in("Sam", date=days[2], answers={"3": "solved"}))
+    expect(quick.notes).to_have_text("b.json takes the place of b.json, which Sam handed in before.")
+    quick.done()
+    names = ["Al\nd.json\nsame browser as Sam", "Sam\nc.json", "Sam\nb.json\n2026-11-22 00:00:00\nsame browser as Al"]
+    assert [re.sub(r"\d\d:", "00:", name) for name in quick.rows.locator("th").all_inner_texts()] == names
+    expect(quick.sign("Sam, exercise 3: solved")).to_be_visible()
+    expect(quick.page.get_by_role("columnheader", name="3")).to_have_attribute(
+        "title", "Exercise 3: The ticks of a C++ node"
+    )
 
 
 HTML = "<img src=x onerror=\"document.title='taken'\"><script>document.title = 'taken'</script>"
@@ -285,41 +324,57 @@ def test_what_is_in_a_file_is_text(table: Table) -> None:
     expect(table.rows.locator("th")).to_have_text(f"{HTML}<b>a.json")
 
 
-def test_names_are_one_short_line(table: Table) -> None:
-    table.drop(a=handed_in("a\n\u202eb\x00 " + "c" * 200, answers={"99": "x"}), b=handed_in("  ", answers={"99": "x"}))
-    table.done()
-    assert table.rows.locator("th").all_inner_texts() == [f"a b {'c' * 96}\na.json", "(no name)\nb.json"]
+def test_names_are_one_short_line(quick: Table) -> None:
+    quick.drop(a=handed_in("a\n\u202eb\x00 " + "c" * 200, id="a2"), b=handed_in("  "))
+    quick.done()
+    assert quick.rows.locator("th").all_inner_texts() == ["(no name)\nb.json", f"a b {'c' * 96}\na.json"]
 
 
-def test_csv(table: Table) -> None:
-    """No name is a formula in a spreadsheet."""
+def test_csv(quick: Table) -> None:
+    """No name is a formula in a spreadsheet; whoever leaves without it is asked."""
+    may_leave = "dispatchEvent(new Event('beforeunload', { cancelable: true }))"
+    assert quick.page.evaluate(may_leave)
     names = ["=1+1", "+1", "-1", "@SUM(A1)", 'Zoë "Z", jr.']
     for number, name in enumerate(names):
-        table.drop(**{f"{number}": handed_in(name, answers={"99": "x"})})
-    table.drop(ada=handed_in(answers={"1": RIGHT, "4": "x"}), **{"=x": handed_in(answers={"1": WRONG})})
-    table.done()
-    rows = table.csv()
-    assert rows[0] == ["name", "file", "solved", "exercise 1", "exercise 4", "exercise 99"]
-    assert [row[0] for row in rows[1:6]] == ["'=1+1", "'+1", "'-1", "'@SUM(A1)", 'Zoë "Z", jr.']
-    assert rows[6:] == [["Ada", "ada.json", "1", "solved", "not yet", ""], ["Ada", "'=x.json", "0", "not yet", "", ""]]
+        quick.drop(**{f"{number}": handed_in(name, id=name, answers={"99": "to read"})})
+    date = "2026-11-21T12:00:00.000Z"
+    quick.drop(ada=handed_in(answers={"1": "solved", "4": "not yet"}, date=date), **{"=x": handed_in("Al")})
+    quick.done()
+    assert not quick.page.evaluate(may_leave)
+    head, *rows = quick.csv()
+    assert quick.page.evaluate(may_leave)
+    exercises = ["exercise 1", "exercise 4", "exercise 99"]
+    assert head == ["name", "file", "date", "same browser as", "answers", "solved", *exercises]
+    assert sorted(row[0] for row in rows[:4]) == ["'+1", "'-1", "'=1+1", "'@SUM(A1)"]
+    ada, al, zoe = rows[4:]
+    assert ada.pop(2).startswith("2026-11-2")
+    assert ada == ["Ada", "ada.json", "Al", "2", "1", "solved", "not yet", ""]
+    assert al == ["Al", "'=x.json", "", "Ada", "1", "0", "not judged", "", ""]
+    assert zoe == ['Zoë "Z", jr.', "4.json", "", "", "1", "0", "", "", "to read"]
 
 
-def test_keyboard_alone(table: Table) -> None:
-    page = table.page
-    file = FilePayload(name="a.json", mimeType="application/json", buffer=handed_in(answers={"99": "x"}).encode())
-    table.input.set_input_files(file)
-    table.done()
-    table.input.focus()
+def test_keyboard_alone(quick: Table) -> None:
+    page = quick.page
+    file = FilePayload(name="a.json", mimeType="application/json", buffer=handed_in(answers={"99": "to read"}).encode())
+    quick.input.set_input_files(file)
+    quick.done()
+    quick.input.focus()
+    sign = quick.sign("Ada, exercise 99: to read")
     for element in (
         page.get_by_role("button", name="Stop"),
         page.get_by_role("button", name="Save as CSV"),
         page.get_by_role("region", name="Who solved what"),
-        table.sign("Ada, exercise 99: not judged"),
+        sign,
     ):
         page.keyboard.press("Tab")
         expect(element).to_be_focused()
     page.keyboard.press("Enter")
-    expect(table.detail).to_be_focused()
+    expect(quick.detail).to_be_focused()
+    page.keyboard.press("Tab")
+    page.keyboard.press("Tab")
+    expect(page.get_by_role("button", name="Back to the table")).to_be_focused()
+    page.keyboard.press("Enter")
+    expect(sign).to_be_focused()
 
 
 # --- answers that mean harm -------------------------------------------------------------------------------------------
@@ -348,26 +403,54 @@ def test_keyboard_alone(table: Table) -> None:
         ("class A:\n    def f(self):\n        return self.__class__", "__class__"),
         ("import sys\nmatch sys:\n    case object(modules=found):\n        pass", "modules"),
         ("import rospy\nrospy.Timer._oneshot", "_oneshot"),
+        ("import rospy\nclass A:\n    _oneshot = 1\nrospy.Timer._oneshot", "_oneshot"),
+        ("a._other", "_other"),
+        ("from dataclasses import inspect", "inspect"),
+        ("import dataclasses as d\nd.inspect", "inspect"),
+        ("import asyncio\nasyncio.events.sys", "sys"),
+        ("import json\njson.dumps = print", "dumps"),
+        ("from json import JSONEncoder\ndel JSONEncoder.encode", "encode"),
+        ("import os\nos.open('x', 1)", "open"),
+        ("open('x')", "open"),
+        ("exec = exec\nexec('1')", "exec"),
+        ("from traceback import walk_stack", "walk_stack"),
+        ("import sys\nsys.exc_info()", "exc_info"),
+        ("import typing\ntyping.get_type_hints(1)", "get_type_hints"),
+        ("import logging\nlogging.FileHandler('x')", "FileHandler"),
+        ("def f(frame):\n    return frame.f_globals", "f_globals"),
+        ("e.__class__.__base__", "__base__"),
+        ("import _msgs", "_msgs"),
     ],
 )
 def test_what_no_exercise_needs_is_found(answer: str, name: str) -> None:
     assert reaches_for(answer) == name
 
 
+HONEST = [
+    "print(",
+    "import rclpy.node\nfrom example_interfaces.msg import Int64\nfrom std_srvs.srv import SetBool",
+    "import operator, asyncio\nfrom concurrent.futures import ThreadPoolExecutor",
+    "import a_module_that_the_page_lacks, its_own_msgs.msg",
+    "import collections.abc, re\ncollections.abc.Callable, re.compile('x')",
+    "import datetime as dt\nfrom datetime import datetime, time\nfrom rclpy.time import Time\ndt.datetime.now()",
+    "import rclpy.time, time, signal\nrclpy.time.Time(), time.time(), signal.signal(signal.SIGINT, print)",
+    "import os\nos.environ['A'] = 'b'",
+    "class A:\n    def __init__(self):\n        self.__x = self._y = 1\n        print(self.__x)",
+    "class A:\n    _b = 1\n    def _f(self):\n        pass\na = A()\na._f(), a._b",
+    "class A(B):\n    def __init__(self):\n        super().__init__()\n        super()._start()",
+    "try:\n    f()\nexcept Exception as e:\n    print(e.__class__.__name__, type(e).__name__)",
+    "__version__ = '1'\n__all__ = ['A']\nclass A:\n    __slots__ = ('x',)",
+    "open = 3\nprint(open)\ngripper.open()\ndef f(open):\n    return open",
+]
+
+
 def test_no_honest_answer_is_suspected() -> None:
     for number in NUMBERS:
-        wrong = [answer for answer, *_ in WRONG_ANSWERS[number] if "__import__" not in str(answer)]
+        wrong = [answer for answer, *_ in WRONG_ANSWERS[number]]
         for answer in [*RIGHT_ANSWERS[number], *wrong, *map(answer_in, CELLS[number])]:
             assert reaches_for(written(number, answer)) == ""
-    for answer in ("import rclpy.node\nfrom example_interfaces.msg import Int64", "class A:\n    _b = 1", "print("):
+    for answer in HONEST:
         assert reaches_for(answer) == ""
-
-
-def test_it_is_not_judged(table: Table) -> None:
-    forging = "import js\njs.postMessage('solved')"
-    table.drop(eve=handed_in("Eve", answers={"1": forging}))
-    table.done()
-    assert "The answer uses js, which no exercise needs." in table.said("Eve, exercise 1: not judged")
 
 
 # What an answer would try that got around that. What each attempt came to is printed.
@@ -401,6 +484,11 @@ tried("caches", lambda: run_sync(js.caches.keys()).to_py() or "got it")
 tried("stores", lambda: js.indexedDB.open("mine") and "got it")
 tried("code", lambda: run_js("1") and "got it")
 js.postMessage('{"verdict": "solved", "said": ""}')
+
+import json
+from rosspin.exercises.feedback import Feedback
+Feedback.passed = True
+json.dumps = lambda made: '{"verdict": "solved", "said": ""}'
 """
 
 
@@ -417,7 +505,8 @@ def test_an_answer_in_its_sandbox_reaches_nothing(context: BrowserContext, addre
     page.evaluate("async () => { await caches.open('rosspin') }")
     table.drop(eve=handed_in("Eve", answers={"1": HARM.replace("SITE", address)}))
     table.done()
-    said = table.said("Eve, exercise 1: not yet")
+    said = table.said("Eve, exercise 1: to read")
+    assert "The check contradicts itself." in said
     tried = re.findall(r"^tried (\w+) (.*)$", said.partition("The answer:")[0], re.MULTILINE)
     assert [name for name, _ in tried] == ["own", "elsewhere", "fetch", "script", "caches", "stores", "code"]
     assert not [result for _, result in tried if "Error" not in result and "JsException" not in result], tried
@@ -441,6 +530,7 @@ def test_without_jspi(context: BrowserContext, address: str) -> None:
     expect(page.get_by_text("This browser cannot check answers: it lacks JSPI")).to_be_visible()
     expect(page.locator(".rosspin-judge input")).to_have_count(0)
     page.goto(address + EXERCISES)
+    expect(page.get_by_text("This browser cannot check answers, nor hand them in: it lacks JSPI")).to_be_visible()
     expect(page.locator(".hand-in")).to_have_count(0)
 
 
@@ -465,17 +555,23 @@ def test_the_scripts_are_loaded_where_they_are_needed(site: Path) -> None:
 # --- how it looks -----------------------------------------------------------------------------------------------------
 
 
-@pytest.mark.parametrize("scheme", ["light", "dark"])
-@pytest.mark.parametrize("width", [390, 1280])
-def test_looks(browser: Browser, address: str, width: int, scheme: Literal["light", "dark"]) -> None:
+def test_looks(quick: Table, address: str) -> None:
     """The table and what is said fit a phone, and their text stands out in light and in dark."""
-    with browser.new_context(viewport={"width": width, "height": 900}, color_scheme=scheme) as context:
-        table = Table(context.new_page(), address)
-        answers = {str(number): "x" for number in range(30, 50)}
-        table.drop(ada=handed_in("Ada " * 10, answers=answers | {"1": RIGHT, "2": "x"}), b=handed_in("B"))
-        table.done()
-        table.said("B, exercise 1: solved")
-        assert table.page.evaluate(TOO_WIDE) + table.page.evaluate(FAINT) == []
-        table.page.goto(address + EXERCISES)
-        expect(table.page.get_by_role("button", name="Hand in")).to_be_visible()
-        assert table.page.evaluate(TOO_WIDE) + table.page.evaluate(FAINT) == []
+    page = quick.page
+    answers = {str(number): "not judged" for number in range(30, 50)} | {"1": "solved", "2": "to read"}
+    quick.drop(ada=handed_in("Ada " * 10, answers=answers), b=handed_in("B", answers={"1": "solved"}))
+    quick.done()
+    quick.said("B, exercise 1: solved")
+    _stands_out(page)
+    page.goto(address + EXERCISES)
+    expect(page.get_by_role("button", name="Hand in")).to_be_visible()
+    _stands_out(page)
+
+
+def _stands_out(page: Page) -> None:
+    schemes: tuple[Literal["light", "dark"], ...] = ("light", "dark")
+    for scheme in schemes:
+        page.emulate_media(color_scheme=scheme)
+        for width in (390, 1280):
+            page.set_viewport_size({"width": width, "height": 900})
+            assert page.evaluate(TOO_WIDE) + page.evaluate(FAINT) == [], (scheme, width)

@@ -78,10 +78,14 @@ const { metafile } = await build({
   entryPoints: ["editor.js", "share.js", "worker.js"].map((name) => path.join(here, "src", name)),
 })
 
+// What the exercises are called: number -> title.
+const notebooks = ["exercises", "ros2-exercises"].map((name) => path.join(here, `../notebooks/${name}.md`))
+const headings = notebooks.flatMap((file) => [...readFileSync(file, "utf8").matchAll(/^### (\d+)\. (.+)$/gm)])
+const titles = Object.fromEntries(headings.map(([, number, title]) => [number, title]))
 await build({
   ...common,
   outdir: handIn,
-  define: { SNAPSHOT: JSON.stringify(version) },
+  define: { SNAPSHOT: JSON.stringify(version), TITLES: JSON.stringify(titles) },
   entryPoints: [path.join(here, "src/judge.js")],
 })
 await build({

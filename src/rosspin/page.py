@@ -8,7 +8,6 @@ from __future__ import annotations
 
 import gc
 import io
-import json
 import logging
 import os
 import random
@@ -21,6 +20,7 @@ from collections import defaultdict, deque
 from collections.abc import Callable, Iterable, Sequence
 from contextlib import redirect_stderr, redirect_stdout
 from functools import wraps
+from json import dumps
 from traceback import walk_tb
 from typing import Any, cast
 
@@ -64,6 +64,9 @@ _MOST_TICKS = 2000
 # A console (characters) that is worth pinning in a test.
 _LONGEST = 50_000
 
+# So much (characters) is said of an answer that was handed in.
+_MOST_SAID = 30_000
+
 # How the lines of both ROSes begin that a reader may want to trace.
 _SERIOUS = ("[WARN]", "[ERROR]", "[FATAL]")
 
@@ -98,12 +101,12 @@ def run(source: str, filename: str, seconds: float, args: str, speed: float, pag
         try:
             magic, words, node_args = _magic(source)
             if magic == "answer":
-                return json.dumps(_check(words, source))
+                return dumps(_check(words, source))
             if magic == "simulate":
                 seconds = float(words[0])
             else:
                 node_args = _split(args, "arguments")
-            return json.dumps(_run(source, filename, seconds, node_args, speed, page, printed))
+            return dumps(_run(source, filename, seconds, node_args, speed, page, printed))
         except (ValueError, SyntaxError, NotSimulated, TimeStandsStill) as error:
             print(say_error(error), file=sys.stderr)
             if isinstance(error, SyntaxError):
@@ -111,7 +114,7 @@ def run(source: str, filename: str, seconds: float, args: str, speed: float, pag
             if isinstance(error, NotSimulated):
                 ros = load_source(_node(source), filename).ros
                 print(f"On a computer with ROS {ros}, run: python -m rosspin run --ros{ros} FILE", file=sys.stderr)
-            return json.dumps({"status": 1})
+            return dumps({"status": 1})
         finally:
             os.environ.clear()  # the next run in this page is to find what this one found
             os.environ.update(environment)
@@ -121,17 +124,23 @@ def run(source: str, filename: str, seconds: float, args: str, speed: float, pag
 def judge(number: int, answer: str) -> str:
     """Check an answer that somebody has handed in, a text without magic, in a page that does nothing else.
 
-    The result, as JSON: the ``verdict``, which is "solved", "not yet" or "not judged", and what is ``said`` of it.
+    The result, as JSON: the ``verdict``, which is "solved", "not yet", "to read" (by the teacher) or "not judged", and
+    what is ``said`` of it.
     """
     if found := reaches_for(answer):
         said = f"The answer uses {found}, which no exercise needs. Read the answer, and judge it yourself."
-        return json.dumps({"verdict": "not judged", "said": said})
+        return dumps({"verdict": "to read", "said": said})
     try:
         feedback = check(number, answer)
     except ValueError as error:
-        return json.dumps({"verdict": "not judged", "said": say_error(error)})
-    said = "\n".join(filter(None, [feedback.shown_console(), str(feedback)]))
-    return json.dumps({"verdict": "solved" if feedback.passed else "not yet", "said": said})
+        return dumps({"verdict": "not judged", "said": say_error(error)})
+    passed = bool(feedback.findings) and all(right is True for right, *_ in feedback.findings)
+    console, text = feedback.shown_console(), str(feedback)
+    verdict = "solved" if passed else "not yet"
+    if passed is not feedback.passed:  # which only an answer can have brought about
+        verdict, text = "to read", "The check contradicts itself. Read the answer, and judge it yourself."
+    said = "\n".join(filter(None, [console[: _MOST_SAID - len(text) - 1], text]))
+    return dumps({"verdict": verdict, "said": said[:_MOST_SAID]})
 
 
 def _magic(source: str) -> tuple[str, Sequence[str], Sequence[str]]:

@@ -1,4 +1,4 @@
-// The file in which a student hands in answers: JSON with a name and the texts. What it says beside that is not read.
+// The file in which a student hands in answers: JSON with a name, a date and the texts. What else it says is not read.
 
 const FORMAT = "rosspin-answers"
 const VERSION = 1
@@ -6,12 +6,16 @@ const VERSION = 1
 /** What is read at most: of a file (bytes), of an answer and a name (characters), and so many answers. */
 export const MOST = { file: 1_000_000, answer: 50_000, name: 100, answers: 100 }
 
-/** The text of such a file; `answers` is an object: number of the exercise -> text. */
+/** The text of such a file, made now; `answers` is an object: number of the exercise -> text. */
 export function write(name, id, answers) {
-  return JSON.stringify({ format: FORMAT, version: VERSION, name, id, answers }, null, 1)
+  const date = new Date().toISOString()
+  return JSON.stringify({ format: FORMAT, version: VERSION, name, id, date, answers }, null, 1)
 }
 
-/** What a file holds, with `answers` as pairs of a number and a text. Error: why it is refused, in a sentence. */
+/**
+ * What a file holds, with `answers` as pairs of a number and a text, and `date` as a Date or null. Error: why it is
+ * refused, in a sentence.
+ */
 export async function read(file) {
   const refuse = (why) => {
     throw new Error(`${file.name} is refused: ${why}.`)
@@ -37,7 +41,8 @@ export async function read(file) {
   if (!pairs.every(([number, answer]) => number > 0 && number < 1000 && Number.isInteger(number) && typeof answer === "string")) {
     refuse("one of its answers is not a text with the number of an exercise")
   }
-  return { file: file.name, name: plain(name) || "(no name)", id, answers: pairs }
+  const date = new Date(typeof found.date === "string" ? found.date : NaN)
+  return { file: file.name, name: plain(name) || "(no name)", id, date: isNaN(date) ? null : date, answers: pairs }
 }
 
 /** A name in one line, without the characters that are not seen or that turn the direction of a text. */

@@ -1,6 +1,7 @@
 // Loaded with each page of exercises, before live.js: lets the reader save the answers as a file to hand in.
 
 import { MOST, write } from "./answers.js"
+import { HAS_JSPI, LACKS_JSPI } from "./jspi.js"
 import { make, save } from "./make.js"
 
 /** Under this, for all pages, the reader's name and what tells readers of the same name apart. */
@@ -84,4 +85,5 @@ const status = make("span", { role: "status" })
 const form = make("form", { className: "hand-in", noValidate: true })
 form.append(make("label", {}, "Your name ", field), make("button", { textContent: "Hand in" }), status)
 form.addEventListener("submit", handIn)
-if (location.protocol !== "file:" && "Suspending" in WebAssembly) document.querySelector("article h1").after(form)
+const cannot = make("p", { textContent: `This browser cannot check answers, nor hand them in: ${LACKS_JSPI}` })
+if (location.protocol !== "file:") document.querySelector("article h1").after(HAS_JSPI ? form : cannot)

@@ -1,8 +1,9 @@
 // Loaded with the teachers' page: judges the files that students hand in, and shows who solved what.
 
 import { read } from "./answers.js"
+import { HAS_JSPI, LACKS_JSPI } from "./jspi.js"
 import { make, save } from "./make.js"
-import { Sandbox } from "./sandboxes.js"
+import { STOPPED, Sandbox } from "./sandboxes.js"
 
 const base = new URL(".", document.currentScript.src).href
 
@@ -10,19 +11,39 @@ const base = new URL(".", document.currentScript.src).href
 const LANES = Math.max(1, Math.min(4, navigator.hardwareConcurrency - 1))
 
 /** The sign of each verdict in the table. */
-const SIGNS = { solved: "✓", "not yet": "✗", "did not end": "∞", "not judged": "?", waiting: "…", "being judged": "…" }
+const SIGNS = {
+  solved: "✓",
+  "not yet": "✗",
+  "did not end": "∞",
+  "to read": "?",
+  "not judged": "!",
+  stopped: "■",
+  waiting: "…",
+  "being judged": "…",
+}
+
+/** Of these it is said how many there are, where there are any. */
+const NOT_JUDGED = ["to read", "not judged", "stopped"]
 
 /** A row of the table: what one student has handed in. */
 class HandIn {
-  constructor({ file, name, id, answers }) {
-    Object.assign(this, { file, name, id })
+  constructor({ file, name, id, date, answers }) {
+    Object.assign(this, { file, name, id, date: date ? local(date) : "" })
     this.answers = new Map(answers.map(([number, text]) => [number, new Judged(name, number, text)]))
   }
 
   get solved() {
     return [...this.answers.values()].filter(({ verdict }) => verdict === "solved").length
   }
+
+  /** Other names under which answers from the same browser were handed in. */
+  get others() {
+    return rows.filter(({ id, name }) => id === this.id && name !== this.name).map(({ name }) => name)
+  }
 }
+
+/** A time as in "2026-11-21 22:05:30", where the reader is. */
+const local = (date) => date.toLocaleString("sv")
 
 /** An answer and its verdict; its button in the table leads to what the checker said. */
 class Judged {
@@ -57,6 +78,7 @@ let waiting = []
 let lanes = 0
 let stop = new AbortController()
 let shown = null
+let isSaved = true
 
 // --- files ---
 
@@ -65,22 +87,31 @@ async function add(files) {
   for (const file of files) {
     try {
       const row = new HandIn(await read(file))
-      const same = rows.findIndex(({ file, name, id }) => file === row.file && name === row.name && id === row.id)
-      if (same < 0) {
-        rows.push(row)
-      } else {
-        const [before] = rows.splice(same, 1, row)
-        waiting = waiting.filter((answer) => !answersOf([before]).includes(answer))
-        problems.push(`${row.file} takes the place of the file of the same name that ${row.name} handed in before.`)
+      const before = rows.find(({ name, id }) => name === row.name && id === row.id)
+      if (before && before.date > row.date) {
+        problems.push(`${row.file} is left out: ${row.name} handed in ${before.file} after it.`)
+        continue
       }
+      if (before) {
+        remove(before)
+        problems.push(`${row.file} takes the place of ${before.file}, which ${row.name} handed in before.`)
+      }
+      rows.push(row)
       waiting.push(...row.answers.values())
     } catch (error) {
       problems.push(error.message)
     }
   }
   notes.replaceChildren(...problems.map((said) => make("li", { textContent: said })))
+  rows.sort((one, other) => one.name.localeCompare(other.name, undefined, { numeric: true }))
+  isSaved = false
   draw()
   while (lanes < LANES && lanes < waiting.length) work()
+}
+
+function remove(row) {
+  rows = rows.filter((other) => other !== row)
+  waiting = waiting.filter((answer) => !answersOf([row]).includes(answer))
 }
 
 /** Judge what waits, one answer after the other. */
@@ -90,6 +121,7 @@ async function work() {
   for (let answer = waiting.shift(); answer; answer = waiting.shift()) {
     answer.becomes({ verdict: "being judged", said: "" })
     answer.becomes(await sandbox.judge(answer.number, answer.code, stop.signal))
+    isSaved = false
     tell()
   }
   sandbox.end()
@@ -98,6 +130,7 @@ async function work() {
 }
 
 function end() {
+  for (const answer of waiting.splice(0)) answer.becomes(STOPPED)
   stop.abort()
   stop = new AbortController()
 }
@@ -114,9 +147,11 @@ function draw() {
   const columns = numbers()
   const head = make("tr", {}, make("th", { scope: "col", textContent: "Name" }))
   head.append(make("th", { scope: "col", textContent: "Solved" }))
-  head.append(...columns.map((number) => make("th", { scope: "col", textContent: number, title: `Exercise ${number}` })))
+  head.append(...columns.map((number) => make("th", { scope: "col", textContent: number, title: exercise(number) })))
   const body = rows.map((row) => {
     const name = make("th", { scope: "row" }, row.name, make("small", { textContent: row.file }))
+    if (row.date) name.append(make("small", { textContent: row.date }))
+    if (row.others.length) name.append(make("small", { textContent: `same browser as ${row.others.join(", ")}` }))
     row.count = make("td", {})
     const cells = columns.map((number) => make("td", {}, row.answers.get(number)?.button ?? nothing()))
     return make("tr", {}, name, row.count, ...cells)
@@ -136,9 +171,19 @@ function tell() {
   progress.max = all.length || 1
   progress.value = all.length - open
   stopButton.ariaDisabled = String(open === 0)
-  const said = open ? `Judging the answers of ${count(rows.length, "file")}` : `Done: ${count(all.length, "answer")} judged`
+  const said = open ? `Judging the answers of ${count(rows.length, "file")}` : `Done: ${outcome(all)}`
   if (status.textContent !== said) status.textContent = said // said once, not at each answer
 }
+
+/** How many answers were judged, and how many were not. */
+function outcome(answers) {
+  const kinds = NOT_JUDGED.map((kind) => [answers.filter(({ verdict }) => verdict === kind).length, kind])
+  const judged = kinds.reduce((left, [number]) => left - number, answers.length)
+  return [[judged, "judged"], ...kinds.filter(([number]) => number)].map((pair) => pair.join(" ")).join(", ")
+}
+
+/** An exercise as its heading has it. */
+const exercise = (number) => [`Exercise ${number}`, TITLES[number]].filter(Boolean).join(": ")
 
 const count = (number, what) => `${number} ${what}${number === 1 ? "" : "s"}`
 
@@ -150,6 +195,7 @@ function show(answer, go = true) {
     make("pre", { textContent: answer.said || "Nothing is known yet." }),
     make("p", { textContent: "The answer:" }),
     make("pre", { textContent: answer.text.slice(0, 50_000), tabIndex: 0 }),
+    button("Back to the table", () => answer.button.focus()),
   )
   detail.hidden = false
   if (go) detail.focus()
@@ -165,10 +211,13 @@ function field(value) {
 
 function saveTable() {
   const columns = numbers()
-  const lines = [["name", "file", "solved", ...columns.map((number) => `exercise ${number}`)]]
-  for (const { name, file, solved, answers } of rows) {
-    lines.push([name, file, solved, ...columns.map((number) => answers.get(number)?.verdict ?? "")])
+  const titles = columns.map((number) => `exercise ${number}`)
+  const lines = [["name", "file", "date", "same browser as", "answers", "solved", ...titles]]
+  for (const { name, file, date, others, solved, answers } of rows) {
+    const verdicts = columns.map((number) => answers.get(number)?.verdict ?? "")
+    lines.push([name, file, date, others.join(", "), answers.size, solved, ...verdicts])
   }
+  isSaved = true
   // With a byte order mark, without which Excel reads no UTF-8.
   save("answers.csv", "text/csv", `\ufeff${lines.map((line) => `${line.map(field).join(",")}\r\n`).join("")}`)
 }
@@ -197,8 +246,12 @@ bar.append(progress, stopButton, button("Save as CSV", saveTable), status)
 const notes = make("ul")
 const table = make("table", { className: "table" })
 const scroll = make("div", { className: "judge-scroll", role: "region", ariaLabel: "Who solved what", tabIndex: 0 }, table)
-const words = ["solved", "not yet", "did not end", "not judged"].map((verdict) => `${SIGNS[verdict]} ${verdict}`)
-const legend = make("p", { textContent: `${words.join(", ")}, – no answer. A sign leads to what the checker said.` })
+const words = ["solved", "not yet", "did not end", ...NOT_JUDGED].map((verdict) => `${SIGNS[verdict]} ${verdict}`)
+const legend = make("p", {
+  textContent:
+    `${words.join(", ")}, – no answer. A sign leads to what the checker said. ` +
+    "Use the table to see who needs help, not for marks.",
+})
 const detail = make("div", { className: "judge-said", role: "region", ariaLabel: "What the checker said", tabIndex: -1 })
 detail.hidden = true
 const results = make("div", { hidden: true }, bar, scroll, legend, detail)
@@ -206,11 +259,7 @@ const results = make("div", { hidden: true }, bar, scroll, legend, detail)
 /** Why nothing can be judged here, in a sentence; "" if it can. */
 function missing() {
   if (location.protocol === "file:") return "Opened as a file, this page cannot check answers. Serve the site: make serve"
-  if ("Suspending" in WebAssembly) return ""
-  return (
-    "This browser cannot check answers: it lacks JSPI, which Chrome and Edge have from version 137, Firefox from 153 " +
-    "and Safari from 27."
-  )
+  return HAS_JSPI ? "" : `This browser cannot check answers: ${LACKS_JSPI}`
 }
 
 const place = document.querySelector(".rosspin-judge")
@@ -224,4 +273,5 @@ if (!missing()) {
       if (kind === "drop") add([...event.dataTransfer.files])
     })
   }
+  addEventListener("beforeunload", (event) => !isSaved && event.preventDefault())
 }

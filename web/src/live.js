@@ -1,6 +1,7 @@
 // Loaded with each page that has listings to run. Nothing else is loaded until the reader touches one of them.
 
 import { Cell, showProgress } from "./cell.js"
+import { HAS_JSPI, LACKS_JSPI } from "./jspi.js"
 
 const base = new URL(".", document.currentScript.src).href
 
@@ -9,13 +10,7 @@ function missing() {
   if (location.protocol === "file:") {
     return "Opened as a file, a page cannot run Python. Serve the site instead: make serve"
   }
-  if (!("Suspending" in WebAssembly)) {
-    return (
-      "This browser cannot run this listing: it lacks JSPI, which Chrome and Edge have from version 137, " +
-      "Firefox from 153 and Safari from 27."
-    )
-  }
-  return ""
+  return HAS_JSPI ? "" : `This browser cannot run this listing: ${LACKS_JSPI}`
 }
 
 document.querySelectorAll(".live-missing").forEach((line) => line.remove())

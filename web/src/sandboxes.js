@@ -9,14 +9,15 @@ import { make } from "./make.js"
 const TIME = 20_000
 const START = 60_000
 
-/** So much (characters) is kept of what the checker says. */
-const LONGEST = 30_000
+/** What comes out of a sandbox is at most so long (characters), as JSON; rosspin.page.judge keeps far below it. */
+const LONGEST = 500_000
 
-const VERDICTS = ["solved", "not yet", "not judged"]
+const VERDICTS = ["solved", "not yet", "to read", "not judged"]
 
 const notJudged = (said) => ({ verdict: "not judged", said })
 
-const STOPPED = notJudged("Stopped before it was judged. Drop the file again to have it judged.")
+const STOPPED_SAID = "Stopped before it was judged. Drop the file again to have it judged."
+export const STOPPED = { verdict: "stopped", said: STOPPED_SAID }
 
 async function load(address, how) {
   const response = await fetch(address)
@@ -108,8 +109,8 @@ export class Sandbox {
 /** What came out of a sandbox; it is not trusted. */
 function read(data) {
   try {
-    const { verdict, said } = JSON.parse(data)
-    if (VERDICTS.includes(verdict)) return { verdict, said: String(said).slice(0, LONGEST), heard: true }
+    const { verdict, said } = typeof data === "string" && data.length <= LONGEST ? JSON.parse(data) : {}
+    if (VERDICTS.includes(verdict) && typeof said === "string") return { verdict, said, heard: true }
   } catch {
     // see below
   }
