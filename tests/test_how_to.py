@@ -335,7 +335,7 @@ def test_a_frequency_without_a_point_is_refused_on_the_real_ros_2(require: Calla
     assert "to '5' of type 'INTEGER', expecting type 'DOUBLE'" in run.console
 
 
-@pytest.mark.parametrize("args", [["-p", "frequency:=5.0"], ["--ros-args", "-p", "freqency:=5.0"]])
+@pytest.mark.parametrize("args", [["-p", "frequency:=5.0"], ["--ros-args", "-p", "frequency_in_hz:=5.0"]])
 def test_a_frequency_not_meant_for_the_node_is_ignored_on_the_real_ros_2(
     require: Callable[[str], None], args: list[str]
 ) -> None:

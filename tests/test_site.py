@@ -252,6 +252,16 @@ def test_headings_on_how_timing_works_show_the_verdict(name: str, least: int) ->
     assert [claim for claim in claims if not VERDICT.match(claim)] == []
 
 
+@pytest.mark.parametrize("name", ["docs/ros2/how-timing-works", "docs/ros2/from-ros-1"])
+def test_no_line_ends_between_a_number_and_its_unit(name: str) -> None:
+    article = _page(name).select("article")[0]
+    for code in article.select("pre, code, figure, .cell"):
+        code.decompose()
+    text = article.get_text()
+    assert re.search(r"\d\N{NO-BREAK SPACE}s\b", text)
+    assert re.findall(r".*\d[ \n](?:s|ms|Hz)\b.*", text) == []
+
+
 def test_the_sidebar_in_order() -> None:
     captions = [tag.get_text() for tag in _page("index").select("nav.bd-docs-nav .caption")]
     of_ros_1 = [f"{caption} (ROS 1)" for caption in ("Before you start", "Tutorials", "Practice")]

@@ -325,6 +325,22 @@ def name_terms(app: Sphinx, page: nodes.document) -> None:
             labels.note_hyperlink_target(name, app.env.docname, name)
 
 
+# A number's unit, which is in a text of its own after the value of a fact.
+_SPACE_BEFORE_UNIT = re.compile(r"(?<=\d)\s(?=(?:s|ms|Hz)\b)")
+
+
+def keep_units(app: Sphinx, page: nodes.document) -> None:
+    """Let no line end between a number and its unit; code stays as it is."""
+    for element in page.findall(nodes.TextElement):
+        if isinstance(element, nodes.literal | nodes.FixedTextElement):
+            continue
+        before = ""
+        for place, child in enumerate(element.children):
+            if isinstance(child, nodes.Text):
+                element[place] = nodes.Text(_SPACE_BEFORE_UNIT.sub("\N{NO-BREAK SPACE}", before + child)[len(before) :])
+            before = child.astext()[-1:]
+
+
 def setup(app: Sphinx) -> ExtensionMetadata:
     """Add the directives and the role above, what notebooks need, and the highlighting of their cells."""
     app.add_directive("ticks", TicksDirective)
@@ -338,4 +354,5 @@ def setup(app: Sphinx) -> ExtensionMetadata:
     app.add_lexer("ipython3", CellLexer)
     app.connect("source-read", offer_download)
     app.connect("doctree-read", name_terms)
+    app.connect("doctree-read", keep_units)
     return {"parallel_read_safe": False, "parallel_write_safe": True}
