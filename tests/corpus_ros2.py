@@ -97,7 +97,10 @@ _ARGS: dict[str, list[tuple[str, ...]]] = {
 # Where the real one's outcome is a race, and why. What is simulated is one of those that it had.
 RACES: dict[str, str] = {
     "ctrl_c_rate_in_main": "whether the thread that spins sees the context go before the interpreter does",
-    "executor_multi_raises": "whether the callback has ended before its own end makes the executor look again",
+    **dict.fromkeys(
+        ("executor_multi_raises", "executor_raises_later_spin"),
+        "whether the callback has ended before its own end makes the executor look again",
+    ),
     "topics_wait_while_spun": "whether the one who waits or the executor that spins takes the message",
 }
 

@@ -353,8 +353,8 @@ def test_a_service_is_not_simulated_wherever_it_is_met() -> None:
 
 
 def test_a_loop_that_sleeps_no_time_is_found_with_its_line(write: Any) -> None:
-    path = write("import rospy\nrospy.init_node('n')\nwhile True:\n    rospy.sleep(0)\n")
-    with pytest.raises(TimeStandsStill, match=r"node\.py:4: simulated time stands still at 0\.0 s"):
+    path = write("import rospy\nrospy.init_node('n')\nwhile True: rospy.sleep(0)\n")
+    with pytest.raises(TimeStandsStill, match=r"node\.py:3: simulated time stands still at 0\.0 s"):
         simulate(path, 10)
 
 
