@@ -177,7 +177,7 @@ class Timer:
         if self._ticks is not None:
             self._count += 1
             began = self.stamp(now)
-            tick = self._ticks.add(self._source, self._count, self.stamp(expected), began), began
+            tick = self._ticks.add(self._source, self._count, expected + began - now, began), began
         return Call(self._callback, self._info(expected, now) if self._wants_info else (), tick)
 
     def _info(self, expected: int, now: int) -> tuple[TimerInfo]:
@@ -194,7 +194,8 @@ class Timer:
         """Record that a call which was taken has ended now."""
         if self._ticks is not None:
             place, began = tick
-            self._ticks.end(place, self.stamp(self.clock.ns()) - began)
+            clock = self.clock
+            self._ticks.end(place, (clock._state.clock.now() if clock.flows else clock.ns()) - began)
 
     def is_due(self) -> bool:
         """Whether a call is due."""
