@@ -5,7 +5,6 @@ from __future__ import annotations
 import signal
 from collections.abc import Callable, Iterator, Mapping, Sequence
 from contextlib import contextmanager
-from importlib import import_module
 from pathlib import Path
 from types import NoneType, TracebackType
 from typing import Any
@@ -16,6 +15,7 @@ from .clocks.simulation import Simulation
 from .clocks.stacks import acting_for
 from .frames import node_frames
 from .process import Capture, NodeLike, Process, load, refuse_text
+from .rospy import tester as rospy_tester
 from .run import PATIENCE, duration, explained, messages_of, new_world, run_main, stand_in, ticks_of
 from .ticks import Message, Run
 from .world import World
@@ -62,7 +62,7 @@ class StartedNode:
         self._node = load(node)
         self.name = Path(self._node.argv0).name  # of the file, or of the function
         ros = stand_in(self._node.ros)
-        tester = import_module(f"{ros.__name__}.tester")
+        tester = _tester(self._node.ros)
         self._process = Process(self._node, args, ros.MODULES, self._node.ros)
         self._capture = Capture()
         self._clock = Simulation()
@@ -222,3 +222,12 @@ class StartedNode:
             0.0,
             tuple(self._messages[message:]),
         )
+
+
+def _tester(ros: int) -> Any:
+    """The module with the test's node in a ROS."""
+    if ros == 2:
+        from .rclpy import tester  # loaded, as all of rclpy, only for nodes that need it
+
+        return tester
+    return rospy_tester
