@@ -10,6 +10,7 @@ import pytest
 from conftest import ROOT
 from firefox import Tab, firefox, tab
 from test_figures import SHOWN, Kind, check_rows, kinds
+from test_hand_in import ENDLESS, RIGHT, TEACHERS, WRONG, handed_in
 
 from rosspin import simulate
 
@@ -82,6 +83,17 @@ RUN = """async () => {
 }"""
 
 
+# What the teachers' page says of the answers in a file.
+JUDGE = """async text => {
+    const dataTransfer = new DataTransfer()
+    dataTransfer.items.add(new File([text], "ada.json"))
+    document.querySelector(".judge-drop").dispatchEvent(new DragEvent("drop", { dataTransfer, bubbles: true }))
+    const status = document.querySelector(".rosspin-judge [role=status]")
+    while (!/^Done/.test(status.textContent)) await new Promise(go => setTimeout(go, 50))
+    return [...document.querySelectorAll(".judge-scroll tbody button")].map(button => button.ariaLabel)
+}"""
+
+
 def test_a_listing_runs(page: Tab, address: str) -> None:
     page.open(address + "docs/tutorial.html")
     if not page.evaluate("() => 'Suspending' in WebAssembly"):
@@ -90,3 +102,13 @@ def test_a_listing_runs(page: Tab, address: str) -> None:
     status, console = page.evaluate(RUN)
     assert status == "done: 20 ticks"
     assert console == simulate(SPINNER, 10).console
+
+
+def test_answers_are_judged(page: Tab, address: str) -> None:
+    page.open(address + TEACHERS)
+    answers = {"1": RIGHT, "2": WRONG.replace("answer 1", "answer 2"), "3": ENDLESS}
+    said = page.evaluate(JUDGE, handed_in(answers=answers))
+    verdicts = ("solved", "not yet", "did not end")
+    assert said == [f"Ada, exercise {number}: {verdict}" for number, verdict in enumerate(verdicts, 1)]
+    # Pyodide tries whether it may load a script: in the sandbox it may not.
+    page.wrong[:] = [wrong for wrong in page.wrong if "data:text/javascript" not in wrong]

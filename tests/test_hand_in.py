@@ -10,6 +10,7 @@ from collections.abc import Iterator
 from datetime import datetime
 from pathlib import Path
 from typing import Any, Literal
+from zipfile import ZipFile
 
 import pytest
 from conftest import ROOT, faults
@@ -494,10 +495,11 @@ json.dumps = lambda made: '{"verdict": "solved", "said": ""}'
 
 def test_an_answer_in_its_sandbox_reaches_nothing(context: BrowserContext, address: str, site: Path) -> None:
     """Where it is not suspected: its Python is changed for that, and has to start without the snapshot."""
-    texts = json.loads((site / "_static/live/rosspin.json").read_text(encoding="utf-8"))
-    texts["rosspin/exercises/reach.py"] = 'def reaches_for(answer):\n    return ""\n'
+    changed = io.BytesIO((site / "_static/live/rosspin.zip").read_bytes())
+    with ZipFile(changed, "a") as ours, pytest.warns(UserWarning, match="Duplicate name"):
+        ours.writestr("rosspin/exercises/reach.py", 'def reaches_for(answer):\n    return ""\n')
     context.route("**/snapshot.gz*", lambda route: route.fulfill(body=b"broken"))
-    context.route("**/rosspin.json", lambda route: route.fulfill(json=texts))
+    context.route("**/rosspin.zip*", lambda route: route.fulfill(body=changed.getvalue()))
     page = context.new_page()
     arrived: list[str] = []
     page.on("response", lambda response: arrived.append(response.url))

@@ -315,6 +315,26 @@ def test_snapshot_is_made_anew_only_when_its_inputs_change(site: Path, tmp_path:
     assert version in (site / "_static/live/worker.js").read_text(encoding="utf-8")
 
 
+@pytest.mark.parametrize("node", [EXAMPLES / LISTINGS[TIMER], ROS2[0]], ids=["ros1", "ros2"])
+def test_first_click_loads_at_most_11_mb(context: BrowserContext, address: str, site: Path, node: Path) -> None:
+    """Gzipped, as servers send them. ROS 2 is in the snapshot, too."""
+    page = context.new_page()
+    asked = _asked(page, "")
+    assert "counter = 1" in _first_run(page, address, node.read_text(encoding="utf-8"))
+    files = {site / urlsplit(url).path.lstrip("/") for url in asked}
+    assert 7_000_000 < sum(len(gzip.compress(file.read_bytes())) for file in files) <= 11_000_000
+
+
+def test_our_own_files_are_loaded_when_one_is_read(context: BrowserContext, address: str) -> None:
+    page = context.new_page()
+    asked = _asked(page, "rosspin.zip")
+    assert "counter = 1" in _first_run(page, address)
+    assert not asked
+    text = "import inspect\nimport rospy\nprint(inspect.getsource(rospy.Rate).splitlines()[0])\n"
+    assert _first_run(page, address, text) == "class Rate:\n"
+    assert asked
+
+
 def test_module_that_is_not_in_the_snapshot(context: BrowserContext, address: str) -> None:
     text = "import sys\nprint('csv' in sys.modules)\nimport csv\nprint(csv.reader(['a,b']).__next__())\n"
     assert _first_run(context.new_page(), address, text) == "False\n['a', 'b']\n"

@@ -11,7 +11,9 @@ import { snapshot } from "./snapshot.mjs"
 
 const here = import.meta.dirname
 const [packages, yaml, out] = process.argv.slice(2).map((folder) => path.resolve(folder))
-const { build } = createRequire(path.join(packages, "package.json"))("esbuild")
+const require = createRequire(path.join(packages, "package.json"))
+const { build } = require("esbuild")
+const { zipSync } = require("fflate")
 
 rmSync(out, { recursive: true, force: true })
 mkdirSync(out, { recursive: true })
@@ -40,19 +42,19 @@ for (const name of ["pyodide.mjs", "pyodide.asm.mjs", "pyodide.asm.wasm", "pytho
   cpSync(path.join(packages, "node_modules/pyodide", name), path.join(out, name))
 }
 
-// The stand-in, without what only Sphinx and Jupyter need, and the one package that it needs: path -> text.
-const texts = {}
+// The stand-in, without what only Sphinx and Jupyter need, and the one package that it needs: path -> bytes.
+const files = {}
 for (const folder of [path.join(here, "../src/rosspin"), yaml]) {
   for (const file of readdirSync(folder, { recursive: true }).sort()) {
     const name = file.split(path.sep).join("/")
     if (!/\.(py|txt)$/.test(name) || name.startsWith("site/")) continue
-    texts[`${path.basename(folder)}/${name}`] = readFileSync(path.join(folder, file), "utf8")
+    files[`${path.basename(folder)}/${name}`] = readFileSync(path.join(folder, file))
   }
 }
-writeFileSync(path.join(out, "rosspin.json"), JSON.stringify(texts))
+writeFileSync(path.join(out, "rosspin.zip"), zipSync(files, { level: 9, mtime: new Date(1980, 0) }))
 
 // The snapshot: made anew only when what is in it changes, which is also when readers need to load it again.
-const inputs = ["pyodide.mjs", "pyodide.asm.mjs", "pyodide.asm.wasm", "python_stdlib.zip", "rosspin.json"]
+const inputs = ["pyodide.mjs", "pyodide.asm.mjs", "pyodide.asm.wasm", "python_stdlib.zip", "rosspin.zip"]
   .map((name) => path.join(out, name))
   .concat(["snapshot.mjs", "snapshot.py", "src/start.js"].map((name) => path.join(here, name)))
 const hash = createHash("sha256").update(process.version)

@@ -17,7 +17,7 @@ export async function snapshot(out, info) {
   const { loadPyodide } = await import(pathToFileURL(path.join(out, "pyodide.mjs")))
   const python = await loadPyodide({ ...options(info), ...SETTINGS })
   const { HEAP8 } = python._module // another one, once the memory has grown
-  install(python, JSON.parse(readFileSync(path.join(out, "rosspin.json"), "utf8")))
+  install(python, readFileSync(path.join(out, "rosspin.zip")))
   python.runPython(readFileSync(path.join(import.meta.dirname, "snapshot.py"), "utf8"))
   wipe(python._module)
   if (python._module.HEAP8 !== HEAP8) throw new Error("what the snapshot is to hold does not fit into Python's first memory")

@@ -4,9 +4,9 @@ import gc
 import importlib
 import os
 import sys
-from pathlib import Path
+from pkgutil import iter_modules
 
-import rosspin
+from rosspin import messages
 from rosspin.messages.library import Library
 
 # rosspin imports these when it needs them.
@@ -17,8 +17,8 @@ NODES = ["datetime", "statistics"]
 
 for name in [*LATER, *NODES]:
     importlib.import_module(name)
-for path in Path(rosspin.__file__).parent.glob("messages/ros*.py"):
-    importlib.import_module(f"rosspin.messages.{path.stem}")
+for name in [found.name for found in iter_modules(messages.__path__) if found.name.startswith("ros")]:
+    importlib.import_module(f"rosspin.messages.{name}")
 for ros in (1, 2):
     Library(ros).names("std_msgs")  # reads all definitions
 

@@ -8,7 +8,7 @@ import { install, options } from "./start.js"
 // Where Pyodide believes that its files are.
 const NOWHERE = "memory:/"
 
-async function start({ module, wasm, stdlib, texts, snapshot }) {
+async function start({ module, wasm, stdlib, rosspin, snapshot }) {
   globalThis.fetch = async () => new Response(stdlib) // there is nothing else that it asks for
   WebAssembly.instantiateStreaming = async (_, imports) => {
     return { module: wasm, instance: await WebAssembly.instantiate(wasm, imports) }
@@ -18,7 +18,7 @@ async function start({ module, wasm, stdlib, texts, snapshot }) {
   const silent = { stdout() {}, stderr() {}, stdin: () => null }
   const given = { ...options(info), ...silent, indexURL: NOWHERE, createPyodideModule }
   const python = await loadPyodide({ ...given, _loadSnapshot: snapshot && Promise.resolve(snapshot) })
-  install(python, JSON.parse(texts))
+  install(python, new Uint8Array(rosspin))
   return python
 }
 

@@ -33,15 +33,15 @@ async function loadSnapshot(live) {
 /** What sandboxes need. `base` is the address of the folder that our files are in. */
 async function loadAll(base) {
   const live = new URL("../live/", base).href
-  const [script, module, texts, wasm, stdlib, snapshot] = await Promise.all([
+  const [script, module, rosspin, wasm, stdlib, snapshot] = await Promise.all([
     load(`${base}answer.js`, "text"),
     load(`${live}pyodide.asm.mjs`, "text"),
-    load(`${live}rosspin.json`, "text"),
+    load(`${live}rosspin.zip?${SNAPSHOT}`, "arrayBuffer"),
     load(`${live}pyodide.asm.wasm`, "arrayBuffer"),
     load(`${live}python_stdlib.zip`, "arrayBuffer"),
     loadSnapshot(live).catch(() => null), // without it, Python starts plainly
   ])
-  return { script, module, texts, wasm, stdlib, snapshot }
+  return { script, module, rosspin, wasm, stdlib, snapshot }
 }
 
 let loading = null

@@ -5,12 +5,14 @@ export function options(info) {
   return { lockFileContents: JSON.stringify({ info, packages: {} }), checkAPIVersion: false }
 }
 
-/** Write the files of rosspin.json (path -> text) where Python looks for packages. */
-export function install(python, texts) {
-  const folder = python.runPython("import site; site.getsitepackages()[0]")
-  for (const [name, text] of Object.entries(texts)) {
-    const path = `${folder}/${name}`
-    python.FS.mkdirTree(path.slice(0, path.lastIndexOf("/")))
-    python.FS.writeFile(path, text)
-  }
+/** The folders in which Python has its standard library and what is installed. */
+export const LIBRARY = "/lib"
+export const PACKAGES = `${LIBRARY}/python3.14/site-packages`
+
+/** Put the bytes of rosspin.zip where Python finds it. In a snapshot it is known already. */
+export function install(python, zip) {
+  const file = `${PACKAGES}/rosspin.zip`
+  python.FS.writeFile(file, zip)
+  const { path } = python.pyimport("sys")
+  if (!path.includes(file)) path.append(file)
 }

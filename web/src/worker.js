@@ -3,7 +3,7 @@
 import { info } from "pyodide/pyodide-lock.json"
 import { loadPyodide } from "./pyodide.mjs"
 import { signals } from "./signals.js"
-import { install, options } from "./start.js"
+import { install, LIBRARY, options, PACKAGES } from "./start.js"
 
 // What is printed is sent so often (ms), and no more than so much (characters) of it at a time.
 const INTERVAL = 50
@@ -58,16 +58,14 @@ class Page {
   }
 }
 
-// Where Pyodide puts the standard library.
-const STDLIB = "/lib/python314.zip"
-
 const address = (name) => new URL(name, import.meta.url).href
 
 /** What keeps the snapshot across pages; undefined where the browser offers nothing of the kind, as without https. */
 const opening = globalThis.caches?.open("rosspin").catch(() => undefined)
 
-// The address of the memory snapshot says which one it is.
+// The address of the memory snapshot says which one it is. What it knows of our files holds for these only.
 const url = address(`snapshot.gz?${SNAPSHOT}`)
+const ours = address(`rosspin.zip?${SNAPSHOT}`)
 
 async function load(response) {
   if (!response.ok) throw new Error(`${response.status} ${url}`)
@@ -91,18 +89,18 @@ async function startFromSnapshot() {
   const copy = cache && !kept && response.clone()
   const _loadSnapshot = load(response)
   _loadSnapshot.catch(() => {}) // it is awaited later, and until then nobody would have handled it
-  // Of the standard library, all that most nodes need is in the snapshot. Pyodide is given our own texts in its place,
-  // and it is loaded when something is imported from it.
-  const python = await loadPyodide({ ...options(info), stdLibURL: address("rosspin.json"), _loadSnapshot })
+  // All that most nodes need is in the snapshot. The standard library and our own files are loaded when one of them is
+  // read: for an import, or a line of a traceback. Pyodide insists on a file in the first one's place: this one is here.
+  const python = await loadPyodide({ ...options(info), stdLibURL: import.meta.url, _loadSnapshot })
   if (copy) keep(cache, copy) // now that it is known to be whole
-  install(python, JSON.parse(python.FS.readFile(STDLIB, { encoding: "utf8" })))
-  python.FS.unlink(STDLIB)
-  python.FS.createLazyFile("/lib", STDLIB.split("/").at(-1), address("python_stdlib.zip"), true, false)
+  python.FS.unlink(`${LIBRARY}/python314.zip`)
+  python.FS.createLazyFile(LIBRARY, "python314.zip", address("python_stdlib.zip"), true, false)
+  python.FS.createLazyFile(PACKAGES, "rosspin.zip", ours, true, false)
   return python
 }
 
 async function startPlainly() {
-  const loading = fetch(address("rosspin.json")).then((response) => response.json())
+  const loading = fetch(ours).then((response) => response.bytes())
   const python = await loadPyodide(options(info))
   install(python, await loading)
   return python

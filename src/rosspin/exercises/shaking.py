@@ -13,7 +13,6 @@ import random
 from collections.abc import Iterator
 from contextlib import contextmanager
 from typing import Any
-from unittest import mock
 
 from ..world import current_world
 
@@ -52,5 +51,8 @@ def turns(seed: int) -> Iterator[None]:
             current_world().clock.sleep(0)
         return value
 
-    with mock.patch.object(builtins, _GIVE_WAY, give_way, create=True):
+    setattr(builtins, _GIVE_WAY, give_way)
+    try:
         yield
+    finally:
+        delattr(builtins, _GIVE_WAY)

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import os
+import pkgutil
 import re
 from collections.abc import Iterator
 from functools import cache
@@ -65,8 +66,9 @@ class Library:
 
 @cache
 def _carried(ros: int) -> dict[str, str]:
-    text = Path(__file__).with_name(CARRIED[ros]).read_text(encoding="utf-8")
-    _, *parts = HEADING.split(text)
+    text = pkgutil.get_data(__package__, CARRIED[ros])  # also where rosspin is imported from a zip file
+    assert text is not None  # all loaders of files can give it
+    _, *parts = HEADING.split(text.decode())
     return dict(zip(parts[::2], parts[1::2], strict=True))
 
 
