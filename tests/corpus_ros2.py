@@ -18,7 +18,7 @@ from pathlib import Path
 from typing import NamedTuple
 from unittest import mock
 
-from outcomes import CTRL_C, Outcome, differences, outcome
+from outcomes import CTRL_C, Outcome, differences, outcome, run_scenario
 
 from rosspin import ros2, simulate
 from rosspin.children import Children
@@ -148,8 +148,7 @@ def on_the_wall(children: Children, scenario: Scenario) -> str:
 
 
 def _run(children: Children, scenario: Scenario, command: list[str]) -> str:
-    begins = re.compile("@zero") if scenario.is_timed else None
-    output = children.run([*command, *scenario.args], scenario.end or LONGEST, begins=begins)
+    output = run_scenario(children, [*command, *scenario.args], scenario.end or LONGEST, scenario.is_timed)
     return f"status {output.status}\n{output.console}"
 
 

@@ -4,10 +4,14 @@ from __future__ import annotations
 
 import difflib
 import re
-from collections.abc import Iterator
+import threading
+import time
+from collections.abc import Iterator, Sequence
 from typing import NamedTuple
 
-__all__ = ["CTRL_C", "JITTER", "P", "TOLERANCE", "Outcome", "differences", "outcome"]
+from rosspin.children import Children, Output
+
+__all__ = ["CTRL_C", "JITTER", "P", "TOLERANCE", "Outcome", "differences", "outcome", "run_scenario"]
 
 P = 0.4  # the period in the scenarios, s
 TOLERANCE = 0.3 * P
@@ -23,6 +27,25 @@ class Outcome(NamedTuple):
     marks: dict[str, list[list[float | None]]]
     end: float | None
     stalled: bool
+
+
+def run_scenario(children: Children, command: Sequence[str], seconds: float, is_timed: bool) -> Output:
+    """Run a scenario until Ctrl-C. That comes from this process: when it has stalled, the console says so, too."""
+    stalled, over = threading.Event(), threading.Event()
+
+    def watch() -> None:
+        before = time.monotonic()
+        while not over.wait(JITTER):
+            if time.monotonic() - before > 2 * JITTER:
+                stalled.set()
+            before = time.monotonic()
+
+    threading.Thread(target=watch).start()
+    try:
+        output = children.run(command, seconds, begins=re.compile("@zero") if is_timed else None)
+    finally:
+        over.set()
+    return output._replace(console="@stall\n" + output.console) if stalled.is_set() else output
 
 
 # A mark is written in one go; it may stand within a line that another thread writes in several, as a traceback's are.

@@ -21,7 +21,7 @@ from unittest import mock
 
 import pytest
 from conftest import LACKS, SEED
-from outcomes import CTRL_C, JITTER, Outcome, differences, outcome
+from outcomes import CTRL_C, JITTER, Outcome, differences, outcome, run_scenario
 
 from rosspin import ros1, simulate
 
@@ -205,14 +205,14 @@ class Lab:
     def _run(self, scenario: Scenario, runtime: str) -> Outcome:
         file = str(self.folder / f"{scenario.file}.py")
         command = ["python3", file] if runtime == "ros1" else [sys.executable, "-m", "rosspin", "run", file, "--"]
-        begins = re.compile("@zero") if "begin(" in Path(file).read_text() else None
+        is_timed = "begin(" in Path(file).read_text()
         workspace = self._workspace
         with ExitStack() as stack:
             if runtime == "ros1" and scenario.file.startswith("topics_clock"):
                 # The time that they tell, and the parameter that has them believed, are all nodes' of a master.
                 workspace = stack.enter_context(ros1.Workspace())
                 workspace.start_master()
-            output = workspace.run([*command, *_args(scenario)], scenario.end or LONGEST, begins=begins)
+            output = run_scenario(workspace, [*command, *_args(scenario)], scenario.end or LONGEST, is_timed)
         return outcome(output.console, output.status, scenario.end)
 
 
