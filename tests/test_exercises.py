@@ -331,7 +331,7 @@ def test_no_answer_is_too_strange(number: int, answer: Any) -> None:
     feedback = check(number, answer)
     assert not feedback.passed
     assert feedback.hint
-    assert ("Open: " if (number, answer) == (2, "") else "Wrong: ") in repr(feedback)
+    assert ("Open: " if answer in (None, ..., "") else "Wrong: ") in repr(feedback)
 
 
 HOSTILE = """
@@ -378,7 +378,8 @@ def test_an_error_has_a_hint_of_its_own(wrong: str, hint: str) -> None:
     [
         ("x = (1,", "Line 1 is not Python: '(' was never closed"),
         ("(" * 5000, "is not Python"),
-        ("import rospy\nx = ...", "There is still a gap, `...`, in line 2"),
+        ("# later", "Open: There is no answer yet"),
+        ("import rospy\nx = ...", "Open: There is still a gap, `...`, in line 2"),
         ("import rospy\nrospy.init_node('n')\n1 / 0", "died of `ZeroDivisionError: division by zero` in line 3"),
         (ENDLESS, "simulated time stands still at 0.0 s"),
         ("import rospy\nrospy.init_node('n')\nrospy.Service('/a', str, print)", "rospy.Service is not simulated"),

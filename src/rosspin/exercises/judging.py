@@ -39,15 +39,17 @@ CLOSE = 1e-3
 # What a node of each ROS imports.
 _MODULES = {1: "rospy", 2: "rclpy"}
 
+_NO_ANSWER = "There is no answer yet."
+
 # A thread that has slept so often in one line of the answer runs a loop there.
 _LOOPS = 3
 
 
 class Fails(Exception):
-    """Nothing more can be found out about an answer."""
+    """Nothing more can be found out about an answer: it is wrong, or with None for ``right`` not there yet."""
 
-    def __init__(self, text: str, hint: str = "") -> None:
-        self.finding = Finding(False, text, hint)
+    def __init__(self, text: str, hint: str = "", right: bool | None = False) -> None:
+        self.finding = Finding(right, text, hint)
 
 
 # --- what a run shows -------------------------------------------------------------------------------------------------
@@ -183,7 +185,9 @@ class Answer:
         node = self._load()
         if gaps := _gaps(self._text):
             lines = f"line {gaps[0]}" if len(gaps) == 1 else f"lines {', '.join(map(str, gaps))}"
-            raise Fails(f"There is still a gap, `...`, in {lines}.")
+            raise Fails(f"There is still a gap, `...`, in {lines}.", right=None)
+        if not ast.parse(self._text).body:
+            raise Fails(_NO_ANSWER, right=None)
         if seed is None:
             return self._run(node, seconds, args, terminated_at)
         code = compile(shake(self._text), _FILENAME, "exec", dont_inherit=True)
@@ -225,7 +229,7 @@ class Answer:
     def _load(self) -> Node:
         source = self._text
         if source is ... or source is None:
-            raise Fails("There is no answer yet.", "Write it in a cell that begins with `%%answer`.")
+            raise Fails(_NO_ANSWER, "Write it in a cell that begins with `%%answer`.", right=None)
         if not isinstance(source, str):
             raise Fails(f"The answer is a text, not {a_value(source)}.")
         read = "Python could not read the answer, so nothing ran. The error may be in the line before."
