@@ -376,12 +376,23 @@ def test_arguments_are_offered_where_a_node_reads_parameters(page: Page) -> None
         field.fill(words)
         cell.run(1)
         assert cell.ends("done") == f"{said}\n"
+    expect(field).to_have_attribute("placeholder", "_frequency:=5")
     field.fill("_frequency:='5")
     field.press("Enter")
     assert cell.ends("error") == "arguments: no closing quotation\n"
     cell.button("Reset").click()
     expect(field).to_be_hidden()
     expect(cell.element.locator(".live-arguments input")).to_have_value("")
+
+
+@pytest.mark.parametrize("words", ["-p frequency:=5.0", "_frequency:=5"])
+def test_words_that_ros2_does_not_read_are_named(page: Page, words: str) -> None:
+    cell = Cell(page, TIMER)
+    cell.write(node2("print(node.declare_parameter('frequency', 2.0).value)"))
+    cell.element.get_by_role("textbox", name="Arguments").fill(words)
+    cell.run(1)
+    said = "In ROS 2, what is for ROS follows --ros-args, as in: --ros-args -p frequency:=5.0"
+    assert cell.ends("done") == f"2.0\n{said}\n"
 
 
 @pytest.mark.parametrize(
@@ -424,6 +435,29 @@ def test_plot_is_there_before_the_first_run(page: Page, index: int) -> None:
     expect(cell.plot.first).to_have_attribute("aria-label", f"Timeline. {said}")
     cell.button("Reset").click()
     expect(made).to_be_visible()
+
+
+def test_the_axis_goes_to_the_end_of_the_run(page: Page) -> None:
+    """Where nothing ticks any more, that is seen: in the plot that was made, and in that of a run."""
+    text = node("timer = rospy.Timer(rospy.Duration(0.5), lambda event: timer.shutdown())\nrospy.spin()")
+    cell = Cell(page, TIMER)
+    cell.write(text)
+    cell.run(10)
+    cell.ends("done: 1 tick")
+    assert cell.plot.locator("circle").get_attribute("cx") == "5%"
+    assert 'cx="5%"' in plot(text)
+
+
+def test_a_finger_chooses_a_tick(browser: Browser, address: str) -> None:
+    with browser.new_context(viewport={"width": 390, "height": 800}, has_touch=True, is_mobile=True) as context:
+        context.set_default_timeout(PATIENCE)
+        page = context.new_page()
+        open_tutorial(page, address)
+        cell = Cell(page, TIMER)
+        cell.run(2)
+        cell.ends("done")
+        cell.element.get_by_role("slider").tap()
+        expect(cell.element.locator(".live-tick")).to_have_text(re.compile("tick 2"))
 
 
 def test_plot_of_a_listing_that_says_for_how_long() -> None:
@@ -810,7 +844,7 @@ def test_run_is_copied_as_a_test(page: Page, listing: Path, tmp_path: Path) -> N
     cell.run(2)
     cell.ends("done")
     cell.button("Copy as test").click()
-    expect(cell.status).to_have_text("the test is copied")
+    expect(cell.status).to_have_text("the test is copied: save it in a file for pytest")
     text = _copied(page)
     path = tmp_path / "test_copied.py"
     for period, outcome in {"as it is": 0, "changed": 1}.items():
@@ -959,11 +993,14 @@ def test_what_was_solved_is_kept(pages_of_exercises: dict[int, Page], ros: int) 
     cell.ends(rf"Exercise {numbers[0]}: right\. You have solved \d+ of {len(numbers)}\.")
     page.reload()
     expect(cell.status).to_have_text("solved, as you edited it")
+    made = page.locator(f".cell:has([aria-label='Run answer {numbers[0]}']) > .cell_output")
+    expect(made).to_be_hidden()  # it is about the text that came with the page
     said = page.locator("article .live-progress").text_content() or ""
     assert re.fullmatch(rf"[1-9]\d* of {len(numbers)} solved", said)
     assert beside_its_link(page, ros) == said
     cell.button("Reset").click()
     expect(cell.status).to_have_text("solved")
+    expect(made).to_be_visible()
 
 
 def test_each_page_of_exercises_counts_its_own(pages_of_exercises: dict[int, Page], address: str) -> None:
@@ -1004,6 +1041,19 @@ def test_answer_has_its_first_line(exercises: Page) -> None:
         cell.write(f"{first}\nimport rospy\n")
         cell.button("Run").click()
         assert cell.ends("error: the first line must be %%answer 1") == ""
+    cell.button("Reset").click()
+
+
+def test_verdict_leads_to_the_line_that_it_names(exercises: Page) -> None:
+    cell = exercise(exercises, 6)
+    cell.write("%%answer 6\nimport rospy\nrospy.init_node('a_node')\n1 / 0\n")
+    cell.button("Run").click()
+    cell.ends("Exercise 6: not yet")
+    for place in ('"<answer>", line 4', "in line 4"):
+        cell.console.get_by_role("button", name=place).first.click()
+        expect(cell.editor).to_be_focused()
+        assert exercises.evaluate("getSelection().toString()") == "1 / 0"
+        cell.editor.press("Control+Home")
     cell.button("Reset").click()
 
 
@@ -1080,6 +1130,10 @@ def test_stop_in_real_time(page: Page) -> None:
     before = cell.text()
     page.wait_for_timeout(700)
     assert cell.text() == before
+    handle = cell.element.get_by_role("slider")
+    handle.press("Home")
+    said = "timerCallback, tick 1: expected 0.5 s, real 0.5 s, on time"
+    expect(handle).to_have_attribute("aria-valuetext", re.compile(said))
 
 
 # --- what goes wrong --------------------------------------------------------------------------------------------------
@@ -1159,13 +1213,68 @@ def test_output_is_text(page: Page) -> None:
 
 
 def test_a_run_finds_a_clean_world(page: Page) -> None:
+    """Whatever an earlier one has done to Python, to the stand-in, or to files."""
     cell = Cell(page, TIMER)
     cell.write(
-        "import os, rospy\nprint(rospy.get_name(), os.environ.get('MINE'))\nos.environ['MINE'] = '1'\n" + node("")
+        """
+import builtins, os, pathlib, rospy
+print(rospy.get_name(), os.environ.get("MINE"), hasattr(builtins, "mine"), hasattr(rospy, "mine"), os.listdir())
+os.environ["MINE"] = "1"
+builtins.mine = rospy.mine = True
+pathlib.Path("mine.txt").touch()
+rospy.init_node("a_node")
+"""
     )
-    for _ in range(2):
+    for _ in range(3):
         cell.run(2)
-        assert cell.ends("done") == "/unnamed None\n"
+        assert cell.ends("done") == "/unnamed None False False []\n"
+
+
+# What is said where a file of the site cannot be had.
+NOT_LOADED = "A part of Python could not be loaded from this site. Is its server still there?"
+
+
+def test_without_the_server_runs_go_on(context: BrowserContext, address: str) -> None:
+    page = context.new_page()
+    assert _first_run(page, address, "print('first')") == "first\n"
+    cell = Cell(page, TIMER)
+
+    def ends(text: str, status: str) -> str:
+        cell.write(text)
+        cell.run(1)
+        return cell.ends(status)
+
+    context.set_offline(True)
+    for number in range(3):
+        assert ends(f"print({number})", "done") == f"{number}\n"
+    assert "IndexError: Cannot choose" in ends("import random\nrandom.choice([])", "error")
+    assert ends("import csv", "error").endswith(f"{NOT_LOADED}\n")
+    context.set_offline(False)
+    assert ends("import csv", "done") == ""
+
+
+def test_an_editor_that_cannot_be_loaded(context: BrowserContext, address: str) -> None:
+    page = context.new_page()
+    open_tutorial(page, address)
+    context.set_offline(True)
+    cell = Cell(page, RATE)
+    cell.button("Edit").click()
+    expect(cell.status).to_have_text("error: the editor could not be loaded. Is the site still there?")
+
+
+@pytest.mark.parametrize("status", [200, 404])
+def test_a_wrong_file_in_the_place_of_the_library(context: BrowserContext, address: str, status: int) -> None:
+    """As from a portal, or cut off; nothing of it is kept."""
+    context.route("**/python_stdlib.zip", lambda route: route.fulfill(status=status, body="PK"))
+    page = context.new_page()
+    text = "try:\n    import csv\nexcept OSError:\n    print('not yet')\nimport time\ntime.sleep(1)\nimport csv\n"
+    open_tutorial(page, address)
+    cell = Cell(page, TIMER)
+    cell.write(text)
+    cell.run(2, "real time")
+    expect(cell.console).to_contain_text("not yet", timeout=PATIENCE)
+    context.unroute("**/python_stdlib.zip")
+    assert cell.ends("done") == "not yet\n"
 
 
 def test_python_breaks_down(context: BrowserContext, address: str) -> None:

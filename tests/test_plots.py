@@ -49,6 +49,18 @@ def test_the_text_alternative_is_made_from_the_ticks() -> None:
     assert timeline(ticks() + ticks("Rate")).alt.count("4 ticks from") == 2
 
 
+def test_ticks_at_the_same_time_stay_in_their_row() -> None:
+    """They are drawn one above the other, but not over what stands above the plot."""
+    drawn = parse(timeline([Tick("A", n, 0.5, 0.5, 0) for n in range(1, 50)]))
+    assert {dot.attrib["cy"] for dot in drawn.iter(f"{SVG}circle")} == {"34", "24", "14"}
+
+
+def test_the_axis_goes_to_the_end_of_the_run() -> None:
+    (dot,) = parse(timeline(ticks(count=1), end=2.0)).iter(f"{SVG}circle")
+    assert dot.attrib["cx"] == "25%"
+    assert timeline(ticks(), end=1.0).svg == timeline(ticks()).svg
+
+
 def test_a_period_draws_the_whole_grid_and_crosses_out_the_lost_ticks() -> None:
     late = [Tick("A", 1, 0.5, 0.5, 2.2), Tick("A", 2, 1.0, 2.7, 0), Tick("A", 3, 1.5, 3.2, 0)]
     crossed = parse(timeline(late, 0.5))

@@ -1,7 +1,7 @@
 // Builds what runs in the reader's page: node build.mjs PACKAGES YAML OUT, from web/src, src/rosspin, the npm packages in
 // the folder PACKAGES and PyYAML, whose package is the folder YAML, into the folder OUT.
 
-import { cpSync, existsSync, mkdirSync, readFileSync, readdirSync, rmSync, writeFileSync } from "node:fs"
+import { cpSync, existsSync, mkdirSync, readFileSync, readdirSync, rmSync, statSync, writeFileSync } from "node:fs"
 import { createHash } from "node:crypto"
 import { createRequire } from "node:module"
 import path from "node:path"
@@ -72,10 +72,11 @@ if (!existsSync(kept)) {
 cpSync(kept, path.join(out, "snapshot.gz"))
 
 // Loaded when a listing is touched.
+const [stdlib, ours] = ["python_stdlib.zip", "rosspin.zip"].map((name) => statSync(path.join(out, name)).size)
 const { metafile } = await build({
   ...common,
   format: "esm",
-  define: { SNAPSHOT: JSON.stringify(version) },
+  define: { SNAPSHOT: JSON.stringify(version), SIZES: JSON.stringify({ stdlib, ours }) },
   external: ["./pyodide.mjs"],
   entryPoints: ["editor.js", "share.js", "worker.js"].map((name) => path.join(here, "src", name)),
 })

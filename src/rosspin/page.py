@@ -6,11 +6,13 @@ outside of a browser.
 
 from __future__ import annotations
 
+import errno
 import gc
 import io
 import logging
 import os
 import random
+import re
 import shlex
 import signal
 import sys
@@ -52,6 +54,9 @@ signal.signal(signal.SIGINT, signal.SIG_IGN)
 gc.disable()
 gc.freeze()
 
+# An argument that sets something in a node: a parameter by ROS 1's rules, or what stands for one in ROS 2.
+_FOR_ROS = re.compile(r"-p$|--param$|-r$|--remap$|_\w+:=")
+
 # A node that has a timer and ends before it is due, by its ROS.
 _NOBODY_SPINS = {
     ros: f"The node had a timer, which was never called. Is {spin} missing at its end?"
@@ -91,8 +96,9 @@ def run(source: str, filename: str, seconds: float, args: str, speed: float, pag
     that begins (s), both as they happen; ``wait(ms)`` is a promise that is kept after so long. The result, as JSON: the
     exit ``status``, the number of ``errors`` in its threads, a ``verdict`` on an answer and whether it ``solved`` the
     exercise, the last ``ticks`` with their durations, their ``count``, the ``chunks`` that each printed (a call of
-    ``print`` is one, counted from 0), a text ``alternative`` to their plot, and a ``test`` that pins it all, empty
-    where that would be long or where there was an error. Errors end on the console and give status 1.
+    ``print`` is one, counted from 0), the ``end`` of the run (s), a text ``alternative`` to their plot, and a ``test``
+    that pins it all, empty where that would be long or where there was an error. Errors end on the console and give
+    status 1.
     """
     environment = dict(os.environ)
     printed = _Printed()
@@ -191,6 +197,8 @@ def _run(
     ended_early = result.status == 0 and pacer.simulation.now() < seconds * NS
     if ended_early and not result.ticks and result.world.has_sources:
         hints.append(_NOBODY_SPINS[node.ros])
+    if node.ros == 2 and "--ros-args" not in args and any(_FOR_ROS.match(word) for word in args):
+        hints.append("In ROS 2, what is for ROS follows --ros-args, as in: --ros-args -p frequency:=5.0")
     for hint in dict.fromkeys(filter(None, hints)):
         print(hint, file=sys.stderr)
     groups = by_source(result.ticks)
@@ -202,6 +210,7 @@ def _run(
         "count": len(result.ticks),
         "ticks": [[*tick[:4], tick.duration if tick.duration >= 0 else 0] for tick in result.ticks[-_MOST_TICKS:]],
         "chunks": [list(chunks) for chunks in printed.chunks[-_MOST_TICKS:]],
+        "end": min(pacer.simulation.seconds(), seconds),
         "alternative": " ".join(describe_timeline(source, group) for source, group in groups.items()),
         "test": as_test(_node(source), filename, seconds, args, console, result.ticks) if pins else "",
     }
@@ -308,6 +317,8 @@ def _hint(error: BaseException) -> str:
             f"This page has stand-ins for rospy and rclpy, and Python's standard library, but no {error.name}. "
             "Run the node on your own computer: python -m rosspin run FILE"
         )
+    if isinstance(error, OSError) and error.errno == errno.EIO and str(error.filename).endswith(".zip"):
+        return "A part of Python could not be loaded from this site. Is its server still there?"
     if isinstance(error, KeyboardInterrupt) and _is_of_a_rate_that_nobody_wakes(error):
         return (
             "The timer that wakes this Rate was due, but nobody called it: while this thread sleeps, another one has "

@@ -40,6 +40,7 @@ _ROW = 54  # a row of a timeline: its name, and below that its ticks
 _TICKS = 34  # how far the middle of the ticks is below the top of their row
 _REACH = 13  # how far a line for an expected tick goes up and down from there
 _BAR = 10
+_MOST_ABOVE = 2  # so many ticks stand above one that came at the same time
 _AXIS = 42  # the height of an axis with its numbers and its title
 _LEFT, _RIGHT = 8, 14  # room for what goes beyond the plot: half a mark, half a number
 _NUMBERS = 44  # room for the numbers of a vertical axis
@@ -100,15 +101,16 @@ class Figure:
 _TEXT = f"font-family: inherit; font-size: {_FONT}px; fill: currentColor"
 
 
-def timeline(ticks: Ticks, period: float | None = None, kinds: int = len(_COLOURS)) -> Figure:
+def timeline(ticks: Ticks, period: float | None = None, kinds: int = len(_COLOURS), end: float = 0.0) -> Figure:
     """Plot when each tick was expected and when it came, in seconds; a bar shows how long it took.
 
     With ``period`` (s), there is a line for every period, even where no tick came, and a cross for every lost tick.
-    The rows are of up to three ``kinds`` in turn, each of which has a mark and a colour of its own.
+    The rows are of up to three ``kinds`` in turn, each of which has a mark and a colour of its own. The axis goes to
+    the last tick, or on to the ``end`` of the run (s).
     """
     groups = _groups(ticks)
     rows = _rows(groups, period)
-    return _timeline(rows, _scale(rows), period, kinds, _describe(groups, period))
+    return _timeline(rows, _scale(rows, end), period, kinds, _describe(groups, period))
 
 
 def with_handle(
@@ -258,10 +260,10 @@ def _row(name: str, group: Sequence[Tick], period: float | None) -> _Row:
     return _Row(name, "", times, [round(time, 6) for time in gone], ticks)
 
 
-def _scale(rows: Iterable[_Row]) -> _Scale:
-    """From the beginning of the run to the end of the last tick."""
+def _scale(rows: Iterable[_Row], end: float = 0.0) -> _Scale:
+    """From the beginning of the run to the end of the last tick, or on to a later ``end`` (s)."""
     times = (time for row in rows for time in (*row.expected, *(real + duration for real, duration in row.ticks)))
-    return _Scale.of((0, *times))
+    return _Scale.of((0, end, *times))
 
 
 def _timeline(rows: Sequence[_Row], scale: _Scale, period: float | None, kinds: int, alt: str) -> Figure:
@@ -292,10 +294,10 @@ def _draw_row(number: int, row: _Row, scale: _Scale, kinds: int) -> Iterator[str
             f'<svg x="{scale(time)}" y="{y}" overflow="visible">'
             '<path d="M-5 -5L5 5M-5 5L5 -5" stroke="currentColor" stroke-width="2"/></svg>'
         )
-    # Ticks at the same time are drawn one above the other.
+    # Ticks at the same time are drawn one above the other, as far as there is room.
     above, before = 0, (-math.inf, 0.0)
     for (real, _), lane in zip(row.ticks, lanes, strict=True):
-        above = above + 1 if real - before[0] < 1e-3 and lane == before[1] else 0
+        above = min(above + 1, _MOST_ABOVE) if real - before[0] < 1e-3 and lane == before[1] else 0
         before = real, lane
         yield _mark(kind, scale(real), y + lane - 10 * above, 4)
 

@@ -112,7 +112,10 @@ export class Cell {
     this.#made = made(listing)
     this.#build(listing)
     const edited = this.#stored()
-    if (edited !== null) this.#show(edited)
+    if (edited !== null) {
+      this.#show(edited)
+      this.#showMade(false)
+    }
     this.solved = this.#stored(SOLVED) !== null
     if (this.#answers) exercises.push(this)
     this.#say([this.#before, edited !== null && "as you edited it"].filter(Boolean).join(", "))
@@ -131,7 +134,7 @@ export class Cell {
     this.edit = button("Edit", () => this.#edit())
     this.reset = button("Reset", () => this.#reset())
     this.share = button("Share", () => this.#share())
-    this.pin = button("Copy as test", () => this.#copy(this.#test, "the test is copied"))
+    this.pin = button("Copy as test", () => this.#copy(this.#test, "the test is copied: save it in a file for pytest"))
     this.pin.hidden = true
     this.seconds = make("input", { type: "number", min: "0", max: "3600", step: "any", value: SECONDS })
     this.args = make("input", { type: "text", spellcheck: false, autocomplete: "off", autocapitalize: "off" })
@@ -152,7 +155,8 @@ export class Cell {
     if (!this.#answers) bar.append(this.speed)
     if (!this.#answers && !this.#simulates) bar.append(this.arguments)
     bar.append(this.status)
-    this.console = new Console(`Console of ${this.#name}`, this.#name, (line) => this.#edit(line))
+    const file = this.#answers ? "" : this.#name
+    this.console = new Console(`Console of ${this.#name}`, file, (line) => this.#edit(line))
     this.plot = new Plot(`Ticks of ${this.#name}`, (chunks) => this.console.mark(chunks))
     this.notice = make("p", { className: "live-notice", hidden: true })
     this.copied = make("textarea", { readOnly: true, hidden: true, rows: 4 })
@@ -198,6 +202,11 @@ export class Cell {
     this.#pre.textContent = text
   }
 
+  /** Show or hide what was made of the original when the site was built. */
+  #showMade(shown) {
+    for (const element of [this.#output, this.#made]) if (element) element.hidden = !shown
+  }
+
   #stored(what = "") {
     try {
       return localStorage.getItem(this.#key + what)
@@ -220,7 +229,8 @@ export class Cell {
   async #edit(line) {
     this.#warmUp()
     if (!this.#editor) {
-      const { open } = await import(`${this.#base}editor.js`)
+      const { open } = await import(`${this.#base}editor.js`).catch(() => ({}))
+      if (!open) return this.#say("error: the editor could not be loaded. Is the site still there?")
       if (this.#editor) return
       this.#editor = open(this.#text, `Code of ${this.#name}. Escape leaves the editor.`, {
         changed: (text) => {
@@ -266,6 +276,7 @@ export class Cell {
     this.#restore()
     this.#shared = true
     this.#show(text)
+    this.#showMade(text === this.#original)
     this.seconds.value = seconds
     this.args.value = args
     this.notice.textContent =
@@ -303,7 +314,7 @@ export class Cell {
       this.copied.hidden = false
       this.copied.value = text
       this.copied.select()
-      this.#say("copy what is marked")
+      this.#say("copy the selected text")
     }
   }
 
@@ -314,8 +325,7 @@ export class Cell {
     this.console.clear()
     this.plot.clear()
     this.copied.hidden = this.pin.hidden = true
-    if (this.#output) this.#output.hidden = runs
-    if (this.#made) this.#made.hidden = runs
+    this.#showMade(!runs)
   }
 
   #warmUp() {
@@ -350,10 +360,10 @@ export class Cell {
     } else if (message.kind === "end") {
       release(this.#worker)
       this.#worker = null
-      const { status, errors, verdict, count, ticks, chunks, alternative } = message.result
+      const { status, errors, verdict, count, ticks, chunks, alternative, end } = message.result
       this.#test = message.result.test
       this.pin.hidden = !this.#test
-      if (count) this.plot.finish(ticks, alternative, chunks)
+      if (count) this.plot.finish(ticks, alternative, chunks, end)
       const ticked = count ? `: ${count} tick${count === 1 ? "" : "s"}` : ""
       if (verdict) this.#say(verdict + this.#progress(message.result.solved))
       else if (status === 0 && errors) this.#say("done, but with an error: see the console")
@@ -378,6 +388,7 @@ export class Cell {
 
   #stop() {
     this.#end()
+    this.plot.stop()
     this.#say("stopped")
   }
 

@@ -14,11 +14,18 @@ export class Console {
   #open = false // whether the last line goes on
   #place // finds where the node's file is named
   #goTo
+  #all // whether lines of stdout are searched for it, too
 
-  /** `goTo(line)` is called when the reader chooses a line of the file `filename`, such as one in a traceback. */
+  /**
+   * `goTo(line)` is called when the reader chooses a line of the file `filename`, such as one in a traceback. In what
+   * is said of an answer to an exercise, which has no `filename`, all lines are such.
+   */
   constructor(name, filename, goTo) {
     const file = filename.replace(/[^\w ]/g, "\\$&")
-    this.#place = new RegExp(`File "${file}", line (\\d+)|${file}:(\\d+)`)
+    this.#all = !filename
+    this.#place = this.#all
+      ? /"<answer>", line (\d+)|\bin line (\d+)/
+      : new RegExp(`File "${file}", line (\\d+)|${file}:(\\d+)`)
     this.#goTo = goTo
     this.element = document.createElement("div")
     this.element.className = "live-console"
@@ -102,7 +109,7 @@ export class Console {
         const element = document.createElement("span")
         element.chunks = [number]
         if (isError) element.className = "stderr"
-        element.append(...(isError ? this.#linked(line, logged) : [line]))
+        element.append(...(isError || this.#all ? this.#linked(line, logged) : [line]))
         this.#text.append(element)
       }
       this.#open = !line.endsWith("\n")

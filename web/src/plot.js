@@ -45,13 +45,18 @@ export class Plot {
     })
   }
 
-  /** Draw the ticks of a run that has ended, which are now known in full; `alternative` says what they show. */
-  finish(ticks, alternative, chunks) {
+  /** Draw the ticks of a run that has ended, which are now known in full, at `end` (s); `alternative` says what they show. */
+  finish(ticks, alternative, chunks, end = 0) {
     this.clear()
     this.#ticks = ticks
     this.#chunks = chunks
-    this.#paint(`Timeline. ${alternative}`)
+    this.#paint(`Timeline. ${alternative}`, end)
     this.#offer()
+  }
+
+  /** Of a run that was stopped, what came before. */
+  stop() {
+    if (this.#ticks.length) this.finish(this.#ticks, "The run was stopped.", [])
   }
 
   /** Let the reader choose a tick: by pointing at it, or like a slider, with the arrow keys. */
@@ -72,7 +77,7 @@ export class Plot {
     const show = (index) => {
       this.#chosen = index
       ring.remove()
-      const text = index < 0 ? "Point at a tick, or use the arrow keys here." : this.#describe(index)
+      const text = index < 0 ? "Choose a tick: point at it, or use the arrow keys here." : this.#describe(index)
       said.textContent = handle.ariaValueText = text
       handle.ariaValueNow = Math.max(index + 1, 1)
       if (index >= 0) {
@@ -92,7 +97,9 @@ export class Plot {
     }
     handle.addEventListener("pointermove", point)
     handle.addEventListener("pointerdown", point)
-    handle.addEventListener("pointerleave", () => document.activeElement !== handle && show(-1))
+    handle.addEventListener("pointerleave", ({ pointerType }) => {
+      if (pointerType === "mouse" && document.activeElement !== handle) show(-1) // a finger leaves when it is lifted
+    })
     handle.addEventListener("blur", () => show(-1))
     handle.addEventListener("keydown", (event) => {
       const last = this.#ticks.length - 1
@@ -119,10 +126,10 @@ export class Plot {
     return `${source}, tick ${number}: expected ${say(expected)}, real ${say(real)}, ${lateness}`
   }
 
-  #paint(alternative) {
+  #paint(alternative, end = 0) {
     const known = this.#ticks.map(([, , expected, real, duration]) => [expected, real, Math.max(duration, 0)])
     const first = this.#ticks[0][1] === 1 ? 0 : Math.min(...known.map(([expected]) => expected))
-    const last = Math.max(...known.map(([expected, real, duration]) => Math.max(expected, real + duration)))
+    const last = Math.max(end, ...known.map(([expected, real, duration]) => Math.max(expected, real + duration)))
     const scale = { first, span: last - first || 1 }
 
     const numbers = new Map() // of the rows

@@ -7,6 +7,7 @@ const TICKS = 34
 const REACH = 13
 const BAR = 10
 const AXIS = 42
+const MOST_ABOVE = 2
 const LINE = { stroke: "currentColor", "stroke-opacity": 0.55 }
 export const LEFT = 8
 export const RIGHT = 14
@@ -71,13 +72,13 @@ function lanesOf(ticks) {
   return [taken.map((lane) => (lane - (ends.length - 1) / 2) * pitch), Math.min(BAR, pitch - 1)]
 }
 
-/** How far down the ticks of a row are. Those at the same time are drawn one above the other. */
+/** How far down the ticks of a row are. Those at the same time stand one above the other, as far as there is room. */
 export function heights(number, ticks) {
   const [lanes] = lanesOf(ticks)
   let above = 0
   return ticks.map(([real], index) => {
     const isAbove = index && real - ticks[index - 1][0] < 1e-3 && lanes[index] === lanes[index - 1]
-    above = isAbove ? above + 1 : 0
+    above = isAbove ? Math.min(above + 1, MOST_ABOVE) : 0
     return round(ROW * number + TICKS + lanes[index] - 10 * above)
   })
 }

@@ -58,6 +58,9 @@ class Page {
   }
 }
 
+/** What Python is told where a file cannot be read: the number of an input/output error. */
+const EIO = 29
+
 const address = (name) => new URL(name, import.meta.url).href
 
 /** What keeps the snapshot across pages; undefined where the browser offers nothing of the kind, as without https. */
@@ -82,6 +85,31 @@ async function keep(cache, response) {
   }
 }
 
+/**
+ * A file that is loaded when Python first opens it. Where that fails, opening it does, and is tried again the next time;
+ * Emscripten's own such files break Python down then.
+ */
+function createLazyFile(FS, path, url, size) {
+  FS.writeFile(path, "")
+  const { node } = FS.lookupPath(path)
+  const usual = node.stream_ops
+  const open = () => {
+    const request = new XMLHttpRequest()
+    request.open("GET", url, false)
+    request.responseType = "arraybuffer"
+    try {
+      request.send()
+    } catch {
+      throw new FS.ErrnoError(EIO) // the server is gone
+    }
+    if (request.status !== 200 || request.response.byteLength !== size) throw new FS.ErrnoError(EIO)
+    node.contents = new Uint8Array(request.response)
+    node.usedBytes = size
+    node.stream_ops = usual
+  }
+  node.stream_ops = { ...usual, open }
+}
+
 async function startFromSnapshot() {
   const cache = await opening
   const kept = await cache?.match(url)
@@ -93,9 +121,8 @@ async function startFromSnapshot() {
   // read: for an import, or a line of a traceback. Pyodide insists on a file in the first one's place: this one is here.
   const python = await loadPyodide({ ...options(info), stdLibURL: import.meta.url, _loadSnapshot })
   if (copy) keep(cache, copy) // now that it is known to be whole
-  python.FS.unlink(`${LIBRARY}/python314.zip`)
-  python.FS.createLazyFile(LIBRARY, "python314.zip", address("python_stdlib.zip"), true, false)
-  python.FS.createLazyFile(PACKAGES, "rosspin.zip", ours, true, false)
+  createLazyFile(python.FS, `${LIBRARY}/python314.zip`, address("python_stdlib.zip"), SIZES.stdlib)
+  createLazyFile(python.FS, `${PACKAGES}/rosspin.zip`, ours, SIZES.ours)
   return python
 }
 

@@ -101,12 +101,14 @@ def plot(text: str) -> str:
         seconds, text = float(words[0]), "\n" + rest
     with capture():
         try:
-            ticks = run_node(load_source(text, "<listing>"), seconds, args, Simulation()).ticks
+            clock = Simulation()
+            ticks = run_node(load_source(text, "<listing>"), seconds, args, clock).ticks
         except (SyntaxError, NotSimulated, TimeStandsStill):
             return ""
     if not ticks:
         return ""
-    figure = timeline(ticks).captioned(f"simulated when this page was made: the first {seconds:g} s")
+    end = min(clock.seconds(), seconds)
+    figure = timeline(ticks, end=end).captioned(f"simulated when this page was made: the first {seconds:g} s")
     return figure._repr_html_().replace('<figure class="', '<figure class="live-made ', 1)
 
 
