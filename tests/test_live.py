@@ -674,6 +674,7 @@ def test_arguments_set_a_parameter_of_ros2(page: Page) -> None:
     [
         ("import rclpy.action", "error", "On a computer with ROS 2, run: python -m rosspin run --ros2 FILE"),
         ("from std_srvs.srv import Empty", "error", "std_srvs is not simulated"),
+        ("import curses", "error", "Python has no curses in a page"),
         ("import numpy", "error", "stand-ins for rospy and rclpy, and Python's standard library, but no numpy"),
         ("node.create_timer(0.5, print)", "done$", "never called. Is rclpy.spin(node) missing"),
         (
@@ -1062,6 +1063,8 @@ def test_verdict_leads_to_the_line_that_it_names(exercises: Page) -> None:
     [
         ("%%answer 99", "there is no exercise 99"),
         ("%%answer", "the first line can be %%simulate SECONDS or %%answer NUMBER"),
+        ("%%answer x", "the first line can be %%simulate SECONDS or %%answer NUMBER"),
+        ("%%simulate 1.2.3", "the first line can be %%simulate SECONDS or %%answer NUMBER"),
         ("%%measure 2", "the first line can be %%simulate SECONDS or %%answer NUMBER"),
         ("%%simulate nan", "seconds must be a number of at least 0, not nan"),
     ],

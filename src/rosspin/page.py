@@ -54,6 +54,9 @@ signal.signal(signal.SIGINT, signal.SIG_IGN)
 gc.disable()
 gc.freeze()
 
+# The magics of a cell, and what the number after each is.
+_MAGICS: dict[str, Callable[[str], float]] = {"simulate": float, "answer": int}
+
 # An argument that sets something in a node: a parameter by ROS 1's rules, or what stands for one in ROS 2.
 _FOR_ROS = re.compile(r"-p$|--param$|-r$|--remap$|_\w+:=")
 
@@ -105,11 +108,11 @@ def run(source: str, filename: str, seconds: float, args: str, speed: float, pag
     streams = [_Stream(page, is_error, printed, filename) for is_error in (False, True)]
     with redirect_stdout(streams[0]), redirect_stderr(streams[1]):
         try:
-            magic, words, node_args = _magic(source)
+            magic, number, node_args = _magic(source)
             if magic == "answer":
-                return dumps(_check(words, source))
+                return dumps(_check(int(number), source))
             if magic == "simulate":
-                seconds = float(words[0])
+                seconds = number
             else:
                 node_args = _split(args, "arguments")
             return dumps(_run(source, filename, seconds, node_args, speed, page, printed))
@@ -149,15 +152,16 @@ def judge(number: int, answer: str) -> str:
     return dumps({"verdict": verdict, "said": said[:_MOST_SAID]})
 
 
-def _magic(source: str) -> tuple[str, Sequence[str], Sequence[str]]:
-    """The cell magic in the first line, its words, and those after ``--``; empty where there is none."""
+def _magic(source: str) -> tuple[str, float, Sequence[str]]:
+    """The cell magic in the first line, its number, and the words after ``--``; empty where there is none."""
     first = source.partition("\n")[0]
     if not first.startswith("%%"):
-        return "", (), ()
+        return "", 0, ()
     (magic, *words), args = split_words(_split(first[2:], first) or [""])
-    if magic not in ("simulate", "answer") or not words:
-        raise ValueError(f"{first}: the first line can be %%simulate SECONDS or %%answer NUMBER here")
-    return magic, words, args
+    try:
+        return magic, _MAGICS[magic](words[0]), args
+    except (KeyError, IndexError, ValueError):
+        raise ValueError(f"{first}: the first line can be %%simulate SECONDS or %%answer NUMBER here") from None
 
 
 def _split(text: str, name: str) -> list[str]:
@@ -172,8 +176,8 @@ def _node(text: str) -> str:
     return text if not text.startswith("%%") else "\n" + text.partition("\n")[2]
 
 
-def _check(words: Sequence[str], source: str) -> dict[str, Any]:
-    feedback = check(int(words[0]), _node(source))
+def _check(number: int, source: str) -> dict[str, Any]:
+    feedback = check(number, _node(source))
     if console := feedback.shown_console():
         print(console)
     print(str(feedback).replace("`", ""))  # a console is no Markdown
@@ -312,6 +316,8 @@ class _Stream(io.TextIOBase):
 
 
 def _hint(error: BaseException) -> str:
+    if isinstance(error, ModuleNotFoundError) and (error.name or "").partition(".")[0] in sys.stdlib_module_names:
+        return f"Python has no {error.name} in a page. Run the node on your own computer: python -m rosspin run FILE"
     if isinstance(error, ModuleNotFoundError):
         return (
             f"This page has stand-ins for rospy and rclpy, and Python's standard library, but no {error.name}. "
