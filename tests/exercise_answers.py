@@ -563,7 +563,7 @@ WRONG: dict[int, list[tuple[Answer, str, str]]] = {
         ({TIMER: "timer = '0.4, 0.8, 1.2'"}, "not a value of type `str`", "Write it as `[1.0, 2.0, 3.0]`"),
         ({LOOP: "\nloop = ..."}, "The loop: there is no prediction yet", "Give `loop` a list of times"),
         (times(TIMER, 0.4, 0.9, 1.2), "the second of these times is not 0.9 s", "When does the first tick come"),
-        ({TIMER: "timer = [period]"}, "NameError: name 'period' is not defined` in line 2", "Python names what it did"),
+        ({TIMER: "timer = [period]"}, "died in line 2: `NameError: name 'period'", "Python names what it did"),
         ({TIMER: "timer = range(10**9)"}, "3 times are asked for, not 100", "When does"),
         ({TIMER: "class A(list):\n    pass\ntimer = A([0.4, 0.8, 1.2])"}, "a value of type `A`", "Write it as"),
         ({TIMER: "class A(float):\n    pass\ntimer = [A(0.4), 0.8, 1.2]"}, "a value of type `list`", "Write it as"),
@@ -610,9 +610,9 @@ WRONG: dict[int, list[tuple[Answer, str, str]]] = {
         ),
     ],
     5: [
-        ({", oneshot=True": ""}, "counter 2 came at 3 s; it should not come", "has a parameter `oneshot`"),
+        ({", oneshot=True": ""}, "counter 2 came at 3 s; it should not have come", "has a parameter `oneshot`"),
         ({"= 1.5": "= 0.5"}, "counter 1 came at 0.5 s, not at 1.5 s", "the time until the only call"),
-        ({"oneshot=True": "oneshot"}, "NameError: name 'oneshot' is not defined` in line 10", "Python names what"),
+        ({"oneshot=True": "oneshot"}, "died in line 10: `NameError: name 'oneshot'", "Python names what"),
         (
             {
                 ", oneshot=True": "",
@@ -641,7 +641,7 @@ WRONG: dict[int, list[tuple[Answer, str, str]]] = {
             "not printed by the callback of a `rospy.Timer`",
             "Let a timer",
         ),
-        ({"str(self.counter))": "str(self.counter))\n        1 / 0"}, "timer died of `ZeroDivisionError", "oneshot"),
+        ({"str(self.counter))": "str(self.counter))\n        1 / 0"}, "in line 15: `ZeroDivisionError", "oneshot"),
         (
             f"import threading\n{NODE}threading.Timer(1.5, lambda: {say('1')}).start()\nrospy.spin()",
             "not printed by the callback of a `rospy.Timer`",
@@ -649,7 +649,7 @@ WRONG: dict[int, list[tuple[Answer, str, str]]] = {
         ),
     ],
     6: [
-        ({"== 5": "> 5"}, "counter 6 came at 3 s; it should not come", "call its `shutdown()`"),
+        ({"== 5": "> 5"}, "counter 6 came at 3 s; it should not have come", "call its `shutdown()`"),
         ({"self.timer.shutdown()": "rospy.signal_shutdown('five')"}, "The heartbeat: counter", "ends the whole node"),
         (counts("if count == 5: return\n" + COUNT), "the callback was called 12 times in 6 s", STOP_ITSELF),
         (counts(COUNT + "if count == 5: sys.exit()"), "its thread was ended", "ends the thread that the callback"),
@@ -657,12 +657,12 @@ WRONG: dict[int, list[tuple[Answer, str, str]]] = {
         (counts(COUNT + "if count == 5: threading.Event().wait()"), "had not returned in the end", "never returns"),
         (
             {"self.timer.shutdown()": "self.timer.stop()"},
-            "'Timer' object has no attribute 'stop'` in line 15",
+            "'Timer' object has no attribute 'stop'",
             "Python",
         ),
         (
             counts(COUNT + "if count == 5: raise RuntimeError('stop')"),
-            "timer died of `RuntimeError: stop`",
+            "timer died in line 8: `RuntimeError: stop`",
             "shutdown()",
         ),
         ({"self.timer = rospy": "rospy"}, "has no attribute 'timer'", "with its `self.`"),
@@ -801,11 +801,11 @@ rospy.spin()
             "count deadlines on from the old one",
         ),
         ({WHILE_LATE: "", SLEEP: "        rospy.sleep(period)"}, "counter 4 came at 2.2 s", "has left its grid"),
-        ({WHILE_LATE: ""}, "died of `ValueError: sleep length must be non-negative`", "move the deadline on"),
+        ({WHILE_LATE: ""}, "died in line 18: `ValueError: sleep length must be non-negative`", "move the deadline on"),
         (overrun("rate.sleep()", "rate = rospy.Rate(2)"), "counter 4 came at 1.7 s", "two commands at once"),
         (
             {WHILE_LATE: "        if deadline < time.monotonic():\n            deadline += period\n"},
-            "Started with `_work:=1.7`, the node died of `ValueError",
+            "Started with `_work:=1.7`, the node died in line 20: `ValueError",
             "move the deadline on",
         ),
         (
@@ -947,7 +947,7 @@ rospy.spin()
             "printed `missing = 1`, but 0 were",
             "How many whole periods",
         ),
-        ({"event.current_expected": "event.last_real"}, "died of `TypeError", "how late this call is"),
+        ({"event.current_expected": "event.last_real"}, "died in line 11: `TypeError", "how late this call is"),
         (
             {'"[SPINNER PY NODE] missing = "': '"missing: "'},
             "no line with `missing = ` was printed",
@@ -1029,7 +1029,7 @@ rospy.spin()
             "where counter 1 was due, counter 0 came",
             "in `__init__`",
         ),
-        ({"publish(self.counter)": "publish(str(self.counter))"}, "timer died of", "in `__init__`"),
+        ({"publish(self.counter)": "publish(str(self.counter))"}, "timer died in line 21:", "in `__init__`"),
         ({"publish(self.counter)": "publish()"}, "where counter 1 was due, counter 0 came", "in `__init__`"),
         ({PUBLISHER: PUBLISHER.replace("UInt32, ", "")}, "missing 1 required positional", "in `__init__`"),
         ({"self.publisher.": "self.pub."}, "has no attribute 'pub'", "with its `self.`"),

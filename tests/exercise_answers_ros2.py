@@ -406,7 +406,7 @@ WRONG: dict[int, list[tuple[Answer, str, str]]] = {
         ),
         (
             {REFUSES: REFUSES.replace("not period > 0", "period == 0")},
-            "With `period:=-1.0`: the node died of",
+            "With `period:=-1.0`: the node died in line 16:",
             "error line",
         ),
         (
@@ -529,28 +529,48 @@ WRONG: dict[int, list[tuple[Answer, str, str]]] = {
         (IN_MAIN, "SIGTERM at 3.3 s: the node did not end", "Let the main part spin"),
         (
             {SPIN_CAUGHT: "    rclpy.spin(spinner_py_node)\n"},
-            "Ctrl-C: the node died of `KeyboardInterrupt`",
+            "Ctrl-C: the node died in line 28: `KeyboardInterrupt`",
             "Catch both around `spin`",
         ),
         (
             {"(KeyboardInterrupt, ExternalShutdownException)": "KeyboardInterrupt"},
-            "SIGTERM: the node died of",
+            "SIGTERM: the node died in line 29:",
             "Catch both around `spin`",
         ),
         (
             {"(KeyboardInterrupt, ExternalShutdownException)": "ExternalShutdownException"},
-            "Ctrl-C: the node died of `KeyboardInterrupt`",
+            "Ctrl-C: the node died in line 29: `KeyboardInterrupt`",
             "Catch both",
         ),
         ({SPIN_CAUGHT: f"{SPIN_CAUGHT}    rclpy.shutdown()\n"}, "RCLError", "`rclpy.try_shutdown()` does not"),
-        ({SLEEPS: "            time.sleep(0.5)\n"}, "With `work:=0.1`: counter 2 came at 0.6 s", "as much shorter"),
+        ({SLEEPS: "            time.sleep(0.5)\n"}, "With `work:=0.1`: counter 2 came at 0.6 s", "shorten the pause"),
         (
             {SLEEPS: "            time.sleep(0.4)\n"},
             "With `work:=0.4`: counter 2 came at 0.8 s, not at 0.5 s",
-            "wakes who sleeps",
+            "wakes whoever is asleep",
         ),
-        ({"create_rate(2.0)": "create_rate(0.5)"}, "counter 2 came at 2 s, not at 0.5 s", "wakes who sleeps"),
-        ({"daemon=True": "daemon=False"}, "did not end at Ctrl-C", "wakes who sleeps"),
+        ({"create_rate(2.0)": "create_rate(0.5)"}, "counter 2 came at 2 s, not at 0.5 s", "wakes whoever is asleep"),
+        (
+            {"daemon=True": "daemon=False"},
+            "With `work:=0.1`, Ctrl-C: the node did not end: one of its threads was still asleep in a Rate's `sleep()`",
+            "Use a Rate only in a daemon thread",
+        ),
+        # The same, in a thread of an executor.
+        (
+            {
+                THREAD: "    spinner_py_node.create_timer(0.001, spinner_py_node.loop)\n",
+                "rclpy.spin(spinner_py_node)": "rclpy.spin(spinner_py_node, rclpy.executors.MultiThreadedExecutor())",
+                "import rclpy\n": "import rclpy\nimport rclpy.executors\n",
+            },
+            "asleep in a Rate's `sleep()`",
+            "Use a Rate only in a daemon thread",
+        ),
+        # A daemon thread is asleep, too, but something else does not end.
+        (
+            {SPIN_CAUGHT: SPIN_CAUGHT + "    while True:\n        time.sleep(1.0)\n"},
+            "the node did not end: it was still in line 33, `time.sleep(1.0)`. Does its loop ask `rclpy.ok()`?",
+            "wakes whoever is asleep",
+        ),
         ({SPIN_CAUGHT: "    pass\n"}, "counter 2, due at 0.5 s, did not come", "The node ended by itself"),
         (
             {"target=spinner_py_node.loop,": "target=spinner_py_node.loop(),"},
@@ -565,19 +585,19 @@ WRONG: dict[int, list[tuple[Answer, str, str]]] = {
                 ),
             },
             "no counter was printed",
-            "wakes who sleeps",
+            "wakes whoever is asleep",
         ),
         (FOR_ROS_1, "This node is for ROS 1", "This exercise is on ROS 2"),
     ],
     26: [
         (
             {"(KeyboardInterrupt, ExternalShutdownException)": "KeyboardInterrupt"},
-            "SIGTERM: the node died of",
+            "SIGTERM: the node died in line 38:",
             "Catch both",
         ),
         (
             {"(KeyboardInterrupt, ExternalShutdownException)": "ExternalShutdownException"},
-            "Ctrl-C while the node waits: the node died of `KeyboardInterrupt`",
+            "Ctrl-C while the node waits: the node died in line 38: `KeyboardInterrupt`",
             "Catch both",
         ),
         (

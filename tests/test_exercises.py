@@ -380,13 +380,13 @@ def test_an_error_has_a_hint_of_its_own(wrong: str, hint: str) -> None:
         ("(" * 5000, "is not Python"),
         ("# later", "Open: There is no answer yet"),
         ("import rospy\nx = ...", "Open: There is still a gap, `...`, in line 2"),
-        ("import rospy\nrospy.init_node('n')\n1 / 0", "died of `ZeroDivisionError: division by zero` in line 3"),
+        ("import rospy\nrospy.init_node('n')\n1 / 0", "died in line 3: `ZeroDivisionError: division by zero`."),
         (ENDLESS, "simulated time stands still at 0.0 s"),
         ("import rospy\nrospy.init_node('n')\nrospy.Service('/a', str, print)", "rospy.Service is not simulated"),
         ("import rospy\nrospy.init_node('n')\nwhile True:\n    rospy.sleep(1)", "did not end at Ctrl-C"),
         ("import sys\nsys.exit(3)", "ended with status 3 instead of 0"),
         ("import no_such_module", "No module named 'no_such_module'"),
-        ("raise KeyboardInterrupt", "died of `KeyboardInterrupt` in line 1"),
+        ("raise KeyboardInterrupt", "died in line 1: `KeyboardInterrupt`"),
     ],
 )
 def test_node_that_cannot_be_checked(answer: str, said: str) -> None:
@@ -471,7 +471,7 @@ def test_the_magic_counts_the_exercises_of_each_page_by_themselves(shell: Intera
 
 
 def test_the_magic_counts_as_a_line(shell: InteractiveShell) -> None:
-    assert "in line 2." in repr(shell.run_cell_magic("answer", "4", "1 / 0"))
+    assert "died in line 2:" in repr(shell.run_cell_magic("answer", "4", "1 / 0"))
 
 
 def test_the_magic_cuts_an_endless_console_short(shell: InteractiveShell, capsys: pytest.CaptureFixture[str]) -> None:

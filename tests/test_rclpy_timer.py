@@ -402,6 +402,38 @@ def test_shutdown_and_destruction_wake_a_rate() -> None:
     ]
 
 
+@pytest.mark.parametrize("sleeps", ["rate.sleep()", "time.sleep(0.5)"])
+def test_a_node_that_a_thread_keeps_is_told_why(write: Any, sleeps: str) -> None:
+    """Real nodes are kept in the same way: a Rate's thread sleeps for ever, another that does not ask goes on."""
+    path = write(
+        f"""
+        import threading, time
+        import rclpy
+
+        rclpy.init()
+        node = rclpy.create_node("node")
+        rate = node.create_rate(2)
+
+        def loop():
+            while True:
+                {sleeps}
+
+        threading.Thread(target=loop, name="loop").start()
+        try:
+            rclpy.spin(node)
+        except KeyboardInterrupt:
+            pass
+        """
+    )
+    first, *others = simulate(path, 1.2).console.splitlines()
+    why = "After Ctrl-C nothing wakes a Rate any more" if sleeps == "rate.sleep()" else "Does its loop check rclpy.ok()?"
+    assert first.startswith(f"rosspin: Ctrl-C at 1.2 s did not end the node; it was killed 17 s later. {why}")
+    assert others == [
+        "rosspin: MainThread had done its work and waited for other threads",
+        f"rosspin: loop was at {path}:11: {sleeps}",
+    ]
+
+
 def test_frequencies_that_no_rate_has() -> None:
     def prepare(node: Any) -> None:
         for frequency in (0, -1):

@@ -10,7 +10,10 @@ from itertools import islice
 from types import CodeType, FrameType, TracebackType
 from typing import NamedTuple
 
-__all__ = ["Place", "called_from", "format_error", "is_installed", "node_frame", "node_frames", "places", "trail"]
+__all__ = [
+    *("Place", "Whereabouts", "called_from", "format_error", "is_installed", "node_frame", "node_frames", "places"),
+    "trail",
+]
 
 _PACKAGE = __name__.rpartition(".")[0]
 
@@ -79,11 +82,23 @@ def format_error(error: BaseException, made: traceback.FrameSummary | None = Non
 
 
 class Place(NamedTuple):
-    """A line of code that is being run, and the ``call`` in it that has not returned, as it is written there."""
+    """A line of code that is being run, and the ``call`` in it that has not returned, as it is written there.
+
+    ``function`` is the qualified name of the function that it belongs to. What is not known is empty.
+    """
 
     filename: str
     line: int
-    call: str
+    call: str = ""
+    function: str = ""
+
+
+class Whereabouts(NamedTuple):
+    """Where a thread is: its name, the places innermost first, and whether it is one that Python does not wait for."""
+
+    thread: str
+    places: list[Place]
+    daemon: bool = False
 
 
 # The codes of a stack of frames and where they are in them, innermost first: instruction and line.
@@ -102,7 +117,7 @@ def trail(frame: FrameType | None) -> Trail:
 
 def places(trail: Trail) -> list[Place]:
     """A trail in places of source files, innermost first."""
-    return [Place(code.co_filename, line, _call(code, at)) for code, at, line in trail]
+    return [Place(code.co_filename, line, _call(code, at), code.co_qualname) for code, at, line in trail]
 
 
 def _call(code: CodeType, at: int) -> str:

@@ -17,7 +17,7 @@ from .clocks.clock import NS, nanoseconds
 from .clocks.programs import Died, begin_beside, press_ctrl_c, send, where_it_waits
 from .clocks.simulation import Simulation
 from .clocks.threads import unlist_threads
-from .frames import Place
+from .frames import Whereabouts
 from .graph import Graph
 from .launch import Node
 from .process import Node as Code
@@ -69,7 +69,7 @@ class Monitor:
         clock: Simulation,
         graph: Graph,
         run_main: Callable[[Code, World], None],
-        describe: Callable[[Code, list[tuple[str, list[Place]]]], str],
+        describe: Callable[[Code, list[Whereabouts]], str],
         stand_ins: Mapping[str, ModuleType],
         ros: int,
     ) -> None:

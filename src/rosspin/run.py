@@ -22,7 +22,7 @@ from .clocks.simulation import Simulation, Standstill
 from .clocks.stacks import Program, StackExit
 from .clocks.threads import begin_main, end_main
 from .clocks.watchdog import Stuck
-from .frames import Place, node_frames
+from .frames import Place, Whereabouts, node_frames
 from .graph import Graph
 from .monitor import Member, Monitor
 from .process import Node, NodeLike, Process, capture, load, print_error, refuse_text, run_at_exit
@@ -44,7 +44,8 @@ _ROS_PACKAGES = {
     *("ament_index_python", "example_interfaces", "launch", "launch_ros", "rosidl_runtime_py"),
 }
 
-# By the ROS of a node: what its loops should ask, and how they may sleep.
+# By the ROS of a node: who kills it if it does not end, what its loops should ask, and how they may sleep.
+_KILLS = {1: ", as roslaunch does", 2: ""}
 _GOES_ON = {1: "rospy.is_shutdown()", 2: "rclpy.ok()"}
 _SLEEP = {1: "rospy.sleep(0.1)", 2: "time.sleep(0.1)"}
 
@@ -135,9 +136,7 @@ def run_node(
 
         last_resort = give_up and LastResort(
             lambda killed: give_up(result(_say_killed(node, seconds, killed))),
-            lambda stacks: (
-                _killed(node, seconds) + _say_where(node, [each for each in stacks if _of_nodes([node], each[1])])
-            ),
+            lambda stacks: _killed(node, seconds, [each for each in stacks if _of_nodes([node], each.places)]),
         )
         with explained(node, world, clock, seconds):
             if isinstance(clock, Simulation):
@@ -219,6 +218,7 @@ def explained(node: Node, world: World, clock: Clock, seconds: float | None) -> 
     try:
         yield
     except Killed as killed:
+        world.waited = killed.waited
         world.exit_status = _say_killed(node, seconds, killed)
     except Died as died:
         world.exit_status = 128 + died.number
@@ -352,27 +352,50 @@ def duration(seconds: float) -> int:
 # --- what is said of a run --------------------------------------------------------------------------------------------
 
 
-def _killed(node: Node, seconds: float | None) -> str:
+def _killed(node: Node, seconds: float | None, waited: Sequence[Whereabouts]) -> str:
     at = "" if seconds is None else f" at {seconds:.10g} s"
-    return (
-        f"rosspin: Ctrl-C{at} did not end the node; it was killed {PATIENCE} s later, as roslaunch does. "
-        f"Does its loop check {_GOES_ON[node.ros]}?\n"
-    )
+    why = f"Does its loop check {_GOES_ON[node.ros]}?"
+    if waits_for_a_rate(node, waited):
+        why = (
+            "After Ctrl-C nothing wakes a Rate any more, and Python waits for the thread that is asleep in its sleep(). "
+            "Use a Rate only in a daemon thread."
+        )
+    said = f"rosspin: Ctrl-C{at} did not end the node; it was killed {PATIENCE} s later{_KILLS[node.ros]}. {why}\n"
+    return said + _say_where(node, waited)
 
 
 def _say_killed(node: Node, seconds: float | None, killed: Killed) -> int:
-    sys.stderr.write(_killed(node, seconds) + _say_where(node, killed.waited))
+    sys.stderr.write(_killed(node, seconds, killed.waited))
     return 128 + signal.SIGKILL
 
 
-def _say_where(node: Node, waited: Sequence[tuple[str, list[Place]]]) -> str:
+def _say_where(node: Node, waited: Sequence[Whereabouts]) -> str:
     """Where the threads of a node were, a line for each."""
     lines = []
-    for name, places in waited:
+    for thread, places, _ in waited:
         place = _of_nodes([node], places)
         where = f"was at {_say_place(place)}" if place else "had done its work and waited for other threads"
-        lines.append(f"rosspin: {name} {where}\n")
+        lines.append(f"rosspin: {thread} {where}\n")
     return "".join(lines)
+
+
+def waits_for_a_rate(node: Node, waited: Sequence[Whereabouts]) -> bool:
+    """Whether what keeps a node from its end are threads that sleep on a Rate of ROS 2, and nothing else.
+
+    In ROS 1 a Rate looks at the clock by itself.
+    """
+    kept = _keeping(node, waited)
+    return node.ros == 2 and bool(kept) and all(map(stand_in(2).timer.is_asleep_on_a_rate, kept))
+
+
+def where_it_was_kept(node: Node, waited: Sequence[Whereabouts]) -> Place | None:
+    """The place in a node's code that kept it from its end, or the first of them."""
+    return next((_of_nodes([node], places) for places in _keeping(node, waited)), None)
+
+
+def _keeping(node: Node, waited: Sequence[Whereabouts]) -> list[list[Place]]:
+    """The places of the threads that Python waits for, and that do not wait for others themselves."""
+    return [places for _, places, daemon in waited if not daemon and _of_nodes([node], places)]
 
 
 def _of_nodes(nodes: Sequence[Node], places: Sequence[Place]) -> Place | None:

@@ -10,6 +10,7 @@ from typing import Any, TypeVar
 
 from .clocks.clock import Clock
 from .clocks.stacks import Program, acting_for, whose
+from .frames import Whereabouts
 from .graph import Graph
 
 __all__ = ["NotSimulated", "World", "current_world"]
@@ -50,6 +51,7 @@ class World(Program):
         self.main_status: int | None = None  # with which its main program has ended
         self.exit_status: int | None = None  # and all of it
         self.on_failure: Callable[[], None] | None = None  # called for each error, and a main status other than 0
+        self.waited: list[Whereabouts] = []  # where its threads were when it was killed
         self.at_exit: list[tuple[Callable[..., Any], tuple[Any, ...], dict[str, Any]]] = []
         self._sources: dict[str, int] = {}
         self._parts: dict[type, Any] = {}

@@ -14,12 +14,12 @@ import time
 from collections.abc import Callable, Iterator
 from contextlib import contextmanager
 
-from ..frames import Place
+from ..frames import Place, Whereabouts
 
 __all__ = ["LastWords", "guard"]
 
-# Where the threads of the guarded process are, name and places innermost first, to what is said before it is killed.
-LastWords = Callable[[list[tuple[str, list[Place]]]], str]
+# Where the threads of the guarded process are, to what is said before it is killed.
+LastWords = Callable[[list[Whereabouts]], str]
 
 # The stacks are looked at so long (s) before the end.
 _BEFORE = 0.2
@@ -86,7 +86,7 @@ def _watch(guarded: int, read: int, deadline: float, patience: float) -> None:
     os._exit(0)
 
 
-def _read_stacks(stacks: int) -> list[tuple[str, list[Place]]]:
+def _read_stacks(stacks: int) -> list[Whereabouts]:
     """What :mod:`faulthandler`, which needs no Python to run for that, has written of the guarded process."""
     os.set_blocking(stacks, False)
     try:
@@ -97,5 +97,5 @@ def _read_stacks(stacks: int) -> list[tuple[str, list[Place]]]:
     for ident, stack in re.findall(r"hread 0x([0-9a-f]+).*\n((?:  .*\n)*)", text):
         name = main.name if int(ident, 16) == main.ident else "another thread"
         lines = re.findall(r'  File "(.*)", line (\d+) in', stack)
-        found.append((name, [Place(file, int(line), "") for file, line in lines]))
-    return sorted(found, key=lambda each: each[0] != main.name)  # the main thread first
+        found.append(Whereabouts(name, [Place(file, int(line)) for file, line in lines]))
+    return sorted(found, key=lambda each: each.thread != main.name)  # the main thread first

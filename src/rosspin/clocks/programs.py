@@ -13,7 +13,7 @@ from collections.abc import Callable, Iterator
 from contextlib import contextmanager, nullcontext
 from typing import Any, NamedTuple
 
-from ..frames import Place, places, trail
+from ..frames import Trail, Whereabouts, places, trail
 from .clock import NS
 from .ending import Ended, end_thread, ending_here
 from .guard import LastWords, guard
@@ -65,9 +65,9 @@ def end_run() -> None:
 
 
 class Killed(Exception):
-    """A program did not end at Ctrl-C. ``waited`` says where its threads were: name, and frames innermost first."""
+    """A program did not end at Ctrl-C. ``waited`` says where its threads were."""
 
-    def __init__(self, waited: list[tuple[str, list[Place]]]) -> None:
+    def __init__(self, waited: list[Whereabouts]) -> None:
         super().__init__()
         self.waited = waited
 
@@ -131,19 +131,21 @@ def press_ctrl_c(program: Program) -> None:
     send(program, signal.SIGINT)
 
 
-def where_it_waits(program: Program) -> list[tuple[str, list[Place]]]:
-    """Where the threads of a simulated program are: name, and frames innermost first."""
+def where_it_waits(program: Program) -> list[Whereabouts]:
+    """Where the threads of a simulated program are."""
     stacks = program.main.clock.suspended()
-    return [(_name(stack.ident), places(stack.trail)) for stack in stacks if stack.ident and stack.owner is program]
+    return [_whereabouts(stack.ident, stack.trail) for stack in stacks if stack.ident and stack.owner is program]
 
 
 def _main_ident() -> int:
     return threading.main_thread().ident or 0
 
 
-def _name(ident: int) -> str:
+def _whereabouts(ident: int, trail: Trail) -> Whereabouts:
     thread = threading._active.get(ident)  # type: ignore[attr-defined]
-    return thread.name if thread else f"thread {ident}"
+    # One that no Thread was made for is none that Python waits for.
+    name, daemon = (thread.name, thread.daemon) if thread else (f"thread {ident}", True)
+    return Whereabouts(name, places(trail), daemon)
 
 
 class LastResort(NamedTuple):
@@ -228,7 +230,7 @@ class _Alarm:
         interrupted: Callable[[], None] | None,
         give_up: Callable[[Killed], object] | None,
     ) -> None:
-        self.waited: list[tuple[str, list[Place]]] = []
+        self.waited: list[Whereabouts] = []
         self._program = program
         self._until = until
         self._patience = patience
@@ -264,7 +266,7 @@ class _Alarm:
             return
         frames = sys._current_frames()
         idents = [self._ident, *self._program.idents]
-        self.waited = [(_name(ident), places(trail(frames.get(ident)))) for ident in idents]
+        self.waited = [_whereabouts(ident, trail(frames.get(ident))) for ident in idents]
         deaf = time.monotonic() + _DEAF
         while not self._is_over(0.1):
             if self._give_up and time.monotonic() > deaf:

@@ -20,7 +20,7 @@ from ..clocks.clock import NS, nanoseconds
 from ..clocks.programs import send
 from ..clocks.simulation import Simulation
 from ..process import Node, capture, execute, load_source
-from ..run import TimeStandsStill, messages_of, run_node, ticks_of
+from ..run import TimeStandsStill, messages_of, run_node, ticks_of, waits_for_a_rate, where_it_was_kept
 from ..ticks import Tick
 from ..world import NotSimulated, World
 from . import in_rospy
@@ -168,15 +168,23 @@ class Answer:
 
         return in_rclpy
 
-    def run(self, seconds: float, *args: str, seed: int | None = None, allowed: _Allowed = _nothing) -> Seen:
+    def run(
+        self,
+        seconds: float,
+        *args: str,
+        seed: int | None = None,
+        allowed: _Allowed = _nothing,
+        has_to_end: bool = True,
+    ) -> Seen:
         """Run the answer as a node in simulated time; ``args`` are its command line.
 
         With a ``seed`` its threads take turns at any line. A node that cannot be run, or fails of an error that is not
-        ``allowed``, ends the check. That Ctrl-C ends it as its ROS has it is no failure.
+        ``allowed``, ends the check, and so does one that Ctrl-C does not end, if it ``has_to_end``. That Ctrl-C ends it
+        as its ROS has it is no failure.
         """
         seen = self.ending(seconds, *args, seed=seed)
-        if failure := self._failure(seen, allowed):
-            raise Fails(f"{_started(args)} {failure}", self._hint_for_errors(seen.errors))
+        if has_to_end or not seen.killed:
+            self._refuse(seen, args, allowed)
         self.ended_early |= not seen.interrupted and allowed is _nothing and seed is None
         return seen
 
@@ -203,9 +211,7 @@ class Answer:
             node.main()
             found.update(vars(sys.modules["__main__"]))
 
-        seen = self._run(node._replace(main=main), 0.0, ())
-        if failure := self._failure(seen, _nothing):
-            raise Fails(f"{_started(())} {failure}", self._hint_for_errors(seen.errors))
+        self._refuse(self._run(node._replace(main=main), 0.0, ()), (), _nothing)
         return found
 
     def _run(self, node: Node, seconds: float, args: Sequence[str], terminated_at: float | None = None) -> Seen:
@@ -224,7 +230,8 @@ class Answer:
         world, loops = result.world, clock.loops()
         messages = messages_of(world.graph, 0)
         how = result.status, world.errors, world.interrupted
-        return Seen(seconds, clock.printed, clock.timers, loops, messages, *how)
+        kept = where_it_was_kept(node, world.waited), waits_for_a_rate(node, world.waited)
+        return Seen(seconds, clock.printed, clock.timers, loops, messages, *how, *kept)
 
     def _load(self) -> Node:
         source = self._text
@@ -251,22 +258,41 @@ class Answer:
             raise Fails("The node imports both `rospy` (ROS 1) and `rclpy` (ROS 2). A node has one ROS.", here)
         raise Fails(f"This node is for ROS {3 - self._ros_number}: it imports `{other}`.", here)
 
-    def _failure(self, seen: Seen, allowed: _Allowed) -> str:
-        """What went wrong in a run, as the rest of a sentence; empty if nothing did."""
+    def _refuse(self, seen: Seen, args: Sequence[str], allowed: _Allowed) -> None:
+        """End the check if something went wrong in a run."""
+        started = _started(args)
         endings = self.ros.ENDINGS if seen.interrupted else ()
         if wrong := [error for error in seen.errors if not (allowed(error) or isinstance(error, endings))]:
-            return self.say_error(wrong[-1])
-        if seen.status == 137:
-            return f"node did not end at Ctrl-C: its loop does not ask `{self.ros.GOES_ON}`."
-        failed = seen.status and not seen.errors and not endings
-        return f"node ended with status {seen.status} instead of 0." if failed else ""
+            raise Fails(f"{started} {self.say_error(wrong[-1])}", self._hint_for_errors(seen.errors))
+        if seen.killed:
+            raise Fails(f"{started} node did not end at Ctrl-C: {self.say_kept(seen)}", self.hint_for_kept(seen))
+        if seen.status and not seen.errors and not endings:
+            raise Fails(f"{started} node ended with status {seen.status} instead of 0.")
 
     def say_error(self, error: BaseException) -> str:
         """What an exception has ended, and where, as the rest of a sentence."""
         lines = [line for code, line in _frames(error) if code.co_filename == _FILENAME]
-        place = f" in line {lines[-1]}" if lines else ""
+        where = f"in line {lines[-1]}:" if lines else "of"
         said = plain(traceback.format_exception_only(error)[-1])
-        return f"{self._whose(error)} died of `{said}`{place}."
+        return f"{self._whose(error)} died {where} `{said}`."
+
+    def say_kept(self, seen: Seen) -> str:
+        """What kept a node that was killed from its end, as the rest of a sentence."""
+        if seen.kept_by_rate:
+            return "one of its threads was still asleep in a Rate's `sleep()`."
+        asks = f"Does its loop ask `{self.ros.GOES_ON}`?"
+        if seen.kept_at is None:
+            return asks
+        return f"it was still in line {seen.kept_at.line}, `{plain(seen.kept_at.call)}`. {asks}"
+
+    def hint_for_kept(self, seen: Seen) -> str:
+        """How to go on with a node that was killed; empty if nothing more is known."""
+        if not seen.kept_by_rate:
+            return ""
+        return (
+            "After Ctrl-C nothing wakes a Rate any more, and Python waits for the thread that is asleep. Use a Rate "
+            "only in a daemon thread: `Thread(target=..., daemon=True)`."
+        )
 
     def _whose(self, error: BaseException) -> str:
         codes = {code for code, _ in _frames(error)}
@@ -368,7 +394,7 @@ def on_time(found: Sequence[Printed], wanted: Sequence[float], what: str = "", h
             return Finding(False, f"{start}counter {number} came at {say(line.time)}, not at {say(time)}.", hint)
     if len(found) > len(wanted):
         extra = found[len(wanted)]
-        text = f"{start}counter {plain(extra.text)} came at {say(extra.time)}; it should not come."
+        text = f"{start}counter {plain(extra.text)} came at {say(extra.time)}; it should not have come."
         return Finding(False, text, hint)
     if len(found) < len(wanted):
         text = f"{start}counter {len(found) + 1}, due at {say(wanted[len(found)])}, did not come."

@@ -375,7 +375,7 @@ def _count_parts(seen: Seen) -> Finding:
             sums = f"the reports up to {say(time)} add up to {total}, but {passed} parts have passed"
             return Finding(False, f"{sums}: {wrong}.", _LOCK)
     if len(reports) > 10:
-        return Finding(False, f"a report came at {say(reports[10].time)}; it should not come.")
+        return Finding(False, f"a report came at {say(reports[10].time)}; it should not have come.")
     return Finding(True, "10 reports came, and they add up to the parts that have passed.")
 
 

@@ -254,6 +254,8 @@ def _one_image_at_a_time(seen: Seen, takes: float) -> Finding:
 
 def _ends_well(answer: Answer, seen: Seen, what: str) -> Finding:
     """Whether a signal has ended the node with status 0, without a traceback."""
+    if seen.killed:
+        return Finding(False, f"{what}: the node did not end: {answer.say_kept(seen)}", answer.hint_for_kept(seen))
     if seen.errors:
         error = seen.errors[-1]
         caught = (
@@ -287,23 +289,23 @@ def _terminated(answer: Answer, at: float, *args: str) -> tuple[Seen, Finding]:
     "Wake a Rate that sleeps for ever",
     (_RATE, _TIMING),
     "A Rate needs nobody, as in ROS 1. Ctrl-C wakes everybody who sleeps.",
-    "A Rate is a timer that wakes who sleeps: while one thread sleeps on it, another has to spin.",
+    "A Rate is a timer that wakes whoever is asleep in `sleep()`: while one thread sleeps, another has to spin.",
 )
 def _wake_a_rate(answer: Answer) -> Iterator[Finding]:
     endings = []
     for work, seconds in ((0.1, 3.3), (0.4, 3.05)):
         what = f"With `work:={work}`"
-        seen = answer.run(seconds, *_with("work", work))
+        seen = answer.run(seconds, *_with("work", work), has_to_end=False)
         counters = seen.counters()
         hint = ""
         if len(counters) == 1 and seen.interrupted:
             hint = "The first `sleep()` never returned. A Rate is a timer: who calls it back while the loop sleeps?"
         elif len(counters) > 1 and abs(counters[1].time - 0.5 - work) < CLOSE:
-            hint = "The work is a part of the period: the pause has to be as much shorter."
+            hint = "The work is a part of the period: shorten the pause by the time that the work takes."
         finding = on_time(counters, grid(0.5, seconds, start=0.0), what, hint)
         yield finding
         endings.append(_ends_well(answer, seen, f"{what}, Ctrl-C"))
-        if not finding.right:
+        if not finding.right or seen.killed:
             yield from endings
             return
     # SIGTERM first: where the loop is in the main part, nothing that is caught there helps.

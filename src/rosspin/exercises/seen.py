@@ -3,10 +3,12 @@
 from __future__ import annotations
 
 import re
+import signal
 from collections.abc import Collection, Sequence
 from types import CodeType, FrameType
 from typing import Any, NamedTuple, Protocol
 
+from ..frames import Place
 from ..ticks import Message, Tick
 from ..world import World
 
@@ -65,7 +67,8 @@ class Seen:
     ``printed`` are the lines that it printed, also after Ctrl-C; ``timers`` are those that it had started by then;
     ``loops`` are the lines of the answer in which something other than a timer's callback slept again and again;
     ``messages`` are what it published. ``status`` is how it ended, ``errors`` are the exceptions whose tracebacks were
-    printed, and ``interrupted`` says whether it ran until Ctrl-C.
+    printed, and ``interrupted`` says whether it ran until Ctrl-C. Of one that had to be killed, ``kept_at`` is what
+    kept it from its end, and ``kept_by_rate`` says that nothing but a Rate of ROS 2 did.
     """
 
     def __init__(
@@ -78,6 +81,8 @@ class Seen:
         status: int,
         errors: Sequence[BaseException],
         interrupted: bool,
+        kept_at: Place | None,
+        kept_by_rate: bool,
     ) -> None:
         self.seconds = seconds
         self.printed = tuple(printed)
@@ -87,6 +92,13 @@ class Seen:
         self.status = status
         self.errors = tuple(errors)
         self.interrupted = interrupted
+        self.kept_at = kept_at
+        self.kept_by_rate = kept_by_rate
+
+    @property
+    def killed(self) -> bool:
+        """Whether Ctrl-C did not end it."""
+        return self.status == 128 + signal.SIGKILL
 
     def values(self, tag: str, name: str) -> list[Printed]:
         """The lines ``[tag] name = value``, however they were printed, each with its value as the text."""

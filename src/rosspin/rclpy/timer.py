@@ -4,9 +4,10 @@ from __future__ import annotations
 
 import inspect
 import threading
-from collections.abc import Callable
+from collections.abc import Callable, Iterable
 from typing import Any, NamedTuple
 
+from ..frames import Place
 from .callback_groups import CallbackGroup
 from .clock import Clock, ROSClock
 from .context import Context, get_default_context
@@ -295,3 +296,11 @@ class Rate:
             self._passes += 1
             duration = self._timer.stamp(self._timer.clock.ns()) - self._pass_start
             ticks.add(self._source, self._passes, self._expected, self._pass_start, duration)
+
+
+_SLEEP = Rate.sleep.__code__
+
+
+def is_asleep_on_a_rate(places: Iterable[Place]) -> bool:
+    """Whether a thread that is at these places sleeps on a Rate."""
+    return any((place.filename, place.function) == (_SLEEP.co_filename, _SLEEP.co_qualname) for place in places)
