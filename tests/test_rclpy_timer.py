@@ -426,7 +426,9 @@ def test_a_node_that_a_thread_keeps_is_told_why(write: Any, sleeps: str) -> None
         """
     )
     first, *others = simulate(path, 1.2).console.splitlines()
-    why = "After Ctrl-C nothing wakes a Rate any more" if sleeps == "rate.sleep()" else "Does its loop check rclpy.ok()?"
+    why = (
+        "After Ctrl-C nothing wakes a Rate any more" if sleeps == "rate.sleep()" else "Does its loop check rclpy.ok()?"
+    )
     assert first.startswith(f"rosspin: Ctrl-C at 1.2 s did not end the node; it was killed 17 s later. {why}")
     assert others == [
         "rosspin: MainThread had done its work and waited for other threads",

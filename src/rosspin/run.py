@@ -357,7 +357,7 @@ def _killed(node: Node, seconds: float | None, waited: Sequence[Whereabouts]) ->
     why = f"Does its loop check {_GOES_ON[node.ros]}?"
     if waits_for_a_rate(node, waited):
         why = (
-            "After Ctrl-C nothing wakes a Rate any more, and Python waits for the thread that is asleep in its sleep(). "
+            "After Ctrl-C nothing wakes a Rate any more, and Python waits for the thread that is asleep in it. "
             "Use a Rate only in a daemon thread."
         )
     said = f"rosspin: Ctrl-C{at} did not end the node; it was killed {PATIENCE} s later{_KILLS[node.ros]}. {why}\n"
