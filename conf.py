@@ -22,6 +22,7 @@ exclude_patterns = [".venv", "build"]  # not walked through in search of pages
 nb_execution_mode = "force"  # runs a notebook whenever its page is read: see setup()
 nb_execution_allow_errors = True  # a cell that fails is listed with all else that no longer holds, at the end
 nb_execution_timeout = 300  # only a hang should end here, not a busy machine
+nb_render_markdown_format = "gfm"  # CommonMark has no tables
 nb_merge_streams = True  # a console mixes stdout and stderr
 nb_ipywidgets_js = {}  # the default loads scripts from another host
 

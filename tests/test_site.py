@@ -114,6 +114,30 @@ def test_images_say_what_they_show(pages: dict[Path, BeautifulSoup]) -> None:
     assert not poor
 
 
+def test_no_markup_stands_as_text(pages: dict[Path, BeautifulSoup]) -> None:
+    """Markdown that was not rendered: a table, or code in prose."""
+    markup = re.compile(r"`|\|\s*:?(?:-{2,}|[\u2013\u2014])")  # dashes have become typographic ones
+    raw = [
+        f"{path.relative_to(SITE)}: {text.strip()}"
+        for path, page in pages.items()
+        for text in page.find_all(string=markup)
+        if not text.find_parent(["code", "pre", "script", "style"])
+    ]
+    assert not raw
+
+
+def test_the_contents_of_a_page_show_its_exercises(pages: dict[Path, BeautifulSoup]) -> None:
+    """Elsewhere "On this page" stops at the headings of the second level."""
+    shown = {path.stem for path, page in pages.items() if page.select(".toc-h2 > .pst-show_toc_level > .toc-h3")}
+    assert shown == {"exercises", "ros2-exercises"}
+
+
+def test_nobody_has_solved_an_exercise_when_the_site_is_built(site: Path) -> None:
+    found = [*site.glob("notebooks/*exercises.html"), *site.rglob("*exercises.ipynb")]
+    assert len(found) == 4
+    assert not [path for path in found if "You have solved" in path.read_text(encoding="utf-8")]
+
+
 def test_a_topic_is_drawn_from_its_messages() -> None:
     """By ``ticks`` with ``:topic:``."""
     plots = _page("docs/publish").select("figure svg")

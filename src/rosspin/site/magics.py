@@ -72,6 +72,8 @@ class Magics(BaseMagics):
         print(feedback.shown_console(), end="")
         if not feedback.passed:
             return feedback
+        if not self._is_attended():
+            return feedback
         self._solved.add(feedback.number)
         ros = EXERCISES[feedback.number - 1].ros
         on_page = {exercise.number for exercise in EXERCISES if exercise.ros == ros}
@@ -89,6 +91,11 @@ class Magics(BaseMagics):
         if found:
             said = "\n".join(f"The text around this cell no longer holds: {stands}\n{now}" for _, stands, now in found)
             shell.display_pub.publish({MIME: json.dumps(found), "text/plain": said})
+
+    def _is_attended(self) -> bool:
+        """Whether a reader runs the notebook, who can be asked for input, and not a build of the site."""
+        kernel = getattr(self.shell, "kernel", None)
+        return kernel is None or bool(kernel._allow_stdin)
 
     def _run(self, magic: str, run: Callable[..., Run], line: str, cell: str) -> None:
         own, args = split_words(shlex.split(line))

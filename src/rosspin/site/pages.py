@@ -11,7 +11,7 @@ import textwrap
 from collections.abc import Iterable, Iterator, Sequence
 from contextlib import chdir
 from pathlib import Path
-from typing import ClassVar, cast
+from typing import Any, ClassVar, cast
 
 from docutils import nodes
 from docutils.parsers.rst import directives
@@ -325,6 +325,14 @@ def name_terms(app: Sphinx, page: nodes.document) -> None:
             labels.note_hyperlink_target(name, app.env.docname, name)
 
 
+def list_exercises(
+    app: Sphinx, page: str, template: str, context: dict[str, Any], doctree: nodes.document | None
+) -> None:
+    """Let "On this page" show the single exercises, and not only the parts into which a page divides them."""
+    if page.endswith("exercises"):
+        context["theme_show_toc_level"] = 2
+
+
 # A number's unit, which is in a text of its own after the value of a fact.
 _SPACE_BEFORE_UNIT = re.compile(r"(?<=\d)\s(?=(?:s|ms|Hz)\b)")
 
@@ -355,4 +363,5 @@ def setup(app: Sphinx) -> ExtensionMetadata:
     app.connect("source-read", offer_download)
     app.connect("doctree-read", name_terms)
     app.connect("doctree-read", keep_units)
+    app.connect("html-page-context", list_exercises)
     return {"parallel_read_safe": False, "parallel_write_safe": True}
