@@ -3,8 +3,9 @@
 from __future__ import annotations
 
 import warnings
+from collections.abc import Sequence
 from enum import Enum, IntEnum
-from typing import Any
+from typing import Any, NamedTuple
 
 from .duration import Duration
 
@@ -53,7 +54,7 @@ class HistoryPolicy(QoSPolicyEnum):
 
 
 class ReliabilityPolicy(QoSPolicyEnum):
-    """Whether a message that was lost is sent again. Nothing is lost here."""
+    """Whether a message that was lost is sent again, and one that was sent before. Nothing is lost here."""
 
     SYSTEM_DEFAULT = 0
     RELIABLE = 1
@@ -63,7 +64,7 @@ class ReliabilityPolicy(QoSPolicyEnum):
 
 
 class DurabilityPolicy(QoSPolicyEnum):
-    """Whether who subscribes late is given the messages that are kept."""
+    """Whether who subscribes late is given the messages that are kept. For that, both ends have to be reliable."""
 
     SYSTEM_DEFAULT = 0
     TRANSIENT_LOCAL = 1
@@ -150,12 +151,40 @@ class QoSProfile:
         return None if self.history is HistoryPolicy.KEEP_ALL else max(self.depth, 1)
 
 
-def incompatible_policy(offered: QoSProfile, requested: QoSProfile) -> str | None:
-    """The policy by which a subscription asks for more than a publisher offers, or None: they match."""
-    if offered.durability is DurabilityPolicy.VOLATILE and requested.durability is DurabilityPolicy.TRANSIENT_LOCAL:
-        return "DURABILITY"
-    if offered.reliability is ReliabilityPolicy.BEST_EFFORT and requested.reliability is ReliabilityPolicy.RELIABLE:
+class Policies(NamedTuple):
+    """What the policies of an end come to: those of the middleware (Fast DDS) stand in for the ones that are left open.
+
+    A subscription that takes the best that is available looks at the publishers that are there when it is made.
+    """
+
+    reliable: bool
+    transient_local: bool
+
+    @classmethod
+    def offered(cls, qos: QoSProfile) -> Policies:
+        """A publisher's."""
+        return cls(
+            qos.reliability is not ReliabilityPolicy.BEST_EFFORT, qos.durability is not DurabilityPolicy.VOLATILE
+        )
+
+    @classmethod
+    def requested(cls, qos: QoSProfile, publishers: Sequence[Policies] = ()) -> Policies:
+        """A subscription's."""
+        best = cls(*map(all, zip(*publishers, strict=True))) if publishers else cls(True, True)
+        return cls(
+            qos.reliability is ReliabilityPolicy.RELIABLE
+            or (qos.reliability is ReliabilityPolicy.BEST_AVAILABLE and best.reliable),
+            qos.durability is DurabilityPolicy.TRANSIENT_LOCAL
+            or (qos.durability is DurabilityPolicy.BEST_AVAILABLE and best.transient_local),
+        )
+
+
+def incompatible_policy(offered: Policies, requested: Policies) -> str | None:
+    """The policy by which a subscription asks for more than a publisher offers, the last of them; None: they match."""
+    if requested.reliable and not offered.reliable:
         return "RELIABILITY"
+    if requested.transient_local and not offered.transient_local:
+        return "DURABILITY"
     return None
 
 

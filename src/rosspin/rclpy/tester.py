@@ -10,7 +10,6 @@ from .. import tester
 from ..clocks.clock import NS, nanoseconds
 from ..messages.ros2 import Message
 from ..world import World
-from .qos import QoSProfile
 from .topics import End, Publisher, Subscription
 
 __all__ = ["Tester", "give_parameters"]
@@ -75,7 +74,7 @@ class _Counterpart:
         self.world = other.world
         self.msg_type = other.msg_type
         self.end = End(other.end.topic, other.end.type, self)
-        self.qos_profile: QoSProfile = other.qos_profile
+        self.policies = other.policies
         self.peers: list[Any] = []
         self.kept: tuple[Message, ...] = ()
 

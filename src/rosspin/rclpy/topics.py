@@ -15,7 +15,7 @@ from typing import TYPE_CHECKING, Any, NamedTuple
 from ..messages.ros2 import Message, transfer
 from .callback_groups import ReentrantCallbackGroup
 from .exceptions import InvalidHandle, RCLError
-from .qos import DurabilityPolicy, QoSProfile, incompatible_policy
+from .qos import Policies, QoSProfile, incompatible_policy
 from .state import Gate
 
 if TYPE_CHECKING:
@@ -36,13 +36,22 @@ class End(NamedTuple):
 class _Owner:
     """What a publisher and a subscription have in common."""
 
-    def __init__(self, node: Node, msg_type: type[Message], topic: str, full_name: str, qos: QoSProfile) -> None:
+    def __init__(
+        self,
+        node: Node,
+        msg_type: type[Message],
+        topic: str,
+        full_name: str,
+        qos: QoSProfile,
+        policies: Policies,
+    ) -> None:
         self.node = node
         self.msg_type = msg_type
         self.topic = topic  # as its node calls it
         kind = f"{msg_type.__module__.replace('.', '/').rpartition('/')[0]}/{msg_type.__name__}"
         self.end = End(full_name, kind, self)
         self.qos_profile = qos
+        self.policies = policies
         self.peers: list[Any] = []
         self._destroyed = False
 
@@ -91,11 +100,10 @@ class Publisher(_Owner):
     )
 
     def __init__(self, node: Node, msg_type: type[Message], topic: str, full_name: str, qos: QoSProfile) -> None:
-        super().__init__(node, msg_type, topic, full_name, qos)
-        keeps = qos.durability is DurabilityPolicy.TRANSIENT_LOCAL
-        self.kept: deque[Message] = deque(maxlen=qos.kept if keeps else 0)
+        super().__init__(node, msg_type, topic, full_name, qos, Policies.offered(qos))
+        self.kept: deque[Message] = deque(maxlen=qos.kept if self.policies.transient_local else 0)
         for end in self.world.graph.advertise(self.end):
-            _connect(self, end.owner)
+            _connect(self, end.owner, end.owner, self)
 
     def publish(self, msg: Message) -> None:
         """Publish a message. TypeError for one of another class, AssertionError for one with wrong values in it.
@@ -149,15 +157,17 @@ class Subscription(_Owner):
         callback_group: Any,
         qos: QoSProfile,
     ) -> None:
-        super().__init__(node, msg_type, topic, full_name, qos)
+        super().__init__(node, msg_type, topic, full_name, qos, Policies.requested(qos))
         self.callback = callback
         self.callback_group = callback_group
         self.messages: deque[tuple[Message, dict[str, Any]]] = deque(maxlen=qos.kept)
         self.nudge: Callable[[], None] | None = None  # tells the executor that waits
         self._executor_event = False
         self._received = 0
-        for end in self.world.graph.subscribe(self.end):
-            _connect(end.owner, self)
+        publishers = [end.owner for end in self.world.graph.subscribe(self.end)]
+        self.policies = Policies.requested(qos, [publisher.policies for publisher in publishers])
+        for publisher in publishers:
+            _connect(publisher, self, publisher, self)
 
     @property
     def callback(self) -> Callable[..., Any]:
@@ -207,17 +217,17 @@ class Subscription(_Owner):
         return len(self.peers)
 
 
-def _connect(publisher: Publisher, subscription: Subscription) -> None:
+def _connect(publisher: Publisher, subscription: Subscription, *by_age: Publisher | Subscription) -> None:
     if publisher.end.type != subscription.end.type:
         return
-    policy = incompatible_policy(publisher.qos_profile, subscription.qos_profile)
+    policy = incompatible_policy(publisher.policies, subscription.policies)
     if policy:
-        publisher.refuse(policy)
-        subscription.refuse(policy)
+        for owner in by_age:
+            owner.refuse(policy)
         return
     publisher.peers.append(subscription)
     subscription.peers.append(publisher)
-    if subscription.qos_profile.durability is DurabilityPolicy.TRANSIENT_LOCAL:
+    if subscription.policies == (True, True):
         for message in publisher.kept:
             subscription.deliver(message, publisher.world.clock.now())
 
