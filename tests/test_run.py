@@ -10,7 +10,9 @@ import signal
 import sys
 import threading
 import time
+import warnings
 from collections.abc import Callable
+from linecache import getline
 from pathlib import Path
 from typing import Any
 
@@ -19,7 +21,7 @@ import pytest
 import rosspin
 from rosspin import NotSimulated, Tick, TimeStandsStill, measure, rospy, simulate, start
 from rosspin.clocks.simulation import Simulation
-from rosspin.process import load
+from rosspin.process import load, load_source
 from rosspin.run import run_node
 
 EXAMPLES = Path(__file__).parent.parent / "examples" / "my_robotics_pkg" / "src"
@@ -182,6 +184,23 @@ def test_an_exception_in_main_shows_the_node_s_own_frames(write: Any) -> None:
         "KeyError: 'arm'",
         "hook",
     ]
+
+
+@pytest.mark.parametrize("separator", ["\u2028", "\x0c", "\x85", "\x1c"])
+def test_a_traceback_shows_its_line_below_what_is_no_end_of_a_line(tmp_path: Path, separator: str) -> None:
+    path = tmp_path / "node.py"
+    path.write_text(f"text = 'a{separator}b'\n# {separator} #\n1 / 0\n", encoding="utf-8")
+    assert '", line 3, in <module>\n    1 / 0\n' in simulate(path, 1).console
+
+
+def test_a_syntax_warning_shows_a_line_of_its_own_text(monkeypatch: pytest.MonkeyPatch) -> None:
+    shown = []
+    monkeypatch.setattr(warnings, "showwarning", lambda _m, _c, name, line, *_: shown.append(getline(name, line)))
+    load_source("an_earlier_text = 1\n", "<node>")
+    with warnings.catch_warnings():
+        warnings.simplefilter("always")
+        load_source("print(1 is 1)\n", "<node>")
+    assert shown == ["print(1 is 1)\n"]
 
 
 # --- virtual time -----------------------------------------------------------------------------------------------------

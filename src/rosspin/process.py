@@ -114,12 +114,13 @@ def refuse_text(args: Sequence[str]) -> None:
 
 def load_source(source: str, filename: str) -> Node:
     """Load a node from its source text. Raises SyntaxError if it is not Python, ValueError if it is for both ROSes."""
+    lines = io.StringIO(source, newline=None).readlines()  # as Python counts them; it may show one when it compiles
+    linecache.cache[filename] = (len(source), None, lines, filename)
     try:
         code = compile(source, filename, "exec", dont_inherit=True)
     except SyntaxError as error:  # of null bytes Python does not say where
         line = source.partition("\0")[0].count("\n") + 1
         raise error if error.filename else SyntaxError(error.msg, (filename, line, None, None)) from None
-    linecache.cache[filename] = (len(source), None, source.splitlines(keepends=True), filename)
     folder = str(Path(filename).resolve().parent) if os.path.exists(filename) else None
     return Node(lambda: execute(code, filename), filename, filename, folder, source, _ros([code], filename, folder))
 
