@@ -255,6 +255,46 @@ def test_a_file_of_parameters(tmp_path: Path) -> None:
     assert {name: parameter.value for name, parameter in found.items()} == {"rate": 7, "sub.x": [1, 2], "all": "hi"}
 
 
+# --- warnings ---------------------------------------------------------------------------------------------------------
+
+WARNS = """import rclpy
+from rclpy.executors import MultiThreadedExecutor
+from rclpy.qos import QoSProfile
+rclpy.init()
+node = rclpy.create_node("node")
+def declare():
+    node.declare_parameter("y")
+def set_parameters(names):
+    node.set_parameters([rclpy.Parameter(name, value=1) for name in names])
+def lazy(parameters):
+    pass
+def done(future):
+    raise ValueError("x")
+node.declare_parameter("x")
+declare()
+node.declare_parameters("", [("z",)])
+node.add_on_set_parameters_callback(lazy)
+set_parameters("x")
+node.set_parameters_atomically([rclpy.Parameter("x", value=1)])
+profile = QoSProfile(depth=0)
+profile.depth = 0
+MultiThreadedExecutor(1)
+future = rclpy.Future()
+future.add_done_callback(done)
+future.set_result(1)
+"""
+
+
+def test_warnings_name_the_line_of_the_node(write: Any, recwarn: pytest.WarningsRecorder) -> None:
+    path = write(WARNS)
+    assert simulate(path, 1).status == 0
+    assert {each.filename for each in recwarn} == {str(path)}
+    assert [(each.lineno, str(each.message).partition(" ")[0]) for each in recwarn] == [
+        *((14, "when"), (7, "when"), (16, "when"), (9, "Callback"), (19, "Callback")),
+        *((20, "A"), (21, "A"), (22, "MultiThreadedExecutor"), (25, "Unhandled")),
+    ]
+
+
 # --- parameters -------------------------------------------------------------------------------------------------------
 
 

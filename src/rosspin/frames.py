@@ -4,7 +4,9 @@ from __future__ import annotations
 
 import linecache
 import os
+import sys
 import traceback
+import warnings
 from collections.abc import Callable
 from itertools import islice
 from types import CodeType, FrameType, TracebackType
@@ -12,7 +14,7 @@ from typing import NamedTuple
 
 __all__ = [
     *("Place", "Whereabouts", "called_from", "format_error", "is_installed", "node_frame", "node_frames", "places"),
-    "trail",
+    *("trail", "warn"),
 ]
 
 _PACKAGE = __name__.rpartition(".")[0]
@@ -53,6 +55,13 @@ def _outwards(frame: FrameType, skipped: Callable[[FrameType], bool]) -> FrameTy
 def is_installed(frame: FrameType) -> bool:
     """Whether a frame belongs to the standard library or to an installed package."""
     return frame.f_code.co_filename.startswith(_LIBRARY) or "site-packages" in frame.f_code.co_filename
+
+
+def warn(text: str) -> None:
+    """A UserWarning that names the line of the node that is being run, however deep in this package it arises."""
+    frame = node_frame(sys._getframe())
+    registry = frame.f_globals.setdefault("__warningregistry__", {})
+    warnings.warn_explicit(text, UserWarning, frame.f_code.co_filename, frame.f_lineno, registry=registry)
 
 
 def node_frames(trace: TracebackType | None) -> TracebackType | None:

@@ -4,11 +4,11 @@ from __future__ import annotations
 
 import inspect
 import time
-import warnings
 from collections.abc import Callable, Iterator
 from concurrent.futures import ThreadPoolExecutor
 from typing import TYPE_CHECKING, Any, TypeVar
 
+from ..frames import warn
 from .context import Context, get_default_context
 from .exceptions import (
     ConditionReachedException,
@@ -390,10 +390,7 @@ class MultiThreadedExecutor(Executor):
     def __init__(self, num_threads: int | None = None, *, context: Context | None = None) -> None:
         super().__init__(context=context)
         if num_threads == 1:
-            warnings.warn(
-                "MultiThreadedExecutor is used with a single thread.\nUse the SingleThreadedExecutor instead.",
-                stacklevel=2,
-            )
+            warn("MultiThreadedExecutor is used with a single thread.\nUse the SingleThreadedExecutor instead.")
         self._futures: list[Task] = []
         self._executor = ThreadPoolExecutor(num_threads or _THREADS)
 

@@ -3,13 +3,13 @@
 from __future__ import annotations
 
 import math
-import warnings
 from array import array
 from collections.abc import Callable, Iterable
 from enum import Enum
 from importlib import import_module
 from typing import Any
 
+from ..frames import warn
 from .exceptions import (
     InvalidParameterTypeException,
     InvalidParameterValueException,
@@ -189,12 +189,11 @@ class Parameters:
             validate_parameter_name(name)
             descriptor = _descriptor(descriptor, index)
             if len(entry) == 1:
-                warnings.warn(
+                warn(
                     f"when declaring parameter named '{name}', declaring a parameter only providing its name is "
                     'deprecated. You have to either:\n\t- Pass a name and a default value different to "PARAMETER NOT '
                     'SET" (and optionally a descriptor).\n\t- Pass a name and a parameter type.\n\t- Pass a name and a '
                     "descriptor with `dynamic_typing=True",
-                    stacklevel=4,
                 )
                 descriptor.dynamic_typing = True
             if isinstance(value, _Type):
@@ -322,7 +321,7 @@ class Parameters:
         for callback in self._on_set_parameters_callbacks:
             result = callback(parameters)
             if not isinstance(result, import_module("rcl_interfaces.msg").SetParametersResult):
-                warnings.warn("Callback returned an invalid type, it should return SetParameterResult.", stacklevel=4)
+                warn("Callback returned an invalid type, it should return SetParameterResult.")
                 return "Callback returned an invalid type"
             if not result.successful:
                 return str(result.reason)

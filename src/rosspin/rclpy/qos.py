@@ -2,11 +2,11 @@
 
 from __future__ import annotations
 
-import warnings
 from collections.abc import Sequence
 from enum import Enum, IntEnum
 from typing import Any, NamedTuple
 
+from ..frames import warn
 from .duration import Duration
 
 __all__ = [
@@ -130,10 +130,9 @@ class QoSProfile:
             if issubclass(kind, IntEnum):
                 value = kind(value)
             if name == "depth" and value == 0 and self.history is HistoryPolicy.KEEP_LAST:
-                warnings.warn(
+                warn(
                     "A zero depth with KEEP_LAST doesn't make sense; no data could be stored. "
                     "This will be interpreted as SYSTEM_DEFAULT",
-                    stacklevel=3,
                 )
         super().__setattr__(name, value)
 

@@ -4,12 +4,12 @@ from __future__ import annotations
 
 import inspect
 import sys
-import warnings
 from collections.abc import Callable, Coroutine, Generator
 from enum import Enum
 from typing import TYPE_CHECKING, Any
 from weakref import ref
 
+from ..frames import warn
 from .state import world_here
 
 if TYPE_CHECKING:
@@ -104,7 +104,7 @@ class Future:
                 try:
                     callback(self)
                 except Exception as error:
-                    warnings.warn(f"Unhandled exception in done callback: {error}", stacklevel=2)
+                    warn(f"Unhandled exception in done callback: {error}")
 
     def _next_callback(self) -> Callable[[Future], Any] | None:
         """Take the next callback: each is taken once, whoever settles the future or adds to it meanwhile."""
