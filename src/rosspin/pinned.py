@@ -10,6 +10,9 @@ from .ticks import Tick
 
 __all__ = ["as_test"]
 
+# What a comment in the first two lines says of the encoding. The source is a text, of which the file is made as UTF-8.
+_COOKIE = re.compile(r"\A((?:[ \t\f]*(?:#.*)?\n)??[ \t\f]*#.*?coding[:=][ \t]*)[-\w.]+")
+
 
 def as_test(
     source: str, filename: str, seconds: float, args: Sequence[str], console: str, ticks: Sequence[Tick]
@@ -19,6 +22,7 @@ def as_test(
     It carries the node's ``source``, so it stands by itself.
     """
     name = PurePath(filename).stem
+    source = _COOKIE.sub(r"\1utf-8", source)
     words = f", {list(args)!r}" if args else ""
     seen = [f"        {(tick.source, tick.number, tick.expected, tick.real)!r}," for tick in ticks]
     return "\n".join(
@@ -29,10 +33,11 @@ def as_test(
             f"NODE = {_text(source, '')}",
             "",
             "",
-            f"def test_{re.sub(r'[^0-9a-zA-Z_]', '_', name)}(tmp_path):",
+            f"def test_{re.sub(r'[^0-9a-zA-Z_]', '_', name)}(tmp_path, monkeypatch):",
+            "    monkeypatch.chdir(tmp_path)",
             f"    node = tmp_path / {filename!r}",
             '    node.write_text(NODE, encoding="utf-8")',
-            f"    run = simulate(node, {seconds!r}{words})",
+            f"    run = simulate(node.name, {seconds!r}{words})",
             "    assert run.status == 0",
             "    assert [(tick.source, tick.number, tick.expected, tick.real) for tick in run.ticks] == [",
             *seen,
