@@ -16,8 +16,8 @@ _FALSE = {"n", "no", "off", "false"}
 _RULE = re.compile(r"(?:(\w+):)?([^\s:=]+):=(.+)")
 LEVELS = {"unset": 0, "debug": 10, "info": 20, "warn": 30, "error": 40, "fatal": 50}
 
-# Options that have no effect here: there is no log file, no /rosout and no security.
-_WITHOUT_VALUE = re.compile("--(enable|disable)-(rosout|external-lib)-logs")
+# Options that have no effect here: there is no log file and no security.
+_WITHOUT_VALUE = {"--enable-external-lib-logs", "--disable-external-lib-logs"}
 _WITH_VALUE = {"-e", "--enclave", "--log-config-file"}
 
 
@@ -40,6 +40,7 @@ class Arguments:
         self.level: int | None = None
         self.levels: dict[str, int] = {}
         self.console = True
+        self.rosout = True
         self.deprecated: list[str] = []  # remappings as ROS 1 writes them
         self.rest: list[str] = []
         unknown = []
@@ -61,7 +62,9 @@ class Arguments:
                     self._use(flag, next(words, None), use, what)
                 elif flag.endswith("able-stdout-logs"):
                     self.console = flag == "--enable-stdout-logs"
-                elif not _WITHOUT_VALUE.fullmatch(flag):
+                elif flag.endswith("able-rosout-logs"):
+                    self.rosout = flag == "--enable-rosout-logs"
+                elif flag not in _WITHOUT_VALUE:
                     unknown.append(flag)
         if unknown:
             raise UnknownROSArgsError(str(unknown))

@@ -81,6 +81,8 @@ class Context:
         self.valid = False
         if self in self.state.contexts:
             self.state.contexts.remove(self)
+        if not self.state.contexts and self.state.rosout:
+            self.state.rosout.clear()
 
     def on_shutdown(self, callback: Callable[[], Any]) -> None:
         """Call ``callback`` at ``shutdown``; at once if that was. TypeError if it cannot be called.

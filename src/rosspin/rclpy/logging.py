@@ -246,10 +246,27 @@ def configure(arguments: Arguments) -> None:
     own.level = own.level if arguments.level is None else arguments.level
     own.levels.update(arguments.levels)
     own.console = arguments.console
+    own.rosout = (own.rosout or set()) if arguments.rosout else None
     for word in arguments.deprecated:
         get_logger("rcl").warning(
             f"Found remap rule '{word}'. This syntax is deprecated. Use '--ros-args --remap {word}' instead."
         )
+
+
+def publish_on_rosout(name: str, node_name: str) -> bool:
+    """Let a node's logger publish on /rosout, where nothing goes here; whether it may. There is one of each name."""
+    loggers = state().rosout
+    if loggers is None:
+        return False
+    if name in loggers:
+        get_logger("rcl.logging_rosout").warning(
+            f"Publisher already registered for node name: '{node_name}'. If this is due to multiple nodes with the "
+            f"same name then all logs for the logger named '{name}' will go out over the existing publisher. As soon as "
+            "any node with that name is destructed it will unregister the publisher, preventing any further logs for "
+            "that name from being published on the rosout topic."
+        )
+    loggers.add(name)
+    return True
 
 
 def get_logger(name: str) -> RcutilsLogger:

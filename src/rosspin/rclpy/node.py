@@ -31,7 +31,7 @@ class Node(Parameters):
     """A node: it has a name, makes timers, publishers and subscriptions, and has to be spun.
 
     ``cli_args`` are a command line for it alone, ``use_global_arguments`` says whether that of the process counts, too.
-    The parameters ``enable_rosout``, ``start_parameter_services`` and ``enable_logger_service`` have no effect.
+    The parameters ``start_parameter_services`` and ``enable_logger_service`` have no effect.
     Raises NotInitializedException before ``init``, InvalidNodeNameException and InvalidNamespaceException.
     """
 
@@ -72,6 +72,7 @@ class Node(Parameters):
             self.__name, self.__namespace = arguments.name(self.__name, self.__namespace)
         self.__full_name = f"{self.__namespace.rstrip('/')}/{self.__name}"
         self._logger = logging.get_logger(self.__full_name[1:].replace("/", "."))
+        self.__on_rosout = enable_rosout and logging.publish_on_rosout(self._logger.name, self.__name)
         self.__executor: Executor | None = None
 
         self._publishers: list[Publisher] = []
@@ -409,6 +410,8 @@ class Node(Parameters):
         for entities in (self._publishers, self._subscriptions, self._timers, self._guards):
             while entities:
                 self.__destroy(entities[0], entities)
+        if self.__on_rosout and self._context.state.rosout and not self.__destroyed:
+            self._context.state.rosout.discard(self._logger.name)
         self.__destroyed = True
         if self in self._context.nodes:
             self._context.nodes.remove(self)

@@ -55,6 +55,7 @@ class State:
         self.level = 20  # INFO
         self.levels: dict[str, int] = {}
         self.console = True
+        self.rosout: set[str] | None = set()  # loggers that would publish on /rosout; None: none may
         self.log_form: LogForm | None = None  # None: not looked up yet
 
 
