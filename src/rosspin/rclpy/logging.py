@@ -261,9 +261,9 @@ def publish_on_rosout(name: str, node_name: str) -> bool:
     if name in loggers:
         get_logger("rcl.logging_rosout").warning(
             f"Publisher already registered for node name: '{node_name}'. If this is due to multiple nodes with the "
-            f"same name then all logs for the logger named '{name}' will go out over the existing publisher. As soon as "
-            "any node with that name is destructed it will unregister the publisher, preventing any further logs for "
-            "that name from being published on the rosout topic."
+            f"same name then all logs for the logger named '{name}' will go out over the existing publisher. As "
+            "soon as any node with that name is destructed it will unregister the publisher, preventing any further "
+            "logs for that name from being published on the rosout topic."
         )
     loggers.add(name)
     return True
