@@ -163,8 +163,13 @@ def test_invalid_namespaces(namespace: str, said: str) -> None:
     ],
 )
 def test_invalid_topic_names(topic: str, said: str) -> None:
-    error = rclpy.exceptions.InvalidTopicNameException
-    values(lambda node: refused(error, f"Invalid topic name: {said}", lambda: node.count_publishers(topic)))
+    def body(node: Any) -> None:
+        from std_msgs.msg import UInt32
+
+        error = rclpy.exceptions.InvalidTopicNameException
+        refused(error, f"Invalid topic name: {said}", lambda: node.create_publisher(UInt32, topic, 1))
+
+    values(body)
 
 
 def test_before_init_and_after_shutdown() -> None:

@@ -224,4 +224,6 @@ for _name, _module in MODULES.items():
 def __getattr__(name: str) -> Any:
     if name in NOT_SIMULATED:
         raise NotSimulated(f"rclpy.{name}")
+    if module := MODULES.get(f"rclpy.{name}"):  # one that has another name here
+        return module
     raise AttributeError(f"module 'rclpy' has no attribute '{name}'", name=name)

@@ -13,6 +13,7 @@ from .context import Context, get_default_context
 from .exceptions import (
     ConditionReachedException,
     ExternalShutdownException,
+    InvalidHandle,
     RCLError,
     ShutdownException,
     TimeoutException,
@@ -65,16 +66,20 @@ class GuardCondition:
         self.triggered = False
         self.nudge: Callable[[], None] | None = None
         self._executor_event = False
+        self._destroyed = False
         self._executor_triggered = False  # an executor has seen it, and not called it yet
 
     def trigger(self) -> None:
-        """Ask for a call."""
+        """Ask for a call. InvalidHandle if it was destroyed."""
+        if self._destroyed:
+            raise InvalidHandle()
         self.triggered = True
         if self.nudge:
             self.nudge()
 
     def destroy(self) -> None:
         """Destroy it."""
+        self._destroyed = True
 
     def take(self) -> Any:
         """What is to be called."""
@@ -292,7 +297,8 @@ class Executor:
         """Wait until something is due, or has changed; what is due, and whether the timeout (ns) is over."""
         if not self._context.ok():
             reason = "either rcl_init() was not called or rcl_shutdown() was called."
-            raise RCLError(f"failed to initialize wait set: the given context is not valid, {reason}")
+            failed = "failed to initialize wait set" if deadline is None else "failed to create timer"
+            raise RCLError(f"{failed}: the given context is not valid, {reason}")
         if self._clock.now() != self.__waited_until:
             self._clock.sleep(0)  # a message that another thread sends at this time has arrived
         watched = [timer.clock.watchers for timer in timers if not timer.clock.flows]

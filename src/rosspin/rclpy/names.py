@@ -10,6 +10,7 @@ from .exceptions import (
     InvalidNodeNameException,
     InvalidParameterException,
     InvalidTopicNameException,
+    not_accepted,
 )
 
 __all__ = [
@@ -55,13 +56,21 @@ _FULL_TOPIC: list[Rule] = [
     (r"[^\w/]", "topic name must not contain characters other than alphanumerics, '_', or '/'"),
     (r"/(/)", "topic name must not contain repeated '/'"),
     (r"/(\d)", "topic name must not have a token that starts with a number"),
+    (r"^.{246}(.).", "topic length should not exceed '255U - 8U'"),
 ]
 
 
-def _check(name: str, rules: Iterable[Rule], error: type[Exception]) -> bool:
+def _fault(name: str, rules: Iterable[Rule]) -> tuple[str, int] | None:
+    """What is said of a name, and of which place in it; None: it is valid."""
     for pattern, text in rules:
         if found := re.search(pattern, name, re.ASCII):
-            raise error(name, text, found.start(found.lastindex or 0))
+            return text, found.start(found.lastindex or 0)
+    return None
+
+
+def _check(name: str, rules: Iterable[Rule], error: type[Exception]) -> bool:
+    if found := _fault(name, rules):
+        raise error(name, *found)
     return True
 
 
@@ -93,7 +102,14 @@ def validate_parameter_name(name: str) -> bool:
 
 
 def expand_topic_name(topic_name: str, node_name: str, node_namespace: str) -> str:
-    """The full name that a topic's name stands for in a node. ValueError for an unknown {word} in it."""
+    """The full name that a topic's name stands for in a node. ValueError for a faulty one, or an unknown {word}."""
+    given = {"topic name": topic_name, "node name": node_name, "node namespace": node_namespace}
+    for (what, name), rules in zip(given.items(), (_TOPIC, _NODE_NAME, _NAMESPACE), strict=True):
+        if not isinstance(name, str):
+            signature = "(arg0: str, arg1: str, arg2: str) -> str"
+            raise not_accepted(signature, *given.values(), function="rclpy_expand_topic_name")
+        if found := _fault(name, rules):
+            raise ValueError(f"{what} '{name}' is invalid: {found[0]}")
     words = {"node": node_name, "ns": node_namespace, "namespace": node_namespace}
 
     def fill(match: re.Match[str]) -> str:

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import time
 from collections.abc import Callable, Iterator
 from importlib import import_module
 from typing import TYPE_CHECKING, Any
@@ -87,7 +88,7 @@ class Node(Parameters):
             values = arguments.parameters(self.__full_name)
             overrides |= {name: Parameter(name, value=value) for name, value in values.items()}
         overrides |= {parameter.name: parameter for parameter in parameter_overrides or ()}
-        super().__init__(overrides, allow_undeclared_parameters)
+        super().__init__(overrides, allow_undeclared_parameters, self.__check)
         self._clock = ROSClock()
         if automatically_declare_parameters_from_overrides:
             entries = [(name, parameter.value) for name, parameter in overrides.items()]
@@ -212,7 +213,10 @@ class Node(Parameters):
     def create_guard_condition(
         self, callback: Callable[[], Any], callback_group: CallbackGroup | None = None
     ) -> GuardCondition:
-        """Call ``callback()`` once after each ``trigger()``."""
+        """Call ``callback()`` once after each ``trigger()``. RCLError after shutdown."""
+        if not self._context.ok():
+            reason = "either rcl_init() was not called or rcl_shutdown() was called."
+            raise RCLError(f"failed to create guard_condition: the given context is not valid, {reason}")
         group = callback_group or self.default_callback_group
         guard = GuardCondition(callback, group, self._context)
         guard.nudge = self.__nudge
@@ -311,7 +315,8 @@ class Node(Parameters):
         return None
 
     def resolve_topic_name(self, topic: str, *, only_expand: bool = False) -> str:
-        """The full name that a topic's name stands for in this node. RCLError if it is not valid."""
+        """The full name that a topic's name stands for in this node. RCLError if it is not valid. InvalidHandle."""
+        self.__check()
         try:
             return self.__resolve(topic, only_expand)
         except InvalidTopicNameException as error:
@@ -334,7 +339,11 @@ class Node(Parameters):
         return full_name
 
     def get_topic_names_and_types(self, no_demangle: bool = False) -> list[tuple[str, list[str]]]:
-        """The topics that are published, and their types. As on a real ROS, those of every node are among them."""
+        """The topics that are published, and their types. As on a real ROS, those of every node are among them.
+
+        InvalidHandle if the node was destroyed.
+        """
+        self.__check()
         topics = {
             "/parameter_events": "rcl_interfaces/msg/ParameterEvent",
             "/rosout": "rcl_interfaces/msg/Log",
@@ -344,31 +353,49 @@ class Node(Parameters):
         return [(topic, [kind]) for topic, kind in sorted(topics.items())]
 
     def count_publishers(self, topic_name: str) -> int:
-        """How many publishers of this process a topic has."""
+        """How many publishers of this process a topic has, whose name is not remapped. ValueError, InvalidHandle."""
         return self.__count(topic_name, "_publishers")
 
     def count_subscribers(self, topic_name: str) -> int:
-        """How many subscriptions of this process a topic has."""
+        """How many subscriptions of this process a topic has, whose name is not remapped. ValueError, InvalidHandle."""
         return self.__count(topic_name, "_subscriptions")
 
     def __count(self, topic_name: str, owners: str) -> int:
-        full_name = self.__resolve(topic_name)
+        full_name = names.expand_topic_name(topic_name, self.get_name(), self.get_namespace())
+        names.validate_full_topic_name(full_name)
         if not self._context.ok():
             what = {"_publishers": "publishers", "_subscriptions": "subscribers"}[owners]
             raise RCLError(f"Error in rcl_count_{what}: rcl node's context is invalid")
         return sum(owner.end.topic == full_name for node in self._context.nodes for owner in getattr(node, owners))
 
     def get_node_names(self) -> list[str]:
-        """The names of the nodes of this process."""
+        """The names of the nodes of this process. InvalidHandle if this one was destroyed."""
+        self.__check()
         return [node.__name for node in self._context.nodes]
 
     def get_node_names_and_namespaces(self) -> list[tuple[str, str]]:
-        """Names and namespaces of the nodes of this process."""
+        """Names and namespaces of the nodes of this process. InvalidHandle if this one was destroyed."""
+        self.__check()
         return [(node.__name, node.__namespace) for node in self._context.nodes]
 
     def get_fully_qualified_node_names(self) -> list[str]:
-        """The full names of the nodes of this process."""
+        """The full names of the nodes of this process. InvalidHandle if this one was destroyed."""
+        self.__check()
         return [node.__full_name for node in self._context.nodes]
+
+    def wait_for_node(self, fully_qualified_node_name: str, timeout: float) -> bool:
+        """Look every 0.1 s for a node of this process, for so many seconds; whether it was there.
+
+        Without a slash one is put before the name. A timeout that is not above 0 does not look. InvalidHandle.
+        """
+        name = (
+            fully_qualified_node_name if fully_qualified_node_name.startswith("/") else f"/{fully_qualified_node_name}"
+        )
+        start, found = time.time(), False
+        while time.time() - start < timeout and not found:
+            found = name in self.get_fully_qualified_node_names()
+            time.sleep(0.1)
+        return found
 
     # --- the end ------------------------------------------------------------------------------------------------------
 
@@ -473,6 +500,6 @@ NOT_SIMULATED = {
     *("destroy_client", "get_client_names_and_types_by_node", "get_publishers_info_by_topic"),
     *("get_publisher_names_and_types_by_node", "get_service_names_and_types", "get_subscriptions_info_by_topic"),
     *("get_node_names_and_namespaces_with_enclaves", "get_service_names_and_types_by_node", "handle"),
-    *("get_subscriber_names_and_types_by_node", "list_parameters", "remove_waitable", "resolve_service_name"),
-    *("destroy_service", "services", "set_descriptor", "wait_for_node", "waitables"),
+    *("get_subscriber_names_and_types_by_node", "remove_waitable", "resolve_service_name"),
+    *("destroy_service", "services", "set_descriptor", "waitables"),
 }

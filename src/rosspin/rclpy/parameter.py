@@ -145,11 +145,12 @@ class Parameters:
 
     PARAM_REL_TOL = 1e-6
 
-    def __init__(self, overrides: dict[str, Parameter], allow_undeclared: bool) -> None:
+    def __init__(self, overrides: dict[str, Parameter], allow_undeclared: bool, check: Callable[[], None]) -> None:
         self._parameters: dict[str, Parameter] = {}
         self._descriptors: dict[str, Any] = {}
         self._parameter_overrides = overrides
         self._allow_undeclared_parameters = allow_undeclared
+        self.__check = check  # raises InvalidHandle if the node was destroyed, as is found where an event would be sent
         self._pre_set_parameters_callbacks: list[Callable[[list[Parameter]], list[Parameter]]] = []
         self._on_set_parameters_callbacks: list[Callable[[list[Parameter]], Any]] = []
         self._post_set_parameters_callbacks: list[Callable[[list[Parameter]], Any]] = []
@@ -286,6 +287,30 @@ class Parameters:
         """Several parameters' descriptors."""
         return [self.describe_parameter(name) for name in names]
 
+    def list_parameters(self, prefixes: list[str], depth: int) -> Any:
+        """The names of the parameters below one of the prefixes (none: of all), and their own prefixes, as a message.
+
+        A name may have fewer than ``depth`` separators below the prefix; 0: any number. TypeError, ValueError.
+        """
+        if not isinstance(prefixes, list):
+            raise TypeError("The prefixes argument must be a list")
+        if not all(isinstance(prefix, str) for prefix in prefixes):
+            raise TypeError("All prefixes must be instances of type str")
+        if not isinstance(depth, int):
+            raise TypeError("The depth must be instance of type int")
+        if depth < 0:
+            raise ValueError("The depth must be greater than or equal to zero")
+
+        def is_listed(name: str) -> bool:
+            below = [name[len(start) :] for start in starts if name.startswith(start)]
+            return name in prefixes or any(depth == 0 or rest.count(".") < depth for rest in below)
+
+        starts = [prefix + PARAMETER_SEPARATOR_STRING for prefix in prefixes] or [""]
+        names = [name for name in self._parameters if is_listed(name)]
+        above = [name.rpartition(PARAMETER_SEPARATOR_STRING)[0] for name in names]
+        result = import_module("rcl_interfaces.msg").ListParametersResult
+        return result(names=names, prefixes=list(dict.fromkeys(filter(None, above))))
+
     # --- setting ------------------------------------------------------------------------------------------------------
 
     def set_parameters(self, parameter_list: list[Parameter]) -> list[Any]:
@@ -325,6 +350,7 @@ class Parameters:
                 return "Callback returned an invalid type"
             if not result.successful:
                 return str(result.reason)
+        self.__check()
         for parameter in parameters:
             name = parameter.name
             if descriptors is None and parameter.type_ is _Type.NOT_SET:

@@ -69,6 +69,7 @@ class _Owner:
     @property
     def logger_name(self) -> str:
         """The name of its node's logger."""
+        self._check()
         return self.node.get_logger().name
 
     def _check(self) -> None:
@@ -130,9 +131,11 @@ class Publisher(_Owner):
 
     def assert_liveliness(self) -> None:
         """Nobody watches for it here."""
+        self._check()
 
     def wait_for_all_acked(self, timeout: Any = None) -> bool:
         """True: what was published has arrived."""
+        self._check()
         return True
 
 
@@ -223,7 +226,8 @@ def _connect(publisher: Publisher, subscription: Subscription, *by_age: Publishe
     policy = incompatible_policy(publisher.policies, subscription.policies)
     if policy:
         for owner in by_age:
-            owner.refuse(policy)
+            if owner.node.context.ok():
+                owner.refuse(policy)
         return
     publisher.peers.append(subscription)
     subscription.peers.append(publisher)
