@@ -26,10 +26,17 @@ mark("spun")
 say(context.ok(), rclpy.ok(), rclpy.ok(context=context))
 for _ in range(2):
     rclpy.spin_once(first)
-names = {"context": context, "rclpy": rclpy, "Context": Context}
+names = {"context": context, "rclpy": rclpy, "Context": Context, "own": own, "executor": executor, "P": P}
 for text in """
 context.shutdown()
 context.try_shutdown()
+executor.spin_once(timeout_sec=0.1)
+executor.spin_once(timeout_sec=0)
+executor.spin_once()
+executor.spin()
+own.create_timer(P, print)
+own.create_rate(1)
+own.create_guard_condition(print)
 Context().ok()
 Context().shutdown()
 rclpy.create_node('n', context=Context())

@@ -88,9 +88,34 @@ def shutdown(*, context: Context | None = None, uninstall_handlers: bool | None 
         uninstall_signal_handlers()
 
 
-def create_node(node_name: str, **kwargs: Any) -> node.Node:
+def create_node(
+    node_name: str,
+    *,
+    context: Context | None = None,
+    cli_args: list[str] | None = None,
+    namespace: str | None = None,
+    use_global_arguments: bool = True,
+    enable_rosout: bool = True,
+    start_parameter_services: bool = True,
+    parameter_overrides: list[Parameter] | None = None,
+    allow_undeclared_parameters: bool = False,
+    automatically_declare_parameters_from_overrides: bool = False,
+    enable_logger_service: bool = False,
+) -> node.Node:
     """A :class:`rclpy.node.Node`, with the same arguments."""
-    return node.Node(node_name, **kwargs)
+    return node.Node(
+        node_name,
+        context=context,
+        cli_args=cli_args,
+        namespace=namespace,
+        use_global_arguments=use_global_arguments,
+        enable_rosout=enable_rosout,
+        start_parameter_services=start_parameter_services,
+        parameter_overrides=parameter_overrides,
+        allow_undeclared_parameters=allow_undeclared_parameters,
+        automatically_declare_parameters_from_overrides=automatically_declare_parameters_from_overrides,
+        enable_logger_service=enable_logger_service,
+    )
 
 
 def get_global_executor() -> Executor:
@@ -160,12 +185,12 @@ NOT_SIMULATED = {
 IN_PART = {
     "Context": "There is no network: ``domain_id`` has no effect.",
     "MultiThreadedExecutor": "Without ``num_threads`` it has 4 threads, not as many as there are processors.",
-    "Node": "It has no services, and nothing goes to ``/rosout`` or ``/parameter_events``. "
+    "Node": "It has no services, and no publishers for ``/rosout`` and ``/parameter_events``. "
     "Only the nodes and topics of its own process are counted. A node that a program drops without "
     "``destroy_node()`` is still there.",
     "Publisher": "Fields are always checked, as with ``ROS_PYTHON_CHECK_FIELDS=1``.",
     "QoSProfile": "``history``, ``depth``, ``reliability`` and ``durability`` have an effect.",
-    "RcutilsLogger": "On the console only, and rcl has no lines of its own there.",
+    "RcutilsLogger": "On the console only, where rcl has few lines of its own.",
     "Timer": "A period of less than 1 µs calls every 0.1 ms, about as often as a real machine can.",
     "TimerInfo": "Here it is; on a real ROS 2 from Kilted on.",
     "signals": "A handler that the node sets itself is called at once, not when the executor wakes.",
