@@ -37,6 +37,12 @@ def test_lines_of_cpp_and_python() -> None:
     assert lines[7] == Line("INFO", 1650283863.693749123, "[SPINNER PY NODE 2] counter = 1")  # ROS 2
 
 
+@pytest.mark.parametrize("text", ["a\x0cb", "a\u2028b", "a\x85b"])
+@pytest.mark.parametrize("end", ["\n", "\r\n", ""])
+def test_a_text_is_kept_to_the_end_of_its_line(text: str, end: str) -> None:
+    assert list(read_lines(f"[INFO] [1.500000]: {text}{end}")) == [Line("INFO", 1.5, text)]
+
+
 def test_ticks_by_their_tag_on_the_grid_of_the_period() -> None:
     ticks = read_ticks(LAUNCHED, period=0.5, start=1650283861.0)
     assert [(tick.source, tick.number) for tick in ticks] == [

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import io
 import math
 import re
 from collections.abc import Iterator
@@ -35,7 +36,7 @@ class Line(NamedTuple):
 
 def read_lines(console: str) -> Iterator[Line]:
     """Yield the log lines in a console text. Other lines are skipped, and colour codes are removed."""
-    for text in console.splitlines():
+    for text in io.StringIO(console, newline=None):  # other separators, such as a form feed, are text
         if match := _LINE.search(_COLOUR.sub("", text)):
             yield Line(match["severity"], float(match["ros"] or match["wall"]), match["text"])
 
