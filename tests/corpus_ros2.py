@@ -119,6 +119,8 @@ KILTED: dict[str, str] = {
     **dict.fromkeys(("values_nodes", "values_ros_args"), _INIT),
     **dict.fromkeys(("context_own", "ctrl_c_hooks"), "rclpy.shutdown() after Ctrl-C is no error, and calls the hooks"),
     **dict.fromkeys(("log_control", "log_levels"), "Logger.warn() is deprecated, as a warning says"),
+    "node_destroyed": _ENUMS,
+    "nodes_of_one_name": "when a context ends, the names of its nodes are forgotten while another goes on",
     "topics_destroyed": "publishing through a publisher that was destroyed is an InvalidHandle",
     "topics_values": "two messages of errors read differently",
     "values_duration": "durations can be added, subtracted and multiplied",
