@@ -279,3 +279,22 @@ def test_a_copy_follows_its_file(site: Path) -> None:
     assert (stale.line, stale.stands, stale.now) == (10, "old = 1", "new = 2")
     write(site, stale.edits)
     assert notebook.read_text() == "# Book\n\n" + cell.format("import rospy\n\nnew = 2\n")
+
+
+@pytest.mark.parametrize(
+    ("change", "now"),
+    [
+        (("= 0.5", "= 6.0"), "the node has no tick in 5 s"),
+        (("= 0.5", "= 0.0"), "the node has no tick in 5 s"),
+        (("import rospy", "import rospy ("), "SyntaxError: "),
+    ],
+)
+def test_a_node_without_ticks_is_one_entry_among_others(site: Path, change: tuple[str, str], now: str) -> None:
+    node = site / "examples/my_robotics_pkg/src/spinner_py_node.py"
+    node.write_text(node.read_text().replace(*change))
+    (site / "docs" / "page.rst").write_text(">>> 1\n2\n")
+    output, picture = stale_outputs(site)
+    assert (output.now, bool(output.edits)) == ("1\n", True)
+    line = (site / "README.md").read_text().splitlines()[picture.line - 1]
+    assert (picture.page, picture.stands, picture.edits) == ("README.md", line, ())
+    assert now in picture.now

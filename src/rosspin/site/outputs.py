@@ -102,14 +102,22 @@ def differences(old: list[str], new: list[str]) -> list[tuple[str, int, int, int
 def _picture(readme: str) -> Iterator[Stale]:
     """The picture, and the words that stand for it in the README."""
     node, seconds = _PICTURED
-    plot = timeline(simulate(node, seconds).ticks)
+    lines = Path(readme).read_text(encoding="utf-8").splitlines()
+    number = next(number for number, line in enumerate(lines) if f"]({_PICTURE})" in line)
+    try:
+        ticks = simulate(node, seconds).ticks
+    except Exception as error:  # whatever the author's node raises: all else is listed, too
+        yield Stale(readme, number + 1, lines[number], one_line(error))
+        return
+    if not ticks:
+        yield Stale(readme, number + 1, lines[number], f"the node has no tick in {seconds:g} s")
+        return
+    plot = timeline(ticks)
     with tempfile.TemporaryDirectory() as folder:
         drawn = Path(folder, "plot.svg")
         plot.save(drawn)
         new = drawn.read_text(encoding="utf-8")
     old = Path(_PICTURE).read_text(encoding="utf-8")
-    lines = Path(readme).read_text(encoding="utf-8").splitlines()
-    number = next(number for number, line in enumerate(lines) if f"]({_PICTURE})" in line)
     words = f"![{plot.alt}]({_PICTURE})"
     if (old, lines[number]) != (new, words):
         picture = Edit(_PICTURE, 0, len(old.splitlines()), tuple(new.splitlines()))
