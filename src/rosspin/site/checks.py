@@ -1,14 +1,17 @@
 """Sphinx extension: a build goes over all pages, and ends with a list of what no longer holds and with status 1.
 
-The list has what the directives and the notebooks noted, and the outputs. The builder ``doctest`` writes no page.
+The list has what the directives and the notebooks noted, the exercises that are missing, and the outputs. The builder
+``doctest`` writes no page.
 """
 
 from __future__ import annotations
 
 import json
 import re
+from collections.abc import Iterator
 from collections.abc import Set as AbstractSet
 from pathlib import Path
+from typing import Any
 
 from docutils import nodes
 from sphinx.application import Sphinx
@@ -16,6 +19,7 @@ from sphinx.builders.dummy import DummyBuilder
 from sphinx.environment import BuildEnvironment
 from sphinx.util.typing import ExtensionMetadata
 
+from ..exercises import EXERCISES
 from .claims import MIME, Stale, report, sentence_near
 from .outputs import stale_outputs
 
@@ -80,9 +84,29 @@ def _read_notebook(app: Sphinx, doctree: nodes.document) -> None:
                 error = f"{output['ename']}: {output['evalue']}"
                 note(app.env, start + line - 1, source[line - 1].strip(), error, block)
                 failed = True
+            # A folded answer is a solution.
+            elif "hide-cell" in cell["metadata"].get("tags", []) and (said := _not_yet(output)):
+                note(app.env, start, source[0], said)
             # What a magic says of its own arguments is only printed.
             elif (printed := "".join(output.get("text", []))).startswith("UsageError: "):
                 note(app.env, start, source[0], printed, block)
+
+
+def _not_yet(output: dict[str, Any]) -> str:
+    """What is said of an answer that is not right; "" of one that is, and of what is no answer."""
+    said = "".join(output.get("data", {}).get("text/plain", []))
+    return said if re.match(r"Exercise \d+: not yet\.", said) else ""
+
+
+def missing_exercises(root: Path) -> Iterator[Stale]:
+    """The exercises that have a check but no answer on their page, of the pages in ``root``/notebooks."""
+    for page in sorted(root.glob("notebooks/*.md")):
+        found = re.findall(r"^%%answer (\d+)$", page.read_text(encoding="utf-8"), re.MULTILINE)
+        on_page = {exercise.ros for exercise in EXERCISES if str(exercise.number) in found}
+        for exercise in EXERCISES:
+            if exercise.ros in on_page and str(exercise.number) not in found:
+                now = f'rosspin.exercises checks exercise {exercise.number}, "{exercise.title}"'
+                yield Stale(page.relative_to(root).as_posix(), 1, f"no cell with %%answer {exercise.number}", now)
 
 
 def _line_of(traceback: list[str]) -> int:
@@ -94,7 +118,7 @@ def _line_of(traceback: list[str]) -> int:
 
 def _list(app: Sphinx, error: Exception | None) -> None:
     if error is None:
-        stale = _stale | set(stale_outputs(Path(app.srcdir)))
+        stale = _stale | {*missing_exercises(Path(app.srcdir)), *stale_outputs(Path(app.srcdir))}
         if stale:
             print(f"\n{report(stale)}\n", flush=True)
             app.statuscode = 1
