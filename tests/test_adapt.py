@@ -7,6 +7,7 @@ import re
 import shutil
 import subprocess
 import sys
+import textwrap
 from pathlib import Path
 
 import pytest
@@ -21,7 +22,10 @@ COMMANDS = re.findall(r"^ +\$ (.*)", HOW_TO, re.MULTILINE)
 
 @pytest.fixture(scope="module")
 def tree(tmp_path_factory: pytest.TempPathFactory) -> Path:
-    """A copy of what git tracks, as an author has it. To be quick, two notebooks are run, and measure for a moment."""
+    """A copy of what git tracks, as an author has it. To be quick, two notebooks are run, and measure for a moment.
+
+    What the others answer to exercises stays there as text.
+    """
     folder = tmp_path_factory.mktemp("author") / "rosspin"
     listed = subprocess.run(["git", "ls-files", "-z"], cwd=ROOT, check=True, capture_output=True, text=True).stdout
     for name in filter(None, listed.split("\0")):
@@ -31,12 +35,16 @@ def tree(tmp_path_factory: pytest.TempPathFactory) -> Path:
     for notebook in folder.glob("notebooks/*.md"):
         text = notebook.read_text().replace("%%measure 6", "%%measure 0.5")
         if notebook.stem not in ("timer", "rate"):
-            text = re.sub(r"^```\{code-cell\}(.*\n)*?```\n", "", text, flags=re.MULTILINE)
+            text = re.sub(r"^```\{code-cell\}(.*\n)*?```\n", _not_run, text, flags=re.MULTILINE)
         notebook.write_text(text)
     git = ["git", "-c", "user.name=author", "-c", "user.email=author@localhost"]
     for command in (["init", "--quiet"], ["add", "."], ["commit", "--quiet", "--message", "As it was"]):
         subprocess.run([*git, *command], cwd=folder, check=True)
     return folder
+
+
+def _not_run(cell: re.Match[str]) -> str:
+    return cell[0].replace("{code-cell} ipython3", "text", 1) if "\n%%answer " in cell[0] else ""
 
 
 def _type(command: str, tree: Path) -> subprocess.CompletedProcess[str]:
@@ -127,19 +135,76 @@ def test_a_figure_that_cannot_be_made_is_in_the_list(tree: Path) -> None:
     page = tree / "docs" / "glossary.rst"
     before = page.read_text()
     node = "../examples/my_robotics_pkg/src/spinner_py_node.py"
+    sets = ":sets: timer_delta_t_in_seconds"
+    probe = "../examples/timing_probes/src/timer_probe"
+    moved = f"{probe}.py _period:={{}}\n:seconds: 2\n:handle: Period"
+    slider = ", 0.1 to 1 by 0.1 s"
+    moves_nothing = "the handle moves nothing: name a variable with :sets:, or write {} among the arguments"
+    rises = "a handle goes from a number to a greater one, by a step above 0"
     wrong = {
-        f"{node}\n   :handle: Delta, 0.1 to 1 by 0.1 s\n   :sets: delta": f"{node} assigns no number to delta",
-        f"{node}\n   :handle: Delta from 0.1 to 1\n   :at: 0.5": "a handle is LABEL, FROM to TO by STEP UNIT",
-        "../examples/timing_probes/src/timer_probe.cpp _threads:=2": "the rule of roscpp's timer knows no threads",
+        f"{node}\n:seconds: 2\n:handle: Delta{slider}\n:sets: delta": f"{node} assigns no number to delta",
+        f"{node}\n:seconds: 2\n:handle: Delta from 0.1 to 1\n:at: 0.5": "a handle is LABEL, FROM to TO by STEP UNIT",
+        f"{probe}.cpp _threads:=2\n:seconds: 2": "the rule of roscpp's timer knows no threads",
+        f"{probe}.cpp _period:=0\n:seconds: 2": "with a period of 0, roscpp calls back without a pause",
+        f"{probe}.cc\n:seconds: 2": f"there is no {probe}.cc: a path begins where the page is",
+        node: ":seconds: is missing: how long the node runs",
+        "\n:seconds: 2": "no node is named: give a FILE, or rows of the form NAME: FILE ARGS",
+        f"\n:seconds: 2\n\nrospy {node}": f"a row is NAME: FILE ARGS, not 'rospy {node}'",
+        f"\n:seconds: 2\n\nrospy: {probe}.py\nrospy: {node}": "two rows have the name rospy",
+        "../examples/my_robotics_pkg/src/spinner_cpp_node.cpp\n:seconds: 2": (
+            "C++ cannot be run here; of timer_probe.cpp the rule is known, and of no other file"
+        ),
+        f"{node}\n:seconds: 0.4": "there is no tick in 0.4 s",
+        f"{node}\n:seconds: 2\n:handle: Delta, 0 to 1 by 0.5 s\n{sets}": "there is no tick in 2 s at 0 s",
+        f"{node}\n:seconds: 2\n:handle: Delta{slider}": moves_nothing,
+        f"{node}\n:seconds: 2\n:handle: Delta{slider}\n:at: 0.5": moves_nothing,
+        f"{moved}{slider}": "where the handle is at first is missing: :at:, or a variable with :sets:",
+        f"{moved}, 1 to 0.1 by 0.1 s\n:at: 0.5": rises,
+        f"{moved}, 1 to 0.1 by -0.1 s\n:at: 0.5": rises,
+        f"{moved}, 0.1 to 1 by 0 s\n:at: 0.5": rises,
     }
-    page.write_text(before + "".join(f"\n.. ticks:: {text}\n   :seconds: 2\n" for text in wrong))
+    directives = ("\n.. ticks:: " + text.replace("\n", "\n   ") + "\n" for text in wrong)
+    page.write_text(before + "".join(directives))
     try:
         listed = _list(_type("make doctest", tree).stdout)
     finally:
         page.write_text(before)
     for why in wrong.values():
-        entry = rf"docs/glossary\.rst:\d+\n  stands  a plot of .*\n  now     ValueError: {re.escape(why)}"
-        assert re.search(entry, listed)
+        entry = rf"docs/glossary\.rst:\d+\n  stands  a plot of .*\n  now     {re.escape(why)}\n"
+        assert re.search(entry, listed), listed
+    assert len(_places(listed)) == len(wrong)
+
+
+def test_the_cell_with_a_slider_makes_a_figure(monkeypatch: pytest.MonkeyPatch) -> None:
+    monkeypatch.chdir(ROOT / "notebooks")
+    (cell,) = re.findall(r"^.. code-block:: python\n\n((?:   .*\n)+)", HOW_TO, re.MULTILINE)
+    *_, last = lines = textwrap.dedent(cell).splitlines()
+    assert len(lines) == 4
+    names: dict[str, object] = {}
+    exec("\n".join(lines[:-1]), names)
+    figure = eval(last, names)
+    assert 'max="2"' in figure.handle and "0.4 s" in figure.handle
+
+
+SOLUTION = "```{code-cell} ipython3\n:tags: [hide-cell]\n\n%%answer 20\nafter_1_0_seconds = [1]\n```\n"
+
+
+def test_exercises_are_solved_by_their_solutions_and_none_is_missing(tree: Path) -> None:
+    page = tree / "notebooks" / "ros2-exercises.md"
+    before = page.read_text()
+    start = "```{code-cell} ipython3\n%load_ext rosspin\n```\n\n"
+    reader = SOLUTION.replace("hide-cell", "live")
+    page.write_text(before.replace("%%answer 21\n", "%%answer\n") + start + SOLUTION + reader)
+    try:
+        listed = _list(_type("make doctest", tree).stdout)
+    finally:
+        page.write_text(before)
+    line = page.read_text().count("\n") + 1 + (start + SOLUTION).count("\n", 0, (start + SOLUTION).index("%%"))
+    wrong = _entry(listed, f"notebooks/ros2-exercises.md:{line}\n")
+    assert re.search(r"stands +%%answer 20\n +now +Exercise 20: not yet\.\n(.*\n)* +Hint: ", wrong)
+    assert listed.count("%%answer 20") == 1  # where a reader starts, an answer need not be right
+    assert 'no cell with %%answer 21\n  now     rosspin.exercises checks exercise 21, "Call back once"\n' in listed
+    assert listed.count("no cell with") == 1
 
 
 def test_nothing_here_is_stale() -> None:

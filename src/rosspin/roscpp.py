@@ -23,7 +23,11 @@ def timer_ticks(period: float, duration: Callable[[int], float], seconds: float)
     A timer is armed anew only after its callback has returned. Its next call is due one period after the last one was;
     if even the call after that would have been due already, the next one is due now (source:
     ros/timer_manager.h, ``updateNext``).
+
+    Raises ValueError for a period that is not above 0, with which roscpp would call back for ever in no time.
     """
+    if period <= 0:
+        raise ValueError(f"with a period of {period:g}, roscpp calls back without a pause")
     ticks: list[Tick] = []
     step, until = round(period * _NS), round(seconds * _NS)
     due = now = step
@@ -41,7 +45,7 @@ def timer_ticks(period: float, duration: Callable[[int], float], seconds: float)
 def timer_probe(seconds: float, args: Sequence[str]) -> list[Tick]:
     """The ticks of ``examples/timing_probes/src/timer_probe.cpp`` with these parameters, for so many seconds.
 
-    Raises ValueError for a parameter that is not about its one timer.
+    Raises ValueError for a parameter that is not about its one timer, and for a period that is not above 0.
     """
     given = dict(word.removeprefix("_").split(":=", 1) for word in args)
     if unknown := given.keys() - {"period", "block", "block_call", "block_calls", "blocks"}:

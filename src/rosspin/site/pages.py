@@ -67,17 +67,30 @@ class TicksDirective(SphinxDirective):
         try:
             return list(self._shown(self._plot().captioned(self._caption())))
         except Exception as error:
-            command = self.arguments[0] if self.arguments else "; ".join(self.content)
-            note(self.env, self.lineno, f"a plot of {command}", one_line(error))
+            command = self.arguments[0] if self.arguments else "; ".join(self.content) or "nothing"
+            # What is wrong with the directive is said in a sentence; errors of other kinds need their names.
+            said = str(error) if type(error) is ValueError else one_line(error)
+            note(self.env, self.lineno, f"a plot of {command}", said)
             return []
 
     def _commands(self) -> dict[str, list[str]]:
-        rows = [line.split(": ", 1) for line in self.content] or [["", self.arguments[0]]]
-        return {name: shlex.split(command) for name, command in rows}
+        commands = {}
+        for row in self.content or [f": {argument}" for argument in self.arguments]:
+            name, colon, command = row.partition(": ")
+            if not (colon and command.strip()):
+                raise ValueError(f"a row is NAME: FILE ARGS, not {row!r}")
+            if name in commands:
+                raise ValueError(f"two rows have the name {name}")
+            commands[name] = shlex.split(command)
+        if not commands:
+            raise ValueError("no node is named: give a FILE, or rows of the form NAME: FILE ARGS")
+        return commands
 
     def _file(self, name: str) -> str:
         relative, path = self.env.relfn2path(name)
         self.env.note_dependency(relative)
+        if not os.path.isfile(path):
+            raise ValueError(f"there is no {name}: a path begins where the page is")
         return os.fspath(path)
 
     def _caption(self) -> str:
@@ -92,22 +105,34 @@ class TicksDirective(SphinxDirective):
         if found is None:
             raise ValueError("a handle is LABEL, FROM to TO by STEP UNIT")
         first, last, step = map(float, found.group(2, 3, 4))
+        if first >= last or step <= 0:
+            raise ValueError("a handle goes from a number to a greater one, by a step above 0")
         sets = self.options.get("sets", "")
+        if not sets and not any("{}" in word for _, *args in self._commands().values() for word in args):
+            raise ValueError("the handle moves nothing: name a variable with :sets:, or write {} among the arguments")
+        if not sets and "at" not in self.options:
+            raise ValueError("where the handle is at first is missing: :at:, or a variable with :sets:")
         at = self.options["at"] if "at" in self.options else float(self._assignment(sets)[2])
         values = {at, *(round(first + number * step, 9) for number in range(round((last - first) / step) + 1))}
-        runs = {value: self._ticks(value) for value in sorted(values)}
+        runs = {value: self._ticks(value, f" at {value:g} {found[5]}") for value in sorted(values)}
         return with_handle(found[1], found[5], runs, at, period, sets)
 
-    def _ticks(self, value: float | None) -> dict[str, Sequence[Tick]]:
+    def _ticks(self, value: float | None, where: str = "") -> dict[str, Sequence[Tick]]:
+        if "seconds" not in self.options:
+            raise ValueError(":seconds: is missing: how long the node runs")
         ticks = {}
         for name, (file, *args) in self._commands().items():
             given = [word.replace("{}", str(value)) for word in args]
             found = self._run(self._file(file), given, value)
-            ticks[name or found[0].source] = found
+            ticks[name or (found[0].source if found else "")] = found
+        if not any(ticks.values()):
+            raise ValueError(f"there is no tick in {self.options['seconds']:g} s{where}")
         return ticks
 
     def _run(self, path: str, args: list[str], value: float | None) -> Sequence[Tick]:
-        if path.endswith("timer_probe.cpp"):
+        if path.endswith(".cpp"):
+            if os.path.basename(path) != "timer_probe.cpp":
+                raise ValueError("C++ cannot be run here; of timer_probe.cpp the rule is known, and of no other file")
             return timer_probe(self.options["seconds"], args)
         node = load(path)
         if value is not None and "sets" in self.options:
