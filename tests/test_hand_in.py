@@ -262,13 +262,14 @@ def test_what_comes_out_of_a_sandbox_is_not_trusted(quick: Table) -> None:
 
 
 NO_ANSWERS = [
-    ("x" * 3_000_000, "it has 3.0 MB, and a file of answers has at most 1 MB"),
-    ("", "it is not JSON"),
-    ("%%answer 1\n", "it is not JSON"),
-    ("[" * 900_000, "it is not JSON"),
-    ("null", "it is no file of answers to these exercises"),
-    ("[]", "it is no file of answers to these exercises"),
-    (handed_in(format="other"), "it is no file of answers to these exercises"),
+    ("x" * 3_000_000, "it is 3.0 MB; the limit is 1 MB"),
+    ("PK\x03\x04" + "x" * 3_000_000, "it is a zip archive; unpack it first"),
+    ("", "it is not a file that Hand in saved (it is not JSON)"),
+    ("%%answer 1\n", "it is not a file that Hand in saved (it is not JSON)"),
+    ("[" * 900_000, "it is not a file that Hand in saved (it is not JSON)"),
+    ("null", "it is not a file of answers to these exercises"),
+    ("[]", "it is not a file of answers to these exercises"),
+    (handed_in(format="other"), "it is not a file of answers to these exercises"),
     (handed_in(version=2), "another version of this site wrote it"),
     (handed_in(name=None), "its name or its answers are missing"),
     (handed_in(id=5), "its name or its answers are missing"),
@@ -289,6 +290,24 @@ def test_what_is_no_file_of_answers_is_refused(table: Table) -> None:
     assert table.notes.all_text_contents() == refused
 
 
+def test_what_was_refused_is_not_forgotten(quick: Table) -> None:
+    """Whatever is dropped after it: it is on the page, counted, and in the CSV, even if no file was read."""
+    quick.drop(**{"=odd": "null", "other": ""})
+    expect(quick.status).to_have_text("Done: 0 judged; 2 files refused")
+    expect(quick.page.get_by_role("region", name="Who solved what")).to_be_hidden()
+    quick.drop(ada=handed_in(answers={"99": "solved"}), huge="x" * 2_000_000)
+    expect(quick.status).to_have_text("Done: 1 judged; 3 files refused")
+    named = [said.partition(" ")[0] for said in quick.notes.all_text_contents()]
+    assert named == ["=odd.json", "other.json", "huge.json"]
+    _, ada, *refused = quick.csv()
+    assert ada[0] == "Ada"
+    assert refused == [
+        ["", "'=odd.json", "refused: it is not a file of answers to these exercises"],
+        ["", "other.json", "refused: it is not a file that Hand in saved (it is not JSON)"],
+        ["", "huge.json", "refused: it is 2.0 MB; the limit is 1 MB"],
+    ]
+
+
 # --- the table --------------------------------------------------------------------------------------------------------
 
 
@@ -302,10 +321,19 @@ def test_who_is_who(quick: Table) -> None:
     quick.drop(a=handed_in("Sam", date=days[0], answers={"2": "solved"}))
     expect(quick.notes).to_have_text("a.json is left out: Sam handed in b.json after it.")
     quick.drop(b=handed_in("Sam", date=days[2], answers={"3": "solved"}))
-    expect(quick.notes).to_have_text("b.json takes the place of b.json, which Sam handed in before.")
+    expect(quick.notes.nth(1)).to_have_text("b.json takes the place of b.json, which Sam handed in before.")
+    quick.drop(b=handed_in("Sam", date=days[2].replace(":00.000", ":30.000"), answers={"3": "solved"}))
+    expect(quick.notes.nth(2)).to_have_text("b.json takes the place of b.json, which Sam handed in before.")
+    quick.drop(b=handed_in("Sam", date=days[2], answers={"3": "not yet"}))  # in the same minute, but before it
+    expect(quick.notes.nth(3)).to_have_text("b.json is left out: Sam handed in b.json after it.")
     quick.done()
-    names = ["Al\nd.json\nsame browser as Sam", "Sam\nc.json", "Sam\nb.json\n2026-11-22 00:00:00\nsame browser as Al"]
-    assert [re.sub(r"\d\d:", "00:", name) for name in quick.rows.locator("th").all_inner_texts()] == names
+    al, c, b = quick.rows.locator("th").all_inner_texts()
+    assert al == "Al\nd.json\nsame browser as Sam"
+    assert c == "Sam\nc.json\nsame name as b.json, another browser"
+    date = r"b\.json, 2026-11-2\d \d\d:\d\d"
+    assert re.fullmatch(rf"Sam\n{date}\nsame browser as Al\nsame name as c\.json, another browser", b)
+    assert "Sam, exercise 3: The ticks of a C++ node: solved" in quick.said("Sam, exercise 3: solved")
+    assert [row[4:6] for row in quick.csv()[1:]] == [["Sam", ""], ["", "b.json"], ["Al", "c.json"]]
     expect(quick.sign("Sam, exercise 3: solved")).to_be_visible()
     expect(quick.page.get_by_role("columnheader", name="3")).to_have_attribute(
         "title", "Exercise 3: The ticks of a C++ node"
@@ -344,14 +372,15 @@ def test_csv(quick: Table) -> None:
     assert not quick.page.evaluate(may_leave)
     head, *rows = quick.csv()
     assert quick.page.evaluate(may_leave)
-    exercises = ["exercise 1", "exercise 4", "exercise 99"]
-    assert head == ["name", "file", "date", "same browser as", "answers", "solved", *exercises]
+    exercises = ["exercise 1: The first ticks", "exercise 4: Change the rate", "exercise 99"]
+    marks = ["same browser as", "same name in another browser"]
+    assert head == ["name", "file", "note", "date", *marks, "answers", "solved", *exercises]
     assert sorted(row[0] for row in rows[:4]) == ["'+1", "'-1", "'=1+1", "'@SUM(A1)"]
     ada, al, zoe = rows[4:]
-    assert ada.pop(2).startswith("2026-11-2")
-    assert ada == ["Ada", "ada.json", "Al", "2", "1", "solved", "not yet", ""]
-    assert al == ["Al", "'=x.json", "", "Ada", "1", "0", "not judged", "", ""]
-    assert zoe == ['Zoë "Z", jr.', "4.json", "", "", "1", "0", "", "", "to read"]
+    assert re.fullmatch(r"2026-11-2\d \d\d:\d\d", ada.pop(3))
+    assert ada == ["Ada", "ada.json", "", "Al", "", "2", "1", "solved", "not yet", ""]
+    assert al == ["Al", "'=x.json", "", "", "Ada", "", "1", "0", "not judged", "", ""]
+    assert zoe == ['Zoë "Z", jr.', "4.json", "", "", "", "", "1", "0", "", "", "to read"]
 
 
 def test_keyboard_alone(quick: Table) -> None:

@@ -13,24 +13,24 @@ export function write(name, id, answers) {
 }
 
 /**
- * What a file holds, with `answers` as pairs of a number and a text, and `date` as a Date or null. Error: why it is
- * refused, in a sentence.
+ * What a file holds, with `answers` as pairs of a number and a text, and `date` as a Date or null. The message of an
+ * Error says why it is refused.
  */
 export async function read(file) {
   const refuse = (why) => {
-    throw new Error(`${file.name} is refused: ${why}.`)
+    throw new Error(why)
   }
-  if (file.size > MOST.file) {
-    refuse(`it has ${(file.size / 1e6).toFixed(1)} MB, and a file of answers has at most ${MOST.file / 1e6} MB`)
-  }
+  const start = await file.slice(0, 4).text().catch(() => refuse("it cannot be read"))
+  if (start === "PK\x03\x04") refuse("it is a zip archive; unpack it first")
+  if (file.size > MOST.file) refuse(`it is ${(file.size / 1e6).toFixed(1)} MB; the limit is ${MOST.file / 1e6} MB`)
   const text = await file.text().catch(() => refuse("it cannot be read"))
   let found
   try {
     found = JSON.parse(text)
   } catch {
-    refuse("it is not JSON")
+    refuse("it is not a file that Hand in saved (it is not JSON)")
   }
-  if (found?.format !== FORMAT) refuse("it is no file of answers to these exercises")
+  if (found?.format !== FORMAT) refuse("it is not a file of answers to these exercises")
   if (found.version !== VERSION) refuse("another version of this site wrote it")
   const { name, id, answers } = found
   if (typeof name !== "string" || typeof id !== "string" || typeof answers !== "object" || !answers) {

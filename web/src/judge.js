@@ -28,7 +28,7 @@ const NOT_JUDGED = ["to read", "not judged", "stopped"]
 /** A row of the table: what one student has handed in. */
 class HandIn {
   constructor({ file, name, id, date, answers }) {
-    Object.assign(this, { file, name, id, date: date ? local(date) : "" })
+    Object.assign(this, { file, name, id, date: date ? local(date) : "", time: date?.getTime() ?? 0 })
     this.answers = new Map(answers.map(([number, text]) => [number, new Judged(name, number, text)]))
   }
 
@@ -40,10 +40,15 @@ class HandIn {
   get others() {
     return rows.filter(({ id, name }) => id === this.id && name !== this.name).map(({ name }) => name)
   }
+
+  /** The files that were handed in under this name from other browsers. */
+  get namesakes() {
+    return rows.filter(({ id, name }) => id !== this.id && name === this.name).map(({ file }) => file)
+  }
 }
 
-/** A time as in "2026-11-21 22:05:30", where the reader is. */
-const local = (date) => date.toLocaleString("sv")
+/** A time as in "2026-11-21 22:05", where the reader is. */
+const local = (date) => date.toLocaleString("sv", { dateStyle: "short", timeStyle: "short" })
 
 /** An answer and its verdict; its button in the table leads to what the checker said. */
 class Judged {
@@ -74,6 +79,7 @@ class Judged {
 }
 
 let rows = []
+const refused = [] // files, each with a file name and why
 let waiting = []
 let lanes = 0
 let stop = new AbortController()
@@ -88,7 +94,7 @@ async function add(files) {
     try {
       const row = new HandIn(await read(file))
       const before = rows.find(({ name, id }) => name === row.name && id === row.id)
-      if (before && before.date > row.date) {
+      if (before && before.time > row.time) {
         problems.push(`${row.file} is left out: ${row.name} handed in ${before.file} after it.`)
         continue
       }
@@ -99,10 +105,11 @@ async function add(files) {
       rows.push(row)
       waiting.push(...row.answers.values())
     } catch (error) {
-      problems.push(error.message)
+      refused.push({ file: file.name, why: error.message })
+      problems.push(`${file.name} is refused: ${error.message}.`)
     }
   }
-  notes.replaceChildren(...problems.map((said) => make("li", { textContent: said })))
+  notes.append(...problems.map((said) => make("li", { textContent: said })))
   rows.sort((one, other) => one.name.localeCompare(other.name, undefined, { numeric: true }))
   isSaved = false
   draw()
@@ -147,17 +154,22 @@ function draw() {
   const columns = numbers()
   const head = make("tr", {}, make("th", { scope: "col", textContent: "Name" }))
   head.append(make("th", { scope: "col", textContent: "Solved" }))
-  head.append(...columns.map((number) => make("th", { scope: "col", textContent: number, title: exercise(number) })))
+  head.append(...columns.map((number) => make("th", { scope: "col", textContent: number, title: exercise(number, "Exercise") })))
   const body = rows.map((row) => {
-    const name = make("th", { scope: "row" }, row.name, make("small", { textContent: row.file }))
-    if (row.date) name.append(make("small", { textContent: row.date }))
-    if (row.others.length) name.append(make("small", { textContent: `same browser as ${row.others.join(", ")}` }))
+    const said = [
+      row.date ? `${row.file}, ${row.date}` : row.file,
+      row.others.length && `same browser as ${row.others.join(", ")}`,
+      row.namesakes.length && `same name as ${row.namesakes.join(", ")}, another browser`,
+    ]
+    const name = make("th", { scope: "row" }, row.name)
+    name.append(...said.filter(Boolean).map((textContent) => make("small", { textContent })))
     row.count = make("td", {})
     const cells = columns.map((number) => make("td", {}, row.answers.get(number)?.button ?? nothing()))
     return make("tr", {}, name, row.count, ...cells)
   })
   table.replaceChildren(make("thead", {}, head), make("tbody", {}, ...body))
-  results.hidden = rows.length === 0
+  results.hidden = rows.length + refused.length === 0
+  scroll.hidden = legend.hidden = rows.length === 0
   tell()
 }
 
@@ -179,11 +191,12 @@ function tell() {
 function outcome(answers) {
   const kinds = NOT_JUDGED.map((kind) => [answers.filter(({ verdict }) => verdict === kind).length, kind])
   const judged = kinds.reduce((left, [number]) => left - number, answers.length)
-  return [[judged, "judged"], ...kinds.filter(([number]) => number)].map((pair) => pair.join(" ")).join(", ")
+  const said = [[judged, "judged"], ...kinds.filter(([number]) => number)].map((pair) => pair.join(" ")).join(", ")
+  return refused.length ? `${said}; ${count(refused.length, "file")} refused` : said
 }
 
-/** An exercise as its heading has it. */
-const exercise = (number) => [`Exercise ${number}`, TITLES[number]].filter(Boolean).join(": ")
+/** An exercise with its title, if it has one. */
+const exercise = (number, word = "exercise") => [`${word} ${number}`, TITLES[number]].filter(Boolean).join(": ")
 
 const count = (number, what) => `${number} ${what}${number === 1 ? "" : "s"}`
 
@@ -191,7 +204,7 @@ const count = (number, what) => `${number} ${what}${number === 1 ? "" : "s"}`
 function show(answer, go = true) {
   shown = answer
   detail.replaceChildren(
-    make("p", {}, make("strong", { textContent: answer.title })),
+    make("p", {}, make("strong", { textContent: `${answer.name}, ${exercise(answer.number)}: ${answer.verdict}` })),
     make("pre", { textContent: answer.said || "Nothing is known yet." }),
     make("p", { textContent: "The answer:" }),
     make("pre", { textContent: answer.text.slice(0, 50_000), tabIndex: 0 }),
@@ -211,12 +224,14 @@ function field(value) {
 
 function saveTable() {
   const columns = numbers()
-  const titles = columns.map((number) => `exercise ${number}`)
-  const lines = [["name", "file", "date", "same browser as", "answers", "solved", ...titles]]
-  for (const { name, file, date, others, solved, answers } of rows) {
+  const titles = columns.map((number) => exercise(number))
+  const marks = ["same browser as", "same name in another browser"]
+  const lines = [["name", "file", "note", "date", ...marks, "answers", "solved", ...titles]]
+  for (const { name, file, date, others, namesakes, solved, answers } of rows) {
     const verdicts = columns.map((number) => answers.get(number)?.verdict ?? "")
-    lines.push([name, file, date, others.join(", "), answers.size, solved, ...verdicts])
+    lines.push([name, file, "", date, others.join(", "), namesakes.join(", "), answers.size, solved, ...verdicts])
   }
+  for (const { file, why } of refused) lines.push(["", file, `refused: ${why}`])
   isSaved = true
   // With a byte order mark, without which Excel reads no UTF-8.
   save("answers.csv", "text/csv", `\ufeff${lines.map((line) => `${line.map(field).join(",")}\r\n`).join("")}`)
@@ -263,7 +278,7 @@ function missing() {
 }
 
 const place = document.querySelector(".rosspin-judge")
-place.replaceChildren(...(missing() ? [make("p", { textContent: missing() })] : [drop, make("div", { role: "alert" }, notes), results]))
+place.replaceChildren(...(missing() ? [make("p", { textContent: missing() })] : [drop, make("div", { role: "alert", ariaAtomic: "false" }, notes), results]))
 if (!missing()) {
   for (const kind of ["dragenter", "dragover", "dragleave", "drop"]) {
     addEventListener(kind, (event) => {
