@@ -177,7 +177,7 @@ def test_a_figure_that_cannot_be_made_is_in_the_list(tree: Path) -> None:
 
 def test_the_cell_with_a_slider_makes_a_figure(monkeypatch: pytest.MonkeyPatch) -> None:
     monkeypatch.chdir(ROOT / "notebooks")
-    (cell,) = re.findall(r"^.. code-block:: python\n\n((?:   .*\n)+)", HOW_TO, re.MULTILINE)
+    (cell,) = re.findall(r"^.. code-block:: ipython3\n\n((?:   .*\n)+)", HOW_TO, re.MULTILINE)
     *_, last = lines = textwrap.dedent(cell).splitlines()
     assert len(lines) == 4
     names: dict[str, object] = {}
