@@ -330,9 +330,11 @@ def test_who_is_who(quick: Table) -> None:
     al, c, b = quick.rows.locator("th").all_inner_texts()
     assert al == "Al\nd.json\nsame browser as Sam"
     assert c == "Sam\nc.json\nsame name as b.json, another browser"
-    date = r"b\.json, 2026-11-2\d \d\d:\d\d"
-    assert re.fullmatch(rf"Sam\n{date}\nsame browser as Al\nsame name as c\.json, another browser", b)
-    assert "Sam, exercise 3: The ticks of a C++ node: solved" in quick.said("Sam, exercise 3: solved")
+    source = r"2026-11-2\d \d\d:\d\d, b\.json"
+    assert re.fullmatch(rf"Sam\n{source}\nsame browser as Al\nsame name as c\.json, another browser", b)
+    said = quick.said("Sam, exercise 3: solved")
+    assert said.startswith("Sam, exercise 3: The ticks of a C++ node: solved\n")
+    assert re.search(rf"^The answer, from {source}:$", said, re.MULTILINE)
     assert [row[4:6] for row in quick.csv()[1:]] == [["Sam", ""], ["", "b.json"], ["Al", "c.json"]]
     expect(quick.sign("Sam, exercise 3: solved")).to_be_visible()
     expect(quick.page.get_by_role("columnheader", name="3")).to_have_attribute(
@@ -538,7 +540,7 @@ def test_an_answer_in_its_sandbox_reaches_nothing(context: BrowserContext, addre
     table.done()
     said = table.said("Eve, exercise 1: to read")
     assert "The check contradicts itself." in said
-    tried = re.findall(r"^tried (\w+) (.*)$", said.partition("The answer:")[0], re.MULTILINE)
+    tried = re.findall(r"^tried (\w+) (.*)$", said.partition("The answer, from")[0], re.MULTILINE)
     assert [name for name, _ in tried] == ["own", "elsewhere", "fetch", "script", "caches", "stores", "code"]
     assert not [result for _, result in tried if "Error" not in result and "JsException" not in result], tried
     assert arrived and not [url for url in arrived if "stolen" in url]
@@ -597,6 +599,25 @@ def test_looks(quick: Table, address: str) -> None:
     page.goto(address + EXERCISES)
     expect(page.get_by_role("button", name="Hand in")).to_be_visible()
     _stands_out(page)
+
+
+def test_names_stay_in_view(quick: Table) -> None:
+    """Wherever the table is scrolled to; nothing shows through, in light and in dark."""
+    quick.drop(ada=handed_in("Ada", answers={str(number): "solved" for number in range(1, 40)}))
+    quick.done()
+    for width in (1280, 390):
+        quick.page.set_viewport_size({"width": width, "height": 900})
+        for name in quick.page.locator(".judge-scroll th:first-child").all():
+            shown = name.evaluate(
+                """cell => {
+                    const scroll = cell.closest(".judge-scroll")
+                    scroll.scrollLeft = 400
+                    const [{ left, right }, place] = [cell.getBoundingClientRect(), scroll.getBoundingClientRect()]
+                    const alpha = getComputedStyle(cell).backgroundColor.split(",")[3] ?? "1"
+                    return [scroll.scrollLeft, Math.abs(left - place.left) <= 1, right < place.right - 100, alpha]
+                }"""
+            )
+            assert shown == [400, True, True, "1"]
 
 
 def _stands_out(page: Page) -> None:

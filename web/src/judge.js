@@ -29,7 +29,8 @@ const NOT_JUDGED = ["to read", "not judged", "stopped"]
 class HandIn {
   constructor({ file, name, id, date, answers }) {
     Object.assign(this, { file, name, id, date: date ? local(date) : "", time: date?.getTime() ?? 0 })
-    this.answers = new Map(answers.map(([number, text]) => [number, new Judged(name, number, text)]))
+    this.source = [this.date, file].filter(Boolean).join(", ")
+    this.answers = new Map(answers.map(([number, text]) => [number, new Judged(this, number, text)]))
   }
 
   get solved() {
@@ -52,8 +53,8 @@ const local = (date) => date.toLocaleString("sv", { dateStyle: "short", timeStyl
 
 /** An answer and its verdict; its button in the table leads to what the checker said. */
 class Judged {
-  constructor(name, number, text) {
-    Object.assign(this, { name, number, text })
+  constructor({ name, source }, number, text) {
+    Object.assign(this, { name, source, number, text })
     this.button = make("button", { type: "button" })
     this.button.addEventListener("click", () => show(this))
     this.becomes({ verdict: "waiting", said: "" })
@@ -157,7 +158,7 @@ function draw() {
   head.append(...columns.map((number) => make("th", { scope: "col", textContent: number, title: exercise(number, "Exercise") })))
   const body = rows.map((row) => {
     const said = [
-      row.date ? `${row.file}, ${row.date}` : row.file,
+      row.source,
       row.others.length && `same browser as ${row.others.join(", ")}`,
       row.namesakes.length && `same name as ${row.namesakes.join(", ")}, another browser`,
     ]
@@ -206,7 +207,7 @@ function show(answer, go = true) {
   detail.replaceChildren(
     make("p", {}, make("strong", { textContent: `${answer.name}, ${exercise(answer.number)}: ${answer.verdict}` })),
     make("pre", { textContent: answer.said || "Nothing is known yet." }),
-    make("p", { textContent: "The answer:" }),
+    make("p", { textContent: `The answer, from ${answer.source}:` }),
     make("pre", { textContent: answer.text.slice(0, 50_000), tabIndex: 0 }),
     button("Back to the table", () => answer.button.focus()),
   )
