@@ -131,48 +131,63 @@ def _places(listed: str, end: str = "") -> set[tuple[str, int]]:
     return {(page, int(line)) for page, line in re.findall(rf"^([\w./-]+):(\d+){end}", listed, re.MULTILINE)}
 
 
-def test_a_figure_that_cannot_be_made_is_in_the_list(tree: Path) -> None:
-    page = tree / "docs" / "glossary.rst"
-    before = page.read_text()
-    node = "../examples/my_robotics_pkg/src/spinner_py_node.py"
-    sets = ":sets: timer_delta_t_in_seconds"
-    probe = "../examples/timing_probes/src/timer_probe"
-    moved = f"{probe}.py _period:={{}}\n:seconds: 2\n:handle: Period"
-    slider = ", 0.1 to 1 by 0.1 s"
-    moves_nothing = "the handle moves nothing: name a variable with :sets:, or write {} among the arguments"
-    rises = "a handle goes from a number to a greater one, by a step above 0"
-    wrong = {
-        f"{node}\n:seconds: 2\n:handle: Delta{slider}\n:sets: delta": f"{node} assigns no number to delta",
-        f"{node}\n:seconds: 2\n:handle: Delta from 0.1 to 1\n:at: 0.5": "a handle is LABEL, FROM to TO by STEP UNIT",
-        f"{probe}.cpp _threads:=2\n:seconds: 2": "the rule of roscpp's timer knows no threads",
-        f"{probe}.cpp _period:=0\n:seconds: 2": "with a period of 0, roscpp calls back without a pause",
-        f"{probe}.cc\n:seconds: 2": f"there is no {probe}.cc: a path begins where the page is",
-        node: ":seconds: is missing: how long the node runs",
-        "\n:seconds: 2": "no node is named: give a FILE, or rows of the form NAME: FILE ARGS",
-        f"\n:seconds: 2\n\nrospy {node}": f"a row is NAME: FILE ARGS, not 'rospy {node}'",
-        f"\n:seconds: 2\n\nrospy: {probe}.py\nrospy: {node}": "two rows have the name rospy",
-        "../examples/my_robotics_pkg/src/spinner_cpp_node.cpp\n:seconds: 2": (
-            "C++ cannot be run here; of timer_probe.cpp the rule is known, and of no other file"
-        ),
-        f"{node}\n:seconds: 0.4": "there is no tick in 0.4 s",
-        f"{node}\n:seconds: 2\n:handle: Delta, 0 to 1 by 0.5 s\n{sets}": "there is no tick in 2 s at 0 s",
-        f"{node}\n:seconds: 2\n:handle: Delta{slider}": moves_nothing,
-        f"{node}\n:seconds: 2\n:handle: Delta{slider}\n:at: 0.5": moves_nothing,
-        f"{moved}{slider}": "where the handle is at first is missing: :at:, or a variable with :sets:",
-        f"{moved}, 1 to 0.1 by 0.1 s\n:at: 0.5": rises,
-        f"{moved}, 1 to 0.1 by -0.1 s\n:at: 0.5": rises,
-        f"{moved}, 0.1 to 1 by 0 s\n:at: 0.5": rises,
-    }
-    directives = ("\n.. ticks:: " + text.replace("\n", "\n   ") + "\n" for text in wrong)
-    page.write_text(before + "".join(directives))
+# What a figure is asked for, and what is said of it.
+_NODE = "../examples/my_robotics_pkg/src/spinner_py_node.py"
+_SETS = ":sets: timer_delta_t_in_seconds"
+_PROBE = "../examples/timing_probes/src/timer_probe"
+_MOVED = f"{_PROBE}.py _period:={{}}\n:seconds: 2\n:handle: Period"
+_SLIDER = ", 0.1 to 1 by 0.1 s"
+_MOVES_NOTHING = "the handle moves nothing: name a variable with :sets:, or write {} among the arguments"
+_RISES = "a handle goes from a number to a greater one, by a step above 0"
+_WRONG_FIGURES = {
+    f"{_NODE}\n:seconds: 2\n:handle: Delta{_SLIDER}\n:sets: delta": f"{_NODE} assigns no number to delta",
+    f"{_NODE}\n:seconds: 2\n:handle: Delta from 0.1 to 1\n:at: 0.5": "a handle is LABEL, FROM to TO by STEP UNIT",
+    f"{_PROBE}.cpp _threads:=2\n:seconds: 2": "the rule of roscpp's timer knows no threads",
+    f"{_PROBE}.cpp _period:=0\n:seconds: 2": "with a period of 0, roscpp calls back without a pause",
+    f"{_PROBE}.cc\n:seconds: 2": f"there is no {_PROBE}.cc: a path begins where the page is",
+    _NODE: ":seconds: is missing: how long the node runs",
+    "\n:seconds: 2": "no node is named: give a FILE, or rows of the form NAME: FILE ARGS",
+    f"\n:seconds: 2\n\nrospy {_NODE}": f"a row is NAME: FILE ARGS, not 'rospy {_NODE}'",
+    f"\n:seconds: 2\n\nrospy: {_PROBE}.py\nrospy: {_NODE}": "two rows have the name rospy",
+    "../examples/my_robotics_pkg/src/spinner_cpp_node.cpp\n:seconds: 2": (
+        "C++ cannot be run here; of timer_probe.cpp the rule is known, and of no other file"
+    ),
+    f"{_NODE}\n:seconds: 0.1": "there is no tick in 0.1 s",
+    f"{_NODE}\n:seconds: 2\n:handle: Delta, 0 to 1 by 0.5 s\n{_SETS}": "there is no tick in 2 s at 0 s",
+    f"{_NODE}\n:seconds: 2\n:handle: Delta{_SLIDER}": _MOVES_NOTHING,
+    f"{_NODE}\n:seconds: 2\n:handle: Delta{_SLIDER}\n:at: 0.5": _MOVES_NOTHING,
+    f"{_MOVED}{_SLIDER}": "where the handle is at first is missing: :at:, or a variable with :sets:",
+    f"{_MOVED}, 1 to 0.1 by 0.1 s\n:at: 0.5": _RISES,
+    f"{_MOVED}, 1 to 0.1 by -0.1 s\n:at: 0.5": _RISES,
+    f"{_MOVED}, 0.1 to 1 by 0 s\n:at: 0.5": _RISES,
+}
+
+
+_START = "```{code-cell} ipython3\n%load_ext rosspin\n```\n\n"
+_SOLUTION = "```{code-cell} ipython3\n:tags: [hide-cell]\n\n%%answer 20\nafter_1_0_seconds = [1]\n```\n"
+
+
+@pytest.fixture(scope="module")
+def wrong(tree: Path) -> str:
+    """What is listed where figures cannot be made, a solution is wrong, and an exercise has no cell."""
+    figures, exercises = tree / "docs" / "glossary.rst", tree / "notebooks" / "ros2-exercises.md"
+    before = {page: page.read_text() for page in (figures, exercises)}
+    directives = ("\n.. ticks:: " + text.replace("\n", "\n   ") + "\n" for text in _WRONG_FIGURES)
+    figures.write_text(before[figures] + "".join(directives))
+    reader = _SOLUTION.replace("hide-cell", "live")
+    exercises.write_text(before[exercises].replace("%%answer 21\n", "%%answer\n") + _START + _SOLUTION + reader)
     try:
-        listed = _list(_type("make doctest", tree).stdout)
+        return _list(_type("make doctest", tree).stdout)
     finally:
-        page.write_text(before)
-    for why in wrong.values():
+        for page, text in before.items():
+            page.write_text(text)
+
+
+def test_a_figure_that_cannot_be_made_is_in_the_list(wrong: str) -> None:
+    for why in _WRONG_FIGURES.values():
         entry = rf"docs/glossary\.rst:\d+\n  stands  a plot of .*\n  now     {re.escape(why)}\n"
-        assert re.search(entry, listed), listed
-    assert len(_places(listed)) == len(wrong)
+        assert re.search(entry, wrong), why
+    assert len([page for page, _ in _places(wrong) if page == "docs/glossary.rst"]) == len(_WRONG_FIGURES)
 
 
 def test_the_cell_with_a_slider_makes_a_figure(monkeypatch: pytest.MonkeyPatch) -> None:
@@ -186,25 +201,14 @@ def test_the_cell_with_a_slider_makes_a_figure(monkeypatch: pytest.MonkeyPatch) 
     assert 'max="2"' in figure.handle and "0.4 s" in figure.handle
 
 
-SOLUTION = "```{code-cell} ipython3\n:tags: [hide-cell]\n\n%%answer 20\nafter_1_0_seconds = [1]\n```\n"
-
-
-def test_exercises_are_solved_by_their_solutions_and_none_is_missing(tree: Path) -> None:
-    page = tree / "notebooks" / "ros2-exercises.md"
-    before = page.read_text()
-    start = "```{code-cell} ipython3\n%load_ext rosspin\n```\n\n"
-    reader = SOLUTION.replace("hide-cell", "live")
-    page.write_text(before.replace("%%answer 21\n", "%%answer\n") + start + SOLUTION + reader)
-    try:
-        listed = _list(_type("make doctest", tree).stdout)
-    finally:
-        page.write_text(before)
-    line = page.read_text().count("\n") + 1 + (start + SOLUTION).count("\n", 0, (start + SOLUTION).index("%%"))
-    wrong = _entry(listed, f"notebooks/ros2-exercises.md:{line}\n")
-    assert re.search(r"stands +%%answer 20\n +now +Exercise 20: not yet\.\n(.*\n)* +Hint: ", wrong)
-    assert listed.count("%%answer 20") == 1  # where a reader starts, an answer need not be right
-    assert 'no cell with %%answer 21\n  now     rosspin.exercises checks exercise 21, "Call back once"\n' in listed
-    assert listed.count("no cell with") == 1
+def test_exercises_are_solved_by_their_solutions_and_none_is_missing(tree: Path, wrong: str) -> None:
+    page = (tree / "notebooks" / "ros2-exercises.md").read_text()
+    line = page.count("\n") + 1 + (_START + _SOLUTION).count("\n", 0, (_START + _SOLUTION).index("%%"))
+    entry = _entry(wrong, f"notebooks/ros2-exercises.md:{line}\n")
+    assert re.search(r"stands +%%answer 20\n +now +Exercise 20: not yet\.\n(.*\n)* +Hint: ", entry)
+    assert wrong.count("%%answer 20") == 1  # where a reader starts, an answer need not be right
+    assert 'no cell with %%answer 21\n  now     rosspin.exercises checks exercise 21, "Call back once"\n' in wrong
+    assert wrong.count("no cell with") == 1
 
 
 def test_nothing_here_is_stale() -> None:

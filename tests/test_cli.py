@@ -254,8 +254,8 @@ STILL = (
     [
         pytest.param("import rospy\nrospy.init_node('n')\nwhile True: pass\n", 3, id="never sleeps"),
         pytest.param(
-            "import rospy\nrospy.init_node('n')\nr = rospy.Rate(-1)\nwhile True:\n    r.sleep()\n",
-            5,
+            "import rospy\nrospy.init_node('n')\nr = rospy.Rate(-1)\nwhile True: r.sleep()\n",
+            4,
             id="negative rate",
         ),
         pytest.param(

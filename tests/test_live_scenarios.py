@@ -192,7 +192,9 @@ NODES = [path for name in ("spinner", "pub", "eager", "slow") for path in sorted
 
 @pytest.mark.parametrize("path", NODES, ids=lambda path: path.name)
 def test_example(run_in_page: RunInPage, path: Any) -> None:
-    run = simulate(path, 60, ["__ns:=/mrp"])
-    console, result = run_in_page(path.read_text(encoding="utf-8"), path.name, 60, ("__ns:=/mrp",))
+    text = path.read_text(encoding="utf-8")
+    args = ("--ros-args", "-r", "__ns:=/mrp") if "rclpy" in text else ("__ns:=/mrp",)
+    run = simulate(path, 60, args)
+    console, result = run_in_page(text, path.name, 60, args)
     assert console == run.console
     assert result["ticks"] == [list(tick) for tick in run.ticks]
