@@ -1,4 +1,4 @@
-"""What a scenario gave, on whatever runtime, and how two such outcomes differ: status, text, and times on a grid."""
+"""Run a scenario; what it gave, on whatever runtime, and how two such outcomes differ: status, text, times."""
 
 from __future__ import annotations
 

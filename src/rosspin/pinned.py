@@ -27,7 +27,7 @@ def as_test(
     seen = [f"        {(tick.source, tick.number, tick.expected, tick.real)!r}," for tick in ticks]
     return "\n".join(
         [
-            f"# What {filename} did is to stay as it is. Run this with pytest, where rosspin is installed.",
+            f"# {filename} still does what it did. Run this with pytest, where rosspin is installed.",
             "from rosspin import simulate",
             "",
             f"NODE = {_text(source, '')}",

@@ -54,16 +54,11 @@ for order in (publish, subscribe), (subscribe, publish):
     publishers, seen = {}, {}
 
 node = rclpy.create_node("topics_policies")
-for number, policies in enumerate(FOUR):
-    topic = f"strict_{number}"
-    seen[topic] = list(policies)
-    publish(topic, policies)
-    subscribe(topic, STRICT)
-spin()
-for number, policies in enumerate(FOUR):
-    topic = f"strict_first_{number}"
-    seen[topic] = list(policies)
-    subscribe(topic, STRICT)
-    publish(topic, policies)
-spin()
+for name, *order in ("strict", publish, subscribe), ("strict_first", subscribe, publish):
+    for number, policies in enumerate(FOUR):
+        topic = f"{name}_{number}"
+        seen[topic] = list(policies)
+        for make in order:
+            make(topic, policies if make is publish else STRICT)
+    spin()
 rclpy.shutdown()

@@ -155,7 +155,8 @@ function draw() {
   const columns = numbers()
   const head = make("tr", {}, make("th", { scope: "col", textContent: "Name" }))
   head.append(make("th", { scope: "col", textContent: "Solved" }))
-  head.append(...columns.map((number) => make("th", { scope: "col", textContent: number, title: exercise(number, "Exercise") })))
+  const heading = (number) => make("th", { scope: "col", textContent: number, title: exercise(number, "Exercise") })
+  head.append(...columns.map(heading))
   const body = rows.map((row) => {
     const said = [
       row.source,
@@ -279,7 +280,8 @@ function missing() {
 }
 
 const place = document.querySelector(".rosspin-judge")
-place.replaceChildren(...(missing() ? [make("p", { textContent: missing() })] : [drop, make("div", { role: "alert", ariaAtomic: "false" }, notes), results]))
+const alert = make("div", { role: "alert", ariaAtomic: "false" }, notes)
+place.replaceChildren(...(missing() ? [make("p", { textContent: missing() })] : [drop, alert, results]))
 if (!missing()) {
   for (const kind of ["dragenter", "dragover", "dragleave", "drop"]) {
     addEventListener(kind, (event) => {

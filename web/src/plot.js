@@ -45,7 +45,7 @@ export class Plot {
     })
   }
 
-  /** Draw the ticks of a run that has ended, which are now known in full, at `end` (s); `alternative` says what they show. */
+  /** Draw the ticks of a run that has ended, at `end` (s), and are known in full; `alternative` says what they show. */
   finish(ticks, alternative, chunks, end = 0) {
     this.clear()
     this.#ticks = ticks

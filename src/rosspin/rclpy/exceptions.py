@@ -32,6 +32,12 @@ class UnknownROSArgsError(RuntimeError):
     """There are words after ``--ros-args`` that no ROS knows."""
 
 
+def invalid_context(failed: str) -> RCLError:
+    """What the C part says where something cannot be made before init, or after shutdown."""
+    reason = "either rcl_init() was not called or rcl_shutdown() was called."
+    return RCLError(f"failed to {failed}: the given context is not valid, {reason}")
+
+
 def not_accepted(signature: str, *args: object, function: str = "") -> TypeError:
     """What the C part says of arguments of the wrong type; those that are its own objects are given by their names.
 

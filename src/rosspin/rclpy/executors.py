@@ -14,9 +14,9 @@ from .exceptions import (
     ConditionReachedException,
     ExternalShutdownException,
     InvalidHandle,
-    RCLError,
     ShutdownException,
     TimeoutException,
+    invalid_context,
 )
 from .state import Gate
 from .task import Future, Task
@@ -104,8 +104,7 @@ class Executor:
             # What rclpy says of a context that was not initialised.
             raise TypeError("'NoneType' object does not support the context manager protocol")
         if not self._context.ok():
-            reason = "either rcl_init() was not called or rcl_shutdown() was called."
-            raise RCLError(f"failed to create guard_condition: the given context is not valid, {reason}")
+            raise invalid_context("create guard_condition")
         self._clock = self._context.state.clock
         self._nodes: dict[Node, None] = {}  # in the order of their addition
         self._tasks: list[Entry] = []
@@ -296,9 +295,7 @@ class Executor:
     ) -> tuple[set[Any], bool]:
         """Wait until something is due, or has changed; what is due, and whether the timeout (ns) is over."""
         if not self._context.ok():
-            reason = "either rcl_init() was not called or rcl_shutdown() was called."
-            failed = "failed to initialize wait set" if deadline is None else "failed to create timer"
-            raise RCLError(f"{failed}: the given context is not valid, {reason}")
+            raise invalid_context("initialize wait set" if deadline is None else "create timer")
         if self._clock.now() != self.__waited_until:
             self._clock.sleep(0)  # a message that another thread sends at this time has arrived
         watched = [timer.clock.watchers for timer in timers if not timer.clock.flows]

@@ -14,7 +14,14 @@ from .arguments import Arguments
 from .callback_groups import CallbackGroup, MutuallyExclusiveCallbackGroup, ReentrantCallbackGroup
 from .clock import Clock, ROSClock
 from .context import Context, get_default_context
-from .exceptions import InvalidHandle, InvalidTopicNameException, NotInitializedException, RCLError, not_accepted
+from .exceptions import (
+    InvalidHandle,
+    InvalidTopicNameException,
+    NotInitializedException,
+    RCLError,
+    invalid_context,
+    not_accepted,
+)
 from .executors import GuardCondition
 from .parameter import Parameter, Parameters
 from .qos import QoSProfile, ReliabilityPolicy
@@ -215,8 +222,7 @@ class Node(Parameters):
     ) -> GuardCondition:
         """Call ``callback()`` once after each ``trigger()``. RCLError after shutdown."""
         if not self._context.ok():
-            reason = "either rcl_init() was not called or rcl_shutdown() was called."
-            raise RCLError(f"failed to create guard_condition: the given context is not valid, {reason}")
+            raise invalid_context("create guard_condition")
         group = callback_group or self.default_callback_group
         guard = GuardCondition(callback, group, self._context)
         guard.nudge = self.__nudge

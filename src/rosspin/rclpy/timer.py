@@ -11,7 +11,7 @@ from ..frames import Place
 from .callback_groups import CallbackGroup
 from .clock import Clock, ROSClock
 from .context import Context, get_default_context
-from .exceptions import InvalidHandle, RCLError, ROSInterruptException, not_accepted
+from .exceptions import InvalidHandle, RCLError, ROSInterruptException, invalid_context, not_accepted
 from .time import Time
 
 __all__ = ["Rate", "Timer", "TimerInfo"]
@@ -66,8 +66,7 @@ class Timer:
             )
             raise not_accepted(signature, "Clock", "Context", timer_period_ns, autostart)
         if not (context or get_default_context()).ok():
-            reason = "either rcl_init() was not called or rcl_shutdown() was called."
-            raise RCLError(f"failed to create timer: the given context is not valid, {reason}")
+            raise invalid_context("create timer")
         self.callback_group: Any = callback_group
         self.clock = clock
         self._period = timer_period_ns

@@ -70,9 +70,7 @@ class Magics(BaseMagics):
         except ValueError as error:
             raise UsageError(f"%%answer NUMBER: {error}") from None
         print(feedback.shown_console(), end="")
-        if not feedback.passed:
-            return feedback
-        if not self._is_attended():
+        if not (feedback.passed and self._is_attended()):
             return feedback
         self._solved.add(feedback.number)
         ros = EXERCISES[feedback.number - 1].ros
