@@ -27,14 +27,6 @@ LONGER = {"queue_size_none": 14.0, "queue_size_3": 10.0}
 AT_ONCE = 4
 TRIES = 5
 
-# Unbuffered, print writes a line and its end apart, and another process's or thread's line can come in between.
-_WHOLE_LINES = """
-import sys
-
-for stream in (sys.stdout, sys.stderr):
-    stream.reconfigure(line_buffering=True, write_through=False)
-"""
-
 # A race of the real one: a node ends while another one connects to it.
 _ENDED_MEANWHILE = r"\[WARN\] \[[\d.]+\]: Inbound TCP/IP connection failed: connection from sender terminated before"
 
@@ -92,8 +84,6 @@ def real(tmp_path_factory: pytest.TempPathFactory) -> Iterator[dict[str, Future[
     package = tmp_path_factory.mktemp("src") / "launched"
     shutil.copytree(PACKAGE, package, ignore=shutil.ignore_patterns("__pycache__"))
     with pytest.MonkeyPatch.context() as patch, ThreadPoolExecutor(AT_ONCE) as pool:
-        (package.parent / "sitecustomize.py").write_text(_WHOLE_LINES)
-        patch.setenv("PYTHONPATH", str(package.parent), prepend=os.pathsep)
         patch.setenv("ROS_PACKAGE_PATH", f"{package.parent}:{os.environ.get('ROS_PACKAGE_PATH', '/usr/share')}")
 
         def differences(name: str, exact: dict[str, list[str]]) -> list[str]:

@@ -24,6 +24,16 @@ EXAMPLES = ROOT / "examples"
 PACKAGE = EXAMPLES / "my_robotics_pkg"
 PROBES = EXAMPLES / "timing_probes"
 
+CHATTER = """
+import sys, threading
+def chatter(word):
+    for _ in range(2000):
+        print(word)
+        print(word, file=sys.stderr)
+for word in 4 * ("one", "two"):
+    threading.Thread(target=chatter, args=(word,)).start()
+"""
+
 
 @pytest.fixture(scope="module", autouse=True)
 def ros(require: Callable[[str], None]) -> None:
@@ -148,6 +158,12 @@ def test_python_node_file(name: str) -> None:
     seen = counters(run.console)
     assert seen == list(range(1, len(seen) + 1))
     assert bool(seen) == (name != "plain")
+
+
+def test_threads_print_whole_lines(tmp_path: Path) -> None:
+    node = tmp_path / "node.py"
+    node.write_text(CHATTER)
+    assert {*ros1.launch(node, 60).console.splitlines()} == {"one", "two"}
 
 
 def test_cpp_node_file_of_no_package() -> None:

@@ -166,6 +166,21 @@ def test_a_node_that_ends_by_itself(ros: None, write: Any, callback: str, status
     assert (run.status, run.console) == (status, "")
 
 
+def test_threads_print_whole_lines(ros: None, write: Any) -> None:
+    node = write(
+        """
+        import sys, threading
+        def chatter(word):
+            for _ in range(2000):
+                print(word)
+                print(word, file=sys.stderr)
+        for word in 4 * ("one", "two"):
+            threading.Thread(target=chatter, args=(word,)).start()
+        """
+    )
+    assert {*ros2.launch(node, 60).console.splitlines()} == {"one", "two"}
+
+
 def test_a_killed_node_leaves_nothing(ros: None, write: Any) -> None:
     run = ros2.launch(write(TIMER.format(callback="os.kill(os.getpid(), signal.SIGKILL)")), 60)
     assert run.status == 128 + signal.SIGKILL

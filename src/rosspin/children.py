@@ -15,13 +15,28 @@ from collections.abc import Callable, Iterator, Mapping, Sequence
 from pathlib import Path
 from typing import NamedTuple, Self, TextIO
 
-__all__ = ["START_PATIENCE", "Children", "Output", "Patience", "check_seconds", "say_deaths", "shell_status"]
+__all__ = [
+    "SITECUSTOMIZE",
+    "START_PATIENCE",
+    "Children",
+    "Output",
+    "Patience",
+    "check_seconds",
+    "say_deaths",
+    "shell_status",
+]
 
 # Signals that ask a process to end, and how long (s) each is given to be heeded.
 Patience = Sequence[tuple[signal.Signals, float]]
 
 # So long (s) may a process take to get going on a busy machine.
 START_PATIENCE = 60.0
+
+# What Python runs first if this is in the file of that name, in a folder on PYTHONPATH. Unbuffered, print writes a line
+# and its end apart, and what another process or thread writes can come in between; on a terminal it can't.
+SITECUSTOMIZE = """import sys; sys.path.remove(__file__.rpartition("/")[0])
+for stream in filter(None, (sys.stdout, sys.stderr)): stream.reconfigure(line_buffering=True, write_through=False)
+"""
 
 
 class Output(NamedTuple):

@@ -17,7 +17,7 @@ from collections.abc import Mapping, Sequence
 from pathlib import Path
 from typing import TextIO
 
-from .children import START_PATIENCE, Children, Output, check_seconds, say_deaths, shell_status
+from .children import SITECUSTOMIZE, START_PATIENCE, Children, Output, check_seconds, say_deaths, shell_status
 from .console import read_ticks
 from .ticks import Run
 
@@ -143,14 +143,17 @@ class Workspace(Children):
         super().__init__()
         self.source = self.folder / "src"
         self.source.mkdir()
+        (self.folder / "sitecustomize.py").write_text(SITECUSTOMIZE)
         self.port = _free_port()
         self._sources: dict[Path, Path] = {}  # what was copied here, by its copy
 
     @property
     def environment(self) -> dict[str, str]:
         """The environment of whatever runs here."""
+        environment = _ros_environment(super().environment)
         return {
-            **_ros_environment(super().environment),
+            **environment,
+            "PYTHONPATH": os.pathsep.join(filter(None, (str(self.folder), environment.get("PYTHONPATH")))),
             "ROS_MASTER_URI": f"http://localhost:{self.port}",
             "ROS_HOSTNAME": "localhost",
             "ROSCONSOLE_STDOUT_LINE_BUFFERED": "1",

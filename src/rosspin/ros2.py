@@ -19,7 +19,7 @@ from functools import cache
 from pathlib import Path
 from typing import TextIO
 
-from .children import START_PATIENCE, Children, Patience, check_seconds, say_deaths
+from .children import SITECUSTOMIZE, START_PATIENCE, Children, Patience, check_seconds, say_deaths
 from .process import around_package
 from .ticks import Run, Tick
 
@@ -38,8 +38,7 @@ _SYSTEM = "/usr/bin:/bin"
 _PROBE = Path(__file__).with_name("ros2_probe.py")
 
 # Of a name of its own, without the source: so its frames in a traceback are lines that can be told apart.
-_SITECUSTOMIZE = f"""import sys; sys.path.remove(__file__.rpartition("/")[0])
-exec(compile(open({str(_PROBE)!r}).read(), "<rosspin>", "exec"), {{}})
+_PROBING = f"""exec(compile(open({str(_PROBE)!r}).read(), "<rosspin>", "exec"), {{}})
 """
 
 _MESSAGES = re.compile(r"\w+_(msgs|srvs|interfaces)").fullmatch
@@ -149,7 +148,7 @@ class Nodes(Children):
         if meet:
             # Any up to 101 is free of the ports that Linux gives out by itself; a node of somebody else's is in 0.
             self._discovery["ROS_DOMAIN_ID"] = str(random.randint(1, 101))
-        (self.folder / "sitecustomize.py").write_text(_SITECUSTOMIZE)
+        (self.folder / "sitecustomize.py").write_text(SITECUSTOMIZE + _PROBING)
 
     @property
     def environment(self) -> dict[str, str]:
