@@ -385,6 +385,29 @@ def test_csv(quick: Table) -> None:
     assert zoe == ['Zoë "Z", jr.', "4.json", "", "", "", "", "1", "0", "", "", "to read"]
 
 
+def test_files_dropped_while_others_are_judged(quick: Table) -> None:
+    """One of them is being read for longer than it takes to judge what was there before."""
+    quick.page.evaluate(
+        """() => {
+            const text = File.prototype.text
+            const released = new Promise((release) => window.release = release)
+            File.prototype.text = async function () {
+                if (this.name === "late.json") await released
+                return text.call(this)
+            }
+        }"""
+    )
+    quick.drop(slow=handed_in("Slow", id="s", answers={"1": "endless", "2": "solved"}))
+    expect(quick.sign("Slow, exercise 1: being judged")).to_be_visible()
+    quick.drop(al=handed_in("Al", id="b", answers={"1": "solved"}), late=handed_in("Late", id="c"))
+    quick.page.get_by_role("button", name="Stop").click()
+    expect(quick.sign("Slow, exercise 1: stopped")).to_be_visible()
+    quick.page.evaluate("release()")
+    expect(quick.rows).to_have_count(3)
+    quick.done()
+    expect(quick.sign("Al, exercise 1: solved")).to_be_visible()
+
+
 def test_keyboard_alone(quick: Table) -> None:
     page = quick.page
     file = FilePayload(name="a.json", mimeType="application/json", buffer=handed_in(answers={"99": "to read"}).encode())

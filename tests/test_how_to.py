@@ -322,7 +322,7 @@ def test_the_frequency_is_a_parameter_on_the_real_ros_2(require: Callable[[str],
     require("ros2")
     file = str(PACKAGE_ROS2 / "config" / "spinner.yaml")
     args = ["--ros-args", "-r", f"__ns:={namespace}", "--params-file", file]
-    run = ros2.launch(PACKAGE_ROS2 / "my_robotics_pkg/spinner_param_py_node.py", 2.0, args)
+    run = ros2.launch(PACKAGE_ROS2 / "my_robotics_pkg/spinner_param_py_node.py", 2.05, args)
     assert run.status == 0
     assert min(later.expected - earlier.expected for earlier, later in pairwise(run.ticks)) < 0.15
 

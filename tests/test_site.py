@@ -250,7 +250,7 @@ def test_run_command_works(command: str, tmp_path: Path, require: Callable[[str]
         require("ros2")
     (tmp_path / "examples").symlink_to(ROOT / "examples")
     arguments = shlex.split(command.partition(" run ")[2])
-    end = [] if "--seconds" in arguments else ["--seconds", "1"]
+    end = [] if "--seconds" in arguments else ["--seconds", "1.2"]
     typed = [sys.executable, "-m", "rosspin", "run", *end, *arguments]
     run = subprocess.run(typed, cwd=tmp_path, capture_output=True, text=True, timeout=60)
     assert run.returncode == 0, run.stderr

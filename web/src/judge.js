@@ -91,24 +91,26 @@ let isSaved = true
 
 async function add(files) {
   const problems = []
-  for (const file of files) {
-    try {
-      const row = new HandIn(await read(file))
-      const before = rows.find(({ name, id }) => name === row.name && id === row.id)
-      if (before && before.time > row.time) {
-        problems.push(`${row.file} is left out: ${row.name} handed in ${before.file} after it.`)
-        continue
-      }
-      if (before) {
-        remove(before)
-        problems.push(`${row.file} takes the place of ${before.file}, which ${row.name} handed in before.`)
-      }
-      rows.push(row)
-      waiting.push(...row.answers.values())
-    } catch (error) {
-      refused.push({ file: file.name, why: error.message })
-      problems.push(`${file.name} is refused: ${error.message}.`)
+  // All are read first: while one is being read, others are judged, which looks at the rows.
+  const contents = await Promise.allSettled(files.map(read))
+  for (const [number, { value, reason }] of contents.entries()) {
+    if (reason) {
+      refused.push({ file: files[number].name, why: reason.message })
+      problems.push(`${files[number].name} is refused: ${reason.message}.`)
+      continue
     }
+    const row = new HandIn(value)
+    const before = rows.find(({ name, id }) => name === row.name && id === row.id)
+    if (before && before.time > row.time) {
+      problems.push(`${row.file} is left out: ${row.name} handed in ${before.file} after it.`)
+      continue
+    }
+    if (before) {
+      remove(before)
+      problems.push(`${row.file} takes the place of ${before.file}, which ${row.name} handed in before.`)
+    }
+    rows.push(row)
+    waiting.push(...row.answers.values())
   }
   notes.append(...problems.map((said) => make("li", { textContent: said })))
   rows.sort((one, other) => one.name.localeCompare(other.name, undefined, { numeric: true }))
