@@ -31,6 +31,17 @@ ROOT = Path(__file__).parent.parent
 SITE = ROOT / "build" / "html"
 DOCTREES = ROOT / "build" / "doctrees"
 
+# A node whose threads print at the same time, on both streams.
+CHATTER = """
+import sys, threading
+def chatter(word):
+    for _ in range(2000):
+        print(word)
+        print(word, file=sys.stderr)
+for word in 4 * ("one", "two"):
+    threading.Thread(target=chatter, args=(word,)).start()
+"""
+
 
 @cache
 def _lacks_ros1() -> str:

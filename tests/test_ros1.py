@@ -14,6 +14,7 @@ from collections.abc import Callable, Iterator
 from pathlib import Path
 
 import pytest
+from conftest import CHATTER
 
 from rosspin import ros1
 from rosspin.__main__ import main
@@ -23,16 +24,6 @@ ROOT = Path(__file__).parents[1]
 EXAMPLES = ROOT / "examples"
 PACKAGE = EXAMPLES / "my_robotics_pkg"
 PROBES = EXAMPLES / "timing_probes"
-
-CHATTER = """
-import sys, threading
-def chatter(word):
-    for _ in range(2000):
-        print(word)
-        print(word, file=sys.stderr)
-for word in 4 * ("one", "two"):
-    threading.Thread(target=chatter, args=(word,)).start()
-"""
 
 
 @pytest.fixture(scope="module", autouse=True)

@@ -17,7 +17,7 @@ from textwrap import dedent
 from typing import Any
 
 import pytest
-from conftest import ROOT
+from conftest import CHATTER, ROOT
 
 from rosspin import ros2
 from rosspin.__main__ import main
@@ -167,18 +167,7 @@ def test_a_node_that_ends_by_itself(ros: None, write: Any, callback: str, status
 
 
 def test_threads_print_whole_lines(ros: None, write: Any) -> None:
-    node = write(
-        """
-        import sys, threading
-        def chatter(word):
-            for _ in range(2000):
-                print(word)
-                print(word, file=sys.stderr)
-        for word in 4 * ("one", "two"):
-            threading.Thread(target=chatter, args=(word,)).start()
-        """
-    )
-    assert {*ros2.launch(node, 60).console.splitlines()} == {"one", "two"}
+    assert {*ros2.launch(write(CHATTER), 60).console.splitlines()} == {"one", "two"}
 
 
 def test_a_killed_node_leaves_nothing(ros: None, write: Any) -> None:
