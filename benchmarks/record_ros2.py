@@ -1,7 +1,7 @@
 """Record a fixed set of runs on the real ROS 2 into examples/recordings/ros2, each with its provenance.
 
 `make record` runs all of it, `python benchmarks/record_ros2.py NAME...` what is named. What is timed runs alone; the
-endings, whose times do not matter, some at a time.
+endings and signals, whose times do not matter, some at a time.
 """
 
 from __future__ import annotations
@@ -9,10 +9,11 @@ from __future__ import annotations
 import csv
 import math
 import os
+import re
 import signal
 import sys
 import time
-from collections import defaultdict
+from collections import Counter, defaultdict
 from collections.abc import Iterator
 from concurrent.futures import ThreadPoolExecutor
 from pathlib import Path
@@ -138,6 +139,38 @@ def record_endings() -> None:
     _write_provenance("endings", "nodes at Ctrl-C and SIGTERM", ["NODE"], start, ENDING_AFTER, 0, load)
 
 
+SIGNALLED = EXAMPLES / "signalled.py"
+SIGNAL_RUNS = 200  # at each moment, of each signal
+
+# When a signal comes: the line of that node, and how long (s) after it.
+MOMENTS = {"between callbacks": ("ended", 0.15), "during a callback": ("begun", 0.1), "at its end": ("ended", 0.0)}
+
+
+def record_signals() -> None:
+    """Send signals at some moments, many times: the status of the node, and its error if it ends with one."""
+    load, start = os.getloadavg(), time.time()
+    jobs = [
+        (moment, number) for moment in MOMENTS for number in (signal.SIGINT, signal.SIGTERM) for _ in range(SIGNAL_RUNS)
+    ]
+    with ros2.Nodes() as nodes, ThreadPoolExecutor(4) as pool:
+
+        def end(job: tuple[str, signal.Signals]) -> tuple[str, str, int, str]:
+            moment, number = job
+            line, after = MOMENTS[moment]
+            patience: Patience = ((number, 4.0), (signal.SIGKILL, 5.0))
+            run = nodes.run([ros2.python(), str(SIGNALLED)], after, begins=re.compile(line), patience=patience)
+            error = re.search(r"^\S*\b(\w+Error: \w+(?: \w+)*).*\n\Z", run.console, re.MULTILINE)
+            return moment, number.name, run.status, error[1] if error else ""
+
+        counts = Counter(pool.map(end, jobs))
+    with (RECORDINGS / "signals.csv").open("w", newline="") as text:
+        writer = csv.writer(text, lineterminator="\n")
+        writer.writerow(["moment", "signal", "status", "error", "runs"])
+        writer.writerows([*key, runs] for key, runs in counts.items())
+    what = "a node that ends as the tutorial's does, at Ctrl-C and SIGTERM at some moments"
+    _write_provenance("signals", what, [SIGNALLED.name], start, 0.0, 0, load)
+
+
 # What nodes say of themselves, where ticks do not tell it: the node, its parameters, how long it runs (s).
 CLAIMS: dict[str, tuple[str, dict[str, Any], float]] = {
     "rate_in_main": ("rate", {"where": "main"}, 3.0),
@@ -219,6 +252,7 @@ OTHERS = {
     "clock_jump": record_clock_jump,
     "endings": record_endings,
     "pipe": record_pipe,
+    "signals": record_signals,
     "spinner": record_spinner,
 }
 

@@ -18,7 +18,7 @@ from pathlib import Path
 from typing import NamedTuple
 from unittest import mock
 
-from outcomes import CTRL_C, Outcome, differences, outcome, run_scenario
+from outcomes import CTRL_C, TRIES, Outcome, differences, outcome, run_scenario
 
 from rosspin import ros2, simulate
 from rosspin.children import Children
@@ -29,7 +29,6 @@ SOURCE = Path(__file__).parents[1] / "src"
 KILTED_PYTHON = Path(__file__).parents[1] / "build" / "ros2-kilted" / "bin" / "python"
 
 LONGEST = 12.0  # s of a scenario that ends by itself
-TRIES = 6
 AT_ONCE = 4
 
 
@@ -179,10 +178,10 @@ def closest(exact: Sequence[Outcome], other: Outcome) -> list[str]:
 
 
 def until_sure(run: Iterator[str], scenario: Scenario, exact: Sequence[Outcome]) -> tuple[str, list[str]]:
-    """Run until it did what it should or the machine did not stall: the console, and how it differs."""
+    """Run until it did what it should or was not unlucky: the console, and how it differs."""
     for _, text in zip(range(TRIES), run):
         found = closest(exact, read(text, scenario))
-        if not found or not read(text, scenario).stalled:
+        if not found or not read(text, scenario).unlucky:
             break
     return text, found
 

@@ -16,6 +16,7 @@ from pathlib import Path
 import pytest
 from bs4 import BeautifulSoup
 from conftest import ROOT
+from outcomes import until_lucky
 
 from rosspin import ros2, simulate
 from rosspin.console import read_ticks
@@ -322,7 +323,8 @@ def test_the_frequency_is_a_parameter_on_the_real_ros_2(require: Callable[[str],
     require("ros2")
     file = str(PACKAGE_ROS2 / "config" / "spinner.yaml")
     args = ["--ros-args", "-r", f"__ns:={namespace}", "--params-file", file]
-    run = ros2.launch(PACKAGE_ROS2 / "my_robotics_pkg/spinner_param_py_node.py", 2.05, args)
+    node = PACKAGE_ROS2 / "my_robotics_pkg/spinner_param_py_node.py"
+    run = until_lucky(lambda: ros2.launch(node, 2.05, args))
     assert run.status == 0
     assert min(later.expected - earlier.expected for earlier, later in pairwise(run.ticks)) < 0.15
 
@@ -341,7 +343,8 @@ def test_a_frequency_not_meant_for_the_node_is_ignored_on_the_real_ros_2(
 ) -> None:
     """Without --ros-args, or of another name: the node keeps its own, and nothing is said."""
     require("ros2")
-    run = ros2.launch(PACKAGE_ROS2 / "my_robotics_pkg/spinner_param_py_node.py", 1.2, args)
+    node = PACKAGE_ROS2 / "my_robotics_pkg/spinner_param_py_node.py"
+    run = until_lucky(lambda: ros2.launch(node, 1.2, args))
     assert run.status == 0
     assert min(later.expected - earlier.expected for earlier, later in pairwise(run.ticks)) > 0.45
     assert all("[SPINNER PY NODE] counter = " in line for line in run.console.splitlines())

@@ -131,7 +131,7 @@ def test_a_first_and_a_last_tick(tmp_path: Path) -> None:
 
 # --- on ROS 2 ---------------------------------------------------------------------------------------------------------
 
-ROS2_TABLES = {"claims", "clock_jump", "endings", "pipe"}
+ROS2_TABLES = {"claims", "clock_jump", "endings", "pipe", "signals"}
 ROS2_CONSOLE = "spinner"
 ROS2_NAMES = {
     *(f"{what}_{hertz}hz" for what in ("timer", "rate") for hertz in (2, 50)),
@@ -221,6 +221,16 @@ def test_how_nodes_of_rclpy_end() -> None:
         ("spin_caught", "SIGTERM"): {0},
         ("system_exit", ""): {3},
     }
+
+
+def test_how_often_a_node_of_rclpy_meets_its_shutdown() -> None:
+    """Mostly where a callback ends."""
+    met = {"RCLError: failed to shutdown", "RCLError: failed to initialize wait set"}
+    failed: dict[str, int] = {}
+    for row in table("signals"):
+        assert (row["status"], row["error"]) == ("0", "") or (row["status"] == "1" and row["error"] in met)
+        failed[row["moment"]] = failed.get(row["moment"], 0) + (int(row["runs"]) if row["error"] else 0)
+    assert failed["at its end"] > failed["during a callback"] > failed["between callbacks"]
 
 
 def test_what_nodes_of_rclpy_say_is_what_they_say_in_simulated_time() -> None:

@@ -12,17 +12,20 @@ import signal
 import subprocess
 import sys
 from collections.abc import Callable, Iterator
+from functools import partial
 from pathlib import Path
 from textwrap import dedent
 from typing import Any
 
 import pytest
 from conftest import CHATTER, ROOT
+from outcomes import until_lucky
 
 from rosspin import ros2
 from rosspin.__main__ import main
 from rosspin.children import Output
 from rosspin.measures import by_source
+from rosspin.ticks import Run
 
 EXAMPLES = ROOT / "examples"
 PACKAGE = EXAMPLES / "my_robotics_pkg_ros2"
@@ -80,10 +83,14 @@ def processes(folder: Path) -> list[str]:
 
 
 def test_a_timer_node(ros: None) -> None:
-    live = io.StringIO()
-    run = ros2.launch(TIMER_NODE, 2.3, ["--ros-args", "-r", "__ns:=/mrp"], live)
+    def launched() -> Run:
+        live = io.StringIO()
+        run = ros2.launch(TIMER_NODE, 2.3, ["--ros-args", "-r", "__ns:=/mrp"], live)
+        assert live.getvalue() == run.console
+        return run
+
+    run = until_lucky(launched)
     assert (run.runtime, run.status, run.seconds) == ("ros2", 0, 2.3)
-    assert live.getvalue() == run.console
     lines = [line.partition("[SPINNER")[0::2] for line in run.console.splitlines()]
     assert all(head.startswith("[INFO] [") and head.endswith("] [mrp.spinner_py_node]: ") for head, _ in lines)
     numbers = range(1, len(run.ticks) + 1)
@@ -99,7 +106,7 @@ def test_a_timer_node(ros: None) -> None:
 
 @pytest.mark.parametrize("name", ["plain", "spinner", "spinner_rate", "spinner_param"])
 def test_the_nodes_of_the_package(ros: None, name: str) -> None:
-    run = ros2.launch(NODES / f"{name}_py_node.py", 1.2)
+    run = until_lucky(lambda: ros2.launch(NODES / f"{name}_py_node.py", 1.2))
     assert run.status == 0
     assert "Traceback" not in run.console
     assert bool(run.ticks) == (name != "plain")
@@ -225,7 +232,7 @@ def test_the_caller_s_environment_does_not_matter(ros: None, write: Any, monkeyp
         **{"_ROS_WHEELS_BOOTSTRAP_COMPLETE": "1", "RCUTILS_CONSOLE_OUTPUT_FORMAT": "x", "PYTHONPATH": "/nonsuch"},
     }.items():
         monkeypatch.setenv(name, value)
-    run = ros2.launch(TIMER_NODE, 0.7)
+    run = until_lucky(lambda: ros2.launch(TIMER_NODE, 0.7))
     assert run.status == 0
     assert "[spinner_py_node]: [SPINNER PY NODE] counter = 1\n" in run.console
 
@@ -236,8 +243,12 @@ def test_the_caller_s_environment_does_not_matter(ros: None, write: Any, monkeyp
 def test_the_command_line(ros: None, tmp_path: Path, capfd: pytest.CaptureFixture[str]) -> None:
     plot = tmp_path / "ticks.svg"
     command = ["run", "--ros2", str(TIMER_NODE), "--seconds", "1.7", "--plot", str(plot)]
-    assert main([*command, "--", "--ros-args", "-r", "__node:=renamed"]) == 0
-    out, err = capfd.readouterr()
+
+    def typed() -> tuple[int, str, str]:
+        return main([*command, "--", "--ros-args", "-r", "__node:=renamed"]), *capfd.readouterr()
+
+    status, out, err = until_lucky(typed, lambda typed: typed[1])
+    assert status == 0
     assert "[renamed]: [SPINNER PY NODE] counter = 1\n" in out
     assert "timer_callback: " in err
     assert plot.exists()
@@ -397,7 +408,8 @@ def test_the_tutorial_builds_its_package_and_runs_it(ros: None) -> None:
         assert "Finished <<< my_robotics_pkg" in TUTORIAL
         assert "Finished <<< my_robotics_pkg" in built.console
         for command in (f"{source}\nexec {run}", run_file.replace("python3", "exec python3")):
-            output = type_in(f"{command} > $HOME/stdout", seconds=0.7, begins=re.compile("counter = 1"))
+            typed = partial(type_in, f"{command} > $HOME/stdout", seconds=0.7, begins=re.compile("counter = 1"))
+            output = until_lucky(typed)
             assert output.status == 0
             assert "] [mrp.spinner_py_node]: [SPINNER PY NODE] counter = 2\n" in output.console
             assert (nodes.folder / "stdout").read_text() == ""

