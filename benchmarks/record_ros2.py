@@ -142,7 +142,7 @@ def record_endings() -> None:
 SIGNALLED = EXAMPLES / "signalled.py"
 SIGNAL_RUNS = 200  # at each moment, of each signal
 
-# When a signal comes: the line of that node, and how long (s) after it.
+# When a signal comes: after which line of that node, and how long (s) after it.
 MOMENTS = {"between callbacks": ("ended", 0.15), "during a callback": ("begun", 0.1), "at its end": ("ended", 0.0)}
 
 

@@ -32,7 +32,7 @@ P = 0.4  # the period in the scenarios, s
 TOLERANCE = 0.3 * P
 JITTER = 0.01  # what each block may take longer (s) and the scenario still count; a process later than that has stalled
 CTRL_C = 3.6 * P
-TRIES = 6  # as often may a run be unlucky
+TRIES = 6  # how often a run may be unlucky
 
 # After a signal the real rclpy shuts down in a thread of its own. What the node does meanwhile may fail, whatever it
 # does: see its issue 1352, and examples/recordings/ros2/signals.csv for how often.
@@ -40,20 +40,17 @@ MET_SHUTDOWN = re.compile(r"RCLError: failed to (shutdown: rcl_shutdown already 
 
 
 class Outcome(NamedTuple):
-    """What a scenario gave: exit status, lines that must be the same, times by label, and whether it was unlucky.
-
-    That is, the machine stalled or the real rclpy met its own shutdown.
-    """
+    """What a scenario gave: exit status, lines that must be the same, times by label, whether the machine stalled."""
 
     status: int
     text: str
     marks: dict[str, list[list[float | None]]]
     end: float | None
-    unlucky: bool
+    stalled: bool
 
 
 def until_lucky(run: Callable[[], T], console: Callable[[T], str] = attrgetter("console")) -> T:
-    """Run a node on the real ROS 2, and again if it met rclpy's shutdown."""
+    """Run a node on the real ROS 2, again if it met rclpy's own shutdown, at most TRIES times: the last run."""
     for _ in range(TRIES):
         done = run()
         if not MET_SHUTDOWN.search(console(done)):
@@ -93,8 +90,7 @@ def outcome(console: str, status: int, end: float | None) -> Outcome:
             end = times[0]
         elif label not in ("zero", "stall"):
             marks.setdefault(label, []).append(times)
-    unlucky = "@stall" in console or bool(MET_SHUTDOWN.search(console))
-    return Outcome(status, _normal(_MARK.sub("", console)), marks, end, unlucky)
+    return Outcome(status, _normal(_MARK.sub("", console)), marks, end, "@stall" in console)
 
 
 def _normal(text: str) -> str:
