@@ -63,7 +63,8 @@ class Tab:
             self.wrong.append(params["text"])
         if event == "network.responseCompleted" and params["response"]["status"] >= 400:
             self.wrong.append(f"{params['response']['status']} {params['request']['url']}")
-        if event == "network.fetchError":
+        # A page that is left gives up what is on its way: its icon, or the page after it, which Firefox asks for ahead.
+        if event == "network.fetchError" and params["errorText"] != "NS_BINDING_ABORTED":
             self.wrong.append(f"{params['errorText']} {params['request']['url']}")
 
     def resize(self, width: int, height: int) -> None:

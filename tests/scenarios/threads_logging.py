@@ -29,7 +29,7 @@ logger.addHandler(handler)
 workers = [threading.Thread(target=work, args=(start,), name=f"worker{number}") for number, start in ((1, 0), (2, 0.5))]
 for worker in workers:
     worker.start()
-timer = rospy.Timer(rospy.Duration(P), lambda event: work(1), oneshot=True)
+timer = rospy.Timer(rospy.Duration(0.75 * P), lambda event: work(0.75), oneshot=True)
 timer.name = "timer"
 for worker in (*workers, timer):
     worker.join()
