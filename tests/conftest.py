@@ -18,7 +18,7 @@ from firefox import firefox
 from hypothesis import settings
 from in_chromium import launched, served
 from message_probe import PACKAGES
-from playwright.sync_api import Browser, Page
+from playwright.sync_api import Browser, Page, expect
 
 from rosspin import doctor, ros2
 
@@ -26,6 +26,11 @@ from rosspin import doctor, ros2
 # Processes that share the tests out among them draw once.
 DRAWN = "0" if "CI" in os.environ else str(random.SystemRandom().randrange(10**6))
 SEED = int(os.environ.get("ROSSPIN_SEED") or os.environ.setdefault("ROSSPIN_DRAWN_SEED", DRAWN))
+
+# How long a test waits for what should be on a page until it gives up (ms). Playwright's own 5 s are too short where
+# Python starts, or the machine is busy.
+PATIENCE = 120_000
+expect.set_options(timeout=PATIENCE)
 
 ROOT = Path(__file__).parent.parent
 SITE = ROOT / "build" / "html"

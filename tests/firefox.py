@@ -14,7 +14,7 @@ from typing import Any
 
 from websocket import WebSocket, create_connection
 
-PATIENCE = 60.0  # s
+PATIENCE = 300.0  # s
 
 # Keys as WebDriver writes them.
 KEYS = {"PageUp": "\ue00e", "End": "\ue010", "Home": "\ue011", "ArrowLeft": "\ue012", "ArrowRight": "\ue014"}

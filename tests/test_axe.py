@@ -12,7 +12,7 @@ from typing import Any, Literal
 
 import pytest
 from conftest import ROOT
-from playwright.sync_api import Browser, Page
+from playwright.sync_api import Browser, Page, expect
 from test_figures import FIGURES, opened
 from test_hand_in import HTML, WRONG, Table, handed_in
 from test_live import TIMER, TUTORIAL, Cell, link, node, open_tutorial
@@ -65,7 +65,7 @@ def test_open_cells(address: str, browser: Browser, violations: Callable[[Page],
         failed.run(2)
         failed.ends("error")
         running.run(1000, "real time")
-        running.console.wait_for()
+        expect(running.console).to_be_visible()
         assert TUTORIAL in page.url
         assert violations(page) == []
 

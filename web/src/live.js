@@ -36,5 +36,5 @@ async function receive() {
 }
 
 showProgress()
-receive()
+document.addEventListener("DOMContentLoaded", receive) // when the chosen tabs are open, too
 addEventListener("hashchange", receive)

@@ -78,7 +78,7 @@ async function load(response) {
 /** Keep the snapshot, and none of earlier visits. */
 async function keep(cache, response) {
   try {
-    for (const key of await cache.keys()) await cache.delete(key)
+    for (const key of await cache.keys()) if (key.url !== url) await cache.delete(key)
     await cache.put(url, response)
   } catch {
     // There is no room for it: the next page loads it again.
