@@ -4,6 +4,7 @@ import rclpy
 from rclpy.executors import ExternalShutdownException, SingleThreadedExecutor
 from rclpy.node import Node
 from rclpy.parameter import Parameter
+from scenario import begin
 from std_msgs.msg import String
 
 
@@ -67,6 +68,7 @@ class OwnExecutor(SingleThreadedExecutor):
 rclpy.init()
 executor = OwnExecutor()
 executor.add_node(Own())
+begin()
 try:
     executor.spin()
 except ExternalShutdownException:

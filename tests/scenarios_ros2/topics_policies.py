@@ -5,7 +5,7 @@ from itertools import product
 
 import rclpy
 from rclpy.qos import DurabilityPolicy, QoSProfile, ReliabilityPolicy
-from scenario import say
+from scenario import begin, say
 from std_msgs.msg import UInt32
 
 STRICT = ("RELIABLE", "TRANSIENT_LOCAL")
@@ -29,12 +29,15 @@ def subscribe(topic, policies):
 
 
 def spin():
-    end = time.monotonic() + 0.7
-    while time.monotonic() < end:
-        rclpy.spin_once(node, timeout_sec=0.1)
+    """Until nothing has come for a while."""
+    before = time.monotonic()
+    while time.monotonic() - before < 0.4:
+        before = time.monotonic()
+        rclpy.spin_once(node, timeout_sec=0.5)
 
 
 rclpy.init()
+begin()
 publishers, seen = {}, {}
 for order in (publish, subscribe), (subscribe, publish):
     node = rclpy.create_node(f"first_{order[0].__name__}")

@@ -2,11 +2,12 @@
 
 import rclpy
 from rclpy.qos import DurabilityPolicy, QoSProfile
-from scenario import say
+from scenario import begin, say
 from std_msgs.msg import UInt32
 
 rclpy.init()
 node = rclpy.create_node("topics_transient_local")
+begin()
 for depth, durability, asked in (
     (3, DurabilityPolicy.TRANSIENT_LOCAL, DurabilityPolicy.TRANSIENT_LOCAL),
     (1, DurabilityPolicy.TRANSIENT_LOCAL, DurabilityPolicy.TRANSIENT_LOCAL),
