@@ -17,6 +17,7 @@ import pytest
 from bs4 import BeautifulSoup
 from conftest import ROOT
 from outcomes import until_lucky
+from test_ros2 import launch_past
 
 from rosspin import ros2, simulate
 from rosspin.console import read_ticks
@@ -345,7 +346,7 @@ def test_a_frequency_not_meant_for_the_node_is_ignored_on_the_real_ros_2(
     """Without --ros-args, or of another name: the node keeps its own, and nothing is said."""
     require("ros2")
     node = PACKAGE_ROS2 / "my_robotics_pkg/spinner_param_py_node.py"
-    run = until_lucky(lambda: ros2.launch(node, 1.2, args))
+    run = launch_past("counter = 2", node, args)
     assert run.status == 0
     assert min(later.expected - earlier.expected for earlier, later in pairwise(run.ticks)) > 0.45
     assert all("[SPINNER PY NODE] counter = " in line for line in run.console.splitlines())
