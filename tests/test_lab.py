@@ -5,7 +5,6 @@ from __future__ import annotations
 import json
 import os
 import signal
-import socket
 import subprocess
 import sys
 import time
@@ -19,6 +18,8 @@ import pytest
 from conftest import ROOT
 from playwright.sync_api import Browser, expect
 
+from rosspin.ros1 import _free_port
+
 TOKEN = "a-token-for-this-test"
 PATIENCE = 120  # seconds until a server that does not answer is given up
 
@@ -29,9 +30,7 @@ def lab(tmp_path_factory: pytest.TempPathFactory) -> Iterator[str]:
 
     VENV and BIN: out of the environment that this test runs in, which make is not to make anew meanwhile.
     """
-    with socket.socket() as probe:
-        probe.bind(("127.0.0.1", 0))
-        port = probe.getsockname()[1]
+    port = _free_port()
     home = tmp_path_factory.mktemp("home")
     log = home.with_suffix(".log")
     arguments = f"--no-browser --port={port} --ServerApp.port_retries=0 --IdentityProvider.token={TOKEN}"

@@ -7,6 +7,7 @@ it is gone when the run is over, however it ends.
 from __future__ import annotations
 
 import os
+import random
 import re
 import shutil
 import signal
@@ -247,6 +248,13 @@ def _ros_environment(environment: Mapping[str, str]) -> dict[str, str]:
 
 
 def _free_port() -> int:
-    with socket.socket() as probe:
-        probe.bind(("localhost", 0))
-        return int(probe.getsockname()[1])
+    """A free port of the loopback interface. None that Linux would give to whoever asks for any, as each node does."""
+    draw = random.SystemRandom()  # whose numbers no seed repeats in another process
+    while True:
+        port = draw.randrange(20_000, 32_768)
+        with socket.socket() as probe:
+            try:
+                probe.bind(("localhost", port))
+            except OSError:
+                continue
+            return port
