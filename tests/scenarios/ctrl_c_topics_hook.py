@@ -7,7 +7,7 @@ from std_msgs.msg import String
 
 def stop():
     publisher.publish("stop")
-    block(0.2)
+    block(0.5)
 
 
 begin("ctrl_c_topics_hook")

@@ -13,7 +13,7 @@ def heard(message):
 begin("ctrl_c_topics_loop")
 publisher = rospy.Publisher("~a", UInt32, queue_size=1)
 rospy.Subscriber("~a", UInt32, heard)
-block(0.5)
+block(1.2)
 rate = rospy.Rate(1 / P)
 number = 0
 try:

@@ -10,7 +10,9 @@ def fill():
     block(2)
     places.put("in time")
     block(2)
-    say("made room", places.get())
+    got = places.get()
+    block(0.5)
+    say("made room", got)
 
 
 begin("threads_queue_timeout")

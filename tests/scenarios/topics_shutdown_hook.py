@@ -13,7 +13,7 @@ def hook():
 begin("topics_shutdown_hook")
 publisher = rospy.Publisher("~a", String, queue_size=10)
 rospy.Subscriber("~a", String, lambda message: say("got", message.data))
-rospy.on_shutdown(lambda: (hook(), block(0.2)))
+rospy.on_shutdown(lambda: (hook(), block(0.5)))
 block(1)
 rospy.signal_shutdown("end")
 publisher.publish("late")

@@ -1,4 +1,4 @@
-"""A controller that stops when its sensor is silent for more than a period and a half."""
+"""A controller that stops when its sensor is silent for more than a period and three quarters."""
 
 import rospy
 from geometry_msgs.msg import Twist
@@ -18,7 +18,7 @@ class Controller:
 
     def control(self, event):
         command = Twist()
-        if self.last is not None and rospy.Time.now() - self.last < rospy.Duration(1.5 * P):
+        if self.last is not None and rospy.Time.now() - self.last < rospy.Duration(1.75 * P):
             command.linear.x = 0.5
         self.command.publish(command)
 
@@ -27,7 +27,7 @@ begin("topics_silent_sensor")
 rospy.Subscriber("~command", Twist, lambda message: (say("speed", message.linear.x), mark("command")))
 Controller()
 sensor = rospy.Publisher("~range", Range, queue_size=1)
-block(0.6)
+block(1.6)
 for _ in range(3):
     sensor.publish(Range(range=1.0))
     block(1)

@@ -7,6 +7,7 @@ from sensor_msgs.msg import LaserScan
 from std_msgs.msg import Bool, ColorRGBA, Duration, Float32, Float64MultiArray, String, Time, UInt8MultiArray
 
 begin("topics_values")
+publishers = []
 for name, type_, message in (
     ("~a", Float32, Float32(0.1)),
     ("~b", ColorRGBA, ColorRGBA(r=1, a=0.3)),
@@ -19,8 +20,9 @@ for name, type_, message in (
     ("~i", LaserScan, LaserScan(ranges=[0.5, 1.25], angle_min=-1)),
     ("~j", PoseStamped, PoseStamped()),
 ):
-    publisher = rospy.Publisher(name, type_, queue_size=10)
+    publishers.append((rospy.Publisher(name, type_, queue_size=10), message))
     rospy.Subscriber(name, type_, lambda message: say(type(message).__name__, repr(message)))
-    block(0.5)
+block(2)
+for publisher, message in publishers:
     publisher.publish(message)
     block(0.3)
