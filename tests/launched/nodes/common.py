@@ -13,9 +13,11 @@ used = 0  # how often this module was used
 
 
 def begin(name, **options):
-    """Start the node ``name``, or as the launch file names it."""
+    """Start the node ``name``, or as the launch file names it; with the argument ``met``, another one has, too."""
     rospy.init_node(name, **options)
     threading.Thread(target=_watch, daemon=True).start()
+    if "met" in sys.argv:
+        meet(2)
 
 
 def _watch():

@@ -1,7 +1,6 @@
 #!/usr/bin/env python3
 """Tells what it hears on ``chatter``, and takes ``~takes`` seconds for each."""
 
-import sys
 import time
 
 import common
@@ -17,7 +16,5 @@ def hear(message):
 
 
 common.begin("listener")
-if "met" in sys.argv:
-    common.meet(2)
 rospy.Subscriber("chatter", UInt32, hear, queue_size=rospy.get_param("~queue_size", None))
 rospy.spin()
