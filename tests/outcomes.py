@@ -3,10 +3,12 @@
 from __future__ import annotations
 
 import difflib
+import os
 import re
 import threading
 import time
 from collections.abc import Callable, Iterator, Sequence
+from contextlib import contextmanager
 from operator import attrgetter
 from typing import NamedTuple, TypeVar
 
@@ -24,6 +26,7 @@ __all__ = [
     "outcome",
     "run_scenario",
     "until_lucky",
+    "watching",
 ]
 
 T = TypeVar("T")
@@ -64,21 +67,33 @@ def until_lucky(run: Callable[[], T], console: Callable[[T], str] = attrgetter("
 
 def run_scenario(children: Children, command: Sequence[str], seconds: float, is_timed: bool) -> Output:
     """Run a scenario until Ctrl-C. That comes from this process: when it has stalled, the console says so, too."""
+    with watching() as stalled:
+        output = children.run(command, seconds, begins=re.compile("@zero") if is_timed else None)
+    return output._replace(console="@stall\n" + output.console) if stalled.is_set() else output
+
+
+@contextmanager
+def watching() -> Iterator[threading.Event]:
+    """An event that is set, once the block is over at the latest, if a CPU stood still for a while during it."""
     stalled, over = threading.Event(), threading.Event()
 
-    def watch() -> None:
+    def watch(cpu: int) -> None:
+        os.sched_setaffinity(0, {cpu})  # of this thread alone
         before = time.monotonic()
         while not over.wait(JITTER):
             if time.monotonic() - before > 2 * JITTER:
                 stalled.set()
             before = time.monotonic()
 
-    threading.Thread(target=watch).start()
+    watchers = [threading.Thread(target=watch, args=(cpu,)) for cpu in os.sched_getaffinity(0)]
+    for watcher in watchers:
+        watcher.start()
     try:
-        output = children.run(command, seconds, begins=re.compile("@zero") if is_timed else None)
+        yield stalled
     finally:
         over.set()
-    return output._replace(console="@stall\n" + output.console) if stalled.is_set() else output
+        for watcher in watchers:
+            watcher.join()
 
 
 # A mark is written in one go; it may stand within a line that another thread writes in several, as a traceback's are.

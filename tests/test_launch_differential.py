@@ -15,6 +15,7 @@ from pathlib import Path
 
 import pytest
 from conftest import LACKS
+from outcomes import watching
 
 from rosspin import ros1, simulate
 
@@ -23,7 +24,7 @@ FILES = sorted(path.stem for path in (PACKAGE / "launch").glob("*.launch"))
 
 ARGS = {"arguments": ["name:=other", "number:=8"]}
 SECONDS = 8.0  # when Ctrl-C comes; all is done by then, so that it does not matter when the processes have started
-LONGER = {"queue_size_none": 14.0, "queue_size_3": 10.0}
+LONGER = {"queue_size_none": 14.0, "queue_size_3": 10.0, "respawn": 12.0}
 AT_ONCE = 4
 TRIES = 5
 
@@ -57,16 +58,16 @@ def _seconds(name: str) -> float:
     return LONGER.get(name, SECONDS)
 
 
-def _on_roslaunch(package: Path, name: str) -> tuple[dict[str, list[str]], bool]:
+def _on_roslaunch(package: Path, name: str) -> tuple[int, dict[str, list[str]], bool]:
     with ros1.Workspace() as workspace:
         workspace.start_master()
         file = str(package / "launch" / f"{name}.launch")
         command = ["roslaunch", "--disable-title", "--skip-log-check", "--no-summary", file, *ARGS.get(name, [])]
         begins = re.compile(r"process\[.*started with pid")
-        output = workspace.run(command, _seconds(name), begins=begins, patience=ros1._LAUNCH_PATIENCE)
-    assert output.status == 0
+        with watching() as stalled:
+            output = workspace.run(command, _seconds(name), begins=begins, patience=ros1._LAUNCH_PATIENCE)
     console = output.console.partition("ROS_MASTER_URI=")[2].partition("\n")[2]
-    return _outcome(console), "@stall" in console
+    return output.status, _outcome(console), stalled.is_set() or "@stall" in console
 
 
 def _simulated(name: str) -> dict[str, list[str]]:
@@ -88,9 +89,10 @@ def real(tmp_path_factory: pytest.TempPathFactory) -> Iterator[dict[str, Future[
 
         def differences(name: str, exact: dict[str, list[str]]) -> list[str]:
             for _ in range(TRIES):
-                outcome, stalled = _on_roslaunch(package, name)
+                status, outcome, stalled = _on_roslaunch(package, name)
                 speakers = sorted({**outcome, **exact})
-                found = [
+                found = [f"status {status}"] if status else []
+                found += [
                     f"{speaker}: {outcome.get(speaker)} for {exact.get(speaker)}"
                     for speaker in speakers
                     if outcome.get(speaker, []) != exact.get(speaker, [])
