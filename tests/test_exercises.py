@@ -17,7 +17,7 @@ from conftest import ROOT
 from exercise_answers import RIGHT, WRONG, Answer
 from IPython.core.error import UsageError
 from IPython.core.interactiveshell import InteractiveShell
-from outcomes import until_lucky
+from outcomes import TRIES, until_lucky
 
 from rosspin import simulate
 from rosspin.console import read_ticks
@@ -300,8 +300,13 @@ def test_the_cpp_node_does_what_the_solution_says(require: Callable[[str], None]
             return [1.2 + time - found[0] for time in found]
 
         for blocks_for in ("0.6", "1.0"):
-            wanted = solution_of(3)[f"after_{blocks_for.replace('.', '_')}_seconds"]
-            assert ticks("kept", blocks_for) == pytest.approx([1.2, *wanted], abs=0.15)
+            after = solution_of(3)[f"after_{blocks_for.replace('.', '_')}_seconds"]
+            wanted = pytest.approx([1.2, *after], abs=0.15)
+            for _ in range(TRIES):
+                found = ticks("kept", blocks_for)
+                if found == wanted:  # else the machine may have stalled
+                    break
+            assert found == wanted
         assert ticks("not_kept", "0.6") == solution_of(3)["not_kept"]
 
 

@@ -15,6 +15,7 @@ from pathlib import Path
 
 import pytest
 from conftest import CHATTER
+from outcomes import TRIES
 
 from rosspin import ros1
 from rosspin.__main__ import main
@@ -92,6 +93,19 @@ def program(workspace: ros1.Workspace, name: str) -> str:
     return str(path)
 
 
+class Until(io.StringIO):
+    """A console that is closed when these words come."""
+
+    def __init__(self, words: str) -> None:
+        super().__init__()
+        self.words = words
+
+    def write(self, text: str) -> int:
+        if self.words in text:
+            raise BrokenPipeError
+        return super().write(text)
+
+
 def counters(console: str) -> list[int]:
     return [int(number) for number in re.findall(r"counter = (\d+)", console)]
 
@@ -106,8 +120,8 @@ def test_every_listing_compiles_without_a_warning(strict: ros1.Workspace) -> Non
 
 def test_launch_runs_both_nodes() -> None:
     live = io.StringIO()
-    run = ros1.launch(PACKAGE / "launch" / "spinner.launch", 3.0, onward=live)
-    assert (run.runtime, run.status, run.seconds) == ("ros1", 0, 3.0)
+    run = ros1.launch(PACKAGE / "launch" / "spinner.launch", 5.0, onward=live)
+    assert (run.runtime, run.status, run.seconds) == ("ros1", 0, 5.0)
     assert live.getvalue() == run.console
     assert "[SPINNER CPP NODE] namespace of nh = /mrp/spinner_cpp_node" in run.console
     assert "[SPINNER PY NODE] namespace of node = /mrp/\n" in run.console
@@ -135,15 +149,18 @@ def test_subscribers_of_both_languages_hear_a_publisher_of_either(publisher: str
 def test_a_node_hears_itself(strict: ros1.Workspace, language: str) -> None:
     node = program(strict, "pubsub_cpp_node")
     command = [node] if language == "cpp" else ["python3", str(PACKAGE / "src/pubsub_py_node.py")]
-    output = strict.run(command, 2.2, begins=re.compile("counter = "))
-    assert output.status == 0
-    seen = counters(output.console)
+    for _ in range(TRIES):  # if the machine stalls, it may be connected only after the first message
+        output = strict.run(command, 2.2, begins=re.compile("counter = "))
+        assert output.status == 0
+        seen = counters(output.console)
+        if seen[0] == 1:
+            break
     assert seen[0] == 1 and seen == list(range(1, len(seen) + 1))
 
 
 @pytest.mark.parametrize("name", ["plain", "spinner", "spinner_rate"])
 def test_python_node_file(name: str) -> None:
-    run = ros1.launch(PACKAGE / "src" / f"{name}_py_node.py", 2.0, ["__ns:=/mrp"])
+    run = ros1.launch(PACKAGE / "src" / f"{name}_py_node.py", 4.0, ["__ns:=/mrp"], Until("counter = 1"))
     assert (run.runtime, run.status) == ("ros1", 0)
     assert "namespace of node = /mrp/\n" in run.console
     seen = counters(run.console)
@@ -158,7 +175,7 @@ def test_threads_print_whole_lines(tmp_path: Path) -> None:
 
 
 def test_cpp_node_file_of_no_package() -> None:
-    run = ros1.launch(EXAMPLES / "steps" / "2_callback.cpp", 1.0)
+    run = ros1.launch(EXAMPLES / "steps" / "2_callback.cpp", 3.0)
     assert (run.status, run.ticks) == (0, ())
     assert "namespace of nh = /spinner_cpp_node" in run.console
 
@@ -254,7 +271,7 @@ def test_a_node_deaf_to_ctrl_c_is_killed(tmp_path: Path, monkeypatch: pytest.Mon
         "for number in (signal.SIGINT, signal.SIGTERM): signal.signal(number, signal.SIG_IGN)\n"
         "print('deaf')\ntime.sleep(60)\n"
     )
-    run = ros1.launch(node, 1.0)
+    run = ros1.launch(node, onward=Until("deaf\n"))
     assert run.status == 128 + signal.SIGKILL
     assert run.console == "deaf\nrosspin: deaf.py ended with status 137 (SIGKILL)\n"
 
@@ -268,13 +285,7 @@ def test_an_error_ends_everything(leaves_nothing: Path) -> None:
 
 
 def test_a_console_that_is_closed_ends_the_run(leaves_nothing: Path) -> None:
-    class Closed(io.StringIO):
-        def write(self, text: str) -> int:
-            if "counter = 2" in text:
-                raise BrokenPipeError
-            return len(text)
-
-    run = ros1.launch(PACKAGE / "src" / "spinner_py_node.py", onward=Closed())
+    run = ros1.launch(PACKAGE / "src" / "spinner_py_node.py", onward=Until("counter = 2"))
     assert run.status == 0
 
 
@@ -292,10 +303,11 @@ def test_a_signal_ends_everything(file: str, number: signal.Signals, when: str, 
     process = subprocess.Popen(command, stdout=subprocess.PIPE, stderr=subprocess.STDOUT, text=True)
     assert process.stdout is not None
     console = ""
+    languages = ("CPP", "PY") if file.endswith(".launch") else ("PY",)
     if when == "running":
         for line in process.stdout:
             console += line
-            if len(counters(console)) == 3:
+            if all(f"[SPINNER {language} NODE] counter = 2" in console for language in languages):
                 break
     else:
         while not any("make" in command for command in processes(leaves_nothing)):
@@ -328,21 +340,23 @@ def test_doctor(capsys: pytest.CaptureFixture[str]) -> None:
 )
 def test_ctrl_c_ends_a_cpp_node_cleanly(strict: ros1.Workspace, name: str) -> None:
     # Not even a busy machine needs the 15 s after which SIGTERM would follow; that would give another status.
-    output = strict.run([program(strict, name)], 2.0)
+    counts = name not in ("plain_cpp_node", "publisher_cpp_node")
+    begins = re.compile("counter = 1" if counts else "namespace of")
+    output = strict.run([program(strict, name)], 1.2, begins=begins)
     assert output.status == 0
     seen = counters(output.console)
     assert seen == list(range(1, len(seen) + 1))
-    assert bool(seen) == (name not in ("plain_cpp_node", "publisher_cpp_node"))
+    assert bool(seen) == counts
 
 
 def test_while_ros_ok_does_not_end_at_ctrl_c(original: ros1.Workspace) -> None:
     patience = ((signal.SIGINT, 2.0), (signal.SIGINT, 2.0), (signal.SIGTERM, 5.0), (signal.SIGKILL, 5.0))
-    output = original.run([program(original, "while_ros_ok")], 1.0, patience=patience)
+    output = original.run([program(original, "while_ros_ok")], 0.2, begins=re.compile("counter = "), patience=patience)
     assert output.status == 128 + signal.SIGTERM
 
 
 def test_a_global_timer_aborts_at_ctrl_c(original: ros1.Workspace) -> None:
-    output = original.run([program(original, "global_timer")], 1.2)
+    output = original.run([program(original, "global_timer")], 0.2, begins=re.compile("counter = "))
     assert output.status == 128 + signal.SIGABRT
     assert "boost" in output.console and "lock_error" in output.console
 
@@ -350,10 +364,13 @@ def test_a_global_timer_aborts_at_ctrl_c(original: ros1.Workspace) -> None:
 def test_a_slow_callback_re_phases_a_cpp_timer(strict: ros1.Workspace) -> None:
     """After 4.4 periods the timer goes on from there, one period at a time, and says so of none of it."""
     command = [program(strict, "timer_probe"), "_period:=0.2", "_block:=0.88", "_block_call:=2"]
-    lines = strict.run(command, 3.0).console.splitlines()
-    rows = [line.split(",") for line in lines if line.startswith("timerCallback")]
-    expected = {int(row[1]): float(row[4]) for row in rows}
-    real = {int(row[1]): float(row[5]) for row in rows}
+    for _ in range(TRIES):
+        lines = strict.run(command, 2.2, begins=re.compile("^start,")).console.splitlines()
+        rows = [line.split(",") for line in lines if line.startswith("timerCallback")]
+        expected = {int(row[1]): float(row[4]) for row in rows}
+        real = {int(row[1]): float(row[5]) for row in rows}
+        if 4 in real and real[4] - expected[4] < 0.1:  # else the machine may have stalled
+            break
     assert real[3] - real[2] >= 0.88
     assert expected[3] - expected[2] > 0.8  # rewritten: rospy's would be 0.2
     assert expected[4] - expected[3] == pytest.approx(0.2, abs=1e-5)

@@ -9,6 +9,7 @@ from pathlib import Path
 
 import pytest
 from conftest import ROOT, SEED
+from outcomes import TRIES
 from record import PERIOD, random_blocks
 
 from rosspin import Tick, simulate
@@ -62,7 +63,7 @@ def test_the_real_roscpp_follows_the_rule(require: Callable[[str], None]) -> Non
 
         def compare(seed: int) -> list[str]:
             args = [f"_period:={PERIOD}", f"_blocks:={','.join(map(str, random_blocks(seed, 20)))}"]
-            for attempt in range(3):
+            for attempt in range(TRIES):
                 command = [program, *args, f"__name:=probe_{seed}_{attempt}"]
                 lines = workspace.run(command, seconds, begins=re.compile("^start,")).console.splitlines()
                 start = next(float(line.partition(",")[2]) for line in lines if line.startswith("start,"))

@@ -312,7 +312,7 @@ def test_signals_that_python_ignores_or_that_nobody_can_handle() -> None:
 def test_an_exception_of_a_handler_at_the_very_end_stays_in_the_run(run: Any) -> None:
     def node() -> None:
         signal.signal(signal.SIGINT, lambda number, frame: sys.exit(3))
-        threading.Thread(target=time.sleep, args=(0.2,)).start()
+        threading.Thread(target=time.sleep, args=(1.0,)).start()
 
     result: Run = run(node, 0.1)
     assert result.status == 0

@@ -22,10 +22,14 @@ from rosspin import NotSimulated, Tick, measure, simulate
 NEVER = 60  # s; only so that a test that hangs ends at all
 
 TICKS = """
-import sys, rospy
+import sys, threading, rospy
 rospy.init_node("node")
-rospy.Timer(rospy.Duration(0.02), lambda event: sys.stdout.write("tick\\n"))  # in one go, whatever comes then
-rospy.sleep(0.2)
+ticked = threading.Event()
+def tick(event):
+    sys.stdout.write("tick\\n")  # in one go, whatever comes then
+    ticked.set()
+rospy.Timer(rospy.Duration(0.02), tick)
+ticked.wait()
 """
 
 # Code in C in which Python handles no signal: one that keeps all other threads from running, and one that lets them.
@@ -252,12 +256,12 @@ def test_whatever_a_node_does_it_is_killed_and_nothing_of_it_runs_on(
 ) -> None:
     starts = "import subprocess, sys\nsubprocess.Popen(['sleep', '1000'], close_fds=False)\nif os.fork() == 0:\n"
     node = write(f"{life.hold}{starts}    while True: pass\nprint('ready')\n{TICKS}{code}")
-    run = measure(node, 0.5)
+    run = measure(node, 1)
     assert life.ended()
     assert run.status == 137
     lines = run.console.splitlines()
     said = lines.index(
-        f"rosspin: Ctrl-C at 0.5 s did not end the node; it was killed {PATIENCE} s later, as roslaunch does. "
+        f"rosspin: Ctrl-C at 1 s did not end the node; it was killed {PATIENCE} s later, as roslaunch does. "
         "Does its loop check rospy.is_shutdown()?"
     )
     line = next(number for number, text in enumerate(node.read_text().splitlines(), 1) if text.strip() == place)
@@ -331,9 +335,9 @@ def test_a_node_ends_with_its_caller(write: Any, life: Life) -> None:
 # --- the command line -------------------------------------------------------------------------------------------------
 
 
-def run_on_the_command_line(node: Path) -> subprocess.CompletedProcess[str]:
+def run_on_the_command_line(node: Path, seconds: float = 0.5) -> subprocess.CompletedProcess[str]:
     code = f"import sys, rosspin.run as r, rosspin.__main__ as m; r.PATIENCE = {PATIENCE}; sys.exit(m.main())"
-    command = [sys.executable, "-c", code, "run", str(node), "--seconds", "0.5"]
+    command = [sys.executable, "-c", code, "run", str(node), "--seconds", str(seconds)]
     return subprocess.run(command, capture_output=True, text=True, timeout=NEVER)
 
 
@@ -354,7 +358,7 @@ def test_a_thread_that_heeds_nothing_does_not_keep_the_command_line(write: Any) 
 
 def test_a_node_that_forks_is_still_sent_ctrl_c(write: Any) -> None:
     done = run_on_the_command_line(
-        write(f"import os\nif os.fork():\n    os.wait()\n    {SPINS.replace(chr(10), '; ')}\n")
+        write(f"import os\nif os.fork():\n    os.wait()\n    {SPINS.replace(chr(10), '; ')}\n"), 2.0
     )
     assert (done.returncode, done.stdout, done.stderr) == (0, "hook\n", "")
 
@@ -380,7 +384,7 @@ def test_a_cell_of_a_notebook(tmp_path: Path) -> None:
 
     try:
         show(f"%load_ext rosspin\nimport rosspin.run\nrosspin.run.PATIENCE = {PATIENCE}")
-        shown = show(f"%%measure 0.1\n{first.hold}{HOLDS_ALL}")
+        shown = show(f"%%measure 1\n{first.hold}{HOLDS_ALL}")
         assert first.ended()
         assert "did not end the node" in shown and "rosspin: MainThread was at <cell " in shown
         assert show("print(run.status, run.ticks)") == "137 ()\n"
