@@ -25,4 +25,4 @@ for name, type_, message in (
 block(2)
 for publisher, message in publishers:
     publisher.publish(message)
-    block(0.3)
+    block(0.8)
