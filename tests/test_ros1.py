@@ -160,7 +160,7 @@ def test_a_node_hears_itself(strict: ros1.Workspace, language: str) -> None:
 
 @pytest.mark.parametrize("name", ["plain", "spinner", "spinner_rate"])
 def test_python_node_file(name: str) -> None:
-    run = ros1.launch(PACKAGE / "src" / f"{name}_py_node.py", 4.0, ["__ns:=/mrp"], Until("counter = 1"))
+    run = ros1.launch(PACKAGE / "src" / f"{name}_py_node.py", 4.0, ["__ns:=/mrp"])
     assert (run.runtime, run.status) == ("ros1", 0)
     assert "namespace of node = /mrp/\n" in run.console
     seen = counters(run.console)
@@ -175,7 +175,7 @@ def test_threads_print_whole_lines(tmp_path: Path) -> None:
 
 
 def test_cpp_node_file_of_no_package() -> None:
-    run = ros1.launch(EXAMPLES / "steps" / "2_callback.cpp", 3.0)
+    run = ros1.launch(EXAMPLES / "steps" / "2_callback.cpp", 2.0)
     assert (run.status, run.ticks) == (0, ())
     assert "namespace of nh = /spinner_cpp_node" in run.console
 
