@@ -11,7 +11,6 @@ import time
 from collections.abc import Iterator
 from pathlib import Path
 from typing import Any
-from urllib.error import URLError
 from urllib.request import Request, urlopen
 
 import pytest
@@ -62,7 +61,7 @@ def _wait(process: subprocess.Popen[bytes], address: str, log: Path) -> None:
         try:
             _ask(address, "api/status")
             return
-        except URLError:
+        except OSError:
             time.sleep(0.1)
     pytest.fail(f"JupyterLab did not start:\n{log.read_text()}")
 
