@@ -85,8 +85,10 @@ def test_the_how_to_is_a_way_through(tree: Path) -> None:
     run = _type(build, tree)
     listed = _list(run.stdout)
     assert run.returncode != 0
-    assert "Traceback" not in run.stdout + run.stderr and 'File "' not in run.stdout + run.stderr
-    assert "exception" not in (run.stdout + run.stderr).lower()
+    # But for what ipykernel logs if a kernel's sockets have been closed before it has ended.
+    said = re.sub(r".*exception in ZMQStream callback\nTraceback(.*\n)+?zmq\..*\n", "", run.stdout + run.stderr)
+    assert "Traceback" not in said and 'File "' not in said
+    assert "exception" not in said.lower()
     lines = (tree / "docs/tutorial.rst").read_text().splitlines()
     line = lines.index("   [INFO] [0.500000]: [SPINNER PY NODE] counter = 1")  # the output begins one line above
     entry = _entry(listed, f"docs/tutorial.rst:{line} (make outputs)\n")
