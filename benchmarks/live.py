@@ -21,6 +21,7 @@ from rosspin.measures import quantile, say_time
 ROOT = Path(__file__).parent.parent
 SITE = ROOT / "build" / "html"
 TUTORIAL = "docs/tutorial.html"
+PYODIDE = ROOT / "build" / "npm" / "node_modules" / "pyodide"
 
 # The last listing of the tutorial, whose first counter comes at once: click, and wait for a text. By the page's clock.
 CLICK = """([button, text]) => new Promise(resolve => {
@@ -38,7 +39,7 @@ WRITE = """text => {
     [...document.querySelectorAll("div.live")].at(-1).querySelector("pre").textContent = text
 }"""
 
-# What the start of Python takes by itself, from the same files.
+# What the start of Python takes by itself, from Pyodide's own files.
 BARE = """async ([base, lockFileContents]) => {
     const { loadPyodide } = await import(base + "pyodide.mjs")
     const start = performance.now()
@@ -55,15 +56,19 @@ rospy.init_node("ticker")
 rospy.Timer(rospy.Duration(0.1), lambda event: print(performance.now()))
 rospy.spin()
 """
-RUN_TICKER = """([address, source, seconds]) => new Promise(resolve => {
-    const worker = new Worker(address, { type: "module" })
+RUN_TICKER = """async ([address, source, seconds]) => {
+    const { Sandbox } = await import(address)
+    const sandbox = new Sandbox()
+    await sandbox.started
     const times = []
-    worker.onmessage = ({ data }) => {
-        if (data.kind === "batch") times.push(...data.chunks.map(([, text]) => Number(text)).filter(time => time))
-        if (data.kind === "end") resolve(times)
-    }
-    worker.postMessage({ source, filename: "ticker.py", seconds, args: "", speed: 1 })
-})"""
+    return new Promise(resolve => {
+        sandbox.do({ kind: "run", source, filename: "ticker.py", seconds, args: "", speed: 1 }, message => {
+            const texts = message.kind === "batch" ? message.chunks.map(([, text]) => text) : []
+            times.push(...texts.map(Number).filter(time => time))
+            if (message.kind === "end") resolve(times)
+        })
+    })
+}"""
 
 
 def report(rounds: int = 5, seconds: float = 20.0, pause: float = 6.0) -> Iterator[str]:
@@ -73,18 +78,20 @@ def report(rounds: int = 5, seconds: float = 20.0, pause: float = 6.0) -> Iterat
     if not executable or not (SITE / TUTORIAL).exists():
         yield "  not measured: it needs Chromium, and the site that `make html` builds"
         return
-    with served(SITE) as address, launched(executable) as browser:
-        yield from _report(browser, address, rounds, seconds, pause)
+    with served(SITE) as address, served(PYODIDE) as bare, launched(executable) as browser:
+        yield from _report(browser, address, bare, rounds, seconds, pause)
 
 
-def _report(browser: Browser, address: str, rounds: int, seconds: float, pause: float) -> Iterator[str]:
+def _report(
+    browser: Browser, address: str, bare_address: str, rounds: int, seconds: float, pause: float
+) -> Iterator[str]:
     weights, ready, loaded = [], [], []
     times: Times = {name: [] for name in ("bare", "cold", "cold, ROS 2", "next page", "warm", "stopped", "again")}
     for _ in range(rounds):
         with browser.new_context() as context:
             page = context.new_page()
-            page.goto(address + TUTORIAL, wait_until="networkidle")
-            times["bare"].append(page.evaluate(BARE, [f"{address}_static/live/", _lock()]))
+            page.goto(bare_address)
+            times["bare"].append(page.evaluate(BARE, [bare_address, _lock()]))
         with browser.new_context() as context:
             page = context.new_page()
             page.goto(address + TUTORIAL, wait_until="networkidle")
@@ -111,7 +118,7 @@ def _report(browser: Browser, address: str, rounds: int, seconds: float, pause: 
     with browser.new_context() as context:
         page = context.new_page()
         page.goto(address + TUTORIAL)
-        ticked = page.evaluate(RUN_TICKER, [f"{address}_static/live/worker.js", TICKER, seconds])
+        ticked = page.evaluate(RUN_TICKER, [f"{address}_static/live/runs.js", TICKER, seconds])
     late = [time / 1e3 - number * 0.1 for number, time in enumerate(ticked)]
     late = [value - min(late) for value in late]
 
@@ -133,8 +140,8 @@ def _report(browser: Browser, address: str, rounds: int, seconds: float, pause: 
 
 def _lock() -> str:
     """A lock file without packages, as the pages have it."""
-    path = SITE.parent / "npm" / "node_modules" / "pyodide" / "pyodide-lock.json"
-    return json.dumps({"info": json.loads(path.read_text(encoding="utf-8"))["info"], "packages": {}})
+    lock = json.loads((PYODIDE / "pyodide-lock.json").read_text(encoding="utf-8"))
+    return json.dumps({"info": lock["info"], "packages": {}})
 
 
 def _note(asked: set[str], request: Request) -> None:

@@ -120,7 +120,8 @@ def chromium(require: Callable[[str], None]) -> str:
 @pytest.fixture(scope="session")
 def site() -> Path:
     """The folder of the built site."""
-    if not ((SITE / "index.html").exists() and DOCTREES.exists()):  # a failed build leaves no doctrees
+    # A build with warnings or an error leaves no environment.
+    if not ((SITE / "index.html").exists() and (DOCTREES / "environment.pickle").exists()):
         pytest.fail("the site is not built, or not to its end: run `make html` first")
     return SITE
 

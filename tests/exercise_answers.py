@@ -22,6 +22,14 @@ def times(found: str, *wrong: object) -> dict[str, str]:
     return {found: f"{found.partition(' = ')[0]} = {list(wrong)}"}
 
 
+# What stands for numpy's arrays and their numbers, which a page lacks.
+ARRAY = """class Array:
+    def __init__(self, value):
+        self.value = value
+    def tolist(self):
+        return self.value
+"""
+
 PLAIN_HEARD, LATCHED_HEARD = "without_latch = [2, 3, 4]", "with_latch = [1, 2, 3]"
 THREE, SLOW_HEARD = "three_at_once = [3]", "slow_callback = [0, 3, 6]"
 
@@ -179,6 +187,7 @@ rospy.spin()
 
 
 SAY_PARTS = 'rospy.loginfo("[SPINNER PY NODE] parts = " + str(parts))'
+TAKE_PARTS = SAY_PARTS.replace("str(parts)", 'str((self.parts, setattr(self, "parts", 0))[0])')
 LOCK = "self.lock = threading.Lock()"
 LOCKED_COUNT = "with self.lock:\n    self.parts += 1"
 LOCKED_REPORT = f"with self.lock:\n    parts = self.parts\n    self.parts = 0\nrospy.sleep(0.05)\n{SAY_PARTS}"
@@ -249,6 +258,12 @@ RIGHT: dict[int, list[Answer]] = {
         {BUSY: "busy_loop = loop"},
         {TIMER: "from fractions import Fraction\ntimer = [float(Fraction(n, 5)) for n in (2, 4, 6)]"},
         {LOOP: "\nloop = [0, .25, .5]\nprint(loop)"},
+        {TIMER: "from fractions import Fraction\ntimer = [Fraction(n, 5) for n in (2, 4, 6)]"},
+        {LOOP: "\nfrom decimal import Decimal\nloop = [n * Decimal('0.25') for n in range(3)]"},
+        {TIMER: "class A(float):\n    pass\ntimer = [A(0.4), 0.8, 1.2]"},
+        {TIMER: "import numpy\ntimer = 0.4 * numpy.arange(1, 4)", LOOP: "\nloop = list(timer / timer[0] / 4 - 0.25)"},
+        {TIMER: f"{ARRAY}timer = Array([0.4, 0.8, 1.2])"},
+        {TIMER: f"{ARRAY}timer = [Array(0.4), Array(0.8), 1.2]"},
     ],
     2: [
         {ONE: "after_1_0_seconds = (2.2, 2.2, 2.4)"},
@@ -566,7 +581,8 @@ WRONG: dict[int, list[tuple[Answer, str, str]]] = {
         ({TIMER: "timer = [period]"}, "died in line 2: `NameError: name 'period'", "Python names what it did"),
         ({TIMER: "timer = range(10**9)"}, "3 times are asked for, not 100", "When does"),
         ({TIMER: "class A(list):\n    pass\ntimer = A([0.4, 0.8, 1.2])"}, "a value of type `A`", "Write it as"),
-        ({TIMER: "class A(float):\n    pass\ntimer = [A(0.4), 0.8, 1.2]"}, "a value of type `list`", "Write it as"),
+        ({TIMER: "timer = [True, 0.8, 1.2]"}, "a value of type `list`", "Write it as"),
+        ({TIMER: f"{ARRAY}timer = Array(['0.4', '0.8', '1.2'])"}, "a value of type `Array`", "Write it as"),
     ],
     2: [
         (times(ONE, 1.6, 2.0, 2.4), "Blocked for 1.0 s: not 1.6 s", "keeps its timer busy until it returns"),
@@ -886,6 +902,29 @@ rospy.spin()
             "one lock",
         ),
         ({"        self.lock = threading.Lock()\n": ""}, "has no attribute 'lock'", "with its `self.`"),
+        # What a callback counts is not what it says.
+        (
+            {"parts = self.parts\n": "parts = 5\n"},
+            "busy for a while: the reports up to",
+            "what the callback has counted",
+        ),
+        (
+            parts(
+                "self.parts += 1",
+                f"now = round(10 * rospy.get_time())\nparts = now - self.told\nself.told = now\n{SAY_PARTS}",
+                "self.told = round(10 * rospy.get_time())",
+            ),
+            "but the parts were counted 14 times",
+            "a tick that is lost counts no part",
+        ),
+        # Read and written within one expression.
+        (parts('setattr(self, "parts", self.parts + 1)', TAKE_PARTS), "take turns", "one lock"),
+        (parts('self.__dict__.update(parts=self.__dict__["parts"] + 1)', TAKE_PARTS), "take turns", "one lock"),
+        (
+            parts('(lambda: setattr(self, "parts", 1 + self.__dict__.get("parts")))()', TAKE_PARTS),
+            "take turns",
+            "one lock",
+        ),
     ],
     12: [
         ({**HOOKED, HOOK: ""}, "Ctrl-C while the loop sleeps: nobody stops the motor", "`rospy.on_shutdown(function)`"),

@@ -14,7 +14,7 @@ import pytest
 from conftest import ROOT
 
 from rosspin.site.claims import Facts, Stale, report, sentence_near
-from rosspin.site.outputs import stale_outputs, write
+from rosspin.site.outputs import stale_copies, stale_picture, write
 
 HOW_TO = (ROOT / "docs/how-to/adapt-a-page.rst").read_text(encoding="utf-8")
 COMMANDS = re.findall(r"^ +\$ (.*)", HOW_TO, re.MULTILINE)
@@ -108,8 +108,9 @@ def test_the_how_to_is_a_way_through(tree: Path) -> None:
     changed = _type(diff, tree).stdout
     assert "+   [INFO] [0.400000]: [SPINNER PY NODE] counter = 1" in changed
     assert "+        timer_delta_t_in_seconds = 0.4" in changed
-    assert stale_outputs(tree) == []
     run = _type(doctest, tree)
+    assert re.search(r"^ +0 failures in tests$", run.stdout, re.MULTILINE)
+    assert "(make outputs)" not in run.stdout
     left = _places(_list(run.stdout))
     assert run.returncode != 0
     assert len(left) == len(_places(listed, r"$")) + 1
@@ -200,7 +201,7 @@ def test_the_cell_with_a_slider_makes_a_figure(monkeypatch: pytest.MonkeyPatch) 
     names: dict[str, object] = {}
     exec("\n".join(lines[:-1]), names)
     figure = eval(last, names)
-    assert 'max="2"' in figure.handle and "0.4 s" in figure.handle
+    assert 'max="2"' in figure.html and "0.4 s" in figure.html
 
 
 def test_exercises_are_solved_by_their_solutions_and_none_is_missing(tree: Path, wrong: str) -> None:
@@ -211,10 +212,6 @@ def test_exercises_are_solved_by_their_solutions_and_none_is_missing(tree: Path,
     assert wrong.count("%%answer 20") == 1  # where a reader starts, an answer need not be right
     assert 'no cell with %%answer 21\n  now     rosspin.exercises checks exercise 21, "Call back once"\n' in wrong
     assert wrong.count("no cell with") == 1
-
-
-def test_nothing_here_is_stale() -> None:
-    assert stale_outputs(ROOT) == []
 
 
 # --- facts ------------------------------------------------------------------------------------------------------------
@@ -320,28 +317,7 @@ def site(tmp_path: Path) -> Path:
         (tmp_path / name).parent.mkdir(parents=True, exist_ok=True)
         shutil.copy(ROOT / name, tmp_path / name)
     (tmp_path / "notebooks").mkdir()
-    (tmp_path / "index.rst").touch()
     return tmp_path
-
-
-def test_outputs_are_written_as_doctest_reads_them(site: Path) -> None:
-    page = site / "docs" / "page.rst"
-    text = (
-        ">>> 'a'\n{}   \n   .. tab::\n\n      >>> print('b\\n\\nc'); print('d')\n{}      >>> x = 1\n{}      >>> x\n{}"
-    )
-    page.write_text(text.format("b\n", "      q\n", "      1\n", "      1\n"))
-    found = stale_outputs(site)
-    assert [stale.line for stale in found] == [2, 7, 9]
-    write(site, [edit for stale in found for edit in stale.edits])
-    assert page.read_text() == text.format("'a'\n", "      b\n      <BLANKLINE>\n      c\n      d\n", "", "      1\n")
-    assert stale_outputs(site) == []
-
-
-def test_an_error_is_never_written(site: Path) -> None:
-    (site / "docs" / "page.rst").write_text(">>> x = 1 / 0\n>>> x\n1\n>>> 1\n2\n")
-    error, output = stale_outputs(site)
-    assert (error.now, error.edits) == ("ZeroDivisionError: division by zero", ())
-    assert (output.now, bool(output.edits)) == ("1\n", True)
 
 
 def test_a_copy_follows_its_file(site: Path) -> None:
@@ -349,7 +325,7 @@ def test_a_copy_follows_its_file(site: Path) -> None:
     cell = "```{{code-cell}} ipython3\n:tags: [live]\n:copy-of: ../examples/node.py\n\n%%simulate 2.0\n{}```\n"
     notebook = site / "notebooks" / "book.md"
     notebook.write_text("# Book\n\n" + cell.format("import rospy\n\nold = 1\n"))
-    (stale,) = stale_outputs(site)
+    (stale,) = stale_copies(site)
     assert (stale.line, stale.stands, stale.now) == (10, "old = 1", "new = 2")
     write(site, stale.edits)
     assert notebook.read_text() == "# Book\n\n" + cell.format("import rospy\n\nnew = 2\n")
@@ -363,12 +339,10 @@ def test_a_copy_follows_its_file(site: Path) -> None:
         (("import rospy", "import rospy ("), "SyntaxError: "),
     ],
 )
-def test_a_node_without_ticks_is_one_entry_among_others(site: Path, change: tuple[str, str], now: str) -> None:
+def test_a_node_without_ticks_has_no_picture(site: Path, change: tuple[str, str], now: str) -> None:
     node = site / "examples/my_robotics_pkg/src/spinner_py_node.py"
     node.write_text(node.read_text().replace(*change))
-    (site / "docs" / "page.rst").write_text(">>> 1\n2\n")
-    output, picture = stale_outputs(site)
-    assert (output.now, bool(output.edits)) == ("1\n", True)
+    (picture,) = stale_picture(site)
     line = (site / "README.md").read_text().splitlines()[picture.line - 1]
-    assert (picture.page, picture.stands, picture.edits) == ("README.md", line, ())
+    assert (picture.page, picture.stands, picture.edits, picture.failed) == ("README.md", line, (), True)
     assert now in picture.now

@@ -67,6 +67,17 @@ def run(*args: str, **options: Any) -> tuple[int, str, str]:
     return process.returncode, out, err
 
 
+@pytest.mark.parametrize("name", ["random", "queue", "copy", "typing", "rospy"])
+def test_a_folder_with_a_file_that_is_in_the_way(write: Any, tmp_path: Path, name: str) -> None:
+    """Python itself would import it in rosspin, too: python -m puts the folder first."""
+    write("x = 1\n", f"{name}.py")
+    write("import rospy\nprint('ran')\n")
+    status, out, err = run("run", "node.py", "--simulated", "--seconds", "1", cwd=tmp_path)
+    whose = "ROS 1's" if name == "rospy" else "Python's"
+    said = f"rosspin: {name}.py is in the way of {whose} module {name}: on a real ROS whatever imports {name} is given"
+    assert (status, out, err) == (0, "ran\n", f"{said} this file\n")
+
+
 # --- good runs --------------------------------------------------------------------------------------------------------
 
 
@@ -149,12 +160,18 @@ def test_help_names_every_option(capsys: pytest.CaptureFixture[str]) -> None:
 # --- plots ------------------------------------------------------------------------------------------------------------
 
 
-def test_a_plot_is_an_svg_file_and_always_the_same(tmp_path: Path) -> None:
-    files = [tmp_path / "one.svg", tmp_path / "two.svg"]
+@pytest.mark.parametrize(("suffix", "begins"), [("png", b"\x89PNG"), ("pdf", b"%PDF"), ("svg", b"<?xml")])
+def test_a_plot_is_what_its_suffix_says_and_always_the_same(tmp_path: Path, suffix: str, begins: bytes) -> None:
+    files = [tmp_path / f"one.{suffix}", tmp_path / f"two.{suffix}"]
     for file in files:
         assert main(["run", TIMER_NODE, "--simulated", "--seconds", "2", "--plot", str(file)]) == 0
     assert files[0].read_bytes() == files[1].read_bytes()
-    root = ElementTree.parse(files[0]).getroot()
+    assert files[0].read_bytes().startswith(begins)
+
+
+def test_a_plot_as_svg_has_its_words(tmp_path: Path) -> None:
+    assert main(["run", TIMER_NODE, "--simulated", "--seconds", "2", "--plot", str(tmp_path / "a.svg")]) == 0
+    root = ElementTree.parse(tmp_path / "a.svg").getroot()
     assert root.tag == "{http://www.w3.org/2000/svg}svg"
     assert "timerCallback: 4 ticks from 0.500 s to 2.000 s" in root.attrib["aria-label"]
 
@@ -175,7 +192,8 @@ def test_what_needs_the_real_ros_says_so(capsys: pytest.CaptureFixture[str]) -> 
 @pytest.mark.parametrize(
     ("plot", "text"),
     [
-        ("ticks.png", "rosspin: --plot ticks.png: the file name must end in .svg\n"),
+        ("ticks.gif", "rosspin: --plot ticks.gif: the file name must end in .pdf, .png or .svg\n"),
+        ("ticks", "rosspin: --plot ticks: the file name must end in .pdf, .png or .svg\n"),
         ("no/such/folder/a.svg", "rosspin: --plot no/such/folder/a.svg: there is no such folder\n"),
     ],
 )
@@ -193,12 +211,32 @@ def test_without_ticks_there_is_no_plot_but_the_console_is_there(
     assert not plot.exists()
 
 
-def test_a_plot_that_cannot_be_written_says_so(capsys: pytest.CaptureFixture[str], tmp_path: Path) -> None:
-    (tmp_path / "a.svg").mkdir()
-    assert main(["run", TIMER_NODE, "--simulated", "--seconds", "0.5", "--plot", str(tmp_path / "a.svg")]) == 1
-    out, err = capsys.readouterr()
-    assert "counter = 1" in out
-    assert err == f"rosspin: {tmp_path / 'a.svg'}: Is a directory\n"
+def test_a_plot_must_not_be_a_folder(capsys: pytest.CaptureFixture[str], tmp_path: Path) -> None:
+    plot = tmp_path / "a.svg"
+    plot.mkdir()
+    assert main(["run", TIMER_NODE, "--simulated", "--seconds", "0.5", "--plot", str(plot)]) == 1
+    assert capsys.readouterr() == ("", f"rosspin: --plot {plot}: this is a folder\n")
+
+
+def test_without_matplotlib_it_is_said_before_the_run(
+    capsys: pytest.CaptureFixture[str], monkeypatch: pytest.MonkeyPatch
+) -> None:
+    monkeypatch.delitem(sys.modules, "matplotlib", raising=False)
+    monkeypatch.setattr("rosspin.pictures.find_spec", lambda name: None)
+    assert main(["run", TIMER_NODE, "--simulated", "--seconds", "0.5", "--plot", "a.svg"]) == 1
+    needs = "plots need matplotlib, which is not installed: pip install 'rosspin[plot]'"
+    assert capsys.readouterr() == ("", f"rosspin: --plot a.svg: {needs}\n")
+
+
+def test_a_run_keeps_its_console_and_status_if_the_plot_cannot_be_written(
+    capsys: pytest.CaptureFixture[str], tmp_path: Path, write: Any
+) -> None:
+    plot = tmp_path / f"{'a' * 300}.svg"
+    node = "import rospy\nrospy.init_node('a')\nrospy.Rate(1).sleep()\nprint('hello')\nraise SystemExit({})"
+    for status in (3, 0):
+        file = write(node.format(status))
+        assert main(["run", str(file), "--simulated", "--seconds", "5", "--plot", str(plot)]) == (status or 1)
+        assert capsys.readouterr() == ("hello\n", f"rosspin: {plot} was not written: File name too long\n")
 
 
 # --- bad input --------------------------------------------------------------------------------------------------------

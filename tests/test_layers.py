@@ -16,6 +16,7 @@ PACKAGE = Path(__file__).parent.parent / "src" / "rosspin"
 LAYERS = [
     "ticks",
     "frames",
+    "descendants",
     "clocks",
     "graph",
     "world",
@@ -23,8 +24,10 @@ LAYERS = [
     "messages",
     "rospy",
     "rclpy",
+    "kept",
     "process",
     "processes",
+    "expressions",
     "launch",
     "monitor",
     "run",
@@ -33,6 +36,7 @@ LAYERS = [
     "console",
     "measures",
     "advice",
+    "pictures",
     "plots",
     "roscpp",
     "children",
@@ -55,10 +59,11 @@ LAYERS = [
 KEEPERS = {
     "greenlet": {"clocks.stacks"},
     "IPython": {"site.magics"},
+    "matplotlib": {"pictures", "plots"},
     "js": {"clocks.jspi", "page"},
     "pyodide": {"clocks.jspi", "page"},
-    "sphinx": {"site.pages", "site.live", "site.checks", "site.published"},
-    "docutils": {"site.pages", "site.live", "site.checks", "site.published"},
+    "sphinx": {"site.pages", "site.live", "site.checks", "site.doctests", "site.published"},
+    "docutils": {"site.pages", "site.live", "site.checks", "site.doctests", "site.published"},
     "pytest": {"pytest_plugin"},
     "yaml": {"launch", "rospy.client", "rclpy.arguments", "messages.ros1"},
 }
@@ -133,7 +138,8 @@ def test_the_stand_ins_do_not_know_of_each_other() -> None:
 
 def test_data_are_below_the_simulator() -> None:
     for module in ("console", "measures", "plots", "recordings", "roscpp"):
-        assert {layer(name) for name in imports(module) & MODULES.keys()} <= {"ticks", "console", "measures", "machine"}
+        below = {"ticks", "console", "measures", "machine", "pictures"}
+        assert {layer(name) for name in imports(module) & MODULES.keys()} <= below
 
 
 def test_importing_rosspin_needs_greenlet_and_little_else() -> None:

@@ -19,17 +19,18 @@ from playwright.sync_api import Browser
 
 from rosspin import simulate
 
-# Jobs for the worker that the page's cells use; what one prints and how it ended.
-RUN_JOBS = """address => {
-    const worker = new Worker(address, { type: "module" })
+# Jobs for one sandbox of those that the page's cells use; what one prints and how it ended.
+RUN_JOBS = """async address => {
+    const { Sandbox } = await import(address)
+    const sandbox = new Sandbox()
+    await sandbox.started
     window.runJob = job => new Promise(resolve => {
         let console = ""
-        worker.onmessage = ({ data }) => {
-            if (data.kind === "batch") console += data.chunks.map(([, text]) => text).join("")
-            if (data.kind === "end") resolve([console, data.result])
-            if (data.kind === "failed") resolve([data.reason, null])
-        }
-        worker.postMessage(job)
+        sandbox.do({ kind: "run", ...job }, message => {
+            if (message.kind === "batch") console += message.chunks.map(([, text]) => text).join("")
+            if (message.kind === "end") resolve([console, message.result])
+            if (message.kind === "failed") resolve([message.reason, null])
+        })
     })
 }"""
 
@@ -53,10 +54,10 @@ RunInPage = Callable[[str, str, float, Sequence[str]], tuple[str, dict[str, Any]
 
 
 @contextmanager
-def a_worker(browser: Browser, address: str, folder: Path, *beside: str) -> Iterator[RunInPage]:
+def a_sandbox(browser: Browser, address: str, folder: Path, *beside: str) -> Iterator[RunInPage]:
     """Run texts as nodes in the page, each with its file name, seconds and args: their consoles and results.
 
-    All runs share one worker, in which nodes find the files of a folder that match one of the patterns ``beside``.
+    All runs share one sandbox, in which nodes find the files of a folder that match one of the patterns ``beside``.
     """
     paths = [path for pattern in beside for path in folder.glob(pattern)]
     files = {str(path.relative_to(folder)): path.read_text(encoding="utf-8") for path in paths}
@@ -66,7 +67,7 @@ def a_worker(browser: Browser, address: str, folder: Path, *beside: str) -> Iter
         page.goto(address + "docs/tutorial.html")
 
         def begin() -> None:
-            page.evaluate(RUN_JOBS, f"{address}_static/live/worker.js")
+            page.evaluate(RUN_JOBS, f"{address}_static/live/runs.js")
             run(PRELUDE.format(files=files), "prelude.py", 1, ())
 
         def run(source: str, name: str, seconds: float, args: Sequence[str]) -> tuple[str, dict[str, Any]]:
@@ -83,13 +84,13 @@ def a_worker(browser: Browser, address: str, folder: Path, *beside: str) -> Iter
 
 @pytest.fixture(scope="module")
 def run_in_page(browser: Browser, address: str) -> Iterator[RunInPage]:
-    with a_worker(browser, address, corpus_ros1.SCENARIOS, "scenario.py", "robot/*.py") as run:
+    with a_sandbox(browser, address, corpus_ros1.SCENARIOS, "scenario.py", "robot/*.py") as run:
         yield run
 
 
 @pytest.fixture(scope="module")
 def run_ros2_in_page(browser: Browser, address: str) -> Iterator[RunInPage]:
-    with a_worker(browser, address, corpus_ros2.SCENARIOS, "scenario.py", "*.yaml") as run:
+    with a_sandbox(browser, address, corpus_ros2.SCENARIOS, "scenario.py", "*.yaml") as run:
         yield run
 
 

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import gzip
 import io
 import json
 import re
@@ -10,6 +11,7 @@ from pathlib import Path
 
 import jupytext
 import pytest
+from bs4 import BeautifulSoup
 from conftest import ROOT
 
 from rosspin.__main__ import main
@@ -82,6 +84,23 @@ def test_the_page_offers_the_notebook_with_its_outputs(site: Path, name: str) ->
     [link] = re.findall(r'<a class="reference download internal" download="" href="([^"]*)"', page)
     notebook = json.loads((site / "notebooks" / link).read_text(encoding="utf-8"))
     assert any(cell.get("outputs") for cell in notebook["cells"])
+
+
+@pytest.mark.parametrize("name", NOTEBOOKS)
+def test_its_plots_are_matplotlibs_and_on_the_page_as_svg(site: Path, name: str) -> None:
+    """What nothing else can do with them is shown once: limits, a second panel, two runs in one figure, a PDF."""
+    code = "\n".join(cells(name, "code"))
+    page = BeautifulSoup((site / "notebooks" / f"{name}.html").read_text(encoding="utf-8"), "html.parser")
+    assert not page.select(".cell_output img")
+    if "plots." in code:
+        assert re.search(r"set_xlim|pyplot\.subplots\(2|plots\.compare|axvline", code)
+        outputs = page.select(".cell_output figure.rosspin-plot")
+        figures = re.findall(r"^(?:ax = )?plots\.(?!.*ax=)|pyplot\.subplots", code, re.MULTILINE)
+        assert len(outputs) >= len(figures) > 0
+        for plot in outputs:
+            wide, narrow = plot.select(":scope > svg")
+            assert wide["aria-label"] == narrow["aria-label"] and len(wide["aria-label"]) > 40
+            assert len(gzip.compress(str(plot).encode())) < (30_000 if plot.has_attr("data-positions") else 12_000)
 
 
 def test_the_readmes_picture_is_what_its_command_draws(tmp_path: Path) -> None:

@@ -2,12 +2,15 @@
 
 from __future__ import annotations
 
+import logging
 import math
 import os
+import pickle
 import random
 import re
 import signal
 import sys
+import tempfile
 import threading
 import time
 import warnings
@@ -22,7 +25,7 @@ import rosspin
 from rosspin import NotSimulated, Tick, TimeStandsStill, measure, rospy, simulate, start
 from rosspin.clocks.simulation import Simulation
 from rosspin.process import load, load_source
-from rosspin.run import run_node
+from rosspin.run import run_node, say_error
 
 EXAMPLES = Path(__file__).parent.parent / "examples" / "my_robotics_pkg" / "src"
 TIMER_NODE, RATE_NODE = EXAMPLES / "spinner_py_node.py", EXAMPLES / "spinner_rate_py_node.py"
@@ -575,3 +578,189 @@ def test_a_node_may_import_its_own_package(write: Any, tmp_path: Path) -> None:
         write(f"value = {value}", "pkg/helper.py")
         os.utime(path.parent / "helper.py", (value, value))
         assert simulate(path, 1).console == f"{value}\n"
+
+
+# --- what only a real ROS, or another clock, has ----------------------------------------------------------------------
+
+PROCESSES = {
+    "multiprocessing.Process": "multiprocessing.get_context(METHOD).Process(target=print).start()",
+    "multiprocessing.Pool": "multiprocessing.get_context(METHOD).Pool(2)",
+    "multiprocessing.Manager": "multiprocessing.get_context(METHOD).Manager()",
+    "ProcessPoolExecutor": "futures.ProcessPoolExecutor(2, multiprocessing.get_context(METHOD)).submit(pow, 2, 3)",
+}
+
+
+@pytest.mark.parametrize("name", PROCESSES)
+@pytest.mark.parametrize("method", ["fork", "spawn", "forkserver"])
+@pytest.mark.parametrize("where", ["main", "thread"])
+def test_a_process_of_a_node_in_simulated_time_is_named(write: Any, name: str, method: str, where: str) -> None:
+    starts = PROCESSES[name].replace("METHOD", repr(method))
+    node = write(
+        f"""
+        import concurrent.futures as futures, multiprocessing, rospy, threading
+        rospy.init_node("node")
+        def work():
+            {starts}
+        {"work()" if where == "main" else "threading.Thread(target=work).start()"}
+        rospy.spin()
+        """
+    )
+    with pytest.raises(NotSimulated) as caught:
+        simulate(node, 5)
+    on = "the wall clock or on a real ROS" if method == "fork" else "a real ROS"
+    assert say_error(caught.value) == f"{node}:5: {name} ({method}) is not simulated; run this node on {on}"
+    assert pickle.loads(pickle.dumps(caught.value)).args == caught.value.args
+
+
+def test_on_the_wall_a_process_can_be_forked_but_not_made_anew(write: Any) -> None:
+    text = "import multiprocessing\nmultiprocessing.get_context({!r}).Process(target=print, args=['hi']).start()\n"
+    assert measure(write(text.format("fork")), 60).console == "hi\n"
+    with pytest.raises(
+        NotSimulated, match=r"multiprocessing.Process \(spawn\) is not simulated; run this node on a re"
+    ):
+        measure(write(text.format("spawn")), 60)
+
+
+ONE = "import rospy, threading\nfrom std_msgs.msg import UInt32\nrospy.init_node('node')\n"
+TWO = "import rclpy, threading\nrclpy.init()\nnode = rclpy.create_node('node')\n"
+TWO += "from std_msgs.msg import UInt32\n"
+CALLBACK = "def callback(*args):\n    import tf2_ros\n"
+PUBLISHES = "publisher = rospy.Publisher('a', UInt32, queue_size=1)\nfor _ in range(9):\n"
+PUBLISHES += "    publisher.publish(1)\n    rospy.sleep(0.1)\n"
+IN_A_THREAD = "threading.Thread(target=callback).start()\n"
+
+
+@pytest.mark.parametrize(
+    "calls",
+    [
+        (ONE, "rospy.Timer(rospy.Duration(0.1), callback)\nrospy.spin()\n"),
+        (ONE, f"rospy.Subscriber('a', UInt32, callback)\n{PUBLISHES}"),
+        (ONE, f"{IN_A_THREAD}rospy.spin()\n"),
+        (TWO, "node.create_timer(0.1, callback)\nrclpy.spin(node)\n"),
+        (TWO, f"{IN_A_THREAD}rclpy.spin(node)\n"),
+        (
+            TWO,
+            "node.create_subscription(UInt32, 'a', callback, 1)\npublisher = node.create_publisher(UInt32, 'a', 1)\n"
+            "node.create_timer(0.1, lambda: publisher.publish(UInt32()))\nrclpy.spin(node)\n",
+        ),
+    ],
+    ids=["timer", "subscriber", "thread", "timer 2", "thread 2", "subscriber 2"],
+)
+@pytest.mark.parametrize("how", [simulate, measure])
+def test_a_package_of_ros_that_is_imported_late_is_named(write: Any, calls: tuple[str, str], how: Any) -> None:
+    node = write(calls[0] + CALLBACK + calls[1])
+    with pytest.raises(NotSimulated, match=r"tf2_ros is not simulated; run this node on a real ROS") as caught:
+        how(node, 2)
+    if how is simulate:
+        assert say_error(caught.value).startswith(f"{node}:{len(calls[0].splitlines()) + 2}: tf2_ros")
+
+
+def test_a_node_can_do_without_a_package_of_ros(write: Any) -> None:
+    node = write("import rospy\ntry:\n    import tf2_ros\nexcept ImportError:\n    print('without')\n")
+    assert simulate(node, 1).console == "without\n"
+
+
+# --- what a node does to its surroundings -----------------------------------------------------------------------------
+
+
+@pytest.mark.parametrize("how", [simulate, measure])
+def test_an_error_is_told_where_stderr_is_gone(write: Any, how: Any) -> None:
+    node = write(
+        """
+        import sys, threading
+        def fail():
+            raise RuntimeError("boom")
+        sys.stderr = None
+        thread = threading.Thread(target=fail, name="worker")
+        thread.start()
+        thread.join()
+        fail()
+        """
+    )
+    run = how(node, 60)
+    assert run.status == 1
+    assert run.console.count("rosspin: sys.stderr is None, and Python would show nothing of this:\n") == 2
+    assert run.console.count("RuntimeError: boom\n") == 2
+    assert "Exception in thread worker:\n" in run.console
+    assert sys.stderr is not None
+
+
+@pytest.mark.parametrize("how", [simulate, measure])
+def test_a_node_may_remove_the_folder_that_it_is_in(how: Any) -> None:
+    def node() -> None:
+        folder = tempfile.mkdtemp()
+        os.chdir(folder)
+        os.rmdir(folder)
+        print("gone")
+
+    before = os.getcwd()
+    assert (how(node, 60).console, os.getcwd()) == ("gone\n", before)
+
+
+def test_a_run_can_begin_in_a_folder_that_was_removed(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
+    folder = tmp_path / "folder"
+    folder.mkdir()
+    monkeypatch.chdir(folder)
+    folder.rmdir()
+    assert simulate(lambda: print("here"), 1).console == "here\n"
+
+
+def test_a_null_byte_is_shown_in_its_file_and_line(write: Any) -> None:
+    write("x = 1\n\n\0", "neighbour.py")
+    with pytest.raises(SyntaxError) as caught:
+        simulate(write("import neighbour\n"), 1)
+    assert say_error(caught.value).startswith(f'File "{write("", "node.py").parent}/neighbour.py", line 3\n')
+
+
+def test_a_signal_cannot_be_blocked_in_simulated_time() -> None:
+    run = simulate(lambda: signal.pthread_sigmask(signal.SIG_BLOCK, {signal.SIGINT}), 1)
+    assert "signal.pthread_sigmask is not simulated; run this node on the wall clock\n" in run.console
+    assert signal.SIGINT not in signal.pthread_sigmask(signal.SIG_BLOCK, ())
+
+
+def test_the_time_since_logging_began_is_simulated() -> None:
+    def node() -> None:
+        logging.basicConfig(format="%(relativeCreated)d %(message)s", stream=sys.stdout, force=True)
+        time.sleep(2.5)
+        logging.warning("text")
+
+    assert simulate(node, 5).console == "2500 text\n"
+    record = logging.LogRecord("name", 0, "", 0, "", None, None)
+    assert 0 < record.relativeCreated < 1e9
+
+
+# --- files in the way -------------------------------------------------------------------------------------------------
+
+
+@pytest.mark.parametrize(
+    ("file", "whose"),
+    [
+        ("random.py", "Python's module random"),
+        ("queue.py", "Python's module queue"),
+        ("copy/__init__.py", "Python's module copy"),
+        ("rospy.py", "ROS 1's module rospy"),
+        ("std_msgs/__init__.py", "ROS 1's module std_msgs"),
+        ("sensor_msgs.py", "ROS 1's module sensor_msgs"),
+    ],
+)
+@pytest.mark.parametrize("how", [simulate, measure])
+def test_a_file_in_the_way_of_a_module_is_named(write: Any, tmp_path: Path, file: str, whose: str, how: Any) -> None:
+    (tmp_path / file).parent.mkdir(exist_ok=True)
+    write("", file)
+    text = "import rospy, std_msgs.msg, sensor_msgs.msg, random, queue, copy\nprint(random.Random, copy.copy)\n"
+    console = how(write(text), 60).console
+    said = f" is in the way of {whose}: on a real ROS whatever imports {whose.split()[-1]} is given this file\n"
+    assert console.startswith("rosspin: ") and console.partition("\n")[0].endswith(f"{file}{said.rstrip()}")
+    assert console.endswith("<class 'random.Random'> <function copy at " + console.rpartition("copy at ")[2])
+
+
+def test_a_node_may_itself_be_in_the_way(write: Any) -> None:
+    node = write("import rclpy\n", "rclpy.py")
+    assert "rclpy.py is in the way of ROS 2's module rclpy" in simulate(node, 1).console
+    assert "rclpy.py is in the way of ROS 2's module rclpy" not in simulate(write("print(1)\n"), 1).console
+
+
+def test_what_cannot_be_in_the_way_is_passed_over(write: Any) -> None:
+    for name in ("sys.py", "os.py", "rclpy.py", "geometry_msgs.py", "helper.py", "not-a-name.py"):
+        write("", name)
+    assert simulate(write("import rospy, helper\n"), 1).console == ""

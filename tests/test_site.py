@@ -141,7 +141,7 @@ def test_nobody_has_solved_an_exercise_when_the_site_is_built(site: Path) -> Non
 
 def test_a_topic_is_drawn_from_its_messages() -> None:
     """By ``ticks`` with ``:topic:``."""
-    plots = _page("docs/publish").select("figure svg")
+    plots = _page("docs/publish").select("figure > svg.rosspin-wide")
     labels = [plot["aria-label"] for plot in plots if not plot.find_parent(class_="live-made")]
     assert labels == ["Timeline. /counter: 4 ticks from 0.500 s to 2.000 s. All 4 ticks were on time."]
 
@@ -216,6 +216,32 @@ def test_every_prompt_on_the_site_is_run(site: Path, name: str) -> None:
     source = next(ROOT.glob(f"{name}.*")).read_text(encoding="utf-8")
     assert len(prompt.findall(run)) == len(prompt.findall(source)), "a >>> outside a doctest block never runs"
     assert not re.search(r"doctest: *\+SKIP|^ *:skipif:", source, re.MULTILINE)
+
+
+@pytest.mark.parametrize(
+    ("name", "kinds"),
+    [
+        ("docs/tutorial", ["SPINNER PY NODE"]),
+        ("docs/ros2/tutorial", ["SPINNER PY NODE"]),
+        ("docs/publish", ["PUBSUB PY NODE", "SUBSCRIBER PY NODE"]),
+    ],
+)
+def test_the_counters_that_a_page_shows_are_examples(site: Path, name: str, kinds: list[str]) -> None:
+    shown = (node.astext() for node, run in _literals(name) if run or node.get("testnodetype") == "testoutput")
+    printed = "\n".join(shown)
+    for kind in kinds:
+        assert (
+            len(re.findall(rf"\[0\.0+\].*\[{kind}\] (?:counter = 1|namespace)", printed)) >= 1
+        )  # the Rate's, the first
+        assert len(re.findall(rf"\[0\.50+\].*\[{kind}\] counter = 1$", printed, re.MULTILINE)) >= 1
+        assert len(re.findall(rf"\[2\.0+\].*\[{kind}\] counter = \d", printed)) >= 1
+
+
+def test_there_are_as_many_examples_as_there_were(site: Path) -> None:
+    """180 with a prompt, and the commands whose console is shown; Sphinx counts them so, too."""
+    literals = [node for name in SOURCES for node, run in _literals(name) if run or "testnodetype" in node]
+    prompts = [line for node in literals for line in node.astext().splitlines() if line.lstrip().startswith(">>> ")]
+    assert len(prompts) + sum(node.get("testnodetype") == "testcode" for node in literals) >= 183
 
 
 def _commands() -> dict[str, str]:

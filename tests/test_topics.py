@@ -206,7 +206,7 @@ def test_a_topic_is_measured_as_ticks_are() -> None:
     assert describe_lateness(ticks) == "All 5 ticks were on time."
     assert describe_periods(ticks) == "Every period was 0.5 s; there was no jitter."
     for plot in (timeline(ticks), lateness(ticks), period_histogram(ticks)):
-        assert "/talker/counter" in plot.alt
+        assert "/talker/counter" in str(plot.get_label())
 
 
 def test_the_grid_of_a_topic_is_its_own_or_the_one_that_is_given() -> None:

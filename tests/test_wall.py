@@ -278,6 +278,56 @@ def test_at_an_ordinary_end_nothing_is_left_either(write: Any, life: Life) -> No
     assert life.ended()
 
 
+@pytest.mark.skipif(sys.platform != "linux", reason="only Linux tells what a thread blocks")
+def test_a_node_that_blocks_ctrl_c_is_told_so(impatient: None, write: Any) -> None:
+    run = measure(write("import signal\nsignal.pthread_sigmask(signal.SIG_BLOCK, {signal.SIGINT})\n" + SPINS), 0.5)
+    said = "rosspin: the main thread blocks SIGINT (signal.pthread_sigmask): Ctrl-C does not reach it"
+    assert said in run.console.splitlines()
+
+
+def test_a_function_leaves_no_signal_blocked() -> None:
+    assert measure(lambda: signal.pthread_sigmask(signal.SIG_BLOCK, {signal.SIGTERM}), NEVER).status == 0
+    assert signal.SIGTERM not in signal.pthread_sigmask(signal.SIG_BLOCK, ())
+
+
+LEAVES = """
+import subprocess
+subprocess.Popen(["sleep", "1000"], close_fds=False, start_new_session=True, env={})
+if os.fork() == 0:
+    os.setsid()
+    if os.fork() == 0:
+        while True: pass
+    os._exit(0)
+"""
+
+
+@pytest.mark.skipif(sys.platform != "linux", reason="only Linux tells of processes that are in sessions of their own")
+@pytest.mark.parametrize("code", ["", HOLDS_ALL, LETS_OTHERS, "raise RuntimeError"])
+@pytest.mark.parametrize("apart", [True, False], ids=["measured", "on the command line"])
+def test_what_is_in_a_session_of_its_own_ends_too(
+    impatient: None, write: Any, life: Life, code: str, apart: bool
+) -> None:
+    node = write(f"{life.hold}{LEAVES}{code}")
+    (measure(node, 0.5) if apart else run_on_the_command_line(node))
+    assert life.ended()
+
+
+def test_what_was_there_before_the_command_line_stays(write: Any) -> None:
+    """A shell that becomes rosspin has started it."""
+    command = f"sleep 1000 >&2 & echo $!; exec {sys.executable} -m rosspin run {write('print(1)')} >&2"
+    done = subprocess.run(["sh", "-c", command], stdout=subprocess.PIPE, timeout=NEVER, text=True)
+    os.kill(int(done.stdout), signal.SIGTERM)
+
+
+def test_a_pool_whose_workers_heed_no_signal_does_not_keep_the_command_line(write: Any) -> None:
+    """Python waits for them at its end."""
+    deaf = "import multiprocessing, signal\nsignal.signal(signal.SIGTERM, signal.SIG_IGN)\n"
+    done = run_on_the_command_line(
+        write(f"{deaf}multiprocessing.Process(target=signal.pause, daemon=True).start()\nprint('end')\n")
+    )
+    assert (done.returncode, done.stdout) == (0, "end\n")
+
+
 @pytest.mark.parametrize(("how", "status"), [("os.abort()", 134), ("os.kill(os.getpid(), 9)", 137), ("os._exit(4)", 4)])
 def test_a_node_that_ends_abruptly(write: Any, how: str, status: int) -> None:
     run = measure(write(f"import os\nprint('hello')\n{how}\n"), NEVER)

@@ -1,7 +1,7 @@
 // Builds what runs in the reader's page: node build.mjs PACKAGES YAML OUT, from web/src, src/rosspin, the npm packages in
 // the folder PACKAGES and PyYAML, whose package is the folder YAML, into the folder OUT.
 
-import { cpSync, existsSync, mkdirSync, readFileSync, readdirSync, rmSync, statSync, writeFileSync } from "node:fs"
+import { cpSync, existsSync, mkdirSync, readFileSync, readdirSync, rmSync, writeFileSync } from "node:fs"
 import { createHash } from "node:crypto"
 import { createRequire } from "node:module"
 import path from "node:path"
@@ -11,11 +11,16 @@ import { snapshot } from "./snapshot.mjs"
 
 const here = import.meta.dirname
 const [packages, yaml, out] = process.argv.slice(2).map((folder) => path.resolve(folder))
+const pyodide = path.join(packages, "node_modules/pyodide")
 const require = createRequire(path.join(packages, "package.json"))
 const { build } = require("esbuild")
 const { zipSync } = require("fflate")
 
-rmSync(out, { recursive: true, force: true })
+const sha256 = (content, form = "hex") => createHash("sha256").update(content).digest(form)
+
+for (const folder of [out, ...["hand-in", "handles"].map((name) => path.join(out, "..", name))]) {
+  rmSync(folder, { recursive: true, force: true })
+}
 mkdirSync(out, { recursive: true })
 
 const common = {
@@ -27,84 +32,54 @@ const common = {
   metafile: true,
   logLevel: "warning",
 }
-// Loaded with the page, as a classic script: a page opened from a file has no modules, and has to say so.
-await build({ ...common, entryPoints: ["live.js", "live.css"].map((name) => path.join(here, "src", name)) })
 // Loaded with each page that has a figure to move, for that alone.
 await build({ ...common, outdir: path.join(out, "../handles"), entryPoints: [path.join(here, "src/handles.js")] })
-// Loaded with the pages of exercises and with that for teachers. The worker of a sandbox is all one text.
-const handIn = path.join(out, "../hand-in")
-await build({
-  ...common,
-  outdir: handIn,
-  entryPoints: ["hand-in.js", "hand-in.css"].map((name) => path.join(here, "src", name)),
-})
-for (const name of ["pyodide.mjs", "pyodide.asm.mjs", "pyodide.asm.wasm", "python_stdlib.zip"]) {
-  cpSync(path.join(packages, "node_modules/pyodide", name), path.join(out, name))
+for (const name of ["pyodide.asm.mjs", "pyodide.asm.wasm", "python_stdlib.zip"]) {
+  cpSync(path.join(pyodide, name), path.join(out, name))
 }
 
-// The stand-in, without what only Sphinx and Jupyter need, and the one package that it needs: path -> bytes.
+// The stand-in, without what only Sphinx, Jupyter and matplotlib need, and the one package that it needs: path -> bytes.
 const files = {}
 for (const folder of [path.join(here, "../src/rosspin"), yaml]) {
   for (const file of readdirSync(folder, { recursive: true }).sort()) {
     const name = file.split(path.sep).join("/")
-    if (!/\.(py|txt)$/.test(name) || name.startsWith("site/")) continue
+    if (!/\.(py|txt)$/.test(name) || /^(site\/|pictures\.py|plots\.py)/.test(name)) continue
     files[`${path.basename(folder)}/${name}`] = readFileSync(path.join(folder, file))
   }
 }
 writeFileSync(path.join(out, "rosspin.zip"), zipSync(files, { level: 9, mtime: new Date(1980, 0) }))
 
 // The snapshot: made anew only when what is in it changes, which is also when readers need to load it again.
-const inputs = ["pyodide.mjs", "pyodide.asm.mjs", "pyodide.asm.wasm", "python_stdlib.zip", "rosspin.zip"]
-  .map((name) => path.join(out, name))
+const inputs = ["pyodide.mjs", "pyodide.asm.mjs", "pyodide.asm.wasm", "python_stdlib.zip"]
+  .map((name) => path.join(pyodide, name))
+  .concat(path.join(out, "rosspin.zip"))
   .concat(["snapshot.mjs", "snapshot.py", "src/start.js"].map((name) => path.join(here, name)))
 const hash = createHash("sha256").update(process.version)
 inputs.forEach((file) => hash.update(readFileSync(file)))
-const version = hash.digest("hex").slice(0, 16)
+const made = hash.digest("hex").slice(0, 16)
 const keeping = path.join(out, "../..")
-const kept = path.join(keeping, `snapshot-${version}.gz`)
+const kept = path.join(keeping, `snapshot-${made}.gz`)
 for (const name of readdirSync(keeping)) {
   if (/^snapshot-.*\.gz$/.test(name) && path.join(keeping, name) !== kept) rmSync(path.join(keeping, name))
 }
 if (!existsSync(kept)) {
-  const { info } = JSON.parse(readFileSync(path.join(packages, "node_modules/pyodide/pyodide-lock.json"), "utf8"))
-  writeFileSync(kept, gzipSync(await snapshot(out, info), { level: 9 }))
+  const { info } = JSON.parse(readFileSync(path.join(pyodide, "pyodide-lock.json"), "utf8"))
+  writeFileSync(kept, gzipSync(await snapshot(pyodide, path.join(out, "rosspin.zip"), info), { level: 9 }))
 }
 cpSync(kept, path.join(out, "snapshot.gz"))
 
-// Loaded when a listing is touched.
-const [stdlib, ours] = ["python_stdlib.zip", "rosspin.zip"].map((name) => statSync(path.join(out, name)).size)
-const { metafile } = await build({
-  ...common,
-  format: "esm",
-  define: { SNAPSHOT: JSON.stringify(version), SIZES: JSON.stringify({ stdlib, ours }) },
-  external: ["./pyodide.mjs"],
-  entryPoints: ["editor.js", "share.js", "worker.js"].map((name) => path.join(here, "src", name)),
-})
-
-// What the exercises are called: number -> title.
-const notebooks = ["exercises", "ros2-exercises"].map((name) => path.join(here, `../notebooks/${name}.md`))
-const headings = notebooks.flatMap((file) => [...readFileSync(file, "utf8").matchAll(/^### (\d+)\. (.+)$/gm)])
-const titles = Object.fromEntries(headings.map(([, number, title]) => [number, title]))
+// What runs in a sandbox: its worker, which is all one text, and its page, which has no address to load from, not even its
+// own script. "blob:" is what it is sent.
 await build({
   ...common,
-  outdir: handIn,
-  define: { SNAPSHOT: JSON.stringify(version), TITLES: JSON.stringify(titles) },
-  entryPoints: [path.join(here, "src/judge.js")],
-})
-await build({
-  ...common,
-  outdir: handIn,
   external: ["node:*", "ws"], // of which Pyodide has no need here
-  entryPoints: [path.join(here, "src/answer.js")],
+  entryPoints: [path.join(here, "src/worker.js")],
 })
-
-// The page of a sandbox has no address to load from: not even its own script. "blob:" is what it is sent.
 const { outputFiles } = await build({ ...common, write: false, entryPoints: [path.join(here, "src/sandbox.js")] })
 const script = outputFiles[0].text
-const digest = createHash("sha256").update(script).digest("base64")
-const policy = `default-src 'none'; script-src 'sha256-${digest}' blob: 'wasm-unsafe-eval'`
+const policy = `default-src 'none'; script-src 'sha256-${sha256(script, "base64")}' blob: 'wasm-unsafe-eval'`
 writeFileSync(
-  path.join(handIn, "sandbox.html"),
+  path.join(out, "sandbox.html"),
   `<!doctype html>
 <meta charset="utf-8">
 <meta http-equiv="Content-Security-Policy" content="${policy}">
@@ -112,6 +87,37 @@ writeFileSync(
 <script>${script}</script>
 `,
 )
+
+// Loaded when a listing is touched, or an answer is to be judged. What runs code knows each file that it starts from.
+const sealed = ["pyodide.asm.mjs", "pyodide.asm.wasm", "python_stdlib.zip", "rosspin.zip", "snapshot.gz"]
+  .concat(["sandbox.html", "worker.js"])
+  .map((name) => [name, sha256(readFileSync(path.join(out, name)))])
+const { metafile } = await build({
+  ...common,
+  format: "esm",
+  define: { FILES: JSON.stringify(Object.fromEntries(sealed)) },
+  external: ["./sha256.js"],
+  entryPoints: ["editor.js", "runs.js", "sha256.js", "share.js"].map((name) => path.join(here, "src", name)),
+})
+const version = JSON.stringify(sha256(readFileSync(path.join(out, "runs.js"))).slice(0, 16))
+
+// What the exercises are called: number -> title.
+const notebooks = ["exercises", "ros2-exercises"].map((name) => path.join(here, `../notebooks/${name}.md`))
+const headings = notebooks.flatMap((file) => [...readFileSync(file, "utf8").matchAll(/^### (\d+)\. (.+)$/gm)])
+const titles = Object.fromEntries(headings.map(([, number, title]) => [number, title]))
+// Loaded with the pages of exercises and with that for teachers.
+await build({
+  ...common,
+  outdir: path.join(out, "../hand-in"),
+  define: { RUNS: version, TITLES: JSON.stringify(titles) },
+  entryPoints: ["hand-in.js", "hand-in.css", "judge.js"].map((name) => path.join(here, "src", name)),
+})
+// Loaded with the page, as a classic script: a page opened from a file has no modules, and has to say so.
+await build({
+  ...common,
+  define: { RUNS: version },
+  entryPoints: ["live.js", "live.css"].map((name) => path.join(here, "src", name)),
+})
 
 // What is bundled keeps its licence.
 const used = new Set(["pyodide"])

@@ -12,12 +12,12 @@ const SETTINGS = { env: { LANG: "C.UTF-8", PYTHONHASHSEED: "0" }, _sysExecutable
 // A block of memory (bytes) that is free, or the first part of one.
 const LARGEST = 2 ** 16
 
-/** The bytes of a snapshot of the Python in the folder `out`, with its rosspin; `info` is that of its lock file. */
-export async function snapshot(out, info) {
-  const { loadPyodide } = await import(pathToFileURL(path.join(out, "pyodide.mjs")))
+/** The bytes of a snapshot of the Python in the folder `pyodide`, with our own files in `zip`; `info` is that of its lock file. */
+export async function snapshot(pyodide, zip, info) {
+  const { loadPyodide } = await import(pathToFileURL(path.join(pyodide, "pyodide.mjs")))
   const python = await loadPyodide({ ...options(info), ...SETTINGS })
   const { HEAP8 } = python._module // another one, once the memory has grown
-  install(python, readFileSync(path.join(out, "rosspin.zip")))
+  install(python, readFileSync(zip))
   python.runPython(readFileSync(path.join(import.meta.dirname, "snapshot.py"), "utf8"))
   wipe(python._module)
   if (python._module.HEAP8 !== HEAP8) throw new Error("what the snapshot is to hold does not fit into Python's first memory")

@@ -2,6 +2,12 @@
 
 from __future__ import annotations
 
+import sys
+
+# Of python -m the folder that it is called in is first on the path: a queue.py there would take the place of Python's.
+if sys.argv[:1] == ["-m"] and not __file__.startswith(sys.path[0]):
+    del sys.path[0]
+
 from importlib import import_module
 from typing import TYPE_CHECKING, Any
 

@@ -8,16 +8,17 @@ import signal
 import sys
 from collections.abc import Sequence
 
-from . import ros1, ros2
+from . import pictures, ros1, ros2
 from .clocks.clock import Clock, WallClock
 from .clocks.simulation import Simulation
+from .descendants import adopt_orphans, descendants, kill_descendants
 from .doctor import report
 from .launch import read_launch
 from .measures import by_source, describe_periods, describe_timeline
-from .plots import timeline
+from .plots import picture
 from .process import leave, load, refuse_launch_of_ros2, refuse_other_ros
 from .run import Result, Results, run_node, run_nodes, say_error, split_words
-from .ticks import Run
+from .ticks import Run, Tick
 
 __all__ = ["main"]
 
@@ -28,6 +29,7 @@ def main(argv: Sequence[str] | None = None) -> int:
     options, unknown = _parser().parse_known_args(own)
     if unknown:
         options.parser.error(f"unknown arguments: {' '.join(unknown)} (put the node's own arguments after --)")
+    options.alone = argv is None  # this process is there for the command alone
     try:
         return int(options.do(options, node_args))
     except (OSError, ValueError, SyntaxError, RuntimeError) as error:
@@ -47,8 +49,7 @@ def _parser() -> argparse.ArgumentParser:
         "run",
         help="run a node file",
         description="Run a node file on the wall clock until Ctrl-C, in simulated time, or on the real ROS 1 or 2.",
-        usage="%(prog)s FILE [--seconds S] [--simulated [--skip-cpp] | --ros1 | --ros2] [--plot FILE.svg] "
-        "[-- NODE ARGS]",
+        usage="%(prog)s FILE [--seconds S] [--simulated [--skip-cpp] | --ros1 | --ros2] [--plot FILE] [-- NODE ARGS]",
         epilog="Everything after -- is passed to the node: __ns:=/mrp _rate:=10, or on ROS 2 --ros-args -r __ns:=/mrp.",
         allow_abbrev=False,
     )
@@ -59,7 +60,9 @@ def _parser() -> argparse.ArgumentParser:
     where.add_argument("--ros1", action="store_true", help="use the real ROS 1, which must be installed")
     where.add_argument("--ros2", action="store_true", help="use the real ROS 2, which must be installed (make ros2)")
     run.add_argument("--skip-cpp", action="store_true", help="leave out the nodes of a launch file that are in C++")
-    run.add_argument("--plot", metavar="FILE.svg", help="plot the ticks to this file, and describe them on stderr")
+    run.add_argument(
+        "--plot", metavar="FILE", help="plot the ticks to this .pdf, .png or .svg, and describe them on stderr"
+    )
     run.set_defaults(do=_run, parser=run)
     doctor = commands.add_parser("doctor", help="show what can run here", description="Show what can run here.")
     doctor.set_defaults(do=_doctor, parser=doctor)
@@ -101,24 +104,57 @@ def _run(options: argparse.Namespace, args: Sequence[str]) -> int:
         result = run_nodes(read_launch(options.file, args, options.skip_cpp), options.seconds, Simulation(), record)
     else:
         clock: Clock = Simulation() if options.simulated else WallClock()
-        result = run_node(load(options.file), options.seconds, args, clock, record, lambda result: sys.stdout.flush())
+        if options.alone:
+            adopt_orphans()
+        before = descendants(os.getpid())  # of a shell that this process was before
+
+        def end_others() -> None:
+            if options.alone:
+                kill_descendants(but=before)
+
+        def give_up(result: Result) -> None:
+            sys.stdout.flush()
+            end_others()
+
+        try:
+            result = run_node(load(options.file), options.seconds, args, clock, record, give_up)
+        finally:
+            end_others()
+    status = result.status
     if options.plot is not None:
-        if not result.ticks:
-            raise ValueError(f"{options.plot} was not written: the node did not tick")
-        timeline(result.ticks).save(options.plot)
-        for source, ticks in by_source(result.ticks).items():
-            print(f"{options.plot}: {describe_timeline(source, ticks)} {describe_periods(ticks)}", file=sys.stderr)
+        sys.stdout.flush()
+        failed = _plot(result.ticks, options.plot)
+        status = status or failed
     if isinstance(result, Result):
-        leave(result.status, result.world)
-    return result.status
+        leave(status, result.world)
+    return status
 
 
 def _check_plot(path: str) -> None:
     """Find out before a long run whether its plot could be saved."""
-    if not path.endswith(".svg"):
-        raise ValueError(f"--plot {path}: the file name must end in .svg")
+    if os.path.splitext(path)[1] not in pictures.SUFFIXES:
+        raise ValueError(f"--plot {path}: the file name must end in .pdf, .png or .svg")
     if not os.path.isdir(os.path.dirname(path) or "."):
         raise FileNotFoundError(f"--plot {path}: there is no such folder")
+    if os.path.isdir(path):
+        raise IsADirectoryError(f"--plot {path}: this is a folder")
+    if advice := pictures.missing():
+        raise ValueError(f"--plot {path}: {advice}")
+
+
+def _plot(ticks: Sequence[Tick], path: str) -> int:
+    """Save the plot and describe it, or say why not: the run has been, and keeps its end. The status of that."""
+    try:
+        if not ticks:
+            raise ValueError("the node did not tick")
+        pictures.save(picture(ticks), path)
+    except (ImportError, OSError, ValueError) as error:
+        reason = error.strerror if isinstance(error, OSError) else error
+        print(f"rosspin: {path} was not written: {reason}", file=sys.stderr)
+        return 1
+    for source, group in by_source(ticks).items():
+        print(f"{path}: {describe_timeline(source, group)} {describe_periods(group)}", file=sys.stderr)
+    return 0
 
 
 if __name__ == "__main__":

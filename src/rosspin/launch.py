@@ -6,16 +6,26 @@ import math
 import os
 import re
 import shlex
-from collections.abc import Callable, Iterator, Mapping, Sequence
+from collections import Counter
+from collections.abc import Callable, Iterable, Iterator, Mapping, Sequence
 from dataclasses import dataclass, field, replace
+from datetime import date
 from pathlib import Path
 from typing import Any
 
+from .expressions import Unbounded, evaluate
 from .messages.library import Library
 from .process import NodeLike
 from .rospy.rosgraph import PRIV_NAME, canonicalize_name, load_mappings, make_global_ns, ns_join
 
 __all__ = ["Launch", "Node", "read_launch"]
+
+# A file that never ends, or that makes far more of itself than stands in it, is faulty: so many characters a text may
+# have, so many values one of YAML, so deep tags may lie in one another and files include one another, so many in all.
+_LONGEST = 1_000_000
+_MOST_VALUES = 100_000
+_DEEPEST = 100
+_MOST_FILES = 1_000
 
 
 @dataclass(frozen=True)
@@ -60,9 +70,8 @@ def read_launch(path: str | os.PathLike[str], args: Sequence[str] = (), skip_cpp
     """
     reader = _Reader(Path(path), skip_cpp)
     reader.read(os.fspath(path), _Scope(os.fspath(path), args=load_mappings([*args])))
-    names = [ns_join(node.namespace, node.name) for node in reader.nodes]
-    for name in names:
-        if names.count(name) > 1:
+    for name, count in Counter(ns_join(node.namespace, node.name) for node in reader.nodes).items():
+        if count > 1:
             raise ValueError(f"{os.fspath(path)}: there are several nodes named {name}")
     return Launch(reader.nodes, list(reader.parameters.items()), reader.left_out)
 
@@ -79,7 +88,11 @@ class _Tag:
     file: str
     line: int
     children: list[_Tag] = field(default_factory=list)
-    text: str = ""
+    texts: list[str] = field(default_factory=list)
+
+    @property
+    def text(self) -> str:
+        return "".join(self.texts)
 
     def fault(self, what: str) -> ValueError:
         return ValueError(f"{self.file}:{self.line}: {what}")
@@ -90,16 +103,28 @@ def _parse(path: str) -> _Tag:
     from xml.parsers import expat  # only needed where there is a launch file
 
     parser = expat.ParserCreate()
+    parser.buffer_text = True
     root = _Tag("", {}, path, 1)
     open_tags = [root]
+    length = 0
+
+    def count(texts: Iterable[str]) -> None:
+        nonlocal length
+        length += sum(map(len, texts))
+        if length > _LONGEST:
+            raise open_tags[-1].fault(f"with its entities, the text up to here has more than {_LONGEST:,} characters")
 
     def start(name: str, attributes: dict[str, str]) -> None:
         tag = _Tag(name, attributes, path, parser.CurrentLineNumber)
         open_tags[-1].children.append(tag)
         open_tags.append(tag)
+        count(attributes.values())
+        if len(open_tags) > _DEEPEST:
+            raise tag.fault(f"more than {_DEEPEST} tags lie in one another here")
 
     def add_text(text: str) -> None:
-        open_tags[-1].text += text
+        open_tags[-1].texts.append(text)
+        count([text])
 
     parser.StartElementHandler, parser.EndElementHandler = start, lambda name: open_tags.pop()
     parser.CharacterDataHandler = add_text
@@ -108,6 +133,10 @@ def _parse(path: str) -> _Tag:
             parser.ParseFile(file)
         except expat.ExpatError as error:
             raise ValueError(f"{path}:{error.lineno}: this is not XML: {expat.ErrorString(error.code)}") from None
+        except (LookupError, ValueError) as error:
+            if str(error).startswith(f"{path}:"):
+                raise
+            raise ValueError(f"{path}:1: this cannot be read: {error}") from None  # its encoding
     (launch,) = root.children
     if launch.name != "launch":
         raise launch.fault(f"a launch file begins with <launch>, not with <{launch.name}>")
@@ -171,9 +200,14 @@ class _Reader:
         self.left_out: list[str] = []
         self._library = Library(1, path.absolute().parent)
         self._skip_cpp = skip_cpp
+        self._files = 0  # that were read
+        self._includes: list[str] = []  # those that lead to the file that is being read
 
     def read(self, path: str, scope: _Scope) -> None:
         """Read a file in a scope."""
+        self._files += 1
+        if self._files > _MOST_FILES:
+            raise _Fault(f"with this one, more than {_MOST_FILES:,} files are included")
         self._read_all(_parse(path).children, scope)
 
     def _read_all(self, tags: Sequence[_Tag], scope: _Scope, known: Sequence[str] = (*_ATTRIBUTES, *_IGNORED)) -> None:
@@ -187,6 +221,11 @@ class _Reader:
                         getattr(self, f"_read_{tag.name}")(tag, scope, **values)
                 except _Fault as error:
                     raise tag.fault(str(error)) from None
+                except OSError as error:
+                    if error.filename2 is None:  # else a tag of an included file has said where
+                        place = f"{error.strerror} ({tag.file}:{tag.line})"
+                        raise type(error)(error.errno, place, error.filename, None, tag.file) from None
+                    raise
 
     def _attributes(self, tag: _Tag, scope: _Scope) -> dict[str, str] | None:
         """A tag's attributes with their substitutions; None if the tag is not for now."""
@@ -261,7 +300,12 @@ class _Reader:
             raise _Fault(f"arg {lacking.pop()} is given no value")
         given = passed.declared
         passed = replace(passed, file=file, declared=set(), anonymous={})
+        self._includes.append(f"{tag.file}:{tag.line}")
+        if len(self._includes) > _DEEPEST:
+            chain = " -> ".join(self._includes[-3:])
+            raise _Fault(f"files include one another without end: {chain} -> ...")
         self.read(file, passed)
+        self._includes.pop()
         if not takes_all and (unused := given - passed.declared):
             raise _Fault(f"{file} has no arg {', '.join(sorted(unused))}")
 
@@ -288,12 +332,11 @@ class _Reader:
         if value is not None:
             text = value.strip()
         elif textfile is not None:
-            text = Path(textfile).read_text(encoding="utf-8")
+            text = _read(textfile)
         else:
-            import subprocess
-
-            text = subprocess.run(shlex.split(command or ""), stdout=subprocess.PIPE, check=True, text=True).stdout
+            text = _output(command or "", name)
         found = _convert(text, type.lower().strip(), name)
+        _check_values(found, name)
         name = name.strip()
         if private or name.startswith(PRIV_NAME):
             scope.private.pop(name, None)
@@ -304,7 +347,7 @@ class _Reader:
     def _set(self, name: str, value: Any) -> None:
         if isinstance(value, dict):
             for key, item in value.items():
-                self._set(ns_join(name, str(key)), item)
+                self._set(ns_join(name, key), item)
         else:
             name = canonicalize_name(name)
             self.parameters.pop(name, None)
@@ -322,10 +365,11 @@ class _Reader:
     ) -> None:
         if command != "load":
             raise _Fault(f'<rosparam command="{command}"> is not simulated')
-        text = tag.text if file is None else Path(file).read_text(encoding="utf-8")
+        text = tag.text if file is None else _read(file)
         if _truth(subst_value, "subst_value"):
             text = self._resolve(text, scope)
         data = _yaml(text, file or "rosparam")
+        _check_values(data, file or "rosparam")
         name = ns_join(ns, param)
         if not name and not isinstance(data, dict):
             raise _Fault("rosparam needs a param for what is no dictionary")
@@ -370,7 +414,7 @@ class _Reader:
             return
         node = Node(
             str(file),
-            [*shlex.split(args), *(f"{source}:={target}" for source, target in own.remaps.items())],
+            [*_words(args, "args"), *(f"{source}:={target}" for source, target in own.remaps.items())],
             name,
             inner.namespace,
             _truth(required, "required"),
@@ -417,8 +461,18 @@ class _Reader:
     def _resolve(self, text: str, scope: _Scope) -> str:
         """Replace $(find PKG) and the like. Raises _Fault."""
         if text.startswith("$(eval ") and text.endswith(")"):
-            return str(self._eval(text[7:-1], scope))
-        text = re.sub(r"\$\(([^()$]*)\)", lambda found: self._substitute(found[0], found[1].split(), scope), text)
+            return self._eval(text[7:-1], scope)
+        length = len(text)
+
+        def substitute(found: re.Match[str]) -> str:
+            nonlocal length
+            made = self._substitute(found[0], found[1].split(), scope)
+            length += len(made)
+            if length > _LONGEST:
+                raise _Fault(f"{found[0]}: with its substitutions, this text has more than {_LONGEST:,} characters")
+            return made
+
+        text = re.sub(r"\$\(([^()$]*)\)", substitute, text)
         if "$(" in text:
             raise _Fault(f"{text}: a substitution in another one, or one that is not closed")
         return text
@@ -454,7 +508,7 @@ class _Reader:
             "dirname": lambda: os.path.dirname(os.path.abspath(scope.file)),
         }
 
-    def _eval(self, expression: str, scope: _Scope) -> Any:
+    def _eval(self, expression: str, scope: _Scope) -> str:
         if "__" in expression:
             raise _Fault("$(eval) may not contain double underscores")
         functions: dict[str, Any] = self._functions(scope)
@@ -463,15 +517,65 @@ class _Reader:
         names |= functions | {"arg": lambda name: _convert(functions["arg"](name), "auto", name)}
         names |= {"true": True, "false": False, "list": list, "dict": dict, "map": map, "str": str}
         try:
-            return eval(expression, {"__builtins__": {}}, names | {"float": float, "int": int})
+            return str(evaluate(expression, names | {"float": float, "int": int}))
         except _Fault:
             raise
-        except Exception as error:
-            raise _Fault(f"$(eval {expression}): {type(error).__name__}: {error}") from None
+        except Unbounded as error:
+            raise _Fault(f"$(eval {_short(expression)}) {error}") from None
+        except (Exception, MemoryError) as error:
+            what = str(error).partition(";")[0]  # then comes what to set in Python
+            raise _Fault(f"$(eval {_short(expression)}): {type(error).__name__}: {what}") from None
 
 
 class _Fault(ValueError):
     """What is wrong with the tag that is being read."""
+
+
+def _short(text: str) -> str:
+    return text if len(text) <= 100 else f"{text[:100]}..."
+
+
+def _read(path: str) -> str:
+    """The text of a file. Raises OSError and _Fault."""
+    with open(path, "rb") as file:
+        data = file.read(_LONGEST + 1)
+    return _text(data, path)
+
+
+def _text(data: bytes, source: str) -> str:
+    if len(data) > _LONGEST:
+        raise _Fault(f"{source} gives more than {_LONGEST:,} bytes")
+    try:
+        return data.decode().replace("\r\n", "\n").replace("\r", "\n")
+    except UnicodeDecodeError as error:
+        line = data.count(b"\n", 0, error.start) + 1
+        raise _Fault(f"{source} is not UTF-8: the byte 0x{data[error.start]:02x} in line {line}") from None
+
+
+def _output(command: str, name: str) -> str:
+    """What a command prints on stdout."""
+    import subprocess
+
+    try:
+        with subprocess.Popen(_words(command, "command"), stdout=subprocess.PIPE) as process:
+            assert process.stdout
+            data = process.stdout.read(_LONGEST + 1)
+            if len(data) > _LONGEST:
+                process.kill()
+    except (OSError, IndexError):
+        raise _Fault(f"param {name}: there is no command {command!r}") from None
+    text = _text(data, command)
+    if process.returncode:
+        raise _Fault(f"param {name}: the command {command!r} ended with status {process.returncode}")
+    return text
+
+
+def _words(text: str, name: str) -> list[str]:
+    """The words of a command line."""
+    try:
+        return shlex.split(text)
+    except ValueError as error:
+        raise _Fault(f"{name} is no command line: {str(error).lower()} in {_short(text)!r}") from None
 
 
 def _is_python(file: Path) -> bool:
@@ -538,8 +642,59 @@ def _truth_of_a_word(text: str) -> bool:
 def _yaml(text: str, name: str) -> Any:
     import yaml  # only needed where there is some
 
+    class Loader(yaml.SafeLoader):
+        """As of safe_load, but mappings that are merged into others cannot grow without end."""
+
+        merged = 0
+
+        def flatten_mapping(self, node: Any) -> None:
+            for key, value in node.value:
+                if key.tag != "tag:yaml.org,2002:merge":
+                    continue
+                for part in value.value if isinstance(value, yaml.SequenceNode) else [value]:
+                    if isinstance(part, yaml.MappingNode):
+                        self.flatten_mapping(part)
+                        self.merged += len(part.value)
+                        if self.merged > _MOST_VALUES:
+                            raise _too_many(name)
+            super().flatten_mapping(node)
+
     try:
-        data = yaml.safe_load(text)
-    except yaml.YAMLError as error:
+        data = yaml.load(text, Loader)
+    except (yaml.YAMLError, RecursionError) as error:
         raise _Fault(f"{name} is not YAML: {error}") from None
+    except _Fault:
+        raise
+    except ValueError as error:  # a date such as 2024-13-01
+        raise _Fault(f"{name} has a value that YAML cannot read: {str(error).partition(';')[0]}") from None
     return {} if data is None else data
+
+
+def _check_values(data: Any, name: str) -> None:
+    """_Fault if ROS's parameter server would not take it (source: xmlrpc.client's Marshaller), or if it is endless."""
+    count, waiting = 0, [data]
+    while waiting:
+        value = waiting.pop()
+        count += 1
+        if count > _MOST_VALUES:
+            raise _too_many(name)
+        wrong = ""
+        if isinstance(value, dict):
+            wrong = next((f"a name that is no text, {key!r}" for key in value if not isinstance(key, str)), "")
+            waiting += value.values()
+        elif isinstance(value, (list, tuple)):
+            waiting += value
+        elif value is None:
+            wrong = "a null"
+        elif isinstance(value, int) and not -(2**31) <= value < 2**31:
+            wrong = "an integer of more than 32 bits"
+        elif type(value) is date:
+            wrong = f"a date, {value}"
+        elif isinstance(value, set):
+            wrong = "a set"
+        if wrong:
+            raise _Fault(f"{name} has {wrong}, which ROS's parameter server does not take")
+
+
+def _too_many(name: str) -> _Fault:
+    return _Fault(f"{name} has more than {_MOST_VALUES:,} values, if each alias counts as what it stands for")

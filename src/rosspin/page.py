@@ -1,6 +1,6 @@
 """Run a node in a web page: in simulated time that keeps pace with real time, in the page's own Python (Pyodide).
 
-``web/src/worker.js`` calls :func:`run`, ``web/src/answer.js`` :func:`judge`. Nothing here is needed, or can run,
+``web/src/worker.js`` calls :func:`run`, :func:`trace` and :func:`judge`. Nothing here is needed, or can run,
 outside of a browser.
 """
 
@@ -18,23 +18,24 @@ import signal
 import sys
 import threading
 import time
+import zipimport
 from collections import defaultdict, deque
-from collections.abc import Callable, Iterable, Sequence
-from contextlib import redirect_stderr, redirect_stdout
+from collections.abc import Callable, Iterable, Iterator, Sequence
+from contextlib import contextmanager, redirect_stderr, redirect_stdout, suppress
 from functools import wraps
 from json import dumps
 from traceback import walk_tb
 from typing import Any, cast
 
 from js import performance
-from pyodide.ffi import run_sync
+from pyodide.ffi import can_run_sync, run_sync
 
+from . import exercises
 from .advice import advice
 from .clocks.clock import NS
 from .clocks.patches import patched
 from .clocks.simulation import PacedSimulation, Simulation
 from .clocks.stacks import whose
-from .exercises import check
 from .exercises.reach import reaches_for
 from .frames import trail
 from .graph import TickLog
@@ -44,7 +45,7 @@ from .process import load_source
 from .run import TimeStandsStill, run_node, say_error, split_words, stand_in
 from .world import NotSimulated, World, current_world
 
-__all__ = ["judge", "run", "wake"]
+__all__ = ["judge", "run", "trace", "wake"]
 
 # The page interrupts whatever does not give way, for the watchdog of a run to look at it; the rest is to go on.
 signal.signal(signal.SIGINT, signal.SIG_IGN)
@@ -53,9 +54,6 @@ signal.signal(signal.SIGINT, signal.SIG_IGN)
 # (Pyodide's issue 6464). A full one does not; it comes after each run, and leaves out what is there by now.
 gc.disable()
 gc.freeze()
-
-# The magics of a cell, and what the number after each is.
-_MAGICS: dict[str, Callable[[str], float]] = {"simulate": float, "answer": int}
 
 # An argument that sets something in a node: a parameter by ROS 1's rules, or what stands for one in ROS 2.
 _FOR_ROS = re.compile(r"-p$|--param$|-r$|--remap$|_\w+:=")
@@ -72,9 +70,6 @@ _MOST_TICKS = 2000
 # A console (characters) that is worth pinning in a test.
 _LONGEST = 50_000
 
-# So much (characters) is said of an answer that was handed in.
-_MOST_SAID = 30_000
-
 # How the lines of both ROSes begin that a reader may want to trace.
 _SERIOUS = ("[WARN]", "[ERROR]", "[FATAL]")
 
@@ -82,37 +77,47 @@ _SERIOUS = ("[WARN]", "[ERROR]", "[FATAL]")
 _MOST_CHUNKS = 1000
 
 
-def wake() -> None:
-    """To be called when Python has started, maybe from a memory snapshot: what is drawn at random differs again."""
+def wake(supply: Callable[[str], Any]) -> None:
+    """To be called when Python has started, maybe from a memory snapshot: what is drawn at random differs again.
+
+    ``supply(path)`` is a promise until the file at ``path``, from which Python is about to import, is there; None if it
+    is there, or is none that the page has.
+    """
+    zipimport._io = _Supplied(supply)  # type: ignore[attr-defined]  # all that it needs of io is open_code
     random.seed()
     logging._startTime = time.time_ns()  # type: ignore[attr-defined]
+
+
+class _Supplied:
+    def __init__(self, supply: Callable[[str], Any]) -> None:
+        self._supply = supply
+
+    def open_code(self, path: str) -> Any:
+        if can_run_sync() and (coming := self._supply(path)):
+            run_sync(coming)
+        return io.open_code(path)
 
 
 def run(source: str, filename: str, seconds: float, args: str, speed: float, page: Any) -> str:
     """Run the node in the text ``source`` for ``seconds``, ``speed`` times as fast as real time; 0: at once.
 
     ``args`` are its command line, split into words as a shell does. A text that begins with ``%%simulate SECONDS --
-    ARGS`` brings its own; one that begins with ``%%answer NUMBER`` is checked as the answer to an exercise.
+    ARGS`` brings its own; one that begins with ``%%answer NUMBER`` is not for here, but for :func:`trace`.
 
     ``page`` is a JavaScript object: its ``print(text, isError, line)`` is given what the node prints, with the line of
     the node that logged it if it is a warning or worse, else 0; its ``tick(source, number, expected, real)`` each tick
     that begins (s), both as they happen; ``wait(ms)`` is a promise that is kept after so long. The result, as JSON: the
-    exit ``status``, the number of ``errors`` in its threads, a ``verdict`` on an answer and whether it ``solved`` the
-    exercise, the last ``ticks`` with their durations, their ``count``, the ``chunks`` that each printed (a call of
-    ``print`` is one, counted from 0), the ``end`` of the run (s), a text ``alternative`` to their plot, and a ``test``
-    that pins it all, empty where that would be long or where there was an error. Errors end on the console and give
-    status 1.
+    exit ``status``, the number of ``errors`` in its threads, the last ``ticks`` with their durations, their ``count``,
+    the ``chunks`` that each printed (a call of ``print`` is one, counted from 0), the ``end`` of the run (s), a text
+    ``alternative`` to their plot, and a ``test`` that pins it all, empty where that would be long or where there was an
+    error. Errors end on the console and give status 1.
     """
-    environment = dict(os.environ)
     printed = _Printed()
     streams = [_Stream(page, is_error, printed, filename) for is_error in (False, True)]
-    with redirect_stdout(streams[0]), redirect_stderr(streams[1]):
+    with _left_as_found(), redirect_stdout(streams[0]), redirect_stderr(streams[1]):
         try:
-            magic, number, node_args = _magic(source)
-            if magic == "answer":
-                return dumps(_check(int(number), source))
-            if magic == "simulate":
-                seconds = number
+            if source.startswith("%%"):
+                seconds, node_args = _magic(source)
             else:
                 node_args = _split(args, "arguments")
             return dumps(_run(source, filename, seconds, node_args, speed, page, printed))
@@ -124,44 +129,71 @@ def run(source: str, filename: str, seconds: float, args: str, speed: float, pag
                 ros = load_source(_node(source), filename).ros
                 print(f"On a computer with ROS {ros}, run: python -m rosspin run --ros{ros} FILE", file=sys.stderr)
             return dumps({"status": 1})
-        finally:
-            os.environ.clear()  # the next run in this page is to find what this one found
-            os.environ.update(environment)
-            gc.collect()
 
 
-def judge(number: int, answer: str) -> str:
-    """Check an answer that somebody has handed in, a text without magic, in a page that does nothing else.
+def trace(number: int, text: str) -> str:
+    """Run the answer ``text`` to an exercise, with an empty line in place of its magic, and write down what it did.
 
-    The result, as JSON: the ``verdict``, which is "solved", "not yet", "to read" (by the teacher) or "not judged", and
-    what is ``said`` of it.
+    The trace, JSON of little more than 2 MB at most, is for :func:`judge` in another Python; empty if there is no such
+    exercise.
     """
-    if found := reaches_for(answer):
-        said = f"The answer uses {found}, which no exercise needs. Read the answer, and judge it yourself."
-        return dumps({"verdict": "to read", "said": said})
+    with _left_as_found():
+        try:
+            return exercises.trace(number, text)
+        except ValueError:
+            return ""
+
+
+def judge(number: int, text: str, trace: str) -> str:
+    """Judge an answer by its trace, in a Python that has run nobody's code; nothing of the answer is run here.
+
+    The result, as JSON: the ``verdict``, which is "solved", "not yet", "open" (not answered yet), "to read" (by the
+    teacher, as not all of it was looked at) or "not judged", and whether it is ``solved``; the same in a line, the
+    ``status``; what the answer printed, the ``console``; and what is ``said`` of it.
+    """
     try:
-        feedback = check(number, answer)
-    except ValueError as error:
-        return dumps({"verdict": "not judged", "said": say_error(error)})
-    passed = bool(feedback.findings) and all(right is True for right, *_ in feedback.findings)
-    console, text = feedback.shown_console(), str(feedback)
-    verdict = "solved" if passed else "not yet"
-    if passed is not feedback.passed:  # which only an answer can have brought about
-        verdict, text = "to read", "The check contradicts itself. Read the answer, and judge it yourself."
-    said = "\n".join(filter(None, [console[: _MOST_SAID - len(text) - 1], text]))
-    return dumps({"verdict": verdict, "said": said[:_MOST_SAID]})
+        feedback, found = exercises.judge(number, text, trace), reaches_for(text)
+    except Exception as error:  # whatever a trace is made of
+        said = str(error if isinstance(error, ValueError) else exercises.Misfit("it is damaged"))
+        status = f"Exercise {number}: not judged."
+        return dumps({"verdict": "not judged", "solved": False, "status": status, "console": "", "said": said})
+    said = str(feedback).replace("`", "")  # it is no Markdown there
+    if found:
+        said += f"\n\nThe answer uses {found}, which no exercise needs."
+    made = {"verdict": _verdict(feedback), "solved": feedback.passed, "status": feedback.verdict}
+    return dumps(made | {"console": feedback.console, "said": said})
 
 
-def _magic(source: str) -> tuple[str, float, Sequence[str]]:
-    """The cell magic in the first line, its number, and the words after ``--``; empty where there is none."""
+def _verdict(feedback: exercises.Feedback) -> str:
+    if feedback.passed:
+        return "solved"
+    if feedback.is_open:
+        return "open"
+    *findings, last = feedback.findings
+    return "not yet" if feedback.whole or not all(finding.right for finding in findings) else "to read"
+
+
+@contextmanager
+def _left_as_found() -> Iterator[None]:
+    """Within this context a run may do as it likes: the next one in this page finds what this one found."""
+    environment = dict(os.environ)
+    try:
+        yield
+    finally:
+        os.environ.clear()
+        os.environ.update(environment)
+        gc.collect()
+
+
+def _magic(source: str) -> tuple[float, Sequence[str]]:
+    """The number after the cell magic in the first line, and the words after ``--``."""
     first = source.partition("\n")[0]
-    if not first.startswith("%%"):
-        return "", 0, ()
-    (magic, *words), args = split_words(_split(first[2:], first) or [""])
-    try:
-        return magic, _MAGICS[magic](words[0]), args
-    except (KeyError, IndexError, ValueError):
-        raise ValueError(f"{first}: the first line can be %%simulate SECONDS or %%answer NUMBER here") from None
+    words, args = split_words(_split(first[2:], first))
+    with suppress(ValueError):
+        magic, seconds, *_ = words
+        if magic == "simulate":
+            return float(seconds), args
+    raise ValueError(f"{first}: the first line can be %%simulate SECONDS or %%answer NUMBER here")
 
 
 def _split(text: str, name: str) -> list[str]:
@@ -174,14 +206,6 @@ def _split(text: str, name: str) -> list[str]:
 def _node(text: str) -> str:
     """A text without its magic; the lines below it keep their numbers."""
     return text if not text.startswith("%%") else "\n" + text.partition("\n")[2]
-
-
-def _check(number: int, source: str) -> dict[str, Any]:
-    feedback = check(number, _node(source))
-    if console := feedback.shown_console():
-        print(console)
-    print(str(feedback).replace("`", ""))  # a console is no Markdown
-    return {"status": 0, "verdict": feedback.verdict, "solved": feedback.passed}
 
 
 def _run(

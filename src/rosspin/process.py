@@ -6,7 +6,6 @@ import atexit
 import codecs
 import io
 import linecache
-import logging
 import os
 import re
 import sys
@@ -15,20 +14,39 @@ import tokenize
 import traceback
 from collections.abc import Callable, Iterator, Mapping, Sequence
 from contextlib import contextmanager, redirect_stderr, redirect_stdout, suppress
+from importlib.machinery import BuiltinImporter, FrozenImporter
 from pathlib import Path
 from types import CodeType, ModuleType
 from typing import Any, NamedTuple, TextIO
 
+try:
+    import _posixsubprocess
+except ImportError:  # a web page has no processes
+    _posixsubprocess = None  # type: ignore[assignment]
+
 from .clocks.ending import Ended
 from .clocks.patches import Patch, patched
 from .clocks.programs import end_program, end_run
+from .clocks.simulation import Simulation
 from .clocks.stacks import StackExit, whose
 from .frames import format_error, is_installed
+from .kept import state_of_node, state_of_process, working_folder
 from .messages import MessageFinder
-from .world import NotSimulated, World
+from .world import NotSimulated, World, not_simulated
 
 __all__ = [
-    *("Capture", "Node", "NodeLike", "Process", "around_package", "byte_stream", "capture", "execute", "folder_of"),
+    *(
+        "in_the_way",
+        "Capture",
+        "Node",
+        "NodeLike",
+        "Process",
+        "around_package",
+        "byte_stream",
+        "capture",
+        "execute",
+        "folder_of",
+    ),
     *(
         "kept_in_order",
         "leave",
@@ -98,6 +116,46 @@ def refuse_launch_of_ros2(path: str) -> None:
         )
 
 
+# What the real ROS 1 or 2 needs to run a node, beside Python's own modules.
+_NEEDED = {
+    1: {"genpy", "rosgraph", "rosgraph_msgs", "roslib", "rospkg", "rospy", "std_msgs", "yaml"},
+    2: {"builtin_interfaces", "rcl_interfaces", "rclpy", "rosgraph_msgs", "rosidl_runtime_py", "rpyutils", "yaml"},
+}
+
+
+def in_the_way(node: Node) -> list[str]:
+    """What is to be said of files beside a node, or its own, that hide modules from a real ROS, a line for each."""
+    if node.folder is None:
+        return []
+    lines = []
+    for entry in sorted(os.listdir(node.folder)):
+        name = entry.removesuffix(".py")
+        file = _neighbour(node.folder, name)
+        if not file or not name.isidentifier():
+            continue
+        if name in _NEEDED[node.ros] or (name.endswith("_msgs") and name in _imports(node)):
+            whose = f"ROS {node.ros}'s"
+        elif name in sys.stdlib_module_names and not any(map(_finds(name), (BuiltinImporter, FrozenImporter))):
+            whose = "Python's"
+        else:
+            continue
+        shown = os.path.relpath(file) if working_folder() else file
+        lines.append(
+            f"{shown} is in the way of {whose} module {name}: on a real ROS whatever imports {name} is given this file"
+        )
+    return lines
+
+
+def _finds(name: str) -> Callable[[Any], bool]:
+    return lambda importer: importer.find_spec(name) is not None
+
+
+def _imports(node: Node) -> set[str]:
+    with suppress(SyntaxError):
+        return {name.partition(".")[0] for name in _names(_compile(node.source or "", node.filename))}
+    return set()
+
+
 def refuse_other_ros(path: str, ros: int) -> None:
     """ValueError if a node file is for the other ROS. What is wrong with it otherwise, its run will show."""
     with suppress(SyntaxError):
@@ -116,13 +174,17 @@ def load_source(source: str, filename: str) -> Node:
     """Load a node from its source text. Raises SyntaxError if it is not Python, ValueError if it is for both ROSes."""
     lines = io.StringIO(source, newline=None).readlines()  # as Python counts them; it may show one when it compiles
     linecache.cache[filename] = (len(source), None, lines, filename)
+    code = _compile(source, filename)
+    folder = str(Path(filename).resolve().parent) if os.path.exists(filename) else None
+    return Node(lambda: execute(code, filename), filename, filename, folder, source, _ros([code], filename, folder))
+
+
+def _compile(source: str, filename: str) -> CodeType:
     try:
-        code = compile(source, filename, "exec", dont_inherit=True)
+        return compile(source, filename, "exec", dont_inherit=True)
     except SyntaxError as error:  # of null bytes Python does not say where
         line = source.partition("\0")[0].count("\n") + 1
         raise error if error.filename else SyntaxError(error.msg, (filename, line, None, None)) from None
-    folder = str(Path(filename).resolve().parent) if os.path.exists(filename) else None
-    return Node(lambda: execute(code, filename), filename, filename, folder, source, _ros([code], filename, folder))
 
 
 _ROSES = {"rospy": 1, "rclpy": 2}
@@ -146,7 +208,7 @@ def _roses(codes: list[CodeType], folder: str | None) -> set[int]:
             return {_ROSES[root] for root in roots & _ROSES.keys()}
         paths = {path for name in names - seen if (path := _neighbour(folder, name))}
         seen |= names
-        codes = [compile(Path(path).read_bytes(), path, "exec", dont_inherit=True) for path in sorted(paths)]
+        codes = [_compile(_read(path), path) for path in sorted(paths)]
     return set()
 
 
@@ -205,6 +267,7 @@ class Process:
         self.messages = self._finder.messages
         self._modules = dict(modules)  # those that only the node has
         self._put_inside = self._begin
+        self._put_names: Callable[[], None] = lambda: None  # those that the node has changed
 
     def _begin(self) -> None:
         sys.argv = [self._node.argv0, *self._args]
@@ -220,13 +283,17 @@ class Process:
 
         Afterwards, whatever the node has changed is as before: environment, working directory, loggers, modules.
         """
-        with kept_in_order():
+        with kept_in_order(self._note_names):
             self._put_inside()
+            self._put_names()
             try:
                 with self._finder, self._own_modules():
                     yield
             finally:
-                self._put_inside = _state_of_process()
+                self._put_inside = state_of_node()
+
+    def _note_names(self, put: Callable[[], None]) -> None:
+        self._put_names = put
 
     @contextmanager
     def _own_modules(self) -> Iterator[None]:
@@ -243,50 +310,21 @@ class Process:
 
 
 @contextmanager
-def kept_in_order() -> Iterator[None]:
-    """What any run needs of the process: there is one at a time, and what it changes is undone at its end."""
+def kept_in_order(left: Callable[[Callable[[], None]], None] | None = None) -> Iterator[None]:
+    """What any run needs of the process: there is one at a time, and what it changes is undone at its end.
+
+    ``left`` is told how to have the names again that were changed.
+    """
     refuse_a_run_within_a_run()
-    with _one_at_a_time, patched(_PATCHES):
-        put_back = _state_of_process()
+    with _one_at_a_time:
+        put_back = state_of_process()
         try:
-            yield
+            with patched(_PATCHES):
+                yield
         finally:
-            put_back()
-
-
-def _state_of_process() -> Callable[[], None]:
-    """A function that makes what a process has beside its modules what it is now."""
-    argv, path, folder = sys.argv, sys.path[:], os.getcwd()
-    hooks = sys.excepthook, sys.unraisablehook, threading.excepthook
-    environment, put_loggers = dict(os.environ), _state_of_loggers()
-
-    def put() -> None:
-        sys.argv, sys.path[:] = argv, path
-        sys.excepthook, sys.unraisablehook, threading.excepthook = hooks
-        os.chdir(folder)
-        if os.environ != environment:
-            os.environ.clear()
-            os.environ.update(environment)
-        put_loggers()
-
-    return put
-
-
-def _state_of_loggers() -> Callable[[], None]:
-    """A function that makes Python's loggers what they are now."""
-    loggers = dict(logging.root.manager.loggerDict)
-    known = [logging.root, *(logger for logger in loggers.values() if isinstance(logger, logging.Logger))]
-    states = [(logger, logger.level, logger.handlers[:], logger.filters[:], logger.propagate) for logger in known]
-
-    def put() -> None:
-        logging.root.manager.loggerDict.clear()
-        logging.root.manager.loggerDict.update(loggers)
-        for logger, level, handlers, filters, propagate in states:
-            if logger.level != level:  # setting it is slow
-                logger.setLevel(level)
-            logger.handlers[:], logger.filters[:], logger.propagate = handlers, filters, propagate
-
-    return put
+            put_names = put_back()
+            if left:
+                left(put_names)
 
 
 def folder_of(node: Node) -> Path | None:
@@ -306,7 +344,9 @@ def _lies_in(folder: str | None, name: str) -> bool:
 
 def print_error(world: World, error: BaseException, made: traceback.FrameSummary | None = None) -> None:
     """Print an exception that was not caught on stderr, with the node's frames, and keep it."""
-    sys.stderr.write(format_error(error, made))
+    if sys.stderr is None:
+        world.stderr.write("rosspin: sys.stderr is None, and Python would show nothing of this:\n")
+    (sys.stderr or world.stderr).write(format_error(error, made))
     world.note_error(error)
 
 
@@ -317,13 +357,14 @@ def _excepthook(real: Callable[[Any], None]) -> Callable[[Any], None]:
         world, error = whose(), args.exc_value
         if isinstance(error, Ended):
             raise error
+        lacking = not_simulated(error)
         if not isinstance(world, World):
             real(args)
-        elif isinstance(error, NotSimulated):
-            world.failure = world.failure or error
+        elif isinstance(error, NotSimulated) or lacking:
+            world.failure = world.failure or lacking or error
             end_run()
         elif not isinstance(error, (StackExit, SystemExit)):
-            sys.stderr.write(f"Exception in thread {args.thread.name}:\n")
+            (sys.stderr or world.stderr).write(f"Exception in thread {args.thread.name}:\n")
             print_error(world, error, getattr(args.thread, "made", None))
 
     return excepthook
@@ -368,8 +409,43 @@ def _exit(real: Callable[[int], Any]) -> Callable[[int], Any]:
     return exit_at_once
 
 
+# Who starts processes for others, by the module that does.
+_STARTERS = {
+    "concurrent.futures.process": "ProcessPoolExecutor",
+    "multiprocessing.managers": "multiprocessing.Manager",
+    "multiprocessing.pool": "multiprocessing.Pool",
+}
+
+
+def _fork(real: Callable[..., Any]) -> Callable[..., Any]:
+    """What starts a process for ``multiprocessing``, and for others, which may.
+
+    What its processes wait for, they wait for in real time. One that is not forked is a Python without stand-ins.
+    """
+
+    def fork(*args: Any) -> Any:
+        world = whose()
+        if isinstance(world, World) and os.getpid() == world.pid:
+            frames = [frame for frame, _ in traceback.walk_stack(sys._getframe(1))]
+            names = [frame.f_globals.get("__name__") for frame in frames]
+            for frame, name in zip(frames, names, strict=True):
+                if name == "multiprocessing.process" and frame.f_code.co_name == "start":
+                    method = getattr(frame.f_locals["self"], "_start_method", None)
+                    method = method or sys.modules["multiprocessing"].get_start_method()
+                    starter = next((_STARTERS[name] for name in names if name in _STARTERS), "multiprocessing.Process")
+                    if method != "fork":
+                        raise NotSimulated(f"{starter} ({method})")
+                    if isinstance(world.clock, Simulation):
+                        raise NotSimulated(f"{starter} ({method})", "the wall clock or on a real ROS")
+        return real(*args)
+
+    return fork
+
+
 _PATCHES: list[Patch] = [
     (os, "_exit", _exit),
+    (os, "fork", _fork),
+    *((module, "fork_exec", _fork) for module in [_posixsubprocess] if module),
     (threading, "excepthook", _excepthook),
     (atexit, "register", _register),
     (atexit, "unregister", _unregister),
@@ -387,7 +463,7 @@ def run_at_exit(world: World) -> None:
         except SystemExit:
             pass
         except BaseException as error:
-            sys.stderr.write(f"Exception ignored in atexit callback: {function!r}\n")
+            (sys.stderr or world.stderr).write(f"Exception ignored in atexit callback: {function!r}\n")
             print_error(world, error)
 
 

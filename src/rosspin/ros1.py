@@ -84,7 +84,10 @@ def missing(cpp: bool = True) -> list[str]:
     lacking = [command for command in commands if not shutil.which(command, path=path)]
     python = shutil.which("python3", path=path)
     probe = [python or "", "-c", "import rospy"]
-    if not python or subprocess.run(probe, env=_ros_environment(os.environ), stderr=subprocess.DEVNULL).returncode:
+    if (
+        not python
+        or subprocess.run(probe, env=_ros_environment(os.environ), stderr=subprocess.DEVNULL, cwd="/").returncode
+    ):
         lacking.append("rospy")
     prefixes = ["/usr", *filter(None, os.environ.get("CMAKE_PREFIX_PATH", "").split(":"))]
     if cpp and not any(Path(prefix, "include/ros/ros.h").exists() for prefix in prefixes):

@@ -22,12 +22,12 @@ from .clocks.simulation import Simulation, Standstill
 from .clocks.stacks import Program, StackExit
 from .clocks.threads import begin_main, end_main
 from .clocks.watchdog import Stuck
-from .frames import Place, Whereabouts, node_frames
+from .frames import Place, Whereabouts, is_installed, node_frames
 from .graph import Graph
 from .monitor import Member, Monitor
-from .process import Node, NodeLike, Process, capture, load, print_error, refuse_text, run_at_exit
+from .process import Node, NodeLike, Process, capture, in_the_way, load, print_error, refuse_text, run_at_exit
 from .ticks import Message, Run, Tick
-from .world import NotSimulated, World
+from .world import NotSimulated, World, not_simulated
 
 __all__ = [
     *("PATIENCE", "Result", "Results", "TimeStandsStill", "duration", "explained", "messages_of", "new_world"),
@@ -37,16 +37,11 @@ __all__ = [
 # After Ctrl-C roslaunch waits 15 s, asks once more with SIGTERM, and kills after another 2 s.
 PATIENCE = 17
 
-# What a node may import beside its ROS and would not find.
-_ROS_PACKAGES = {
-    *("actionlib", "cv_bridge", "dynamic_reconfigure", "message_filters", "rosbag", "rosgraph", "roslaunch", "roslib"),
-    *("rosnode", "rosparam", "rospkg", "rosservice", "rostopic", "tf", "tf2_ros", "tf_conversions"),
-    *("ament_index_python", "example_interfaces", "launch", "launch_ros", "rosidl_runtime_py"),
-}
-
-# By the ROS of a node: who kills it if it does not end, what its loops should ask, and how they may sleep.
+# By the ROS of a node: who kills it if it does not end, what its loops should ask, what else is
+# a thread, and how loops may sleep.
 _KILLS = {1: ", as roslaunch does", 2: ""}
 _GOES_ON = {1: "rospy.is_shutdown()", 2: "rclpy.ok()"}
+_ALSO_THREADS = {1: " (a rospy.Timer is one, too)", 2: ""}
 _SLEEP = {1: "rospy.sleep(0.1)", 2: "time.sleep(0.1)"}
 
 # A run may have a million ticks: a Tick from a tuple takes half as long as one from its fields.
@@ -67,6 +62,9 @@ def simulate(
     ``seconds`` still runs; then Ctrl-C is pressed, which does what it does in that ROS: rospy ends with status 0, rclpy
     raises KeyboardInterrupt, with status 130 if nothing catches it. The run ends earlier if the node does. As on a real
     ROS, an exception in the node is printed and gives status 1.
+
+    What the node changes in modules or in the process is gone afterwards. Its numbers from ``random`` are the ones that
+    the caller would have drawn, and still will: runs without a seed between them draw the same.
 
     Several nodes of ROS 1 run together if ``node`` is a list of them, or the path of a launch file, whose own arguments
     are then the ``args``. They run as under roslaunch: they are started in this order, all at time 0, and each is a
@@ -127,6 +125,7 @@ def run_node(
     the run gave so far (without one if code in C lets no thread run).
     """
     until = None if seconds is None else duration(seconds)
+    _warn_of_files([node])
     with Process(node, args, stand_in(node.ros).MODULES, node.ros).inside():
         world = new_world(node, clock, record)
         start = 0 if isinstance(clock, Simulation) else clock.now()
@@ -148,6 +147,11 @@ def run_node(
     return result(world.exit_status)
 
 
+def _warn_of_files(nodes: Sequence[Node]) -> None:
+    for line in dict.fromkeys(line for node in nodes for line in in_the_way(node)):
+        sys.stderr.write(f"rosspin: {line}\n")
+
+
 class Results(NamedTuple):
     """How a run of several nodes ended: its exit status, ticks (none if not recorded), and what they shared."""
 
@@ -167,6 +171,7 @@ def run_nodes(nodes: launch.Launch, seconds: float, clock: Simulation, record: b
         sys.stderr.write(f"rosspin: {line}\n")
     members = [Member(node, load(node.node), number) for number, node in enumerate(nodes.nodes, 1)]
     codes = [member.code for member in members]
+    _warn_of_files(codes)
     if any(code.ros != 1 for code in codes):
         raise ValueError("several nodes in one run are nodes of ROS 1; in ROS 2 one process can hold several nodes")
     with Monitor(members, clock, graph, _run_beside_others, _say_where, rospy.MODULES, ros=1) as monitor:
@@ -175,7 +180,7 @@ def run_nodes(nodes: launch.Launch, seconds: float, clock: Simulation, record: b
             program.advance(until)
             program.end(None)
         except Standstill as error:
-            raise _stands_still(codes, error.places, error.place, clock, waits=False) from None
+            raise _stands_still(codes, error.places, error.place, clock, waits=False, threads=error.threads) from None
         except Stuck as error:
             raise _stands_still(codes, error.places, clock.failed, clock, error.waits) from None
         except Ended:
@@ -223,7 +228,7 @@ def explained(node: Node, world: World, clock: Clock, seconds: float | None) -> 
     except Died as died:
         world.exit_status = 128 + died.number
     except Standstill as error:
-        raise _stands_still([node], error.places, error.place, clock, waits=False) from None
+        raise _stands_still([node], error.places, error.place, clock, waits=False, threads=error.threads) from None
     except Ended:
         if world.failure is not None:
             raise world.failure from None
@@ -246,8 +251,8 @@ def run_main(node: Node, world: World) -> None:
 def _end_if_forked(world: World) -> None:
     """End this process if it is a child that the node has forked: what comes now is its parent's."""
     if os.getpid() != world.pid:
-        sys.stdout.flush()
-        sys.stderr.flush()
+        for stream in filter(None, (sys.stdout, sys.stderr)):
+            stream.flush()
         os._exit(world.exit_status or 0)
 
 
@@ -263,8 +268,8 @@ def _run_main(node: Node, world: World) -> None:
     except (NotSimulated, Ended, StackExit, Died):
         raise
     except BaseException as error:
-        if isinstance(error, ModuleNotFoundError) and _is_ros_package(error.name or ""):
-            raise NotSimulated(error.name or "") from error
+        if lacking := not_simulated(error):
+            raise lacking from error
         status = 128 + signal.SIGINT if type(error) is KeyboardInterrupt else 1
         if sys.excepthook is sys.__excepthook__:
             print_error(world, error)
@@ -287,17 +292,6 @@ def _run_main(node: Node, world: World) -> None:
         print_error(world, error)
     run_at_exit(world)
     world.exit_status = status
-
-
-def _is_ros_package(name: str) -> bool:
-    root, _, rest = name.partition(".")
-    return (
-        root in _ROS_PACKAGES
-        or root.endswith(("_msgs", "_srvs"))
-        or rest.startswith("srv")
-        or (root == "rospy" and rest in rospy.NOT_SIMULATED)
-        or (root == "rclpy" and rest.partition(".")[0] in stand_in(2).NOT_SIMULATED)
-    )
 
 
 def ticks_of(graph: Graph, start: int, since: int = 0) -> tuple[Tick, ...]:
@@ -366,6 +360,8 @@ def _killed(node: Node, seconds: float | None, waited: Sequence[Whereabouts]) ->
 
 def _say_killed(node: Node, seconds: float | None, killed: Killed) -> int:
     sys.stderr.write(_killed(node, seconds, killed.waited))
+    if killed.blocks:
+        sys.stderr.write("rosspin: the main thread blocks SIGINT (signal.pthread_sigmask): Ctrl-C does not reach it\n")
     return 128 + signal.SIGKILL
 
 
@@ -409,7 +405,7 @@ def _say_place(place: Place) -> str:
 
 
 def _stands_still(
-    nodes: Sequence[Node], places: Sequence[Place], fallback: str, clock: Clock, waits: bool
+    nodes: Sequence[Node], places: Sequence[Place], fallback: str, clock: Clock, waits: bool, threads: int = 0
 ) -> TimeStandsStill:
     now = f"simulated time stands still at {clock.now() / NS} s"
     place = _of_nodes(nodes, places)
@@ -418,6 +414,12 @@ def _stands_still(
         why = (
             "because this waits in real time, which the simulation cannot see. "
             "Run the node on the wall clock, or remove what waits."
+        )
+    elif threads:
+        where = f"{place.filename}:{place.line}" if place else fallback
+        why = (
+            f"because {threads:,} threads have not ended, as many as a run may have; this would have been one more"
+            f"{_ALSO_THREADS[nodes[0].ros]}. Start them outside of loops and callbacks, or let them end."
         )
     else:
         where = f"{place.filename}:{place.line}" if place else fallback
@@ -436,8 +438,9 @@ def say_error(error: Exception) -> str:
         return f"{error.filename}: {error.strerror}"
     if isinstance(error, NotSimulated):
         trace = node_frames((error.__cause__ or error).__traceback__)
-        places = [frame for frame in traceback.extract_tb(trace) if not frame.filename.startswith("<frozen")]
-        return f"{places[-1].filename}:{places[-1].lineno}: {error}" if places else str(error)
+        lines = [each for each in traceback.walk_tb(trace) if not each[0].f_code.co_filename.startswith("<frozen")]
+        lines = [each for each in lines if not is_installed(each[0])] or lines
+        return f"{lines[-1][0].f_code.co_filename}:{lines[-1][1]}: {error}" if lines else str(error)
     return str(error)
 
 

@@ -21,6 +21,7 @@ from typing import Any, TextIO
 
 from . import run
 from .clocks.clock import NS, WallClock
+from .descendants import adopt_orphans, kill_descendants
 from .frames import node_frames
 from .messages import pickles
 from .process import (
@@ -199,6 +200,7 @@ def _ctrl_c_for(apart: _Apart) -> Iterator[None]:
 def run_apart(pipe: int) -> None:
     """Run the node that stdin tells of, and write what comes of it into a pipe."""
     os.set_inheritable(pipe, False)
+    adopt_orphans()
     signal.signal(signal.SIGINT, signal.SIG_IGN)  # before the run and after it
     source, filename, seconds, args, run.PATIENCE = pickle.load(sys.stdin.buffer)
     caller, empty = os.dup(0), os.open(os.devnull, os.O_RDONLY)
@@ -214,6 +216,7 @@ def run_apart(pipe: int) -> None:
         node.main()
 
     def give(result: Result | Exception) -> None:
+        kill_descendants()
         send(_OUTCOME, pickle.dumps(result if isinstance(result, Exception) else _plain(result)))
         send(_END)
 

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import os
+import sys
 import threading
 from collections.abc import Callable
 from contextlib import AbstractContextManager
@@ -13,20 +14,41 @@ from .clocks.stacks import Program, acting_for, whose
 from .frames import Whereabouts
 from .graph import Graph
 
-__all__ = ["NotSimulated", "World", "current_world"]
+__all__ = ["NotSimulated", "World", "current_world", "not_simulated"]
 
 Part = TypeVar("Part")
 
+# What a node may import beside its ROS and would not find.
+_ROS_PACKAGES = {
+    *("actionlib", "cv_bridge", "dynamic_reconfigure", "message_filters", "rosbag", "rosgraph", "roslaunch", "roslib"),
+    *("rosnode", "rosparam", "rospkg", "rosservice", "rostopic", "tf", "tf2_ros", "tf_conversions"),
+    *("ament_index_python", "example_interfaces", "launch", "launch_ros", "rosidl_runtime_py"),
+}
+
 
 class NotSimulated(NotImplementedError):
-    """The node asks for something that only a real ROS has."""
+    """The node asks for something that only a real ROS has, or whatever else ``where`` names."""
 
-    def __init__(self, name: str) -> None:
-        super().__init__(f"{name} is not simulated; run this node on a real ROS")
+    def __init__(self, name: str, where: str = "a real ROS") -> None:
+        super().__init__(f"{name} is not simulated; run this node on {where}")
         self.name = name
+        self.where = where
 
     def __reduce__(self) -> tuple[Any, ...]:
-        return NotSimulated, (self.name,), self.__dict__
+        return NotSimulated, (self.name, self.where), self.__dict__
+
+
+def not_simulated(error: BaseException) -> NotSimulated | None:
+    """What an error means if it is that a package of ROS cannot be imported."""
+    name = error.name or "" if isinstance(error, ModuleNotFoundError) else ""
+    root, _, rest = name.partition(".")
+    lacking = (
+        root in _ROS_PACKAGES
+        or root.endswith(("_msgs", "_srvs"))
+        or rest.startswith("srv")
+        or rest.partition(".")[0] in getattr(sys.modules.get(root), "NOT_SIMULATED", ())
+    )
+    return NotSimulated(name).with_traceback(error.__traceback__) if lacking else None
 
 
 class World(Program):
@@ -42,6 +64,7 @@ class World(Program):
         super().__init__()
         self.clock = clock
         self.pid = os.getpid()
+        self.stderr = sys.stderr  # whatever the node makes of it
         self.number = number
         self.name = ""  # its full name in the graph, as soon as it has one
         self.graph = graph or Graph(clock, record)

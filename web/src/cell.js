@@ -1,8 +1,10 @@
 // A listing that can be edited and run: its buttons, its status line, what its runs show.
 
 import { Console } from "./console.js"
+import { Kept } from "./kept.js"
+import { make } from "./make.js"
 import { Plot } from "./plot.js"
-import { release, start, warmUp } from "./workers.js"
+import { start, warmUp } from "./python.js"
 
 /** For how long (s) a node runs, unless the reader says otherwise. */
 const SECONDS = "10"
@@ -16,22 +18,21 @@ const EXAMPLE = { rospy: "_frequency:=5", rclpy: "--ros-args -p frequency:=5.0" 
 /** The status of a node that Ctrl-C ended, as it does at the end of a run unless the node has seen to it. */
 const BY_CTRL_C = 130
 
-/** The cells of the page that are answers to exercises. */
+/** What is kept of the exercises of the page. */
 const exercises = []
+
+/** How many of them are solved. */
+const progress = () => `${exercises.filter(({ wasSolved }) => wasSolved).length} of ${exercises.length}`
 
 /** Under this and the path of a page, how many of its exercises are solved. */
 const PROGRESS = "rosspin:progress:"
-
-/** Under this, beside the reader's text, a cell notes that its exercise has been solved. */
-const SOLVED = ":solved"
 
 /** Say on a page that has exercises how many are solved, and on every page beside the links to such pages. */
 export function showProgress() {
   document.querySelectorAll(".live-progress").forEach((element) => element.remove())
   try {
     if (exercises.length) {
-      const solved = exercises.filter((cell) => cell.solved).length
-      localStorage.setItem(PROGRESS + location.pathname, `${solved} of ${exercises.length} solved`)
+      localStorage.setItem(PROGRESS + location.pathname, `${progress()} solved`)
       sayProgress(document.querySelector("article h1"), location.pathname)
     }
     document.querySelectorAll('.bd-docs-nav a[href$="exercises.html"], .bd-docs-nav a[aria-current]').forEach((link) => {
@@ -48,24 +49,10 @@ function sayProgress(place, page) {
   if (said) place.after(make("p", { className: "live-progress", textContent: said }))
 }
 
-/** An element with these properties and children. */
-function make(tag, properties = {}, ...children) {
-  const element = Object.assign(document.createElement(tag), properties)
-  element.append(...children)
-  return element
-}
-
 /** The plot that stands below a listing since the site was built. */
 function made(listing) {
   const next = (listing.closest(".literal-block-wrapper") ?? listing).nextElementSibling
   return next?.matches("figure.live-made") ? next : null
-}
-
-/** A short text that differs when the given one does (FNV-1a). */
-function fingerprint(text) {
-  let hash = 0x811c9dc5
-  for (const character of text) hash = Math.imul(hash ^ character.codePointAt(0), 0x01000193)
-  return (hash >>> 0).toString(16)
 }
 
 export class Cell {
@@ -74,14 +61,15 @@ export class Cell {
   #pre
   #original
   #highlighted
-  #key
+  #kept // what the reader has written, or what came with a link
+  #own = null // what the reader has written, while the other is shown
   #name
   #answers // whether it is an answer to an exercise, which is checked rather than run
   #simulates // whether its first line says for how long it runs
   #made // the plot that was made with the page, if there is one
   #output // of a notebook's cell: what it printed when the site was built
   #test = "" // pins what the last run showed
-  #shared = false // whether the text came with a link; it is not kept
+  #ran = "" // what the last run ran
   #editor = null
   #worker = null
   #runs = 0
@@ -98,11 +86,14 @@ export class Cell {
     this.#pre = listing.querySelector("pre")
     this.#original = this.#pre.textContent
     this.#highlighted = [...this.#pre.childNodes]
-    this.#key = `rosspin:${location.pathname}:${index}:${fingerprint(this.#original)}`
     const caption = listing.parentElement.querySelector(".code-block-caption .caption-text")
     const [, magic, number] = this.#original.match(/^%%(\w+) (\S+)/) ?? []
     this.#answers = magic === "answer"
     this.#simulates = magic === "simulate"
+    // hand-in.js, which is on each page that has exercises, keeps the answers to all of them.
+    const place = `${location.pathname}:${index}`
+    this.#kept = (this.#answers && window.rosspinStore?.of(number)) || new Kept(place, this.#original)
+    this.#kept.changed = (said) => this.#own || this.#follow(said)
     this.#name = this.#answers ? `answer ${number}` : (caption?.textContent ?? "node.py").trim().split("/").at(-1)
     this.#output = listing.closest(".cell")?.querySelector(".cell_output")
     if (missing) {
@@ -111,20 +102,13 @@ export class Cell {
     }
     this.#made = made(listing)
     this.#build(listing)
-    const edited = this.#stored()
-    if (edited !== null) {
-      this.#show(edited)
-      this.#showMade(false)
-    }
-    this.solved = this.#stored(SOLVED) !== null
-    if (this.#answers) exercises.push(this)
-    this.#say([this.#before, edited !== null && "as you edited it"].filter(Boolean).join(", "))
+    if (this.#answers) exercises.push(this.#kept)
+    this.#showKept()
   }
 
   #build(listing) {
     const button = (text, act) => {
-      const element = make("button", { type: "button", textContent: text })
-      element.setAttribute("aria-label", `${text} ${this.#name}`)
+      const element = make("button", { type: "button", textContent: text, ariaLabel: `${text} ${this.#name}` })
       element.addEventListener("click", () => element.ariaDisabled !== "true" && act())
       return element
     }
@@ -135,35 +119,33 @@ export class Cell {
     this.reset = button("Reset", () => this.#reset())
     this.share = button("Share", () => this.#share())
     this.pin = button("Copy as test", () => this.#copy(this.#test, "the test is copied: save it in a file for pytest"))
-    this.pin.hidden = true
+    this.earlier = button("Earlier version", () => this.#bringBack())
+    this.copy = button("Copy text", () => this.#copy(this.#text, "copied"))
     this.seconds = make("input", { type: "number", min: "0", max: "3600", step: "any", value: SECONDS })
     this.args = make("input", { type: "text", spellcheck: false, autocomplete: "off", autocapitalize: "off" })
     this.arguments = make("label", { className: "live-arguments" }, "Arguments ", this.args)
     this.args.addEventListener("keydown", (event) => event.key === "Enter" && this.#run())
     this.args.addEventListener("input", () => this.#offer())
-    this.speed = make("select", {})
+    this.speed = make("select", { ariaLabel: "Speed" })
     for (const [text, speed] of [["real time", 1], ["10 times as fast", 10], ["instantly", 0]]) {
       this.speed.append(make("option", { textContent: text, value: speed }))
     }
-    this.speed.ariaLabel = "Speed"
-    this.status = make("span", { className: "live-status" })
-    this.status.role = "status"
-    const bar = make("div", { className: "live-bar" }, this.run, this.stop, this.edit, this.reset, this.share, this.pin)
-    bar.role = "group"
-    bar.ariaLabel = `Run ${this.#name} in this page`
-    if (!this.#answers && !this.#simulates) bar.append(make("label", {}, this.seconds, " s"))
+    this.status = make("span", { role: "status" })
+    this.pin.hidden = true
+    const bar = make("div", { className: "live-bar", role: "group", ariaLabel: `Run ${this.#name} in this page` })
+    bar.append(this.run, this.stop, this.edit, this.reset, this.earlier, this.share, this.copy, this.pin)
+    const isNode = !this.#answers && !this.#simulates
+    if (isNode) bar.append(make("label", {}, this.seconds, " s"))
     if (!this.#answers) bar.append(this.speed)
-    if (!this.#answers && !this.#simulates) bar.append(this.arguments)
+    if (isNode) bar.append(this.arguments)
     bar.append(this.status)
     const file = this.#answers ? "" : this.#name
     this.console = new Console(`Console of ${this.#name}`, file, (line) => this.#edit(line))
     this.plot = new Plot(`Ticks of ${this.#name}`, (chunks) => this.console.mark(chunks))
     this.notice = make("p", { className: "live-notice", hidden: true })
-    this.copied = make("textarea", { readOnly: true, hidden: true, rows: 4 })
-    this.copied.ariaLabel = "To be copied"
+    this.copied = make("textarea", { readOnly: true, hidden: true, rows: 4, ariaLabel: "To be copied" })
     const parts = [this.notice, bar, this.copied, this.console.element, this.plot.element, this.#made].filter(Boolean)
     listing.append(make("div", { className: "live-cell" }, ...parts))
-    this.#offer()
     this.#pre.addEventListener("click", () => getSelection().isCollapsed && this.#edit())
   }
 
@@ -176,30 +158,39 @@ export class Cell {
   #offer() {
     this.arguments.hidden = !READS_ARGUMENTS.test(this.#text) && !this.args.value
     this.args.placeholder = EXAMPLE[this.#text.match(/\b(rospy|rclpy)\b/)?.[1]] ?? ""
-    this.reset.ariaDisabled = String(this.#untouched && this.console.empty)
+    this.reset.ariaDisabled = String(!this.#own && this.#untouched && this.console.empty)
+    this.earlier.hidden = !this.#kept.hasEarlier
   }
 
   get #untouched() {
     return this.#text === this.#original && this.seconds.value === SECONDS && !this.args.value
   }
 
-  /** What there is to say of earlier visits. */
-  get #before() {
-    return this.solved ? "solved" : ""
-  }
-
-  /** Say where the cell is; its buttons follow. */
+  /** Say where the cell is; its buttons follow. What is not kept is said until it is. */
   #say(status) {
-    this.status.textContent = status
+    const { unkept } = this.#kept
+    this.status.textContent = [status, unkept && `your text is not kept: ${unkept}`].filter(Boolean).join("; ")
+    this.copy.hidden = !unkept
     this.stop.ariaDisabled = String(this.#worker === null)
     this.#offer()
   }
 
   // --- the text ---
 
-  /** Show a text of the reader's in place of the original. The Copy button copies what stands here. */
+  /** Show a text in place of the one that stands there. The Copy button of the listing copies it. */
   #show(text) {
-    this.#pre.textContent = text
+    if (text === this.#original) this.#pre.replaceChildren(...this.#highlighted)
+    else this.#pre.textContent = text
+  }
+
+  /** Show what is kept. */
+  #showKept() {
+    const { text, said } = this.#kept
+    if (text !== null) {
+      this.#show(text)
+      this.#showMade(text === this.#original)
+    }
+    this.#say(said)
   }
 
   /** Show or hide what was made of the original when the site was built. */
@@ -207,22 +198,26 @@ export class Cell {
     for (const element of [this.#output, this.#made]) if (element) element.hidden = !shown
   }
 
-  #stored(what = "") {
-    try {
-      return localStorage.getItem(this.#key + what)
-    } catch {
-      return null // the reader does not let pages keep anything
-    }
+  /** Keep what the reader has written, and say what there is to say of that. */
+  #keep(text) {
+    const isNews = this.#kept.write(text === this.#original ? null : text)
+    if (isNews && !this.#worker) this.#say(this.#kept.said)
   }
 
-  #store(text, what = "") {
-    if (this.#shared && !what) return // what the reader has written before stays
-    try {
-      if (text === this.#original) localStorage.removeItem(this.#key)
-      else localStorage.setItem(this.#key + what, text)
-    } catch {
-      // It lasts as long as the page.
-    }
+  /** Show what is kept now, since another tab or the button for it has changed that. */
+  #follow(said) {
+    showProgress()
+    const text = this.#kept.text ?? this.#original
+    if (text !== this.#text && this.#editor) this.#editor.write(text)
+    else this.#show(text)
+    if (this.console.empty) this.#showMade(text === this.#original)
+    if (!this.#worker) this.#say(said)
+  }
+
+  #bringBack() {
+    this.#end()
+    this.#clear(false)
+    this.#follow(this.#kept.bringBack())
   }
 
   /** Open the editor, at a line if one is given. */
@@ -233,9 +228,10 @@ export class Cell {
       if (!open) return this.#say("error: the editor could not be loaded. Is the site still there?")
       if (this.#editor) return
       this.#editor = open(this.#text, `Code of ${this.#name}. Escape leaves the editor.`, {
+        wraps: this.#pre.className !== "",
         changed: (text) => {
           this.#show(text)
-          this.#store(text)
+          this.#keep(text)
           this.#offer()
         },
         run: () => this.#run(),
@@ -248,13 +244,15 @@ export class Cell {
     else this.#editor.focus()
   }
 
+  /** Back to the page's own text, or from one that came with a link to the reader's. */
   #reset() {
     this.#restore()
-    this.#store(this.#original)
-    if (this.#shared) history.replaceState(null, "", location.pathname + location.search)
-    this.#shared = false
+    if (this.#own) history.replaceState(null, "", location.pathname + location.search)
+    else this.#kept.write(null)
+    this.#kept = this.#own ?? this.#kept
+    this.#own = null
     this.notice.hidden = true
-    this.#say(this.#before)
+    this.#showKept()
   }
 
   /** Show the cell as it came with the page. */
@@ -262,7 +260,8 @@ export class Cell {
     this.#end()
     this.#editor?.element.remove()
     this.#editor = null
-    this.#pre.replaceChildren(...this.#highlighted)
+    this.#show(this.#original)
+    this.#pre.className = ""
     this.#pre.hidden = false
     this.seconds.value = SECONDS
     this.args.value = ""
@@ -271,37 +270,35 @@ export class Cell {
 
   // --- links and copies ---
 
-  /** Show a text that came with a link, and the fields beside it. It is not run. */
-  receive({ text, seconds, args }) {
+  /**
+   * Show a text that came with a link, which stands in for what is kept, and the fields beside it. It is not run. `shown`
+   * is an element with the text as it is to look.
+   */
+  receive({ kept, seconds, args, notice, shown }) {
     this.#restore()
-    this.#shared = true
-    this.#show(text)
-    this.#showMade(text === this.#original)
+    this.#own ??= this.#kept
+    this.#kept = kept
     this.seconds.value = seconds
     this.args.value = args
-    this.notice.textContent =
-      "This code came with the link that you opened, not with the page. Read it before you run it. What you change " +
-      "is not kept. Reset brings the page's own code back."
+    this.notice.textContent = notice
     this.notice.hidden = false
-    this.#say("as it came with the link")
+    this.#showKept()
+    if (kept.text !== this.#original) {
+      this.#pre.replaceChildren(...shown.childNodes)
+      this.#pre.className = shown.className
+    }
     this.notice.scrollIntoView({ block: "center" })
   }
 
   async #share() {
-    const link = new URL(location.href)
-    for (let tab = this.#pre.closest(".sd-tab-content"); tab; tab = tab.parentElement.closest(".sd-tab-content")) {
-      const { syncGroup, syncId } = tab.previousElementSibling.dataset
-      link.searchParams.set(syncGroup, syncId)
-    }
     const seconds = this.seconds.valueAsNumber || 0
-    const { pack } = await import(`${this.#base}share.js`)
+    const object = { cell: this.#index, text: this.#text, seconds, args: this.args.value }
     try {
-      link.hash = await pack({ cell: this.#index, text: this.#text, seconds, args: this.args.value })
-    } catch {
-      this.#say("error: the listing is too long for a link")
-      return
+      const { address } = await import(`${this.#base}share.js`)
+      await this.#copy(await address(this.#pre, object), "the link is copied; the code is in it")
+    } catch (error) {
+      this.#say(`error: ${error.said ?? "the link could not be made. Is the site still there?"}`)
     }
-    await this.#copy(link.href, "the link is copied; the code is in it")
   }
 
   /** Copy a text, or where the browser does not let us, let the reader copy it. */
@@ -329,7 +326,7 @@ export class Cell {
   }
 
   #warmUp() {
-    warmUp(this.#base)
+    warmUp(this.#base, this.#answers)
   }
 
   async #run() {
@@ -346,7 +343,8 @@ export class Cell {
       return
     }
     const args = this.args.value
-    const job = { source: this.#text, filename: this.#name, seconds, args, speed: Number(this.speed.value) }
+    this.#ran = this.#text
+    const job = { source: this.#ran, filename: this.#name, seconds, args, speed: Number(this.speed.value) }
     this.#worker = start(this.#base, job, (message) => number === this.#runs && this.#hear(message))
     this.#say("starting Python")
   }
@@ -358,7 +356,6 @@ export class Cell {
       this.console.print(message.chunks, message.leftOut)
       this.plot.add(message.ticks)
     } else if (message.kind === "end") {
-      release(this.#worker)
       this.#worker = null
       const { status, errors, verdict, count, ticks, chunks, alternative, end } = message.result
       this.#test = message.result.test
@@ -380,10 +377,9 @@ export class Cell {
   /** What to say of all exercises when one has been answered. */
   #progress(solved) {
     if (!solved) return ""
-    this.solved = true
-    this.#store("yes", SOLVED)
+    const said = this.#kept.solve?.(this.#ran === this.#original ? null : this.#ran)
     showProgress()
-    return ` You have solved ${exercises.filter((cell) => cell.solved).length} of ${exercises.length}.`
+    return said ?? ` You have solved ${progress()}.`
   }
 
   #stop() {

@@ -1,5 +1,7 @@
 // What a run prints, as text and never as HTML. A flood pushes its first lines out at the top.
 
+import { make } from "./make.js"
+
 const MOST_LINES = 1000
 
 // ROS 2 logs on stderr what is no error, too.
@@ -8,8 +10,8 @@ const NO_ERROR = /^\[(DEBUG|INFO)\]/
 const LEVEL = /^\[\w+\]/
 
 export class Console {
-  #text = document.createElement("pre")
-  #notice = document.createElement("p")
+  #text = make("pre")
+  #notice = make("p")
   #leftOut = 0
   #open = false // whether the last line goes on
   #place // finds where the node's file is named
@@ -27,13 +29,9 @@ export class Console {
       ? /"<answer>", line (\d+)|\bin line (\d+)/
       : new RegExp(`File "${file}", line (\\d+)|${file}:(\\d+)`)
     this.#goTo = goTo
-    this.element = document.createElement("div")
-    this.element.className = "live-console"
-    this.element.role = "log"
-    this.element.ariaLive = "off" // the status line says how it went; read out, a flood would drown everything
-    this.element.ariaLabel = name
-    this.element.tabIndex = 0
-    this.element.append(this.#notice, this.#text)
+    // The status line says how it went; read out, a flood would drown everything.
+    const properties = { className: "live-console", role: "log", ariaLive: "off", ariaLabel: name, tabIndex: 0 }
+    this.element = make("div", properties, this.#notice, this.#text)
     this.clear()
   }
 
@@ -88,9 +86,7 @@ export class Console {
     const found = text.match(logged ? LEVEL : this.#place)
     if (!found) return [text]
     const line = logged || Number(found[1] ?? found[2])
-    const button = document.createElement("button")
-    button.type = "button"
-    button.textContent = found[0]
+    const button = make("button", { type: "button", textContent: found[0] })
     if (logged) button.title = `line ${line}`
     button.addEventListener("click", () => this.#goTo(line))
     return [text.slice(0, found.index), button, text.slice(found.index + found[0].length)]
@@ -106,8 +102,7 @@ export class Console {
         last.append(line)
         last.chunks.push(number)
       } else {
-        const element = document.createElement("span")
-        element.chunks = [number]
+        const element = make("span", { chunks: [number] })
         if (isError) element.className = "stderr"
         element.append(...(isError || this.#all ? this.#linked(line, logged) : [line]))
         this.#text.append(element)

@@ -4,8 +4,10 @@ import { defaultKeymap, history, historyKeymap, indentWithTab } from "@codemirro
 import { python } from "@codemirror/lang-python"
 import { bracketMatching, indentUnit, syntaxHighlighting } from "@codemirror/language"
 import { EditorState } from "@codemirror/state"
-import { EditorView, keymap } from "@codemirror/view"
+import { EditorView, highlightSpecialChars, keymap } from "@codemirror/view"
 import { tagHighlighter, tags } from "@lezer/highlight"
+import { make } from "./make.js"
+import { UNSEEN, sign } from "./unseen.js"
 
 // The classes that Pygments gives to the plain listing, so that the theme colours both alike, in light and in dark.
 const likeTheListing = tagHighlighter([
@@ -21,11 +23,13 @@ const likeTheListing = tagHighlighter([
   { tag: tags.meta, class: "nd" },
 ])
 
+const mark = (character) => make("span", { className: "unseen", textContent: sign(character) })
+
 /**
  * An editor with a text, known to screen readers by a label. It calls `changed(text)` on each change, `run()` on
- * Ctrl-Enter and `leave()` on Escape.
+ * Ctrl-Enter and `leave()` on Escape. Long lines are wrapped if it `wraps`.
  */
-export function open(text, label, { changed, run, leave }) {
+export function open(text, label, { wraps, changed, run, leave }) {
   const command = (act) => () => {
     act()
     return true
@@ -45,6 +49,8 @@ export function open(text, label, { changed, run, leave }) {
         bracketMatching(),
         indentUnit.of("    "),
         python(),
+        highlightSpecialChars({ specialChars: UNSEEN, render: (code) => mark(String.fromCodePoint(code)) }),
+        wraps ? EditorView.lineWrapping : [],
         syntaxHighlighting(likeTheListing),
         EditorView.contentAttributes.of({ "aria-label": label, spellcheck: "false" }),
         EditorView.updateListener.of((update) => update.docChanged && changed(update.state.doc.toString())),
@@ -54,6 +60,7 @@ export function open(text, label, { changed, run, leave }) {
   return {
     element: view.dom,
     text: () => view.state.doc.toString(),
+    write: (text) => view.dispatch({ changes: { from: 0, to: view.state.doc.length, insert: text } }),
     focus: () => view.focus(),
     goTo: (number) => {
       const { from, to } = view.state.doc.line(Math.min(number, view.state.doc.lines))

@@ -1,44 +1,32 @@
-// Loaded with each page of exercises, before live.js: lets the reader save the answers as a file to hand in.
+// Loaded with each page of exercises, before live.js: has the store of all answers, which live.js shows, and lets the
+// reader save them as a file to hand in.
 
 import { MOST, write } from "./answers.js"
 import { HAS_JSPI, LACKS_JSPI } from "./jspi.js"
+import { fingerprint } from "./kept.js"
 import { make, save } from "./make.js"
+import { FIRST_LINE, Store } from "./store.js"
 
 /** Under this, for all pages, the reader's name and what tells readers of the same name apart. */
 const KEY = "rosspin:hand-in"
 
-const ANSWER = /^%%answer (\d+)\n/
-
 /** The site, beneath which all of its pages are. */
 const root = new URL("../../", document.currentScript.src).pathname
 
-/** The answers of this page. live.js shows the reader's own text in place of the original, which is here until then. */
-const places = [...document.querySelectorAll("div.live pre")]
-  .map((pre) => ({ pre, original: pre.textContent, number: pre.textContent.match(ANSWER)?.[1] }))
-  .filter(({ number }) => number)
+const random = () => Math.random().toString(36).slice(2)
 
-/** What the browser keeps, as pairs. */
-function kept() {
-  try {
-    return Object.entries(localStorage)
-  } catch {
-    return [] // the reader does not let pages keep anything
-  }
+const store = new Store(root, { storage: () => localStorage, now: Date.now, page: random() })
+window.rosspinStore = store
+
+// The cells are here as they came with the page: live.js shows the reader's own texts in their place later.
+for (const { textContent } of document.querySelectorAll("div.live pre")) {
+  const number = textContent.match(FIRST_LINE)?.[1]
+  if (number) store.adopt(number, fingerprint(textContent))
 }
 
-/** What has been answered: number -> text. Of this page as it stands there, of others as the browser keeps it. */
-function answers() {
-  const here = new Set(places.map(({ number }) => number))
-  const found = {}
-  for (const [key, text] of kept()) {
-    const number = key.startsWith(`rosspin:${root}`) && text.match(ANSWER)?.[1]
-    if (number && !here.has(number)) found[number] = text
-  }
-  for (const { pre, original, number } of places) {
-    if (pre.textContent !== original) found[number] = pre.textContent
-  }
-  return found
-}
+addEventListener("storage", ({ key }) => key && store.heard(key))
+// What other tabs wrote while this one was asleep, or was left and is shown again, no event has told.
+for (const sign of ["pageshow", "visibilitychange"]) addEventListener(sign, () => store.refresh())
 
 function known() {
   try {
@@ -57,29 +45,46 @@ function handIn(event) {
     field.focus()
     return
   }
-  const found = answers()
+  const found = Object.fromEntries(store.texts())
   const numbers = Object.keys(found)
   if (!numbers.length) {
-    status.textContent = "There is nothing to hand in: you have not changed an answer yet."
+    const nothing = store.solvedBefore().length ? "no answer stands changed." : "you have not changed an answer yet."
+    status.textContent = [`There is nothing to hand in: ${nothing}`, ...doubts(found, "")].join(" ")
     return
   }
+  const { id = mine } = known() // another tab may have handed in meanwhile
   try {
     localStorage.setItem(KEY, JSON.stringify({ name, id }))
   } catch {
     // The next time, it has to be written again.
   }
   const file = `rosspin-answers-${name.replace(/[^\p{L}\p{N}]+/gu, "-")}.json`
-  save(file, "application/json", write(name, id, found))
-  const which = numbers.length === 1 ? `your answer to exercise ${numbers}` : `your answers to ${list(numbers)}`
-  status.textContent = `Saved as ${file}, with ${which}. Give this file to your teacher.`
+  const text = write(name, id, found)
+  save(file, "application/json", text)
+  const which = `your answer${numbers.length === 1 ? "" : "s"} to ${list(numbers)}`
+  const said = [`Saved as ${file}, with ${which}. Give this file to your teacher.`, ...doubts(found, text)]
+  status.textContent = said.join(" ")
+}
+
+/** What the student may not expect of the file. */
+function doubts(found, text) {
+  const changed = store.solvedBefore()
+  const long = Object.keys(found).filter((number) => found[number].length > MOST.answer)
+  return [
+    changed.length && `You have solved ${list(changed)} with another text, which Earlier version brings back.`,
+    long.length && `Too long to be judged, with more than ${MOST.answer} characters: ${list(long)}.`,
+    new Blob([text]).size > MOST.file && `The file is too large to be read: more than ${MOST.file / 1e6} MB.`,
+  ].filter(Boolean)
 }
 
 /** Some numbers of exercises, in words. */
 function list(numbers) {
+  numbers.sort(new Intl.Collator("en", { numeric: true }).compare)
+  if (numbers.length === 1) return `exercise ${numbers}`
   return `exercises ${numbers.slice(0, -1).join(", ")} and ${numbers.at(-1)}`
 }
 
-const { name = "", id = Math.random().toString(36).slice(2) } = known()
+const { name = "", id: mine = random() } = known()
 const field = make("input", { value: name, maxLength: MOST.name, autocomplete: "name" })
 const status = make("span", { role: "status" })
 const form = make("form", { className: "hand-in", noValidate: true })

@@ -1,7 +1,7 @@
-// Figures with a handle. The page carries the ticks of all its positions; the one chosen is drawn as the first was, so that
-// moving there and back changes nothing.
+// Figures with a handle. The page carries the rows of all its positions. The first stands there as matplotlib drew it, for a
+// wide and for a narrow place; another is drawn here, as large as the first is in that place.
 
-import { drawRow } from "./svg.js"
+import { drawTimeline } from "./svg.js"
 
 /** The number that code beside a figure assigns to a variable; undefined where there is none. */
 function assigned(figure, name) {
@@ -15,14 +15,21 @@ function move(figure) {
   const handle = figure.querySelector(".rosspin-handle")
   const input = handle.querySelector("input")
   const said = handle.querySelector("[aria-hidden]")
-  const picture = figure.querySelector("svg")
-  const rows = picture.querySelectorAll(":scope > g")
+  const first = [...figure.querySelectorAll(":scope > svg")]
   const number = sets ? assigned(figure, sets) : undefined
+  let shown = first
 
   const show = (position) => {
-    const [value, words, alternative, ticks] = positions[position]
-    ticks.forEach((row, index) => rows[index].replaceChildren(...drawRow(index, row, scale)))
-    picture.setAttribute("aria-label", alternative)
+    const [value, words, alternative, rows] = positions[position]
+    const next = first.map((picture) => {
+      if (position === Number(input.defaultValue)) return picture
+      const drawn = drawTimeline(rows, scale, alternative)
+      for (const name of ["class", "style", "viewBox"]) drawn.setAttribute(name, picture.getAttribute(name))
+      drawn.removeAttribute("height")
+      return drawn
+    })
+    shown.forEach((picture, index) => picture.replaceWith(next[index]))
+    shown = next
     input.setAttribute("aria-valuetext", words)
     said.textContent = words
     if (number) number.textContent = value

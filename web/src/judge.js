@@ -1,11 +1,14 @@
 // Loaded with the teachers' page: judges the files that students hand in, and shows who solved what.
 
 import { read } from "./answers.js"
+import { csv } from "./csv.js"
 import { HAS_JSPI, LACKS_JSPI } from "./jspi.js"
+import { STOPPED, judge } from "./judging.js"
 import { make, save } from "./make.js"
-import { STOPPED, Sandbox } from "./sandboxes.js"
+import { notHere } from "./python.js"
+import { reveal } from "./unseen.js"
 
-const base = new URL(".", document.currentScript.src).href
+const base = new URL("../live/", document.currentScript.src).href
 
 /** How many answers are judged at the same time. */
 const LANES = Math.max(1, Math.min(4, navigator.hardwareConcurrency - 1))
@@ -14,6 +17,7 @@ const LANES = Math.max(1, Math.min(4, navigator.hardwareConcurrency - 1))
 const SIGNS = {
   solved: "✓",
   "not yet": "✗",
+  open: "○",
   "did not end": "∞",
   "to read": "?",
   "not judged": "!",
@@ -127,14 +131,12 @@ function remove(row) {
 /** Judge what waits, one answer after the other. */
 async function work() {
   lanes++
-  const sandbox = new Sandbox(base)
   for (let answer = waiting.shift(); answer; answer = waiting.shift()) {
     answer.becomes({ verdict: "being judged", said: "" })
-    answer.becomes(await sandbox.judge(answer.number, answer.code, stop.signal))
+    answer.becomes(await judge(base, answer.number, answer.code, stop.signal))
     isSaved = false
     tell()
   }
-  sandbox.end()
   lanes--
   tell()
 }
@@ -207,23 +209,16 @@ const count = (number, what) => `${number} ${what}${number === 1 ? "" : "s"}`
 /** Show what the checker said of an answer, and the answer. */
 function show(answer, go = true) {
   shown = answer
+  const text = reveal(answer.text.slice(0, 50_000))
   detail.replaceChildren(
     make("p", {}, make("strong", { textContent: `${answer.name}, ${exercise(answer.number)}: ${answer.verdict}` })),
-    make("pre", { textContent: answer.said || "Nothing is known yet." }),
-    make("p", { textContent: `The answer, from ${answer.source}:` }),
-    make("pre", { textContent: answer.text.slice(0, 50_000), tabIndex: 0 }),
+    reveal(answer.said || "Nothing is known yet.").pre,
+    make("p", { textContent: [`The answer, from ${answer.source}:`, text.said].filter(Boolean).join(" ") }),
+    Object.assign(text.pre, { tabIndex: 0 }),
     button("Back to the table", () => answer.button.focus()),
   )
   detail.hidden = false
   if (go) detail.focus()
-}
-
-// --- CSV ---
-
-/** A field that no spreadsheet takes for a formula. */
-function field(value) {
-  const text = String(value)
-  return `"${(/^[=+\-@\t\r]/.test(text) ? `'${text}` : text).replaceAll('"', '""')}"`
 }
 
 function saveTable() {
@@ -237,8 +232,7 @@ function saveTable() {
   }
   for (const { file, why } of refused) lines.push(["", file, `refused: ${why}`])
   isSaved = true
-  // With a byte order mark, without which Excel reads no UTF-8.
-  save("answers.csv", "text/csv", `\ufeff${lines.map((line) => `${line.map(field).join(",")}\r\n`).join("")}`)
+  save("answers.csv", "text/csv", csv(lines))
 }
 
 // --- the elements ---
@@ -277,8 +271,7 @@ const results = make("div", { hidden: true }, bar, scroll, legend, detail)
 
 /** Why nothing can be judged here, in a sentence; "" if it can. */
 function missing() {
-  if (location.protocol === "file:") return "Opened as a file, this page cannot check answers. Serve the site: make serve"
-  return HAS_JSPI ? "" : `This browser cannot check answers: ${LACKS_JSPI}`
+  return notHere("check answers") || (HAS_JSPI ? "" : `This browser cannot check answers: ${LACKS_JSPI}`)
 }
 
 const place = document.querySelector(".rosspin-judge")

@@ -2,15 +2,14 @@
 
 import { Cell, showProgress } from "./cell.js"
 import { HAS_JSPI, LACKS_JSPI } from "./jspi.js"
+import { make } from "./make.js"
+import { notHere } from "./python.js"
 
 const base = new URL(".", document.currentScript.src).href
 
 /** Why Python cannot run here, in a sentence; "" if it can. */
 function missing() {
-  if (location.protocol === "file:") {
-    return "Opened as a file, a page cannot run Python. Serve the site instead: make serve"
-  }
-  return HAS_JSPI ? "" : `This browser cannot run this listing: ${LACKS_JSPI}`
+  return notHere("run Python") || (HAS_JSPI ? "" : `This browser cannot run this listing: ${LACKS_JSPI}`)
 }
 
 document.querySelectorAll(".live-missing").forEach((line) => line.remove())
@@ -21,18 +20,14 @@ const cells = [...document.querySelectorAll("div.live")].map((listing, index) =>
 async function receive() {
   document.querySelector(".live-notice.of-page")?.remove()
   if (!location.hash.startsWith("#code=")) return
-  let said
   try {
-    const { unpack } = await import(`${base}share.js`)
-    const shared = await unpack(location.hash)
-    if (cells[shared.cell] && !why) return cells[shared.cell].receive(shared)
-    said = why || "The code in this link belongs to a listing that this page no longer has."
-  } catch (error) {
-    said = error.message
+    if (why) throw new Error(why)
+    const share = await import(`${base}share.js`)
+    await share.receive(cells)
+  } catch ({ message }) {
+    const notice = make("p", { className: "live-notice of-page", textContent: message, role: "alert" })
+    document.querySelector("article").prepend(notice)
   }
-  const notice = Object.assign(document.createElement("p"), { className: "live-notice of-page", textContent: said })
-  notice.role = "alert"
-  document.querySelector("article").prepend(notice)
 }
 
 showProgress()

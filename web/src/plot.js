@@ -1,6 +1,7 @@
 // The ticks of a run as they come, in the look of the site's figures.
 
-import { LEFT, RIGHT, draw, drawTimeline, heights, percent } from "./svg.js"
+import { make } from "./make.js"
+import { MARGIN, draw, drawTimeline, heights, percent } from "./svg.js"
 
 const MOST_TICKS = 2000
 
@@ -20,8 +21,7 @@ export class Plot {
   constructor(name, choose) {
     this.#name = name
     this.#choose = choose
-    this.element = document.createElement("figure")
-    this.element.className = "rosspin-plot"
+    this.element = make("figure", { className: "rosspin-plot" })
     this.clear()
   }
 
@@ -63,16 +63,9 @@ export class Plot {
   #offer() {
     const picture = this.element.querySelector("svg")
     const ring = draw("circle", { r: 5.5, fill: "none", stroke: "currentColor", "stroke-width": 1.2 })
-    const handle = document.createElement("div")
-    handle.className = "live-handle"
-    handle.tabIndex = 0
-    handle.role = "slider"
-    handle.ariaLabel = this.#name
-    handle.ariaValueMin = 1
-    handle.ariaValueMax = this.#ticks.length
-    const said = document.createElement("p")
-    said.className = "live-tick"
-    said.ariaHidden = "true" // it is the handle's value
+    const properties = { className: "live-handle", tabIndex: 0, role: "slider", ariaLabel: this.#name }
+    const handle = make("div", { ...properties, ariaValueMin: 1, ariaValueMax: this.#ticks.length })
+    const said = make("p", { className: "live-tick", ariaHidden: "true" }) // it is the handle's value
 
     const show = (index) => {
       this.#chosen = index
@@ -84,14 +77,14 @@ export class Plot {
         const [share, y] = this.#places[index]
         ring.setAttribute("cx", percent(100 * share))
         ring.setAttribute("cy", y)
-        picture.append(ring)
+        picture.lastChild.append(ring)
       }
       this.#choose(this.#chunks[index] ?? [])
     }
     const point = (event) => {
       const { left, top, width } = picture.getBoundingClientRect()
-      const [x, y] = [event.clientX - left - LEFT, event.clientY - top]
-      const distances = this.#places.map((place) => Math.hypot(place[0] * (width - LEFT - RIGHT) - x, place[1] - y))
+      const [x, y] = [event.clientX - left - MARGIN * width, event.clientY - top]
+      const distances = this.#places.map(([share, down]) => Math.hypot(share * width * (1 - 2 * MARGIN) - x, down - y))
       const nearest = distances.indexOf(Math.min(...distances))
       if (nearest !== this.#chosen) show(nearest)
     }
@@ -111,8 +104,7 @@ export class Plot {
       show(Math.min(Math.max(next, 0), last))
     })
     show(-1)
-    const stage = document.createElement("div")
-    stage.className = "live-stage"
+    const stage = make("div", { className: "live-stage" })
     picture.replaceWith(stage)
     stage.append(picture, handle)
     stage.after(said)
@@ -130,7 +122,7 @@ export class Plot {
     const known = this.#ticks.map(([, , expected, real, duration]) => [expected, real, Math.max(duration, 0)])
     const first = this.#ticks[0][1] === 1 ? 0 : Math.min(...known.map(([expected]) => expected))
     const last = Math.max(end, ...known.map(([expected, real, duration]) => Math.max(expected, real + duration)))
-    const scale = { first, span: last - first || 1 }
+    const scale = { first, span: last - first || 1, kinds: 3, title: "time (s); line: expected, mark: real" }
 
     const numbers = new Map() // of the rows
     const rows = []
@@ -146,8 +138,8 @@ export class Plot {
     )
     this.#places = this.#ticks.map(([source]) => places[numbers.get(source)].shift())
 
-    const caption = document.createElement("figcaption")
-    caption.textContent = "simulated: this clock has no jitter, at whichever speed it runs"
+    const textContent = "simulated: this clock has no jitter, at whichever speed it runs"
+    const caption = make("figcaption", { textContent })
     this.element.replaceChildren(drawTimeline(rows, scale, alternative), caption)
     this.element.hidden = false
   }

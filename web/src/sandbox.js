@@ -1,22 +1,68 @@
-// All that the page of a sandbox does. It is sent first what a worker needs, then answers, one at a time, and starts a
-// worker for each, which ends the one before it. The page and its workers have an origin of their own, and may ask for
-// nothing: web/build.mjs has their policy.
+// All that the page of a sandbox does. It is sent a script, once, starts a worker from it, and passes on what the page
+// and the worker say to each other: from the worker no more than the page can bear. Both have an origin
+// that nothing else has, and may ask for nothing: web/build.mjs has their policy.
 
-let given
-let worker
+import { ALL, AT_ONCE, LONGEST, PER_SECOND } from "./protocol.js"
 
-async function prepare({ script, wasm, ...files }) {
-  const address = URL.createObjectURL(new Blob([script], { type: "text/javascript" }))
-  return { address, files: { ...files, wasm: await WebAssembly.compile(wasm) } }
+/** A file that is unpacked while it comes, since the worker has other things to do. */
+class Packed {
+  #stream = new DecompressionStream("gzip")
+  #writer = this.#stream.writable.getWriter()
+  #bytes = new Response(this.#stream.readable).arrayBuffer()
+
+  constructor() {
+    this.#bytes.catch(() => {}) // it is awaited later, if it is right
+  }
+
+  add(part) {
+    this.#writer.write(part).catch(() => {})
+  }
+
+  /** All of it, unpacked; null if it cannot be unpacked. */
+  end() {
+    this.#writer.close().catch(() => {})
+    return this.#bytes.catch(() => null)
+  }
 }
 
-addEventListener("message", async ({ data, ports }) => {
-  if (data.script) {
-    given = prepare(data)
-    return
+function begin(script, port) {
+  const address = URL.createObjectURL(new Blob([script], { type: "text/javascript" }))
+  const worker = new Worker(address)
+  const end = (reason) => {
+    worker.onmessage = null
+    worker.terminate()
+    port.postMessage(JSON.stringify({ kind: "failed", reason }))
   }
-  const { address, files } = await given
-  worker?.terminate()
-  worker = new Worker(address)
-  worker.postMessage({ ...files, ...data }, ports)
-})
+  const start = performance.now()
+  let count = 0
+  worker.onmessage = ({ data }) => {
+    const most = AT_ONCE + ((performance.now() - start) / 1e3) * PER_SECOND
+    if (typeof data === "string" && data.length <= LONGEST && ++count <= most) port.postMessage(data)
+    else end("It was ended: it sent more than this page takes.")
+  }
+  worker.onerror = ({ message }) => end(`It was ended by an error: ${message ?? "its worker could not be started"}`)
+  let packed = null
+  port.onmessage = async ({ data }) => {
+    if (data.name?.endsWith(".gz")) {
+      if (data.kind === "part" || data.bytes instanceof ArrayBuffer) {
+        packed = data.bytes && (packed ?? new Packed())
+        packed?.add(data.bytes)
+        if (data.kind === "part") return
+      }
+      data.bytes = data.bytes && (await packed.end())
+    }
+    const { bytes } = data
+    worker.postMessage(data, bytes && bytes !== ALL ? [bytes.buffer ?? bytes] : [])
+  }
+}
+
+// Opened as a page, or in a frame that shares its origin with the site, it does nothing.
+if (self.origin === "null" && parent !== self) {
+  let begun = false
+  addEventListener("message", ({ source, data, ports: [port] }) => {
+    if (source !== parent || begun) return
+    begun = true
+    begin(data, port)
+  })
+  parent.postMessage("here", "*")
+}

@@ -1,118 +1,151 @@
-// Judges answers in a sandbox: a frame without the site's origin, which may ask for nothing, and in it a worker with a
-// fresh Python for each answer. What an answer does there reaches neither the page, nor the browser's stores, nor the
-// network, nor another answer.
+// Code runs in a sandbox: a frame without the site's origin, which may ask for nothing, and in it a worker with a
+// Python of its own. What code does there reaches neither the page, nor the browser's stores, nor the network, nor other
+// code.
 
-import { MOST } from "./answers.js"
+import { Fault, load, loadSnapshot, sandboxPage } from "./files.js"
 import { make } from "./make.js"
+import { ALL, read } from "./protocol.js"
 
-/** For how long (ms) an answer may run, and for how long Python may start. */
-const TIME = 20_000
-const START = 60_000
+/** A frame that has loaded has said so before; its word is waited for so long (ms). */
+const WORD = 5000
 
-/** What comes out of a sandbox is at most so long (characters), as JSON; rosspin.page.judge keeps far below it. */
-const LONGEST = 500_000
+/** What Python starts from, and what it may need later on. */
+const SNAPSHOT = "snapshot.gz"
+const FIRST = ["pyodide.asm.wasm", "pyodide.asm.mjs", SNAPSHOT]
 
-const VERDICTS = ["solved", "not yet", "to read", "not judged"]
+/** The large ones of these. A sandbox begins to compile and to unpack them while they come. */
+const LARGE = ["pyodide.asm.wasm", SNAPSHOT]
+const LATE = ["python_stdlib.zip", "rosspin.zip"]
 
-const notJudged = (said) => ({ verdict: "not judged", said })
+/** A file that was asked for: `bytes` is a promise, and a sandbox is given its parts as they come. */
+class Loading {
+  #parts = []
+  #followers = []
 
-const STOPPED_SAID = "Stopped before it was judged. Drop the file again to have it judged."
-export const STOPPED = { verdict: "stopped", said: STOPPED_SAID }
-
-async function load(address, how) {
-  const response = await fetch(address)
-  if (!response.ok) throw new Error(`${response.status} ${address}`)
-  return response[how]()
-}
-
-async function loadSnapshot(live) {
-  const packed = await load(`${live}snapshot.gz?${SNAPSHOT}`, "blob")
-  return new Response(packed.stream().pipeThrough(new DecompressionStream("gzip"))).arrayBuffer()
-}
-
-/** What sandboxes need. `base` is the address of the folder that our files are in. */
-async function loadAll(base) {
-  const live = new URL("../live/", base).href
-  const [script, module, rosspin, wasm, stdlib, snapshot] = await Promise.all([
-    load(`${base}answer.js`, "text"),
-    load(`${live}pyodide.asm.mjs`, "text"),
-    load(`${live}rosspin.zip?${SNAPSHOT}`, "arrayBuffer"),
-    load(`${live}pyodide.asm.wasm`, "arrayBuffer"),
-    load(`${live}python_stdlib.zip`, "arrayBuffer"),
-    loadSnapshot(live).catch(() => null), // without it, Python starts plainly
-  ])
-  return { script, module, rosspin, wasm, stdlib, snapshot }
-}
-
-let loading = null
-
-export class Sandbox {
-  #base
-  #frame = null
-
-  constructor(base) {
-    this.#base = base
+  constructor(name) {
+    const hear = (part) => {
+      this.#parts = part ? [...this.#parts, part] : []
+      for (const give of this.#followers) give(part)
+    }
+    this.bytes = name === SNAPSHOT ? snapshotIfThere(hear) : load(name, hear)
+    const end = () => (this.#parts = this.#followers = null)
+    this.bytes.then(end, end)
   }
 
-  /** The verdict on an answer, and what was said of it. Stopped when the AbortSignal says so. */
-  async judge(number, answer, stopped) {
-    if (answer.length > MOST.answer) {
-      return notJudged(`It has ${answer.length} characters; at most ${MOST.answer} are judged.`)
+  /** Call `give` with each part, from the first on, and with null if those until then were wrong; not if all is here. */
+  follow(give) {
+    this.#parts?.forEach((part) => give(part))
+    this.#followers?.push(give)
+  }
+}
+
+/** What every sandbox starts from, as soon as it was asked for: name -> Loading. */
+const files = new Map()
+
+function file(name) {
+  if (!files.has(name)) {
+    const loading = new Loading(name)
+    files.set(name, loading)
+    const forget = () => files.delete(name) // the next one may have more luck
+    loading.bytes.then((bytes) => bytes || forget(), forget)
+  }
+  return files.get(name)
+}
+
+/** Without a snapshot, Python starts plainly. One that is not the right one is a fault of the site. */
+async function snapshotIfThere(hear) {
+  try {
+    return await loadSnapshot(hear)
+  } catch (error) {
+    if (error instanceof Fault) throw error
+    return null
+  }
+}
+
+/** A frame of a sandbox that is ready to be sent something. Error: it could not be loaded. */
+function open(frame) {
+  return new Promise((resolve, reject) => {
+    const hear = ({ source }) => source === frame.contentWindow && end(resolve)
+    const end = (act) => {
+      removeEventListener("message", hear)
+      act()
     }
-    try {
-      this.#frame ??= await this.#open()
-    } catch {
-      loading = null
-      return notJudged("Python could not be loaded. Is the site still there?")
-    }
-    if (stopped.aborted) return STOPPED
-    const { port1, port2 } = new MessageChannel()
-    let timer
-    const verdict = await new Promise((resolve) => {
-      const limit = (ms, result) => {
-        clearTimeout(timer)
-        timer = setTimeout(() => resolve(result), ms)
-      }
-      limit(START, notJudged("Python did not start."))
-      port1.onmessage = ({ data }) => {
-        if (data === "begun") limit(TIME, { verdict: "did not end", said: `It was ended after ${TIME / 1000} s.` })
-        else resolve(read(data))
-      }
-      stopped.addEventListener("abort", () => resolve(STOPPED))
-      this.#frame.contentWindow.postMessage({ number, answer }, "*", [port2])
-    })
-    clearTimeout(timer)
-    if (!verdict.heard) this.end() // whatever it does now
-    port1.close()
-    return verdict
+    addEventListener("message", hear)
+    frame.addEventListener("load", () => setTimeout(end, WORD, () => reject(new Fault(NOT_OPENED))))
+    document.body.append(frame)
+  })
+}
+
+const NOT_LOADED = "Python could not be loaded. Is the site still there?"
+const NOT_OPENED = "The frame in which Python runs did not open. Is the site still there, and does the browser sandbox frames?"
+
+/** One sandbox: a Python that has started, or is about to. It does one job after the other; one is enough. */
+export class Sandbox {
+  #frame = make("iframe", { sandbox: "allow-scripts", hidden: true, title: "Sandbox", src: sandboxPage })
+  #port = null
+  #job = null // the kind of what it does
+  #hear = () => {}
+  #start
+
+  constructor() {
+    /** A promise of its first message: it is ready, or has failed. */
+    this.started = new Promise((resolve) => (this.#start = resolve))
+    this.#open()
   }
 
   async #open() {
-    loading ??= loadAll(this.#base)
-    const files = await loading
-    const src = `${this.#base}sandbox.html`
-    const frame = make("iframe", { sandbox: "allow-scripts", hidden: true, title: "Sandbox", src })
-    const loaded = new Promise((resolve) => frame.addEventListener("load", resolve))
-    document.body.append(frame)
-    await loaded
-    frame.contentWindow.postMessage(files, "*")
-    return frame
+    const { port1, port2 } = new MessageChannel()
+    try {
+      const first = file("worker.js").bytes
+      const coming = FIRST.map((name) => [name, file(name)])
+      const [script] = await Promise.all([first, open(this.#frame)])
+      if (!this.#frame) return
+      this.#port = port1
+      port1.onmessage = ({ data }) => this.#receive(data)
+      this.#frame.contentWindow.postMessage(script, "*", [port2]) // it has no origin that could be named
+      await Promise.all(coming.map(([name, loading]) => this.#pass(name, loading)))
+    } catch (error) {
+      this.#start({ kind: "failed", reason: error instanceof Fault ? error.message : NOT_LOADED })
+    }
   }
 
-  /** End all that runs in it. */
+  /** Pass a file on: if it is still coming, in parts, which are used once it is known that they are right. */
+  async #pass(name, loading) {
+    let inParts = false
+    const give = (bytes) => {
+      inParts = true
+      this.#port?.postMessage({ kind: "part", name, bytes })
+    }
+    if (LARGE.includes(name)) loading.follow(give)
+    const bytes = await loading.bytes
+    this.#port?.postMessage({ kind: "file", name, bytes: inParts && bytes ? ALL : bytes })
+  }
+
+  #receive(text) {
+    const message = read(text, this.#job) ?? { kind: "failed", reason: "The sandbox said what this page does not understand." }
+    if (message.kind === "need") return this.#give(message.name)
+    if (message.kind === "ready") return this.#start(message)
+    if (message.kind === "failed") this.#start(message) // if it had not started yet
+    this.#hear(message)
+  }
+
+  async #give(name) {
+    const bytes = LATE.includes(name) ? await load(name).catch(() => null) : null
+    this.#port?.postMessage({ kind: "file", name, bytes })
+  }
+
+  /** Do a job; `hear(message)` is called with what comes of it. */
+  do(job, hear) {
+    this.#job = job.kind
+    this.#hear = hear
+    this.#port.postMessage(job)
+  }
+
+  /** End all that runs in it, at once. */
   end() {
+    this.#port?.close()
     this.#frame?.remove()
-    this.#frame = null
+    this.#port = this.#frame = null
+    this.#hear = () => {}
   }
-}
-
-/** What came out of a sandbox; it is not trusted. */
-function read(data) {
-  try {
-    const { verdict, said } = typeof data === "string" && data.length <= LONGEST ? JSON.parse(data) : {}
-    if (VERDICTS.includes(verdict) && typeof said === "string") return { verdict, said, heard: true }
-  } catch {
-    // see below
-  }
-  return notJudged("The sandbox gave no verdict.")
 }

@@ -1,5 +1,19 @@
 // A listing in the address of its page: what follows the # is never sent to a server.
 
+import { reveal } from "./unseen.js"
+
+/** In place of what is kept of a listing: of what came with a link, nothing is. */
+const UNKEPT = {
+  said: "as it came with the link",
+  unkept: "",
+  write: () => false,
+  solve: () => " The code came with the link, so it does not count.",
+}
+
+const NOTICE =
+  "This code came with the link that you opened, not with the page. Read it before you run it. What you change is " +
+  `${window.rosspinStore ? "neither kept nor handed in" : "not kept"}. Reset brings back what stood here before.`
+
 /** The beginning of such a fragment. */
 const SIGN = "#code="
 
@@ -12,9 +26,9 @@ async function* read(stream) {
 }
 
 /** The fragment that carries an object. RangeError: it is too long. */
-export async function pack(object) {
+async function pack(object) {
   const bytes = new TextEncoder().encode(JSON.stringify(object))
-  if (bytes.length > MOST) throw new RangeError("too long for a link")
+  if (bytes.length > MOST) throw Object.assign(new RangeError(), { said: "the listing is too long for a link" })
   let text = ""
   for await (const part of read(new Blob([bytes]).stream().pipeThrough(new CompressionStream("deflate-raw")))) {
     for (const byte of part) text += String.fromCharCode(byte)
@@ -22,8 +36,27 @@ export async function pack(object) {
   return SIGN + btoa(text).replaceAll("+", "-").replaceAll("/", "_").replaceAll("=", "")
 }
 
+/** The address of this page that carries an object, and opens the tabs around an element. RangeError: too long. */
+export async function address(element, object) {
+  const link = new URL(location.href)
+  for (let tab = element.closest(".sd-tab-content"); tab; tab = tab.parentElement.closest(".sd-tab-content")) {
+    const { syncGroup, syncId } = tab.previousElementSibling.dataset
+    link.searchParams.set(syncGroup, syncId)
+  }
+  link.hash = await pack(object)
+  return link.href
+}
+
+/** Show the code in the address of the page in one of its cells. Error: why not, in words. */
+export async function receive(cells) {
+  const { cell, text, seconds, args } = await unpack(location.hash)
+  if (!cells[cell]) throw new Error("The code in this link belongs to a listing that this page no longer has.")
+  const { pre, said } = reveal(text)
+  cells[cell].receive({ kept: { ...UNKEPT, text }, seconds, args, notice: `${NOTICE} ${said}`, shown: pre })
+}
+
 /** The listing in such a fragment, checked. Error: what is wrong with it, in words. */
-export async function unpack(fragment) {
+async function unpack(fragment) {
   const unreadable = new Error("The code in this link cannot be read: the link is broken.")
   const tooLong = new Error("The code in this link is too long for a listing.")
   if (fragment.length > 2 * MOST) throw tooLong

@@ -1,16 +1,16 @@
-// How a page draws a timeline: as rosspin/plots.py draws the plots that are made with the site, across in percent of the
-// width and down in pixels.
+// How a page draws a timeline: as rosspin/plots.py draws the ones that are made with the site, from the same rows. Across in
+// percent of the width and down in pixels.
 
 const COLOURS = ["#0072b2", "#d55e00", "#009e73"]
+const TOP = 2
 const ROW = 54
 const TICKS = 34
 const REACH = 13
 const BAR = 10
-const AXIS = 42
+const AXIS = 40
 const MOST_ABOVE = 2
 const LINE = { stroke: "currentColor", "stroke-opacity": 0.55 }
-export const LEFT = 8
-export const RIGHT = 14
+export const MARGIN = 0.016 // of the width, on either side of the ticks
 
 /** An SVG element. */
 export function draw(tag, attributes, ...children) {
@@ -33,15 +33,13 @@ function mark(kind, x, y) {
 }
 
 /** What a row shows: its name and words, the times expected and lost, and [when, how long] for each tick, in seconds. */
-export function drawRow(number, [name, words, expected, lost, ticks], { first, span, kinds }) {
+function drawRow(number, [, , expected, lost, ticks], { first, span, kinds }) {
   const scale = (time) => percent((100 * (time - first)) / span)
-  const top = ROW * number
+  const top = TOP + ROW * number
   const y = top + TICKS
   const kind = number % kinds
   const [lanes, height] = lanesOf(ticks)
-  const text = draw("text", { x: -LEFT, y: top + 14 }, draw("tspan", { "font-weight": 600 }, name))
-  if (words) text.append(` ${words}`)
-  const drawn = [text]
+  const drawn = []
   for (const x of expected.map(scale)) {
     drawn.push(draw("line", { x1: x, x2: x, y1: y - REACH, y2: y + REACH, ...LINE }))
   }
@@ -79,25 +77,35 @@ export function heights(number, ticks) {
   return ticks.map(([real], index) => {
     const isAbove = index && real - ticks[index - 1][0] < 1e-3 && lanes[index] === lanes[index - 1]
     above = isAbove ? Math.min(above + 1, MOST_ABOVE) : 0
-    return round(ROW * number + TICKS + lanes[index] - 10 * above)
+    return round(TOP + ROW * number + TICKS + lanes[index] - 10 * above)
   })
 }
 
-/** A timeline with its axis. */
-export function drawTimeline(rows, scale, alternative) {
-  const top = ROW * rows.length
-  const axis = [draw("line", { x1: 0, x2: "100%", y1: top + 0.5, y2: top + 0.5, stroke: "currentColor" })]
+/** A timeline with its axis: `title` says what there is to see, `alternative` what is seen. */
+export function drawTimeline(rows, { title, ...scale }, alternative) {
+  const top = TOP + ROW * rows.length
+  const axis = []
   const size = step(scale.span)
   for (let n = Math.ceil(scale.first / size - 1e-9); n * size <= scale.first + scale.span + 1e-9 * size; n++) {
     const x = percent((100 * (n * size - scale.first)) / scale.span)
-    axis.push(draw("line", { x1: x, x2: x, y1: top, y2: top + 4, stroke: "currentColor" }))
+    axis.push(draw("line", { x1: x, x2: x, y1: top, y2: top + 3.5, stroke: "currentColor", "stroke-width": 0.8 }))
     const number = String(Number((n * size).toPrecision(6)))
-    axis.push(draw("text", { x, y: top + 18, "text-anchor": "middle" }, number))
+    axis.push(draw("text", { x, y: top + 17, "text-anchor": "middle" }, number))
   }
-  const title = "time (s); line: expected, mark: real"
-  axis.push(draw("text", { x: "100%", dx: RIGHT, y: top + 36, "text-anchor": "end" }, title))
-  const drawn = rows.map((row, number) => draw("g", {}, ...drawRow(number, row, { kinds: COLOURS.length, ...scale })))
-  return draw("svg", { height: top + AXIS, role: "img", "aria-label": alternative }, ...drawn, ...axis)
+  const drawn = rows.map((row, number) => draw("g", {}, ...drawRow(number, row, scale)))
+  const place = { x: percent(100 * MARGIN), width: percent(100 - 200 * MARGIN), overflow: "visible" }
+  const texts = rows.flatMap(([name, words], number) => [
+    draw("text", { x: 2, y: TOP + ROW * number + 10, "font-weight": 700 }, name),
+    draw("text", { x: "100%", dx: -2, y: TOP + ROW * number + 10, "text-anchor": "end" }, words),
+  ])
+  return draw(
+    "svg",
+    { width: "100%", height: top + AXIS, role: "img", "aria-label": alternative, fill: "currentColor", "font-size": 13 },
+    draw("line", { x1: 0, x2: "100%", y1: top, y2: top, stroke: "currentColor", "stroke-width": 0.8 }),
+    draw("text", { x: "100%", dx: -2, y: top + 34, "text-anchor": "end" }, title),
+    ...texts,
+    draw("svg", place, ...drawn, ...axis),
+  )
 }
 
 /** The step between the numbers on an axis of that length: 1, 2 or 5 times a power of ten, at most 7 of them. */

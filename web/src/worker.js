@@ -1,13 +1,33 @@
-// Python in a worker. It is sent one job at a time, and sends what comes of it.
+// Python in the worker of a sandbox. It is sent all that it starts from, then jobs, one at a time, and says what comes of
+// them: see protocol.js. It can ask for nothing but the files that the page has for it.
 
 import { info } from "pyodide/pyodide-lock.json"
-import { loadPyodide } from "./pyodide.mjs"
+import { loadPyodide } from "pyodide/pyodide.mjs"
+import { ALL } from "./protocol.js"
 import { signals } from "./signals.js"
 import { install, LIBRARY, options, PACKAGES } from "./start.js"
 
-// What is printed is sent so often (ms), and no more than so much (characters) of it at a time.
+// What is printed is sent so often (ms), and no more than so much (characters), and so many ticks, of it at a time.
 const INTERVAL = 50
 const MOST = 50_000
+const MOST_TICKS = 2000
+
+// Python has at most so much memory (bytes): more than ten times what it needs to start, and so little that a computer
+// of 4 GB can judge four answers at once.
+const MOST_MEMORY = 512 * 2 ** 20
+const PAGE = 2 ** 16
+
+/** What is asked for when it is needed: the standard library and our own files. */
+const LATE = ["python_stdlib.zip", "rosspin.zip"]
+
+// Where Pyodide believes that its files are.
+const NOWHERE = "memory:/"
+
+/** What Python is told where a file cannot be read: the number of an input/output error. */
+const EIO = 29
+
+const post = postMessage.bind(globalThis)
+const say = (message) => post(JSON.stringify(message))
 
 /** What Python sees of the page. What it prints and when it ticks is gathered, so that a flood does not drown it. */
 class Page {
@@ -20,18 +40,24 @@ class Page {
   #timer = null
 
   print(text, isError, line) {
+    if (text.length > MOST) {
+      const dropped = text.slice(0, -MOST)
+      text = text.slice(-MOST)
+      this.#leftOut += lines(dropped)
+    }
     this.#chunks.push([isError, text, this.#count++, line])
     this.#size += text.length
     while (this.#size > MOST && this.#chunks.length > 1) {
       const [, dropped] = this.#chunks.shift()
       this.#size -= dropped.length
-      this.#leftOut += dropped.split("\n").length - 1
+      this.#leftOut += lines(dropped)
     }
     this.#soon()
   }
 
   tick(source, number, expected, real) {
     this.#ticks.push([source, number, expected, real, 0])
+    if (this.#ticks.length >= 2 * MOST_TICKS) this.#ticks.splice(0, MOST_TICKS)
     this.#soon()
   }
 
@@ -50,7 +76,7 @@ class Page {
     this.#timer = null
     this.#sent = performance.now()
     if (this.#chunks.length || this.#ticks.length) {
-      postMessage({ kind: "batch", chunks: this.#chunks, leftOut: this.#leftOut, ticks: this.#ticks })
+      say({ kind: "batch", chunks: this.#chunks, leftOut: this.#leftOut, ticks: this.#ticks.slice(-MOST_TICKS) })
     }
     this.#chunks = []
     this.#size = this.#leftOut = 0
@@ -58,117 +84,192 @@ class Page {
   }
 }
 
-/** What Python is told where a file cannot be read: the number of an input/output error. */
-const EIO = 29
-
-const address = (name) => new URL(name, import.meta.url).href
-
-/** What keeps the snapshot across pages; undefined where the browser offers nothing of the kind, as without https. */
-const opening = globalThis.caches?.open("rosspin").catch(() => undefined)
-
-// The address of the memory snapshot says which one it is. What it knows of our files holds for these only.
-const url = address(`snapshot.gz?${SNAPSHOT}`)
-const ours = address(`rosspin.zip?${SNAPSHOT}`)
-
-async function load(response) {
-  if (!response.ok) throw new Error(`${response.status} ${url}`)
-  return new Response(response.body.pipeThrough(new DecompressionStream("gzip"))).arrayBuffer()
+/** How many lines end in a text. */
+function lines(text) {
+  let count = 0
+  for (let end = text.indexOf("\n"); end >= 0; end = text.indexOf("\n", end + 1)) count++
+  return count
 }
 
-/** Keep the snapshot, and none of earlier visits. */
-async function keep(cache, response) {
-  try {
-    for (const key of await cache.keys()) if (key.url !== url) await cache.delete(key)
-    await cache.put(url, response)
-  } catch {
-    // There is no room for it: the next page loads it again.
-  }
+// --- files that the page has ---
+
+const files = new Map() // name -> what it is promised with: bytes, or null if the page could not get them
+
+/** A file that the page sends, or null. */
+function file(name) {
+  if (!files.has(name)) files.set(name, Promise.withResolvers())
+  return files.get(name)
+}
+
+/** One that it sends when it is asked to. */
+function ask(name) {
+  files.delete(name)
+  say({ kind: "need", name })
+  return file(name).promise
 }
 
 /**
- * A file that is loaded when Python first opens it. Where that fails, opening it does, and is tried again the next time;
- * Emscripten's own such files break Python down then.
+ * A file that is asked for when Python is about to read it. `supply()` is a promise until it is here, or is known not to
+ * come this time; opening it fails then.
  */
-function createLazyFile(FS, path, url, size) {
-  FS.writeFile(path, "")
-  const { node } = FS.lookupPath(path)
-  const usual = node.stream_ops
-  const open = () => {
-    const request = new XMLHttpRequest()
-    request.open("GET", url, false)
-    request.responseType = "arraybuffer"
-    try {
-      request.send()
-    } catch {
-      throw new FS.ErrnoError(EIO) // the server is gone
+class LateFile {
+  #FS
+  #node
+  #name
+  #usual
+  #asking = null
+
+  constructor(FS, path, name) {
+    FS.writeFile(path, "")
+    this.#FS = FS
+    this.#node = FS.lookupPath(path).node
+    this.#name = name
+    this.#usual = this.#node.stream_ops
+    const open = () => {
+      throw new FS.ErrnoError(EIO)
     }
-    if (request.status !== 200 || request.response.byteLength !== size) throw new FS.ErrnoError(EIO)
-    node.contents = new Uint8Array(request.response)
-    node.usedBytes = size
-    node.stream_ops = usual
+    this.#node.stream_ops = { ...this.#usual, open }
   }
-  node.stream_ops = { ...usual, open }
+
+  supply() {
+    if (this.#node.stream_ops === this.#usual) return undefined
+    this.#asking ??= ask(this.#name).then((bytes) => {
+      this.#asking = null
+      if (!bytes) return
+      this.#node.contents = new Uint8Array(bytes)
+      this.#node.usedBytes = bytes.byteLength
+      this.#node.stream_ops = this.#usual
+    })
+    return this.#asking
+  }
 }
 
-async function startFromSnapshot() {
-  const cache = await opening
-  const kept = await cache?.match(url)
-  const response = kept ?? (await fetch(url))
-  const copy = cache && !kept && response.clone()
-  const _loadSnapshot = load(response)
-  _loadSnapshot.catch(() => {}) // it is awaited later, and until then nobody would have handled it
-  // All that most nodes need is in the snapshot. The standard library and our own files are loaded when one of them is
-  // read: for an import, or a line of a traceback. Pyodide insists on a file in the first one's place: this one is here.
-  const python = await loadPyodide({ ...options(info), stdLibURL: import.meta.url, _loadSnapshot })
-  if (copy) keep(cache, copy) // now that it is known to be whole
-  createLazyFile(python.FS, `${LIBRARY}/python314.zip`, address("python_stdlib.zip"), SIZES.stdlib)
-  createLazyFile(python.FS, `${PACKAGES}/rosspin.zip`, ours, SIZES.ours)
-  return python
+// --- how Python starts ---
+
+/** Let no memory grow beyond what a run may have. Python raises MemoryError then. */
+function limitMemory() {
+  const { prototype } = WebAssembly.Memory
+  const { grow } = prototype
+  prototype.grow = function (pages) {
+    if (this.buffer.byteLength + pages * PAGE > MOST_MEMORY) throw new RangeError("a run may have no more memory")
+    return grow.call(this, pages)
+  }
 }
 
-async function startPlainly() {
-  const loading = fetch(ours).then((response) => response.bytes())
-  const python = await loadPyodide(options(info))
-  install(python, await loading)
-  return python
+async function loadScript() {
+  const text = await file("pyodide.asm.mjs").promise
+  return (await import(URL.createObjectURL(new Blob([text], { type: "text/javascript" })))).default
+}
+
+/** WebAssembly that is compiled while it comes. It is run when all of it is known to be right. */
+class Compiling {
+  #controller
+  #module
+
+  constructor() {
+    const stream = new ReadableStream({ start: (controller) => (this.#controller = controller) })
+    this.#module = WebAssembly.compileStreaming(new Response(stream, { headers: { "Content-Type": "application/wasm" } }))
+    this.#module.catch(() => {}) // it is awaited later, if it is right
+  }
+
+  add(part) {
+    this.#controller.enqueue(part)
+  }
+
+  end() {
+    this.#controller.close()
+    return this.#module
+  }
+}
+
+let compiling = null
+
+/** A part of the WebAssembly has come, or null: those until then were wrong. */
+function take(part) {
+  compiling = part && (compiling ?? new Compiling())
+  compiling?.add(part)
+}
+
+async function compile() {
+  const bytes = await file("pyodide.asm.wasm").promise
+  return bytes === ALL ? compiling.end() : WebAssembly.compile(bytes)
+}
+
+/** Start Python, from `snapshot` if there is one: Python, and what to call before it reads a file. */
+async function start(createPyodideModule, compiled, snapshot) {
+  // All that most nodes need is in the snapshot. The standard library and our own files are asked for when one of them is
+  // read: for an import, or a line of a traceback. Pyodide insists on a file in the first one's place.
+  const [stdlib, ours] = snapshot ? ["-"] : await Promise.all(LATE.map(ask))
+  if (!stdlib) throw new Error("its files cannot be had")
+  globalThis.fetch = async () => new Response(stdlib) // there is nothing else that Pyodide asks for
+  WebAssembly.instantiateStreaming = async (_, imports) => {
+    const module = await compiled
+    return { module, instance: await WebAssembly.instantiate(module, imports) }
+  }
+  const given = { ...options(info), stdout() {}, stderr() {}, stdin: () => null, indexURL: NOWHERE, createPyodideModule }
+  const python = await loadPyodide({ ...given, _loadSnapshot: snapshot && Promise.resolve(snapshot) })
+  delete globalThis.fetch // the browser's own is back, which can ask for nothing
+  if (!snapshot) {
+    install(python, new Uint8Array(ours))
+    return { python, supply: () => undefined }
+  }
+  const paths = [`${LIBRARY}/python314.zip`, `${PACKAGES}/rosspin.zip`]
+  const late = new Map(paths.map((path, number) => [path, new LateFile(python.FS, path, LATE[number])]))
+  return { python, supply: (path) => late.get(path)?.supply() }
 }
 
 async function boot() {
-  const python = await startFromSnapshot().catch(async () => {
-    await globalThis.caches?.delete("rosspin").catch(() => {}) // what was kept may be what is broken
-    return startPlainly()
-  })
-  const { run, wake } = python.pyimport("rosspin.page")
-  wake()
+  limitMemory()
+  const compiled = compile()
+  const snapshot = file("snapshot.gz").promise
+  compiled.catch(() => {}) // it is awaited later
+  const createPyodideModule = await loadScript()
+  const from = (snapshot) => start(createPyodideModule, compiled, snapshot)
+  const { python, supply } = await from(await snapshot).catch(() => from(null))
+  const page = python.pyimport("rosspin.page")
+  page.wake(supply)
   python.setInterruptBuffer(signals)
   python.setStdin({ stdin: () => null }) // there is nobody to ask: EOFError
-  return run
+  return page
 }
 
-function fail(error) {
-  postMessage({ kind: "failed", reason: `Python itself broke down: ${error}` })
+// --- jobs ---
+
+/** Do a job, with the functions of rosspin.page: what came of it. */
+async function act({ run, trace, judge }, job, page) {
+  if (job.kind === "run") {
+    const { source, filename, seconds, args, speed } = job
+    return JSON.parse(await run.callPromising(source, filename, seconds, args, speed, page))
+  }
+  if (job.kind === "trace") return { trace: await trace.callPromising(job.number, job.text) }
+  return JSON.parse(await judge.callPromising(job.number, job.text, job.trace))
 }
+
+const fail = (reason) => say({ kind: "failed", reason })
+const broke = (error) => fail(`Python itself broke down: ${error}`)
 
 const booting = boot()
 booting.then(
-  () => postMessage({ kind: "ready" }),
-  (error) => postMessage({ kind: "failed", reason: `Python could not be started: ${error}` }),
+  () => say({ kind: "ready" }),
+  (error) => fail(`Python could not be started: ${error}`),
 )
 
-addEventListener("message", async ({ data: { source, filename, seconds, args, speed } }) => {
-  const run = await booting
+addEventListener("message", async ({ data }) => {
+  if (data.kind === "part") return take(data.bytes)
+  if (data.kind === "file") return file(data.name).resolve(data.bytes)
+  const python = await booting
   const page = new Page()
   try {
     signals.last = performance.now()
-    const result = JSON.parse(await run.callPromising(source, filename, seconds, args, speed, page))
+    const result = await act(python, data, page)
     signals.last = Infinity
     page.send()
-    postMessage({ kind: "end", result })
+    say({ kind: "end", result })
   } catch (error) {
     page.send()
-    fail(error)
+    broke(error)
   }
 })
 
 // What breaks Python itself, such as os.abort(), ends no run; it shows here.
-addEventListener("unhandledrejection", ({ reason }) => fail(reason))
+addEventListener("unhandledrejection", ({ reason }) => broke(reason))

@@ -11,7 +11,7 @@ from contextlib import contextmanager
 from types import FrameType
 from typing import Any
 
-__all__ = ["Ended", "end_thread", "ending_here"]
+__all__ = ["Ended", "end_thread", "ending_here", "spare_me"]
 
 # Modules whose frames are left to come to their own end: they put in order what others rely on. What the garbage
 # collector or a weak reference calls may come at any time, and Python prints what is raised in it.
@@ -43,7 +43,7 @@ def _trace() -> None:
     if sys.platform == "emscripten":
         return
     sys.settrace(_raise)
-    frame: FrameType | None = sys._getframe(2)
+    frame: FrameType | None = sys._getframe()
     while frame:
         if not _is_spared(frame):
             frame.f_trace = _raise
@@ -77,3 +77,19 @@ def ending_here() -> Iterator[None]:
 def end_thread(ident: int) -> None:
     """Raise :class:`Ended` in another thread, as soon as it is not in a call that blocks."""
     ctypes.pythonapi.PyThreadState_SetAsyncExc(ctypes.c_ulong(ident), ctypes.py_object(Ended))
+
+
+class _Nothing(BaseException):
+    pass
+
+
+def spare_me() -> None:
+    """Take that back, if it was for the calling thread and has not been raised yet."""
+    try:
+        with ending_here():
+            # To set none would leave CPython 3.11 looking for one at every step.
+            ctypes.pythonapi.PyThreadState_SetAsyncExc(ctypes.c_ulong(get_ident()), ctypes.py_object(_Nothing))
+            while True:
+                pass  # it comes at once
+    except (_Nothing, Ended):
+        pass

@@ -14,6 +14,7 @@ import time
 from collections.abc import Callable, Iterator
 from contextlib import contextmanager
 
+from ..descendants import kill_descendants
 from ..frames import Place, Whereabouts
 
 __all__ = ["LastWords", "guard"]
@@ -47,6 +48,7 @@ def guard(until: float | None, patience: float, last_words: LastWords) -> Iterat
         _watch(guarded, read, time.monotonic() + (math.inf if until is None else until + patience), patience)
         sys.stderr.write(last_words(_read_stacks(stacks)))
         sys.stderr.flush()
+        kill_descendants(guarded)
         os.kill(guarded, signal.SIGKILL)
         os._exit(0)
     os.close(read)

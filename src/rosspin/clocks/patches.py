@@ -2,14 +2,16 @@
 
 from __future__ import annotations
 
+import builtins
 from collections.abc import Callable, Iterable, Iterator
 from contextlib import contextmanager
 from functools import wraps
+from operator import is_
 from typing import Any
 
 from .stacks import Stack, current
 
-__all__ = ["Patch", "either", "patched"]
+__all__ = ["Builtins", "Patch", "either", "patched"]
 
 # A module or class, a name in it, and what makes the replacement out of what is there.
 Patch = tuple[Any, str, Callable[[Any], Any]]
@@ -40,3 +42,32 @@ def patched(patches: Iterable[Patch]) -> Iterator[None]:
     finally:
         for place, name, real, _ in before:
             setattr(place, name, real)
+
+
+class Builtins:
+    """The names that all code has, as a context: what runs within it leaves them as they were, and finds its own again.
+
+    Its end needs none of these names: nothing of this package does what it should before they are as they were.
+    """
+
+    def __init__(self) -> None:
+        self._names = vars(builtins)
+        self._outside = self._inside = self._names.copy()
+
+    def __enter__(self) -> None:
+        before, self._outside = self._outside, self._names.copy()
+        if self._inside is not before:
+            self._put(self._inside)
+
+    def __exit__(self, *_: object) -> None:
+        self._inside = self._names.copy()
+        self._put(self._outside)
+        inside, outside = self._inside, self._outside
+        if len(inside) == len(outside) and all(map(is_, inside.values(), outside.values())):
+            self._inside = outside
+
+    def _put(self, names: dict[str, Any]) -> None:
+        self._names.update(names)
+        for name in [*self._names]:
+            if name not in names:
+                del self._names[name]

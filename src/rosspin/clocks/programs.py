@@ -17,6 +17,7 @@ from ..frames import Trail, Whereabouts, places, trail
 from .clock import NS
 from .ending import Ended, end_thread, ending_here
 from .guard import LastWords, guard
+from .patches import Builtins
 from .signals import Died, send, simulated_signals
 from .simulation import Simulation
 from .stacks import Program, Stack, current, enter
@@ -65,11 +66,12 @@ def end_run() -> None:
 
 
 class Killed(Exception):
-    """A program did not end at Ctrl-C. ``waited`` says where its threads were."""
+    """A program did not end at Ctrl-C. ``waited`` says where its threads were, ``blocks`` whether it blocks SIGINT."""
 
-    def __init__(self, waited: list[Whereabouts]) -> None:
+    def __init__(self, waited: list[Whereabouts], blocks: bool = False) -> None:
         super().__init__()
         self.waited = waited
+        self.blocks = blocks
 
 
 class SimulatedProgram:
@@ -81,6 +83,7 @@ class SimulatedProgram:
     def __init__(self, main: Callable[[], object], program: Program, simulation: Simulation) -> None:
         self._program = program
         self._simulation = simulation
+        self._builtins = Builtins()
         simulation.begin(main, program, _main_ident())
 
     def advance(self, until: int) -> None:
@@ -103,8 +106,9 @@ class SimulatedProgram:
 
     def _step(self, until: int | None) -> None:
         simulation = self._simulation
-        with watch(lambda: simulation.now() // _LEAST_STEP):
-            with simulated_threads(self._program), virtual_time(), simulated_signals():
+        with watch(lambda: simulation.now() // _LEAST_STEP) as watchdog:
+            simulation.taking_down = watchdog.taking_down
+            with simulated_threads(self._program), virtual_time(), simulated_signals(), self._builtins:
                 simulation.advance(until)
 
 
@@ -178,11 +182,11 @@ def run_on_the_wall(
     with guarded as interrupted, _own_signals(), _Alarm(program, seconds, patience / NS, interrupted, give_up) as alarm:
         before = enter(program)
         try:
-            with followed_threads(), ending_here():
+            with followed_threads(), ending_here(), Builtins():
                 main()
         except Ended:
             if alarm.waited:
-                raise Killed(alarm.waited) from None
+                raise Killed(alarm.waited, alarm.blocks) from None
             raise
         finally:
             enter(before)
@@ -194,6 +198,7 @@ def run_on_the_wall(
 def _own_signals() -> Iterator[None]:
     """Within this context SIGINT does what it does in a fresh Python; afterwards all handlers are as before."""
     before = {number: signal.getsignal(number) for number in signal.valid_signals()}
+    mask = signal.pthread_sigmask(signal.SIG_BLOCK, ())
     over = False
 
     def on_signal(number: int, frame: Any) -> None:
@@ -207,6 +212,9 @@ def _own_signals() -> Iterator[None]:
     finally:
         over = True
         signal.setitimer(signal.ITIMER_REAL, 0)
+        if signal.pthread_sigmask(signal.SIG_BLOCK, ()) != mask:
+            signal.signal(signal.SIGINT, on_signal)
+            signal.pthread_sigmask(signal.SIG_SETMASK, mask)  # a Ctrl-C that comes only now was the program's
         for number, handler in before.items():
             if signal.getsignal(number) != handler:
                 signal.signal(number, handler)
@@ -214,6 +222,16 @@ def _own_signals() -> Iterator[None]:
 
 def _end(number: int, frame: Any) -> None:
     raise Ended
+
+
+def _blocks_sigint() -> bool:
+    """Whether the main thread does; only Linux tells."""
+    try:
+        with open("/proc/self/status") as file:
+            masks = [line.split()[1] for line in file if line.startswith("SigBlk:")]
+    except OSError:
+        return False
+    return any(int(mask, 16) >> (signal.SIGINT - 1) & 1 for mask in masks)
 
 
 class _Alarm:
@@ -231,6 +249,7 @@ class _Alarm:
         give_up: Callable[[Killed], object] | None,
     ) -> None:
         self.waited: list[Whereabouts] = []
+        self.blocks = False
         self._program = program
         self._until = until
         self._patience = patience
@@ -267,10 +286,11 @@ class _Alarm:
         frames = sys._current_frames()
         idents = [self._ident, *self._program.idents]
         self.waited = [_whereabouts(ident, trail(frames.get(ident))) for ident in idents]
+        self.blocks = _blocks_sigint()
         deaf = time.monotonic() + _DEAF
         while not self._is_over(0.1):
             if self._give_up and time.monotonic() > deaf:
-                self._give_up(Killed(self.waited))
+                self._give_up(Killed(self.waited, self.blocks))
                 os.kill(os.getpid(), signal.SIGKILL)
             signal.pthread_kill(self._ident, _END)
 

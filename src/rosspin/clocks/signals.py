@@ -12,7 +12,7 @@ from collections.abc import Callable, Iterator
 from contextlib import contextmanager
 from typing import Any
 
-from ..frames import node_frame
+from ..frames import is_installed, node_frame
 from .clock import NS, nanoseconds
 from .patches import Patch, either, patched
 from .stacks import Program, Stack
@@ -126,6 +126,15 @@ def _never(name: str) -> Patch:
     return signal, name, either(virtual)
 
 
+def _mask(real: Callable[..., Any]) -> Callable[..., Any]:
+    def virtual(stack: Stack, *args: Any) -> Any:
+        if is_installed(sys._getframe(2)):  # a library that blocks something for a moment, as multiprocessing does
+            return real(*args)
+        raise NotImplementedError("signal.pthread_sigmask is not simulated; run this node on the wall clock")
+
+    return either(virtual)(real)
+
+
 def _kill(real: Callable[[int, int], None]) -> Callable[[int, int], None]:
     def virtual(stack: Stack, pid: int, number: int) -> None:
         if pid == os.getpid():
@@ -146,6 +155,7 @@ _PATCHES: list[Patch] = [
     (signal, "getitimer", either(_getitimer)),
     (signal, "alarm", either(_alarm)),
     *map(_never, ("pause", "sigwait", "sigwaitinfo", "sigtimedwait")),
+    (signal, "pthread_sigmask", _mask),
     (_thread, "interrupt_main", either(_interrupt_main)),
 ]
 

@@ -10,7 +10,8 @@ from __future__ import annotations
 import contextlib
 import io
 import sys
-from collections.abc import Callable
+from collections.abc import Callable, Iterator
+from contextlib import AbstractContextManager, contextmanager
 from heapq import heapify, heappop, heappush, heappushpop
 from itertools import count
 
@@ -29,6 +30,9 @@ STANDSTILL = 1_000_000
 _LAST = 1 << 61
 _PAUSE = 1 << 62
 
+# A run may have so many stacks, each of some 13 KB; a page has less room. A computer has it for some 30,000 threads.
+MOST_STACKS = 1_000 if sys.platform == "emscripten" else 20_000
+
 # The first thread's ident; the operating system gives none like it.
 _FIRST_IDENT = 1 << 32
 
@@ -37,12 +41,21 @@ _abandoned: list[Stack] = []
 
 
 class Standstill(Exception):
-    """The time does not move on. ``places`` is what was running, innermost first, ``place`` what had started it."""
+    """The time does not move on. ``places`` is what was running, innermost first, ``place`` what had started it.
 
-    def __init__(self, places: list[Place], place: str) -> None:
+    ``threads`` is how many there were, if that is why.
+    """
+
+    def __init__(self, places: list[Place], place: str, threads: int = 0) -> None:
         super().__init__()
         self.places = places
         self.place = place
+        self.threads = threads
+
+
+@contextmanager
+def _unlimited() -> Iterator[Callable[[], bool]]:
+    yield lambda: False
 
 
 class Simulation:
@@ -65,6 +78,8 @@ class Simulation:
         self._paused = False
         self._closed = False
         self._to_end: list[tuple[Program, Stack | None]] = []  # and who goes on
+        # A context in which stacks are ended; it gives a function that says whether there is no more time for that.
+        self.taking_down: Callable[[], AbstractContextManager[Callable[[], bool]]] = _unlimited
         self.main: Stack
         self.failed = ""  # the place of the stack that an exception ended
 
@@ -136,6 +151,10 @@ class Simulation:
 
     def start(self, function: Callable[[], object], program: Program, place: str) -> Stack:
         """Run ``function`` on a stack of its own, beginning when the caller gives way."""
+        if self._closed:
+            self._home.switch()  # what is being ended starts nothing
+        if len(self._stacks) >= MOST_STACKS:
+            self._stand_still(current(), threads=len(self._stacks))
         stack = self._stack(function, program, next(self._idents), place)
         self._schedule(self._now, stack)
         return stack
@@ -292,8 +311,8 @@ class Simulation:
                 heappush(self._heap, due)
                 self._home.switch()
 
-    def _stand_still(self, me: Switched) -> None:
-        self._home.throw(Standstill(places(trail(sys._getframe())), getattr(me, "place", "")))
+    def _stand_still(self, me: Switched, threads: int = 0) -> None:
+        self._home.throw(Standstill(places(trail(sys._getframe())), getattr(me, "place", ""), threads))
 
     def _move(self, when: int) -> None:
         self._now, self._last_move = when, self._order
@@ -342,15 +361,18 @@ class Simulation:
         self._closed = True
         nowhere = io.StringIO()
         with telling_no_turns(), contextlib.redirect_stdout(nowhere), contextlib.redirect_stderr(nowhere):
-            for stack in stacks:
-                try:
-                    stack.throw(StackExit)
-                except (StackExit, Exception):
-                    pass
-                if not stack.dead:
-                    stack.waits = False  # nobody can wake it
-                    _abandoned.append(stack)
-                self._stacks.pop(stack, None)
+            with self.taking_down() as is_time_over:
+                for stack in stacks:
+                    if not is_time_over():
+                        try:
+                            with ending_here():
+                                stack.throw(StackExit)
+                        except BaseException:
+                            pass
+                    if not stack.dead:
+                        stack.waits = False  # nobody can wake it
+                        _abandoned.append(stack)
+                    self._stacks.pop(stack, None)
 
 
 class PacedSimulation(Simulation):

@@ -6,6 +6,7 @@ cannot be replaced for some without harm to others.
 
 from __future__ import annotations
 
+import logging
 import sys
 import time
 from collections.abc import Callable, Iterator
@@ -14,7 +15,7 @@ from typing import Any
 
 from .clock import nanoseconds
 from .patches import Patch, either, patched
-from .stacks import Stack
+from .stacks import Stack, current
 
 __all__ = ["virtual_time"]
 
@@ -59,7 +60,18 @@ def _local_by_default(real: Callable[..., Any]) -> Callable[..., Any]:
     return either(virtual)(real)
 
 
+class _LoggingSince:
+    """In place of ``logging._startTime``, which it takes from the present: a simulated process begins at time 0."""
+
+    def __init__(self, real: float) -> None:
+        self._real = real
+
+    def __rsub__(self, now: float) -> float:
+        return now if isinstance(current(), Stack) else now - self._real
+
+
 _PATCHES: list[Patch] = [
+    (logging, "_startTime", _LoggingSince),
     (time, "sleep", either(_sleep)),
     *((time, name, either(_seconds)) for name in ("time", "monotonic", "perf_counter")),
     *((time, f"{name}_ns", either(_nanoseconds)) for name in ("time", "monotonic", "perf_counter")),

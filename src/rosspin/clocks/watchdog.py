@@ -2,18 +2,21 @@
 
 from __future__ import annotations
 
+import os
 import signal
 import sys
 import threading
 import time
 from _thread import get_ident
-from collections.abc import Callable
+from collections.abc import Callable, Iterator
+from contextlib import contextmanager
 from time import perf_counter
 from types import FrameType
 from typing import Any
 
-from ..frames import Place, places, trail
-from .ending import Ended, end_thread
+from ..frames import Place, called_from, places, trail
+from .ending import Ended, end_thread, spare_me
+from .stacks import Stack, current
 
 __all__ = ["Stuck", "Watchdog", "watch"]
 
@@ -21,7 +24,8 @@ __all__ = ["Stuck", "Watchdog", "watch"]
 _INTERVAL = 0.4
 _LOOKS = 9
 
-# An import may take so many times as long: a large library on a slow machine does.
+# An import may take so many times as long: a large library on a slow machine does. So may what is being taken down and
+# does not even heed that its time is over, before the process ends.
 _PATIENT = 10
 
 # A thread that has a processor, or wants one, for less than this share of the time waits for something else.
@@ -40,7 +44,7 @@ class Stuck(Exception):
 class Watchdog:
     """Ends the code within its ``with`` when ``sign_of_life()`` has not changed for some seconds, and raises Stuck.
 
-    Code that is importing something is given more time.
+    Code that is importing something is given more time. Exceptions are raised in stacks only, never in what runs them.
     """
 
     def __init__(self, sign_of_life: Callable[[], int]) -> None:
@@ -51,23 +55,49 @@ class Watchdog:
         self._worked = self._busy_until_now()
         self._stuck: Stuck | None = None
         self._interrupted = False  # by somebody's Ctrl-C
+        self._due = False  # whether what is running is to be ended
+        self._taking_down = False
 
-    def __enter__(self) -> None:
+    def __enter__(self) -> Watchdog:
         raise NotImplementedError
 
     def __exit__(self, kind: object, error: BaseException | None, trace: object) -> None:
-        if isinstance(error, Ended):
-            if self._stuck:
-                raise self._stuck from None
-            if self._interrupted:
-                raise KeyboardInterrupt from None
+        if isinstance(error, Ended) and self._stuck:
+            raise self._stuck from None
+        if self._interrupted:
+            raise KeyboardInterrupt from None
+
+    @contextmanager
+    def taking_down(self) -> Iterator[Callable[[], bool]]:
+        """Within this context stacks are being ended, for which there is so much time again; whether it is over.
+
+        Nothing is raised in them meanwhile; after that only in one that keeps the others from being ended.
+        """
+        self._begin(taking_down=True)
+        try:
+            yield lambda: self._due
+        finally:
+            self._begin(taking_down=False)
+
+    def _begin(self, taking_down: bool) -> None:
+        self._taking_down, self._due, self._looks, self._last = taking_down, False, 0, -1
 
     def _busy_until_now(self) -> float:
         """For how long (s) the thread that is watched has had a processor or wanted one. In a page it always has."""
         return perf_counter()
 
+    def _is_due(self, frame: FrameType | None) -> bool:
+        """Look at the code, which is at ``frame``: whether it is to be ended."""
+        self._due = self._due or (self._is_over() if self._taking_down else self._is_stuck(frame))
+        return self._due
+
+    def _is_over(self) -> bool:
+        """Whether the time to take a run down is."""
+        self._looks += 1
+        return self._looks > _LOOKS
+
     def _is_stuck(self, frame: FrameType | None) -> bool:
-        """Look at the code, which is at ``frame``: whether it has been without a sign of life for too many looks."""
+        """Whether the code has been without a sign of life for too many looks."""
         seen, self._last = self._last, self._sign_of_life()
         if self._last != seen:
             self._looks = 0
@@ -92,20 +122,34 @@ class _FromAThread(Watchdog):
         self._scheduled = f"/proc/self/task/{threading.get_native_id()}/schedstat"
         super().__init__(sign_of_life)
         self._done = threading.Event()
+        self._turn = threading.Lock()  # of looking, and of beginning something else
+        self._sent = self._received = 0  # signals of its own, or exceptions
         self._watcher = threading.Thread(target=self._watch, daemon=True)
 
-    def __enter__(self) -> None:
+    def __enter__(self) -> Watchdog:
         if self._is_main:
             # Only a signal also ends calls that block.
             self._previous = signal.signal(signal.SIGINT, self._on_signal)
         self._watcher.start()
+        return self
 
     def __exit__(self, kind: object, error: BaseException | None, trace: object) -> None:
         self._done.set()
         self._watcher.join()
         if self._is_main:
             signal.signal(signal.SIGINT, self._previous)
+        self._take_back()
         super().__exit__(kind, error, trace)
+
+    def _begin(self, taking_down: bool) -> None:
+        with self._turn:
+            super()._begin(taking_down)
+            self._take_back()
+
+    def _take_back(self) -> None:
+        if not self._is_main and self._sent != self._received:
+            spare_me()
+            self._received = self._sent
 
     def _busy_until_now(self) -> float:
         try:
@@ -118,23 +162,45 @@ class _FromAThread(Watchdog):
     def _on_signal(self, number: int, frame: FrameType | None) -> None:
         if self._done.is_set():
             return
-        self._interrupted = self._stuck is None
-        raise Ended
+        if self._received == self._sent:
+            self._interrupted = self._due = True
+        self._received = self._sent
+        if self._due and isinstance(current(), Stack):
+            raise Ended
 
     def _watch(self) -> None:
         while not self._done.wait(_INTERVAL):
-            if self._is_stuck(sys._current_frames().get(self._ident)):
+            with self._turn:
+                frame = sys._current_frames().get(self._ident)
+                if not self._is_due(frame):
+                    continue
+                if self._taking_down and self._looks > _LOOKS * _PATIENT:
+                    _end_process(frame)
+                self._looks += 1
+                if self._done.is_set():
+                    break
+                self._sent += 1
                 if self._is_main:
                     signal.pthread_kill(self._ident, signal.SIGINT)
                 else:
                     end_thread(self._ident)
 
 
+def _end_process(frame: FrameType | None) -> None:
+    """Code in C holds the thread that everything else here needs, and nothing can be raised in it."""
+    at = called_from(frame) if frame else None
+    where = f"{at.f_code.co_filename}:{at.f_lineno}: " if at else ""
+    text = f"rosspin: {where}the run is over, but this does not end; to end the whole process is all that is left\n"
+    os.write(2, text.encode(errors="replace"))
+    os._exit(1)
+
+
 class _FromInterrupts(Watchdog):
     """Looks when it is interrupted; a web page has no threads, there ``web/worker.js`` interrupts every 0.4 s."""
 
-    def __enter__(self) -> None:
+    def __enter__(self) -> Watchdog:
         self._previous = signal.signal(signal.SIGINT, self._on_interrupt)
+        return self
 
     def __exit__(self, kind: object, error: BaseException | None, trace: object) -> None:
         signal.signal(signal.SIGINT, self._previous)
@@ -143,7 +209,7 @@ class _FromInterrupts(Watchdog):
     def _on_interrupt(self, number: int, frame: FrameType | None) -> None:
         from .jspi import can_raise  # which only a page can import
 
-        if self._is_stuck(frame) and can_raise(frame):
+        if self._is_due(frame) and can_raise(frame):
             raise Ended
 
 

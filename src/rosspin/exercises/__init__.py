@@ -3,6 +3,9 @@
 An answer is a text: a node file, or predictions as assignments. A check runs it in simulated time and says what is
 right, what is wrong, and how to go on; whatever the answer is, it raises nothing. It looks at what the node did, such
 as which timers were still alive in the end, not at how the node is written.
+
+The two can be done in two Pythons: :func:`trace` runs the answer and writes down what it did, and :func:`judge` says
+what is to be said of that, in a Python that the answer has never run in.
 """
 
 from __future__ import annotations
@@ -13,13 +16,16 @@ from . import questions, questions_ros2
 from .exercise import Exercise
 from .feedback import Feedback, Finding
 from .judging import Answer, Fails
+from .running import Runner
+from .traces import Misfit, Outcome, Request, Trace, read, write
 
-__all__ = ["EXERCISES", "Exercise", "Feedback", "Finding", "check"]
+__all__ = ["EXERCISES", "Exercise", "Feedback", "Finding", "Misfit", "check", "judge", "trace"]
 
 EXERCISES: tuple[Exercise, ...] = (*questions.EXERCISES, *questions_ros2.EXERCISES)
 """All exercises, in the order of their numbers."""
 
-_ENDS_EARLY = "The node ended by itself, before its time was over. Does its main part come to `{}`?"
+_CUT = "the node did so much that not all of it was looked at."
+_LESS = "Let it print and publish no more than the exercise asks for."
 
 
 def check(number: int, answer: Any) -> Feedback:
@@ -27,19 +33,66 @@ def check(number: int, answer: Any) -> Feedback:
 
     Raises ValueError for a number that no exercise has.
     """
+    return judge(number, answer, trace(number, answer))
+
+
+def trace(number: int, answer: Any) -> str:
+    """Run an answer, and write down what it did, as JSON; what it shows is not much larger than 2 MB.
+
+    Raises ValueError for a number that no exercise has.
+    """
+    exercise = _exercise(number)
+    run = Runner(answer, exercise.ros)
+    outcomes: list[Outcome] = []
+
+    def ask(request: Request) -> Outcome:
+        outcomes.append(run(request))
+        return outcomes[-1]
+
+    _find(exercise, Answer(answer, exercise.ros, ask))  # for what it asks
+    return write(Trace(number, run.console, run.cut, tuple(outcomes)))
+
+
+def judge(number: int, answer: Any, traced: str) -> Feedback:
+    """What is to be said of an answer by the trace of its runs. Nothing of it is run.
+
+    Raises ValueError for a number that no exercise has, and :class:`Misfit` for what is no trace of this exercise. A
+    trace that was forged, by an answer that took over the Python that it ran in, can describe the runs of another.
+    """
+    exercise = _exercise(number)
+    console, cut, outcomes = read(traced, number)[1:]
+    left = list(reversed(outcomes))
+
+    def ask(request: Request) -> Outcome:
+        if not left or left[-1].request != request:
+            raise Misfit("it is not of what this exercise asks for")
+        return left.pop()
+
+    given = Answer(answer, exercise.ros, ask)
+    findings = _find(exercise, given)
+    if left:
+        raise Misfit("there is more in it than this exercise asks for")
+    if cut:
+        findings.append(Finding(False, _CUT, _LESS))
+    hints = [finding.hint for finding in findings if not finding.right and finding.hint]
+    if early := given.hint_for_early_end():
+        # Said first of a node that did nothing, and last of one that did something.
+        hints.insert(len(hints) if console else 0, early)
+    return Feedback(number, tuple(findings), [*hints, exercise.hint][0], console, whole=not cut)
+
+
+def _exercise(number: int) -> Exercise:
     if number not in range(1, len(EXERCISES) + 1):
         raise ValueError(f"there is no exercise {number!r}: they are numbered 1 to {len(EXERCISES)}")
-    exercise = EXERCISES[number - 1]
-    given = Answer(answer, exercise.ros)
+    return EXERCISES[number - 1]
+
+
+def _find(exercise: Exercise, answer: Answer) -> list[Finding]:
     findings: list[Finding] = []
     try:
         # One by one: what was found before an answer fails is kept.
-        for finding in exercise.find(given):
+        for finding in exercise.find(answer):
             findings.append(finding)
     except Fails as failure:
         findings.append(failure.finding)
-    hints = [finding.hint for finding in findings if not finding.right and finding.hint]
-    if given.ended_early:
-        # Said first of a node that did nothing, and last of one that did something.
-        hints.insert(len(hints) if given.console else 0, _ENDS_EARLY.format(given.ros.SPINS))
-    return Feedback(number, tuple(findings), [*hints, exercise.hint][0], given.console)
+    return findings

@@ -7,9 +7,6 @@ from typing import NamedTuple
 
 __all__ = ["Feedback", "Finding"]
 
-# So many lines of a console are shown.
-_MOST_LINES = 30
-
 _WORDS = {True: "Right", False: "Wrong", None: "Open"}
 
 
@@ -29,7 +26,8 @@ class Feedback:
     """What a check has found; it shows itself as Markdown in a notebook and as text elsewhere.
 
     ``number`` is that of the exercise, ``findings`` are in the order in which they were made, ``hint`` is how to go on,
-    ``console`` is what the node printed in its first run, ``progress`` says what else has been solved.
+    ``console`` is what the node printed in its first run, as far as it is worth showing. If not all that the node did
+    could be looked at, the last finding says so, and ``whole`` is false. ``progress`` says what else has been solved.
     """
 
     number: int
@@ -37,22 +35,22 @@ class Feedback:
     hint: str
     console: str = field(default="", repr=False)
     progress: str = ""
+    whole: bool = True
 
     @property
     def passed(self) -> bool:
         """Whether everything is right."""
-        return all(finding.right for finding in self.findings)
+        return bool(self.findings) and all(finding.right for finding in self.findings)
+
+    @property
+    def is_open(self) -> bool:
+        """Whether nothing is wrong, but something has not been answered yet."""
+        return not self.passed and all(finding.right is not False for finding in self.findings)
 
     @property
     def verdict(self) -> str:
         """Right or not yet, in words."""
         return f"Exercise {self.number}: {'right' if self.passed else 'not yet'}."
-
-    def shown_console(self) -> str:
-        """The console as far as it is worth showing: enough to see an error, not all of a node that never stops."""
-        lines = self.console.splitlines(keepends=True)
-        more = f"... and {len(lines) - _MOST_LINES} more lines\n" if len(lines) > _MOST_LINES else ""
-        return "".join(lines[:_MOST_LINES]) + more
 
     def _repr_markdown_(self) -> str:
         lines = [f"**{self.verdict}**", ""]

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Collection, Sequence
+from collections.abc import Collection, Iterable
 from types import CodeType, FrameType
 from typing import Any
 
@@ -19,13 +19,9 @@ from ..rclpy.exceptions import (
 from ..rclpy.executors import Executor, _call
 from ..rclpy.timer import Timer
 from ..world import World
-from .seen import Printed
 
-__all__ = ["ENDINGS", "GOES_ON", "NAME", "SPINS", "WAITING", "hint", "timer_of", "timers", "whose"]
+__all__ = ["ENDINGS", "WAITING", "hint", "timer_of", "timers", "whose"]
 
-NAME = "rclpy"
-GOES_ON = "rclpy.ok()"
-SPINS = "rclpy.spin(node)"
 # RCLError: rclpy.shutdown() after Ctrl-C
 ENDINGS: tuple[type[BaseException], ...] = (
     KeyboardInterrupt,
@@ -46,10 +42,9 @@ def timer_of(frame: FrameType) -> Any:
     return called if isinstance(called, Timer) else None
 
 
-def timers(world: World, printed: Sequence[Printed]) -> list[tuple[Any, str, bool, bool]]:
+def timers(world: World, printers: Iterable[Any]) -> list[tuple[Any, str, bool, bool]]:
     """The timers that have printed something; the others are of no interest."""
-    found = {id(line.timer): line.timer for line in printed if line.timer is not None}
-    return [(timer, timer._source, False, timer._cancelled or timer._destroyed) for timer in found.values()]
+    return [(timer, timer._source, False, timer._cancelled or timer._destroyed) for timer in printers]
 
 
 def whose(codes: Collection[CodeType]) -> str:

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Collection, Sequence
+from collections.abc import Collection, Iterable
 from types import CodeType, FrameType
 from typing import Any
 
@@ -11,13 +11,9 @@ from ..advice import advice
 from ..rospy.state import State
 from ..rospy.timer import Timer
 from ..world import World
-from .seen import Printed
 
-__all__ = ["ENDINGS", "GOES_ON", "NAME", "SPINS", "WAITING", "hint", "timer_of", "timers", "whose"]
+__all__ = ["ENDINGS", "WAITING", "hint", "timer_of", "timers", "whose"]
 
-NAME = "rospy"
-GOES_ON = "rospy.is_shutdown()"
-SPINS = "rospy.spin()"
 ENDINGS: tuple[type[BaseException], ...] = ()
 WAITING: Collection[CodeType] = (rospy.spin.__code__,)
 
@@ -27,7 +23,7 @@ def timer_of(frame: FrameType) -> Any:
     return frame.f_locals["self"] if frame.f_code is Timer.run.__code__ else None
 
 
-def timers(world: World, printed: Sequence[Printed]) -> list[tuple[Any, str, bool, bool]]:
+def timers(world: World, printers: Iterable[Any]) -> list[tuple[Any, str, bool, bool]]:
     """The timers that were started."""
     return [
         (timer, timer.source, not timer.is_alive(), timer._shutdown or timer._oneshot and not timer.is_alive())

@@ -4,13 +4,13 @@ from __future__ import annotations
 
 import math
 from collections.abc import Iterator, Mapping, Sequence
-from itertools import islice
-from typing import Any, NamedTuple
+from typing import NamedTuple
 
 from .feedback import Finding
 from .judging import Answer, a_value, plain, say
+from .seen import Value
 
-__all__ = ["Beliefs", "Prediction", "as_number", "choose", "compare", "same"]
+__all__ = ["Beliefs", "Prediction", "as_number", "as_whole", "choose", "compare", "same"]
 
 # Numbers that a wrong belief predicts, and what to say to whoever predicts them.
 Beliefs = Mapping[tuple[float, ...], str]
@@ -37,33 +37,19 @@ class Prediction(NamedTuple):
 
 def compare(answer: Answer, predictions: Sequence[Prediction]) -> Iterator[Finding]:
     """Whether each variable is the numbers that are right; of a wrong belief it is said why it is wrong."""
-    variables = answer.variables()
+    variables = answer.variables(*(prediction.variable for prediction in predictions))
     for prediction in predictions:
         variable, what, _, _, asked = prediction
         _, listed, example = _ASKED[asked]
         value = variables.get(variable)
-        if value is ... or value is None:
+        if value is None or value.is_open:
             yield Finding(None, f"{what}: there is no prediction yet.", f"Give `{variable}` a list of {asked}.")
             continue
-        predicted = _numbers(value)
-        if predicted is None:
-            text = f"{what}: the prediction is a list of {listed}, not {a_value(value)}."
+        if value.numbers is None:
+            text = f"{what}: the prediction is a list of {listed}, not {a_value(value.type)}."
             yield Finding(False, text, f"Write it as `{example}`.")
         else:
-            yield _compare_numbers(prediction, predicted)
-
-
-def _numbers(value: Any) -> list[float] | None:
-    """A prediction as numbers; None if it is none.
-
-    Of Python's own types only: a class in an answer could be whatever the check asks for.
-    """
-    if type(value) not in (list, tuple, range):
-        return None
-    numbers = list(islice(value, 100))
-    if not all(type(number) in (int, float) and math.isfinite(number) for number in numbers):
-        return None
-    return [float(number) for number in numbers]
+            yield _compare_numbers(prediction, value.numbers)
 
 
 def _compare_numbers(prediction: Prediction, predicted: Sequence[float]) -> Finding:
@@ -93,13 +79,13 @@ def same(one: Sequence[float], other: Sequence[float]) -> bool:
 
 def choose(answer: Answer, right: Mapping[str, str], choices: Mapping[str, str]) -> Iterator[Finding]:
     """Whether each variable is the right letter; ``choices`` has what would be seen if it were another."""
-    variables = answer.variables()
+    variables = answer.variables(*right)
     for variable, letter in right.items():
         value = variables.get(variable)
-        if value is ... or value is None:
+        if value is None or value.is_open:
             yield Finding(None, f"`{variable}`: there is no answer yet.")
             continue
-        named = value.strip(" ().").upper() if type(value) is str else ""
+        named = value.text.strip(" ().").upper() if value.type == "str" else ""
         if named not in choices:
             text = f"`{variable}`: the answer is one of the letters A to {max(choices)}, not `{plain(_shown(value))}`."
             yield Finding(False, text, 'Write it as `"A"`.')
@@ -109,13 +95,19 @@ def choose(answer: Answer, right: Mapping[str, str], choices: Mapping[str, str])
             yield Finding(True, f"`{variable}`: it is {named}.")
 
 
-def _shown(value: object) -> str:
-    return repr(value) if type(value) in (str, int, float) else type(value).__name__
+def _shown(value: Value) -> str:
+    return repr(value.text) if value.type == "str" else value.text or value.type
 
 
 def as_number(text: str) -> float | None:
-    """A text as a number; None if it is none."""
+    """A text as a number; None if it is none, or not finite."""
     try:
-        return float(text)
+        number = float(text)
     except ValueError:
         return None
+    return number if math.isfinite(number) else None
+
+
+def as_whole(text: str) -> int | None:
+    """A text of digits as a number; None if it is none."""
+    return int(text) if text.isascii() and text.isdigit() and len(text) < 20 else None

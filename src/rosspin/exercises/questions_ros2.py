@@ -3,15 +3,15 @@
 from __future__ import annotations
 
 from collections.abc import Callable, Iterator
+from functools import cache
 from itertools import pairwise
 
-from ..run import simulate
 from . import questions
 from .exercise import Exercises
 from .feedback import Finding
 from .judging import CLOSE, Answer, grid, on_time, plain, say
 from .predictions import Beliefs, Prediction, compare
-from .questions import check_motor, stopped
+from .questions import check_motor, simulated, stopped
 from .seen import Seen
 
 __all__ = ["EXERCISES"]
@@ -33,8 +33,9 @@ _exercise = EXERCISES.add
 # --- predict ----------------------------------------------------------------------------------------------------------
 
 
-def _node(blocks: Callable[[int], float], spins: bool = True) -> Callable[[], None]:
-    """A timer of 0.4 s whose n-th callback blocks for ``blocks(n)`` s."""
+@cache
+def _node(blocks_for: float, always: bool = False, spins: bool = True) -> Callable[[], None]:
+    """A timer of 0.4 s whose third callback blocks (s), or each."""
 
     def node() -> None:
         import time
@@ -46,7 +47,8 @@ def _node(blocks: Callable[[int], float], spins: bool = True) -> Callable[[], No
         def callback() -> None:
             nonlocal counter
             counter += 1
-            time.sleep(blocks(counter))
+            if counter == 3 or always:
+                time.sleep(blocks_for)
 
         rclpy.init()
         node = rclpy.create_node("spinner_py_node")
@@ -57,11 +59,6 @@ def _node(blocks: Callable[[int], float], spins: bool = True) -> Callable[[], No
             time.sleep(0.1)
 
     return node
-
-
-def _simulated(node: Callable[[], None], first: int = 1) -> list[float]:
-    """When ticks ``first`` and the two after it come, in simulated time (s)."""
-    return [tick.real for tick in simulate(node, 6.0).ticks[first - 1 : first + 2]]
 
 
 _BUSY = "While the callback runs, the executor calls nothing: no other call can begin before it returns."
@@ -102,10 +99,10 @@ def _after_a_slow_callback(answer: Answer) -> Iterator[Finding]:
         (0.4, 0.8, 1.2): "This is what rospy does, where each timer has a thread. In ROS 2 only spin calls callbacks.",
     }
     predictions = [
-        Prediction("after_1_0_seconds", "blocked for 1.0 s", _simulated(_node(lambda n: 1.0 * (n == 3)), 4), short),
-        Prediction("after_1_8_seconds", "blocked for 1.8 s", _simulated(_node(lambda n: 1.8 * (n == 3)), 4), long),
-        Prediction("always_slow", "each callback takes 0.6 s", _simulated(_node(lambda n: 0.6)), always),
-        Prediction("without_spin", "without spin", _simulated(_node(lambda n: 0.0, spins=False)), unspun),
+        Prediction("after_1_0_seconds", "blocked for 1.0 s", simulated(_node(1.0), 4), short),
+        Prediction("after_1_8_seconds", "blocked for 1.8 s", simulated(_node(1.8), 4), long),
+        Prediction("always_slow", "each callback takes 0.6 s", simulated(_node(0.6, always=True)), always),
+        Prediction("without_spin", "without spin", simulated(_node(0.0, spins=False)), unspun),
     ]
     yield from compare(answer, predictions)
 
@@ -263,7 +260,7 @@ def _ends_well(answer: Answer, seen: Seen, what: str) -> Finding:
             "`ExternalShutdownException`. Catch both around `spin`, in whichever thread it is."
         )
         again = "After a signal `rclpy.shutdown()` raises an error; `rclpy.try_shutdown()` does not."
-        hint = again if type(error).__name__ == "RCLError" else caught
+        hint = again if error.type == "RCLError" else caught
         return Finding(False, f"{what}: the {answer.say_error(error)}", hint)
     if seen.status:
         return Finding(False, f"{what}: the node ended with status {seen.status} instead of 0.")

@@ -1,99 +1,102 @@
-"""What a run of an answer shows, and what has to be known of a ROS to see it."""
+"""What a run of an answer shows: plain data, which can be written down in one Python and judged in another."""
 
 from __future__ import annotations
 
 import re
 import signal
-from collections.abc import Collection, Sequence
-from types import CodeType, FrameType
-from typing import Any, NamedTuple, Protocol
+from collections.abc import Collection
+from typing import NamedTuple
 
-from ..frames import Place
-from ..ticks import Message, Tick
-from ..world import World
-
-__all__ = ["Printed", "Ros", "Seen", "SeenTimer"]
+__all__ = ["Error", "Kept", "Printed", "Seen", "SeenTimer", "Sent", "Value"]
 
 
 class Printed(NamedTuple):
-    """A line that was printed: when (s), its text, and the timer in whose call, if it was in one."""
+    """A line that was printed: when (s), its text, and the number of the timer in whose call; 0 if it was in none."""
 
     time: float
     text: str
-    timer: Any = None
+    timer: int = 0
 
 
 class SeenTimer(NamedTuple):
-    """What a timer did: the timer itself, its calls, and how it was when Ctrl-C came.
+    """What a timer did: its number, when it was called (s), and how it was when Ctrl-C came.
 
     ``state`` is "running"; "stopped", as by ``shutdown()`` or ``cancel()``, or after the call of a one-shot timer;
     "blocked" if a call had not ended for a second; "gone" if its thread had ended in some other way.
     """
 
-    timer: Any
-    calls: tuple[Tick, ...]
+    number: int
+    calls: tuple[float, ...]
     state: str
 
 
-class Ros(Protocol):
-    """What there is to know of a ROS.
+class Error(NamedTuple):
+    """An exception whose traceback was printed.
 
-    ``NAME`` is its module in Python; ``GOES_ON`` is what a loop asks, ``SPINS`` what the main part of a node comes to;
-    ``ENDINGS`` are the exceptions that Ctrl-C may end a node with; ``WAITING`` is the code that waits for its end.
+    ``said`` is its last line, and ``line`` the answer's that it came from, or 0. ``whose`` is what it ended: "node",
+    "thread", "timer", "shutdown hook". ``ending`` says whether Ctrl-C may end a node of this ROS so; ``hint`` is how to
+    go on, empty if nothing is known.
     """
 
-    NAME: str
-    GOES_ON: str
-    SPINS: str
-    ENDINGS: tuple[type[BaseException], ...]
-    WAITING: Collection[CodeType]
-
-    def timer_of(self, frame: FrameType) -> Any:
-        """The timer that calls back in a frame; None if the frame is another."""
-
-    def timers(self, world: World, printed: Sequence[Printed]) -> list[tuple[Any, str, bool, bool]]:
-        """The timers that were started, each with its source, whether it has ended, and whether it was asked to."""
-
-    def whose(self, codes: Collection[CodeType]) -> str:
-        """What of a node an exception has ended, by the code that it came through; empty if it is nothing of ROS's."""
-
-    def hint(self, error: BaseException, whose: str) -> str:
-        """A hint for whom an exception met; empty if there is none."""
+    type: str
+    said: str
+    line: int
+    whose: str
+    ending: bool
+    hint: str
 
 
-class Seen:
+class Sent(NamedTuple):
+    """A message that was published: on which topic, when (s), its type, and its field ``data`` as a text."""
+
+    topic: str
+    time: float
+    type: str
+    data: str
+
+
+class Kept(NamedTuple):
+    """A line of the answer that kept it from its end, and the call in it that had not returned."""
+
+    line: int
+    call: str
+
+
+class Value(NamedTuple):
+    """What a variable was in the end: its type; a text, or one number, as a ``text``; ``numbers``, if it is a list."""
+
+    type: str
+    text: str = ""
+    numbers: tuple[float, ...] | None = None
+
+    @property
+    def is_open(self) -> bool:
+        """Whether nothing was answered yet: ``...`` or None."""
+        return self.type in ("ellipsis", "NoneType")
+
+
+class Seen(NamedTuple):
     """What an answer did in one run of ``seconds``.
 
     ``printed`` are the lines that it printed, also after Ctrl-C; ``timers`` are those that it had started by then;
     ``loops`` are the lines of the answer in which something other than a timer's callback slept again and again;
-    ``messages`` are what it published. ``status`` is how it ended, ``errors`` are the exceptions whose tracebacks were
+    ``sent`` is what it published. ``status`` is how it ended, ``errors`` are the exceptions whose tracebacks were
     printed, and ``interrupted`` says whether it ran until Ctrl-C. Of one that had to be killed, ``kept_at`` is what
-    kept it from its end, and ``kept_by_rate`` says that nothing but a Rate of ROS 2 did.
+    kept it from its end, and ``kept_by_rate`` says that nothing but a Rate of ROS 2 did. ``variables`` are those that
+    were asked for, by their names, as far as there are any.
     """
 
-    def __init__(
-        self,
-        seconds: float,
-        printed: Sequence[Printed],
-        timers: Sequence[SeenTimer],
-        loops: Sequence[int],
-        messages: Sequence[Message],
-        status: int,
-        errors: Sequence[BaseException],
-        interrupted: bool,
-        kept_at: Place | None,
-        kept_by_rate: bool,
-    ) -> None:
-        self.seconds = seconds
-        self.printed = tuple(printed)
-        self.timers = tuple(timers)
-        self.loops = tuple(loops)
-        self.messages = tuple(messages)
-        self.status = status
-        self.errors = tuple(errors)
-        self.interrupted = interrupted
-        self.kept_at = kept_at
-        self.kept_by_rate = kept_by_rate
+    seconds: float
+    printed: tuple[Printed, ...]
+    timers: tuple[SeenTimer, ...]
+    loops: tuple[int, ...]
+    sent: tuple[Sent, ...]
+    status: int
+    errors: tuple[Error, ...]
+    interrupted: bool
+    kept_at: Kept | None
+    kept_by_rate: bool
+    variables: tuple[tuple[str, Value], ...]
 
     @property
     def killed(self) -> bool:
@@ -112,6 +115,7 @@ class Seen:
 
     def printers(self, lines: Collection[Printed]) -> tuple[list[SeenTimer], list[Printed]]:
         """The timers in whose calls lines were printed, and the lines that none of them printed."""
-        known = [timer.timer for timer in self.timers]
-        timers = [timer for timer in self.timers if any(line.timer is timer.timer for line in lines)]
-        return timers, [line for line in lines if not any(line.timer is timer for timer in known)]
+        known, found = {timer.number for timer in self.timers}, {line.timer for line in lines}
+        return [timer for timer in self.timers if timer.number in found], [
+            line for line in lines if line.timer not in known
+        ]

@@ -1,8 +1,8 @@
 """Give the threads of a node their turns where a lock is missing.
 
 Simulated threads give way to each other only where they wait, so a node can lack a lock and never show it. A shaken
-node also gives way between any two of its statements, and between reading and writing in an assignment, which is where
-a real thread may lose its turn.
+node also gives way between any two of its statements, and within them: after each value that it has looked up or
+calculated, which is where a real thread may lose its turn before it uses the value.
 """
 
 from __future__ import annotations
@@ -21,12 +21,29 @@ __all__ = ["shake", "turns"]
 # The function by which a shaken node gives way. A name that no answer has.
 _GIVE_WAY = "__give_way__"
 
+# What is left as it is: annotations, which other code reads, patterns, which are no expressions, and what an exception
+# is compared with, which is also done while a run is ended.
+_LEFT = ("annotation", "returns", "pattern", "type", "type_params")
+
 
 def shake(source: str) -> ast.Module:
     """The code of a node, to be run within :func:`turns`."""
     tree = ast.parse(source)
-    for node in ast.walk(tree):
-        if isinstance(node, (ast.Assign, ast.AugAssign, ast.AnnAssign)) and node.value:
+    _Shaker().visit(tree)
+    return ast.fix_missing_locations(tree)
+
+
+class _Shaker(ast.NodeTransformer):
+    """Makes code give way."""
+
+    def generic_visit(self, node: ast.AST) -> ast.AST:
+        left = {name: getattr(node, name) for name in _LEFT if hasattr(node, name)}
+        for name in left:
+            setattr(node, name, None)
+        super().generic_visit(node)
+        for name, value in left.items():
+            setattr(node, name, value)
+        if isinstance(node, (ast.Assign, ast.AugAssign, ast.AnnAssign, ast.NamedExpr)) and node.value:
             node.value = _give_way(node.value)
         for name in ("body", "orelse", "finalbody"):
             statements = getattr(node, name, None)
@@ -34,7 +51,13 @@ def shake(source: str) -> ast.Module:
             if isinstance(statements, list) and not isinstance(node, ast.Module):
                 shaken = [each for statement in statements for each in (ast.Expr(_give_way()), statement)]
                 setattr(node, name, shaken)
-    return ast.fix_missing_locations(tree)
+        return node
+
+    def _value(self, node: ast.expr) -> ast.expr:
+        self.generic_visit(node)
+        return _give_way(node) if isinstance(getattr(node, "ctx", ast.Load()), ast.Load) else node
+
+    visit_Attribute = visit_Subscript = visit_Call = visit_BinOp = _value
 
 
 def _give_way(*value: ast.expr) -> ast.Call:
@@ -42,8 +65,14 @@ def _give_way(*value: ast.expr) -> ast.Call:
 
 
 @contextmanager
-def turns(seed: int) -> Iterator[None]:
-    """Within this context a shaken node gives way; how often at each place follows from ``seed``."""
+def turns(seed: int | None) -> Iterator[None]:
+    """Within this context a shaken node gives way; how often at each place follows from ``seed``.
+
+    Without one nothing is shaken here.
+    """
+    if seed is None:
+        yield
+        return
     draw = random.Random(seed)
 
     def give_way(value: Any = None) -> Any:

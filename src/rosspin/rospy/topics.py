@@ -15,7 +15,7 @@ from typing import Any, TypeVar
 
 from ..frames import format_error
 from ..messages.ros1 import Message, SerializationError
-from ..world import NotSimulated, World
+from ..world import NotSimulated, World, not_simulated
 from . import names, rosgraph
 from .core import logerr, logwarn
 from .exceptions import ROSException, ROSSerializationException
@@ -227,6 +227,8 @@ class Subscription:
         except NotSimulated:
             raise
         except Exception as error:
+            if lacking := not_simulated(error):
+                raise lacking from error
             if not self.node.shutdown:
                 self.node.world.note_error(error)
                 logerr(f"bad callback: {callback}\n{format_error(error)}")

@@ -1,45 +1,55 @@
 """Sphinx extension: a build goes over all pages, and ends with a list of what no longer holds and with status 1.
 
-The list has what the directives and the notebooks noted, the exercises that are missing, and the outputs. The builder
-``doctest`` writes no page.
+The list has what the directives, the notebooks and the examples noted, and the exercises that are missing. What was
+noted of a page is kept with the parsed page: a build that does not read it anew says it again. The builder ``doctest``
+is Sphinx's own; the builder ``outputs`` writes what follows from the runs into the pages.
 """
 
 from __future__ import annotations
 
 import json
 import re
-from collections.abc import Iterator
+from collections.abc import Iterator, Sequence
 from collections.abc import Set as AbstractSet
 from pathlib import Path
-from typing import Any
+from typing import Any, cast
 
 from docutils import nodes
-from sphinx.application import Sphinx
+from sphinx.application import ENV_PICKLE_FILENAME, Sphinx
 from sphinx.builders.dummy import DummyBuilder
 from sphinx.environment import BuildEnvironment
 from sphinx.util.typing import ExtensionMetadata
 
 from ..exercises import EXERCISES
 from .claims import MIME, Stale, report, sentence_near
-from .outputs import stale_outputs
+from .doctests import stale_examples
+from .outputs import stale_copies, stale_picture, write
 
-__all__ = ["note", "setup"]
+__all__ = ["note", "noted", "setup"]
 
-_stale: set[Stale] = set()
+
+def noted(env: BuildEnvironment) -> dict[str, set[Stale]]:
+    """What no longer holds, by page."""
+    return cast(dict[str, set[Stale]], env.__dict__.setdefault("rosspin_stale", {}))
 
 
 def note(env: BuildEnvironment, line: int, stands: str, now: str, block: tuple[int, int] | None = None) -> None:
     """Add something on the page being read to the list; ``block``: the lines whose sentence it is about."""
     path = Path(env.doc2path(env.docname))
     text = sentence_near(path.read_text(encoding="utf-8"), *block) if block else ""
-    _stale.add(Stale(path.relative_to(env.srcdir).as_posix(), line, stands, now, text))
+    stale = Stale(path.relative_to(env.srcdir).as_posix(), line, stands, now, text)
+    noted(env).setdefault(env.docname, set()).add(stale)
 
 
-class DoctestBuilder(DummyBuilder):
-    """In place of Sphinx's own, which prints frames and leaves facts out."""
+class OutputsBuilder(DummyBuilder):
+    """Writes the expected outputs of the examples, the copies of nodes and the README's picture anew.
 
-    name = "doctest"
-    epilog = "Every output on the pages is what its run prints, and every fact holds."
+    The author reads the difference in ``git diff``, and changes the sentences around it. The status is 1 if a run
+    failed, which is listed.
+    """
+
+    name = "outputs"
+    epilog = ""
 
     def get_outdated_docs(self) -> set[str]:
         """None: what there is to do is done when pages are read and when the build ends."""
@@ -52,11 +62,32 @@ class DoctestBuilder(DummyBuilder):
 def setup(app: Sphinx) -> ExtensionMetadata:
     """Connect the above."""
     app.setup_extension("sphinx.ext.doctest")
-    app.add_builder(DoctestBuilder, override=True)
-    app.connect("builder-inited", lambda app: _stale.clear())
+    app.add_builder(OutputsBuilder)
+    # A digest of all that the pages run, from conf.py. When it changes, pages are read again, and also written again if
+    # another builder has read them.
+    app.add_config_value("what_pages_run", "", "env")
+    app.add_config_value("what_pages_show", lambda config: config.what_pages_run, "html")
+    app.connect("env-purge-doc", lambda app, env, page: noted(env).pop(page, None))
     app.connect("doctree-read", _read_notebook)
-    app.connect("build-finished", _list)
+    app.connect("doctree-read", _run_examples)
+    app.connect("env-updated", _look_at_picture)
+    app.connect("build-finished", _finish)
     return {"parallel_read_safe": False, "parallel_write_safe": True}
+
+
+def _run_examples(app: Sphinx, doctree: nodes.document) -> None:
+    for block in doctree.findall(nodes.doctest_block):
+        block.source = block.source or doctree["source"]  # in a directive, docutils leaves it out
+    if stale := stale_examples(app, doctree):
+        noted(app.env).setdefault(app.env.docname, set()).update(stale)
+
+
+def _look_at_picture(app: Sphinx, env: BuildEnvironment) -> None:
+    """Make the README's picture anew if what it follows from has changed, and keep what was found."""
+    shown = [path.read_bytes() for path in (Path(app.srcdir, "README.md"), *Path(app.srcdir, "docs").glob("*.svg"))]
+    key = app.config.what_pages_run, shown
+    if getattr(env, "rosspin_picture", [None])[0] != key:
+        env.__dict__["rosspin_picture"] = key, stale_picture(Path(app.srcdir))
 
 
 def _read_notebook(app: Sphinx, doctree: nodes.document) -> None:
@@ -116,9 +147,30 @@ def _line_of(traceback: list[str]) -> int:
     return int(found[1]) if found else 1
 
 
-def _list(app: Sphinx, error: Exception | None) -> None:
-    if error is None:
-        stale = _stale | {*missing_exercises(Path(app.srcdir)), *stale_outputs(Path(app.srcdir))}
-        if stale:
-            print(f"\n{report(stale)}\n", flush=True)
-            app.statuscode = 1
+def _finish(app: Sphinx, error: Exception | None) -> None:
+    """Say what no longer holds, or write what can be written."""
+    if error is not None:
+        return
+    # Sphinx gives its warnings only when it reads or writes a page: the next build begins anew.
+    if app._warncount:
+        Path(app.doctreedir, ENV_PICKLE_FILENAME).unlink(missing_ok=True)
+    root = Path(app.srcdir)
+    _, picture = app.env.__dict__["rosspin_picture"]
+    stale = [*set().union(*noted(app.env).values()), *stale_copies(root), *picture, *missing_exercises(root)]
+    if app.builder.name == OutputsBuilder.name:
+        app.statuscode = _write(root, stale)
+    elif stale:
+        print(f"\n{report(stale)}\n", flush=True)
+        app.statuscode = 1
+
+
+def _write(root: Path, stale: Sequence[Stale]) -> int:
+    """Make the edits, and name the files; the status."""
+    edits = [edit for entry in stale for edit in entry.edits]
+    write(root, edits)
+    for file in sorted({edit.file for edit in edits}):
+        print(f"written: {file}")
+    print("Read `git diff`, change the sentences around it, and run `make html`." if edits else "Nothing to write.")
+    if failed := [entry for entry in stale if entry.failed]:
+        print(f"\n{report(failed)}", flush=True)
+    return bool(failed)

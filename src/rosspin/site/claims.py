@@ -32,7 +32,8 @@ class Edit:
 class Stale:
     """Something that no longer holds: where it stands, what stands there, and what the run says now.
 
-    ``text`` is the sentence that a fact is about, ``edits`` what ``make outputs`` would do about it.
+    ``text`` is the sentence that a fact is about, ``edits`` what ``make outputs`` would do about it; ``failed``: it
+    would, but the run ended in an error.
     """
 
     page: str
@@ -41,6 +42,7 @@ class Stale:
     now: str
     text: str = ""
     edits: tuple[Edit, ...] = ()
+    failed: bool = False
 
 
 class Facts:

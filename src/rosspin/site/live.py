@@ -20,7 +20,8 @@ from sphinx.application import Sphinx
 from sphinx.util.typing import ExtensionMetadata
 
 from ..clocks.simulation import Simulation
-from ..plots import timeline
+from ..pictures import page
+from ..plots import picture
 from ..process import capture, load_source
 from ..run import TimeStandsStill, run_node, split_words
 from ..world import NotSimulated
@@ -108,8 +109,8 @@ def plot(text: str) -> str:
     if not ticks:
         return ""
     end = min(clock.seconds(), seconds)
-    figure = timeline(ticks, end=end).captioned(f"simulated when this page was made: the first {seconds:g} s")
-    return figure._repr_html_().replace('<figure class="', '<figure class="live-made ', 1)
+    figure = picture(ticks, end=end, caption=f"simulated when this page was made: the first {seconds:g} s")
+    return page(figure).replace('<figure class="', '<figure class="live-made ', 1)
 
 
 def _add_files(app: Sphinx, page: str, template: str, context: dict[str, Any], doctree: nodes.document | None) -> None:

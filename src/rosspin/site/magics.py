@@ -69,7 +69,7 @@ class Magics(BaseMagics):
             feedback = check(int(line), _below_its_magic(cell))
         except ValueError as error:
             raise UsageError(f"%%answer NUMBER: {error}") from None
-        print(feedback.shown_console(), end="")
+        print(feedback.console, end="")
         if not (feedback.passed and self._is_attended()):
             return feedback
         self._solved.add(feedback.number)

@@ -1,28 +1,24 @@
-"""What stands in the pages and follows from a run: ``python -m rosspin.site.outputs`` writes it anew.
+"""What stands in the tree and follows from runs, beside the examples of the pages, and how it is written anew.
 
-That is the expected output of the doctests, the nodes that notebooks copy from ``examples/``, and the README's picture.
-The author reads the difference in ``git diff``, and changes the sentences around it.
+That is the nodes that notebooks copy from ``examples/``, and the README's picture.
 """
 
 from __future__ import annotations
 
 import difflib
-import doctest
 import re
-import sys
 import tempfile
 from collections import defaultdict
 from collections.abc import Iterable, Iterator
 from contextlib import chdir
 from pathlib import Path
-from types import TracebackType
-from typing import Any
 
-from ..plots import timeline
+from ..pictures import alternative, save
+from ..plots import picture
 from ..run import simulate
-from .claims import Edit, Stale, one_line, report
+from .claims import Edit, Stale, one_line
 
-__all__ = ["differences", "stale_outputs", "write"]
+__all__ = ["differences", "stale_copies", "stale_picture", "write"]
 
 # What the README shows is the plot of this run.
 _PICTURE, _PICTURED = "docs/timing.svg", ("examples/my_robotics_pkg/src/spinner_py_node.py", 5.0)
@@ -35,50 +31,16 @@ _COPY = re.compile(
 )
 
 
-def stale_outputs(root: Path) -> list[Stale]:
-    """All of it in the folder ``root`` that is not as a run now has it. Each has its edits, unless the run failed."""
+def stale_copies(root: Path) -> list[Stale]:
+    """The places in ``root``/notebooks at which a copy of a node is not as the node is."""
     with chdir(root):
-        pages = ["index.rst", *sorted(path.as_posix() for path in Path("docs").rglob("*.rst"))]
-        notebooks = sorted(path.as_posix() for path in Path("notebooks").glob("*.md"))
-        found = [stale for page in pages for stale in _doctests(page)]
-        found += [stale for notebook in notebooks for stale in _copies(notebook)]
-        return found + list(_picture("README.md"))
+        return [stale for notebook in sorted(Path("notebooks").glob("*.md")) for stale in _copies(notebook.as_posix())]
 
 
-class _Runner(doctest.DocTestRunner):
-    """Keeps what fails, and prints nothing."""
-
-    def __init__(self) -> None:
-        super().__init__(verbose=False, optionflags=doctest.DONT_ACCEPT_TRUE_FOR_1)
-        self.failed: list[tuple[doctest.Example, str, bool]] = []
-
-    def report_failure(self, out: Any, test: doctest.DocTest, example: doctest.Example, got: str) -> None:
-        self.failed.append((example, got, True))
-
-    def report_unexpected_exception(
-        self,
-        out: Any,
-        test: doctest.DocTest,
-        example: doctest.Example,
-        exc_info: tuple[type[BaseException], BaseException, TracebackType],
-    ) -> None:
-        # A name that is not there is missing because of the example that failed before.
-        if not (self.failed and isinstance(exc_info[1], NameError)):
-            self.failed.append((example, one_line(exc_info[1]), False))
-
-
-def _doctests(page: str) -> Iterator[Stale]:
-    text = Path(page).read_text(encoding="utf-8")
-    test = doctest.DocTestParser().get_doctest(text, {"__name__": "__main__"}, page, page, 0)
-    runner = _Runner()
-    runner.run(test, out=lambda text: None)
-    for example, got, is_output in runner.failed:
-        start = example.lineno + example.source.count("\n")
-        margin = " " * example.indent
-        lines = (margin + (line.rstrip() or "<BLANKLINE>") for line in got.splitlines())
-        edit = Edit(page, start, start + example.want.count("\n"), tuple(lines))
-        stands = example.want or example.source.partition("\n")[0] + " (prints nothing)"
-        yield Stale(page, start + 1, stands, got or "nothing is printed", edits=(edit,) if is_output else ())
+def stale_picture(root: Path) -> list[Stale]:
+    """The README's picture, if its run is not as it shows."""
+    with chdir(root):
+        return list(_picture("README.md"))
 
 
 def _copies(notebook: str) -> Iterator[Stale]:
@@ -107,49 +69,31 @@ def _picture(readme: str) -> Iterator[Stale]:
     try:
         ticks = simulate(node, seconds).ticks
     except Exception as error:  # whatever the author's node raises: all else is listed, too
-        yield Stale(readme, number + 1, lines[number], one_line(error))
+        yield Stale(readme, number + 1, lines[number], one_line(error), failed=True)
         return
     if not ticks:
-        yield Stale(readme, number + 1, lines[number], f"the node has no tick in {seconds:g} s")
+        yield Stale(readme, number + 1, lines[number], f"the node has no tick in {seconds:g} s", failed=True)
         return
-    plot = timeline(ticks)
+    plot = picture(ticks)
     with tempfile.TemporaryDirectory() as folder:
         drawn = Path(folder, "plot.svg")
-        plot.save(drawn)
+        save(plot, drawn)
         new = drawn.read_text(encoding="utf-8")
     old = Path(_PICTURE).read_text(encoding="utf-8")
-    words = f"![{plot.alt}]({_PICTURE})"
+    words = f"![{alternative(plot)}]({_PICTURE})"
     if (old, lines[number]) != (new, words):
-        picture = Edit(_PICTURE, 0, len(old.splitlines()), tuple(new.splitlines()))
-        edits = picture, Edit(readme, number, number + 1, (words,))
+        drawing = Edit(_PICTURE, 0, len(old.splitlines()), tuple(new.splitlines()))
+        edits = drawing, Edit(readme, number, number + 1, (words,))
         yield Stale(readme, number + 1, lines[number], words, edits=edits)
 
 
 def write(root: Path, edits: Iterable[Edit]) -> None:
-    """Make the edits, in the folder ``root``. Those of one file must not overlap."""
-    by_file = defaultdict(list)
+    """Make the edits, in the folder ``root``. Of two for the same lines, as two groups of examples may have, one."""
+    by_file: dict[str, dict[int, Edit]] = defaultdict(dict)
     for edit in edits:
-        by_file[edit.file].append(edit)
+        by_file[edit.file][edit.start] = edit
     for file, group in by_file.items():
         lines = (root / file).read_text(encoding="utf-8").splitlines()
-        for edit in sorted(group, key=lambda edit: edit.start, reverse=True):
+        for _, edit in sorted(group.items(), reverse=True):
             lines[edit.start : edit.end] = edit.lines
         (root / file).write_text("\n".join(lines) + "\n", encoding="utf-8")
-
-
-def main() -> int:
-    """Write them anew in this folder, and name the files. The status is 1 if a run failed, which is listed."""
-    root = Path.cwd()
-    stale = stale_outputs(root)
-    edits = [edit for entry in stale for edit in entry.edits]
-    write(root, edits)
-    for file in sorted({edit.file for edit in edits}):
-        print(f"written: {file}")
-    print("Read `git diff`, change the sentences around it, and run `make html`." if edits else "Nothing to write.")
-    if failed := [entry for entry in stale if not entry.edits]:
-        print(f"\n{report(failed)}", file=sys.stderr)
-    return bool(failed)
-
-
-if __name__ == "__main__":
-    sys.exit(main())

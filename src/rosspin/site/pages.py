@@ -27,7 +27,8 @@ from sphinx.util.typing import ExtensionMetadata
 from .. import machine, rclpy, rospy
 from ..clocks.simulation import Simulation
 from ..measures import topic_ticks
-from ..plots import Figure, timeline, with_handle
+from ..pictures import page
+from ..plots import picture, with_handle
 from ..process import load, load_source
 from ..roscpp import timer_probe
 from ..run import run_captured
@@ -65,7 +66,7 @@ class TicksDirective(SphinxDirective):
     def run(self) -> list[nodes.Node]:
         """The plot, as inline SVG."""
         try:
-            return list(self._shown(self._plot().captioned(self._caption())))
+            return list(self._shown(self._plot()))
         except Exception as error:
             command = self.arguments[0] if self.arguments else "; ".join(self.content) or "nothing"
             # What is wrong with the directive is said in a sentence; errors of other kinds need their names.
@@ -97,10 +98,10 @@ class TicksDirective(SphinxDirective):
         rules = [name for name, (file, *_) in self._commands().items() if file.endswith(".cpp")]
         return "; ".join(["simulated", *(f"{name}: calculated by its rule" for name in rules)])
 
-    def _plot(self) -> Figure:
+    def _plot(self) -> str:
         period = self.options.get("period")
         if "handle" not in self.options:
-            return timeline(self._ticks(None), period)
+            return page(picture(self._ticks(None), period, caption=self._caption()))
         found = re.fullmatch(r"(.+), (\S+) to (\S+) by (\S+) (.+)", self.options["handle"])
         if found is None:
             raise ValueError("a handle is LABEL, FROM to TO by STEP UNIT")
@@ -115,7 +116,7 @@ class TicksDirective(SphinxDirective):
         at = self.options["at"] if "at" in self.options else float(self._assignment(sets)[2])
         values = {at, *(round(first + number * step, 9) for number in range(round((last - first) / step) + 1))}
         runs = {value: self._ticks(value, f" at {value:g} {found[5]}") for value in sorted(values)}
-        return with_handle(found[1], found[5], runs, at, period, sets)
+        return with_handle(found[1], found[5], runs, at, period, sets, caption=self._caption()).html
 
     def _ticks(self, value: float | None, where: str = "") -> dict[str, Sequence[Tick]]:
         if "seconds" not in self.options:
@@ -151,8 +152,8 @@ class TicksDirective(SphinxDirective):
             raise ValueError(f"{file} assigns no number to {variable}")
         return found
 
-    def _shown(self, plot: Figure) -> Iterator[nodes.Node]:
-        drawn = nodes.raw("", plot._repr_html_(), format="html")
+    def _shown(self, plot: str) -> Iterator[nodes.Node]:
+        drawn = nodes.raw("", plot, format="html")
         if "lines" not in self.options:
             yield drawn
             return
@@ -309,9 +310,16 @@ class MachineDirective(SphinxDirective):
 
     def run(self) -> list[nodes.Node]:
         """A table."""
-        self.env.note_reread()  # another machine, another Python: read in each build
         packages = "".join(self.arguments).split()
-        return self.parse_text_to_nodes(_table("What", "Value", rows=machine.describe(packages).items()))
+        described = machine.describe(packages)
+        self.env.metadata[self.env.docname]["machine"] = packages, described
+        return self.parse_text_to_nodes(_table("What", "Value", rows=described.items()))
+
+
+def moved(app: Sphinx, env: BuildEnvironment, added: set[str], changed: set[str], removed: set[str]) -> list[str]:
+    """Pages that describe a machine other than this one, or another Python, are read again."""
+    shown = ((page, data["machine"]) for page, data in env.metadata.items() if "machine" in data)
+    return [page for page, (packages, described) in shown if machine.describe(packages) != described]
 
 
 def _table(*headings: str, rows: Iterable[Iterable[str]]) -> str:
@@ -350,6 +358,16 @@ def name_terms(app: Sphinx, page: nodes.document) -> None:
             labels.note_hyperlink_target(name, app.env.docname, name)
 
 
+def name_pages(app: Sphinx, env: BuildEnvironment) -> list[str]:
+    """When a page is named otherwise, or comes or goes, all are written again: each has a list of them, and links."""
+    titles = {page: title.astext() for page, title in env.titles.items()}
+    now = titles, env.toctree_includes, env.tocs[app.config.root_doc].pformat()  # with the captions
+    if app.builder.format != "html" or env.__dict__.get("rosspin_names") == now:
+        return []
+    env.__dict__["rosspin_names"] = now
+    return sorted(env.found_docs)
+
+
 def list_exercises(
     app: Sphinx, page: str, template: str, context: dict[str, Any], doctree: nodes.document | None
 ) -> None:
@@ -385,8 +403,10 @@ def setup(app: Sphinx) -> ExtensionMetadata:
     app.add_directive("machine", MachineDirective)
     app.add_role("fact", FactRole())
     app.add_lexer("ipython3", CellLexer)
+    app.connect("env-get-outdated", moved)
     app.connect("source-read", offer_download)
     app.connect("doctree-read", name_terms)
     app.connect("doctree-read", keep_units)
+    app.connect("env-updated", name_pages)
     app.connect("html-page-context", list_exercises)
     return {"parallel_read_safe": False, "parallel_write_safe": True}

@@ -1,0 +1,391 @@
+"""Run an answer, and note what it does: who prints what, which timers call back, how each of them ends."""
+
+from __future__ import annotations
+
+import io
+import math
+import os
+import signal
+import sys
+import threading
+import traceback
+from collections import Counter
+from collections.abc import Collection, Iterable, Iterator, Sequence
+from contextlib import contextmanager, suppress
+from functools import cached_property
+from itertools import islice
+from json import dumps
+from types import CodeType, FrameType
+from typing import Any, Protocol, TypeVar
+
+from ..clocks.clock import NS, nanoseconds
+from ..clocks.programs import send
+from ..clocks.simulation import Simulation
+from ..process import Node, capture, execute, load_source
+from ..run import Result, TimeStandsStill, messages_of, run_node, ticks_of, waits_for_a_rate, where_it_was_kept
+from ..ticks import Message, Tick
+from ..world import NotSimulated, World
+from . import in_rospy
+from .judging import not_python, plain, started
+from .seen import Error, Kept, Printed, Seen, SeenTimer, Sent, Value
+from .shaking import shake, turns
+from .traces import LONGEST, Failure, Outcome, Request
+
+__all__ = ["Runner"]
+
+# What the reader sees as the name of the node file: in tracebacks, and where a node never sleeps.
+_FILENAME = "<answer>"
+
+# A thread that has slept so often in one line of the answer runs a loop there.
+_LOOPS = 3
+
+# So many lines of a console are shown, and characters.
+_MOST_LINES = 30
+_LONGEST_CONSOLE = 25_000
+
+# All that is kept of the runs of one answer, in characters of JSON; what is not a list is small.
+_ROOM = LONGEST * 3 // 4
+
+# So many characters of a line are kept, and so many items of what no exercise looks at more closely.
+_LONGEST_LINE = 1000
+_LEAST_LINE = 20  # beside its text
+_MOST = 100
+
+# A node that stalls does so for as long (s).
+_STALL = 0.93
+
+Item = TypeVar("Item")
+
+
+class Ros(Protocol):
+    """What there is to know of a ROS to see what a node does.
+
+    ``ENDINGS`` are the exceptions that Ctrl-C may end a node with; ``WAITING`` is the code that waits for its end.
+    """
+
+    ENDINGS: tuple[type[BaseException], ...]
+    WAITING: Collection[CodeType]
+
+    def timer_of(self, frame: FrameType) -> Any:
+        """The timer that calls back in a frame; None if the frame is another."""
+
+    def timers(self, world: World, printers: Iterable[Any]) -> list[tuple[Any, str, bool, bool]]:
+        """The timers that were started, each with its source, whether it has ended, and whether it was asked to.
+
+        ``printers`` are those that have printed something.
+        """
+
+    def whose(self, codes: Collection[CodeType]) -> str:
+        """What of a node an exception has ended, by the code that it came through; empty if it is nothing of ROS's."""
+
+    def hint(self, error: BaseException, whose: str) -> str:
+        """A hint for whom an exception met; empty if there is none."""
+
+
+# --- what a run shows -------------------------------------------------------------------------------------------------
+
+
+class _Watched(Simulation):
+    """A simulated clock that notes what happens on it."""
+
+    def __init__(self, ros: Ros, until: float) -> None:
+        super().__init__()
+        self.printed: list[Printed] = []
+        self.timers: list[SeenTimer] = []
+        self.cut = False
+        self._ros = ros
+        self._timers: dict[int, tuple[int, Any]] = {}  # those that were met, by their ids, and their numbers
+        self._sleeps: Counter[tuple[int, int]] = Counter()
+        self._whole = True  # whether the last line was printed to its end
+        self._left = _ROOM  # so many characters may still be printed
+        self.at(nanoseconds(until), self._note_timers)  # before Ctrl-C, which is to come then, too
+
+    def terminate(self, at: float) -> None:
+        """Send the node SIGTERM at a time (s)."""
+        self.at(nanoseconds(at), lambda: send(self.main.program, signal.SIGTERM))
+
+    def stall(self, at: float) -> None:
+        """Let the time move on at a time (s), and nothing else, as on a machine that has something else to do."""
+        self.at(nanoseconds(at), lambda: self._move(self.now() + nanoseconds(_STALL)))
+
+    def loops(self) -> list[int]:
+        """The lines of the answer in which something other than a timer's callback slept again and again."""
+        return sorted({line for (_, line), count in self._sleeps.items() if count >= _LOOPS})
+
+    def sleep(self, ns: int) -> None:
+        self._note_sleep(sys._getframe())
+        super().sleep(ns)
+
+    def wait(self, ns: int | None = None) -> bool:
+        self._note_sleep(sys._getframe())
+        return super().wait(ns)
+
+    def note_print(self, text: str) -> None:
+        for piece in text.splitlines(keepends=True):
+            self._left -= min(len(piece), _LONGEST_LINE) + _LEAST_LINE
+            if self._whole:
+                if self._left < 0:
+                    self.cut = True
+                    return
+                self.printed.append(Printed(self.seconds(), _cut(piece), self._number(self._timer(sys._getframe()))))
+            else:
+                self.printed[-1] = self.printed[-1]._replace(text=_cut(self.printed[-1].text + piece))
+            self._whole = piece.endswith("\n")
+
+    def _timer(self, frame: FrameType | None) -> Any:
+        """The timer in whose call a frame is."""
+        while frame:
+            timer = self._ros.timer_of(frame)
+            if timer is not None:
+                return timer
+            frame = frame.f_back
+        return None
+
+    def _number(self, timer: Any) -> int:
+        if timer is None:
+            return 0
+        number, _ = self._timers.setdefault(id(timer), (len(self._timers) + 1, timer))
+        return number
+
+    def _note_sleep(self, frame: FrameType | None) -> None:
+        while frame and frame.f_code.co_filename != _FILENAME:
+            if frame.f_code in self._ros.WAITING:
+                return
+            frame = frame.f_back
+        if frame and self._timer(frame) is None:
+            self._sleeps[threading.get_ident(), frame.f_lineno] += 1
+
+    def _note_timers(self) -> None:
+        world = self.main.program
+        assert isinstance(world, World)
+        ticks = ticks_of(world.graph, 0)
+        printers = [timer for _, timer in self._timers.values()]
+        for timer, source, has_ended, was_asked in self._ros.timers(world, printers):
+            calls = [tick for tick in ticks if tick.source == source]
+            state = self._state(calls, has_ended, was_asked)
+            self.timers.append(SeenTimer(self._number(timer), tuple(tick.real for tick in calls), state))
+
+    def _state(self, calls: Sequence[Tick], has_ended: bool, was_asked: bool) -> str:
+        if not has_ended and calls and math.isnan(calls[-1].duration):
+            if nanoseconds(calls[-1].real) < self.now() - NS:
+                return "blocked"
+        if was_asked:
+            return "stopped"
+        return "gone" if has_ended else "running"
+
+
+class _Listener(io.TextIOBase):
+    """A stream whose lines a clock is told of."""
+
+    def __init__(self, clock: _Watched) -> None:
+        self._clock = clock
+
+    def write(self, text: str) -> int:
+        self._clock.note_print(text)
+        return len(text)
+
+
+# --- running an answer ------------------------------------------------------------------------------------------------
+
+
+class Runner:
+    """Runs the answer to one exercise, which is on ROS 1 or 2; ``console`` and ``cut`` are those of its trace."""
+
+    def __init__(self, text: str, ros: int) -> None:
+        self.console = ""
+        self.cut = False
+        self._text = text
+        self._ros_number = ros
+        self._room = _ROOM
+        self._ran = False
+
+    @cached_property
+    def _ros(self) -> Ros:
+        if self._ros_number == 1:
+            return in_rospy
+        from . import in_rclpy
+
+        return in_rclpy
+
+    def __call__(self, request: Request) -> Outcome:
+        """What comes of a request."""
+        try:
+            seen, failure = self._run(request), None
+        except _Failed as failed:
+            seen, failure = None, failed.failure
+        return Outcome(request, seen, failure)
+
+    def _run(self, request: Request) -> Seen:
+        node = self._node
+        clock = _Watched(self._ros, request.seconds)
+        if request.terminated_at is not None:
+            clock.terminate(request.terminated_at)
+        if request.stalls_at is not None:
+            clock.stall(request.stalls_at)
+        if request.seed is not None:
+            node = node._replace(main=lambda: execute(self._shaken, _FILENAME))
+        variables: list[tuple[str, Value]] = []
+
+        def main() -> None:
+            node.main()
+            found = vars(sys.modules["__main__"])
+            variables.extend((name, _value(found[name])) for name in request.variables if name in found)
+
+        listener: Any = _Listener(clock)
+        try:
+            with capture(listener, listener) as console, _plain_environment(), turns(request.seed):
+                result = run_node(node._replace(main=main), request.seconds, request.args, clock)
+        except (TimeStandsStill, NotSimulated, RuntimeError) as error:
+            text = f"{started(request.args)} node cannot be run: `{plain(str(error))}`"
+            raise _Failed(text, _hint_for(error)) from None
+        finally:
+            if not self._ran:
+                self.console, self._ran = _shown(console.text()), True
+        return self._seen(request, node, clock, result, variables)
+
+    def _seen(
+        self, request: Request, node: Node, clock: _Watched, result: Result, variables: list[tuple[str, Value]]
+    ) -> Seen:
+        world = result.world
+        kept_at = where_it_was_kept(node, world.waited)
+        self.cut |= clock.cut
+        errors, timers = self._fitting(map(self._error, world.errors)), self._fitting(clock.timers)
+        sent, printed = self._fitting(map(_sent, messages_of(world.graph, 0))), self._fitting(clock.printed)
+        return Seen(
+            request.seconds,
+            printed,
+            timers,
+            tuple(clock.loops()[:_MOST]),
+            sent,
+            result.status,
+            errors,
+            world.interrupted,
+            kept_at and Kept(kept_at.line, plain(kept_at.call)),
+            waits_for_a_rate(node, world.waited),
+            tuple(variables),
+        )
+
+    def _fitting(self, items: Iterable[Item]) -> tuple[Item, ...]:
+        """The first items, as many as half of the room is enough for: the rest is for what comes then."""
+        kept, room = [], self._room // 2
+        for item in items:
+            size = len(dumps(item)) + 1
+            if size > room:
+                self.cut = True
+                break
+            room -= size
+            self._room -= size
+            kept.append(item)
+        return tuple(kept)
+
+    @cached_property
+    def _node(self) -> Node:
+        try:
+            return load_source(self._text, _FILENAME)._replace(ros=self._ros_number)
+        except SyntaxError as error:
+            raise _Failed(*not_python(error, self._text)) from None
+
+    @cached_property
+    def _shaken(self) -> CodeType:
+        return compile(shake(self._text), _FILENAME, "exec", dont_inherit=True)
+
+    def _error(self, error: BaseException) -> Error:
+        frames = list(_frames(error))
+        line = next((line for code, line in reversed(frames) if code.co_filename == _FILENAME), 0)
+        codes = {code for code, _ in frames}
+        whose = self._ros.whose(codes) or ("thread" if threading.Thread.run.__code__ in codes else "node")
+        missing = ""
+        if isinstance(error, (AttributeError, ImportError, NameError)):
+            missing = "Python names what it did not find. Is it spelt as it is where it was made, with its `self.`?"
+        said = plain(traceback.format_exception_only(error)[-1])
+        is_ending = isinstance(error, self._ros.ENDINGS)
+        return Error(_type(error), said, line, whose, is_ending, self._ros.hint(error, whose) or missing)
+
+
+class _Failed(Exception):
+    """An answer cannot be run."""
+
+    def __init__(self, text: str, hint: str) -> None:
+        self.failure = Failure(text, hint)
+
+
+# By these a reader may have changed the console, or the namespace of every node.
+_VARIABLES = ("ROSCONSOLE_FORMAT", "ROS_NAMESPACE", "RCUTILS_CONSOLE_OUTPUT_FORMAT", "RCUTILS_COLORIZED_OUTPUT")
+
+
+@contextmanager
+def _plain_environment() -> Iterator[None]:
+    kept = {name: os.environ.pop(name) for name in _VARIABLES if name in os.environ}
+    try:
+        yield
+    finally:
+        os.environ.update(kept)
+
+
+def _frames(error: BaseException) -> Iterator[tuple[CodeType, int]]:
+    """The code and the line of each frame that an exception came through, outermost first."""
+    trace = error.__traceback__
+    while trace:
+        yield trace.tb_frame.f_code, trace.tb_lineno
+        trace = trace.tb_next
+
+
+def _hint_for(error: Exception) -> str:
+    if isinstance(error, TimeStandsStill):
+        return "Something goes on without ever sleeping: a loop without a `sleep()`, or a period of 0."
+    if isinstance(error, NotSimulated):
+        return "Timers, rates, sleeps, topics and log lines are all that an answer needs."
+    return ""
+
+
+# --- what is kept of it -----------------------------------------------------------------------------------------------
+
+
+def _shown(console: str) -> str:
+    """The console as far as it is worth showing: enough to see an error, not all of a node that never stops."""
+    lines = console.splitlines(keepends=True)
+    more = f"... and {len(lines) - _MOST_LINES} more lines\n" if len(lines) > _MOST_LINES else ""
+    text = "".join(lines[:_MOST_LINES])
+    return (text if len(text) <= _LONGEST_CONSOLE else f"{text[:_LONGEST_CONSOLE]} ...\n") + more
+
+
+def _cut(line: str) -> str:
+    return line if len(line) <= _LONGEST_LINE else f"{line[:_LONGEST_LINE]} ..."
+
+
+def _type(value: object) -> str:
+    name = type(value).__name__  # which a metaclass may have made anything
+    return plain(name) if type(name) is str else "object"
+
+
+def _sent(message: Message) -> Sent:
+    topic, _, time, content = message
+    data = getattr(content, "data", None)
+    text = _cut(str(data)) if type(data) in (bool, int, float, str) else ""
+    return Sent(topic, time, str(getattr(content, "_type", _type(content))), text)
+
+
+def _value(value: Any) -> Value:
+    """What can be told of a variable. To be called within the run: the types may be the answer's own."""
+    with suppress(Exception):
+        if type(value) is str:
+            return Value("str", _cut(value))
+        plainly = _unwrapped(value)
+        if type(plainly) in (list, tuple, range):
+            return Value(_type(value), numbers=tuple(_number(each) for each in islice(plainly, _MOST)))
+        if type(value) in (int, float):
+            return Value(_type(value), repr(value))
+    return Value(_type(value))
+
+
+def _unwrapped(value: Any) -> Any:
+    """An array, or a number of an array, in Python's own types; what is none as it is."""
+    return value.tolist() if hasattr(type(value), "tolist") else value
+
+
+def _number(value: Any) -> float:
+    """A number of whatever type. Raises an exception for anything else, and for one that is not finite."""
+    value = _unwrapped(value)
+    if type(value) is bool or not hasattr(type(value), "__float__") or not math.isfinite(number := float(value)):
+        raise ValueError(value)
+    return number

@@ -1,0 +1,126 @@
+"""Write down what the runs of an answer showed, and read it again in another Python.
+
+What is read may come from anybody: all of it has the right types, and is finite and small, or it is refused. That it
+describes the runs of this answer, and no others, cannot be seen: an answer that takes over the Python that it runs in
+can write down whatever it likes.
+"""
+
+from __future__ import annotations
+
+import math
+from collections.abc import Sequence
+from functools import cache
+from json import dumps, loads
+from types import NoneType, UnionType
+from typing import Any, NamedTuple, get_args, get_origin, get_type_hints
+
+from .seen import Seen
+
+__all__ = ["LONGEST", "LONGEST_TEXT", "Failure", "Misfit", "Outcome", "Request", "Trace", "read", "write"]
+
+LONGEST = 2_000_000
+"""A trace has at most so many characters."""
+
+LONGEST_TEXT = 30_000
+"""And each text in it so many."""
+
+
+class Misfit(ValueError):
+    """A trace from which no verdict can be had."""
+
+    def __init__(self, why: str) -> None:
+        super().__init__(f"The trace does not fit: {why}.")
+
+
+class Request(NamedTuple):
+    """What is asked of an answer: a run of ``seconds`` with the command line ``args``.
+
+    SIGTERM may come at a time (s) before Ctrl-C. With a ``seed`` its threads take turns at any point; if it
+    ``stalls_at`` a time (s), nothing of it runs for a while; ``variables`` are the names of those to be told.
+    """
+
+    seconds: float
+    args: tuple[str, ...] = ()
+    terminated_at: float | None = None
+    seed: int | None = None
+    stalls_at: float | None = None
+    variables: tuple[str, ...] = ()
+
+
+class Failure(NamedTuple):
+    """Why it could not be run, and how to go on."""
+
+    text: str
+    hint: str
+
+
+class Outcome(NamedTuple):
+    """What was asked, and what came of it: one of the two."""
+
+    request: Request
+    seen: Seen | None
+    failure: Failure | None
+
+
+class Trace(NamedTuple):
+    """All that was asked of an answer to the exercise ``number``, in its order.
+
+    ``console`` is that of the first run, as far as it is worth showing; ``cut`` says that something else did not fit.
+    """
+
+    number: int
+    console: str
+    cut: bool
+    outcomes: tuple[Outcome, ...]
+
+
+def write(trace: Trace) -> str:
+    """A trace as JSON."""
+    return dumps(trace, allow_nan=False, separators=(",", ":"))
+
+
+def read(text: str, number: int) -> Trace:
+    """The trace of an answer to an exercise. Raises :class:`Misfit` for anything else."""
+    if not isinstance(text, str) or len(text) > LONGEST:
+        raise Misfit("it is too long")
+    try:
+        trace = _read(Trace, loads(text))
+    except (ValueError, TypeError, OverflowError, RecursionError) as error:
+        raise Misfit("it is damaged") from error
+    assert isinstance(trace, Trace)
+    if trace.number != number:
+        raise Misfit("it is of another exercise")
+    if any((seen is None) is (failure is None) for _, seen, failure in trace.outcomes):
+        raise Misfit("it is damaged")
+    return trace
+
+
+def _read(kind: Any, data: Any) -> Any:
+    """Data of JSON as ``kind``, a type in an annotation. Raises ValueError or TypeError if it is none."""
+    if get_origin(kind) is UnionType:
+        [other] = (each for each in get_args(kind) if each is not NoneType)
+        return None if data is None else _read(other, data)
+    if kind is float:
+        # JSON has one kind of number.
+        if type(data) not in (int, float) or not math.isfinite(data):
+            raise ValueError(kind)
+        return float(data)
+    if kind in (str, int, bool):
+        if type(data) is not kind or (kind is str and len(data) > LONGEST_TEXT) or (kind is int and abs(data) >> 63):
+            raise ValueError(kind)
+        return data
+    if type(data) is not list:
+        raise TypeError(kind)
+    if get_origin(kind) is not tuple:
+        return kind(*_read_each(_fields(kind), data))
+    kinds = get_args(kind)
+    return _read_each([kinds[0]] * len(data) if kinds[-1] is ... else kinds, data)
+
+
+def _read_each(kinds: Sequence[Any], data: list[Any]) -> tuple[Any, ...]:
+    return tuple(_read(kind, each) for kind, each in zip(kinds, data, strict=True))
+
+
+@cache
+def _fields(kind: Any) -> tuple[Any, ...]:
+    return tuple(get_type_hints(kind).values())

@@ -1,0 +1,471 @@
+"""What a run may change in the process and finds there, but leaves as it was: :data:`KEPT` is the list of it.
+
+Nothing is made anew for a run: what is there when it begins is noted, and what differs at its end is put back. To see
+that nothing differs takes one look at each name, by identity; only what was changed is touched.
+"""
+
+from __future__ import annotations
+
+import _locale
+import gc
+import logging
+import os
+import random
+import sys
+import threading
+import time
+from collections.abc import Callable, Iterable, Iterator
+from contextlib import suppress
+from itertools import chain
+from operator import is_
+from types import ModuleType
+from typing import Any, NamedTuple
+
+__all__ = ["KEPT", "Kept", "state_of_node", "state_of_process", "working_folder"]
+
+Put = Callable[[], None]
+
+# What makes something what it was before, and gives what makes it what it was until then.
+Undo = Callable[[], Put]
+
+# The modules that nodes are given, under other names, and what their message classes are made of.
+_STAND_INS = ("rosspin.rospy", "rosspin.rclpy", "rosspin.messages.genpy", "rosspin.messages.ros")
+
+# Of the standard library, what nodes patch and the stand-ins are built on: modules, and of some also their classes.
+_LIBRARY = ("atexit", "copy", "functools", "json", "math", "os", "signal", "subprocess", "time", "warnings")
+_LIBRARY_WITH_CLASSES = ("concurrent.futures.thread", "logging", "queue", "random", "threading")
+
+_MISSING: Any = object()
+_END = [_MISSING]  # what comes after all values
+
+
+class Kept(NamedTuple):
+    """Something that is kept: what it is, and a function that makes a function that makes it what it is now.
+
+    A node that runs in steps finds it as it has left it, if ``found_again``.
+    """
+
+    what: str
+    state: Callable[[], Callable[[], object]]
+    found_again: bool = True
+
+
+# --- names ------------------------------------------------------------------------------------------------------------
+
+
+class _Names:
+    """The attributes of a module, a class or an object with a ``__dict__``. ``values`` are always those of now."""
+
+    def __init__(self, owner: Any) -> None:
+        self._owner = owner
+        self.values: Iterable[Any] = vars(owner).values()
+
+    def copy(self) -> dict[str, Any]:
+        return dict(vars(self._owner))
+
+    def put(self, noted: dict[str, Any]) -> Put:
+        """Make it what was noted; what makes it again what it was until now."""
+        here = self.copy()
+        names = [
+            name for name in here.keys() | noted.keys() if here.get(name, _MISSING) is not noted.get(name, _MISSING)
+        ]
+        # A module that was imported meanwhile stays where the import system has put it.
+        changed = [name for name in names if name in noted or not self._is_submodule(name, here[name])]
+
+        def put(values: dict[str, Any]) -> None:
+            for name in changed:
+                _set(self._owner, name, values.get(name, _MISSING))
+
+        put(noted)
+        return lambda: put(here)
+
+    def _is_submodule(self, name: str, value: Any) -> bool:
+        return isinstance(self._owner, ModuleType) and sys.modules.get(f"{self._owner.__name__}.{name}") is value
+
+
+def _set(owner: Any, name: str, value: Any) -> None:
+    if isinstance(owner, type):
+        if value is not _MISSING:
+            type.__setattr__(owner, name, value)
+        elif name in vars(owner):
+            type.__delattr__(owner, name)
+    elif value is not _MISSING:
+        vars(owner)[name] = value
+    else:
+        vars(owner).pop(name, None)
+
+
+class _Content:
+    """What a list, a dictionary or a set of a stand-in holds, likewise."""
+
+    def __init__(self, owner: Any) -> None:
+        self._owner = owner
+        self.values: Iterable[Any] = owner.values() if isinstance(owner, dict) else owner
+
+    def copy(self) -> Any:
+        return self._owner.copy()
+
+    def put(self, noted: Any) -> Put:
+        """Likewise."""
+        here = self.copy()
+
+        def put(values: Any) -> None:
+            self._owner.clear()
+            (self._owner.extend if isinstance(self._owner, list) else self._owner.update)(values)
+
+        put(noted)
+        return lambda: put(here)
+
+
+class _AllNames:
+    """All that is kept of the modules in ``names``, as far as they have been imported."""
+
+    def __init__(self) -> None:
+        self._loaded = 0  # so many modules were there when the owners were looked for
+        self._owners: dict[int, _Names | _Content] = {}  # by the identity of what they are of
+        self._views: list[Iterable[Any]] = []
+        self._values: list[Any] = []  # of all owners, when it was last noted what they have
+        self._noted: list[Any] = []
+
+    def state(self) -> Undo:
+        """Note what there is. That costs little if it is the same as the last time."""
+        if self._loaded != len(sys.modules):
+            self._find_owners()
+        if not _are_same(self._views, self._values):
+            self._values = list(chain.from_iterable(self._views))
+            self._noted = [owner.copy() for owner in self._owners.values()]
+        views, values, noted = self._views, self._values, self._noted
+
+        def put() -> Put:
+            if _are_same(views, values):
+                return _nothing
+            redo = []
+            for owner, each in zip(self._owners.values(), noted, strict=False):  # new owners come last
+                if not _are_same(
+                    [owner.values, _END], [*(each.values() if isinstance(each, dict) else each), _MISSING]
+                ):
+                    redo.append(owner.put(each))
+            return lambda: _call(redo)
+
+        return put
+
+    def _find_owners(self) -> None:
+        self._loaded = len(sys.modules)
+        before = len(self._owners)
+        stand_ins = [name for name in sys.modules if name.startswith(_STAND_INS)]
+        for name in (*stand_ins, *_LIBRARY, *_LIBRARY_WITH_CLASSES):
+            module = sys.modules.get(name)
+            if isinstance(module, ModuleType) and id(module) not in self._owners:
+                self._owners |= {id(owner): kept for owner, kept in _owners_in(name, module)}
+        if len(self._owners) != before:
+            self._views = [*(owner.values for owner in self._owners.values()), _END]
+
+
+def _are_same(views: list[Iterable[Any]], values: list[Any]) -> bool:
+    """Whether the views, of which the last is the end, give these values."""
+    return bool(values) and all(map(is_, chain.from_iterable(views), values))
+
+
+def _owners_in(name: str, module: ModuleType) -> Iterator[tuple[Any, _Names | _Content]]:
+    """A module, the classes that it makes, and of a stand-in also its objects and containers."""
+    yield module, _Names(module)
+    if name in _LIBRARY:
+        return
+    classes = [each for each in vars(module).values() if isinstance(each, type) and _can_change(each)]
+    if name in _LIBRARY_WITH_CLASSES:
+        yield from ((each, _Names(each)) for each in classes if each.__module__ == name)
+        return
+    homes = ("rosspin.", "rospy", "rclpy", "genpy")
+    own = [each for each in classes if each.__module__.startswith(homes)]
+    yield from ((each, _Names(each)) for each in own)
+    owners: list[Any] = [module, *own]
+    for owner in owners:
+        for key, value in dict(vars(owner)).items():
+            if type(value) in (list, dict, set) and key not in _OF_PYTHON:
+                yield value, _Content(value)
+            elif type(value).__module__.startswith(homes) and hasattr(value, "__dict__"):
+                yield value, _Names(value)
+
+
+# Containers that Python itself fills: of a module, an enumeration.
+_OF_PYTHON = {"__builtins__", "__warningregistry__", "_member_map_", "_value2member_map_", "_member_names_"}
+
+
+def _can_change(kind: type) -> bool:
+    return bool(kind.__flags__ & 1 << 9)  # Py_TPFLAGS_HEAPTYPE
+
+
+_names = _AllNames()
+
+
+def _call(functions: Iterable[Callable[[], object]]) -> None:
+    for function in functions:
+        function()
+
+
+def _nothing() -> None:
+    pass
+
+
+# --- the process ------------------------------------------------------------------------------------------------------
+
+
+def _command_line() -> Put:
+    argv = sys.argv
+    hooks = sys.excepthook, sys.unraisablehook, threading.excepthook
+
+    def put() -> None:
+        sys.argv = argv
+        sys.excepthook, sys.unraisablehook, threading.excepthook = hooks
+
+    return put
+
+
+def _modules() -> Put:
+    """A new module stays, for the next run to find it quickly; one that nobody has imported does not."""
+    before = dict(sys.modules)
+    modules = sys.modules
+
+    def put() -> None:
+        sys.modules = modules
+        if modules != before:
+            roots = {name.partition(".")[0] for name in before}
+            for name in modules.keys() - before.keys():
+                if name.partition(".")[0] not in roots and getattr(modules[name], "__spec__", None) is None:
+                    del modules[name]
+            modules.update(before)
+
+    return put
+
+
+def _names_in_sys() -> Undo:
+    """Apart from all other names: its streams are others in each run."""
+    names = _Names(sys)
+    before = names.copy()
+    return lambda: names.put(before)
+
+
+def _lists_of_sys() -> Put:
+    lists: list[list[Any]] = [sys.path, sys.meta_path, sys.path_hooks]
+    kept = [(each, each[:]) for each in lists]
+
+    def put() -> None:
+        for each, before in kept:
+            each[:] = before
+
+    return put
+
+
+def _hooks() -> Put:
+    trace, profile = sys.gettrace(), sys.getprofile()
+
+    def put() -> None:
+        if sys.gettrace() is not trace:
+            sys.settrace(trace)
+        if sys.getprofile() is not profile:
+            sys.setprofile(profile)
+
+    return put
+
+
+def _limits() -> Put:
+    interval, depth = sys.getswitchinterval(), sys.getrecursionlimit()
+    digits = sys.get_int_max_str_digits()
+
+    def put() -> None:
+        if sys.getswitchinterval() != interval:
+            sys.setswitchinterval(interval)
+        if sys.getrecursionlimit() != depth:
+            sys.setrecursionlimit(depth)
+        if sys.get_int_max_str_digits() != digits:
+            sys.set_int_max_str_digits(digits)
+
+    return put
+
+
+def _collector() -> Put:
+    enabled, threshold, debug, callbacks = gc.isenabled(), gc.get_threshold(), gc.get_debug(), gc.callbacks[:]
+
+    def put() -> None:
+        (gc.enable if enabled else gc.disable)()
+        if gc.get_threshold() != threshold:
+            gc.set_threshold(*threshold)
+        gc.set_debug(debug)
+        gc.callbacks[:] = callbacks
+
+    return put
+
+
+def _environment() -> Put:
+    environ: Any = os.environ
+    data = environ._data  # to decode all of it takes time
+    before = data.copy()
+
+    def put() -> None:
+        os.environ, environ._data = environ, data
+        if data != before:
+            zone = environ.get("TZ")
+            for name in data.keys() - before.keys():
+                del environ[environ.decodekey(name)]
+            for name, value in before.items():
+                if data.get(name) != value:
+                    environ[environ.decodekey(name)] = environ.decodevalue(value)
+            if environ.get("TZ") != zone and hasattr(time, "tzset"):
+                time.tzset()
+
+    return put
+
+
+def _folder() -> Put:
+    folder = working_folder()
+
+    def put() -> None:
+        if folder and folder != working_folder():
+            with suppress(OSError):  # it is gone
+                os.chdir(folder)
+
+    return put
+
+
+def working_folder() -> str | None:
+    """None if it was removed."""
+    try:
+        return os.getcwd()
+    except FileNotFoundError:
+        return None
+
+
+def _mask() -> Put:
+    mask = os.umask(0o022)
+    os.umask(mask)
+
+    def put() -> None:
+        os.umask(mask)
+
+    return put
+
+
+def _warnings() -> Put:
+    warnings: Any = sys.modules["warnings"]
+    filters, before = warnings.filters, warnings.filters[:]
+
+    def put() -> None:
+        if warnings.filters is not filters or filters != before:
+            warnings.filters = filters
+            filters[:] = before
+            warnings._filters_mutated()
+
+    return put
+
+
+def _random() -> Put:
+    """A run goes on with the numbers of whoever starts it, who is given the same ones again."""
+    generator = random._inst
+    before = generator.getstate()
+    return lambda: generator.setstate(before)
+
+
+def _decimals() -> Put:
+    """Of decimal arithmetic, the calling thread's context; a simulated thread has its own."""
+    decimal = sys.modules.get("decimal")
+    if decimal is None:
+        return _nothing
+    context = decimal.getcontext().copy()
+    return lambda: decimal.setcontext(context)
+
+
+def _locales() -> Put:
+    before = _locale.setlocale(_locale.LC_ALL, None)
+
+    def put() -> None:
+        if _locale.setlocale(_locale.LC_ALL, None) != before:
+            _locale.setlocale(_locale.LC_ALL, before)
+
+    return put
+
+
+def _sockets() -> Put:
+    timeout = _socket_timeout()
+
+    def put() -> None:
+        if _socket_timeout() != timeout:
+            sys.modules["socket"].setdefaulttimeout(timeout)
+
+    return put
+
+
+def _socket_timeout() -> float | None:
+    socket = sys.modules.get("socket")
+    timeout: float | None = socket.getdefaulttimeout() if socket else None
+    return timeout
+
+
+def _threads() -> Put:
+    size = threading.stack_size()
+
+    def put() -> None:
+        if threading.stack_size() != size:
+            threading.stack_size(size)
+
+    return put
+
+
+def _loggers() -> Put:
+    loggers = dict(logging.root.manager.loggerDict)
+    known = [logging.root, *(logger for logger in loggers.values() if isinstance(logger, logging.Logger))]
+    states = [(logger, logger.level, logger.handlers[:], logger.filters[:], logger.propagate) for logger in known]
+    off = logging.root.manager.disable
+
+    def put() -> None:
+        logging.root.manager.loggerDict.clear()
+        logging.root.manager.loggerDict.update(loggers)
+        if logging.root.manager.disable != off:
+            logging.disable(off)
+        for logger, level, handlers, filters, propagate in states:
+            if logger.level != level:  # setting it is slow
+                logger.setLevel(level)
+            logger.handlers[:], logger.filters[:], logger.propagate = handlers, filters, propagate
+
+    return put
+
+
+# In this order they are put back, and then the names in rospy, rclpy, the message classes and the standard library's
+# modules. Beside these: signal handlers, which a simulated program has for itself
+# and a run on the wall puts back, and the names in builtins (clocks/programs.py); what is registered with atexit, which
+# is called at the end of the run (process.py); and message classes, which each run makes anew (messages/finder.py).
+KEPT: tuple[Kept, ...] = (
+    Kept("command line, excepthooks", _command_line),
+    Kept("sys.modules", _modules, found_again=False),
+    Kept("names in sys, such as its streams", _names_in_sys, found_again=False),
+    Kept("sys.path, sys.meta_path, sys.path_hooks", _lists_of_sys),
+    Kept("trace and profile functions", _hooks),
+    Kept("switch interval, recursion limit, digits of an int", _limits),
+    Kept("garbage collector", _collector),
+    Kept("environment and time zone", _environment),
+    Kept("working directory", _folder),
+    Kept("file mode mask", _mask),
+    Kept("warning filters", _warnings),
+    Kept("random numbers", _random),
+    Kept("context of decimal arithmetic", _decimals),
+    Kept("locale", _locales),
+    Kept("default timeout of sockets", _sockets),
+    Kept("stack size of threads", _threads),
+    Kept("loggers", _loggers),
+)
+
+
+def state_of_process() -> Undo:
+    """A function that makes all that is kept what it is now; what that gives makes names what the run had made them."""
+    puts, put_names = [each.state() for each in KEPT], _names.state()
+
+    def put() -> Put:
+        _call(puts)
+        return put_names()
+
+    return put
+
+
+def state_of_node() -> Put:
+    """A function that makes what a node finds again what it is now, beside names."""
+    puts = [each.state() for each in KEPT if each.found_again]
+    return lambda: _call(puts)

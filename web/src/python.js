@@ -1,0 +1,35 @@
+// What runs code is loaded when it is first needed: see runs.js. `base` is the address of the folder that it is in.
+
+/** The module runs.js, in the version that belongs to this page. */
+export const load = (base) => import(`${base}runs.js?${RUNS}`)
+
+/** Have Python ready for the next run, of an answer to an exercise if `answers`. */
+export function warmUp(base, answers) {
+  load(base).then(
+    (runs) => runs.warmUp(answers),
+    () => {}, // a run will say so
+  )
+}
+
+/** Run a job; `hear(message)` is called with what comes of it. `end()` of what is returned ends it at once. */
+export function start(base, job, hear) {
+  let run = null
+  let ended = false
+  load(base).then(
+    (runs) => ended || (run = runs.start(job, hear)),
+    () => hear({ kind: "failed", reason: "Python could not be loaded. Is the site still there?" }),
+  )
+  return {
+    end() {
+      ended = true
+      run?.end()
+    },
+  }
+}
+
+/** Why a page as it was opened runs no code, in a sentence; "" if it does. `what` it cannot do, as in "run Python". */
+export function notHere(what) {
+  if (location.protocol === "file:") return `Opened as a file, a page cannot ${what}. Serve the site instead: make serve`
+  if (self !== top) return `Shown inside another page, a page cannot ${what}. Open it by itself.`
+  return ""
+}

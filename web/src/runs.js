@@ -1,0 +1,136 @@
+// Runs of code, each in a sandbox of its own, which finds nothing of earlier ones there. The next one is started meanwhile.
+// Where that cannot be, as when the server has gone, one that has done its job takes its place.
+
+import { Sandbox } from "./sandboxes.js"
+
+export { Sandbox }
+
+/** So long (ms) a run has the computer for itself, before the next sandbox is started. */
+const FIRST = 200
+
+/** Sandboxes for one purpose. What judges never shares one with what runs. */
+class Pool {
+  /** The one for the next job, if it was asked for. */
+  next = null
+
+  /** One that has done its job. It is kept until the next one is ready. */
+  used = null
+
+  warmUp() {
+    this.next ??= new Runner(this)
+  }
+
+  take() {
+    this.warmUp()
+    const runner = this.next
+    this.next = null
+    return runner
+  }
+}
+
+/** A sandbox that is ready for a job, or will be. */
+class Runner {
+  #pool
+  #sandbox
+  #known // a promise, kept when it is known whether it is ready
+  #dead = false
+  #ready = false
+  #failed = null // what was said of that
+
+  constructor(pool) {
+    this.#pool = pool
+    this.#sandbox = new Sandbox()
+    this.#known = this.#sandbox.started.then((message) => this.#become(message))
+  }
+
+  #become(message) {
+    if (this.#dead) return
+    const { used } = this.#pool
+    if (message.kind === "ready") {
+      used?.end()
+    } else {
+      this.#sandbox.end()
+      if (used) {
+        this.#sandbox = used.#sandbox
+        this.#pool.used = null
+      } else {
+        this.#failed = message
+        if (this.#pool.next === this) this.#pool.next = null
+      }
+    }
+    this.#ready = !this.#failed
+  }
+
+  /** Do a job; `hear(message)` is called with what comes of it. */
+  async do(job, hear) {
+    await this.#known
+    if (this.#dead) return
+    if (this.#failed) return hear(this.#failed)
+    hear({ kind: "begun" })
+    this.#sandbox.do(job, (message) => {
+      if (message.kind === "end") this.#release()
+      hear(message)
+    })
+    setTimeout(() => this.#pool.warmUp(), FIRST)
+  }
+
+  /** It has done its job by itself. */
+  #release() {
+    this.#pool.used?.end()
+    if (this.#pool.next?.#ready) this.end()
+    else this.#pool.used = this
+  }
+
+  end() {
+    if (this.#pool.used === this) this.#pool.used = null
+    this.#dead = true
+    this.#sandbox.end()
+  }
+}
+
+const runs = new Pool()
+const judges = new Pool()
+
+/** Have sandboxes ready for the next run, of an answer to an exercise if `answers`. */
+export function warmUp(answers) {
+  runs.warmUp()
+  if (answers) judges.warmUp()
+}
+
+/** The first line of an answer to an exercise. */
+const ANSWER = /^%%answer[ \t]+(\d+)[^\n]*\n?/
+
+/** Run a job; `hear(message)` is called with what comes of it. `end()` of what is returned ends it at once. */
+export function start(job, hear) {
+  const [first, number] = job.source.match(ANSWER) ?? []
+  if (first) return answer(Number(number), `\n${job.source.slice(first.length)}`, hear)
+  const runner = runs.take()
+  runner.do({ kind: "run", ...job }, hear)
+  return runner
+}
+
+/** Run an answer in one sandbox, and have what came of that judged in another. */
+function answer(number, text, hear) {
+  const [running, judging] = [runs.take(), judges.take()]
+  running.do({ kind: "trace", number, text }, (message) => {
+    if (message.kind !== "end") return hear(message)
+    judging.do({ kind: "judge", number, text, trace: message.result.trace }, (message) => {
+      if (message.kind === "begun") return
+      hear(message.kind === "end" ? { kind: "end", result: told(message.result, hear) } : message)
+    })
+  })
+  return {
+    end() {
+      running.end()
+      judging.end()
+    },
+  }
+}
+
+/** Tell what was said of an answer; what is left to say at the end of its run. */
+function told({ verdict, solved, status, console, said }, hear) {
+  const texts = [console, said.replaceAll("`", "")].filter(Boolean) // a console is no Markdown
+  const isError = verdict === "not judged"
+  hear({ kind: "batch", chunks: texts.map((text, number) => [isError, `${text}\n`, number, 0]), leftOut: 0, ticks: [] })
+  return isError ? { status: 1 } : { status: 0, verdict: status, solved }
+}

@@ -1,0 +1,281 @@
+// The answers of a student, as the browser keeps them: by exercise, whichever page, tab or link shows it.
+//
+// An answer is a list of versions, newest first. Typing goes on in the newest one; a new one begins where another page
+// or tab wrote that, after Reset, and where a text that solved the exercise is changed. So no text is written over
+// unseen. A version whose text is null is the cell as it comes with its page.
+
+import { PREFIX, why } from "./kept.js"
+
+/** So many versions are kept, and the newest that solved the exercise. */
+const MOST = 6
+
+const NONE = { solved: false, versions: [] }
+
+/** How the keys of earlier versions of the site end: number of the listing on its page, fingerprint; solved or not. */
+const OLD = /:\d+:([0-9a-f]+)(:solved)?$/
+
+/** The first line of an answer names the exercise. */
+export const FIRST_LINE = /^%%answer (\S+)\n/
+
+/** Versions in their order, each text once, without those that are too many. */
+function inOrder(versions) {
+  const found = []
+  for (const version of [...versions].sort((one, other) => other.time - one.time)) {
+    const same = found.find(({ id, text }) => id === version.id || text === version.text)
+    if (same?.text === version.text) same.solved ||= version.solved
+    else if (!same && (version.text !== null || !found.length)) found.push({ ...version })
+  }
+  const solved = found.find((version) => version.solved)
+  return found.filter((version, number) => number < MOST || version === solved)
+}
+
+/** A record as it was written; null if that is none. */
+function parsed(written) {
+  try {
+    const { solved, versions } = JSON.parse(written)
+    const right = ({ id, time, text }) =>
+      typeof id === "string" && Number.isFinite(time) && (text === null || typeof text === "string")
+    return { solved: solved === true, versions: inOrder(versions.filter(right)) }
+  } catch {
+    return null
+  }
+}
+
+/** The answer to one exercise. */
+class Answer {
+  #key
+  #browser
+  #known = NONE // the record, as this page knows it
+  #draft = null // the version that typing goes on in
+  #round = null // the texts that Earlier version goes through, the one that is shown first
+
+  /** Why the browser does not keep it, in words; "" if it does. */
+  unkept = ""
+
+  /** Is called when another tab has changed it, with what there is to say of that. */
+  changed = () => {}
+
+  constructor(key, browser) {
+    this.#key = key
+    this.#browser = browser
+    this.#known = this.#latest()
+  }
+
+  /** What the student wrote; null if the cell stands as it comes with its page. */
+  get text() {
+    return this.#known.versions[0]?.text ?? null
+  }
+
+  /** Whether this very text has solved the exercise. */
+  get solved() {
+    return this.#known.versions[0]?.solved === true
+  }
+
+  /** Whether some text has. */
+  get wasSolved() {
+    return this.#known.solved
+  }
+
+  /** Whether one of the texts that can be brought back has solved it, and this one has not. */
+  get wasBetter() {
+    return !this.solved && this.#known.versions.some(({ solved }) => solved)
+  }
+
+  /** Whether there is another text to bring back. */
+  get hasEarlier() {
+    return (this.#round ?? this.#known.versions).length > 1
+  }
+
+  get #state() {
+    return JSON.stringify([this.solved, this.unkept])
+  }
+
+  /** What there is to say of it. */
+  get said() {
+    const edited = this.text !== null && "as you edited it"
+    if (this.solved) return ["solved", edited].filter(Boolean).join(", ")
+    return [edited, this.wasSolved && "an earlier version was solved"].filter(Boolean).join("; ")
+  }
+
+  /**
+   * Keep what the student has written, or with null that the cell was reset. Whether `solved` or `unkept`
+   * is another now.
+   */
+  write(text) {
+    const before = this.#state
+    this.#round = null
+    this.#known = this.#latest()
+    if (text !== this.text) this.#add(text)
+    return before !== this.#state
+  }
+
+  #add(text) {
+    const { solved, versions } = this.#known
+    const [newest] = versions
+    const goesOn = newest && newest.id === this.#draft && !newest.solved && text !== null
+    const id = goesOn ? newest.id : this.#newId()
+    this.#draft = text === null || versions.some((version) => version.text === text) ? null : id
+    // A clock that was set back makes no text older than the one that it was written after.
+    const time = Math.max(this.#browser.now(), (newest?.time ?? 0) + 1)
+    this.#save({ solved, versions: inOrder([{ id, time, text }, ...versions]) })
+  }
+
+  /** Keep that a text, with null that of the page, has solved the exercise. It may have been changed since. */
+  solve(text) {
+    const { versions } = this.#latest()
+    const time = versions.length ? versions[0].time - 1 : this.#browser.now()
+    const version = versions.find((other) => other.text === text) ?? { id: this.#newId(), time, text }
+    this.#save({ solved: true, versions: inOrder([...versions, { ...version, solved: true }]) })
+  }
+
+  /** Bring back the text before this one, and after the first of all the newest. What there is to say of it. */
+  bringBack() {
+    const { versions } = this.#latest()
+    const round = this.#round ?? versions.map(({ text }) => text)
+    round.push(round.shift())
+    this.#draft = null // the text that stands there stays a version
+    const time = versions.find(({ text }) => text === round[0])?.time
+    this.write(round[0])
+    this.#round = round
+    const when = time ? `last changed ${new Date(time).toLocaleString("sv")}` : ""
+    const what = round[0] === null ? "as it came with the page" : "an earlier version"
+    return [what, when, this.solved && "solved"].filter(Boolean).join(", ")
+  }
+
+  /** See what other tabs have made of it. */
+  refresh() {
+    const before = JSON.stringify([this.#known, this.unkept])
+    const latest = this.#latest()
+    const written = this.#read()
+    const { text } = this
+    if (this.unkept || (written && written !== JSON.stringify(latest))) this.#save(latest)
+    else this.#known = latest
+    if (before === JSON.stringify([this.#known, this.unkept])) return
+    this.#round = null
+    this.changed(text === this.text ? this.said : "as you changed it in another tab")
+  }
+
+  /** Take over texts, newest first, from before there were records, and whether one solved. Whether that is kept. */
+  adopt(texts, solved) {
+    const latest = this.#latest()
+    const versions = texts.map((text) => ({ id: this.#newId(), time: 0, text }))
+    this.#save({ solved: latest.solved || solved, versions: inOrder([...versions, ...latest.versions]) })
+    const isKept = !this.unkept
+    this.unkept = "" // it still is where it was before
+    return isKept
+  }
+
+  #newId() {
+    return `${this.#browser.page}.${this.#browser.begun++}`
+  }
+
+  #read() {
+    try {
+      return this.#browser.storage().getItem(this.#key)
+    } catch {
+      return null
+    }
+  }
+
+  /** The record that is kept, with what this page wrote at the same moment as another; if there is none, as known. */
+  #latest() {
+    const kept = parsed(this.#read())
+    if (!kept) return this.#known
+    const own = this.#known.versions.filter(({ id }) => id.startsWith(`${this.#browser.page}.`))
+    return { solved: kept.solved || this.#known.solved, versions: inOrder([...kept.versions, ...own]) }
+  }
+
+  #save(record) {
+    this.#known = record
+    try {
+      this.#browser.storage().setItem(this.#key, JSON.stringify(record))
+      this.unkept = ""
+    } catch (error) {
+      this.unkept = why(error)
+    }
+  }
+}
+
+/** The answers to all exercises of the site. */
+export class Store {
+  #before // what the keys of all answers begin with
+  #old // what those of earlier versions of the site begin with
+  #browser
+  #answers = new Map()
+
+  /**
+   * @param {string} root the path beneath which all pages of the site are
+   * @param {object} browser its storage, which may throw, the time (ms), and a name that no other page has
+   */
+  constructor(root, { storage, now, page }) {
+    this.#old = PREFIX + root
+    this.#before = `${this.#old}:answer:`
+    this.#browser = { storage, now, page, begun: 0 }
+  }
+
+  /** The answer to an exercise. */
+  of(id) {
+    if (!this.#answers.has(id)) this.#answers.set(id, new Answer(this.#before + id, this.#browser))
+    return this.#answers.get(id)
+  }
+
+  /** All answers, as pairs of an exercise and what was written. */
+  texts() {
+    const ids = this.#keys().filter((key) => key.startsWith(this.#before)).map((key) => key.slice(this.#before.length))
+    const old = this.#oldTexts().map(({ id, text }) => [id, text])
+    ids.forEach((id) => this.of(id))
+    this.refresh()
+    const mine = [...this.#answers].map(([id, answer]) => [id, answer.text])
+    const has = new Set(mine.map(([id]) => id))
+    return [...old.filter(([id]) => !has.has(id)), ...mine].filter(([, text]) => text !== null)
+  }
+
+  /** The exercises that were solved with a text that is kept, but is not the newest one. */
+  solvedBefore() {
+    return [...this.#answers].filter(([, answer]) => answer.wasBetter).map(([id]) => id)
+  }
+
+  /** See what other tabs have made of all answers. */
+  refresh() {
+    for (const answer of this.#answers.values()) answer.refresh()
+  }
+
+  /** See what another tab has made of the answer under a key. */
+  heard(key) {
+    if (key.startsWith(this.#before)) this.#answers.get(key.slice(this.#before.length))?.refresh()
+  }
+
+  /** Take over what earlier versions of the site kept of an exercise, first what belongs to its cell as it is now. */
+  adopt(id, fingerprint) {
+    const isOfCell = (key) => key.match(OLD)[1] === fingerprint
+    const texts = this.#oldTexts(isOfCell).filter((old) => old.id === id || isOfCell(old.key))
+    texts.sort((one, other) => isOfCell(other.key) - isOfCell(one.key))
+    const keys = texts.map(({ key }) => key)
+    const solved = this.#oldKeys().filter((key) => key.endsWith(":solved"))
+    const ticks = solved.filter((key) => isOfCell(key) || keys.includes(key.replace(/:solved$/, "")))
+    if (!keys.length && !ticks.length) return
+    if (this.of(id).adopt(texts.map(({ text }) => text), ticks.length > 0)) {
+      for (const key of [...keys, ...ticks]) this.#browser.storage().removeItem(key)
+    }
+  }
+
+  #keys() {
+    try {
+      return Object.keys(this.#browser.storage())
+    } catch {
+      return [] // the reader does not let pages keep anything
+    }
+  }
+
+  #oldKeys() {
+    return this.#keys().filter((key) => key.startsWith(this.#old) && OLD.test(key))
+  }
+
+  #oldTexts(isOfCell = () => false) {
+    return this.#oldKeys()
+      .filter((key) => !key.endsWith(":solved"))
+      .map((key) => ({ key, text: this.#browser.storage().getItem(key) ?? "" }))
+      .map((old) => ({ ...old, id: old.text.match(FIRST_LINE)?.[1] }))
+      .filter(({ key, id }) => id || isOfCell(key))
+  }
+}

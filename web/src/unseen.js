@@ -1,0 +1,34 @@
+// Code that somebody else wrote shows what would not be seen: characters that have no look or turn the direction of a text,
+// and what stands far to the right.
+
+import { make } from "./make.js"
+
+/** Characters that are not seen: controls, format characters such as those of direction, and letters that are blank. */
+export const UNSEEN = /[\p{Cf}\p{Zl}\p{Zp}\u115f\u1160\u3164\uffa0]|(?![\t\n\r])\p{Cc}/gu
+
+/** A line that is longer (characters) is wrapped. */
+const LONG = 150
+
+/** The sign of such a character, as in "U+202E". */
+export const sign = (character) => `U+${character.codePointAt(0).toString(16).toUpperCase().padStart(4, "0")}`
+
+/** What to show of a text: `pre`, an element whose textContent it is, and what is to be `said` of it, maybe nothing. */
+export function reveal(text) {
+  const pre = make("pre")
+  let from = 0
+  const found = [...text.matchAll(UNSEEN)]
+  for (const { 0: character, index } of found) {
+    const mark = make("span", { className: "unseen" }, character)
+    mark.dataset.sign = sign(character)
+    pre.append(text.slice(from, index), mark)
+    from = index + character.length
+  }
+  pre.append(text.slice(from))
+  const isLong = text.split("\n").some((line) => line.length > LONG)
+  if (isLong) pre.className = "wraps"
+  const said = [
+    found.length && "It has characters that are not seen or that turn the direction of the text: they are marked.",
+    isLong && "Its long lines are wrapped.",
+  ]
+  return { pre, said: said.filter(Boolean).join(" ") }
+}
