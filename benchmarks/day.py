@@ -6,6 +6,8 @@ import gc
 import time
 import tracemalloc
 from collections.abc import Iterator
+from concurrent.futures import ProcessPoolExecutor
+from multiprocessing import get_context
 from pathlib import Path
 from statistics import median
 
@@ -44,17 +46,22 @@ def spin(seconds: float) -> Run:
 
 
 def memory(seconds: float) -> tuple[int, int]:
-    """The bytes by which memory has grown after a run: while its Run is held, and when it is dropped."""
+    """The bytes by which memory has grown after a run: while its Run is held, and when it is dropped.
+
+    In a process of its own: what others have left in this one, and what it says as it goes, is not the run's.
+    """
+    with ProcessPoolExecutor(1, get_context("spawn")) as alone:
+        return alone.submit(_memory, seconds).result()
+
+
+def _memory(seconds: float) -> tuple[int, int]:
     tracemalloc.start()
-    try:
-        spin(PERIOD)  # what the first run ever sets up is no growth
-        before = _traced()
-        run = spin(seconds)
-        held = _traced() - before
-        del run
-        return held, _traced() - before
-    finally:
-        tracemalloc.stop()
+    spin(PERIOD)  # what the first run ever sets up is no growth
+    before = _traced()
+    run = spin(seconds)
+    held = _traced() - before
+    del run
+    return held, _traced() - before
 
 
 def _traced() -> int:
