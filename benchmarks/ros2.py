@@ -5,18 +5,14 @@ The others are a tick of rospy's timer, and one of the real rclpy's own Python o
 
 from __future__ import annotations
 
-import sys
 import time
 from collections.abc import Callable, Iterator
-from pathlib import Path
 from statistics import median
 
 from ratios import by_turns, line, ratio
+from rclpy_oracle import on_the_oracle, real_rclpy
 
 from rosspin import rclpy, rospy, simulate
-
-sys.path.append(str(Path(__file__).parents[1] / "tests"))
-from rclpy_oracle import on_the_oracle, real_rclpy  # noqa: E402
 
 PERIOD = 0.5
 

@@ -3,69 +3,23 @@
 from __future__ import annotations
 
 import os
-import random
-import shutil
-import subprocess
 from collections.abc import Callable, Iterator
-from functools import cache
 from pathlib import Path
 from textwrap import dedent
 from typing import Any
 
 import pytest
-from corpus_ros2 import KILTED_PYTHON
-from firefox import firefox
 from hypothesis import settings
 from in_chromium import launched, served
-from message_probe import PACKAGES
-from playwright.sync_api import Browser, Page, expect
+from lacking import LACKS
+from looks import PATIENCE
+from playwright.sync_api import Browser, expect
+from seeds import SEED
+from tree import DOCTREES, SITE
 
-from rosspin import doctor, ros2
+from rosspin import doctor
 
-# What random tests draw from, Hypothesis's too if it is asked for. CI always draws the same, as Hypothesis does there.
-# Processes that share the tests out among them draw once.
-DRAWN = "0" if "CI" in os.environ else str(random.SystemRandom().randrange(10**6))
-SEED = int(os.environ.get("ROSSPIN_SEED") or os.environ.setdefault("ROSSPIN_DRAWN_SEED", DRAWN))
-
-# How long a test waits for what should be on a page until it gives up (ms). Playwright's own 5 s are too short where
-# Python starts, or the machine is busy.
-PATIENCE = 120_000
 expect.set_options(timeout=PATIENCE)
-
-ROOT = Path(__file__).parent.parent
-SITE = ROOT / "build" / "html"
-DOCTREES = ROOT / "build" / "doctrees"
-
-# A node whose threads print at the same time, on both streams.
-CHATTER = """
-import sys, threading
-def chatter(word):
-    for _ in range(2000):
-        print(word)
-        print(word, file=sys.stderr)
-for word in 4 * ("one", "two"):
-    threading.Thread(target=chatter, args=(word,)).start()
-"""
-
-
-@cache
-def _lacks_ros1() -> str:
-    commands = [name for name in ("roslaunch", "rosmaster", "catkin_make") if not shutil.which(name)]
-    if commands:
-        return f"ROS 1 is not installed (no {', '.join(commands)})"
-    importing = f"import {', '.join(f'{name}.msg' for name in PACKAGES)}"
-    run = subprocess.run(["/usr/bin/python3", "-c", importing], capture_output=True, text=True)
-    return f"ROS 1 is not all installed ({run.stderr.splitlines()[-1]})" if run.returncode else ""
-
-
-# What a test may ask for, and why it is not here ("" if it is).
-LACKS: dict[str, Callable[[], str]] = {
-    "ros1": _lacks_ros1,
-    "ros2": lambda: str(ros2.Ros2Missing()) if ros2.missing() else "",
-    "kilted": lambda: "" if KILTED_PYTHON.exists() else "Kilted is not installed (make ros2 DISTRO=kilted)",
-    "browser": lambda: "" if doctor.chromium() else "Chromium is not installed",
-    "firefox": lambda: "" if firefox() else "Firefox is not installed",
-}
 
 
 def pytest_report_header() -> str:
@@ -141,18 +95,3 @@ def browser(chromium: str) -> Iterator[Browser]:
     """One browser for all pages."""
     with launched(chromium) as browser:
         yield browser
-
-
-def faults(page: Page, address: str) -> list[str]:
-    """A list to which all is added that goes wrong in a page from now on, what it asks of another host included."""
-    wrong: list[str] = []
-
-    def note(bad: bool, what: str) -> None:
-        if bad:
-            wrong.append(what)
-
-    page.on("request", lambda request: note(not request.url.startswith((address, "data:", "blob:")), request.url))
-    page.on("response", lambda response: note(response.status >= 400, f"{response.status} {response.url}"))
-    page.on("console", lambda message: note(message.type == "error", message.text))
-    page.on("pageerror", lambda error: note(True, str(error)))
-    return wrong

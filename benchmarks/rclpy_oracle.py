@@ -1,0 +1,430 @@
+"""The real rclpy's own Python, on a simulated clock: its C module is replaced by this one.
+
+So what the stand-in does can be compared with what rclpy's executors, tasks, timers, Rates and parameters do, exactly
+and without a network. Here are, in Python, the parts of rcl that they call: its timers, guard conditions and wait sets.
+There are no topics and no services.
+
+What is used of the real one is its ``.py`` files, which ``make ros2`` installs; no library is loaded.
+"""
+
+from __future__ import annotations
+
+import enum
+import signal
+import sys
+import threading
+import time
+from collections.abc import Callable, Iterator
+from contextlib import contextmanager
+from importlib import import_module
+from importlib.util import module_from_spec, spec_from_file_location
+from pathlib import Path
+from types import ModuleType, SimpleNamespace
+from typing import Any
+
+
+def real_rclpy() -> Path | None:
+    """The folder of the real rclpy, if it is installed."""
+    return next(iter(sorted((Path(__file__).parents[1]).glob("build/ros2/lib/python3*/site-packages/rclpy"))), None)
+
+
+# --- rcl --------------------------------------------------------------------------------------------------------------
+
+
+class InvalidHandle(RuntimeError):
+    pass
+
+
+class RCLError(RuntimeError):
+    pass
+
+
+class Handle:
+    """What C code holds; in a ``with`` it is checked."""
+
+    gone = False
+
+    def __enter__(self) -> Any:
+        if self.gone:
+            raise InvalidHandle("cannot use Destroyable because destruction was requested")
+        return self
+
+    def __exit__(self, *error: object) -> None:
+        pass
+
+    def destroy_when_not_in_use(self) -> None:
+        with self:
+            self.gone = True
+
+    @property
+    def pointer(self) -> int:
+        return id(self)
+
+
+class Wakes(Handle):
+    """What wait sets wait for."""
+
+    def __init__(self) -> None:
+        self.waiting: list[WaitSet] = []
+
+    def wake(self) -> None:
+        for wait_set in self.waiting:
+            wait_set.open()
+
+
+class GuardCondition(Wakes):
+    def __init__(self, context: Any) -> None:
+        super().__init__()
+        if not context.valid:
+            raise RCLError("the given context is not valid")
+        self.triggered = False
+
+    def trigger_guard_condition(self) -> None:
+        self.triggered = True
+        self.wake()
+
+
+class ClockType(enum.IntEnum):
+    UNINITIALIZED = 0
+    ROS_TIME = 1
+    SYSTEM_TIME = 2
+    STEADY_TIME = 3
+
+
+class Clock(Handle):
+    def __init__(self, clock_type: Any) -> None:
+        self.clock_type = clock_type
+
+    def now(self) -> int:
+        return time.time_ns()
+
+    def get_now(self) -> Any:
+        return SimpleNamespace(nanoseconds=self.now())
+
+    def get_ros_time_override_is_enabled(self) -> bool:
+        return False
+
+    def set_ros_time_override_is_enabled(self, enabled: bool) -> None:
+        assert not enabled
+
+    def set_ros_time_override(self, told: Any) -> None:
+        pass
+
+    def add_clock_callback(self, *args: Any) -> None:
+        pass
+
+    def remove_clock_callback(self, *args: Any) -> None:
+        pass
+
+
+class Timer(Wakes):
+    """rcl/timer.c."""
+
+    def __init__(self, clock: Clock, context: Any, period: int, autostart: bool) -> None:
+        super().__init__()
+        if period < 0:
+            raise RCLError("failed to create timer: timer period must be non-negative")
+        if not context.valid:
+            raise RCLError("failed to create timer: the given context is not valid")
+        self.clock, self.period, self.canceled = clock, period, not autostart
+        self.last_call = clock.now()
+        self.next_call = self.last_call + period
+
+    def call_timer(self) -> None:
+        if self.canceled:
+            raise RCLError("failed to call timer: timer is canceled")
+        now = self.last_call = self.clock.now()
+        self.next_call += self.period
+        while self.period > 0 and self.next_call <= now:
+            self.next_call += self.period
+
+    def is_timer_ready(self) -> bool:
+        return not self.canceled and self.next_call <= self.clock.now()
+
+    def is_timer_canceled(self) -> bool:
+        return self.canceled
+
+    def cancel_timer(self) -> None:
+        self.canceled = True
+
+    def reset_timer(self) -> None:
+        self.next_call = self.clock.now() + self.period
+        self.canceled = False
+        self.wake()
+
+    def get_timer_period(self) -> int:
+        return self.period
+
+    def change_timer_period(self, period: int) -> None:
+        self.period = period
+
+    def time_since_last_call(self) -> int:
+        return self.clock.now() - self.last_call
+
+    def time_until_next_call(self) -> int | None:
+        return None if self.canceled else self.next_call - self.clock.now()
+
+
+class WaitSet:
+    """rcl/wait.c."""
+
+    def __init__(self, *numbers: Any) -> None:
+        if not numbers[-1].valid:
+            raise RCLError("failed to initialize wait set: the given context is not valid")
+        self.timers: list[Timer] = []
+        self.guards: list[GuardCondition] = []
+        self.ready: dict[str, list[int]] = {}
+        self.gate = threading.Lock()
+        self.gate.acquire()
+
+    def clear_entities(self) -> None:
+        pass
+
+    def add_timer(self, timer: Timer) -> None:
+        self.timers.append(timer)
+
+    def add_guard_condition(self, guard: GuardCondition) -> None:
+        self.guards.append(guard)
+
+    def open(self) -> None:
+        if self.gate.locked():
+            self.gate.release()
+
+    def wait(self, timeout: int) -> None:
+        until = time.time_ns() + timeout if timeout >= 0 else None
+        members: list[Wakes] = [*self.timers, *self.guards]
+        for member in members:
+            member.waiting.append(self)
+        try:
+            over = False
+            while True:
+                timers = [timer for timer in self.timers if timer.is_timer_ready()]
+                guards = [guard for guard in self.guards if guard.triggered]
+                if timers or guards or over:
+                    break
+                times = [timer.next_call for timer in self.timers if not timer.canceled]
+                if until is not None:
+                    times.append(until)
+                left = (min(times) - time.time_ns()) / 1e9 if times else -1
+                over = not self.gate.acquire(True, max(left, 0) if times else -1)
+        finally:
+            for member in members:
+                member.waiting.remove(self)
+        for guard in guards:
+            guard.triggered = False
+        self.ready = {
+            "timer": [timer.pointer for timer in timers],
+            "guard_condition": [guard.pointer for guard in guards],
+        }
+
+    def get_ready_entities(self, kind: str) -> list[int]:
+        return self.ready.get(kind, [])
+
+
+class Context(Handle):
+    def __init__(self, args: list[str], domain_id: int) -> None:
+        self.valid = True
+        _contexts.append(self)
+
+    def ok(self) -> bool:
+        return self.valid
+
+    def get_domain_id(self) -> int:
+        return 0
+
+    def shutdown(self) -> None:
+        if not self.valid:
+            raise RCLError("failed to shutdown: rcl_shutdown already called on the given context")
+        self.valid = False
+
+
+class Node(Handle):
+    def __init__(self, name: str, namespace: str, context: Context, *more: Any) -> None:
+        self.name, self.namespace = name, namespace or "/"
+
+    def logger_name(self) -> str:
+        return self.name
+
+    def get_node_name(self) -> str:
+        return self.name
+
+    def get_namespace(self) -> str:
+        return self.namespace
+
+    def get_parameters(self, kind: Any) -> dict[str, Any]:
+        return {}
+
+
+class Publisher(Handle):
+    """Of /parameter_events, to which nobody listens."""
+
+    def __init__(self, *args: Any) -> None:
+        pass
+
+    def publish(self, message: Any) -> None:
+        pass
+
+
+class ClockEvent:
+    def __init__(self) -> None:
+        self.gate = threading.Lock()
+        self.gate.acquire()
+
+    def set(self) -> None:
+        if self.gate.locked():
+            self.gate.release()
+
+    def wait_until(self, clock: Clock, until: Any) -> None:
+        left = until.nanoseconds - clock.now()
+        if left > 0:
+            self.gate.acquire(True, left / 1e9)
+
+    wait_until_system = wait_until_steady = wait_until_ros = wait_until
+
+
+class QoS:
+    """A profile of rmw; which one does not matter here."""
+
+    def __init__(self, *policies: Any) -> None:
+        pass
+
+    @classmethod
+    def predefined(cls, name: str) -> QoS:
+        return cls()
+
+    def to_dict(self) -> dict[str, Any]:
+        none = import_module("rclpy.duration").Duration()
+        lengths = dict.fromkeys(("lifespan", "deadline", "liveliness_lease_duration"), none)
+        names = {"history": 1, "depth": 10, "reliability": 1, "durability": 2, "liveliness": 0}
+        return {**names, **lengths, "avoid_ros_namespace_conventions": False}
+
+
+_contexts: list[Context] = []
+_sigint: dict[GuardCondition, None] = {}
+
+
+def _install_signal_handlers(options: Any) -> None:
+    before = signal.getsignal(signal.SIGINT)
+
+    def handle(number: int, frame: Any) -> None:
+        for context in _contexts:
+            context.valid = False
+        for guard in _sigint:
+            guard.trigger_guard_condition()
+        time.sleep(0)
+        if callable(before):
+            before(number, frame)
+
+    signal.signal(signal.SIGINT, handle)
+
+
+def _log(severity: int, name: str, message: str, *caller: Any) -> None:
+    now = time.time_ns()
+    word = {20: "INFO", 30: "WARN"}[severity]
+    sys.stderr.write(f"[{word}] [{now // 10**9}.{now % 10**9:09d}] [{name}]: {message}\n")
+
+
+def _names(prefix: str, *names: str) -> Any:
+    return enum.IntEnum(prefix, {name: number for number, name in enumerate(names)})
+
+
+def c_module() -> SimpleNamespace:
+    """What stands in for ``rclpy._rclpy_pybind11``."""
+    levels = {"UNSET": 0, "DEBUG": 10, "INFO": 20, "WARN": 30, "ERROR": 40, "FATAL": 50}
+    changes = ("NONE", "ROS_TIME_NO_CHANGE", "ROS_TIME_ACTIVATED", "ROS_TIME_DEACTIVATED", "SYSTEM_TIME_NO_CHANGE")
+    return SimpleNamespace(
+        **{each.__name__: each for each in (Clock, ClockEvent, ClockType, Context, GuardCondition, InvalidHandle)},
+        **{each.__name__: each for each in (Node, Publisher, RCLError, Timer, WaitSet)},
+        ClockChange=_names("ClockChange", *changes),
+        NodeNameNonExistentError=RCLError,
+        QoSCompatibility=None,
+        RCL_DEFAULT_DOMAIN_ID=0,
+        RCUTILS_LOG_SEVERITY=SimpleNamespace(
+            **{f"RCUTILS_LOG_SEVERITY_{name}": level for name, level in levels.items()}
+        ),
+        RMW_DURATION_INFINITE=2**63 - 1,
+        RMW_QOS_DEADLINE_BEST_AVAILABLE=2**63 - 2,
+        RMW_QOS_LIVELINESS_LEASE_DURATION_BEST_AVAILABLE=2**63 - 2,
+        SignalHandlerOptions=_names("SignalHandlerOptions", "NO", "SIGINT", "SIGTERM", "ALL"),
+        Subscription=Handle,
+        install_signal_handlers=_install_signal_handlers,
+        rcl_duration_t=lambda ns: SimpleNamespace(nanoseconds=ns),
+        rcl_time_point_t=lambda ns, kind: SimpleNamespace(nanoseconds=ns, clock_type=kind),
+        rclpy_action_get_rmw_qos_profile=lambda name: QoS().to_dict(),
+        rclpy_logging_configure=lambda context: None,
+        rclpy_logging_fini=lambda: None,
+        rclpy_logging_logger_is_enabled_for=lambda name, severity: severity >= 20,
+        rclpy_logging_rcutils_log=_log,
+        rclpy_resolve_name=lambda node, topic, only_expand, is_service: topic,
+        register_sigint_guard_condition=lambda guard: _sigint.update({guard: None}),
+        rmw_qos_profile_t=QoS,
+        uninstall_signal_handlers=lambda: None,
+        unregister_sigint_guard_condition=lambda guard: _sigint.pop(guard, None),
+    )
+
+
+# --- rclpy on it ------------------------------------------------------------------------------------------------------
+
+
+def _stub(name: str, **contents: Any) -> None:
+    module = sys.modules[name] = ModuleType(name)
+    vars(module).update(contents)
+
+
+class _Nothing:
+    """In place of what needs services and events."""
+
+    def __init__(self, *args: Any, **kwargs: Any) -> None:
+        pass
+
+    def create_event_handlers(self, *args: Any) -> list[Any]:
+        return []
+
+    def destroy(self) -> None:
+        pass
+
+
+@contextmanager
+def oracle(folder: Path) -> Iterator[None]:
+    """Within this context ``import rclpy`` imports the real one's Python from its folder, over the C module above."""
+    before = {name: module for name, module in sys.modules.items() if name.split(".")[0] == "rclpy"}
+    for name in before:
+        del sys.modules[name]
+    _contexts.clear()
+    _sigint.clear()
+    spec = spec_from_file_location("rclpy", folder / "__init__.py", submodule_search_locations=[str(folder)])
+    assert spec and spec.loader
+    package = sys.modules["rclpy"] = module_from_spec(spec)
+    stubs = ("rclpy.impl", "ament_index_python", "rcl_interfaces.srv")
+    _stub("rclpy.impl", __path__=[str(folder / "impl")])
+    _stub("rclpy.impl.implementation_singleton", rclpy_implementation=c_module())
+    events = ("EventHandler", "PublisherEventCallbacks", "SubscriptionEventCallbacks")
+    _stub("rclpy.event_handler", **dict.fromkeys(events, _Nothing))
+    _stub("rclpy.client", Client=_Nothing)
+    _stub("rclpy.service", Service=_Nothing)
+    _stub("rclpy.parameter_service", ParameterService=_Nothing)
+    _stub("rclpy.logging_service", LoggingService=_Nothing)
+    _stub("rclpy.type_description_service", TypeDescriptionService=_Nothing)
+    checks = dict.fromkeys(("check_is_valid_msg_type", "check_is_valid_srv_type"), lambda kind: None)
+    _stub("rclpy.type_support", **checks)
+    _stub("ament_index_python")
+    _stub("rcl_interfaces.srv", ListParameters=None)
+    try:
+        spec.loader.exec_module(package)
+        yield
+    finally:
+        for name in [name for name in sys.modules if name.split(".")[0] == "rclpy" or name in stubs]:
+            del sys.modules[name]
+        sys.modules.update(before)
+
+
+def on_the_oracle(node: Callable[[], object], folder: Path) -> Callable[[], None]:
+    """The same node, but what it imports as rclpy is the real one's Python."""
+
+    def real_node() -> None:
+        import rclpy  # type: ignore[import-not-found]  # noqa: F401  # so that it is taken for a node of ROS 2
+
+        with oracle(folder):
+            node()
+
+    return real_node

@@ -1,0 +1,532 @@
+"""The exercises: each solution passes; the untouched start and typical wrong answers do not, and are told why."""
+
+from __future__ import annotations
+
+import io
+import re
+import subprocess
+import sys
+from collections.abc import Callable
+from contextlib import redirect_stdout
+from pathlib import Path
+from typing import Any
+
+import pytest
+from answers import CELLS, NOTEBOOKS, NUMBERS, ON_PAGE, answer_in, written
+from answers_ros1 import RIGHT, WRONG, Answer
+from IPython.core.error import UsageError
+from IPython.core.interactiveshell import InteractiveShell
+from outcomes import TRIES, until_lucky, watching
+from tree import ROOT
+
+from rosspin import simulate
+from rosspin.console import read_ticks
+from rosspin.exercises import EXERCISES, check
+from rosspin.measures import periods
+from rosspin.recordings import load
+from rosspin.ros1 import Workspace
+from rosspin.ros2 import launch
+
+PAGES = {ros: notebook.read_text(encoding="utf-8") for ros, notebook in NOTEBOOKS.items()}
+
+
+@pytest.mark.parametrize("number", NUMBERS)
+def test_there_is_a_start_and_a_folded_solution(number: int) -> None:
+    start, solution = CELLS[number]
+    assert start.metadata["tags"] == ["live"]  # it can be run in the page
+    assert solution.metadata["tags"] == ["hide-cell"]
+    assert solution.metadata["jupyter"] == {"source_hidden": True, "outputs_hidden": True}
+    assert solution.metadata["mystnb"]["code_prompt_show"] == f"Show the solution of exercise {number}"
+    assert solution.metadata["mystnb"]["code_prompt_hide"] == f"Hide the solution of exercise {number}"
+
+
+@pytest.mark.parametrize("number", NUMBERS)
+def test_solution_passes(number: int) -> None:
+    feedback = check(number, answer_in(CELLS[number][1]))
+    assert feedback.passed, feedback
+
+
+@pytest.mark.parametrize("number", NUMBERS)
+def test_untouched_start_does_not(number: int) -> None:
+    feedback = check(number, answer_in(CELLS[number][0]))
+    assert not feedback.passed
+    assert "not yet" in repr(feedback)
+    assert feedback.hint
+
+
+@pytest.mark.parametrize(("number", "answer"), [(number, answer) for number in NUMBERS for answer in RIGHT[number]])
+def test_right_answer_passes_however_it_is_written(number: int, answer: Answer) -> None:
+    feedback = check(number, written(number, answer))
+    assert feedback.passed, feedback
+
+
+@pytest.mark.parametrize(("number", "wrong"), [(number, wrong) for number in NUMBERS for wrong in WRONG[number]])
+def test_wrong_answer_is_told_what_is_wrong_and_how_to_go_on(number: int, wrong: tuple[Answer, str, str]) -> None:
+    answer, said, hint = wrong
+    feedback = check(number, written(number, answer))
+    assert not feedback.passed
+    assert said.lower() in "\n".join(finding.text for finding in feedback.findings if not finding.right).lower()
+    assert hint in feedback.hint
+
+
+@pytest.mark.parametrize("number", NUMBERS)
+def test_every_exercise_has_answers_enough(number: int) -> None:
+    assert len(RIGHT[number]) >= 5
+    assert len(WRONG[number]) >= 8
+
+
+# --- what the page says of an exercise --------------------------------------------------------------------------------
+
+
+def test_exercises_are_what_the_page_says() -> None:
+    """Each has its number, its title and links to the pages that it needs, and stands in its part."""
+    of: dict[tuple[int, str], str] = {}
+    for ros, page in PAGES.items():
+        parts = re.split(r"^## (.*)$", page, flags=re.MULTILINE)
+        of |= {(ros, part): text for part, text in zip(parts[1::2], parts[2::2], strict=True)}
+    for number, part, title, needs, *_, ros in EXERCISES:
+        assert f"### {number}. {title}\n" in of[ros, part]
+        text = section(number)
+        line = re.search(r"\*\*You need\*\*:(.*?)\n\n", text, re.DOTALL)
+        assert line
+        linked = [(NOTEBOOKS[ros].parent / path).resolve() for path in re.findall(r"\]\((.*?)\)", line[1])]
+        assert [path.relative_to(ROOT).with_suffix("").as_posix() for path in linked] == list(needs)
+        assert all(path.exists() for path in linked)
+
+
+def section(number: int) -> str:
+    """The text of an exercise on the page."""
+    page = PAGES[EXERCISES[number - 1].ros]
+    return re.split(r"^##+ ", page.partition(f"### {number}. ")[2], maxsplit=1, flags=re.MULTILINE)[0]
+
+
+@pytest.mark.parametrize("ros", NOTEBOOKS)
+def test_the_page_says_how_many_they_are(ros: int) -> None:
+    words = {7: "seven exercises in three parts", 19: "nineteen exercises in four parts"}
+    assert words[len(ON_PAGE[ros])] in " ".join(PAGES[ros].split())
+
+
+def test_the_page_for_teachers_knows_the_exercises() -> None:
+    page = (ROOT / "docs/for-teachers.rst").read_text(encoding="utf-8")
+    table = page.partition("Exercise that reveals it")[2].partition("\n\n")[0]
+    named = re.findall(r"\*([A-Z][^*\n]+)\*", table)
+    assert {exercise.ros for exercise in EXERCISES if exercise.title in named} == {1, 2}
+    assert set(named) == {exercise.title for exercise in EXERCISES}
+
+
+def test_the_parts_come_one_after_the_other() -> None:
+    for ros in NOTEBOOKS:
+        order = [exercise.part for exercise in EXERCISES if exercise.ros == ros]
+        assert order == sorted(order, key=["Predict", "Change", "Repair", "Diagnose", "Publish"].index)
+    assert [exercise.number for exercise in EXERCISES] == NUMBERS
+    assert len({exercise.title for exercise in EXERCISES}) == len(NUMBERS)
+
+
+@pytest.mark.parametrize("number", NUMBERS)
+def test_hints_stand_between_the_answer_and_the_solution(number: int) -> None:
+    between = section(number).partition(f"%%answer {number}\n")[2].partition("Show the solution")[0]
+    hints = re.findall(r"<details><summary>Hint (\d+)</summary>\n\n[^<]+\n\n</details>", between)
+    assert len(hints) >= 3
+    assert hints == [str(n) for n in range(1, len(hints) + 1)]
+
+
+def test_the_pages_have_no_roles_that_only_sphinx_reads() -> None:
+    for page in PAGES.values():
+        assert not re.search(r"\{(term|ref|doc)\}`", page)
+
+
+@pytest.mark.parametrize(("number", "index", "variable"), [(1, 0, "timer"), (1, 1, "loop"), (1, 2, "busy_loop")])
+def test_the_nodes_to_predict_do_what_the_solution_says(number: int, index: int, variable: str, tmp_path: Path) -> None:
+    listings = re.findall(r"```python\n(.*?)```", section(number), re.DOTALL)
+    # The third is described in words.
+    listings.append(
+        listings[1].replace("        loop_rate.sleep()", "        rospy.sleep(0.1)\n        loop_rate.sleep()")
+    )
+    node = tmp_path / "node.py"
+    node.write_text(listings[index])
+    assert times_of(simulate(node, 2.0).console, 1) == pytest.approx(solution_of(number)[variable])
+
+
+@pytest.mark.parametrize("blocks_for", ["1.0", "1.8"])
+def test_the_node_with_a_slow_callback_does_what_the_solution_says(blocks_for: str, tmp_path: Path) -> None:
+    node = tmp_path / "node.py"
+    node.write_text(re.findall(r"%%simulate [^\n]*\n(.*?)```", section(2), re.DOTALL)[0])
+    console = simulate(node, 5.5, [f"_blocks_for:={blocks_for}"]).console
+    assert times_of(console, 4) == pytest.approx(solution_of(2)[f"after_{blocks_for.replace('.', '_')}_seconds"])
+
+
+@pytest.mark.parametrize(
+    ("variable", "first", "old", "new", "args"),
+    [
+        ("after_1_0_seconds", 4, "", "", ["-p", "blocks_for:=1.0"]),
+        ("after_1_8_seconds", 4, "", "", ["-p", "blocks_for:=1.8"]),
+        ("always_slow", 1, "        if self.counter == 3:\n            time", "        time", []),
+        ("without_spin", 1, "rclpy.spin(spinner_py_node)", "while rclpy.ok():\n            time.sleep(0.1)", []),
+    ],
+)
+def test_the_node_of_ros_2_does_what_the_solution_says(
+    variable: str, first: int, old: str, new: str, args: list[str], tmp_path: Path
+) -> None:
+    [text] = re.findall(r"%%simulate [^\n]*\n(.*?)```", section(20), re.DOTALL)
+    assert old in text
+    node = tmp_path / "node.py"
+    node.write_text(text.replace(old, new) if old else text)
+    ticks = simulate(node, 5.5, ["--ros-args", *args] if args else []).ticks
+    assert [tick.real for tick in ticks][first - 1 : first + 2] == pytest.approx(solution_of(20)[variable])
+
+
+AT_ONCE = "        self.timerCallback(None)\n"
+
+
+@pytest.mark.parametrize(
+    ("variable", "old", "new"),
+    [
+        ("without_latch", "", ""),
+        ("with_latch", "UInt32, queue_size", "UInt32, latch=True, queue_size"),
+        (
+            "three_at_once",
+            f"UInt32, queue_size=10)\n<SUB>{AT_ONCE}        rospy.Timer(rospy.Duration(0.5), self.timerCallback)\n",
+            f"UInt32, latch=True, queue_size=10)\n<SUB>{AT_ONCE * 3}",
+        ),
+    ],
+)
+def test_the_node_that_publishes_at_once_does_what_the_solution_says(
+    variable: str, old: str, new: str, tmp_path: Path
+) -> None:
+    [text] = re.findall(r"```python\n(.*?)```", section(15), re.DOTALL)
+    subscriber = '        rospy.Subscriber("counter", UInt32, self.counterCallback)\n'
+    old, new = (part.replace("<SUB>", subscriber) for part in (old, new))
+    assert old in text
+    node = tmp_path / "node.py"
+    node.write_text(text.replace(old, new))
+    heard = [tick.number for tick in read_ticks(simulate(node, 1.6).console)]
+    assert heard[:3] == solution_of(15)[variable]
+
+
+def test_the_reports_of_rostopic_hz_are_of_what_the_solution_says() -> None:
+    [code] = re.findall(
+        r"```\{code-cell\} ipython3\n---\n.*?\n---\n(from rosspin import.*?)```", section(19), re.DOTALL
+    )
+    names: dict[str, Any] = {}
+    with redirect_stdout(io.StringIO()):
+        exec(code, names)
+    steps = {name: [round(step, 3) for step in periods(ticks)] for name, ticks in names["reports"].items()}
+    solution: Any = solution_of(19)
+    assert {name: solution[name] for name in steps} == {name: cause_of(times) for name, times in steps.items()}
+
+
+def cause_of(steps: list[float]) -> str:
+    """The letter for a topic, by the times between its messages (s)."""
+    causes = {
+        "B": set(steps) == {0.03, 0.07},
+        "C": set(steps[:199]) == {0.1} and set(steps[200:]) == {0.5},
+        "D": steps[:10] == [0.0, 0.0, 0.0, 0.0, 0.5] * 2,
+        "E": set(steps) == {0.105, 0.106},
+    }
+    return "".join(letter for letter, holds in causes.items() if holds)
+
+
+def times_of(console: str, first: int) -> list[float]:
+    """When three counters come."""
+    return [tick.real for tick in read_ticks(console)][first - 1 : first + 2]
+
+
+def solution_of(number: int) -> dict[str, list[float]]:
+    """The predictions that are right."""
+    found: dict[str, list[float]] = {}
+    exec(answer_in(CELLS[number][1]), found)
+    return found
+
+
+# --- C++ --------------------------------------------------------------------------------------------------------------
+
+
+def test_roscpp_reports_no_ticks_as_missing() -> None:
+    """What the page says below exercise 13: after a long block the call is on time, by roscpp's own account."""
+    late = load(ROOT / "examples/recordings/timer_cpp_blocks_once_4.4.csv").ticks[3]
+    assert late.real > 3.5
+    assert late.lateness < 0.1
+
+
+def test_the_cpp_node_does_what_the_solution_says(require: Callable[[str], None], tmp_path: Path) -> None:
+    require("ros1")
+    [kept] = re.findall(r"```cpp\n(.*?)```", section(3), re.DOTALL)
+    nodes = tmp_path / "kept.cpp", tmp_path / "not_kept.cpp"
+    for node, text in zip(nodes, (kept, kept.replace("    timer_ =", "    ros::Timer timer_ =")), strict=True):
+        node.write_text(text)
+    with Workspace() as workspace:
+        workspace.add_nodes("nodes", *nodes)
+        workspace.build()
+        workspace.start_master()
+
+        def ticks(node: str, blocks_for: str) -> list[float]:
+            """When callbacks 3 to 6 come, as a recording of one; the third is due at 1.2 s."""
+            [program] = workspace.folder.glob(f"devel/lib/nodes/{node}")
+            output = workspace.run([str(program), f"_blocks_for:={blocks_for}"], 4.5, None)
+            found = [tick.real for tick in read_ticks(output.console)][2:6]
+            return [1.2 + time - found[0] for time in found]
+
+        for blocks_for in ("0.6", "1.0"):
+            after = solution_of(3)[f"after_{blocks_for.replace('.', '_')}_seconds"]
+            wanted = pytest.approx([1.2, *after], abs=0.15)
+            for _ in range(TRIES):
+                with watching() as stalled:
+                    found = ticks("kept", blocks_for)
+                if found == wanted or not stalled.is_set():
+                    break
+            assert found == wanted
+        assert ticks("not_kept", "0.6") == solution_of(3)["not_kept"]
+
+
+# --- the real ROS 2 -------------------------------------------------------------------------------------------------
+
+
+@pytest.mark.parametrize("number", [25, 26])
+def test_the_solution_ends_well_on_the_real_ros_2(number: int, require: Callable[[str], None], tmp_path: Path) -> None:
+    """What the unchanged cells do, scenarios of their own hold: ``ctrl_c_spin``, ``ctrl_c_rate_nobody_spins``."""
+    require("ros2")
+    node = tmp_path / "node.py"
+    node.write_text(answer_in(CELLS[number][1]))
+    run = until_lucky(lambda: launch(node, 1.73))  # between passes of 25, within a callback of 26
+    assert run.status == 0
+    assert "Traceback" not in run.console
+    assert run.console.endswith("speed = 0.0\n") or "counter = 2" in run.console
+
+
+# --- strange answers --------------------------------------------------------------------------------------------------
+
+
+ENDLESS = "import rospy\nrospy.init_node('n')\nwhile True:\n    pass"
+
+
+@pytest.mark.parametrize("answer", [None, ..., 0, [], b"x", "", "\0", "def", print])
+@pytest.mark.parametrize("number", [2, 6])
+def test_no_answer_is_too_strange(number: int, answer: Any) -> None:
+    feedback = check(number, answer)
+    assert not feedback.passed
+    assert feedback.hint
+    assert ("Open: " if answer in (None, ..., "") else "Wrong: ") in repr(feedback)
+
+
+HOSTILE = """
+class Hostile:
+    def __iter__(self): raise RuntimeError
+    __eq__ = __repr__ = __float__ = __iter__
+"""
+
+
+@pytest.mark.parametrize("value", ["Hostile()", "[Hostile()]", "[[]]", "[float('nan')]", "0", "print", "iter(int, 1)"])
+def test_no_prediction_is_too_strange(value: str) -> None:
+    assert not check(2, f"{HOSTILE}after_1_0_seconds = after_1_8_seconds = {value}").passed
+
+
+@pytest.mark.parametrize(
+    ("wrong", "hint"),
+    [
+        ("0.5", "a Duration: rospy.Timer(rospy.Duration(0.5), callback)"),
+        ("None", "Pass a timer the callback itself"),
+        ("(self)", "A timer passes its callback one argument"),
+        ("rospy.log_info", "Python names what it did not find"),
+        ("class SpinnerPyNode", "Python could not read the answer"),
+        ("    pass", "The node ended by itself"),
+        ("    # init_node", 'Call rospy.init_node("a_name")'),
+    ],
+)
+def test_an_error_has_a_hint_of_its_own(wrong: str, hint: str) -> None:
+    good = answer_in(CELLS[6][0])
+    right = {
+        "0.5": "rospy.Duration(0.5)",
+        "None": "self.timerCallback",
+        "(self)": "(self, event)",
+        "rospy.log_info": "rospy.loginfo",
+        "class SpinnerPyNode": "class SpinnerPyNode:",
+        "    pass": "    rospy.spin()",
+        "    # init_node": '    rospy.init_node("spinner_py_node")',
+    }[wrong]
+    assert right in good
+    assert hint in check(6, good.replace(right, wrong)).hint
+
+
+@pytest.mark.parametrize(
+    ("answer", "said"),
+    [
+        ("x = (1,", "Line 1 is not Python: '(' was never closed"),
+        ("(" * 5000, "is not Python"),
+        ("# later", "Open: There is no answer yet"),
+        ("import rospy\n\n\0", "Line 3 is not Python: source code string cannot contain null bytes."),
+        ("import rospy\nx = ...", "Open: There is still a gap, `...`, in line 2"),
+        ("def f():\n    x = 1\n    ...", "Open: There is still a gap, `...`, in line 3"),
+        ("class A:\n    x = ...\n    def f(self): ...", "Open: There is still a gap, `...`, in line 2"),
+        ("import rospy\nrospy.init_node('n')\n1 / 0", "died in line 3: `ZeroDivisionError: division by zero`."),
+        (ENDLESS, "simulated time stands still at 0.0 s"),
+        ("import rospy\nrospy.init_node('n')\nrospy.Service('/a', str, print)", "rospy.Service is not simulated"),
+        ("import rospy\nrospy.init_node('n')\nwhile True:\n    rospy.sleep(1)", "did not end at Ctrl-C"),
+        ("import sys\nsys.exit(3)", "ended with status 3 instead of 0"),
+        ("import no_such_module", "No module named 'no_such_module'"),
+        ("raise KeyboardInterrupt", "died in line 1: `KeyboardInterrupt`"),
+    ],
+)
+def test_node_that_cannot_be_checked(answer: str, said: str) -> None:
+    feedback = check(4, answer)
+    assert not feedback.passed
+    assert said in repr(feedback)
+
+
+NO_GAPS = """
+from typing import Callable
+from typing import Protocol
+from typing import Tuple
+class Spins(Protocol):
+    '''Whatever spins.'''
+    ...
+class Counts(Protocol):
+    def count(self, by: int = ...) -> Tuple[int, ...]: ...
+    async def later(self):
+        '''Not now.'''
+        ...
+Callback = Callable[..., None]
+def cell(table):
+    return table[..., 0], table[...]
+"""
+
+
+def test_not_each_ellipsis_is_a_gap() -> None:
+    assert check(4, NO_GAPS + answer_in(CELLS[4][1])).passed
+
+
+ODD_PYTHON = """from __future__ import annotations
+import dataclasses, enum
+from typing import ClassVar
+
+class Kind(enum.Enum):
+    A = 1
+
+@dataclasses.dataclass
+class Part:
+    weight: float = 1.0
+    kinds: ClassVar[dict[str, int]] = {}
+
+    @property
+    def heavy(self) -> bool:
+        return self.weight > 2
+
+    @heavy.setter
+    def heavy(self, value: bool) -> None:
+        self.weight += 3 * value
+
+class Child(Part):
+    def __init__(self):
+        super().__init__(2.0)
+        self.weights = [part.weight for part in (self,) if part.kinds is not None]
+
+def kind(thing):
+    match thing:
+        case Part(weight=5.0):
+            return f"{thing.weight:{Kind.A.value}.1f}"
+        case Kind.A:
+            return Kind.A
+        case {"x": [first, *_]} if (twice := 2 * first.real):
+            return twice
+
+child = Child()
+child.heavy = True
+del child.weights[0]
+assert (child.weights, kind(child), kind(Kind.A), kind({"x": [2]})) == ([], "5.0", Kind.A, 4)
+assert [field.name for field in dataclasses.fields(Part)] == ["weight"]
+"""
+
+
+def test_taking_turns_changes_nothing_else() -> None:
+    assert check(11, ODD_PYTHON + answer_in(CELLS[11][1])).passed
+
+
+def test_a_changed_console_or_namespace_does_not_matter(monkeypatch: pytest.MonkeyPatch) -> None:
+    monkeypatch.setenv("ROSCONSOLE_FORMAT", "${message}")
+    monkeypatch.setenv("ROS_NAMESPACE", "/elsewhere")
+    assert check(4, answer_in(CELLS[4][1])).passed
+
+
+@pytest.mark.parametrize(
+    ("number", "answer", "said", "hint"),
+    [
+        (21, "import rospy\n", "This node is for ROS 1: it imports `rospy`.", "where a node imports `rclpy`"),
+        (21, "from rospy import spin\n", "This node is for ROS 1", "This exercise is on ROS 2"),
+        (4, "import rclpy\n", "This node is for ROS 2: it imports `rclpy`.", "where a node imports `rospy`"),
+        (4, "from rclpy.node import Node\n", "This node is for ROS 2", "This exercise is on ROS 1"),
+        (4, "import rospy, rclpy\n", "imports both `rospy` (ROS 1) and `rclpy` (ROS 2)", "imports `rospy`"),
+        (21, "import rclpy\nimport rospy\n", "A node has one ROS", "imports `rclpy`"),
+        (20, "import rospy\n", "This node is for ROS 1", "This exercise is on ROS 2"),
+    ],
+)
+def test_an_answer_for_the_other_ros_is_told_so(number: int, answer: str, said: str, hint: str) -> None:
+    feedback = check(number, answer)
+    assert not feedback.passed
+    assert said in repr(feedback)
+    assert hint in feedback.hint
+
+
+def test_ros_2_is_loaded_for_its_own_exercises_only() -> None:
+    """The page starts from a memory snapshot that does not hold it."""
+    code = """
+import sys
+from rosspin.exercises import check
+for number, answer in ((1, "timer = 0"), (4, "import rclpy"), (4, "import rospy"), (21, "import rospy")):
+    check(number, answer)
+    assert not [name for name in sys.modules if name.startswith("rosspin.rclpy")], number
+check(21, "import rclpy")
+assert "rosspin.rclpy" in sys.modules
+"""
+    subprocess.run([sys.executable, "-c", code], check=True)
+
+
+def test_wrong_calls() -> None:
+    with pytest.raises(ValueError, match="there is no exercise 99: they are numbered 1 to 26"):
+        check(99, "")
+
+
+def test_notebook_shows_feedback_as_markdown() -> None:
+    text = check(2, "after_1_0_seconds = [2.2, 2.2, 2.4]")._repr_markdown_()
+    assert text.splitlines()[:3] == [
+        "**Exercise 2: not yet.**",
+        "",
+        "- Right: Blocked for 1.0 s: 2.2 s, 2.2 s, 2.4 s.",
+    ]
+    assert "**Hint:** " in text
+
+
+@pytest.fixture(scope="module")
+def shell() -> InteractiveShell:
+    shell = InteractiveShell()
+    shell.run_line_magic("load_ext", "rosspin")
+    return shell
+
+
+def test_the_magic_shows_the_console_and_returns_the_feedback(
+    shell: InteractiveShell, capsys: pytest.CaptureFixture[str]
+) -> None:
+    feedback = shell.run_cell_magic("answer", "5", answer_in(CELLS[5][1]))
+    assert feedback.passed
+    assert "You have solved 1 of 19 exercises." in feedback._repr_markdown_()
+    assert capsys.readouterr().out == "[INFO] [1.500000]: [SPINNER PY NODE] counter = 1\n"
+
+
+def test_the_magic_counts_the_exercises_of_each_page_by_themselves(shell: InteractiveShell) -> None:
+    said = shell.run_cell_magic("answer", "20", answer_in(CELLS[20][1]))._repr_markdown_()
+    assert f"You have solved 1 of {len(ON_PAGE[2])} exercises." in said
+
+
+def test_the_magic_counts_as_a_line(shell: InteractiveShell) -> None:
+    assert "died in line 2:" in repr(shell.run_cell_magic("answer", "4", "1 / 0"))
+
+
+def test_the_magic_cuts_an_endless_console_short(shell: InteractiveShell, capsys: pytest.CaptureFixture[str]) -> None:
+    shell.run_cell_magic("answer", "4", "for n in range(1000):\n    print(n)")
+    lines = capsys.readouterr().out.splitlines()
+    assert len(lines) < 100
+    assert lines[-1] == f"... and {1001 - len(lines)} more lines"
+
+
+@pytest.mark.parametrize("line", ["", "99", "one"])
+def test_the_magic_needs_the_number_of_an_exercise(shell: InteractiveShell, line: str) -> None:
+    with pytest.raises(UsageError, match="%%answer NUMBER: "):
+        shell.run_cell_magic("answer", line, "pass")

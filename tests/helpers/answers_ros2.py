@@ -1,0 +1,655 @@
+"""Answers to the exercises on ROS 2, right and wrong, as those on ROS 1 are given in ``answers_ros1``."""
+
+from __future__ import annotations
+
+Answer = str | dict[str, str]
+
+# --- predictions ------------------------------------------------------------------------------------------------------
+
+SHORT, LONG = "after_1_0_seconds = [2.2, 2.4, 2.8]", "after_1_8_seconds = [3.0, 3.2, 3.6]"
+ALWAYS, UNSPUN = "always_slow = [0.4, 1.0, 1.6]", "without_spin = []"
+
+
+def times(found: str, *wrong: object) -> dict[str, str]:
+    """A prediction replaced by another."""
+    return {found: f"{found.partition(' = ')[0]} = {list(wrong)}"}
+
+
+# --- nodes ------------------------------------------------------------------------------------------------------------
+
+SAYS = '        self.get_logger().info("[SPINNER PY NODE] counter = " + str(self.counter))\n'
+CANCELS = "        self.timer.cancel()\n"
+KEEPS = "self.timer = self.create_timer(1.5, self.timer_callback)"
+HEARTBEAT = "        self.create_timer(1.0, self.heartbeat_callback)\n"
+SPIN = "        rclpy.spin(spinner_py_node)\n"
+CAUGHT = "    except (KeyboardInterrupt, ExternalShutdownException):\n        pass\n"
+FINALLY = "    finally:\n        rclpy.try_shutdown()\n"
+TRY = f"    try:\n{SPIN}{CAUGHT}{FINALLY}"
+MAIN = f"    spinner_py_node = SpinnerPyNode()\n{TRY}"
+
+# Without a class of its own: a node, and functions around it.
+PLAIN = """import sys
+import rclpy
+rclpy.init()
+node = rclpy.create_node("n")
+count = 0
+def callback():
+    global count
+    count += 1
+    node.get_logger().info("[SPINNER PY NODE] counter = %d" % count)
+MADE
+rclpy.spin(node)
+"""
+
+PERIOD = '        period = self.declare_parameter("period", 0.5).value\n'
+REFUSES = (
+    "        if not period > 0:\n"
+    '            self.get_logger().error("the period has to be above 0 s, not " + str(period))\n'
+    "            sys.exit(1)\n"
+)
+FREQUENCY = 'self.declare_parameter("frequency", 2.0).value'
+
+CAMERA = "self.create_timer(1.0, self.camera_callback, MutuallyExclusiveCallbackGroup())"
+MOTOR = "self.create_timer(0.1, self.motor_callback, MutuallyExclusiveCallbackGroup())"
+ALONE = {", MutuallyExclusiveCallbackGroup())": ")"}  # neither timer has a group
+EXECUTOR = "    executor = MultiThreadedExecutor()\n    executor.add_node(robot_py_node)\n"
+SPINS = "        executor.spin()\n"
+WORK = """    def camera_callback(self):
+        self.images += 1
+        self.get_logger().info("[CAMERA] image = " + str(self.images))
+        time.sleep(self.takes)
+        self.get_logger().info("[CAMERA] done = " + str(self.images))
+"""
+
+THREAD = "    threading.Thread(target=spinner_py_node.loop, daemon=True).start()\n"
+SPIN_CAUGHT = f"    try:\n{SPIN}{CAUGHT}"
+LOOP = """        loop_rate = self.create_rate(2.0)
+        counter = 0
+        while rclpy.ok():
+            counter += 1
+            self.get_logger().info("[SPINNER PY NODE] counter = " + str(counter))
+            time.sleep(self.work)
+            loop_rate.sleep()
+"""
+SLEEPS = "            loop_rate.sleep()\n"
+SPINNING_THREAD = "    threading.Thread(target=rclpy.spin, args=(spinner_py_node,), daemon=True).start()\n"
+
+# The loop in the main part, and a thread that spins; signals are caught wherever they come out.
+IN_MAIN = {
+    SPIN: "        spinner_py_node.loop()\n",
+    THREAD: """    def spin():
+        try:
+            rclpy.spin(spinner_py_node)
+        except ExternalShutdownException:
+            pass
+    threading.Thread(target=spin, daemon=True).start()
+""",
+}
+
+DRIVE_SPIN = "        rclpy.spin(driver_py_node)\n"
+STOPS = "        motor.drive(0.0)\n"
+DRIVE_END = f"    finally:\n{STOPS}        rclpy.try_shutdown()\n"
+DRIVES = "        self.motor.drive(speed)\n"
+
+# --- right ------------------------------------------------------------------------------------------------------------
+
+RIGHT: dict[int, list[Answer]] = {
+    20: [
+        {SHORT: "after_1_0_seconds = (2.2, 2.4, 2.8)"},
+        {LONG: "after_1_8_seconds = [3, 3.2, 3.6]"},
+        {ALWAYS: "always_slow = [0.4 + 0.6 * n for n in range(3)]"},
+        {UNSPUN: "without_spin = ()"},
+        {UNSPUN: "without_spin = list()\nprint(without_spin)"},
+    ],
+    21: [
+        {CANCELS + "        self.counter += 1\n" + SAYS: "        self.counter += 1\n" + SAYS + CANCELS},
+        {CANCELS: "        self.destroy_timer(self.timer)\n"},
+        {CANCELS: "        self.timer.destroy()\n"},
+        # The heartbeat cancels it.
+        {
+            CANCELS: "",
+            "        self.beats += 1\n": "        self.beats += 1\n        if self.beats == 2: self.timer.cancel()\n",
+        },
+        {KEEPS: "self.timer = self.create_timer(1.5, lambda: self.timer_callback())"},
+        {KEEPS: "self.timer = self.create_timer(timer_period_sec=1.5, callback=self.timer_callback)"},
+        {TRY: "    rclpy.spin(spinner_py_node)\n"},
+        {TRY: "    while rclpy.ok():\n        rclpy.spin_once(spinner_py_node)\n"},
+        {
+            "import ExternalShutdownException": "import ExternalShutdownException, SingleThreadedExecutor",
+            SPIN: "        executor = SingleThreadedExecutor()\n        executor.add_node(spinner_py_node)\n"
+            "        executor.spin()\n",
+        },
+        {
+            "import ExternalShutdownException": "import ExternalShutdownException, MultiThreadedExecutor",
+            SPIN: "        executor = MultiThreadedExecutor()\n        executor.add_node(spinner_py_node)\n"
+            "        executor.spin()\n",
+        },
+        {TRY: "    try:\n        rclpy.spin(spinner_py_node)\n    finally:\n        rclpy.shutdown()\n"},
+    ],
+    22: [
+        {
+            PERIOD: '        self.declare_parameter("period", 0.5)\n'
+            '        period = self.get_parameter("period").value\n'
+        },
+        {
+            PERIOD: '        self.declare_parameter("period", 0.5)\n'
+            '        period = self.get_parameter("period").get_parameter_value().double_value\n'
+        },
+        {REFUSES: '        if period <= 0:\n            raise SystemExit("period must be above 0")\n'},
+        # It looks in main, and returns a status.
+        {
+            REFUSES: '        if period <= 0:\n            raise ValueError("a period of " + str(period) + " s")\n',
+            "    spinner_py_node = SpinnerPyNode()\n": "    try:\n        spinner_py_node = SpinnerPyNode()\n"
+            "    except ValueError as error:\n        print(error, file=sys.stderr)\n        return 2\n",
+            "'__main__':\n    main()": "'__main__':\n    sys.exit(main())",
+        },
+        # rclpy looks itself.
+        {
+            PERIOD: "        from rcl_interfaces.msg import FloatingPointRange, ParameterDescriptor\n"
+            "        allowed = FloatingPointRange(from_value=0.001, to_value=3600.0)\n"
+            "        try:\n"
+            '            period = self.declare_parameter("period", 0.5, '
+            "ParameterDescriptor(floating_point_range=[allowed])).value\n"
+            "        except rclpy.exceptions.InvalidParameterValueException as error:\n"
+            "            self.get_logger().fatal(str(error))\n"
+            "            sys.exit(1)\n",
+            REFUSES: "",
+            "import rclpy\n": "import rclpy\nimport rclpy.exceptions\n",
+        },
+        PLAIN.replace(
+            "MADE",
+            'period = node.declare_parameter("period", 0.5).value\nif period <= 0: sys.exit("bad period")\n'
+            "node.create_timer(period, callback)",
+        ),
+        {REFUSES: REFUSES.replace("sys.exit(1)", "rclpy.shutdown()\n            sys.exit(3)")},
+    ],
+    23: [
+        PLAIN.replace("MADE", f"node.create_timer(1 / {FREQUENCY.replace('self', 'node')}, callback)"),
+        {FREQUENCY: 'float(self.declare_parameter("frequency", 2.0).value)'},
+        {FREQUENCY: 'self.declare_parameter("frequency", value=2.0).get_parameter_value().double_value'},
+        {SPIN: "        while rclpy.ok():\n            rclpy.spin_once(spinner_py_node, timeout_sec=1.0)\n"},
+        {TRY: "    rclpy.spin(spinner_py_node)\n    spinner_py_node.destroy_node()\n    rclpy.shutdown()\n"},
+        {
+            "class SpinnerPyNode(Node):\n    def __init__(self):\n        super()": "class SpinnerPyNode(Node):\n"
+            "    def __init__(self, **kwargs):\n        super()",
+            "    rclpy.init()\n": "    rclpy.init(args=None)\n",
+        },
+    ],
+    24: [
+        {MOTOR: "self.create_timer(0.1, self.motor_callback)"},
+        {CAMERA: "self.create_timer(1.0, self.camera_callback)"},
+        {"MultiThreadedExecutor()": "MultiThreadedExecutor(num_threads=2)"},
+        {
+            MOTOR: "self.create_timer(0.1, self.motor_callback, callback_group=ReentrantCallbackGroup())",
+            "import MutuallyExclusiveCallbackGroup": "import MutuallyExclusiveCallbackGroup, ReentrantCallbackGroup",
+        },
+        {EXECUTOR: "    executor = MultiThreadedExecutor()\n", SPINS: "        rclpy.spin(robot_py_node, executor)\n"},
+        # The images are taken by a thread, of which the callback starts one at a time.
+        {
+            **ALONE,
+            EXECUTOR: "",
+            SPINS: "        rclpy.spin(robot_py_node)\n",
+            WORK: """    def camera_callback(self):
+        if self.images == 0 or not self.thread.is_alive():
+            self.thread = threading.Thread(target=self.take, daemon=True)
+            self.thread.start()
+
+"""
+            + WORK.replace("camera_callback", "take"),
+            "import time\n": "import threading\nimport time\n",
+        },
+        # Two nodes, each with an executor and a thread.
+        """import threading, time
+import rclpy
+from rclpy.executors import ExternalShutdownException, SingleThreadedExecutor
+rclpy.init()
+camera, motor = rclpy.create_node("camera"), rclpy.create_node("motor")
+takes = camera.declare_parameter("takes", 0.6).value
+counts = {"image": 0, "counter": 0}
+def take():
+    counts["image"] += 1
+    print(f"[CAMERA] image = {counts['image']}")
+    time.sleep(takes)
+    print(f"[CAMERA] done = {counts['image']}")
+def drive():
+    counts["counter"] += 1
+    print(f"[MOTOR] counter = {counts['counter']}")
+camera.create_timer(1.0, take)
+motor.create_timer(0.1, drive)
+def spin():
+    executor = SingleThreadedExecutor()
+    executor.add_node(camera)
+    try:
+        executor.spin()
+    except ExternalShutdownException:
+        pass
+threading.Thread(target=spin, daemon=True).start()
+rclpy.spin(motor)
+""",
+    ],
+    25: [
+        {SPIN_CAUGHT: f"    try:\n{SPIN}{CAUGHT}    finally:\n        rclpy.try_shutdown()\n"},
+        {
+            THREAD: THREAD + "    executor = rclpy.executors.SingleThreadedExecutor()\n"
+            "    executor.add_node(spinner_py_node)\n",
+            SPIN: "        executor.spin()\n",
+            "import rclpy\n": "import rclpy\nimport rclpy.executors\n",
+        },
+        # A loop that sleeps on the clock needs nobody who spins.
+        {
+            THREAD: "",
+            SPIN: "        spinner_py_node.loop()\n",
+            LOOP: """        due = self.get_clock().now()
+        counter = 0
+        while rclpy.ok():
+            counter += 1
+            self.get_logger().info("[SPINNER PY NODE] counter = " + str(counter))
+            time.sleep(self.work)
+            due += rclpy.duration.Duration(seconds=0.5)
+            self.get_clock().sleep_until(due)
+""",
+            "import rclpy\n": "import rclpy\nimport rclpy.duration\n",
+        },
+        # The loop itself lets the timer of its Rate be called.
+        {SLEEPS: "            rclpy.spin_once(self)\n" + SLEEPS, THREAD: "", SPIN: "        spinner_py_node.loop()\n"},
+        # A timer, whose first call is made by hand.
+        {
+            THREAD: "    spinner_py_node.loop()\n",
+            LOOP: """        self.counter = 0
+        self.create_timer(0.5, self.one_pass)
+        self.one_pass()
+
+    def one_pass(self):
+        self.counter += 1
+        self.get_logger().info("[SPINNER PY NODE] counter = " + str(self.counter))
+        time.sleep(self.work)
+""",
+        },
+        # The loop spins for as long as is left of the period.
+        {
+            THREAD: "",
+            SPIN: "        spinner_py_node.loop()\n",
+            LOOP: """        start = time.monotonic()
+        counter = 0
+        while rclpy.ok():
+            counter += 1
+            self.get_logger().info("[SPINNER PY NODE] counter = " + str(counter))
+            time.sleep(self.work)
+            while (left := start + 0.5 * counter - time.monotonic()) > 0 and rclpy.ok():
+                rclpy.spin_once(self, timeout_sec=left)
+""",
+        },
+        {
+            "rclpy.spin(spinner_py_node)": "rclpy.spin(spinner_py_node, rclpy.executors.MultiThreadedExecutor())",
+            "import rclpy\n": "import rclpy\nimport rclpy.executors\n",
+        },
+    ],
+    26: [
+        {
+            CAUGHT: "    except (ExternalShutdownException, KeyboardInterrupt):\n        pass\n",
+        },
+        {
+            CAUGHT: "    except KeyboardInterrupt:\n"
+            "        pass\n    except ExternalShutdownException:\n        pass\n",
+        },
+        {
+            "import rclpy\n": "import contextlib\n\nimport rclpy\n",
+            f"    try:\n{DRIVE_SPIN}{CAUGHT}{DRIVE_END}": "    try:\n"
+            "        with contextlib.suppress(KeyboardInterrupt, ExternalShutdownException):\n"
+            "            rclpy.spin(driver_py_node)\n    finally:\n        motor.drive(0)\n",
+        },
+        {DRIVE_END: "    finally:\n        motor.drive(0.0)\n        driver_py_node.destroy_node()\n"},
+        {DRIVE_END: DRIVE_END.replace("rclpy.try_shutdown()", "if rclpy.ok():\n            rclpy.shutdown()")},
+        {
+            DRIVE_SPIN: "        executor = rclpy.executors.SingleThreadedExecutor()\n"
+            "        executor.add_node(driver_py_node)\n        executor.spin()\n",
+            "import rclpy\n": "import rclpy\nimport rclpy.executors\n",
+        },
+        {
+            "import rclpy\n": "import atexit\n\nimport rclpy\n",
+            "    motor = Motor()\n": "    motor = Motor()\n    atexit.register(motor.drive, 0.0)\n",
+            STOPS: "",
+        },
+        {DRIVE_SPIN: "        while rclpy.ok():\n            rclpy.spin_once(driver_py_node)\n"},
+    ],
+}
+
+# --- wrong ------------------------------------------------------------------------------------------------------------
+
+FOR_ROS_1 = "import rospy\nrospy.init_node('n')\nrospy.spin()\n"
+
+WRONG: dict[int, list[tuple[Answer, str, str]]] = {
+    20: [
+        (times(SHORT, 2.2, 2.2, 2.4), "Blocked for 1.0 s: not 2.2 s, 2.2 s", "This is what rospy does"),
+        (times(SHORT, 2.2, 2.6, 3.0), "Blocked for 1.0 s: not 2.2 s, 2.6 s", "This is what roscpp does"),
+        (times(SHORT, 1.6, 2.0, 2.4), "not 1.6 s", "the executor calls nothing"),
+        (times(SHORT, 2.4, 2.8, 3.2), "not 2.4 s", "it comes at once"),
+        (times(LONG, 3.0, 3.4, 3.8), "Blocked for 1.8 s: not 3 s, 3.4 s", "keeps to its grid"),
+        (times(LONG, 3.0, 3.0, 3.0), "not 3 s, 3 s, 3 s", "There is no queue of calls"),
+        (times(LONG, 3.2, 3.6, 4.0), "not 3.2 s", "One overdue tick still comes"),
+        (times(ALWAYS, 0.4, 1.2, 2.0), "Each callback takes 0.6 s: not 0.4 s, 1.2 s", "does not wait any longer"),
+        (times(ALWAYS, 0.4, 1.4, 2.4), "not 0.4 s, 1.4 s", "does not count from the end"),
+        (times(UNSPUN, 0.4, 0.8, 1.2), "Without spin: not 0.4 s", "only spin calls callbacks"),
+        (times(UNSPUN, 0.0), "Without spin: not 0 s", "When does the callback return?"),
+        ({UNSPUN: "without_spin = None"}, "Without spin: there is no prediction yet", "Give `without_spin`"),
+        ({SHORT: "after_1_0_seconds = 2.2"}, "a list of times in seconds, not a value of type `float`", "Write it as"),
+        (FOR_ROS_1, "This node is for ROS 1", "This exercise is on ROS 2"),
+    ],
+    21: [
+        (
+            {CANCELS: "        if self.counter:\n            return\n"},
+            "the callback was called 4 times in 6 s",
+            "A callback that returns at once is still called",
+        ),
+        (
+            {CANCELS: "        rclpy.shutdown()\n"},
+            "The heartbeat: counter 2, due at 2 s",
+            "Stop one timer, and no more",
+        ),
+        ({CANCELS: "        raise SystemExit\n"}, "The heartbeat: counter 2, due", "what ends the node"),
+        (
+            {
+                SAYS: SAYS + "        while True:\n            time.sleep(1)\n",
+                "import rclpy\n": "import time\n\nimport rclpy\n",
+            },
+            "The heartbeat: counter 2, due",
+            "keeps its callback from returning",
+        ),
+        ({CANCELS: "        self.executor.shutdown()\n"}, "The heartbeat: counter 2, due", "Stop one timer"),
+        (
+            {"self.timer = ": "timer = "},
+            "AttributeError: 'SpinnerPyNode' object has no attribute 'timer'",
+            "with its `self.`",
+        ),
+        ({KEEPS: KEEPS.replace(")", ", oneshot=True)")}, "unexpected keyword argument 'oneshot'", "Keep the timer in"),
+        ({CANCELS: "        self.timer.shutdown()\n"}, "has no attribute 'shutdown'", "Python names what"),
+        ({"timer_callback(self)": "timer_callback(self, event)"}, "missing 1 required positional", "without arguments"),
+        ({KEEPS: KEEPS.replace("timer_callback)", "timer_callback())")}, "has no attribute 'timer'", "Python names"),
+        ({SPIN: "        pass\n"}, "no counter was printed", "Does its main part come to `rclpy.spin(node)`?"),
+        ({"    rclpy.init()\n": ""}, "NotInitialized", "Call `rclpy.init()` before"),
+        (
+            {
+                CANCELS: "        threading.Timer(1.0, self.timer.cancel).start()\n        if self.counter: return\n",
+                KEEPS: "self.timer = self.create_timer(0.5, self.timer_callback)",
+                "import rclpy\n": "import threading\n\nimport rclpy\n",
+            },
+            "counter 1 came at 0.5 s, not at 1.5 s",
+            "Stop the timer itself",
+        ),
+        (FOR_ROS_1, "This node is for ROS 1", "This exercise is on ROS 2"),
+    ],
+    22: [
+        ({PERIOD: "        period = 0.5\n"}, "With `period:=0.1`: counter 1 came at 0.5 s", "is called"),
+        (
+            {PERIOD: '        period = self.get_parameter("period").value\n'},
+            "ParameterNotDeclaredException",
+            "declared before it is read",
+        ),
+        ({PERIOD: PERIOD.replace('"period"', '"delta"')}, "With `period:=0.1`: counter 1 came at 0.5 s", '"period"'),
+        ({PERIOD: PERIOD.replace('"period"', '"~period"')}, "With `period:=0.1`: counter 1 came at 0.5 s", "is called"),
+        (
+            {PERIOD: PERIOD.replace("0.5", "1.0")},
+            "Without the parameter: counter 1 came at 1 s",
+            "is a parameter's value",
+        ),
+        (
+            {"create_timer(period": "create_timer(1 / period"},
+            "Without the parameter: counter 1 came at 2 s",
+            "Is it what the timer is given",
+        ),
+        ({PERIOD: PERIOD.replace(".value", "")}, "TypeError", "is a parameter's value"),
+        ({REFUSES: ""}, "With `period:=0.0`: the node ticked all the same", "calls back without a pause"),
+        (
+            {REFUSES: REFUSES.replace("not period > 0", "period < 0")},
+            "With `period:=0.0`: the node ticked",
+            "Look at the period",
+        ),
+        (
+            {REFUSES: REFUSES.replace("not period > 0", "period == 0")},
+            "With `period:=-1.0`: the node died in line 16:",
+            "error line",
+        ),
+        (
+            {REFUSES: "        if period <= 0:\n            raise ValueError('period')\n"},
+            "ValueError: period",
+            "end with `sys.exit(1)`",
+        ),
+        (
+            {REFUSES: REFUSES.replace("sys.exit(1)", "sys.exit()")},
+            "ended with status 0, as if all were well",
+            "from its status",
+        ),
+        (
+            {REFUSES: "        if period <= 0:\n            sys.exit(1)\n"},
+            "no line says that it is the period",
+            "error line",
+        ),
+        (
+            {REFUSES: REFUSES.replace("sys.exit(1)", "return")},
+            "the node neither ticked nor ended",
+            "end with `sys.exit(1)`",
+        ),
+        (
+            {REFUSES: REFUSES.replace("sys.exit(1)", "period = 0.5")},
+            "the node ticked all the same, 2 times in 1 s",
+            "Look at the",
+        ),
+        (
+            {PERIOD: PERIOD.replace("0.5", "1")},
+            "Started with `--ros-args -p period:=0.1`",
+            "keeps the type of its default",
+        ),
+        (FOR_ROS_1, "This node is for ROS 1", "This exercise is on ROS 2"),
+    ],
+    23: [
+        (FOR_ROS_1, "This node is for ROS 1: it imports `rospy`", "where a node imports `rclpy`"),
+        ("import rospy, rclpy\n", "imports both", "This exercise is on ROS 2"),
+        ({"timer_callback(self)": "timer_callback(self, event)"}, "missing 1 required positional", "without arguments"),
+        ({FREQUENCY: "2.0"}, "With `frequency:=10.0`: counter 1 came at 0.5 s", "is called"),
+        ({'"frequency"': '"~frequency"'}, "With `frequency:=10.0`: counter 1 came at 0.5 s", "without `~`"),
+        ({FREQUENCY: 'self.get_parameter("frequency").value'}, "ParameterNotDeclared", "declared before it is read"),
+        (
+            {"create_timer(1 / frequency": "create_timer(frequency"},
+            "Without the parameter: counter 1 came at 2 s",
+            "is called",
+        ),
+        ({SPIN: "        rclpy.spin()\n"}, "missing 1 required positional argument: 'node'", "A class of `Node`"),
+        ({SPIN: "        pass\n"}, "no counter was printed", "Does its main part come to `rclpy.spin(node)`?"),
+        ({'        super().__init__("spinner_py_node")\n': ""}, "AttributeError", "begins its `__init__`"),
+        ({"    rclpy.init()\n": ""}, "NotInitialized", "Call `rclpy.init()` before"),
+        ({"self.get_logger().info": "self.loginfo"}, "has no attribute 'loginfo'", "Python names what"),
+        (
+            {FREQUENCY: FREQUENCY.replace("2.0", "2")},
+            "Started with `--ros-args -p frequency:=10.0`",
+            "keeps the type of its default",
+        ),
+    ],
+    24: [
+        (
+            {EXECUTOR: "", SPINS: "        rclpy.spin(robot_py_node)\n"},
+            "With `takes:=0.6`, the motor: counter 10 came at 1.6 s",
+            "a single-threaded executor",
+        ),
+        (ALONE, "With `takes:=0.6`, the motor: counter 1", "in the same mutually exclusive group"),
+        (
+            {"MultiThreadedExecutor": "SingleThreadedExecutor"},
+            "the motor: counter 10 came at 1.6 s",
+            "single-threaded executor",
+        ),
+        (
+            {"MutuallyExclusive": "Reentrant"},
+            "With `takes:=1.3`, the camera began image 2 at 2 s, while it still took image 1",
+            "calls of one timer may overlap",
+        ),
+        (
+            {
+                "        self.create_timer(1.0": "        group = MutuallyExclusiveCallbackGroup()\n"
+                "        self.create_timer(1.0",
+                ", MutuallyExclusiveCallbackGroup())": ", group)",
+            },
+            "the motor: counter 1",
+            "in the same mutually exclusive group",
+        ),
+        ({"time.sleep(self.takes)": "pass"}, "image 1 was done after 0 s, not after 0.6 s", "takes its time"),
+        ({"time.sleep(self.takes)": "time.sleep(0.05)"}, "done after 0.05 s, not after 0.6 s", "takes its time"),
+        (
+            {"time.sleep(self.takes)": "time.sleep(0.6)"},
+            "With `takes:=1.3`, the camera: image 1 was done after 0.6 s",
+            "takes its time",
+        ),
+        ({"create_timer(1.0": "create_timer(2.0"}, "the camera took 2 images in 5 s; it can take 5", "as before"),
+        ({"create_timer(0.1": "create_timer(0.2"}, "the motor: counter 1 came at 0.2 s", "single-threaded"),
+        ({"MultiThreadedExecutor()": "MultiThreadedExecutor(1)"}, "the motor: counter 1", "single-threaded"),
+        (
+            {EXECUTOR: "    executor = MultiThreadedExecutor()\n"},
+            "the motor: no counter was printed",
+            "single-threaded",
+        ),
+        (
+            {
+                "time.sleep(self.takes)": "threading.Thread(target=time.sleep, args=(self.takes,)).start()",
+                "import time\n": "import threading\nimport time\n",
+            },
+            "image 1 was done after 0 s",
+            "takes its time",
+        ),
+        (FOR_ROS_1, "This node is for ROS 1", "This exercise is on ROS 2"),
+    ],
+    25: [
+        (
+            {THREAD: "", SPIN: "        spinner_py_node.loop()\n"},
+            "counter 2, due at 0.5 s, did not come",
+            "The first `sleep()` never returned",
+        ),
+        (
+            {THREAD: SPINNING_THREAD, SPIN: "        spinner_py_node.loop()\n"},
+            "Ctrl-C: the thread died of `rclpy.executors.ExternalShutdownException`",
+            "Let the main part spin",
+        ),
+        (IN_MAIN, "SIGTERM at 3.3 s: the node did not end", "Let the main part spin"),
+        (
+            {SPIN_CAUGHT: "    rclpy.spin(spinner_py_node)\n"},
+            "Ctrl-C: the node died in line 28: `KeyboardInterrupt`",
+            "Catch both around `spin`",
+        ),
+        (
+            {"(KeyboardInterrupt, ExternalShutdownException)": "KeyboardInterrupt"},
+            "SIGTERM: the node died in line 29:",
+            "Catch both around `spin`",
+        ),
+        (
+            {"(KeyboardInterrupt, ExternalShutdownException)": "ExternalShutdownException"},
+            "Ctrl-C: the node died in line 29: `KeyboardInterrupt`",
+            "Catch both",
+        ),
+        ({SPIN_CAUGHT: f"{SPIN_CAUGHT}    rclpy.shutdown()\n"}, "RCLError", "`rclpy.try_shutdown()` does not"),
+        ({SLEEPS: "            time.sleep(0.5)\n"}, "With `work:=0.1`: counter 2 came at 0.6 s", "shorten the pause"),
+        (
+            {SLEEPS: "            time.sleep(0.4)\n"},
+            "With `work:=0.4`: counter 2 came at 0.8 s, not at 0.5 s",
+            "wakes whoever is asleep",
+        ),
+        ({"create_rate(2.0)": "create_rate(0.5)"}, "counter 2 came at 2 s, not at 0.5 s", "wakes whoever is asleep"),
+        (
+            {"daemon=True": "daemon=False"},
+            "With `work:=0.1`, Ctrl-C: the node did not end: one of its threads was still asleep in a Rate's `sleep()`",
+            "Use a Rate only in a daemon thread",
+        ),
+        # The same, in a thread of an executor.
+        (
+            {
+                THREAD: "    spinner_py_node.create_timer(0.001, spinner_py_node.loop)\n",
+                "rclpy.spin(spinner_py_node)": "rclpy.spin(spinner_py_node, rclpy.executors.MultiThreadedExecutor())",
+                "import rclpy\n": "import rclpy\nimport rclpy.executors\n",
+            },
+            "asleep in a Rate's `sleep()`",
+            "Use a Rate only in a daemon thread",
+        ),
+        # A daemon thread is asleep, too, but something else does not end.
+        (
+            {SPIN_CAUGHT: SPIN_CAUGHT + "    while True:\n        time.sleep(1.0)\n"},
+            "the node did not end: it was still in line 33, `time.sleep(1.0)`. Does its loop ask `rclpy.ok()`?",
+            "wakes whoever is asleep",
+        ),
+        ({SPIN_CAUGHT: "    pass\n"}, "counter 2, due at 0.5 s, did not come", "The node ended by itself"),
+        (
+            {"target=spinner_py_node.loop,": "target=spinner_py_node.loop(),"},
+            "counter 2, due at 0.5 s",
+            "never returned",
+        ),
+        (
+            {
+                THREAD: "",
+                LOOP: LOOP.replace(
+                    "        loop_rate", "        self.create_timer(0.5, self.one_pass)\n        loop_rate", 1
+                ),
+            },
+            "no counter was printed",
+            "wakes whoever is asleep",
+        ),
+        (FOR_ROS_1, "This node is for ROS 1", "This exercise is on ROS 2"),
+    ],
+    26: [
+        (
+            {"(KeyboardInterrupt, ExternalShutdownException)": "KeyboardInterrupt"},
+            "SIGTERM: the node died in line 38:",
+            "Catch both",
+        ),
+        (
+            {"(KeyboardInterrupt, ExternalShutdownException)": "ExternalShutdownException"},
+            "Ctrl-C while the node waits: the node died in line 38: `KeyboardInterrupt`",
+            "Catch both",
+        ),
+        (
+            {"(KeyboardInterrupt, ExternalShutdownException)": "(KeyboardInterrupt, Exception)"},
+            "The sensor fails: the node ended with status 0",
+            "Catch what a signal raises, and nothing else",
+        ),
+        (
+            {"(KeyboardInterrupt, ExternalShutdownException)": "BaseException"},
+            "The sensor fails: the node ended with status 0",
+            "nothing else",
+        ),
+        ({STOPS: ""}, "nobody stops the motor", "in a `finally:`"),
+        (
+            {DRIVE_END: STOPS.replace("    ", "", 1) + "    rclpy.try_shutdown()\n"},
+            "The sensor fails: nobody stops the motor",
+            "in a `finally:`",
+        ),
+        ({"rclpy.try_shutdown()": "rclpy.shutdown()"}, "RCLError", "`rclpy.try_shutdown()` does not"),
+        (
+            {
+                STOPS: "",
+                "    try:\n": "    rclpy.get_default_context().on_shutdown(lambda: motor.drive(0.0))\n    try:\n",
+                "rclpy.try_shutdown()": "pass",
+            },
+            "nobody stops the motor",
+            "in a `finally:`",
+        ),
+        (
+            {STOPS: "", CAUGHT: CAUGHT.replace("pass", "motor.drive(0.0)")},
+            "The sensor fails: nobody stops the motor",
+            "finally",
+        ),
+        (
+            {
+                "        speed = self.read_sensor()\n": "        try:\n            speed = self.read_sensor()\n"
+                "        except RuntimeError:\n            return\n"
+            },
+            "the motor was not stopped before 5 s",
+            "and nothing else: an error is",
+        ),
+        (
+            {DRIVES: DRIVES + "        self.motor.drive(0.0)\n"},
+            "the motor was stopped at 0.16 s",
+            "has to drive the motor as before",
+        ),
+        ({CAUGHT: CAUGHT.replace("pass", "raise SystemExit(1)")}, "ended with status 1 instead of 0", "finally"),
+        (
+            {"    try:\n": "    import signal\n    signal.signal(signal.SIGINT, signal.SIG_IGN)\n    try:\n"},
+            "did not end at Ctrl-C",
+            "",
+        ),
+        (FOR_ROS_1, "This node is for ROS 1", "This exercise is on ROS 2"),
+    ],
+}

@@ -1,0 +1,98 @@
+"""Files of answers, and the page on which a teacher has them judged."""
+
+from __future__ import annotations
+
+import csv
+import hashlib
+import io
+import json
+import re
+from functools import partial
+from pathlib import Path
+from typing import Any
+
+from answers import CELLS
+from playwright.sync_api import BrowserContext, Locator, Page, Route, expect
+
+TEACHERS = "docs/for-teachers.html"
+
+EXERCISES = "notebooks/exercises.html"
+
+RIGHT = CELLS[1][1].source
+
+WRONG = "%%answer 1\ntimer = [0, 1, 2]\nloop = [0, 1, 2]\nbusy_loop = [0, 1, 2]\n"
+
+ENDLESS = "%%answer 1\nsum(iter(int, 1))\n"  # gives way to no interrupt
+
+
+def exchange(context: BrowserContext, site: Path, **files: bytes) -> None:
+    """Serve other files in place of those of a site from which Python starts, as if it had been built with them."""
+    folder = site / "_static/live"
+    script = (folder / "runs.js").read_text(encoding="utf-8")
+    for name, data in files.items():
+        found = next(path for path in folder.iterdir() if path.name.replace(".", "_") == name)
+        before = hashlib.sha256(found.read_bytes()).hexdigest()
+        assert before in script
+        script = script.replace(before, hashlib.sha256(data).hexdigest())
+        context.route(f"**/{found.name}*", partial(_answer, data))
+    context.route("**/runs.js*", partial(_answer, script.encode()))
+
+
+def _answer(data: bytes, route: Route) -> None:
+    route.fulfill(body=data, content_type="text/javascript")
+
+
+def handed_in(name: Any = "Ada", **changed: Any) -> str:
+    """What is in a file."""
+    made = {"format": "rosspin-answers", "version": 1, "name": name, "id": "a1", "answers": {"1": RIGHT}}
+    return json.dumps(made | changed)
+
+
+class Table:
+    """The teachers' page."""
+
+    def __init__(self, page: Page, address: str) -> None:
+        page.goto(address + TEACHERS)
+        self.page = page
+        self.input = page.get_by_label("Drop the files of your students")
+        self.notes = page.locator(".rosspin-judge [role=alert] li")
+        self.status = page.locator(".rosspin-judge [role=status]")
+        self.detail = page.get_by_role("region", name="What the checker said")
+        self.rows = page.locator(".judge-scroll tbody tr")
+
+    def drop(self, **files: str) -> None:
+        """Drop files with these names, without their endings, and texts."""
+        transfer = self.page.evaluate_handle(
+            """files => {
+                const transfer = new DataTransfer()
+                for (const [name, text] of Object.entries(files)) transfer.items.add(new File([text], `${name}.json`))
+                return transfer
+            }""",
+            files,
+        )
+        zone = self.page.locator(".judge-drop")
+        zone.dispatch_event("dragover", {"dataTransfer": transfer})
+        zone.dispatch_event("drop", {"dataTransfer": transfer})
+
+    def sign(self, title: str) -> Locator:
+        return self.page.locator(".judge-scroll").get_by_role("button", name=title, exact=True)
+
+    def done(self) -> None:
+        expect(self.status).to_have_text(re.compile("^Done"))
+
+    def said(self, title: str) -> str:
+        """What is said of an answer whose sign has this title."""
+        self.sign(title).click()
+        expect(self.detail).to_be_focused()
+        return self.detail.inner_text()
+
+    def csv(self) -> list[list[str]]:
+        with self.page.expect_download() as found:
+            self.page.get_by_role("button", name="Save as CSV").click()
+        assert found.value.suggested_filename == "answers.csv"
+        data = Path(found.value.path()).read_bytes()
+        assert data.startswith(b"\xef\xbb\xbf")
+        return list(csv.reader(io.StringIO(data.decode("utf-8-sig"))))
+
+
+HTML = "<img src=x onerror=\"document.title='taken'\"><script>document.title = 'taken'</script>"

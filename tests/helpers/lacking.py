@@ -1,0 +1,34 @@
+"""What a test may ask for, and this machine may lack."""
+
+from __future__ import annotations
+
+import shutil
+import subprocess
+from collections.abc import Callable
+from functools import cache
+
+from corpus_ros2 import KILTED_PYTHON
+from firefox import firefox
+from message_probe import PACKAGES
+
+from rosspin import doctor, ros2
+
+
+@cache
+def _lacks_ros1() -> str:
+    commands = [name for name in ("roslaunch", "rosmaster", "catkin_make") if not shutil.which(name)]
+    if commands:
+        return f"ROS 1 is not installed (no {', '.join(commands)})"
+    importing = f"import {', '.join(f'{name}.msg' for name in PACKAGES)}"
+    run = subprocess.run(["/usr/bin/python3", "-c", importing], capture_output=True, text=True)
+    return f"ROS 1 is not all installed ({run.stderr.splitlines()[-1]})" if run.returncode else ""
+
+
+# What a test may ask for, and why it is not here ("" if it is).
+LACKS: dict[str, Callable[[], str]] = {
+    "ros1": _lacks_ros1,
+    "ros2": lambda: str(ros2.Ros2Missing()) if ros2.missing() else "",
+    "kilted": lambda: "" if KILTED_PYTHON.exists() else "Kilted is not installed (make ros2 DISTRO=kilted)",
+    "browser": lambda: "" if doctor.chromium() else "Chromium is not installed",
+    "firefox": lambda: "" if firefox() else "Firefox is not installed",
+}

@@ -1,0 +1,320 @@
+"""The figures with a handle: moved in Chromium by pointer and by keyboard, they show the ticks of CPython's runs."""
+
+from __future__ import annotations
+
+import gzip
+import re
+from collections.abc import Iterator
+from pathlib import Path
+from typing import Literal
+
+import pytest
+from bs4 import BeautifulSoup
+from figures import (
+    FIGURES,
+    SHOWN,
+    SPINNER_ROS2,
+    Figure,
+    Kind,
+    kinds,
+    opened,
+    probes,
+)
+from looks import FAINT, TOO_WIDE, faults
+from playwright.sync_api import Browser, BrowserContext, Locator, expect
+
+from rosspin import Tick
+from rosspin.plots import with_handle
+
+Scheme = Literal["light", "dark"]
+
+
+PAGES = sorted({kind.page for kind in FIGURES})
+
+
+@pytest.fixture
+def context(browser: Browser) -> Iterator[BrowserContext]:
+    with browser.new_context(viewport={"width": 1280, "height": 800}) as context:
+        yield context
+
+
+# --- moving -----------------------------------------------------------------------------------------------------------
+
+
+@kinds
+def test_by_keyboard(context: BrowserContext, address: str, kind: Kind) -> None:
+    page = context.new_page()
+    wrong = faults(page, address)
+    figure = opened(page, address, kind)
+    first, before = figure.check(), figure.markup()
+    figure.handle.focus()
+    found = []
+    for key in ("Home", "ArrowRight", "PageUp", "End", "ArrowLeft"):
+        page.keyboard.press(key)
+        found.append(figure.check())
+    assert found[0] < found[1] < found[2] < found[3] > found[4] and first not in (found[0], found[3])
+    # Moved back, it is as matplotlib drew it.
+    while figure.value() > first:
+        page.keyboard.press("ArrowLeft")
+    assert figure.markup() == before
+    assert not wrong
+
+
+@kinds
+def test_by_pointer(context: BrowserContext, address: str, kind: Kind) -> None:
+    page = context.new_page()
+    wrong = faults(page, address)
+    figure = opened(page, address, kind)
+    box = figure.handle.bounding_box()
+    assert box
+    y = box["y"] + box["height"] / 2
+    page.mouse.move(box["x"] + box["width"] / 2, y)
+    page.mouse.down()
+    found = []
+    for share in (0.1, 0.45, 0.8):
+        page.mouse.move(box["x"] + box["width"] * share, y, steps=3)
+        found.append(figure.check())
+    page.mouse.up()
+    assert found == sorted(set(found))
+    assert not wrong
+
+
+def test_by_touch(browser: Browser, address: str) -> None:
+    with browser.new_context(viewport={"width": 390, "height": 844}, has_touch=True) as context:
+        figure = opened(context.new_page(), address, FIGURES[0])
+        first = figure.value()
+        box = figure.handle.bounding_box()
+        assert box and box["height"] >= 24
+        figure.handle.tap(position={"x": box["width"] - 5, "y": box["height"] / 2})
+        assert figure.check() > first
+
+
+def test_the_number_in_the_code_follows(context: BrowserContext, address: str) -> None:
+    """What is moved is the number that stands in the lines beside the figure, and nothing else in them."""
+    figure = opened(context.new_page(), address, FIGURES[0])
+    code = context.pages[0].locator(".rosspin-beside pre")
+    before = code.inner_text()
+    assert before in "\n".join(line[8:] for line in SPINNER_ROS2.read_text(encoding="utf-8").splitlines())
+    figure.handle.press("End")
+    assert figure.value() != 0.5
+    assert code.inner_text() == before.replace("0.5", f"{figure.value():g}")
+
+
+@pytest.mark.parametrize("width", [358, 764])
+def test_the_page_draws_each_position_as_matplotlib_does(browser: Browser, site: Path, width: int) -> None:
+    """Also with ticks at one time or overlapping, with names that are no HTML, and with fewer kinds of rows."""
+    blocks = [0.0, 0.7, 1.2, 1.499, 2.2]
+    run = probes("_block_call:=3", seconds=6)
+    runs = {
+        block: {
+            **run(block),
+            "a<b & c": [tick._replace(real=tick.real + 0.0123456) for tick in run(block)["rospy"]],
+            "at once": [Tick("A", n, n * 0.5, n * 0.5, block) for n in range(1, 7)],
+        }
+        for block in blocks
+    }
+    with browser.new_context(viewport={"width": width, "height": 800}) as context:
+        page = context.new_page()
+        for block in blocks:
+            still = with_handle("The third call takes", "s", runs, at=block, period=0.5, kinds=2)
+            page.set_content(f"<style>body{{margin:0}}</style>{still.html}")
+            figure = Figure(page, FIGURES[3])
+            by_matplotlib, alternative = figure.element.evaluate(SHOWN), figure.picture.get_attribute("aria-label")
+            box = figure.picture.bounding_box()
+            other = with_handle("The third call takes", "s", runs, at=blocks[block == 0.0], period=0.5, kinds=2)
+            page.set_content(f"<style>body{{margin:0}}</style>{other.html}")
+            page.add_script_tag(path=site / "_static/handles/handles.js")
+            figure.handle.press("Home")
+            for _ in range(blocks.index(block)):
+                figure.handle.press("ArrowRight")
+            assert figure.value() == block and figure.picture.get_attribute("aria-label") == alternative
+            moved = figure.picture.bounding_box()
+            assert box and moved and (moved["width"], moved["height"]) == (box["width"], box["height"])
+            for here, there in zip(figure.element.evaluate(SHOWN), by_matplotlib, strict=True):
+                assert (here.pop("drawn_by"), there.pop("drawn_by")) == ("the page", "matplotlib")
+                for what in ("marks", "bars", "crosses"):
+                    assert here.pop(what) == pytest.approx(there.pop(what), abs=0.1)
+                assert here.pop("heights") == pytest.approx(there.pop("heights"), abs=1.5)
+                assert here == there
+
+
+def test_one_figure_moves_alone(context: BrowserContext, address: str) -> None:
+    one, other = FIGURES[3:5]
+    figure = opened(context.new_page(), address, one)
+    beside = Figure(context.pages[0], other)
+    before = beside.markup()
+    figure.handle.press("End")
+    assert beside.markup() == before and beside.handle.input_value() != beside.handle.get_attribute("max")
+
+
+# --- where nothing moves ----------------------------------------------------------------------------------------------
+
+
+@kinds
+def test_without_javascript_the_first_position_stands(browser: Browser, address: str, kind: Kind) -> None:
+    with browser.new_context(java_script_enabled=False) as context:
+        page = context.new_page()
+        page.goto(address + kind.page)
+        figure = page.locator("figure[data-positions]").nth(kind.number)
+        expect(figure.locator("input")).to_be_hidden()
+        picture = figure.locator("svg[role=img]:visible")
+        expect(picture).to_have_attribute("aria-label", re.compile(f"^Timeline, {kind.label}: "))
+        assert figure.evaluate(SHOWN)[0]["marks"]
+
+
+def test_on_paper_the_first_position_stands(context: BrowserContext, address: str) -> None:
+    page = context.new_page()
+    figure = opened(page, address, FIGURES[0])
+    before, code = figure.markup(), page.locator(".rosspin-beside pre").inner_text()
+    figure.handle.press("End")
+    moved = figure.markup()
+    page.evaluate("dispatchEvent(new Event('beforeprint'))")
+    page.emulate_media(media="print")
+    expect(figure.handle).to_be_hidden()
+    assert figure.markup() == before
+    assert page.locator(".rosspin-beside pre").inner_text() == code
+    page.evaluate("dispatchEvent(new Event('afterprint'))")
+    assert figure.markup() == moved
+
+
+# --- what it costs ----------------------------------------------------------------------------------------------------
+
+
+@pytest.mark.parametrize("name", PAGES)
+def test_a_figure_is_small_and_brings_no_script(site: Path, name: str) -> None:
+    page = BeautifulSoup((site / name).read_text(encoding="utf-8"), "html.parser")
+    figures = page.select("figure[data-positions]")
+    assert len(figures) == sum(kind.page == name for kind in FIGURES)
+    for figure in figures:
+        assert len(gzip.compress(str(figure).encode())) < 30_000
+        assert not figure.select("script, [onclick], [oninput]")
+    policy = str(page.select_one("meta[http-equiv]"))
+    assert "script-src 'self' 'wasm-unsafe-eval'" in policy
+    assert "unsafe-inline" not in policy.partition("script-src")[2].partition(";")[0]
+
+
+def test_all_figures_with_a_handle_are_tested(site: Path) -> None:
+    pages = {path.relative_to(site).as_posix(): path.read_text(encoding="utf-8") for path in site.rglob("*.html")}
+    assert {name for name, text in pages.items() if re.search("<figure [^>]*data-positions=", text)} == set(PAGES)
+
+
+def test_a_figure_needs_no_python(context: BrowserContext, address: str) -> None:
+    page = context.new_page()
+    asked: list[str] = []
+    page.on("request", lambda request: asked.append(request.url.removeprefix(address).partition("?")[0]))
+    figure = opened(page, address, FIGURES[0])
+    page.wait_for_load_state("networkidle")
+    already = len(asked)
+    figure.handle.press("End")
+    figure.check()
+    assert len(asked) == already
+    ours = [url for url in asked if re.search(r"live/|handles/|pyodide", url)]
+    assert ours == ["_static/handles/handles.js"]
+
+
+def test_only_pages_with_such_a_figure_load_the_script(site: Path) -> None:
+    for path in site.rglob("*.html"):
+        if "_static" not in path.parts:
+            loads = "handles/handles.js" in path.read_text(encoding="utf-8")
+            assert loads == (path.relative_to(site).as_posix() in PAGES), path
+
+
+# --- how it looks -----------------------------------------------------------------------------------------------------
+
+# The pictures that leave more than a little of the place that they have beside them.
+NARROW = """() => [...document.querySelectorAll("article svg[role=img]")].filter(picture => {
+    const width = element => element.getBoundingClientRect().width
+    const place = width(picture.parentElement) // in which one of two may be seen
+    return place && Math.max(...[...picture.parentElement.querySelectorAll(":scope > svg")].map(width)) < place - 40
+}).map(picture => picture.getAttribute("aria-label"))"""
+
+
+@pytest.mark.parametrize("width", [1280, 1920])
+def test_figures_fill_the_width_of_the_text(site: Path, address: str, browser: Browser, width: int) -> None:
+    names = [path.relative_to(site).as_posix() for path in sorted(site.rglob("*.html")) if "_static" not in path.parts]
+    wrong = {}
+    with browser.new_context(viewport={"width": width, "height": 800}) as context:
+        page = context.new_page()
+        for name in names:
+            page.goto(address + name)
+            wrong[name] = page.evaluate(NARROW)
+    assert not {name: found for name, found in wrong.items() if found}
+
+
+# The size (px) of the smallest lettering that is seen in the plots of a page.
+LETTERING = """() => Math.min(...[...document.querySelectorAll("figure.rosspin-plot svg[role=img]")]
+    .filter(picture => picture.getBoundingClientRect().width)
+    .flatMap(picture => [...picture.querySelectorAll("text")].map(text =>
+        parseFloat(getComputedStyle(text).fontSize) * (picture.getScreenCTM().a || 1))))"""
+
+
+@pytest.mark.parametrize("width", [390, 1280])
+def test_lettering_is_large_enough(site: Path, address: str, browser: Browser, width: int) -> None:
+    pages = {path.relative_to(site).as_posix(): path.read_text(encoding="utf-8") for path in site.rglob("*.html")}
+    with browser.new_context(viewport={"width": width, "height": 844}) as context:
+        page = context.new_page()
+        for name in sorted(name for name, text in pages.items() if 'class="rosspin-plot"' in text):
+            page.goto(address + name)
+            assert 11 <= (page.evaluate(LETTERING) or 99), name
+
+
+def test_plots_follow_the_switch_of_the_theme(browser: Browser, address: str) -> None:
+    """Not only the system's: here that is light."""
+    with browser.new_context(viewport={"width": 1280, "height": 844}, color_scheme="light") as context:
+        page = context.new_page()
+        page.goto(address + "notebooks/rate.html")
+        for theme in ("light", "dark"):
+            page.evaluate("theme => Object.assign(document.documentElement.dataset, { theme, mode: theme })", theme)
+            assert page.evaluate(FAINT) == []
+            colour = page.locator("figure.rosspin-plot svg[role=img]:visible text").first.evaluate(
+                "text => getComputedStyle(text).fill"
+            )
+            assert (max(map(int, re.findall(r"\d+", colour))) > 150) == (theme == "dark")
+
+
+def test_plots_are_on_paper(browser: Browser, address: str) -> None:
+    with browser.new_context(viewport={"width": 1280, "height": 844}, color_scheme="dark") as context:
+        page = context.new_page()
+        page.goto(address + "notebooks/rate.html")
+        page.emulate_media(media="print")
+        plots = page.locator(".cell_output figure.rosspin-plot")
+        assert plots.count() == 5
+        for index in range(5):
+            text = plots.nth(index).locator("svg[role=img]:visible text").first
+            assert text.evaluate("text => getComputedStyle(text).fill") == "rgb(0, 0, 0)"
+
+
+@pytest.mark.parametrize("scheme", ["light", "dark"])
+@pytest.mark.parametrize("width", [390, 1280])
+def test_moved_figures_stay_in_the_page(browser: Browser, address: str, width: int, scheme: Scheme) -> None:
+    with browser.new_context(viewport={"width": width, "height": 844}, color_scheme=scheme) as context:
+        page = context.new_page()
+        for kind in FIGURES:
+            figure = opened(page, address, kind)
+            figure.handle.press("End")
+            assert page.evaluate(TOO_WIDE) + page.evaluate(FAINT) == []
+            widths = figure.element.evaluate(
+                "figure => [figure, ...figure.querySelectorAll('text')].map(part => part.getBoundingClientRect().right)"
+            )
+            assert max(widths[1:]) <= min(widths[0] + 1, width), kind
+
+
+@pytest.mark.parametrize("scheme", ["light", "dark"])
+@pytest.mark.parametrize(("width", "height"), [(390, 844), (1280, 800)])
+def test_the_first_screen(browser: Browser, address: str, width: int, height: int, scheme: Scheme) -> None:
+    """What this is, a node that ticks beside its code, and the ways in: nobody has to scroll for them."""
+    with browser.new_context(viewport={"width": width, "height": height}, color_scheme=scheme) as context:
+        page = context.new_page()
+        page.goto(address)
+
+        def ends(place: Locator) -> float:
+            expect(place).to_be_visible()
+            box = place.bounding_box()
+            assert box
+            return box["y"] + box["height"]
+
+        article = page.locator("article")
+        seen = [article.locator(what) for what in ("p >> nth=0", ".rosspin-beside pre", "figure svg[role=img]:visible")]
+        names = "ROS 2 in Python", "ROS 1 in Python", "ROS 1 in C++", "Try an exercise"
+        ways = [article.get_by_role("link", name=name) for name in names]
+        assert max(map(ends, [*seen, *ways])) < height

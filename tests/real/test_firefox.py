@@ -1,0 +1,189 @@
+"""The site in Firefox: its figures move there as in Chromium, and its listings run."""
+
+from __future__ import annotations
+
+import re
+from collections.abc import Callable, Iterator
+from pathlib import Path
+from typing import Any
+
+import pytest
+from attacks import ATTACK, SANDBOX, SCRIPT, attempts, succeeded
+from figures import SHOWN, Kind, check_rows, kinds
+from firefox import Tab, firefox, tab
+from hand_ins import ENDLESS, RIGHT, TEACHERS, WRONG, handed_in
+from in_chromium import served
+from tree import ROOT
+
+from rosspin import simulate
+
+SPINNER = ROOT / "examples/my_robotics_pkg/src/spinner_py_node.py"
+
+# A figure: what a screen reader is told of its handle, and the place of that; its rows, alternative text and axis (s).
+FIGURE = f"""async number => {{
+    const figure = document.querySelectorAll("figure[data-positions]")[number]
+    const handle = figure.querySelector("input")
+    await new Promise(requestAnimationFrame)
+    const {{ x, y, width, height }} = handle.getBoundingClientRect()
+    return {{
+        value: handle.getAttribute("aria-valuetext"),
+        place: [x, y, width, height],
+        rows: ({SHOWN})(figure),
+        alternative: [...figure.querySelectorAll("svg[role=img]")]
+            .find(one => one.getBoundingClientRect().width).getAttribute("aria-label"),
+        span: JSON.parse(figure.dataset.positions).span,
+    }}
+}}"""
+TO_HANDLE = """number => {
+    const handle = document.querySelectorAll("figure[data-positions] input")[number]
+    handle.scrollIntoView({ behavior: "instant", block: "center" })
+    handle.focus()
+}"""
+
+
+@pytest.fixture(scope="module")
+def page(require: Callable[[str], None]) -> Iterator[Tab]:
+    require("firefox")
+    with tab(firefox() or "") as page:
+        page.resize(1280, 800)
+        yield page
+        assert not page.wrong
+
+
+def figure(page: Tab, kind: Kind) -> Any:
+    """A figure of the page that is open, whose ticks are those of a run."""
+    seen = page.evaluate(FIGURE, kind.number)
+    said = re.fullmatch(r"([\d.]+) s", seen["value"])
+    assert said
+    seen["value"] = float(said[1])
+    check_rows(kind, seen["value"], seen["rows"], seen["alternative"], seen["span"])
+    return seen
+
+
+@kinds
+def test_a_figure_moves(page: Tab, address: str, kind: Kind) -> None:
+    page.open(address + kind.page)
+    page.evaluate(TO_HANDLE, kind.number)
+    found = []
+    for key in ("Home", "ArrowRight", "PageUp", "End", "ArrowLeft"):
+        page.press(key)
+        found.append(figure(page, kind)["value"])
+    assert found[0] < found[1] < found[2] < found[3] > found[4]
+
+    x, y, width, height = figure(page, kind)["place"]
+    places = [(x + width * share, y + height / 2) for share in (0.5, 0.1, 0.45, 0.8)]
+    found = [figure(page, kind)["value"] for _ in page.drag(places)]
+    assert found == sorted(set(found))
+
+
+# The console of a page's first listing after a run.
+RUN = """async () => {
+    const cell = document.querySelector(".live-cell")
+    cell.querySelector("select").value = "0" // instantly
+    cell.querySelector("button").click()
+    const status = cell.querySelector("[role=status]")
+    while (!/^(done|error|stopped)/.test(status.textContent)) await new Promise(go => setTimeout(go, 50))
+    return [status.textContent, cell.querySelector("[role=log] pre").textContent]
+}"""
+
+
+# What the teachers' page says of the answers in a file.
+JUDGE = """async text => {
+    const dataTransfer = new DataTransfer()
+    dataTransfer.items.add(new File([text], "ada.json"))
+    document.querySelector(".judge-drop").dispatchEvent(new DragEvent("drop", { dataTransfer, bubbles: true }))
+    const status = document.querySelector(".rosspin-judge [role=status]")
+    while (!/^Done/.test(status.textContent)) await new Promise(go => setTimeout(go, 50))
+    return [...document.querySelectorAll(".judge-scroll tbody button")].map(button => button.ariaLabel)
+}"""
+
+
+def test_a_listing_runs(page: Tab, address: str) -> None:
+    page.open(address + "docs/tutorial.html")
+    if not page.evaluate("() => 'Suspending' in WebAssembly"):
+        assert "lacks JSPI" in page.evaluate("() => document.querySelector('.live-missing').textContent")
+        return
+    status, console = page.evaluate(RUN)
+    assert status == "done: 20 ticks"
+    assert console == simulate(SPINNER, 10).console
+
+
+def test_answers_are_judged(page: Tab, address: str) -> None:
+    page.open(address + TEACHERS)
+    answers = {"1": RIGHT, "2": WRONG.replace("answer 1", "answer 2"), "3": ENDLESS}
+    said = page.evaluate(JUDGE, handed_in(answers=answers))
+    verdicts = ("solved", "open", "did not end")
+    assert said == [f"Ada, exercise {number}: {verdict}" for number, verdict in enumerate(verdicts, 1)]
+    # Pyodide tries whether it may load a script: in the sandbox it may not.
+    page.wrong[:] = [wrong for wrong in page.wrong if "data:text/javascript" not in wrong]
+
+
+# --- the adversary ----------------------------------------------------------------------------------------------------
+
+# What a text prints as a node, or why it ended.
+RUN_TEXT = """async (address, source) => {
+    const { Sandbox } = await import(address)
+    const sandbox = new Sandbox()
+    const { kind, reason } = await sandbox.started
+    if (kind !== "ready") return reason
+    let text = ""
+    await new Promise(resolve => {
+        const job = { kind: "run", source, filename: "node.py", seconds: 1, args: "", speed: 0 }
+        sandbox.do(job, message => {
+            if (message.kind === "batch") text += message.chunks.map(([, text]) => text).join("")
+            if (message.kind === "failed") text += message.reason
+            if (message.kind !== "batch") resolve()
+        })
+    })
+    sandbox.end()
+    return text
+}"""
+KEPT = """async () => {
+    const cache = await caches.open("rosspin")
+    return Promise.all((await cache.keys()).map(async key => [key.url, (await (await cache.match(key)).blob()).size]))
+}"""
+
+
+def test_code_reaches_nothing(page: Tab, address: str) -> None:
+    page.open(address + "docs/tutorial.html")
+    if not page.evaluate("() => 'Suspending' in WebAssembly"):
+        return
+    assert succeeded(page.evaluate(RUN_TEXT, f"{address}_static/live/runs.js", attempts(address))) == {}
+    page.wrong.clear()  # what was refused is an error each
+
+
+def test_a_kept_snapshot_that_was_changed_is_loaded_anew(page: Tab, address: str) -> None:
+    page.open(address + "docs/tutorial.html")
+    if not page.evaluate("() => 'Suspending' in WebAssembly"):
+        return
+    runs = f"{address}_static/live/runs.js"
+    assert page.evaluate(RUN_TEXT, runs, "print('first')") == "first\n"
+    ((url, size),) = page.evaluate(KEPT)
+    assert size > 1_000_000
+    page.evaluate("async url => (await caches.open('rosspin')).put(url, new Response('another'))", url)
+    page.open(address + "docs/tutorial.html")
+    assert page.evaluate(RUN_TEXT, runs, "print('again')") == "again\n"
+    assert page.evaluate(KEPT) == [[url, size]]
+    page.wrong[:] = [wrong for wrong in page.wrong if "data:text/javascript" not in wrong]
+
+
+@pytest.mark.parametrize("place", ["frame", "top"])
+def test_page_of_a_sandbox_does_nothing_for_others(page: Tab, address: str, tmp_path: Path, place: str) -> None:
+    """From another port of the same computer."""
+    (tmp_path / "index.html").write_text("<!doctype html><title>elsewhere</title>", encoding="utf-8")
+    page.open(address)
+    before = page.evaluate(KEPT)
+    script = SCRIPT.replace("SITE", address)
+    with served(tmp_path) as elsewhere:
+        if place == "top":
+            page.open(address + SANDBOX)
+            send = "window.postMessage({ script }, '*'), window.postMessage(script, '*')"
+            page.evaluate(f"script => new Promise(go => ({send}, setTimeout(go, 1000)))", script)
+        else:
+            page.open(elsewhere)
+            make = "Object.assign(document.createElement('iframe'), { src, onload: () => go() })"
+            page.evaluate(f"src => new Promise(go => document.body.append({make}))", address + SANDBOX)
+            assert page.evaluate(ATTACK.replace("[target, script]", "target, script"), place, script) == []
+    page.open(address)
+    assert page.evaluate(KEPT) == before
+    page.wrong[:] = [wrong for wrong in page.wrong if "favicon" not in wrong]

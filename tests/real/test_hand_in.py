@@ -1,0 +1,514 @@
+"""Answers are handed in as a file, and judged on the teachers' page: in Chromium, whatever is in the file."""
+
+from __future__ import annotations
+
+import json
+import re
+from collections.abc import Iterator
+from datetime import datetime
+from pathlib import Path
+from typing import Any, Literal
+
+import pytest
+from answers import CELLS, NUMBERS, answer_in, written
+from answers_ros1 import RIGHT as RIGHT_ANSWERS
+from answers_ros1 import WRONG as WRONG_ANSWERS
+from hand_ins import ENDLESS, EXERCISES, HTML, RIGHT, TEACHERS, WRONG, Table, exchange, handed_in
+from listings_in_page import Cell, have_workers
+from looks import FAINT, PATIENCE, TOO_WIDE, faults
+from playwright.sync_api import Browser, BrowserContext, Download, FilePayload, Page, expect
+from tree import ROOT
+
+from rosspin.exercises.reach import reaches_for
+
+# Stands in for Python where a test is about the table: an answer is the verdict on it.
+NO_PYTHON = """
+const say = (message) => postMessage(JSON.stringify(message))
+const end = (result) => say({ kind: "end", result })
+say({ kind: "ready" })
+addEventListener("message", ({ data }) => {
+    if (data.kind === "trace" && data.text.trim() !== "endless") end({ trace: "" })
+    if (data.kind !== "judge") return
+    const verdict = data.text.trim()
+    const judged = { verdict, solved: verdict === "solved", status: "", console: "", said: verdict }
+    const odd = {
+        huge: { said: "x".repeat(1e7) },
+        long: { said: "x".repeat(1e6) },
+        number: { said: 5 },
+        "not solved": { verdict: "solved" },
+    }
+    const solved = { ...judged, verdict: "solved", solved: verdict !== "not solved", ...odd[verdict] }
+    if (verdict === "object") postMessage({ kind: "end", result: solved })
+    else end(odd[verdict] ? solved : judged)
+})
+"""
+
+
+@pytest.fixture
+def context(browser: Browser) -> Iterator[BrowserContext]:
+    """A reader who comes for the first time."""
+    with browser.new_context(viewport={"width": 1280, "height": 900}, accept_downloads=True) as context:
+        context.set_default_timeout(PATIENCE)
+        yield context
+
+
+@pytest.fixture
+def page(context: BrowserContext, address: str) -> Iterator[Page]:
+    """A page in which nothing may go wrong, such as a request to another host."""
+    page = context.new_page()
+    wrong = faults(page, address)
+    yield page
+    assert not wrong
+
+
+@pytest.fixture
+def table(page: Page, address: str) -> Table:
+    return Table(page, address)
+
+
+@pytest.fixture
+def quick(context: BrowserContext, table: Table, site: Path) -> Table:
+    """One that starts no Python."""
+    exchange(context, site, worker_js=NO_PYTHON.encode(), pyodide_asm_wasm=b"", snapshot_gz=b"")
+    return table
+
+
+# --- the file ---------------------------------------------------------------------------------------------------------
+
+
+def _hand_in(page: Page, name: str) -> tuple[str, dict[str, Any]]:
+    with page.expect_download() as found:
+        page.get_by_label("Your name").fill(name)
+        page.get_by_role("button", name="Hand in").click()
+    return _read(found.value)
+
+
+def _read(download: Download) -> tuple[str, dict[str, Any]]:
+    return download.suggested_filename, json.loads(Path(download.path()).read_text(encoding="utf-8"))
+
+
+def test_what_was_answered_is_saved(page: Page, address: str) -> None:
+    """As it stands on the page, run or not, and what the browser keeps of other pages; without any verdict."""
+    page.goto(address + EXERCISES)
+    status = page.locator(".hand-in").get_by_role("status")
+    page.get_by_role("button", name="Hand in").click()
+    expect(status).to_have_text("Write your name first.")
+    expect(page.get_by_label("Your name")).to_be_focused()
+    page.get_by_label("Your name").fill("Ada")
+    page.get_by_label("Your name").press("Enter")
+    expect(status).to_have_text("There is nothing to hand in: you have not changed an answer yet.")
+
+    Cell(page, 0).write(RIGHT)
+    other = "%%answer 20\nticks = [1]\n"
+    page.evaluate("text => localStorage.setItem('rosspin:/notebooks/ros2-exercises.html:0:1a', text)", other)
+    name, found = _hand_in(page, " Ada <Lovelace>/2 ")
+    assert name == "rosspin-answers-Ada-Lovelace-2.json"
+    assert found.pop("id")
+    assert abs((datetime.fromisoformat(found.pop("date")) - datetime.now().astimezone()).days) <= 1
+    answers = {"1": RIGHT, "20": other}
+    assert found == {"format": "rosspin-answers", "version": 1, "name": "Ada <Lovelace>/2", "answers": answers}
+    expect(status).to_have_text(re.compile(f"^Saved as {name}, with your answers to exercises 1 and 20"))
+
+
+def test_name_and_answers_are_there_after_a_reload(page: Page, address: str) -> None:
+    page.goto(address + EXERCISES)
+    Cell(page, 0).write(WRONG)
+    _, before = _hand_in(page, "Ada")
+    page.reload()
+    expect(page.get_by_label("Your name")).to_have_value("Ada")
+    with page.expect_download() as found:
+        page.get_by_role("button", name="Hand in").click()
+    assert _read(found.value)[1] | {"date": before["date"]} == before
+
+
+def test_file_comes_from_the_one_page_to_the_other(quick: Table, address: str) -> None:
+    page = quick.page
+    page.goto(address + EXERCISES)
+    Cell(page, 0).write("%%answer 1\nsolved")
+    name, found = _hand_in(page, "Ada")
+    table = Table(page, address)
+    table.input.set_input_files(FilePayload(name=name, mimeType="application/json", buffer=json.dumps(found).encode()))
+    table.done()
+    expect(table.sign("Ada, exercise 1: solved")).to_have_text("✓")
+
+
+# --- verdicts ---------------------------------------------------------------------------------------------------------
+
+
+FLOOD = "print('x' * 20_000_000)"
+
+
+def test_right_wrong_and_forged(table: Table) -> None:
+    """The check of the exercises says it; what a file says of itself changes nothing."""
+    starts = {number: answer_in(CELLS[number][0]) for number in (4, 14)}
+    answers = {"1": RIGHT, "4": CELLS[4][1].source, "14": starts[14], "99": "x = 1"}
+    forged = {"verdict": "solved", "verdicts": {"1": "solved"}, "solved": True, "1": "solved"}
+    table.drop(
+        ada=handed_in("Ada", answers=answers),
+        ben=handed_in("Ben", answers={"1": WRONG, "4": f"%%answer 1\n{answer_in(CELLS[1][1])}"}, **forged),
+        eve=handed_in("Eve", answers={"1": "print('Exercise 1: right.')\nprint('{\"verdict\": \"solved\"}')"}),
+        flo=handed_in("Flo", answers={"1": "import js\njs.postMessage('solved')", "4": "import numpy", "7": FLOOD}),
+    )
+    table.done()
+    for title in ("Ada, exercise 1: solved", "Ada, exercise 4: solved", "Ada, exercise 14: open"):
+        expect(table.sign(title)).to_be_visible()
+    assert "there is no exercise 99" in table.said("Ada, exercise 99: not judged")
+    assert "The timer: 0.4 s" in table.said("Ada, exercise 1: solved")
+    said = table.said("Ben, exercise 1: not yet")
+    assert "Hint:" in said and "timer = [0, 1, 2]" in said
+    expect(table.sign("Ben, exercise 4: not yet")).to_be_visible()  # whatever its first line says
+    expect(table.sign("Eve, exercise 1: open")).to_be_visible()
+    assert "said what this page does not understand" in table.said("Flo, exercise 1: not judged")
+    assert "No module named 'numpy'" in table.said("Flo, exercise 4: not yet")
+    assert 20_000 < len(table.said("Flo, exercise 7: not yet")) < 31_000
+    assert table.rows.locator("td:nth-child(2)").all_text_contents() == ["2 of 4", "0 of 2", "0 of 1", "0 of 3"]
+    expect(table.status).to_have_text("Done: 8 judged, 2 not judged")
+    have_workers(table.page, 0)
+
+
+def test_an_answer_that_never_ends_is_ended(context: BrowserContext, table: Table, address: str, site: Path) -> None:
+    """And the next one is judged. The limit is a quarter here."""
+    script = (site / "_static/hand-in/judge.js").read_text(encoding="utf-8")
+    assert script.count("2e4") == 1
+    context.route("**/judge.js*", lambda route: route.fulfill(body=script.replace("2e4", "5e3")))
+    table = Table(table.page, address)
+    table.drop(eve=handed_in("Eve", answers={"1": ENDLESS}), ada=handed_in("Ada", answers={"98": "x"}))
+    table.done()
+    assert "It was ended after" in table.said("Eve, exercise 1: did not end")
+    expect(table.sign("Ada, exercise 98: not judged")).to_be_visible()
+    have_workers(table.page, 0)
+
+
+def test_stop(quick: Table) -> None:
+    """Ends what runs and what waits; a file that is dropped again is judged again."""
+    waiting = {str(number): "endless" for number in range(3, 10)}
+    quick.drop(eve=handed_in("Eve", answers={"1": "solved", "2": "to read"} | waiting))
+    for title in ("Eve, exercise 1: solved", "Eve, exercise 2: to read", "Eve, exercise 3: being judged"):
+        expect(quick.sign(title)).to_be_visible()
+    quick.page.get_by_role("button", name="Stop").click()
+    expect(quick.status).to_have_text("Done: 1 judged, 1 to read, 7 stopped")
+    assert "Stopped before it was judged" in quick.said("Eve, exercise 9: stopped")
+    quick.drop(again=handed_in("Eve", answers={"1": "not yet"}))
+    expect(quick.status).to_have_text("Done: 1 judged")
+    expect(quick.sign("Eve, exercise 1: not yet")).to_be_visible()
+
+
+def test_what_comes_out_of_a_sandbox_is_not_trusted(quick: Table) -> None:
+    """Only a text of JSON that is not too long is read, and only what a verdict is made of."""
+    answers = {"1": "huge", "2": "number", "3": "object", "4": "no such verdict", "5": "not solved"}
+    answers |= {"6": "#" * 50_001, "7": "solved", "8": "long"}
+    quick.drop(eve=handed_in("Eve", answers=answers))
+    expect(quick.status).to_have_text("Done: 2 judged, 6 not judged")
+    for number in range(1, 6):
+        said = quick.said(f"Eve, exercise {number}: not judged")
+        assert ("sent more than this page takes" if number in (1, 3) else "what this page does not understand") in said
+    assert "It has 50001 characters; at most 50000 are judged" in quick.said("Eve, exercise 6: not judged")
+    assert len(quick.said("Eve, exercise 8: solved")) < 31_000
+
+
+# --- files that are no answers ----------------------------------------------------------------------------------------
+
+
+NO_ANSWERS = [
+    ("x" * 3_000_000, "it is 3.0 MB; the limit is 1 MB"),
+    ("PK\x03\x04" + "x" * 3_000_000, "it is a zip archive; unpack it first"),
+    ("", "it is not a file that Hand in saved (it is not JSON)"),
+    ("%%answer 1\n", "it is not a file that Hand in saved (it is not JSON)"),
+    ("[" * 900_000, "it is not a file that Hand in saved (it is not JSON)"),
+    ("null", "it is not a file of answers to these exercises"),
+    ("[]", "it is not a file of answers to these exercises"),
+    (handed_in(format="other"), "it is not a file of answers to these exercises"),
+    (handed_in(version=2), "another version of this site wrote it"),
+    (handed_in(name=None), "its name or its answers are missing"),
+    (handed_in(id=5), "its name or its answers are missing"),
+    (handed_in(answers=None), "its name or its answers are missing"),
+    (handed_in(answers={"one": RIGHT}), "one of its answers is not a text with the number of an exercise"),
+    (handed_in(answers={"__proto__": RIGHT}), "one of its answers is not a text with the number of an exercise"),
+    (handed_in(answers={"1": [RIGHT]}), "one of its answers is not a text with the number of an exercise"),
+    (handed_in(answers={str(n): "" for n in range(1, 200)}), "it has 199 answers, and at most 100 are read"),
+]
+
+
+def test_what_is_no_file_of_answers_is_refused(table: Table) -> None:
+    """In a sentence; the other files that were dropped with it are read."""
+    files = {f"odd{number}": text for number, (text, _) in enumerate(NO_ANSWERS)}
+    table.drop(**files, ada=handed_in(answers={"99": "x"}))
+    expect(table.rows).to_have_count(1)
+    refused = [f"odd{number}.json is refused: {said}." for number, (_, said) in enumerate(NO_ANSWERS)]
+    assert table.notes.all_text_contents() == refused
+
+
+def test_what_was_refused_is_not_forgotten(quick: Table) -> None:
+    """Whatever is dropped after it: it is on the page, counted, and in the CSV, even if no file was read."""
+    quick.drop(**{"=odd": "null", "other": ""})
+    expect(quick.status).to_have_text("Done: 0 judged; 2 files refused")
+    expect(quick.page.get_by_role("region", name="Who solved what")).to_be_hidden()
+    quick.drop(ada=handed_in(answers={"99": "solved"}), huge="x" * 2_000_000)
+    expect(quick.status).to_have_text("Done: 1 judged; 3 files refused")
+    named = [said.partition(" ")[0] for said in quick.notes.all_text_contents()]
+    assert named == ["=odd.json", "other.json", "huge.json"]
+    _, ada, *refused = quick.csv()
+    assert ada[0] == "Ada"
+    assert refused == [
+        ["", "'=odd.json", "refused: it is not a file of answers to these exercises"],
+        ["", "other.json", "refused: it is not a file that Hand in saved (it is not JSON)"],
+        ["", "huge.json", "refused: it is 2.0 MB; the limit is 1 MB"],
+    ]
+
+
+# --- the table --------------------------------------------------------------------------------------------------------
+
+
+def test_who_is_who(quick: Table) -> None:
+    """Of one student's files the newest counts; students of the same name, or on the same computer, stay apart."""
+    days = [f"2026-11-{day}T12:00:00.000Z" for day in (20, 21, 22)]
+    quick.drop(
+        b=handed_in("Sam", date=days[1], answers={"1": "solved"}), c=handed_in("Sam", id="a2"), d=handed_in("Al")
+    )
+    expect(quick.rows).to_have_count(3)
+    expect(quick.notes).to_have_count(0)
+    quick.drop(a=handed_in("Sam", date=days[0], answers={"2": "solved"}))
+    expect(quick.notes).to_have_text("a.json is left out: Sam handed in b.json after it.")
+    quick.drop(b=handed_in("Sam", date=days[2], answers={"3": "solved"}))
+    expect(quick.notes.nth(1)).to_have_text("b.json takes the place of b.json, which Sam handed in before.")
+    quick.drop(b=handed_in("Sam", date=days[2].replace(":00.000", ":30.000"), answers={"3": "solved"}))
+    expect(quick.notes.nth(2)).to_have_text("b.json takes the place of b.json, which Sam handed in before.")
+    quick.drop(b=handed_in("Sam", date=days[2], answers={"3": "not yet"}))  # in the same minute, but before it
+    expect(quick.notes.nth(3)).to_have_text("b.json is left out: Sam handed in b.json after it.")
+    quick.done()
+    al, c, b = quick.rows.locator("th").all_inner_texts()
+    assert al == "Al\nd.json\nsame browser as Sam"
+    assert c == "Sam\nc.json\nsame name as b.json, another browser"
+    source = r"2026-11-2\d \d\d:\d\d, b\.json"
+    assert re.fullmatch(rf"Sam\n{source}\nsame browser as Al\nsame name as c\.json, another browser", b)
+    said = quick.said("Sam, exercise 3: solved")
+    assert said.startswith("Sam, exercise 3: The ticks of a C++ node: solved\n")
+    assert re.search(rf"^The answer, from {source}:$", said, re.MULTILINE)
+    assert [row[4:6] for row in quick.csv()[1:]] == [["Sam", ""], ["", "b.json"], ["Al", "c.json"]]
+    expect(quick.sign("Sam, exercise 3: solved")).to_be_visible()
+    expect(quick.page.get_by_role("columnheader", name="3")).to_have_attribute(
+        "title", "Exercise 3: The ticks of a C++ node"
+    )
+
+
+def test_what_is_in_a_file_is_text(table: Table) -> None:
+    table.drop(**{"<b>a": handed_in(HTML, answers={"1": f"print({HTML!r})", "4": HTML})})
+    table.done()
+    said = table.said(f"{HTML}, exercise 1: open")
+    assert said.count(HTML) >= 2  # as the name, and on the console
+    assert table.page.title() != "taken"
+    assert table.page.locator(".rosspin-judge").locator("img, script, b").count() == 0
+    expect(table.rows.locator("th")).to_have_text(f"{HTML}<b>a.json")
+
+
+def test_names_are_one_short_line(quick: Table) -> None:
+    quick.drop(a=handed_in("a\n\u202eb\x00 " + "c" * 200, id="a2"), b=handed_in("  "))
+    quick.done()
+    assert quick.rows.locator("th").all_inner_texts() == ["(no name)\nb.json", f"a b {'c' * 96}\na.json"]
+
+
+def test_csv(quick: Table) -> None:
+    """No name is a formula in a spreadsheet; whoever leaves without it is asked."""
+    may_leave = "dispatchEvent(new Event('beforeunload', { cancelable: true }))"
+    assert quick.page.evaluate(may_leave)
+    names = ["=1+1", "+1", "-1", "@SUM(A1)", 'Zoë "Z", jr.']
+    for number, name in enumerate(names):
+        quick.drop(**{f"{number}": handed_in(name, id=name, answers={"99": "to read"})})
+    date = "2026-11-21T12:00:00.000Z"
+    quick.drop(ada=handed_in(answers={"1": "solved", "4": "not yet"}, date=date), **{"=x": handed_in("Al")})
+    expect(quick.status).to_have_text("Done: 2 judged, 5 to read, 1 not judged")
+    assert not quick.page.evaluate(may_leave)
+    head, *rows = quick.csv()
+    assert quick.page.evaluate(may_leave)
+    exercises = ["exercise 1: The first ticks", "exercise 4: Change the rate", "exercise 99"]
+    marks = ["same browser as", "same name in another browser"]
+    assert head == ["name", "file", "note", "date", *marks, "answers", "solved", *exercises]
+    assert sorted(row[0] for row in rows[:4]) == ["'+1", "'-1", "'=1+1", "'@SUM(A1)"]
+    ada, al, zoe = rows[4:]
+    assert re.fullmatch(r"2026-11-2\d \d\d:\d\d", ada.pop(3))
+    assert ada == ["Ada", "ada.json", "", "Al", "", "2", "1", "solved", "not yet", ""]
+    assert al == ["Al", "'=x.json", "", "", "Ada", "", "1", "0", "not judged", "", ""]
+    assert zoe == ['Zoë "Z", jr.', "4.json", "", "", "", "", "1", "0", "", "", "to read"]
+
+
+def test_files_dropped_while_others_are_judged(quick: Table) -> None:
+    """One of them is being read for longer than it takes to judge what was there before."""
+    quick.page.evaluate(
+        """() => {
+            const text = File.prototype.text
+            const released = new Promise((release) => window.release = release)
+            File.prototype.text = async function () {
+                if (this.name === "late.json") await released
+                return text.call(this)
+            }
+        }"""
+    )
+    quick.drop(slow=handed_in("Slow", id="s", answers={"1": "endless", "2": "solved"}))
+    expect(quick.sign("Slow, exercise 1: being judged")).to_be_visible()
+    quick.drop(al=handed_in("Al", id="b", answers={"1": "solved"}), late=handed_in("Late", id="c"))
+    quick.page.get_by_role("button", name="Stop").click()
+    expect(quick.sign("Slow, exercise 1: stopped")).to_be_visible()
+    quick.page.evaluate("release()")
+    expect(quick.rows).to_have_count(3)
+    quick.done()
+    expect(quick.sign("Al, exercise 1: solved")).to_be_visible()
+
+
+def test_keyboard_alone(quick: Table) -> None:
+    page = quick.page
+    file = FilePayload(name="a.json", mimeType="application/json", buffer=handed_in(answers={"99": "to read"}).encode())
+    quick.input.set_input_files(file)
+    quick.done()
+    quick.input.focus()
+    sign = quick.sign("Ada, exercise 99: to read")
+    for element in (
+        page.get_by_role("button", name="Stop"),
+        page.get_by_role("button", name="Save as CSV"),
+        page.get_by_role("region", name="Who solved what"),
+        sign,
+    ):
+        page.keyboard.press("Tab")
+        expect(element).to_be_focused()
+    page.keyboard.press("Enter")
+    expect(quick.detail).to_be_focused()
+    page.keyboard.press("Tab")
+    page.keyboard.press("Tab")
+    expect(page.get_by_role("button", name="Back to the table")).to_be_focused()
+    page.keyboard.press("Enter")
+    expect(sign).to_be_focused()
+
+
+# --- answers that mean harm -------------------------------------------------------------------------------------------
+
+
+@pytest.mark.parametrize(
+    ("answer", "name"),
+    [
+        ("import js", "js"),
+        ("from pyodide.ffi import run_sync", "pyodide.ffi"),
+        ("import pyodide_js, math", "pyodide_js"),
+        ("import _pyodide_core", "_pyodide_core"),
+        ("from rosspin.exercises.feedback import Feedback", "rosspin.exercises.feedback"),
+        ("from . import feedback", "."),
+        ("import gc", "gc"),
+        ("import ctypes", "ctypes"),
+        ("import importlib", "importlib"),
+        ("import sys\nsys.modules['js']", "modules"),
+        ("from sys import modules", "modules"),
+        ("from threading import _sys", "_sys"),
+        ("import sys\nsys._getframe()", "_getframe"),
+        ("__import__('js')", "__import__"),
+        ("__builtins__", "__builtins__"),
+        ("eval('1')", "eval"),
+        ("().__class__.__base__", "__base__"),
+        ("import rospy\nrospy.Timer._oneshot", "_oneshot"),
+        ("a._other", "_other"),
+        ("open('x')", "open"),
+        ("import _msgs", "_msgs"),
+    ],
+)
+def test_what_no_exercise_needs_is_found(answer: str, name: str) -> None:
+    assert reaches_for(answer) == name
+
+
+HONEST = [
+    "print(",
+    "import rclpy.node\nfrom example_interfaces.msg import Int64\nfrom std_srvs.srv import SetBool",
+    "import operator, asyncio\nfrom concurrent.futures import ThreadPoolExecutor",
+    "import a_module_that_the_page_lacks, its_own_msgs.msg",
+    "import collections.abc, re\ncollections.abc.Callable, re.compile('x')",
+    "import datetime as dt\nfrom datetime import datetime, time\nfrom rclpy.time import Time\ndt.datetime.now()",
+    "import rclpy.time, time, signal\nrclpy.time.Time(), time.time(), signal.signal(signal.SIGINT, print)",
+    "import os\nos.environ['A'] = 'b'",
+    "class A:\n    def __init__(self):\n        self.__x = self._y = 1\n        print(self.__x)",
+    "class A:\n    _b = 1\n    def _f(self):\n        pass\na = A()\na._f(), a._b",
+    "class A(B):\n    def __init__(self):\n        super().__init__()\n        super()._start()",
+    "try:\n    f()\nexcept Exception as e:\n    print(e.__class__.__name__, type(e).__name__)",
+    "__version__ = '1'\n__all__ = ['A']\nclass A:\n    __slots__ = ('x',)",
+    "open = 3\nprint(open)\ngripper.open()\ndef f(open):\n    return open",
+]
+
+
+def test_no_honest_answer_is_suspected() -> None:
+    for number in NUMBERS:
+        wrong = [answer for answer, *_ in WRONG_ANSWERS[number]]
+        for answer in [*RIGHT_ANSWERS[number], *wrong, *map(answer_in, CELLS[number])]:
+            assert reaches_for(written(number, answer)) == ""
+    for answer in HONEST:
+        assert reaches_for(answer) == ""
+
+
+# --- where it cannot be -----------------------------------------------------------------------------------------------
+
+
+def test_without_jspi(context: BrowserContext, address: str) -> None:
+    page = context.new_page()
+    page.add_init_script("delete WebAssembly.Suspending")
+    page.goto(address + TEACHERS)
+    expect(page.get_by_text("This browser cannot check answers: it lacks JSPI")).to_be_visible()
+    expect(page.locator(".rosspin-judge input")).to_have_count(0)
+    page.goto(address + EXERCISES)
+    expect(page.get_by_text("This browser cannot check answers, nor hand them in: it lacks JSPI")).to_be_visible()
+    expect(page.locator(".hand-in")).to_have_count(0)
+
+
+def test_without_javascript(browser: Browser, address: str) -> None:
+    with browser.new_context(java_script_enabled=False) as context:
+        page = context.new_page()
+        page.goto(address + TEACHERS)
+        expect(page.get_by_text("To check answers here, this page needs JavaScript.")).to_be_visible()
+
+
+def test_the_scripts_are_loaded_where_they_are_needed(site: Path) -> None:
+    found = {name: set[str]() for name in ("hand-in", "judge")}
+    for path in site.rglob("*.html"):
+        for name in re.findall(r"hand-in/([\w-]+)\.js", path.read_text(encoding="utf-8")):
+            found[name].add(path.relative_to(site).as_posix())
+    notebooks = (ROOT / "notebooks").glob("*.md")
+    asking = {f"notebooks/{path.stem}.html" for path in notebooks if "\n%%answer " in path.read_text(encoding="utf-8")}
+    assert EXERCISES in asking
+    assert found == {"hand-in": asking, "judge": {TEACHERS}}
+
+
+# --- how it looks -----------------------------------------------------------------------------------------------------
+
+
+def test_looks(quick: Table, address: str) -> None:
+    """The table and what is said fit a phone, and their text stands out in light and in dark."""
+    page = quick.page
+    answers = {str(number): "not judged" for number in range(30, 50)} | {"1": "solved", "2": "to read"}
+    quick.drop(ada=handed_in("Ada " * 10, answers=answers), b=handed_in("B", answers={"1": "solved"}))
+    quick.done()
+    quick.said("B, exercise 1: solved")
+    _stands_out(page)
+    page.goto(address + EXERCISES)
+    expect(page.get_by_role("button", name="Hand in")).to_be_visible()
+    _stands_out(page)
+
+
+def test_names_stay_in_view(quick: Table) -> None:
+    """Wherever the table is scrolled to; nothing shows through, in light and in dark."""
+    quick.drop(ada=handed_in("Ada", answers={str(number): "solved" for number in range(1, 40)}))
+    quick.done()
+    for width in (1280, 390):
+        quick.page.set_viewport_size({"width": width, "height": 900})
+        for name in quick.page.locator(".judge-scroll th:first-child").all():
+            shown = name.evaluate(
+                """cell => {
+                    const scroll = cell.closest(".judge-scroll")
+                    scroll.scrollLeft = 400
+                    const [{ left, right }, place] = [cell.getBoundingClientRect(), scroll.getBoundingClientRect()]
+                    const alpha = getComputedStyle(cell).backgroundColor.split(",")[3] ?? "1"
+                    return [scroll.scrollLeft, Math.abs(left - place.left) <= 1, right < place.right - 100, alpha]
+                }"""
+            )
+            assert shown == [400, True, True, "1"]
+
+
+def _stands_out(page: Page) -> None:
+    schemes: tuple[Literal["light", "dark"], ...] = ("light", "dark")
+    for scheme in schemes:
+        page.emulate_media(color_scheme=scheme)
+        for width in (390, 1280):
+            page.set_viewport_size({"width": width, "height": 900})
+            assert page.evaluate(TOO_WIDE) + page.evaluate(FAINT) == [], (scheme, width)

@@ -1,0 +1,457 @@
+"""The real ROS 2: nodes run there, a package of them is built, ticks are told, and nothing is left over."""
+
+from __future__ import annotations
+
+import io
+import math
+import os
+import platform
+import re
+import shutil
+import signal
+import subprocess
+import sys
+from collections.abc import Callable, Iterator
+from contextlib import suppress
+from functools import partial
+from itertools import pairwise
+from operator import attrgetter
+from pathlib import Path
+from statistics import fmean
+from textwrap import dedent
+from typing import Any
+
+import pytest
+from chatter import CHATTER
+from outcomes import TRIES, launch_past, until_lucky
+from tree import ROOT
+
+from rosspin import ros2
+from rosspin.__main__ import main
+from rosspin.children import Output
+from rosspin.measures import by_source
+from rosspin.ticks import Run
+
+EXAMPLES = ROOT / "examples"
+PACKAGE = EXAMPLES / "my_robotics_pkg_ros2"
+NODES = PACKAGE / "my_robotics_pkg"
+TIMER_NODE = NODES / "spinner_py_node.py"
+
+# A node with a timer of 0.2 s, whose callback is the text that is put in.
+TIMER = """
+    import os, signal, sys, time
+    import rclpy
+    def timer_callback():
+        {callback}
+    rclpy.init()
+    node = rclpy.create_node("node")
+    node.create_timer(0.2, timer_callback)
+    rclpy.spin(node)
+"""
+
+
+@pytest.fixture(autouse=True)
+def leaves_nothing(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> Iterator[Path]:
+    """Every run in its own temporary folder: no file, process or shared memory of it is there afterwards."""
+    monkeypatch.setenv("TMPDIR", str(tmp_path))
+    monkeypatch.setattr("tempfile.tempdir", None)
+    before = set(os.listdir("/dev/shm"))
+    yield tmp_path
+    assert list(tmp_path.glob("rosspin-*")) == []
+    assert processes(tmp_path) == []
+    assert shared_memory() <= before
+
+
+@pytest.fixture
+def ros(require: Callable[[str], None]) -> None:
+    require("ros2")
+
+
+def shared_memory() -> set[str]:
+    """What Fast DDS has left; nodes of other tests that are still running have some, too."""
+    left = {name for name in os.listdir("/dev/shm") if "fast" in name}
+    for entry in Path("/proc").glob("[0-9]*"):
+        with suppress(OSError):
+            used = (entry / "maps").read_text() + " ".join(os.readlink(file) for file in (entry / "fd").iterdir())
+            left -= {name for name in left if f"/dev/shm/{name}" in used}
+    return left
+
+
+def processes(folder: Path) -> list[str]:
+    """Processes that were started in a scratch folder below this one."""
+    mark, found = f"ROS_HOME={folder}/rosspin-".encode(), []
+    for entry in Path("/proc").glob("[0-9]*"):
+        try:
+            if mark in (entry / "environ").read_bytes():
+                found.append((entry / "cmdline").read_text())
+        except OSError:
+            pass
+    return found
+
+
+# --- runs -------------------------------------------------------------------------------------------------------------
+
+
+def test_a_timer_node(ros: None) -> None:
+    def launched() -> Run:
+        live = io.StringIO()
+        run = ros2.launch(TIMER_NODE, 2.3, ["--ros-args", "-r", "__ns:=/mrp"], live)
+        assert live.getvalue() == run.console
+        return run
+
+    for _ in range(TRIES):
+        run = until_lucky(launched)
+        if run.ticks[-1].real < run.seconds:  # else Ctrl-C came late, perhaps in the midst of this tick
+            break
+    assert (run.runtime, run.status, run.seconds) == ("ros2", 0, 2.3)
+    lines = [line.partition("[SPINNER")[0::2] for line in run.console.splitlines()]
+    assert all(head.startswith("[INFO] [") and head.endswith("] [mrp.spinner_py_node]: ") for head, _ in lines)
+    numbers = range(1, len(run.ticks) + 1)
+    wanted = ["namespace of node = /mrp", *(f"counter = {number}" for number in numbers)]
+    assert [text for _, text in lines] == [f" PY NODE] {text}" for text in wanted]
+    assert [tick.number for tick in run.ticks] == list(numbers)
+    for tick in run.ticks:
+        assert tick.source == "timer_callback"
+        assert 0 <= tick.lateness
+        assert tick.duration > 0
+        assert math.remainder(tick.expected - run.ticks[0].expected, 0.5) == pytest.approx(0, abs=0.1)
+
+
+@pytest.mark.parametrize("name", ["plain", "spinner", "spinner_rate", "spinner_param"])
+def test_the_nodes_of_the_package(ros: None, name: str) -> None:
+    node = NODES / f"{name}_py_node.py"
+    run = until_lucky(lambda: ros2.launch(node, 1.2)) if name == "plain" else launch_past("counter = 2", node)
+    assert run.status == 0
+    assert "Traceback" not in run.console
+    assert bool(run.ticks) == (name != "plain")
+
+
+def test_a_parameter(ros: None) -> None:
+    node = NODES / "spinner_param_py_node.py"
+    fast = ros2.launch(node, 1.0, ["--ros-args", "-p", "frequency:=20.0"])
+    periods = [later.expected - earlier.expected for earlier, later in pairwise(fast.ticks)]
+    assert min(periods) < 0.1 and fmean(periods) > 0.04  # a late node may skip ticks
+    refused = ros2.launch(node, 5.0, ["--ros-args", "-p", "frequency:=0.0"])
+    assert refused.status == 1
+    assert "[FATAL]" in refused.console and "frequency must be above 0" in refused.console
+
+
+def test_ticks_of_timers_and_rates(ros: None, write: Any) -> None:
+    node = write(
+        """
+        import functools, threading, time
+        import rclpy
+        def slow():
+            time.sleep(0.3)
+        def loop():
+            while rclpy.ok():
+                rate.sleep()
+        rclpy.init()
+        node = rclpy.create_node("node")
+        node.create_timer(0.2, slow)
+        node.create_timer(0.5, functools.partial(slow))
+        node.create_timer(0.5, slow).cancel()
+        rate = node.create_rate(2)
+        threading.Thread(target=loop, daemon=True).start()
+        rclpy.spin(node)
+        """
+    )
+    run = ros2.launch(node, 2.0)
+    sources = by_source(run.ticks)
+    assert set(sources) == {"slow", "partial", "Rate"}
+    assert [tick.real for tick in run.ticks] == sorted(tick.real for tick in run.ticks)
+    assert all(tick.duration >= 0.3 or math.isnan(tick.duration) for tick in sources["slow"][:-1])
+    assert sources["Rate"][0].expected < 0.2 < sources["slow"][0].expected
+    assert sources["Rate"][1].real >= sources["Rate"][1].expected
+
+
+def test_a_callback_that_raises_has_its_own_traceback(ros: None, write: Any) -> None:
+    run = ros2.launch(write(TIMER.format(callback="1 / 0")), 60)
+    assert run.status == 1
+    assert run.console.endswith("ZeroDivisionError: division by zero\n")
+    assert "rosspin" not in run.console.replace(str(ROOT), "")
+    assert len(run.ticks) == 1
+
+
+def test_ctrl_c_that_nobody_catches(ros: None, write: Any) -> None:
+    node = write(TIMER.format(callback="pass"))
+    run = until_lucky(lambda: ros2.launch(node, 0.7))
+    assert run.status == 128 + signal.SIGINT
+    assert run.console.endswith("KeyboardInterrupt\n")
+
+
+@pytest.mark.parametrize(
+    ("callback", "status"),
+    [("sys.exit(3)", 3), ("os._exit(4)", 4), ("rclpy.shutdown()", 0)],
+)
+def test_a_node_that_ends_by_itself(ros: None, write: Any, callback: str, status: int) -> None:
+    run = ros2.launch(write(TIMER.format(callback=callback)), 60)
+    assert (run.status, run.console) == (status, "")
+
+
+def test_threads_print_whole_lines(ros: None, write: Any) -> None:
+    assert {*ros2.launch(write(CHATTER), 60).console.splitlines()} == {"one", "two"}
+
+
+def test_a_killed_node_leaves_nothing(ros: None, write: Any) -> None:
+    run = ros2.launch(write(TIMER.format(callback="os.kill(os.getpid(), signal.SIGKILL)")), 60)
+    assert run.status == 128 + signal.SIGKILL
+    assert run.console == "rosspin: node.py ended with status 137 (SIGKILL)\n"
+
+
+def test_a_node_deaf_to_ctrl_c_is_killed(ros: None, write: Any, monkeypatch: pytest.MonkeyPatch) -> None:
+    monkeypatch.setattr(ros2.Nodes, "patience", ((signal.SIGINT, 2.0), (signal.SIGTERM, 0.5), (signal.SIGKILL, 5.0)))
+    node = write(
+        """
+        import rclpy
+        rclpy.init()
+        node = rclpy.create_node("node")
+        rate = node.create_rate(2)
+        while True:
+            try:
+                print("begun")
+                rate.sleep()
+            except KeyboardInterrupt:
+                print("no")
+        """
+    )
+    run = launch_past("begun", node)
+    assert run.console == "begun\nno\nbegun\nrosspin: node.py ended with status 137 (SIGKILL)\n"
+
+
+def test_nodes_do_not_meet_unless_they_are_to(ros: None, write: Any) -> None:
+    node = write(
+        """
+        import sys
+        import rclpy
+        from rclpy.wait_for_message import wait_for_message
+        from std_msgs.msg import String
+        rclpy.init()
+        node = rclpy.create_node(sys.argv[1])
+        if node.get_name() == "talker":
+            publisher = node.create_publisher(String, "words", 10)
+            node.create_timer(0.1, lambda: publisher.publish(String(data="word")))
+            rclpy.spin(node)
+        print(wait_for_message(String, node, "words", time_to_wait=float(sys.argv[2])))
+        """
+    )
+    heard = "(True, std_msgs.msg.String(data='word'))\n"
+    for meet, patience, wanted in ((False, "2", "(False, None)\n"), (True, "60", heard)):
+        with ros2.Nodes(meet) as nodes:
+            talker = nodes.start([ros2.python(), str(node), "talker"], subprocess.DEVNULL, subprocess.DEVNULL)
+            assert nodes.launch(node, 120, ["listener", patience]).console == wanted
+            assert talker.poll() is None
+
+
+def test_the_caller_s_environment_does_not_matter(ros: None, write: Any, monkeypatch: pytest.MonkeyPatch) -> None:
+    for name, value in {
+        **{"ROS_DOMAIN_ID": "300", "RMW_IMPLEMENTATION": "nonsuch", "RCUTILS_LOGGING_USE_STDOUT": "1"},
+        **{"_ROS_WHEELS_BOOTSTRAP_COMPLETE": "1", "RCUTILS_CONSOLE_OUTPUT_FORMAT": "x", "PYTHONPATH": "/nonsuch"},
+    }.items():
+        monkeypatch.setenv(name, value)
+    run = launch_past("counter = 1", TIMER_NODE)
+    assert run.status == 0
+    assert "[spinner_py_node]: [SPINNER PY NODE] counter = 1\n" in run.console
+
+
+# --- from the command line --------------------------------------------------------------------------------------------
+
+
+def test_the_command_line(ros: None, tmp_path: Path, capfd: pytest.CaptureFixture[str]) -> None:
+    plot = tmp_path / "ticks.svg"
+    command = ["run", "--ros2", str(TIMER_NODE), "--seconds", "1.7", "--plot", str(plot)]
+
+    def typed() -> tuple[int, str, str]:
+        return main([*command, "--", "--ros-args", "-r", "__node:=renamed"]), *capfd.readouterr()
+
+    status, out, err = until_lucky(typed, lambda typed: typed[1])
+    assert status == 0
+    assert "[renamed]: [SPINNER PY NODE] counter = 1\n" in out
+    assert "timer_callback: " in err
+    assert plot.exists()
+
+
+# Without rclpy.init(): Ctrl-C in the middle of a callback now and then meets rclpy's own shutdown half-way.
+WAITING = """
+    import time
+    import rclpy
+    try:
+        print("begun")
+        time.sleep(60)
+    except KeyboardInterrupt:
+        print("over")
+"""
+
+
+@pytest.mark.parametrize("number", [signal.SIGINT, signal.SIGTERM])
+def test_a_signal_ends_everything(ros: None, write: Any, leaves_nothing: Path, number: signal.Signals) -> None:
+    command = [sys.executable, "-m", "rosspin", "run", "--ros2", str(write(WAITING))]
+    process = subprocess.Popen(command, stdout=subprocess.PIPE, stderr=subprocess.STDOUT, text=True)
+    assert process.stdout is not None
+    console = ""
+    while "begun" not in console:
+        console += process.stdout.readline()
+    assert len(processes(leaves_nothing)) == 1
+    process.send_signal(number)
+    console += process.communicate()[0]
+    assert (process.returncode, console) == (0, "begun\nover\n")
+
+
+def test_where_ctrl_c_is_ignored_nodes_still_heed_it(ros: None) -> None:
+    """As in a shell's background jobs."""
+    node = str(EXAMPLES / "ros2" / "endings" / "spin.py")
+    command = [sys.executable, "-m", "rosspin", "run", "--ros2", node, "--seconds", "0.75"]
+    deaf = "import signal, subprocess, sys; signal.signal(signal.SIGINT, signal.SIG_IGN); sys.exit(subprocess.call({}))"
+    shell = partial(subprocess.run, [sys.executable, "-c", deaf.format(command)], capture_output=True, text=True)
+    run = until_lucky(shell, attrgetter("stdout"))
+    assert run.returncode == 128 + signal.SIGINT
+    assert run.stdout.endswith("KeyboardInterrupt\n")
+
+
+def test_a_console_that_is_closed_ends_the_run(ros: None, write: Any) -> None:
+    class Closed(io.StringIO):
+        def write(self, text: str) -> int:
+            if "begun" in text:
+                raise BrokenPipeError
+            return len(text)
+
+    run = ros2.launch(write(WAITING), onward=Closed())
+    assert (run.status, run.console) == (0, "begun\nover\n")
+
+
+# --- what goes wrong --------------------------------------------------------------------------------------------------
+
+
+@pytest.mark.parametrize("name", ["node.cpp", "node.launch", "node.txt"])
+def test_a_file_that_cannot_be_run(tmp_path: Path, name: str) -> None:
+    (tmp_path / name).write_text("")
+    with pytest.raises(ValueError, match=name):
+        ros2.launch(tmp_path / name, 1.0)
+
+
+@pytest.mark.parametrize("seconds", [-1, float("nan"), float("inf")])
+def test_seconds_that_are_none(seconds: float) -> None:
+    with pytest.raises(ValueError, match="at least 0"):
+        ros2.launch(TIMER_NODE, seconds)
+
+
+def test_a_missing_file() -> None:
+    with pytest.raises(FileNotFoundError):
+        ros2.launch(NODES / "nonsuch.py", 1.0)
+
+
+@pytest.fixture
+def forgetful(monkeypatch: pytest.MonkeyPatch) -> Iterator[None]:
+    """ROS 2 is looked for anew, and again after the test."""
+    caches: Any = (ros2.python, ros2.version)
+    for cache in caches:
+        cache.cache_clear()
+    yield
+    for cache in caches:
+        cache.cache_clear()
+
+
+@pytest.mark.parametrize(
+    ("system", "machine", "version", "says"),
+    [
+        ("Linux", "x86_64", (3, 12), r"\(no rclpy\): make ros2$"),
+        ("Linux", "aarch64", (3, 12), r"for Linux on x86_64 with Python 3.10 to 3.14; this is Linux on aarch64"),
+        ("Darwin", "arm64", (3, 12), r"this is Darwin on arm64 with Python 3.12$"),
+        ("Windows", "AMD64", (3, 12), r"this is Windows on AMD64 with Python 3.12$"),
+        ("Linux", "x86_64", (3, 15), r"this is Linux on x86_64 with Python 3.15$"),
+    ],
+)
+def test_ros_missing(
+    forgetful: None, monkeypatch: pytest.MonkeyPatch, system: str, machine: str, version: tuple[int, int], says: str
+) -> None:
+    monkeypatch.setattr(ros2, "_MADE", Path("/nonexistent"))
+    monkeypatch.delenv("AMENT_PREFIX_PATH", raising=False)
+    monkeypatch.setattr(platform, "system", lambda: system)
+    monkeypatch.setattr(platform, "machine", lambda: machine)
+    monkeypatch.setattr(sys, "version_info", version)
+    with pytest.raises(ros2.Ros2Missing, match=says):
+        ros2.launch(TIMER_NODE, 1.0)
+
+
+def test_a_ros_2_that_has_been_sourced(
+    ros: None, forgetful: None, tmp_path: Path, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    """Its Python is the system's; what its set-up puts into the environment stays there."""
+    python = tmp_path / "python3"
+    python.write_text(f'#!/bin/sh\nexport PYTHONPATH="${{PYTHONPATH%%:*}}"\nexec {ros2.python()} "$@"\n')
+    python.chmod(0o755)
+    monkeypatch.setattr(ros2, "_MADE", Path("/nonexistent"))
+    monkeypatch.setattr(ros2, "_SYSTEM", str(tmp_path))
+    monkeypatch.setenv("AMENT_PREFIX_PATH", "/opt/ros/jazzy")
+    monkeypatch.setenv("PYTHONPATH", "/opt/ros/jazzy/lib/python3/site-packages")
+    ros2.python.cache_clear()
+    ros2.version.cache_clear()
+    assert ros2.python() == str(python)
+    assert launch_past("counter = 1", TIMER_NODE).ticks
+
+
+# --- the package ------------------------------------------------------------------------------------------------------
+
+
+TUTORIAL = (ROOT / "docs" / "ros2" / "tutorial.rst").read_text(encoding="utf-8")
+BASH = re.compile(r"^( *)\.\. code-block:: bash\n(?: +:caption: (.*)\n)?\n((?:\1   .*\n|\n)+)", re.MULTILINE)
+SAVED = re.compile(r"^ *\.\. literalinclude:: (.*)\n(?: +:(?!caption).*\n)* +:caption: (.*)", re.MULTILINE)
+# What this machine has not: a ROS 2 of the system's, and the command ros2.
+NOT_RUN = {"source /opt/ros/jazzy/setup.bash", "ros2 run my_robotics_pkg spinner_py_node --ros-args -r __ns:=/mrp"}
+
+
+def test_the_tutorial_builds_its_package_and_runs_it(ros: None) -> None:
+    """By its own commands, with the files where the captions say: what ``ros2 run`` would start is there and starts."""
+    sections = TUTORIAL.partition("\nMake a package and build it\n")[2].partition("\nStop the node\n")[0]
+    blocks = [(found[2] or "", dedent(found[3]).strip()) for found in BASH.finditer(sections)]
+    assert {code for caption, code in blocks if caption.startswith("Not run here: ")} == NOT_RUN
+    make_folders, build, source, run, run_file = (code for caption, code in blocks if not caption)
+    with ros2.Nodes() as nodes:
+        package = nodes.folder / "my-robotics-system/ros2_ws/src/my_robotics_pkg"
+        home = {"HOME": str(nodes.folder), "PATH": f"{Path(ros2.python()).parent}:{os.environ['PATH']}"}
+
+        def type_in(*lines: str, seconds: float = 300, begins: re.Pattern[str] | None = None) -> Output:
+            return nodes.run(["bash", "-c", "\n".join(("set -e", *lines))], seconds, begins=begins, more=home)
+
+        assert type_in(make_folders).status == 0
+        for path, caption in SAVED.findall(TUTORIAL):
+            if "steps_ros2" not in path:
+                shutil.copy(ROOT / "docs" / "ros2" / path, package / caption)
+        tree = re.search(r"ros2_ws/src/my_robotics_pkg/\n\n?((?: {7}.*\n)+)", sections)
+        assert tree
+        shown = {line.strip().rstrip("/") for line in tree[1].splitlines()} | {"spinner_rate_py_node.py"}
+        assert {path.name for path in package.rglob("*")} == shown
+        built = type_in(build)
+        assert built.status == 0, built.console
+        assert "Finished <<< my_robotics_pkg" in TUTORIAL
+        assert "Finished <<< my_robotics_pkg" in built.console
+        for command in (f"{source}\nexec {run}", run_file.replace("python3", "exec python3")):
+            typed = partial(type_in, f"{command} > $HOME/stdout", seconds=0.25, begins=re.compile("counter = 2"))
+            output = until_lucky(typed)
+            assert output.status == 0
+            assert "] [mrp.spinner_py_node]: [SPINNER PY NODE] counter = 2\n" in output.console
+            assert (nodes.folder / "stdout").read_text() == ""
+
+
+def test_the_package_is_told_of_all_its_nodes() -> None:
+    setup = (PACKAGE / "setup.py").read_text().replace("'\n            '", "")
+    for node in NODES.glob("*_node.py"):
+        assert f"'{node.stem} = my_robotics_pkg.{node.stem}:main'" in setup
+        assert os.access(node, os.X_OK)
+
+
+def test_a_node_may_import_its_own_package_and_is_told_what_messages_there_are(ros: None, tmp_path: Path) -> None:
+    package = tmp_path / "own_pkg"
+    package.mkdir()
+    (package / "__init__.py").touch()
+    (package / "helper.py").write_text("value = 1")
+    node = package / "node.py"
+    begin = "import rclpy; from own_pkg.helper import value; rclpy.init(); rclpy.create_node('n'); print(value)\n"
+    node.write_text(f"{begin}import nav2_msgs.msg\n")
+    onward = io.StringIO()
+    run = ros2.launch(node, 5, onward=onward)
+    assert run.status == 1
+    assert run.console.startswith("1\n")
+    assert run.console == onward.getvalue()
+    last = run.console.splitlines()[-1]
+    assert re.fullmatch("rosspin: make ros2 does not install nav2_msgs; its message packages are .*std_msgs.*", last)

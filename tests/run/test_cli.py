@@ -1,0 +1,398 @@
+"""The command line: what it prints, its status, and that bad input ends in a clear sentence."""
+
+from __future__ import annotations
+
+import os
+import re
+import signal
+import subprocess
+import sys
+import xml.etree.ElementTree as ElementTree
+from pathlib import Path
+from textwrap import dedent
+from typing import Any
+
+import pytest
+from tree import ROOT
+
+from rosspin.__main__ import main
+from rosspin.clocks import watchdog
+
+SOURCES = ROOT / "examples" / "my_robotics_pkg" / "src"
+TIMER_NODE, RATE_NODE = str(SOURCES / "spinner_py_node.py"), str(SOURCES / "spinner_rate_py_node.py")
+
+RATE_FROM_A_PARAMETER = """
+    import rospy
+    rospy.init_node("node")
+    rate = rospy.Rate(rospy.get_param("~rate", 1))
+    while not rospy.is_shutdown():
+        rospy.loginfo("x")
+        rate.sleep()
+"""
+
+FOREVER = """
+    import rospy
+    rospy.init_node("node")
+    rospy.on_shutdown(lambda: rospy.logwarn("hook"))
+    rospy.loginfo("ready")
+    while not rospy.is_shutdown():
+        rospy.sleep(0.05)
+    rospy.loginfo("left")
+"""
+
+# Only so that a test that hangs ends at all.
+NEVER = 60
+
+
+@pytest.fixture
+def write(tmp_path: Path) -> Any:
+    """Writes a node file; its path."""
+
+    def write(text: str, name: str = "node.py") -> str:
+        path = tmp_path / name
+        path.write_text(dedent(text), encoding="utf-8")
+        return str(path)
+
+    return write
+
+
+def start(*args: str, **options: Any) -> subprocess.Popen[str]:
+    pipes: dict[str, Any] = {"stdout": subprocess.PIPE, "stderr": subprocess.PIPE}
+    return subprocess.Popen([sys.executable, "-m", "rosspin", *args], text=True, **pipes | options)
+
+
+def run(*args: str, **options: Any) -> tuple[int, str, str]:
+    """Status, stdout and stderr of ``python -m rosspin ARGS``, through pipes."""
+    process = start(*args, **options)
+    out, err = process.communicate(timeout=NEVER)
+    return process.returncode, out, err
+
+
+@pytest.mark.parametrize("name", ["random", "queue", "copy", "typing", "rospy"])
+def test_a_folder_with_a_file_that_is_in_the_way(write: Any, tmp_path: Path, name: str) -> None:
+    """Python itself would import it in rosspin, too: python -m puts the folder first."""
+    write("x = 1\n", f"{name}.py")
+    write("import rospy\nprint('ran')\n")
+    status, out, err = run("run", "node.py", "--simulated", "--seconds", "1", cwd=tmp_path)
+    whose = "ROS 1's" if name == "rospy" else "Python's"
+    said = f"rosspin: {name}.py is in the way of {whose} module {name}: on a real ROS whatever imports {name} is given"
+    assert (status, out, err) == (0, "ran\n", f"{said} this file\n")
+
+
+# --- good runs --------------------------------------------------------------------------------------------------------
+
+
+def test_a_simulated_run_prints_the_console() -> None:
+    assert run("run", TIMER_NODE, "--simulated", "--seconds", "1") == (
+        0,
+        "[INFO] [0.000000]: [SPINNER PY NODE] namespace of node = /\n"
+        "[INFO] [0.500000]: [SPINNER PY NODE] counter = 1\n"
+        "[INFO] [1.000000]: [SPINNER PY NODE] counter = 2\n",
+        "",
+    )
+
+
+def test_on_the_wall_stamps_are_since_the_epoch(capfd: pytest.CaptureFixture[str]) -> None:
+    assert main(["run", RATE_NODE, "--seconds", "0.7"]) == 0
+    lines = capfd.readouterr().out.splitlines()
+    assert len(lines) >= 2
+    for line in lines:
+        assert re.fullmatch(r"\[INFO\] \[1\d{9}\.\d{6}\]: \[SPINNER PY NODE\] .*", line)
+
+
+def test_node_args_follow_two_dashes_wherever_the_options_stand(capsys: pytest.CaptureFixture[str], write: Any) -> None:
+    node = write(RATE_FROM_A_PARAMETER)
+    options = ["--simulated", "--seconds", "1"]
+    for args in (["run", node, *options], ["run", *options, node]):
+        assert main([*args, "--", "_rate:=10", "--simulated"]) == 0
+        assert capsys.readouterr().out.count("x\n") == 11
+
+
+def test_warnings_go_to_stderr(write: Any) -> None:
+    node = write("import rospy\nrospy.init_node('n')\nrospy.loginfo('out')\nrospy.logwarn('err')\n")
+    assert run("run", node, "--simulated", "--seconds", "1") == (
+        0,
+        "[INFO] [0.000000]: out\n",
+        "[WARN] [0.000000]: err\n",
+    )
+
+
+def test_a_line_is_in_the_pipe_at_once_when_python_is_told_so(write: Any) -> None:
+    with start("run", write(FOREVER), env=os.environ | {"PYTHONUNBUFFERED": "1"}) as process:
+        assert process.stdout
+        assert process.stdout.readline().endswith("ready\n")
+        process.kill()
+
+
+@pytest.mark.parametrize("number", [signal.SIGINT, signal.SIGTERM])
+def test_ctrl_c_ends_a_node_in_peace(write: Any, number: int) -> None:
+    with start("run", write(FOREVER), env=os.environ | {"PYTHONUNBUFFERED": "1"}) as process:
+        assert process.stdout
+        process.stdout.readline()
+        process.send_signal(number)
+        out, err = process.communicate(timeout=NEVER)
+    assert process.returncode == 0
+    assert re.fullmatch(r"\[INFO\] \[[\d.]+\]: left\n", out)
+    assert re.fullmatch(r"\[WARN\] \[[\d.]+\]: hook\n", err)
+
+
+def test_ctrl_c_ends_the_timer_node_in_peace() -> None:
+    with start("run", TIMER_NODE, env=os.environ | {"PYTHONUNBUFFERED": "1"}) as process:
+        assert process.stdout
+        process.stdout.readline()
+        process.send_signal(signal.SIGINT)
+        _, err = process.communicate(timeout=NEVER)
+    assert (process.returncode, err) == (0, "")
+
+
+def test_the_node_s_status_is_the_command_s(write: Any) -> None:
+    assert main(["run", write("import sys; sys.exit(7)"), "--simulated", "--seconds", "1"]) == 7
+
+
+def test_help_names_every_option(capsys: pytest.CaptureFixture[str]) -> None:
+    with pytest.raises(SystemExit) as caught:
+        main(["run", "--help"])
+    assert caught.value.code == 0
+    text = capsys.readouterr().out
+    for word in ("FILE", "--seconds", "--simulated", "--plot", "-- NODE ARGS"):
+        assert word in text
+
+
+# --- plots ------------------------------------------------------------------------------------------------------------
+
+
+@pytest.mark.parametrize(("suffix", "begins"), [("png", b"\x89PNG"), ("pdf", b"%PDF"), ("svg", b"<?xml")])
+def test_a_plot_is_what_its_suffix_says_and_always_the_same(tmp_path: Path, suffix: str, begins: bytes) -> None:
+    files = [tmp_path / f"one.{suffix}", tmp_path / f"two.{suffix}"]
+    for file in files:
+        assert main(["run", TIMER_NODE, "--simulated", "--seconds", "2", "--plot", str(file)]) == 0
+    assert files[0].read_bytes() == files[1].read_bytes()
+    assert files[0].read_bytes().startswith(begins)
+
+
+def test_a_plot_as_svg_has_its_words(tmp_path: Path) -> None:
+    assert main(["run", TIMER_NODE, "--simulated", "--seconds", "2", "--plot", str(tmp_path / "a.svg")]) == 0
+    root = ElementTree.parse(tmp_path / "a.svg").getroot()
+    assert root.tag == "{http://www.w3.org/2000/svg}svg"
+    assert "timerCallback: 4 ticks from 0.500 s to 2.000 s" in root.attrib["aria-label"]
+
+
+def test_a_plot_is_also_put_into_words(tmp_path: Path, capsys: pytest.CaptureFixture[str]) -> None:
+    assert main(["run", TIMER_NODE, "--simulated", "--seconds", "2", "--plot", str(tmp_path / "a.svg")]) == 0
+    assert capsys.readouterr().err == (
+        f"{tmp_path}/a.svg: timerCallback: 4 ticks from 0.500 s to 2.000 s. All 4 ticks were on time. "
+        "Every period was 0.5 s; there was no jitter.\n"
+    )
+
+
+def test_what_needs_the_real_ros_says_so(capsys: pytest.CaptureFixture[str]) -> None:
+    assert main(["run", "node.cpp", "--simulated", "--seconds", "1"]) == 1
+    assert capsys.readouterr().err == "rosspin: node.cpp: C++ nodes need the real ROS 1: add --ros1\n"
+
+
+@pytest.mark.parametrize(
+    ("plot", "text"),
+    [
+        ("ticks.gif", "rosspin: --plot ticks.gif: the file name must end in .pdf, .png or .svg\n"),
+        ("ticks", "rosspin: --plot ticks: the file name must end in .pdf, .png or .svg\n"),
+        ("no/such/folder/a.svg", "rosspin: --plot no/such/folder/a.svg: there is no such folder\n"),
+    ],
+)
+def test_a_bad_plot_is_found_before_the_run(capsys: pytest.CaptureFixture[str], plot: str, text: str) -> None:
+    assert main(["run", TIMER_NODE, "--simulated", "--seconds", "2", "--plot", plot]) == 1
+    assert capsys.readouterr() == ("", text)
+
+
+def test_without_ticks_there_is_no_plot_but_the_console_is_there(
+    capsys: pytest.CaptureFixture[str], tmp_path: Path, write: Any
+) -> None:
+    plot = tmp_path / "a.svg"
+    assert main(["run", write("print('hello')"), "--simulated", "--seconds", "2", "--plot", str(plot)]) == 1
+    assert capsys.readouterr() == ("hello\n", f"rosspin: {plot} was not written: the node did not tick\n")
+    assert not plot.exists()
+
+
+def test_a_plot_must_not_be_a_folder(capsys: pytest.CaptureFixture[str], tmp_path: Path) -> None:
+    plot = tmp_path / "a.svg"
+    plot.mkdir()
+    assert main(["run", TIMER_NODE, "--simulated", "--seconds", "0.5", "--plot", str(plot)]) == 1
+    assert capsys.readouterr() == ("", f"rosspin: --plot {plot}: this is a folder\n")
+
+
+def test_without_matplotlib_it_is_said_before_the_run(
+    capsys: pytest.CaptureFixture[str], monkeypatch: pytest.MonkeyPatch
+) -> None:
+    monkeypatch.delitem(sys.modules, "matplotlib", raising=False)
+    monkeypatch.setattr("rosspin.pictures.find_spec", lambda name: None)
+    assert main(["run", TIMER_NODE, "--simulated", "--seconds", "0.5", "--plot", "a.svg"]) == 1
+    needs = "plots need matplotlib, which is not installed: pip install 'rosspin[plot]'"
+    assert capsys.readouterr() == ("", f"rosspin: --plot a.svg: {needs}\n")
+
+
+def test_a_run_keeps_its_console_and_status_if_the_plot_cannot_be_written(
+    capsys: pytest.CaptureFixture[str], tmp_path: Path, write: Any
+) -> None:
+    plot = tmp_path / f"{'a' * 300}.svg"
+    node = "import rospy\nrospy.init_node('a')\nrospy.Rate(1).sleep()\nprint('hello')\nraise SystemExit({})"
+    for status in (3, 0):
+        file = write(node.format(status))
+        assert main(["run", str(file), "--simulated", "--seconds", "5", "--plot", str(plot)]) == (status or 1)
+        assert capsys.readouterr() == ("hello\n", f"rosspin: {plot} was not written: File name too long\n")
+
+
+# --- bad input --------------------------------------------------------------------------------------------------------
+
+
+def simulated(capsys: pytest.CaptureFixture[str], file: str) -> tuple[int, str]:
+    """Status and stderr of ``rosspin run FILE --simulated --seconds 10``."""
+    status = main(["run", file, "--simulated", "--seconds", "10"])
+    return status, capsys.readouterr().err
+
+
+def test_a_missing_file(capsys: pytest.CaptureFixture[str], tmp_path: Path) -> None:
+    assert simulated(capsys, "no/such.py") == (1, "rosspin: no/such.py: No such file or directory\n")
+    assert simulated(capsys, str(tmp_path)) == (1, f"rosspin: {tmp_path}: Is a directory\n")
+
+
+def test_a_syntax_error_is_shown_with_its_line(capsys: pytest.CaptureFixture[str], write: Any) -> None:
+    path = write("import rospy\nif True\n    pass\n")
+    assert simulated(capsys, path) == (
+        1,
+        f"rosspin: File \"{path}\", line 2\n    if True\n           ^\nSyntaxError: expected ':'\n",
+    )
+
+
+def test_a_file_that_is_no_text(capsys: pytest.CaptureFixture[str], tmp_path: Path) -> None:
+    (tmp_path / "node.py").write_bytes(b"\xff\xfe\x00")
+    status, err = simulated(capsys, str(tmp_path / "node.py"))
+    assert status == 1
+    assert err.startswith("rosspin: ") and "node.py" in err
+
+
+def test_an_exception_in_main_shows_the_node_s_own_frames(capsys: pytest.CaptureFixture[str], write: Any) -> None:
+    path = write("import rospy\nrospy.init_node('n')\nrospy.Rate(0)\n")
+    status, err = simulated(capsys, path)
+    assert status == 1
+    lines = [line for line in err.splitlines() if set(line) - set(" ^~")]
+    assert lines == [
+        "Traceback (most recent call last):",
+        f'  File "{path}", line 3, in <module>',
+        "    rospy.Rate(0)",
+        "ZeroDivisionError: float division by zero",
+    ]
+
+
+STILL = (
+    "simulated time stands still at 0.0 s, because the node keeps running without sleeping. Sleep in every loop "
+    "(rate.sleep(), rospy.sleep(0.1)), and give timers and rates a period above 0.\n"
+)
+
+
+@pytest.mark.parametrize(
+    ("code", "line"),
+    [
+        pytest.param("import rospy\nrospy.init_node('n')\nwhile True: pass\n", 3, id="never sleeps"),
+        pytest.param(
+            "import rospy\nrospy.init_node('n')\nr = rospy.Rate(-1)\nwhile True: r.sleep()\n",
+            4,
+            id="negative rate",
+        ),
+        pytest.param(
+            "import rospy\nrospy.init_node('n')\nt = rospy.Timer(rospy.Duration(-1), print)\nrospy.spin()\n",
+            3,
+            id="negative period",
+        ),
+    ],
+)
+def test_time_that_stands_still(
+    capsys: pytest.CaptureFixture[str], monkeypatch: pytest.MonkeyPatch, write: Any, code: str, line: int
+) -> None:
+    monkeypatch.setattr(watchdog, "_INTERVAL", 0.05)  # found sooner
+    path = write(code)
+    assert simulated(capsys, path) == (1, f"rosspin: {path}:{line}: {STILL}")
+
+
+@pytest.mark.parametrize(
+    ("code", "name", "line"),
+    [
+        ("import rospy\n\nrospy.Service('name', None, None)\n", "rospy.Service", 3),
+        ("from rospy import ServiceProxy\n", "rospy.ServiceProxy", 1),
+        ("import rospy\nfrom std_srvs.srv import Empty\n", "std_srvs", 2),
+        ("import rospy.service\n", "rospy.service", 1),
+    ],
+)
+def test_what_is_outside_of_the_stand_in(
+    capsys: pytest.CaptureFixture[str], write: Any, code: str, name: str, line: int
+) -> None:
+    path = write(code)
+    status, err = simulated(capsys, path)
+    assert status == 1
+    assert err == f"rosspin: {path}:{line}: {name} is not simulated; run this node on a real ROS\n"
+
+
+@pytest.mark.parametrize(
+    ("args", "text"),
+    [
+        (["run", TIMER_NODE, "--simulated"], "--simulated needs --seconds: nobody can press Ctrl-C in simulated time"),
+        (["run", TIMER_NODE, "--simulated", "--seconds", "-1"], "seconds must be a number of at least 0, not -1.0"),
+        (["run", TIMER_NODE, "--simulated", "--seconds", "nan"], "seconds must be a number of at least 0, not nan"),
+        (["run", TIMER_NODE, "--seconds", "nan"], "seconds must be a number of at least 0, not nan"),
+        (["run", TIMER_NODE, "--seconds", "inf"], "seconds must be a number of at least 0, not inf"),
+        (["run", TIMER_NODE, "--seconds=-0.5"], "seconds must be a number of at least 0, not -0.5"),
+    ],
+)
+def test_bad_seconds(capsys: pytest.CaptureFixture[str], args: list[str], text: str) -> None:
+    assert main(args) == 1
+    assert capsys.readouterr() == ("", f"rosspin: {text}\n")
+
+
+@pytest.mark.parametrize(
+    ("args", "text"),
+    [
+        ([], "the following arguments are required: COMMAND"),
+        (["walk"], "invalid choice: 'walk'"),
+        (["run"], "the following arguments are required: FILE"),
+        (["run", TIMER_NODE, "--fast"], "unknown arguments: --fast"),
+        (["run", TIMER_NODE, "--sim", "--seconds", "1"], "unknown arguments: --sim"),
+        (["run", TIMER_NODE, "_rate:=10"], "unknown arguments: _rate:=10"),
+        (["run", TIMER_NODE, "--seconds", "two"], "argument --seconds: invalid float value: 'two'"),
+        (["run", TIMER_NODE, "--seconds"], "argument --seconds: expected one argument"),
+    ],
+)
+def test_bad_options(capsys: pytest.CaptureFixture[str], args: list[str], text: str) -> None:
+    with pytest.raises(SystemExit) as caught:
+        main(args)
+    assert caught.value.code == 2
+    assert text in capsys.readouterr().err
+
+
+@pytest.mark.parametrize("name", ["my.launch.py", "my.launch.xml", "my.launch.yaml", "my_launch.xml"])
+@pytest.mark.parametrize("where", ["--simulated", "--ros1", "--ros2"])
+def test_launch_files_of_ros_2(capsys: pytest.CaptureFixture[str], name: str, where: str) -> None:
+    assert main(["run", name, where, "--seconds", "1"]) == 1
+    text = f"{name}: rosspin runs launch files of ROS 1 (.launch) only; run the nodes of this one one by one"
+    assert capsys.readouterr() == ("", f"rosspin: {text}\n")
+
+
+@pytest.mark.parametrize(("module", "ros", "other"), [("rospy", 1, 2), ("rclpy", 2, 1)])
+def test_a_node_of_the_other_ros(
+    capsys: pytest.CaptureFixture[str], write: Any, module: str, ros: int, other: int
+) -> None:
+    path = write(f"import {module}\n")
+    assert main(["run", str(path), f"--ros{other}", "--seconds", "1"]) == 1
+    assert capsys.readouterr() == ("", f"rosspin: {path}: this is a node of ROS {ros}: --ros{ros}\n")
+
+
+@pytest.mark.parametrize(
+    ("code", "text"),
+    [
+        (b"import rospy\nx = '\xe9'\n", "the byte 0xe9 is not utf-8"),
+        (b"import rospy\nx = '\0'\n", "source code string cannot contain null bytes"),
+    ],
+)
+def test_a_stray_byte_is_shown_with_file_and_line(
+    capsys: pytest.CaptureFixture[str], tmp_path: Path, code: bytes, text: str
+) -> None:
+    path = tmp_path / "node.py"
+    path.write_bytes(code)
+    assert simulated(capsys, str(path)) == (1, f'rosspin: File "{path}", line 2\nSyntaxError: {text}\n')

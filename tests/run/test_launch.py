@@ -1,0 +1,350 @@
+"""Launch files in simulated time: what is faulty or not simulated is said with file and line; the command line."""
+
+from __future__ import annotations
+
+import os
+import subprocess
+import sys
+from collections.abc import Callable
+from pathlib import Path
+from typing import Any
+
+import pytest
+from tree import ROOT
+
+from rosspin import measure, simulate
+from rosspin.__main__ import main
+from rosspin.launch import read_launch
+from rosspin.run import say_error
+
+SPINNERS = ROOT / "examples/my_robotics_pkg/launch/spinner_param.launch"
+
+NODE = """
+    #!/usr/bin/env python3
+    import rospy
+    rospy.init_node("node")
+    rospy.loginfo(rospy.get_name())
+    """
+
+XML = "<?xml version='1.0' encoding='{}'?><launch/>"
+
+Launched = Callable[..., Path]
+
+
+@pytest.fixture
+def launched(write: Any, tmp_path: Path) -> Launched:
+    """Writes a launch file of a package ``pkg`` that has nodes in Python and C++; its path."""
+    write("<package><name>pkg</name></package>", "package.xml")
+    write("add_executable( built\n src/other.cpp)", "CMakeLists.txt")
+    (tmp_path / "nodes").mkdir()
+    (tmp_path / ".hidden").mkdir()
+    for name in ("node.py", "nodes/script", ".hidden/lost.py"):
+        write(NODE.lstrip("\n"), name)
+    write("int main() {}", "nodes/compiled.cpp")
+
+    def launch(text: str, name: str = "a.launch") -> Path:
+        path: Path = write(text if text.startswith(("\n", "<?")) else f"<launch>\n{text}\n</launch>\n", name)
+        return path
+
+    return launch
+
+
+def node(**attributes: str) -> str:
+    words = {"pkg": "pkg", "type": "node.py", "name": "n", "output": "screen", **attributes}
+    return f"<node {' '.join(f'{name}={value!r}' for name, value in words.items())}/>"
+
+
+# --- where nodes are --------------------------------------------------------------------------------------------------
+
+
+def test_nodes_are_found_anywhere_in_their_package(launched: Launched) -> None:
+    path = launched(node(name="a") + node(name="b", type="script"))
+    assert [os.path.basename(str(each.node)) for each in read_launch(path).nodes] == ["node.py", "script"]
+    assert "/a\n" in simulate(path, 1).console
+
+
+def test_a_relative_path_will_do(launched: Launched, monkeypatch: pytest.MonkeyPatch) -> None:
+    path = launched(node())
+    monkeypatch.chdir(path.parent)
+    assert "/n\n" in simulate(path.name, 1).console
+
+
+@pytest.mark.parametrize("kind", ["built", "compiled"])
+def test_a_node_in_cpp_is_named_or_left_out(launched: Launched, kind: str) -> None:
+    path = launched(node() + "\n" + node(name="c", type=kind))
+    with pytest.raises(
+        ValueError, match=rf"a\.launch:3: pkg/{kind} is a C\+\+ node, and only Python .* --skip-cpp leaves"
+    ):
+        simulate(path, 1)
+    run = simulate(path, 1, skip_cpp=True)
+    assert run.console.splitlines()[:2] == [
+        f"rosspin: {path}:3: pkg/{kind} is left out",
+        "[INFO] [0.000000]: /n",
+    ]
+
+
+def test_a_node_of_a_package_that_is_elsewhere_is_named_or_left_out(launched: Launched) -> None:
+    path = launched(node() + "\n" + node(name="rviz", pkg="rviz", type="rviz"))
+    with pytest.raises(ValueError, match=r"a\.launch:3: there is no package rviz around this file; --skip-cpp leaves"):
+        simulate(path, 1)
+    assert [each.name for each in read_launch(path, skip_cpp=True).nodes] == ["n"]
+
+
+def test_the_tutorials_launch_file_runs_without_its_cpp_node() -> None:
+    run = simulate(SPINNERS, 2, ["frequency:=1"], skip_cpp=True)
+    assert {tick.source for tick in run.ticks} == {"/mrp/spinner_py_node timerCallback"}
+    assert [tick.real for tick in run.ticks] == [1.0, 2.0]
+
+
+# --- what is wrong ----------------------------------------------------------------------------------------------------
+
+
+@pytest.mark.parametrize(
+    ("text", "message"),
+    [
+        ("<node", ":3: this is not XML: not well-formed"),
+        ("\n<robot/>", ":2: a launch file begins with <launch>, not with <robot>"),
+        ("<machine name='a' address='b'/>", ":2: <machine> is not simulated"),
+        ("\n\n<launch>\n<nod/></launch>", ":4: <nod> is not simulated"),
+        ("<group>\n<foo/></group>", ":3: <foo> is not simulated"),
+        (node(machine="a"), ':2: <node machine="..."> is not simulated'),
+        (node(**{"launch-prefix": "gdb"}), ':2: <node launch-prefix="..."> is not simulated'),
+        ("<node pkg='pkg' name='n'/>", ":2: <node> lacks type"),
+        ("<node pkg='pkg' type='node.py' name='n'><node/></node>", ":2: <node> is not simulated"),
+        (node(type="lost.py"), ":2: there is no node lost.py in package pkg"),
+        (node(name="a/b"), ":2: the name of a node cannot contain a namespace: a/b"),
+        (node(output="both"), ":2: output is screen or log, not both"),
+        (node(cwd="here"), ":2: cwd is ROS_HOME or node, not here"),
+        (node(required="yes"), ":2: required is true or false, not 'yes'"),
+        (node(respawn_delay="soon"), ":2: respawn_delay is a number, not 'soon'"),
+        (node(required="true", respawn="true"), ":2: a node cannot be both required and started again"),
+        (node() + node(), ": there are several nodes named /n"),
+        ("<group if='1' unless='1'/>", ":2: <group> has both if and unless"),
+        ("<group if='maybe'/>", ":2: if is true or false, not 'maybe'"),
+        ("<param name='a'/>", ":2: param a needs one of value, textfile and command"),
+        ("<param name='a' value='b' type='int'/>", ":2: a is of type int, and cannot be 'b'"),
+        ("<param name='a' value='b' type='list'/>", ":2: type is auto, str, int, double, bool or yaml, not list"),
+        ("<param name='a' value='[' type='yaml'/>", ":2: a is not YAML: "),
+        ("<rosparam>{</rosparam>", ":2: rosparam is not YAML: "),
+        ("<rosparam>5</rosparam>", ":2: rosparam needs a param for what is no dictionary"),
+        ("<rosparam command='dump' file='a'/>", ':2: <rosparam command="dump"> is not simulated'),
+        ("<arg name='a'/><group if='$(arg a)'/>", ":2: arg a has no value; give it one: a:=..."),
+        ("<arg name='a'/>\n<arg name='a'/>", ":3: arg a is declared a second time"),
+        ("<arg name='a' value='1' default='2'/>", ":2: arg a has both value and default"),
+        ("<arg name='fixed' value='1'/>", ":2: arg fixed has a fixed value, and cannot be set"),
+        ("<param name='a' value='$(env ROSSPIN_NOWHERE)'/>", ":2: the environment variable ROSSPIN_NOWHERE is not set"),
+        ("<param name='a' value='$(find nowhere)'/>", ":2: there is no package nowhere around this file"),
+        ("<param name='a' value='$(fnd pkg)'/>", ":2: $(fnd pkg) is no substitution"),
+        ("<param name='a' value='$(arg a b)'/>", ":2: $(arg a b) is no substitution"),
+        ("<param name='a' value='$(find $(arg a))'/>", ":2: "),
+        ("<param name='a' value='$(eval 1 / 0)'/>", ":2: $(eval 1 / 0): ZeroDivisionError: division by zero"),
+        ("<param name='a' value='$(eval open(1))'/>", ":2: $(eval open(1)): NameError: name 'open' is not defined"),
+        ("<param name='a' value='$(eval ().__class__)'/>", ":2: $(eval) may not contain double underscores"),
+        ("<include file='$(dirname)/b.launch'><param/></include>", ":2: <param> has no place in <include>"),
+        ("<include file='$(dirname)/b.launch'><arg name='x'/></include>", ":2: arg x is given no value"),
+        ("<include file='$(dirname)/b.launch'><arg name='x' value='1'/></include>", "b.launch has no arg x"),
+        ("<include file='$(dirname)/c.launch'/>", "c.launch:3: <foo> is not simulated"),
+        ("<param name='a' command='false'/>", ":2: param a: the command 'false' ended with status 1"),
+        ("<param name='a' command='rosspin-nowhere'/>", ":2: param a: there is no command 'rosspin-nowhere'"),
+        ("<param name='a' command=''/>", ":2: param a: there is no command ''"),
+        ("<param name='a' command='echo \"x'/>", ":2: command is no command line: no closing quotation in 'echo \"x'"),
+        ("<node pkg='pkg' type='node.py' name='n' args='\"x'/>", ":2: args is no command line: no closing quotation"),
+        ("<param name='a' textfile='/bin/sh'/>", ":2: /bin/sh is not UTF-8: the byte 0x"),
+        ("<param name='a' value='4294967296'/>", ":2: a has an integer of more than 32 bits, which ROS's parameter"),
+        ("<rosparam>{a: {b: [1, -2147483649]}}</rosparam>", ":2: rosparam has an integer of more than 32 bits"),
+        ("<rosparam>{a: 2024-01-02}</rosparam>", ":2: rosparam has a date, 2024-01-02, which ROS's parameter server"),
+        ("<rosparam>{a: 2024-13-02}</rosparam>", ":2: rosparam has a value that YAML cannot read: month must be in"),
+        ("<rosparam>{a: null}</rosparam>", ":2: rosparam has a null, which ROS's parameter server does not take"),
+        ("<rosparam>{a: [1, ~]}</rosparam>", ":2: rosparam has a null"),
+        ("<rosparam>{a: !!set {b}}</rosparam>", ":2: rosparam has a set"),
+        ("<rosparam>{1: 2}</rosparam>", ":2: rosparam has a name that is no text, 1"),
+        (XML.format("klingon"), ":1: this cannot be read: unknown encoding"),
+        (XML.format("utf-7"), ":1: this cannot be read: multi-byte encodings"),
+    ],
+)
+def test_what_is_wrong_is_said_with_file_and_line(launched: Launched, text: str, message: str) -> None:
+    launched("", "b.launch")
+    launched("\n\n<launch>\n<foo/></launch>".replace("\n\n<", "\n<"), "c.launch")
+    path = launched(text)
+    with pytest.raises(ValueError) as caught:
+        simulate(path, 1, ["fixed:=2"])
+    assert message in str(caught.value)
+    assert str(caught.value).startswith(str(path.parent))
+
+
+TENFOLD = ["x"] + [f"&{name};" * 10 for name in "abcdefg"]
+LAUGHS = "".join(f'<!ENTITY {name} "{text}">' for name, text in zip("abcdefgh", TENFOLD, strict=True))
+ALIASES = "a: &a [x]\n" + "".join(
+    f"{name}: &{name} [{', '.join([f'*{before}'] * 10)}]\n" for before, name in zip("abcdefg", "bcdefgh", strict=True)
+)
+MERGES = ALIASES.replace("[x]", "{x: 1}").replace("[*", "{<<: [*").replace("]\n", "]}\n")
+DOUBLED = "<arg name='a0' value='xxxxxxxx'/>" + "".join(
+    f"<arg name='a{number + 1}' value='$(arg a{number})$(arg a{number})'/>" for number in range(60)
+)
+AGAIN = "<include file='$(dirname)/a.launch'><arg name='n' value='$(eval n - 1)'/></include>"
+TREE = f"<arg name='n' default='40'/><group if='$(eval n > 0)'>{AGAIN}{AGAIN}</group>"
+
+
+@pytest.mark.parametrize(
+    ("text", "message"),
+    [
+        (f"\n<!DOCTYPE launch [{LAUGHS}]><launch><rosparam>&h;</rosparam></launch>", "with its entities, the text"),
+        (f"\n<!DOCTYPE launch [{LAUGHS}]><launch><arg name='&g;' doc='x'/></launch>", "with its entities, the text"),
+        (f"<rosparam>{ALIASES.replace('&', '&amp;')}</rosparam>", ":2: rosparam has more than 100,000 values, if each"),
+        (
+            f"<rosparam>{MERGES.replace('&', '&amp;').replace('<<', '&lt;&lt;')}</rosparam>",
+            ":2: rosparam has more than",
+        ),
+        ("<rosparam>a: &amp;a [*a]</rosparam>", ":2: rosparam has more than 100,000 values"),
+        ("<rosparam>a: &amp;a {b: *a}</rosparam>", ":2: rosparam has more than 100,000 values"),
+        (f"<rosparam>a: {'[' * 5000}</rosparam>", ":2: rosparam is not YAML: "),
+        (f"<rosparam>a: {'9' * 5000}</rosparam>", ":2: rosparam has a value that YAML cannot read: Exceeds the limit"),
+        ("<group>" * 5000 + "</group>" * 5000, ":2: more than 100 tags lie in one another here"),
+        (DOUBLED, ":2: $(arg a16): with its substitutions, this text has more than 1,000,000 characters"),
+        ("<param name='a' textfile='/dev/zero'/>", ":2: /dev/zero gives more than 1,000,000 bytes"),
+        ("<param name='a' command='yes'/>", ":2: yes gives more than 1,000,000 bytes"),
+        ("<include file='$(dirname)/a.launch'/>", ":2 -> ..."),
+        ("<include file='$(dirname)/d.launch'/>", "d.launch:3 -> "),
+        (TREE, ":2: with this one, more than 1,000 files are included"),
+    ],
+)
+def test_what_never_ends_is_said_with_file_and_line(launched: Launched, text: str, message: str) -> None:
+    launched("<group/>\n<include file='$(dirname)/a.launch'/>", "d.launch")
+    path = launched(text)
+    with pytest.raises(ValueError) as caught:
+        simulate(path, 1)
+    assert message in str(caught.value)
+    assert str(caught.value).startswith(f"{path.parent}/")
+
+
+@pytest.mark.parametrize(
+    "expression",
+    [
+        "9**9**9",
+        "1 << 10**10",
+        "10**9 * [0]",
+        "('a' * 1000).join(['a' * 1000] * 1000)",
+        "factorial(10**7)",
+        "comb(10**9, 5 * 10**8)",
+        "'a'.ljust(10**10)",
+        "str.zfill('a', 10**10)",
+        "list(map('a'.center, [10**10]))",
+        "[10**10].sort(key='a'.ljust)",
+        "(5).to_bytes(10**10, 'big')",
+        "'%1000000000d' % 1",
+        "'%*d' % (10**10, 1)",
+        "'{:>1000000000}'.format(1)",
+        "'{:{}}'.format(1, 10**10)",
+        "'{:{}}'.format(1, '10000000000')",
+        "'{:{w}}'.format(1, w=10**10)",
+        "f'{1:>{10**10}}'",
+        "'%(a)s%(a)s' % {'a': 'b' * 10**6}",
+        "'a'.translate({97: 'b' * 10**6})",
+        "'a\\t'.expandtabs(10**10)",
+        "''.join('a' * 10**4 for i in 'b' * 10**4)",
+        "[0 for a in 'a' * 1000 for b in 'a' * 1000 for c in 'a' * 1000]",
+        "[a.extend(a) for a in [[1, 2]] for i in 'a' * 100]",
+        "[[a.append(a), a * 2] for a in [[1]]]",
+        "(lambda f, n: f(f, n))(lambda f, n: f(f, n - 1) + f(f, n - 1) if n else 1, 20)",
+        "1 + " * 5000 + "1",
+    ],
+)
+def test_an_expression_is_bounded(launched: Launched, expression: str) -> None:
+    path = launched(f'<param name="a" value="$(eval {expression.replace("<", "&lt;")})"/>')
+    with pytest.raises(ValueError) as caught:
+        simulate(path, 1)
+    shown = expression if len(expression) <= 100 else f"{expression[:100]}..."
+    assert str(caught.value) == f"{path}:2: $(eval {shown}) takes more than 1,000,000 steps or characters"
+
+
+@pytest.mark.parametrize(
+    ("expression", "value"),
+    [
+        ("2 ** 10 + len", "NameError: name 'len' is not defined"),
+        ("2 ** 10", 1024),
+        ("'a' * 5 + arg('word')", "aaaaaword"),
+        ("'%d m' % 5000000", "5000000 m"),
+        ("'99999999 {}'.format(2000000)", "99999999 2000000"),
+        ("f'{pi!r:.6}|{2.5:>5.1f}'", "3.1415|  2.5"),
+        ("' '.join(map(str, [i * 2 for i in [1, 2]]))", "2 4"),
+        ("word.upper() if word else ''", "WORD"),
+        ("[*map(int, '12')][::-1]", "[2, 1]"),
+        ("10 ** 6000", "ValueError: Exceeds the limit (4300 digits) for integer string conversion"),
+        ("(" * 500, "SyntaxError: too many nested parentheses (<unknown>, line 1)"),
+    ],
+)
+def test_an_expression_is_pythons(launched: Launched, expression: str, value: Any) -> None:
+    path = launched(f'<arg name="word" default="word"/>\n<param name="a" value="$(eval {expression})"/>')
+    try:
+        found = dict(read_launch(path).parameters)["/a"]
+    except ValueError as error:
+        found = str(error).partition("): ")[2]
+        found = found if expression[0] != "(" else f"SyntaxError{found.partition('SyntaxError')[2]}"
+    assert found == value
+
+
+@pytest.mark.parametrize("several", [SPINNERS, str(SPINNERS), [lambda: None]], ids=["path", "name", "list"])
+def test_on_the_wall_clock_there_is_one_node(several: Any) -> None:
+    with pytest.raises(ValueError, match="several nodes and launch files run in simulated time"):
+        measure(several, 1)
+
+
+def test_a_file_that_is_not_there_is_an_error(launched: Launched) -> None:
+    with pytest.raises(FileNotFoundError):
+        simulate("nowhere.launch", 1)
+    with pytest.raises(FileNotFoundError) as caught:
+        simulate(launched("<include file='nowhere.launch'/>"), 1)
+    assert say_error(caught.value).endswith("a.launch:2)")
+    path = launched("<include file='$(dirname)/a.launch'/>", "b.launch")
+    with pytest.raises(FileNotFoundError) as caught:
+        simulate(path, 1)
+    assert say_error(caught.value).endswith("a.launch:2)")
+
+
+def test_what_roslaunch_passes_over_is_passed_over(launched: Launched) -> None:
+    assert "/n\n" in simulate(launched(f"<master auto='start'/><test/><!-- <foo/> -->{node()}"), 1).console
+
+
+def test_a_name_is_made_anonymous_in_the_same_way_each_time(launched: Launched) -> None:
+    path = launched(node(name="$(anon n)", args="$(anon n) $(anon m)"))
+    (found,) = read_launch(path).nodes
+    assert found.name == "n_anonymous" and list(found.args) == ["n_anonymous", "m_anonymous"]
+
+
+# --- the command line -------------------------------------------------------------------------------------------------
+
+
+def run(*words: str) -> subprocess.CompletedProcess[str]:
+    return subprocess.run([sys.executable, "-m", "rosspin", "run", *words], capture_output=True, text=True, cwd=ROOT)
+
+
+def test_launch_files_run_from_the_command_line(launched: Launched) -> None:
+    path = str(launched(node(name="$(arg name)") + "<arg name='late'/>").parent / "a.launch")
+    Path(path).write_text(Path(path).read_text().replace("<launch>", "<launch><arg name='name'/>"))
+    ended = run("--simulated", path, "--seconds", "1", "--", "name:=given")
+    assert (ended.returncode, ended.stderr) == (0, "")
+    assert ended.stdout.splitlines()[0] == "[INFO] [0.000000]: /given"
+
+
+def test_leaving_out_cpp_from_the_command_line() -> None:
+    ended = run("--simulated", "--skip-cpp", str(SPINNERS), "--seconds", "1")
+    assert ended.returncode == 0
+    assert "spinner_param_cpp_node is left out" in ended.stderr
+    assert "counter = 2" in ended.stdout
+
+
+@pytest.mark.parametrize(
+    ("words", "message"),
+    [
+        ([str(SPINNERS)], "launch files run in simulated time or on the real ROS 1: --simulated or --ros1"),
+        (["--simulated", str(SPINNERS), "--seconds", "1"], "is a C++ node"),
+        (["--skip-cpp", "--ros1", str(SPINNERS)], "--skip-cpp is for launch files in simulated time"),
+        (
+            ["--skip-cpp", "--simulated", "--seconds", "1", "node.py"],
+            "--skip-cpp is for launch files in simulated time",
+        ),
+    ],
+)
+def test_what_the_command_line_refuses(words: list[str], message: str, capsys: pytest.CaptureFixture[str]) -> None:
+    assert main(["run", *words]) == 1
+    assert message in capsys.readouterr().err

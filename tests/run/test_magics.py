@@ -1,0 +1,130 @@
+"""The cell magics, in an IPython shell without a kernel."""
+
+from __future__ import annotations
+
+import sys
+from collections.abc import Iterator
+from pathlib import Path
+from typing import Any
+
+import pytest
+from IPython.core.interactiveshell import InteractiveShell
+from traitlets.config import Config
+from tree import ROOT
+
+from rosspin import Run
+
+NODES = ROOT / "examples" / "my_robotics_pkg" / "src"
+NODE = (NODES / "spinner_py_node.py").read_text()
+
+LINES = (
+    "[INFO] [0.000000]: [SPINNER PY NODE] namespace of node = /\n"
+    "[INFO] [0.500000]: [SPINNER PY NODE] counter = 1\n"
+    "[INFO] [1.000000]: [SPINNER PY NODE] counter = 2\n"
+)
+
+
+@pytest.fixture
+def shell(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> Iterator[Any]:
+    monkeypatch.setenv("IPYTHONDIR", str(tmp_path))
+    monkeypatch.setitem(sys.modules, "__main__", sys.modules["__main__"])  # the shell puts its own there
+    config = Config()
+    config.HistoryManager.enabled = False
+    config.InteractiveShell.colors = "nocolor"
+    shell = InteractiveShell(config=config)
+    shell.run_cell("%load_ext rosspin")
+    yield shell
+    shell.restore_sys_module_state()
+
+
+def test_a_cell_is_a_node_file_and_its_run_a_variable(shell: Any, capsys: pytest.CaptureFixture[str]) -> None:
+    result = shell.run_cell(f"%%simulate 1\n{NODE}")
+    assert result.success
+    assert capsys.readouterr() == (LINES, "")
+    run = shell.user_ns["run"]
+    assert isinstance(run, Run)
+    assert (run.console, run.status, run.runtime, run.seconds) == (LINES, 0, "simulated", 1.0)
+    assert [tick.real for tick in run.ticks] == [0.5, 1.0]
+    # The node has a module of its own.
+    assert "SpinnerPyNode" not in shell.user_ns
+
+
+def test_name_quiet_and_the_node_s_own_arguments(shell: Any, capsys: pytest.CaptureFixture[str]) -> None:
+    shell.run_cell(f"%%simulate 1 --name mine --quiet -- __ns:=/mrp\n{NODE}")
+    assert capsys.readouterr() == ("", "")
+    assert "run" not in shell.user_ns
+    assert shell.user_ns["mine"].console == LINES.replace("node = /\n", "node = /mrp/\n")
+
+
+def test_the_run_has_the_messages(shell: Any) -> None:
+    node = (NODES / "publisher_py_node.py").read_text()
+    shell.run_cell(f"%%simulate 1\n{node}")
+    messages = shell.user_ns["run"].messages
+    assert [(sent.topic, sent.time, sent.message.data) for sent in messages] == [
+        ("/counter", 0.5, 1),
+        ("/counter", 1, 2),
+    ]
+
+
+def test_warnings_go_to_stderr(shell: Any, capsys: pytest.CaptureFixture[str]) -> None:
+    shell.run_cell("%%simulate 1\nimport rospy\nrospy.init_node('n')\nrospy.logwarn('hot')")
+    assert capsys.readouterr() == ("", "[WARN] [0.000000]: hot\n")
+
+
+def test_measure_runs_on_the_wall_clock(shell: Any, capsys: pytest.CaptureFixture[str]) -> None:
+    shell.run_cell(f"%%measure 0.5\n{NODE}")
+    assert "namespace of node = /\n" in capsys.readouterr().out
+    run = shell.user_ns["run"]
+    assert (run.status, run.runtime, run.seconds) == (0, "wall", 0.5)
+    assert run.start > 1e9
+
+
+def test_an_error_in_the_node_is_printed_and_does_not_stop_the_notebook(
+    shell: Any, capsys: pytest.CaptureFixture[str]
+) -> None:
+    result = shell.run_cell("%%simulate 1\nimport rospy\nrospy.init_node('n')\nrospy.Rate(0)\n")
+    assert result.success
+    out, err = capsys.readouterr()
+    assert out == ""
+    assert err.startswith('Traceback (most recent call last):\n  File "<cell ')
+    assert '>", line 4, in <module>\n    rospy.Rate(0)\n' in err
+    assert err.endswith("ZeroDivisionError: float division by zero\n")
+    assert shell.user_ns["run"].status == 1
+
+
+@pytest.mark.parametrize(
+    ("line", "text"),
+    [
+        ("%%simulate", "%%simulate: the following arguments are required: seconds"),
+        ("%%simulate two", "%%simulate: argument seconds: invalid float value: 'two'"),
+        ("%%simulate 1 --fast", "%%simulate: unrecognized arguments: --fast"),
+        ("%%measure 1 2", "%%measure: unrecognized arguments: 2"),
+        ("%%simulate nan", "seconds must be a number of at least 0, not nan"),
+    ],
+)
+def test_a_bad_first_line_says_what_is_wrong(
+    shell: Any, capsys: pytest.CaptureFixture[str], tmp_path: Path, line: str, text: str
+) -> None:
+    assert not shell.run_cell(f"{line}\nopen({str(tmp_path / 'ran')!r}, 'w')").success
+    captured = capsys.readouterr()
+    assert text in captured.out + captured.err
+    assert not (tmp_path / "ran").exists()
+    assert "run" not in shell.user_ns
+
+
+def test_what_ends_the_run_stops_the_notebook(shell: Any, capsys: pytest.CaptureFixture[str]) -> None:
+    for cell, error in (
+        ("%%simulate 1\ndef (", "SyntaxError"),
+        ("%%simulate 1\nimport rospy\nrospy.Service", "NotSimulated"),
+        ("%%simulate 1\nimport rospy\nrospy.init_node('n')\nwhile True:\n    rospy.sleep(0)", "TimeStandsStill"),
+    ):
+        result = shell.run_cell(cell)
+        assert type(result.error_in_exec).__name__ == error
+    assert "run" not in shell.user_ns
+
+
+def test_the_shell_is_as_it_was_after_a_cell(shell: Any) -> None:
+    main, path, argv = sys.modules["__main__"], sys.path[:], sys.argv[:]
+    shell.run_cell(f"%%simulate 1\n{NODE}")
+    assert (sys.modules["__main__"], sys.path, sys.argv) == (main, path, argv)
+    assert "rospy" not in shell.user_ns

@@ -1,0 +1,767 @@
+"""simulate and measure: what a run gives, and that it leaves nothing behind."""
+
+from __future__ import annotations
+
+import logging
+import math
+import os
+import pickle
+import random
+import re
+import signal
+import sys
+import tempfile
+import threading
+import time
+import warnings
+from collections.abc import Callable
+from linecache import getline
+from pathlib import Path
+from typing import Any
+
+import pytest
+from tree import ROOT
+
+import rosspin
+from rosspin import NotSimulated, Tick, TimeStandsStill, measure, rospy, simulate, start
+from rosspin.clocks.simulation import Simulation
+from rosspin.process import load, load_source
+from rosspin.run import run_node, say_error
+
+EXAMPLES = ROOT / "examples" / "my_robotics_pkg" / "src"
+TIMER_NODE, RATE_NODE = EXAMPLES / "spinner_py_node.py", EXAMPLES / "spinner_rate_py_node.py"
+
+
+# --- the examples -----------------------------------------------------------------------------------------------------
+
+
+def counters(*times: float) -> str:
+    return "".join(f"[INFO] [{time:.6f}]: [SPINNER PY NODE] counter = {n}\n" for n, time in enumerate(times, 1))
+
+
+NAMESPACE = "[INFO] [0.000000]: [SPINNER PY NODE] namespace of node = /\n"
+
+
+def test_the_timer_node_counts_from_one_period_on() -> None:
+    run = simulate(TIMER_NODE, 2.0)
+    assert run.console == NAMESPACE + counters(0.5, 1.0, 1.5, 2.0)
+    assert run.ticks == tuple(Tick("timerCallback", n, n / 2, n / 2, 0.0) for n in range(1, 5))
+    assert (run.status, run.runtime, run.seconds, run.start) == (0, "simulated", 2.0, 0.0)
+
+
+def test_the_rate_node_counts_from_zero_on() -> None:
+    run = simulate(RATE_NODE, 2.0)
+    assert run.console == NAMESPACE + counters(0.0, 0.5, 1.0, 1.5, 2.0)
+    # The last pass sleeps on when Ctrl-C comes, and ends its sleep.
+    assert run.ticks == tuple(Tick("Rate", n, (n - 1) / 2, (n - 1) / 2, 0.0) for n in range(1, 6))
+    assert run.status == 0
+
+
+@pytest.mark.parametrize("node", [TIMER_NODE, RATE_NODE], ids=lambda path: path.stem)
+def test_the_same_run_gives_the_same_bytes(node: Path) -> None:
+    assert simulate(node, 100) == simulate(node, 100)
+
+
+def test_arguments_reach_the_node() -> None:
+    assert "namespace of node = /mrp/\n" in simulate(TIMER_NODE, 0, ["__ns:=/mrp"]).console
+
+
+# --- the end of a run -------------------------------------------------------------------------------------------------
+
+
+@pytest.mark.parametrize(("seconds", "ticks"), [(0, 0), (0.499999999, 0), (0.5, 1), (0.999999999, 1), (1, 2), (1.0, 2)])
+def test_what_falls_due_exactly_at_the_end_still_runs(seconds: float, ticks: int) -> None:
+    assert len(simulate(TIMER_NODE, seconds).ticks) == ticks
+
+
+def test_what_falls_due_at_the_end_runs_to_its_own_end() -> None:
+    def callback(event: object) -> None:
+        rospy.sleep(0.05)
+        rospy.loginfo("done")
+
+    def node() -> None:
+        rospy.init_node("node")
+        rospy.Timer(rospy.Duration(0.5), callback)
+        rospy.spin()
+
+    # Like a thread on a real ROS, while the main thread is still on its way out.
+    assert simulate(node, 0.5).console == "[INFO] [0.550000]: done\n"
+
+
+def test_no_timer_calls_back_after_ctrl_c() -> None:
+    def node() -> None:
+        rospy.init_node("node")
+        rospy.Timer(rospy.Duration(0.01), lambda event: None)
+        rospy.spin()
+
+    assert simulate(node, 1.0).ticks[-1].real == 1.0
+
+
+def test_a_node_that_ends_earlier_ends_the_run() -> None:
+    def node() -> None:
+        rospy.init_node("node")
+        rospy.Timer(rospy.Duration(1), lambda event: None)
+        rospy.sleep(3.5)
+
+    assert len(simulate(node, 1e9).ticks) == 3
+
+
+def test_a_tick_that_has_not_ended_has_no_duration() -> None:
+    def node() -> None:
+        rospy.init_node("node")
+        rospy.Timer(rospy.Duration(0.5), lambda event: rospy.sleep(100))
+        rospy.spin()
+
+    (tick,) = simulate(node, 1).ticks
+    assert math.isnan(tick.duration)
+    assert tick.lateness == 0.0
+
+
+def test_before_init_node_ctrl_c_is_python_s_own() -> None:
+    run = simulate(lambda: time.sleep(100), 1)
+    assert run.console.startswith("Traceback (most recent call last):\n")
+    assert run.console.endswith("KeyboardInterrupt\n")
+    assert run.status == 130
+
+
+def test_a_node_deaf_to_ctrl_c_is_killed() -> None:
+    def node() -> None:
+        rospy.init_node("node")
+        while True:
+            rospy.sleep(1)
+
+    run = simulate(node, 2)
+    assert run.status == 137
+    first, second = run.console.splitlines()
+    assert first == (
+        "rosspin: Ctrl-C at 2 s did not end the node; it was killed 17 s later, as roslaunch does. "
+        "Does its loop check rospy.is_shutdown()?"
+    )
+    assert re.fullmatch(r"rosspin: MainThread was at .*test_run\.py:\d+: rospy\.sleep\(1\)", second)
+
+
+@pytest.mark.parametrize(
+    ("code", "status", "console"),
+    [
+        ("", 0, ""),
+        ("raise SystemExit", 0, ""),
+        ("raise SystemExit(0)", 0, ""),
+        ("raise SystemExit(3)", 3, ""),
+        ("import sys; sys.exit('no robot')", 1, "no robot\n"),
+        ("import rospy; raise rospy.ROSInterruptException('over')", 1, None),
+    ],
+)
+def test_exit_statuses(write: Any, code: str, status: int, console: str | None) -> None:
+    run = simulate(write(code), 1)
+    assert run.status == status
+    assert console is None or run.console == console
+
+
+def test_a_run_within_a_simulated_run_is_an_error() -> None:
+    run = simulate(lambda: simulate(print, 1.0), 1.0)
+    assert run.status == 1
+    assert run.console.endswith("RuntimeError: a node cannot start a run of its own\n")
+
+
+def test_an_exception_in_main_shows_the_node_s_own_frames(write: Any) -> None:
+    path = write(
+        """
+        import rospy
+
+        def pick(robots):
+            return robots["arm"]
+
+        rospy.init_node("node")
+        rospy.on_shutdown(lambda: print("hook"))
+        pick({})
+        """
+    )
+    run = simulate(path, 1)
+    assert run.status == 1
+    lines = [line for line in run.console.splitlines() if set(line) - set(" ^~")]
+    assert lines == [
+        "Traceback (most recent call last):",
+        f'  File "{path}", line 9, in <module>',
+        "    pick({})",
+        f'  File "{path}", line 5, in pick',
+        '    return robots["arm"]',
+        "KeyError: 'arm'",
+        "hook",
+    ]
+
+
+@pytest.mark.parametrize("separator", ["\u2028", "\x0c", "\x85", "\x1c"])
+def test_a_traceback_shows_its_line_below_what_is_no_end_of_a_line(tmp_path: Path, separator: str) -> None:
+    path = tmp_path / "node.py"
+    path.write_text(f"text = 'a{separator}b'\n# {separator} #\n1 / 0\n", encoding="utf-8")
+    assert '", line 3, in <module>\n    1 / 0\n' in simulate(path, 1).console
+
+
+def test_a_syntax_warning_shows_a_line_of_its_own_text(monkeypatch: pytest.MonkeyPatch) -> None:
+    shown = []
+    monkeypatch.setattr(warnings, "showwarning", lambda _m, _c, name, line, *_: shown.append(getline(name, line)))
+    load_source("an_earlier_text = 1\n", "<node>")
+    with warnings.catch_warnings():
+        warnings.simplefilter("always")
+        load_source("print(1 is 1)\n", "<node>")
+    assert shown == ["print(1 is 1)\n"]
+
+
+# --- virtual time -----------------------------------------------------------------------------------------------------
+
+
+def test_the_time_module_is_virtual_in_a_simulated_run() -> None:
+    seen = []
+
+    def node() -> None:
+        for _ in range(2):
+            seen.append([time.time(), time.monotonic(), time.perf_counter()])
+            seen.append([time.time_ns() / 1e9, time.monotonic_ns() / 1e9, time.perf_counter_ns() / 1e9])
+            time.sleep(1.5)
+        with pytest.raises(ValueError, match="^sleep length must be non-negative$"):
+            time.sleep(-1)
+        with pytest.raises(TypeError, match="^'<' not supported between instances of 'str' and 'int'$"):
+            time.sleep("1")  # type: ignore[arg-type]
+
+    before = time.time, time.sleep, threading.Thread.start
+    assert simulate(node, 10).status == 0
+    assert seen == [[0.0] * 3] * 2 + [[1.5] * 3] * 2
+    assert (time.time, time.sleep, threading.Thread.start) == before
+    assert time.time() > 1e9
+
+
+def test_names_taken_from_the_time_module_are_virtual_too(write: Any) -> None:
+    path = write("from time import sleep, time\nsleep(2.5)\nprint(time())")
+    assert simulate(path, 10).console == "2.5\n"
+
+
+def test_other_threads_keep_the_real_time() -> None:
+    seen: list[float] = []
+
+    def node() -> None:
+        ask.set()
+        answered.wait(30)
+
+    def outside() -> None:
+        ask.wait(30)
+        seen.append(time.time())
+        answered.set()
+
+    ask, answered = threading.Event(), threading.Event()
+    thread = threading.Thread(target=outside)
+    thread.start()
+    simulate(node, 1)
+    thread.join()
+    assert seen[0] > 1e9
+
+
+# --- clean worlds -----------------------------------------------------------------------------------------------------
+
+
+def test_two_runs_do_not_see_each_other(write: Any) -> None:
+    path = write(
+        """
+        import rospy
+        print(rospy.core.is_shutdown(), rospy.get_name())
+        rospy.init_node("node")
+        print(rospy.has_param("~p"), rospy.get_time())
+        rospy.set_param("~p", 1)
+        for _ in range(2):
+            rospy.loginfo_once("once")
+            rospy.loginfo_throttle(60, "throttled")
+        rospy.on_shutdown(lambda: print("hook"))
+        rospy.Timer(rospy.Duration(1), lambda event: 1 / 0)
+        rospy.sleep(1.5)
+        """
+    )
+    first, second = simulate(path, 10), simulate(path, 10)
+    assert first == second
+    assert first.console.startswith("False /unnamed\nFalse 0.0\n")
+    assert [first.console.count(text) for text in ("]: once\n", "]: throttled\n")] == [1, 1]
+    assert "Exception in thread Thread-1:" in first.console
+    assert first.console.endswith("hook\n")
+
+
+def test_a_run_leaves_the_process_as_it_was(write: Any) -> None:
+    write("value = 1", "neighbour.py")
+    path = write("import sys, rospy, rospy.rostime, neighbour\nsys.path.append('x')\nsys.argv.append('y')\nsys.exit(5)")
+    before = sys.argv, sys.argv[:], sys.path[:], sys.stdout, sys.stderr, set(sys.modules), sys.modules["__main__"]
+    handlers = signal.getsignal(signal.SIGINT), signal.getsignal(signal.SIGTERM)
+    for run in (simulate, measure):
+        assert run(path, 1).status == 5
+        after = sys.argv, sys.argv[:], sys.path[:], sys.stdout, sys.stderr, set(sys.modules), sys.modules["__main__"]
+        assert after == before
+        assert (signal.getsignal(signal.SIGINT), signal.getsignal(signal.SIGTERM)) == handlers
+    assert "rospy" not in sys.modules or not sys.modules["rospy"].__name__.startswith("rosspin")
+
+
+def test_a_rospy_that_was_imported_before_comes_back(monkeypatch: pytest.MonkeyPatch, write: Any) -> None:
+    monkeypatch.setitem(sys.modules, "rospy", sys)  # whatever it was
+    assert simulate(write("import rospy; print(rospy.__name__)"), 1).console == "rosspin.rospy\n"
+    assert sys.modules["rospy"] is sys
+
+
+def test_a_neighbour_of_the_node_is_imported_anew(write: Any) -> None:
+    node = write("import neighbour\nneighbour.values.append(1)\nprint(neighbour.values)")
+    write("values = []", "neighbour.py")
+    assert simulate(node, 1).console == simulate(node, 1).console == "[1]\n"
+    os.unlink(node.parent / "neighbour.py")
+    (node.parent / "neighbour").mkdir()
+    write("values = [0]", "neighbour/__init__.py")
+    assert simulate(node, 1).console == simulate(node, 1).console == "[0, 1]\n"
+
+
+def test_a_file_is_main(write: Any) -> None:
+    path = write("import __main__, sys\nx = 1\nprint(__name__, __file__ == sys.argv[0], __main__.x, sys.argv[1:])")
+    assert simulate(path, 1, ["a", "_b:=c"]).console == "__main__ True 1 ['a', '_b:=c']\n"
+
+
+def test_a_function_is_a_node_too() -> None:
+    def my_node() -> None:
+        import rospy  # type: ignore[import-not-found]
+
+        assert rospy is rosspin.rospy
+        assert sys.argv == ["my_node", "__ns:=/mrp"]
+        rospy.init_node("node")
+        print(rospy.get_name())
+
+    assert simulate(my_node, 1, ["__ns:=/mrp"]).console == "/mrp/node\n"
+
+
+def test_outside_of_a_run_there_is_no_node() -> None:
+    for ask in (rospy.Time.now, rospy.get_name, rospy.is_shutdown):
+        with pytest.raises(RuntimeError, match="^no node runs here: "):
+            ask()
+
+
+# --- what is no run ---------------------------------------------------------------------------------------------------
+
+
+@pytest.mark.parametrize("run", [simulate, measure])
+@pytest.mark.parametrize("seconds", [-1, -0.001, math.nan, math.inf, "2", None])
+def test_bad_seconds(run: Any, seconds: Any) -> None:
+    with pytest.raises(ValueError, match="^seconds must be a number of at least 0, not "):
+        run(lambda: None, seconds)
+
+
+@pytest.mark.parametrize("run", [simulate, measure])
+def test_bad_files(run: Any, write: Any) -> None:
+    with pytest.raises(FileNotFoundError):
+        run("no/such/file.py", 1)
+    with pytest.raises(IsADirectoryError):
+        run(Path(__file__).parent, 1)
+    with pytest.raises(SyntaxError):
+        run(write("def ("), 1)
+    with pytest.raises(SyntaxError, match="null bytes"):
+        run(write("x = 1\0"), 1)
+
+
+def test_a_module_of_ros_is_not_simulated(write: Any) -> None:
+    for module in ("std_srvs.srv", "tf2_ros", "my_robot_msgs.msg"):
+        package = module.partition(".")[0]
+        with pytest.raises(NotSimulated, match=rf"^{package}(\.msg)? is not simulated; run this node on a real ROS$"):
+            simulate(write(f"import {module}"), 1)
+    assert simulate(write("import no_such_module"), 1).status == 1
+
+
+def test_a_service_is_not_simulated_wherever_it_is_met() -> None:
+    def in_a_callback() -> None:
+        rospy.init_node("node")
+        rospy.Timer(rospy.Duration(1), lambda event: rospy.Service)
+        rospy.spin()
+
+    for node in (lambda: rospy.Service, in_a_callback):
+        with pytest.raises(NotSimulated, match=r"^rospy\.Service is not simulated; run this node on a real ROS$"):
+            simulate(node, 10)
+
+
+def test_a_loop_that_sleeps_no_time_is_found_with_its_line(write: Any) -> None:
+    path = write("import rospy\nrospy.init_node('n')\nwhile True: rospy.sleep(0)\n")
+    with pytest.raises(TimeStandsStill, match=r"node\.py:3: simulated time stands still at 0\.0 s"):
+        simulate(path, 10)
+
+
+def test_a_timer_without_a_period_is_found_with_its_line(write: Any) -> None:
+    path = write("import rospy\nrospy.init_node('n')\nrospy.Timer(rospy.Duration(-1), print)\nrospy.spin()\n")
+    with pytest.raises(TimeStandsStill, match=r"node\.py:3: simulated time stands still"):
+        simulate(path, 10)
+
+
+def test_a_busy_callback_is_found_in_the_end(write: Any) -> None:
+    path = write(
+        """
+        import rospy
+
+        def callback(event):
+            try:
+                while True: pass
+            except Exception:
+                pass
+
+        rospy.init_node("node")
+        rospy.Timer(rospy.Duration(0.5), callback)
+        rospy.spin()
+        """
+    )
+    with pytest.raises(TimeStandsStill, match=r"node\.py:6: simulated time stands still at 0\.5 s"):
+        simulate(path, 10)
+
+
+def test_after_an_error_the_next_run_is_as_ever() -> None:
+    with pytest.raises(NotSimulated):
+        simulate(lambda: rospy.Service, 1)
+    assert simulate(TIMER_NODE, 2).console == NAMESPACE + counters(0.5, 1.0, 1.5, 2.0)
+
+
+def test_ticks_are_recorded_only_if_asked_for() -> None:
+    assert run_node(load(lambda: None), 1, (), Simulation(), record=False).ticks == ()
+
+
+def test_randomness_is_the_node_s_own_affair() -> None:
+    """A seeded node gives the same run every time, on any number of timers."""
+
+    def node() -> None:
+        numbers = random.Random(1)
+        rospy.init_node("node")
+        for _ in range(20):
+            rospy.Timer(rospy.Duration(numbers.uniform(0.05, 0.5)), lambda event: rospy.sleep(numbers.uniform(0, 1)))
+        rospy.spin()
+
+    assert simulate(node, 5) == simulate(node, 5)
+
+
+# --- the wall clock: counts and patterns, no timings ------------------------------------------------------------------
+
+
+def test_measure_runs_timers_for_real() -> None:
+    calls: list[float] = []
+
+    def callback(event: Any) -> None:
+        calls.append(event.current_real.to_sec())
+        rospy.loginfo("tick")
+        if len(calls) == 5:
+            rospy.signal_shutdown("enough")
+
+    def node() -> None:
+        rospy.init_node("node")
+        rospy.Timer(rospy.Duration(0.02), callback)
+        rospy.spin()
+
+    before = time.time()
+    run = measure(node, 60)
+    assert (run.status, run.runtime, run.seconds) == (0, "wall", 60)
+    assert before <= run.start <= calls[0]
+    assert [tick.number for tick in run.ticks] == [1, 2, 3, 4, 5]
+    assert [tick.real for tick in run.ticks] == pytest.approx([call - run.start for call in calls], abs=1e-6)
+    assert run.console.count("]: tick\n") == 5
+
+
+def test_measure_runs_a_rate_loop_until_ctrl_c() -> None:
+    def node() -> None:
+        rospy.init_node("node")
+        rate = rospy.Rate(50)
+        while not rospy.is_shutdown():
+            rate.sleep()
+        print("left")
+
+    run = measure(node, 0.5)
+    assert (run.status, run.console) == (0, "left\n")
+    assert run.ticks[0].expected == run.ticks[0].real
+    assert run.ticks[0].source == "Rate"
+
+
+def test_on_the_wall_a_slow_callback_is_followed_by_the_same_pattern() -> None:
+    """As simulated: periods apart enough that no busy machine confuses them."""
+    calls: list[float] = []
+
+    def callback(event: Any) -> None:
+        calls.append(event.current_real.to_sec())
+        if len(calls) == 2:
+            rospy.sleep(0.8)
+
+    def node() -> None:
+        rospy.init_node("node")
+        rospy.Timer(rospy.Duration(0.2), callback)
+        while len(calls) < 4:
+            rospy.sleep(0.01)
+
+    measure(node, 60)
+    # More than three periods: the next call comes at once, but the one after it a whole period later.
+    blocked_until = calls[1] + 0.8
+    assert calls[2] >= blocked_until - 0.001
+    assert calls[3] >= blocked_until + 0.2 - 0.001
+
+
+def test_measure_needs_the_main_thread() -> None:
+    errors = []
+
+    def elsewhere() -> None:
+        with pytest.raises(RuntimeError, match="only in the main thread"):
+            measure(lambda: None, 1)
+        errors.append(simulate(TIMER_NODE, 2).status)  # simulated time does not mind
+
+    thread = threading.Thread(target=elsewhere)
+    thread.start()
+    thread.join()
+    assert errors == [0]
+
+
+def test_the_threads_of_a_wall_run_do_not_outlive_it() -> None:
+    calls: list[int] = []
+
+    def node() -> None:
+        rospy.init_node("node")
+        rospy.Timer(rospy.Duration(0.01), lambda event: calls.append(1))
+        rospy.sleep(0.1)
+
+    before = threading.enumerate()
+    measure(node, 60)
+    seen = len(calls)
+    for thread in set(threading.enumerate()) - set(before):
+        thread.join(60)
+        assert not thread.is_alive()
+    assert len(calls) <= seen + 1
+
+
+def test_what_a_node_sets_in_the_environment_ends_with_its_run() -> None:
+    def node() -> None:
+        os.environ["ROSCONSOLE_FORMAT"] = "${message}"
+
+    simulate(node, 1)
+    assert "ROSCONSOLE_FORMAT" not in os.environ
+
+
+def test_runs_in_several_threads_take_turns() -> None:
+    def node(word: str) -> Callable[[], None]:
+        def main() -> None:
+            for _ in range(200):
+                print(word)
+
+        return main
+
+    consoles: dict[str, str] = {}
+    words = ["a", "b", "c"]
+    threads = [
+        threading.Thread(target=lambda word=word: consoles.update({word: simulate(node(word), 1).console}))
+        for word in words
+    ]
+    for thread in threads:
+        thread.start()
+    for thread in threads:
+        thread.join()
+    assert consoles == {word: f"{word}\n" * 200 for word in words}
+
+
+@pytest.mark.parametrize("run", [simulate, measure, lambda node, _, args: start(node, args)])
+def test_a_command_line_is_in_words(run: Any) -> None:
+    with pytest.raises(TypeError, match=r"args is a list of words, not a text: \['a:=b', 'c'\], not 'a:=b c'"):
+        run(print, 0, "a:=b c")
+
+
+@pytest.mark.parametrize("run", [simulate, measure, lambda node, _: start(node)])
+def test_what_is_no_node(run: Any) -> None:
+    with pytest.raises(TypeError, match="^a node is the path of a file, or a function, not 3$"):
+        run(3, 0)
+
+
+def test_a_launch_file_of_ros_2() -> None:
+    with pytest.raises(ValueError, match="my.launch.py: rosspin runs launch files of ROS 1"):
+        simulate("my.launch.py", 1)
+
+
+def test_a_node_may_import_its_own_package(write: Any, tmp_path: Path) -> None:
+    """As after a build: that of the folder in which it is."""
+    (tmp_path / "pkg").mkdir()
+    write("", "pkg/__init__.py")
+    write("value = 1", "pkg/helper.py")
+    path = write("from pkg.helper import value\nprint(value)", "pkg/node.py")
+    for value in (1, 2):
+        write(f"value = {value}", "pkg/helper.py")
+        os.utime(path.parent / "helper.py", (value, value))
+        assert simulate(path, 1).console == f"{value}\n"
+
+
+# --- what only a real ROS, or another clock, has ----------------------------------------------------------------------
+
+PROCESSES = {
+    "multiprocessing.Process": "multiprocessing.get_context(METHOD).Process(target=print).start()",
+    "multiprocessing.Pool": "multiprocessing.get_context(METHOD).Pool(2)",
+    "multiprocessing.Manager": "multiprocessing.get_context(METHOD).Manager()",
+    "ProcessPoolExecutor": "futures.ProcessPoolExecutor(2, multiprocessing.get_context(METHOD)).submit(pow, 2, 3)",
+}
+
+
+@pytest.mark.parametrize("name", PROCESSES)
+@pytest.mark.parametrize("method", ["fork", "spawn", "forkserver"])
+@pytest.mark.parametrize("where", ["main", "thread"])
+def test_a_process_of_a_node_in_simulated_time_is_named(write: Any, name: str, method: str, where: str) -> None:
+    starts = PROCESSES[name].replace("METHOD", repr(method))
+    node = write(
+        f"""
+        import concurrent.futures as futures, multiprocessing, rospy, threading
+        rospy.init_node("node")
+        def work():
+            {starts}
+        {"work()" if where == "main" else "threading.Thread(target=work).start()"}
+        rospy.spin()
+        """
+    )
+    with pytest.raises(NotSimulated) as caught:
+        simulate(node, 5)
+    on = "the wall clock or on a real ROS" if method == "fork" else "a real ROS"
+    assert say_error(caught.value) == f"{node}:5: {name} ({method}) is not simulated; run this node on {on}"
+    assert pickle.loads(pickle.dumps(caught.value)).args == caught.value.args
+
+
+def test_on_the_wall_a_process_can_be_forked_but_not_made_anew(write: Any) -> None:
+    text = "import multiprocessing\nmultiprocessing.get_context({!r}).Process(target=print, args=['hi']).start()\n"
+    assert measure(write(text.format("fork")), 60).console == "hi\n"
+    with pytest.raises(
+        NotSimulated, match=r"multiprocessing.Process \(spawn\) is not simulated; run this node on a re"
+    ):
+        measure(write(text.format("spawn")), 60)
+
+
+ONE = "import rospy, threading\nfrom std_msgs.msg import UInt32\nrospy.init_node('node')\n"
+TWO = "import rclpy, threading\nrclpy.init()\nnode = rclpy.create_node('node')\n"
+TWO += "from std_msgs.msg import UInt32\n"
+CALLBACK = "def callback(*args):\n    import tf2_ros\n"
+PUBLISHES = "publisher = rospy.Publisher('a', UInt32, queue_size=1)\nfor _ in range(9):\n"
+PUBLISHES += "    publisher.publish(1)\n    rospy.sleep(0.1)\n"
+IN_A_THREAD = "threading.Thread(target=callback).start()\n"
+
+
+@pytest.mark.parametrize(
+    "calls",
+    [
+        (ONE, "rospy.Timer(rospy.Duration(0.1), callback)\nrospy.spin()\n"),
+        (ONE, f"rospy.Subscriber('a', UInt32, callback)\n{PUBLISHES}"),
+        (ONE, f"{IN_A_THREAD}rospy.spin()\n"),
+        (TWO, "node.create_timer(0.1, callback)\nrclpy.spin(node)\n"),
+        (TWO, f"{IN_A_THREAD}rclpy.spin(node)\n"),
+        (
+            TWO,
+            "node.create_subscription(UInt32, 'a', callback, 1)\npublisher = node.create_publisher(UInt32, 'a', 1)\n"
+            "node.create_timer(0.1, lambda: publisher.publish(UInt32()))\nrclpy.spin(node)\n",
+        ),
+    ],
+    ids=["timer", "subscriber", "thread", "timer 2", "thread 2", "subscriber 2"],
+)
+@pytest.mark.parametrize("how", [simulate, measure])
+def test_a_package_of_ros_that_is_imported_late_is_named(write: Any, calls: tuple[str, str], how: Any) -> None:
+    node = write(calls[0] + CALLBACK + calls[1])
+    with pytest.raises(NotSimulated, match=r"tf2_ros is not simulated; run this node on a real ROS") as caught:
+        how(node, 2)
+    if how is simulate:
+        assert say_error(caught.value).startswith(f"{node}:{len(calls[0].splitlines()) + 2}: tf2_ros")
+
+
+def test_a_node_can_do_without_a_package_of_ros(write: Any) -> None:
+    node = write("import rospy\ntry:\n    import tf2_ros\nexcept ImportError:\n    print('without')\n")
+    assert simulate(node, 1).console == "without\n"
+
+
+# --- what a node does to its surroundings -----------------------------------------------------------------------------
+
+
+@pytest.mark.parametrize("how", [simulate, measure])
+def test_an_error_is_told_where_stderr_is_gone(write: Any, how: Any) -> None:
+    node = write(
+        """
+        import sys, threading
+        def fail():
+            raise RuntimeError("boom")
+        sys.stderr = None
+        thread = threading.Thread(target=fail, name="worker")
+        thread.start()
+        thread.join()
+        fail()
+        """
+    )
+    run = how(node, 60)
+    assert run.status == 1
+    assert run.console.count("rosspin: sys.stderr is None, and Python would show nothing of this:\n") == 2
+    assert run.console.count("RuntimeError: boom\n") == 2
+    assert "Exception in thread worker:\n" in run.console
+    assert sys.stderr is not None
+
+
+@pytest.mark.parametrize("how", [simulate, measure])
+def test_a_node_may_remove_the_folder_that_it_is_in(how: Any) -> None:
+    def node() -> None:
+        folder = tempfile.mkdtemp()
+        os.chdir(folder)
+        os.rmdir(folder)
+        print("gone")
+
+    before = os.getcwd()
+    assert (how(node, 60).console, os.getcwd()) == ("gone\n", before)
+
+
+def test_a_run_can_begin_in_a_folder_that_was_removed(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
+    folder = tmp_path / "folder"
+    folder.mkdir()
+    monkeypatch.chdir(folder)
+    folder.rmdir()
+    assert simulate(lambda: print("here"), 1).console == "here\n"
+
+
+def test_a_null_byte_is_shown_in_its_file_and_line(write: Any) -> None:
+    write("x = 1\n\n\0", "neighbour.py")
+    with pytest.raises(SyntaxError) as caught:
+        simulate(write("import neighbour\n"), 1)
+    assert say_error(caught.value).startswith(f'File "{write("", "node.py").parent}/neighbour.py", line 3\n')
+
+
+def test_a_signal_cannot_be_blocked_in_simulated_time() -> None:
+    run = simulate(lambda: signal.pthread_sigmask(signal.SIG_BLOCK, {signal.SIGINT}), 1)
+    assert "signal.pthread_sigmask is not simulated; run this node on the wall clock\n" in run.console
+    assert signal.SIGINT not in signal.pthread_sigmask(signal.SIG_BLOCK, ())
+
+
+def test_the_time_since_logging_began_is_simulated() -> None:
+    def node() -> None:
+        logging.basicConfig(format="%(relativeCreated)d %(message)s", stream=sys.stdout, force=True)
+        time.sleep(2.5)
+        logging.warning("text")
+
+    assert simulate(node, 5).console == "2500 text\n"
+    record = logging.LogRecord("name", 0, "", 0, "", None, None)
+    assert 0 < record.relativeCreated < 1e9
+
+
+# --- files in the way -------------------------------------------------------------------------------------------------
+
+
+@pytest.mark.parametrize(
+    ("file", "whose"),
+    [
+        ("random.py", "Python's module random"),
+        ("queue.py", "Python's module queue"),
+        ("copy/__init__.py", "Python's module copy"),
+        ("rospy.py", "ROS 1's module rospy"),
+        ("std_msgs/__init__.py", "ROS 1's module std_msgs"),
+        ("sensor_msgs.py", "ROS 1's module sensor_msgs"),
+    ],
+)
+@pytest.mark.parametrize("how", [simulate, measure])
+def test_a_file_in_the_way_of_a_module_is_named(write: Any, tmp_path: Path, file: str, whose: str, how: Any) -> None:
+    (tmp_path / file).parent.mkdir(exist_ok=True)
+    write("", file)
+    text = "import rospy, std_msgs.msg, sensor_msgs.msg, random, queue, copy\nprint(random.Random, copy.copy)\n"
+    console = how(write(text), 60).console
+    said = f" is in the way of {whose}: on a real ROS whatever imports {whose.split()[-1]} is given this file\n"
+    assert console.startswith("rosspin: ") and console.partition("\n")[0].endswith(f"{file}{said.rstrip()}")
+    assert console.endswith("<class 'random.Random'> <function copy at " + console.rpartition("copy at ")[2])
+
+
+def test_a_node_may_itself_be_in_the_way(write: Any) -> None:
+    node = write("import rclpy\n", "rclpy.py")
+    assert "rclpy.py is in the way of ROS 2's module rclpy" in simulate(node, 1).console
+    assert "rclpy.py is in the way of ROS 2's module rclpy" not in simulate(write("print(1)\n"), 1).console
+
+
+def test_what_cannot_be_in_the_way_is_passed_over(write: Any) -> None:
+    for name in ("sys.py", "os.py", "rclpy.py", "geometry_msgs.py", "helper.py", "not-a-name.py"):
+        write("", name)
+    assert simulate(write("import rospy, helper\n"), 1).console == ""

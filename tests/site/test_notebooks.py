@@ -1,0 +1,107 @@
+"""What is tracked and could go stale: the nodes in the notebooks, their frame of text, and the README's picture."""
+
+from __future__ import annotations
+
+import gzip
+import io
+import json
+import re
+from contextlib import redirect_stdout
+from pathlib import Path
+
+import jupytext
+import pytest
+from bs4 import BeautifulSoup
+from notebook_nodes import NODES
+from tree import ROOT
+
+from rosspin.__main__ import main
+
+NOTEBOOKS = sorted(path.stem for path in (ROOT / "notebooks").glob("*.md"))
+PATH = {"timer": "rate", "rate": "drift", "drift": "slow-callback", "slow-callback": "two-languages"}
+PATH |= {"two-languages": "publish", "publish": "exercises"}
+PATH |= {"ros2-timer": "ros2-rate", "ros2-rate": "ros2-executors", "ros2-executors": "ros2-exercises"}
+
+
+def cells(name: str, kind: str) -> list[str]:
+    notebook = jupytext.read(ROOT / "notebooks" / f"{name}.md")
+    return [cell.source for cell in notebook.cells if cell.cell_type == kind]
+
+
+@pytest.mark.parametrize("name", NODES)
+def test_the_node_is_the_tutorials(name: str) -> None:
+    node = (ROOT / "examples" / NODES[name]).read_text(encoding="utf-8")
+    first = next(cell for cell in cells(name, "code") if cell.startswith("%%simulate"))
+    assert first.partition("\n")[2].strip() == node.strip()
+
+
+@pytest.mark.parametrize("name", [*NODES, "ros2-executors"])
+def test_each_node_can_be_run_in_the_page(name: str) -> None:
+    notebook = jupytext.read(ROOT / "notebooks" / f"{name}.md")
+    nodes = [cell for cell in notebook.cells if cell.cell_type == "code" and cell.source.startswith("%%simulate")]
+    assert not [cell.source for cell in nodes if "live" not in cell.metadata.get("tags", [])]
+
+
+@pytest.mark.parametrize("name", NOTEBOOKS)
+def test_it_begins_with_what_it_is_for_and_ends_with_where_next(name: str) -> None:
+    texts = cells(name, "markdown")
+    for promise in ("What you will do", "What you will learn", "What you need", "Time"):
+        assert f"**{promise}**" in texts[0]
+    assert re.search(r"\d+ (to \d+ )?minutes", texts[0])
+    assert texts[-1].startswith("## Where next") or "\n## Where next\n" in texts[-1]
+
+
+@pytest.mark.parametrize(("name", "following"), PATH.items())
+def test_the_beginning_and_the_end_name_the_notebook_that_comes_next(name: str, following: str) -> None:
+    texts = cells(name, "markdown")
+    assert f"]({following}.md)" in texts[0].partition("**Next**: ")[2].partition("\n\n")[0]
+    assert f"]({following}.md)" in texts[-1].partition("## Where next")[2]
+
+
+@pytest.mark.parametrize("name", NOTEBOOKS)
+def test_no_role_stands_as_source_in_jupyterlab(name: str) -> None:
+    """Sphinx would turn ``{term}`jitter``` into a link, JupyterLab shows it as it is."""
+    assert not re.findall(r"\{[\w:-]+\}`", "\n".join(cells(name, "markdown")))
+
+
+@pytest.mark.parametrize("name", NOTEBOOKS)
+def test_links_lead_to_files_that_jupyterlab_can_open(name: str) -> None:
+    links = re.findall(r"\]\(([^)#]*)[^)]*\)", "\n".join(cells(name, "markdown")))
+    assert links
+    assert not [link for link in links if not (ROOT / "notebooks" / link).is_file()]
+
+
+@pytest.mark.parametrize("name", NOTEBOOKS)
+def test_the_page_offers_the_notebook_with_its_outputs(site: Path, name: str) -> None:
+    page = (site / "notebooks" / f"{name}.html").read_text(encoding="utf-8")
+    [link] = re.findall(r'<a class="reference download internal" download="" href="([^"]*)"', page)
+    notebook = json.loads((site / "notebooks" / link).read_text(encoding="utf-8"))
+    assert any(cell.get("outputs") for cell in notebook["cells"])
+
+
+@pytest.mark.parametrize("name", NOTEBOOKS)
+def test_its_plots_are_matplotlibs_and_on_the_page_as_svg(site: Path, name: str) -> None:
+    """What nothing else can do with them is shown once: limits, a second panel, two runs in one figure, a PDF."""
+    code = "\n".join(cells(name, "code"))
+    page = BeautifulSoup((site / "notebooks" / f"{name}.html").read_text(encoding="utf-8"), "html.parser")
+    assert not page.select(".cell_output img")
+    if "plots." in code:
+        assert re.search(r"set_xlim|pyplot\.subplots\(2|plots\.compare|axvline", code)
+        outputs = page.select(".cell_output figure.rosspin-plot")
+        figures = re.findall(r"^(?:ax = )?plots\.(?!.*ax=)|pyplot\.subplots", code, re.MULTILINE)
+        assert len(outputs) >= len(figures) > 0
+        for plot in outputs:
+            wide, narrow = plot.select(":scope > svg")
+            assert wide["aria-label"] == narrow["aria-label"] and len(wide["aria-label"]) > 40
+            assert len(gzip.compress(str(plot).encode())) < (30_000 if plot.has_attr("data-positions") else 12_000)
+
+
+def test_the_readmes_picture_is_what_its_command_draws(tmp_path: Path) -> None:
+    picture = tmp_path / "timing.svg"
+    node = ROOT / "examples/my_robotics_pkg/src/spinner_py_node.py"
+    with redirect_stdout(io.StringIO()):
+        assert main(["run", str(node), "--simulated", "--seconds", "5", "--plot", str(picture)]) == 0
+    drawn = picture.read_text(encoding="utf-8")
+    assert drawn == (ROOT / "docs/timing.svg").read_text(encoding="utf-8")
+    label = re.search(r'aria-label="([^"]*)"', drawn)
+    assert label and f"![{label[1]}](docs/timing.svg)" in (ROOT / "README.md").read_text(encoding="utf-8")

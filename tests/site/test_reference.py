@@ -1,0 +1,156 @@
+"""The reference: what it lists is what there is."""
+
+from __future__ import annotations
+
+import inspect
+import json
+import re
+import socket
+import subprocess
+import sys
+from collections.abc import Callable
+from pathlib import Path
+
+import pytest
+from bs4 import BeautifulSoup
+from tree import ROOT
+
+import rosspin
+from rosspin import console, exercises, machine, measures, plots, rclpy, ros2, roscpp, rospy
+
+PAGES = [ROOT / "index.rst", *sorted(ROOT.glob("docs/**/*.rst")), *sorted(ROOT.glob("notebooks/*.md"))]
+
+
+def _page(site: Path, name: str) -> BeautifulSoup:
+    return BeautifulSoup((site / f"docs/{name}.html").read_text(encoding="utf-8"), "html.parser")
+
+
+def test_every_name_of_the_package_is_documented(site: Path) -> None:
+    documented = {tag["id"] for tag in _page(site, "reference/api").select("dt[id]")}
+    public = {f"rosspin.{name}" for name in rosspin.__all__}
+    for module in (console, measures, plots, roscpp, exercises):
+        public |= {f"{module.__name__}.{name}" for name in module.__all__}
+    assert public <= documented
+
+
+@pytest.mark.parametrize("arguments", [[], ["run"], ["doctor"]])
+def test_the_command_line_is_the_one_on_the_page(
+    site: Path, monkeypatch: pytest.MonkeyPatch, arguments: list[str]
+) -> None:
+    monkeypatch.setenv("COLUMNS", "72")
+    command = [sys.executable, "-m", "rosspin", *arguments, "--help"]
+    said = subprocess.run(command, check=True, capture_output=True, text=True).stdout
+    assert said.strip() in [tag.get_text().strip() for tag in _page(site, "reference/command-line").select("pre")]
+
+
+def test_every_name_of_the_stand_in_is_listed_once(site: Path) -> None:
+    page = _page(site, "reference/rospy-names")
+    tables = (page.select_one(f"#{name} > table, #{name} > div table") for name in ("supported", "supported-in-part"))
+    has, part = ([code.get_text() for code in table.select("td:first-child code")] for table in tables if table)
+    lacks = [code.get_text() for code in page.select("#not-supported > p:nth-of-type(2) code")]
+    assert sorted(has + part) == sorted(rospy.__all__)
+    assert set(part) == rospy.IN_PART.keys()
+    assert set(lacks) == rospy.NOT_SIMULATED
+    assert all(row.get_text().strip() for row in page.select("td:last-child"))
+
+
+def test_every_name_of_the_real_rospy_is_known(require: Callable[[str], None]) -> None:
+    require("ros1")
+    code = "import json, rospy; print(json.dumps([n for n in dir(rospy) if n[0] != '_']))"
+    real = json.loads(subprocess.run(["/usr/bin/python3", "-c", code], check=True, capture_output=True).stdout)
+    unknown = [name for name in real if name not in rospy.NOT_SIMULATED and not hasattr(rospy, name)]
+    assert unknown == []
+    assert rospy.NOT_SIMULATED - set(real) <= {"numpy_msg"}  # a module that is imported by itself
+
+
+def _names_of_rclpy(site: Path) -> dict[str, list[str]]:
+    """By module, those that the page lists."""
+    rows = _page(site, "reference/rclpy-names").select("#supported tbody tr")
+    cells = [[[code.get_text() for code in cell.select("code")] for cell in row.select("td")] for row in rows]
+    return {module: names for [module], names in cells}
+
+
+def test_every_name_of_the_stand_in_for_rclpy_is_listed_once(site: Path) -> None:
+    page, found = _page(site, "reference/rclpy-names"), _names_of_rclpy(site)
+    assert found.keys() == rclpy.MODULES.keys()
+    assert all(found.values())
+    assert {name for names in found.values() for name in names} == {
+        name for file in rclpy.MODULES.values() for name in file.__all__
+    }
+    part = [code.get_text() for code in page.select("#supported-in-part td:first-child code")]
+    assert sorted(part) == sorted(rclpy.IN_PART)
+    lacks = [code.get_text() for code in page.select("#not-supported > p:nth-of-type(2) code")]
+    missing = {f"rclpy.{name}" for name in rclpy.NOT_SIMULATED}
+    assert sorted(lacks) == sorted(missing | {f"Node.{name}" for name in rclpy.node.NOT_SIMULATED})
+
+
+@pytest.fixture(scope="module")
+def real_rclpy(require: Callable[[str], None]) -> dict[str, list[str]]:
+    """The public names of the modules that the stand-in has, of the package itself, and of a Node."""
+    require("ros2")
+    code = (
+        "import importlib, json, pkgutil, sys\n"
+        "names = {name: dir(importlib.import_module(name)) for name in sys.argv[1:]}\n"
+        "import rclpy, rclpy.node\n"
+        "names[''] = [module.name for module in pkgutil.iter_modules(rclpy.__path__)]\n"
+        "names['Node'] = dir(rclpy.node.Node)\n"
+        "print(json.dumps({key: [n for n in found if n[0] != '_'] for key, found in names.items()}))\n"
+    )
+    with ros2.Nodes() as nodes:
+        real: dict[str, list[str]] = json.loads(nodes.run([ros2.python(), "-c", code, *rclpy.MODULES], 60).console)
+    return real
+
+
+def test_the_real_rclpy_has_the_names_that_are_listed(site: Path, real_rclpy: dict[str, list[str]]) -> None:
+    listed = {(module, name) for module, names in _names_of_rclpy(site).items() for name in names}
+    lacking = {(module, name) for module, name in listed if name not in real_rclpy[module]}
+    assert lacking == {("rclpy.timer", "TimerInfo")}  # which Kilted has
+
+
+def test_every_module_of_the_real_rclpy_and_every_name_of_its_node_is_known(
+    real_rclpy: dict[str, list[str]],
+) -> None:
+    ours = {name.split(".")[1] for name in rclpy.MODULES if "." in name}
+    assert set(real_rclpy[""]) - ours - rclpy.NOT_SIMULATED == set()
+    assert rclpy.NOT_SIMULATED <= set(real_rclpy[""])
+    unknown = [name for name in real_rclpy["Node"] if not hasattr(rclpy.node.Node, name)]
+    assert set(unknown) == rclpy.node.NOT_SIMULATED
+
+
+def test_docstrings_say_something() -> None:
+    for name in sorted(set(rospy.__all__)):
+        value = getattr(rospy, name)
+        assert isinstance(value, int) or inspect.getdoc(value), name
+
+
+def test_status_page(site: Path) -> None:
+    text = _page(site, "status").get_text()
+    for notebook in ROOT.glob("notebooks/*.md"):
+        assert f"notebooks/{notebook.stem}" in text
+    for name, value in machine.describe(["rosspin", "sphinx"]).items():
+        assert name in text
+        assert value in text
+    assert "❌" not in text
+
+
+def test_the_machine_is_not_named() -> None:
+    assert socket.gethostname() not in " ".join(machine.describe().values()).split()
+
+
+def test_a_package_that_is_not_installed_is_left_out() -> None:
+    assert "no-such-package" not in machine.describe(["no-such-package"])
+
+
+@pytest.mark.parametrize("page", PAGES[1:], ids=lambda page: page.stem)
+def test_each_page_says_where_to_go_next(page: Path) -> None:
+    text = page.read_text(encoding="utf-8")
+    _, _, rest = text.partition("Where next\n")
+    assert re.search(r"\]\([^)]+\.(md|rst)\)" if page.suffix == ".md" else r":(doc|ref):`", rest)
+
+
+def test_glossary_words_are_linked_to(site: Path) -> None:
+    words = [tag["id"] for tag in _page(site, "glossary").select("dt[id^=term-]")]
+    pages = [path.read_text(encoding="utf-8") for path in site.rglob("*.html") if path.name != "glossary.html"]
+    linked = {word for word in words if any(f"glossary.html#{word}" in page for page in pages)}
+    assert {"term-tick", "term-period", "term-lateness", "term-jitter", "term-drift", "term-overrun"} <= linked
+    assert len(words) == 26

@@ -1,0 +1,391 @@
+"""The built site keeps what it promises: read from its files, without a browser."""
+
+from __future__ import annotations
+
+import json
+import pickle
+import re
+import shlex
+import subprocess
+import sys
+import tomllib
+from collections.abc import Callable, Iterator
+from pathlib import Path
+from urllib.parse import unquote, urlsplit
+
+import pytest
+import yaml
+from bs4 import BeautifulSoup, Tag
+from docutils import nodes
+from outcomes import until_lucky
+from tree import DOCTREES, ROOT, SITE
+
+NOTEBOOKS = sorted(path.stem for path in (ROOT / "notebooks").glob("*.md"))
+SOURCES = [
+    path.relative_to(ROOT).with_suffix("").as_posix()
+    for path in [ROOT / "index.rst", *sorted(ROOT.glob("docs/**/*.rst")), *sorted(ROOT.glob("notebooks/*.md"))]
+]
+
+# What a browser loads by itself, as (selector, attribute).
+LOADED = [
+    *((tag, "src") for tag in ("script", "img", "iframe", "audio", "video", "source", "embed", "input")),
+    *((f"link[rel~={rel}]", "href") for rel in ("stylesheet", "icon", "manifest", "preload", "modulepreload")),
+    *((f"link[rel~={rel}]", "href") for rel in ("prefetch", "preconnect", "dns-prefetch")),
+    *((tag, "srcset") for tag in ("img", "source")),
+    *((tag, attribute) for tag in ("image", "use") for attribute in ("href", "xlink:href")),
+    ("object", "data"),
+    ("video", "poster"),
+]
+FOREIGN = re.compile(r"\s*(?:[a-z]+:)?//", re.IGNORECASE)
+FOREIGN_IN_CSS = re.compile(r"""(?:url\(\s*|@import\s+)["']?(?:[a-z]+:)?//[^)"';]*""", re.IGNORECASE)
+FOREIGN_IN_JS = re.compile(
+    r"""(?:\bimport\b\s*\(?|\bfrom\b|\bfetch\s*\(|\bimportScripts\s*\(|\bnew\s+(?:Worker|WebSocket|EventSource)\s*\("""
+    r"""|\.open\s*\(\s*["'][A-Z]+["']\s*,|\.(?:src|href)\s*=)\s*["'`](?:[a-z]+:)?//[^"'`]*""",
+    re.IGNORECASE,
+)
+
+
+@pytest.fixture(scope="session")
+def pages(site: Path) -> dict[Path, BeautifulSoup]:
+    """Every built page, parsed, by its path."""
+    files = [path for path in sorted(site.rglob("*.html")) if "_static" not in path.parts]
+    return {path: BeautifulSoup(path.read_text(encoding="utf-8"), "html.parser") for path in files}
+
+
+def _page(name: str) -> BeautifulSoup:
+    return BeautifulSoup((SITE / f"{name}.html").read_text(encoding="utf-8"), "html.parser")
+
+
+@pytest.mark.parametrize("name", sorted({"index", "docs/tutorial", "notebooks/timer", "notebooks/rate", *SOURCES}))
+def test_page_is_built(site: Path, name: str) -> None:
+    assert (site / f"{name}.html").is_file()
+
+
+def test_links_lead_somewhere(pages: dict[Path, BeautifulSoup]) -> None:
+    anchors = {
+        path: {str(tag[name]) for name in ("id", "name") for tag in page.select(f"[{name}]")}
+        for path, page in pages.items()
+    }
+    broken = []
+    for path, page in pages.items():
+        for tag in page.select("[href], [src]"):
+            target = str(tag.get("href") or tag.get("src"))
+            url = urlsplit(target)
+            if url.scheme or url.netloc or target == "#":  # "#" is a button of the theme
+                continue
+            # Those of the page for wrong addresses begin at the site's root.
+            below = SITE / url.path.lstrip("/") if path.name == "404.html" else path.parent / unquote(url.path)
+            file = below.resolve() if url.path else path
+            found = file.is_file() and (not url.fragment or unquote(url.fragment) in anchors.get(file, ()))
+            if not found:
+                broken.append(f"{path.relative_to(SITE)}: {target}")
+    assert not broken
+
+
+def test_the_page_for_wrong_addresses_works_from_any_depth(pages: dict[Path, BeautifulSoup]) -> None:
+    page = pages[SITE / "404.html"]
+    targets = [str(tag.get("href") or tag.get("src")) for tag in page.select("[href], [src]")]
+    assert not [target for target in targets if not target.startswith(("/", "#"))]
+    assert page.html and page.html["data-content_root"] == "/"
+
+
+def test_no_address_is_told_where_none_is_known(pages: dict[Path, BeautifulSoup]) -> None:
+    assert not (SITE / "sitemap.xml").exists()
+    for page in pages.values():
+        assert not page.select("link[rel=canonical], meta[property^='og:'], .editthispage")
+
+
+def _alternative(tag: Tag) -> str | None:
+    """The text that stands for an image, "" where it is marked as decoration, None where nothing is said."""
+    if any(parent.get("aria-hidden") == "true" for parent in [tag, *tag.parents]):
+        return ""
+    if tag.name == "img":
+        return str(tag.get("alt", "")).strip() or None
+    label = str(tag.get("aria-label", "")).strip()
+    return label if tag.get("role") == "img" and label else None
+
+
+def test_images_say_what_they_show(pages: dict[Path, BeautifulSoup]) -> None:
+    poor = []
+    for path, page in pages.items():
+        for tag in page.select("img, svg:not(svg svg)"):  # an svg within one is a part of it
+            text = _alternative(tag)
+            if text is None or re.search(r"\.(svg|png|jpe?g|gif|webp)$|[0-9a-f]{16}", text, re.IGNORECASE):
+                poor.append(f"{path.relative_to(SITE)}: {text!r} for {str(tag)[:120]}")
+    assert not poor
+
+
+def test_no_markup_stands_as_text(pages: dict[Path, BeautifulSoup]) -> None:
+    """Markdown that was not rendered: a table, or code in prose."""
+    markup = re.compile(r"`|\|\s*:?(?:-{2,}|[\u2013\u2014])")  # dashes have become typographic ones
+    raw = [
+        f"{path.relative_to(SITE)}: {text.strip()}"
+        for path, page in pages.items()
+        for text in page.find_all(string=markup)
+        if not text.find_parent(["code", "pre", "script", "style"])
+    ]
+    assert not raw
+
+
+def test_the_contents_of_a_page_show_its_exercises(pages: dict[Path, BeautifulSoup]) -> None:
+    """Elsewhere "On this page" stops at the headings of the second level."""
+    shown = {path.stem for path, page in pages.items() if page.select(".toc-h2 > .pst-show_toc_level > .toc-h3")}
+    assert shown == {"exercises", "ros2-exercises"}
+
+
+def test_nobody_has_solved_an_exercise_when_the_site_is_built(site: Path) -> None:
+    found = [*site.glob("notebooks/*exercises.html"), *site.rglob("*exercises.ipynb")]
+    assert len(found) == 4
+    assert not [path for path in found if "You have solved" in path.read_text(encoding="utf-8")]
+
+
+def test_a_topic_is_drawn_from_its_messages() -> None:
+    """By ``ticks`` with ``:topic:``."""
+    plots = _page("docs/publish").select("figure > svg.rosspin-wide")
+    labels = [plot["aria-label"] for plot in plots if not plot.find_parent(class_="live-made")]
+    assert labels == ["Timeline. /counter: 4 ticks from 0.500 s to 2.000 s. All 4 ticks were on time."]
+
+
+def test_pages_load_nothing_from_elsewhere(pages: dict[Path, BeautifulSoup]) -> None:
+    foreign = []
+    for path, page in pages.items():
+        loaded = [str(tag[name]) for selector, name in LOADED for tag in page.select(selector) if tag.get(name)]
+        inline = [tag.get_text() for tag in page.select("style")]
+        inline += [str(tag["style"]) for tag in page.select("[style]")]
+        scripts = [tag.get_text() for tag in page.select("script")]
+        found = [url for url in loaded if any(FOREIGN.match(part) for part in url.split(","))]
+        found += [hit for text in inline for hit in FOREIGN_IN_CSS.findall(text)]
+        found += [hit for text in scripts for hit in FOREIGN_IN_JS.findall(text)]
+        foreign += [f"{path.relative_to(SITE)}: {hit}" for hit in found]
+    assert not foreign
+
+
+def test_styles_and_scripts_load_nothing_from_elsewhere(site: Path) -> None:
+    patterns = {".css": FOREIGN_IN_CSS, ".svg": FOREIGN_IN_CSS, ".js": FOREIGN_IN_JS, ".mjs": FOREIGN_IN_JS}
+    foreign = [
+        f"{path.relative_to(site)}: {hit}"
+        for path in sorted(site.rglob("*"))
+        if path.suffix in patterns
+        for hit in patterns[path.suffix].findall(path.read_text(encoding="utf-8"))
+    ]
+    assert not foreign
+
+
+@pytest.mark.parametrize(
+    ("pattern", "text"),
+    [
+        (FOREIGN_IN_CSS, "@import 'https://fonts.example/a.css';"),
+        (FOREIGN_IN_CSS, "src: url(//fonts.example/a.woff2)"),
+        (FOREIGN_IN_JS, 'import x from "https://cdn.example/x.js"'),
+        (FOREIGN_IN_JS, "fetch('//api.example')"),
+        (FOREIGN_IN_JS, 'script.src = "https://cdn.example/x.js"'),
+    ],
+)
+def test_a_foreign_host_would_be_noticed(pattern: re.Pattern[str], text: str) -> None:
+    assert pattern.search(text)
+    assert not pattern.search(text.replace("https:", "").replace("//", "/").replace("@import '/", "@import '"))
+
+
+@pytest.mark.parametrize("name", NOTEBOOKS)
+def test_notebook_can_be_downloaded_executed(site: Path, name: str) -> None:
+    links = [str(tag["href"]) for tag in _page(f"notebooks/{name}").select("a.download[href$='.ipynb']")]
+    assert links, "the page offers no .ipynb: write {nb-download}`" + name + ".ipynb`"
+    notebook = json.loads((site / "notebooks" / links[0]).read_text(encoding="utf-8"))
+    cells = [cell for cell in notebook["cells"] if cell["cell_type"] == "code"]
+    outputs = [output for cell in cells for output in cell["outputs"]]
+    assert outputs
+    assert all(cell["execution_count"] for cell in cells)
+    assert not [output for output in outputs if output["output_type"] == "error"]
+
+
+def _literals(name: str) -> Iterator[tuple[nodes.Element, bool]]:
+    """The literal texts of a page, and whether the doctest builder runs them (by its own rule)."""
+    doctree = pickle.loads((DOCTREES / f"{name}.doctree").read_bytes())
+    for node in doctree.findall(lambda node: isinstance(node, nodes.FixedTextElement)):
+        yield node, isinstance(node, nodes.doctest_block) or node.get("testnodetype") == "doctest"
+
+
+@pytest.mark.parametrize("name", SOURCES)
+def test_every_prompt_on_the_site_is_run(site: Path, name: str) -> None:
+    """No ``>>>`` stands where the doctest builder would not collect it, and none is told to skip."""
+    prompt = re.compile(r"^ *>>> ", re.MULTILINE)
+    literals = list(_literals(name))
+    shown = [node.astext() for node, run in literals if not run and prompt.search(node.astext())]
+    assert not shown, "a block with >>> that never runs: make it a doctest block"
+    run = "\n".join(str(node.get("test", node.astext())) for node, run in literals if run)
+    source = next(ROOT.glob(f"{name}.*")).read_text(encoding="utf-8")
+    assert len(prompt.findall(run)) == len(prompt.findall(source)), "a >>> outside a doctest block never runs"
+    assert not re.search(r"doctest: *\+SKIP|^ *:skipif:", source, re.MULTILINE)
+
+
+@pytest.mark.parametrize(
+    ("name", "kinds"),
+    [
+        ("docs/tutorial", ["SPINNER PY NODE"]),
+        ("docs/ros2/tutorial", ["SPINNER PY NODE"]),
+        ("docs/publish", ["PUBSUB PY NODE", "SUBSCRIBER PY NODE"]),
+    ],
+)
+def test_the_counters_that_a_page_shows_are_examples(site: Path, name: str, kinds: list[str]) -> None:
+    shown = (node.astext() for node, run in _literals(name) if run or node.get("testnodetype") == "testoutput")
+    printed = "\n".join(shown)
+    for kind in kinds:
+        assert (
+            len(re.findall(rf"\[0\.0+\].*\[{kind}\] (?:counter = 1|namespace)", printed)) >= 1
+        )  # the Rate's, the first
+        assert len(re.findall(rf"\[0\.50+\].*\[{kind}\] counter = 1$", printed, re.MULTILINE)) >= 1
+        assert len(re.findall(rf"\[2\.0+\].*\[{kind}\] counter = \d", printed)) >= 1
+
+
+def test_there_are_as_many_examples_as_there_were(site: Path) -> None:
+    """180 with a prompt, and the commands whose console is shown; Sphinx counts them so, too."""
+    literals = [node for name in SOURCES for node, run in _literals(name) if run or "testnodetype" in node]
+    prompts = [line for node in literals for line in node.astext().splitlines() if line.lstrip().startswith(">>> ")]
+    assert len(prompts) + sum(node.get("testnodetype") == "testcode" for node in literals) >= 183
+
+
+def _commands() -> dict[str, str]:
+    """The commands that README and the site tell a reader to type, each with where it stands."""
+    readme = (ROOT / "README.md").read_text(encoding="utf-8")
+    code = re.findall(r"```\w*\n(.*?)```|`([^`\n]+)`", readme, re.DOTALL)
+    texts = {"README.md": [text for pair in code for text in pair]}
+    for name in SOURCES:
+        if (SITE / f"{name}.html").exists():
+            texts[name] = [tag.get_text() for tag in _page(name).select("pre, code")]
+    found: dict[str, str] = {}
+    for place, literals in texts.items():
+        for line in "\n".join(literals).replace("\\\n", " ").splitlines():
+            command = line.strip().removeprefix("$ ")
+            if re.match(r"make [a-z]|rosspin run |\S*python3? -m rosspin run ", command):
+                found.setdefault(command, place)
+    return found
+
+
+def test_readme_shows_its_commands() -> None:
+    assert {"make html", "make test"} <= _commands().keys()
+
+
+@pytest.mark.parametrize("command", [command for command in _commands() if command.startswith("make ")])
+def test_make_command_exists(command: str) -> None:
+    subprocess.run([*shlex.split(command), "--dry-run"], cwd=ROOT, check=True, capture_output=True)
+
+
+@pytest.mark.parametrize("command", [command for command in _commands() if " run " in command])
+def test_run_command_works(command: str, tmp_path: Path, require: Callable[[str], None]) -> None:
+    """Typed as it stands, in a folder that has the examples; a run without an end is given one."""
+    if "--ros2" in command:
+        require("ros2")
+    (tmp_path / "examples").symlink_to(ROOT / "examples")
+    arguments = shlex.split(command.partition(" run ")[2])
+    end = [] if "--seconds" in arguments else ["--seconds", "1.2"]
+    typed = [sys.executable, "-m", "rosspin", "run", *end, *arguments]
+    run = until_lucky(
+        lambda: subprocess.run(typed, cwd=tmp_path, capture_output=True, text=True, timeout=60),
+        lambda run: run.stdout + run.stderr,
+    )
+    assert run.returncode == 0, run.stderr
+    assert "counter = 1" in run.stdout + run.stderr
+
+
+def test_readme_links_lead_somewhere() -> None:
+    readme = (ROOT / "README.md").read_text(encoding="utf-8")
+    targets = [target for target in re.findall(r"\]\(([^)]+)\)", readme) if not urlsplit(target).scheme]
+    assert targets
+    assert not [target for target in targets if not (ROOT / target).is_file()]
+
+
+VERDICT = re.compile(r"(True|False|It depends|Not guaranteed|Not after lost ticks|Only on|Only with)\b[^:]*: .*\w")
+
+
+@pytest.mark.parametrize(("name", "least"), [("docs/how-timing-works", 13), ("docs/ros2/how-timing-works", 11)])
+def test_headings_on_how_timing_works_show_the_verdict(name: str, least: int) -> None:
+    """A reader who scans the contents of the page must not take a false claim for a statement."""
+    headings = [tag.get_text() for tag in _page(name).select("article h2, article h3")]
+    claims = [heading for heading in headings if "\u201c" in heading]
+    assert len(claims) >= least
+    assert [claim for claim in claims if not VERDICT.match(claim)] == []
+
+
+@pytest.mark.parametrize("name", ["docs/ros2/how-timing-works", "docs/ros2/from-ros-1"])
+def test_no_line_ends_between_a_number_and_its_unit(name: str) -> None:
+    article = _page(name).select("article")[0]
+    for code in article.select("pre, code, figure, .cell"):
+        code.decompose()
+    text = article.get_text()
+    assert re.search(r"\d\N{NO-BREAK SPACE}s\b", text)
+    assert re.findall(r".*\d[ \n](?:s|ms|Hz)\b.*", text) == []
+
+
+def test_the_sidebar_in_order() -> None:
+    captions = [tag.get_text() for tag in _page("index").select("nav.bd-docs-nav .caption")]
+    of_ros_1 = [f"{caption} (ROS 1)" for caption in ("Before you start", "Tutorials", "Practice")]
+    assert captions == ["ROS 2", *of_ros_1, "Explanation", "How-to", "Reference", "For teachers"]
+
+
+def test_the_first_paragraph_of_the_site_is_one_sentence() -> None:
+    assert _page("index").select("article p")[0].get_text().count(".") == 1
+
+
+def test_the_first_page_says_when_ros_1_ended_and_what_to_choose() -> None:
+    text = " ".join(_page("index").select("article")[0].get_text().split())
+    assert "ROS 1 ended on 31 May 2025. If the choice is yours, learn ROS 2." in text
+
+
+@pytest.mark.parametrize(
+    "term",
+    [
+        *("callback", "callback queue", "cycle", "drift", "executor", "grid", "jitter", "lateness", "namespace"),
+        *("node handle", "overrun", "pass", "period", "rate", "rosspin", "simulated time", "spin", "stand-in"),
+        *("tick", "timestamp", "latch", "message", "publisher", "subscriber", "topic", "callback group"),
+    ],
+)
+def test_the_glossary_has(term: str) -> None:
+    found = [tag.contents[0].get_text().strip() for tag in _page("docs/glossary").select("dl.glossary dt")]
+    assert term in found
+
+
+def test_every_page_is_on_the_path_of_the_course_or_in_its_sidebar() -> None:
+    """What the reading paths name can be found; the tutorial, the notebooks and the page on timing are on them."""
+    targets = {str(tag["href"]).partition("#")[0] for tag in _page("docs/paths").select("article a.internal")}
+    assert {f"../notebooks/{name}.html" for name in ("timer", "rate", "slow-callback", "drift", "exercises")} <= targets
+    assert {"tutorial.html", "how-timing-works.html", "how-to/irregular-loop.html"} <= targets
+    assert {f"../notebooks/ros2-{name}.html" for name in ("timer", "rate", "executors", "exercises")} <= targets
+    assert {f"ros2/{name}.html" for name in ("tutorial", "how-timing-works", "from-ros-1")} <= targets
+
+
+def test_the_reading_paths_give_the_minutes_of_the_notebooks() -> None:
+    for row in _page("docs/paths").select("tr:has(a.internal[href*='/notebooks/'])"):
+        name = Path(str(row.select("a.internal")[0]["href"])).stem
+        text = (ROOT / "notebooks" / f"{name}.md").read_text(encoding="utf-8")
+        if found := re.search(r"\*\*Time\*\*: (\d+) minutes", text):
+            assert row.select("td")[0].get_text().strip() == found[1], name
+
+
+def test_citation() -> None:
+    citation = yaml.safe_load((ROOT / "CITATION.cff").read_text(encoding="utf-8"))
+    project = tomllib.loads((ROOT / "pyproject.toml").read_text(encoding="utf-8"))["project"]
+    assert citation["version"] == project["version"]
+    assert [author["name"] for author in citation["authors"]] == [author["name"] for author in project["authors"]]
+    assert citation["license"] == "CC-BY-4.0"
+    assert citation["references"][0]["authors"][0]["family-names"] == "Beuchat"
+    assert {"cff-version", "message", "title", "type"} <= citation.keys()
+
+
+@pytest.mark.parametrize("name", ["how-timing-works", "ros2/how-timing-works", "ros2/from-ros-1"])
+def test_no_number_in_how_timing_works_is_typed(name: str) -> None:
+    """Each is filled in from a run or a recording."""
+    text = (ROOT / "docs" / f"{name}.rst").read_text(encoding="utf-8")
+    prose = re.sub(r"^\.\. (?:facts|ticks|literalinclude)::.*\n(?:\n|   .*\n)+", "", text, flags=re.MULTILINE)
+    prose = re.sub(
+        r":\w+:`[^`]*`|``[^`]*``|^ +:[\w-]+: [\d ]+$|^\.\. _.*:$|ROS [12]|31 May 2025", "", prose, flags=re.MULTILINE
+    )
+    assert len(prose) > 2500
+    assert re.findall(r".*\d.*", prose) == []
+
+
+def test_the_page_for_teachers_names_exercises_that_there_are() -> None:
+    pages = [_page(f"notebooks/{name}") for name in ("exercises", "ros2-exercises")]
+    titles = {tag.get_text().rstrip("#") for page in pages for tag in page.select("article h2, article h3")}
+    named = [tag.get_text() for tag in _page("docs/for-teachers").select("td em")]
+    assert len(named) >= 11
+    assert set(named) <= {re.sub(r"^\d+\. ", "", title) for title in titles}

@@ -1,0 +1,67 @@
+"""Spelling, by codespell: its list of typing errors, and its list of American spellings, for the site is British."""
+
+from __future__ import annotations
+
+import subprocess
+import sys
+from pathlib import Path
+
+import codespell_lib
+import pytest
+from tree import ROOT
+
+TEXTS = ["README.md", "index.rst", "conf.py", "Makefile", "docs", "notebooks", "src", "examples", "tests", "benchmarks"]
+
+# British too, in the sense meant here: the verb and the file LICENSE, what a computer runs, a module of Python, a noun.
+BRITISH = "license,licensed,licenses,program,programs,math,practice"
+# rospy, rclpy, CSS and io have names and messages in American.
+IN_CODE = "color,initialized,colors,serialize,deserialize,writable"
+IN_CODE += ",canceled,center,initialize,recognized,serialization,uninitialized"
+# A package, and a part of many words.
+NAMES = "simpy"
+
+
+@pytest.fixture(scope="session")
+def american(tmp_path_factory: pytest.TempPathFactory) -> Path:
+    """codespell's table of British and American words, turned round."""
+    table = Path(codespell_lib.__file__).parent / "data" / "dictionary_en-GB_to_en-US.txt"
+    pairs = [line.split("->") for line in table.read_text(encoding="utf-8").split()]
+    path = tmp_path_factory.mktemp("spelling") / "american.txt"
+    path.write_text("".join(f"{american.rstrip(',')}->{british}\n" for british, american in pairs), encoding="utf-8")
+    return path
+
+
+def misspelt(*options: object) -> list[str]:
+    """What codespell finds in the source folder."""
+    command = [sys.executable, "-m", "codespell_lib", "--skip", "*.svg,*.csv,__pycache__", *map(str, options)]
+    return subprocess.run(command, cwd=ROOT, capture_output=True, text=True).stdout.splitlines()
+
+
+def test_words_are_spelt_right() -> None:
+    texts = [path for path in TEXTS if (ROOT / path).exists()]
+    found = misspelt("--builtin", "clear,rare", "--ignore-words-list", NAMES, *texts)
+    assert not [line for line in found if Path(__file__).name not in line]
+
+
+@pytest.mark.parametrize(
+    ("texts", "allowed"),
+    [
+        (["README.md", "index.rst", *sorted(ROOT.glob("docs/**/*.rst")), "notebooks"], BRITISH),
+        (["src", "conf.py", "Makefile", "docs/_static"], f"{BRITISH},{IN_CODE}"),
+    ],
+    ids=["pages", "code"],
+)
+def test_the_spelling_is_british(american: Path, texts: list[str], allowed: str) -> None:
+    assert not misspelt("--dictionary", american, "--ignore-words-list", allowed, *texts)
+
+
+@pytest.mark.parametrize("word", ["recieve", "occured", "seperate"])
+def test_a_typing_error_would_be_noticed(tmp_path: Path, word: str) -> None:
+    (tmp_path / "page.rst").write_text(f"A word: {word}.\n")
+    assert misspelt("--builtin", "clear,rare", tmp_path)
+
+
+@pytest.mark.parametrize("word", ["behavior", "initialize", "center", "gray"])
+def test_an_american_word_would_be_noticed(american: Path, tmp_path: Path, word: str) -> None:
+    (tmp_path / "page.rst").write_text(f"A word: {word}.\n")
+    assert misspelt("--dictionary", american, tmp_path)
