@@ -14,9 +14,10 @@ from typing import Any
 import pytest
 
 import rosspin
-from rosspin import TimeStandsStill, rospy, simulate
+from rosspin import TimeStandsStill, rospy, run, simulate
 from rosspin.clocks import simulation, watchdog
 from rosspin.clocks.ending import Ended
+from rosspin.clocks.stacks import current
 from rosspin.exercises import EXERCISES, check
 
 _SLEEPING = """
@@ -183,10 +184,36 @@ def test_too_many_threads_end_the_run(text: str, node: Any, few: None, raised: l
 def test_so_does_the_watchdog_and_nothing_is_raised_in_what_is_ending(
     text: str, node: Any, watched: None, raised: list[bool]
 ) -> None:
-    with pytest.raises(TimeStandsStill, match="simulated time stands still"):  # it looks when it happens to
+    with pytest.raises(TimeStandsStill, match=r"node\.py:\d+: simulated time stands still"):
         simulate(node(text), 5)
     assert not any(raised)
     assert as_before()
+
+
+@pytest.mark.parametrize("text", [source(ros, body) for ros in (1, 2) for body in (_SLEEPING, _OBSTINATE)])
+def test_the_place_is_known_even_if_none_of_its_lines_was_running(
+    text: str, node: Any, watched: None, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    monkeypatch.setattr(sys, "_current_frames", lambda: {})
+    with pytest.raises(TimeStandsStill, match=r"node\.py:\d+: simulated time stands still"):
+        simulate(node(text), 5)
+
+
+@pytest.mark.parametrize("thread", ["", "threading.Thread(target=SLEEP, args=(5,)).start()"])
+def test_so_it_is_if_time_stands_still_between_two_stacks(
+    thread: str, node: Any, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    class Standing(simulation.Simulation):
+        def _next(self) -> Any:
+            if current() is self._home and self.now():
+                raise simulation.Standstill([], "")
+            return super()._next()
+
+    monkeypatch.setattr(run, "Simulation", Standing)
+    text = source(1, f"{thread}\nrospy.sleep(1)\nthreading.Thread(target=rospy.sleep, args=(1,)).start()\nrospy.spin()")
+    line = text.count("\n")
+    with pytest.raises(TimeStandsStill, match=rf"node\.py:{line}: simulated time stands still"):
+        simulate(node(text), 5)
 
 
 @pytest.mark.parametrize("text", SOME)
@@ -263,8 +290,8 @@ def test_what_refuses_to_end_is_given_up_and_the_result_stands(
         rospy.sleep(0.5)
         print("done")
 
-    run = simulate(main, 5)
-    assert (run.status, run.console) == (0, "done\n")
+    done = simulate(main, 5)
+    assert (done.status, done.console) == (0, "done\n")
     assert set(ends) == {0}, "the time of all is over with the first's"
     assert any(raised) and as_before()
 

@@ -14,7 +14,7 @@ from typing import NamedTuple
 
 __all__ = [
     *("Place", "Whereabouts", "called_from", "format_error", "is_installed", "node_frame", "node_frames", "places"),
-    *("trail", "warn"),
+    *("trail", "trail_of", "warn"),
 ]
 
 _PACKAGE = __name__.rpartition(".")[0]
@@ -121,6 +121,15 @@ def trail(frame: FrameType | None) -> Trail:
         found.append((frame.f_code, frame.f_lasti, frame.f_lineno or 0))
         # Below this frame begins another stack, suspended in a web page, whose frames cannot be looked at.
         frame = None if frame.f_code.co_name == _BASE else frame.f_back
+    return found
+
+
+def trail_of(trace: TracebackType | None) -> Trail:
+    """Where an exception was raised, likewise."""
+    found: Trail = []
+    while trace:
+        found.insert(0, (trace.tb_frame.f_code, trace.tb_lasti, trace.tb_lineno))
+        trace = trace.tb_next
     return found
 
 

@@ -179,10 +179,8 @@ def run_nodes(nodes: launch.Launch, seconds: float, clock: Simulation, record: b
             program = SimulatedProgram(monitor.run, Program(), clock)
             program.advance(until)
             program.end(None)
-        except Standstill as error:
-            raise _stands_still(codes, error.places, error.place, clock, waits=False, threads=error.threads) from None
-        except Stuck as error:
-            raise _stands_still(codes, error.places, clock.failed, clock, error.waits) from None
+        except (Standstill, Stuck) as error:
+            raise _stands_still(codes, error, clock) from None
         except Ended:
             failures = [member.world.failure for member in members if member.world.failure]
             if not failures:
@@ -227,16 +225,14 @@ def explained(node: Node, world: World, clock: Clock, seconds: float | None) -> 
         world.exit_status = _say_killed(node, seconds, killed)
     except Died as died:
         world.exit_status = 128 + died.number
-    except Standstill as error:
-        raise _stands_still([node], error.places, error.place, clock, waits=False, threads=error.threads) from None
     except Ended:
         if world.failure is not None:
             raise world.failure from None
         if world.exit_status is None:
             raise
-    except Stuck as error:
-        place = clock.failed if isinstance(clock, Simulation) else ""
-        raise _stands_still([node], error.places, place, clock, error.waits) from None
+    except (Standstill, Stuck) as error:
+        assert isinstance(clock, Simulation)
+        raise _stands_still([node], error, clock) from None
     _end_if_forked(world)
 
 
@@ -404,11 +400,12 @@ def _say_place(place: Place) -> str:
     return f"{place.filename}:{place.line}" + (f": {place.call}" if place.call else "")
 
 
-def _stands_still(
-    nodes: Sequence[Node], places: Sequence[Place], fallback: str, clock: Clock, waits: bool, threads: int = 0
-) -> TimeStandsStill:
+def _stands_still(nodes: Sequence[Node], error: Standstill | Stuck, clock: Simulation) -> TimeStandsStill:
     now = f"simulated time stands still at {clock.now() / NS} s"
-    place = _of_nodes(nodes, places)
+    waits, threads, fallback = (
+        (error.waits, 0, clock.failed) if isinstance(error, Stuck) else (False, error.threads, error.place)
+    )
+    place = _of_nodes(nodes, error.places) or (None if fallback else _of_nodes(nodes, clock.left))
     if waits:
         where = _say_place(place) if place else fallback
         why = (

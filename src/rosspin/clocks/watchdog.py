@@ -14,7 +14,7 @@ from time import perf_counter
 from types import FrameType
 from typing import Any
 
-from ..frames import Place, called_from, places, trail
+from ..frames import Place, called_from, places, trail, trail_of
 from .ending import Ended, end_thread, spare_me
 from .stacks import Stack, current
 
@@ -33,7 +33,10 @@ _BUSY = 0.2
 
 
 class Stuck(Exception):
-    """A run was found stuck at ``places``, innermost first; ``waits``: it did not work there, but wait."""
+    """A run was found stuck at ``places``, innermost first; ``waits``: it did not work there, but wait.
+
+    After these come the places at which it was then ended: when it was found, it may have been between two stacks.
+    """
 
     def __init__(self, places: list[Place], waits: bool) -> None:
         super().__init__()
@@ -63,6 +66,7 @@ class Watchdog:
 
     def __exit__(self, kind: object, error: BaseException | None, trace: object) -> None:
         if isinstance(error, Ended) and self._stuck:
+            self._stuck.places += places(trail_of(error.__traceback__))
             raise self._stuck from None
         if self._interrupted:
             raise KeyboardInterrupt from None
