@@ -402,24 +402,24 @@ def _say_place(place: Place) -> str:
 
 def _stands_still(nodes: Sequence[Node], error: Standstill | Stuck, clock: Simulation) -> TimeStandsStill:
     now = f"simulated time stands still at {clock.now() / NS} s"
-    waits, threads, fallback = (
-        (error.waits, 0, clock.failed) if isinstance(error, Stuck) else (False, error.threads, error.place)
-    )
+    fallback = clock.failed if isinstance(error, Stuck) else error.place
     place = _of_nodes(nodes, error.places) or (None if fallback else _of_nodes(nodes, clock.left))
-    if waits:
+    where = f"{place.filename}:{place.line}" if place else fallback
+    if isinstance(error, Stuck) and (error.waits or error.computed):
         where = _say_place(place) if place else fallback
         why = (
-            "because this waits in real time, which the simulation cannot see. "
+            f"because this has computed for {error.computed:.0f} s and let nothing else run meanwhile. "
+            "Compute less at a time, or run the node on the wall clock."
+            if error.computed
+            else "because this waits in real time, which the simulation cannot see. "
             "Run the node on the wall clock, or remove what waits."
         )
-    elif threads:
-        where = f"{place.filename}:{place.line}" if place else fallback
+    elif isinstance(error, Standstill) and error.threads:
         why = (
-            f"because {threads:,} threads have not ended, as many as a run may have; this would have been one more"
-            f"{_ALSO_THREADS[nodes[0].ros]}. Start them outside of loops and callbacks, or let them end."
+            f"because {error.threads:,} threads have not ended, as many as a run may have; this would have been one "
+            f"more{_ALSO_THREADS[nodes[0].ros]}. Start them outside of loops and callbacks, or let them end."
         )
     else:
-        where = f"{place.filename}:{place.line}" if place else fallback
         why = (
             "because the node keeps running without sleeping. "
             f"Sleep in every loop (rate.sleep(), {_SLEEP[nodes[0].ros]}), and give timers and rates a period above 0."
