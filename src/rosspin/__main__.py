@@ -6,8 +6,9 @@ import argparse
 import os
 import signal
 import sys
+import warnings
 from collections.abc import Sequence
-from contextlib import nullcontext
+from contextlib import nullcontext, suppress
 
 from . import pictures, ros1, ros2
 from .clocks.clock import Clock, WallClock
@@ -20,7 +21,7 @@ from .launch import read_launch
 from .measures import by_source, describe_periods, describe_timeline
 from .plots import picture
 from .process import leave, load, refuse_launch_of_ros2, refuse_other_ros
-from .run import Result, Results, run_node, run_nodes, say_error, split_words
+from .run import Result, Results, run_node, run_nodes, say_error, split_words, warn_of_files
 from .ticks import Run, Tick
 
 __all__ = ["main"]
@@ -113,6 +114,7 @@ def _result(options: argparse.Namespace, args: Sequence[str], record: bool) -> R
         # Whatever asks this process to end asks the nodes to.
         for number in (signal.SIGTERM, signal.SIGHUP):
             signal.signal(number, signal.default_int_handler)
+        _warn_of_files(options.file, args)
         real = ros1.launch if options.ros1 else ros2.launch
         return real(options.file, options.seconds, args, sys.stdout)
     if options.file.endswith(".launch"):
@@ -134,6 +136,13 @@ def _result(options: argparse.Namespace, args: Sequence[str], record: bool) -> R
         return run_node(load(options.file), options.seconds, args, clock, record, give_up)
     finally:
         end_others()
+
+
+def _warn_of_files(file: str, args: Sequence[str]) -> None:
+    # Its run will show what is wrong with it.
+    with suppress(OSError, SyntaxError, ValueError), warnings.catch_warnings(action="ignore"):
+        nodes = [each.node for each in read_launch(file, args, True).nodes] if file.endswith(".launch") else [file]
+        warn_of_files([load(node) for node in nodes if str(node).endswith(".py")])
 
 
 def _say_where_it_computed(stacks: list[Whereabouts]) -> str:

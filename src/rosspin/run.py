@@ -32,6 +32,7 @@ from .world import NotSimulated, World, not_simulated
 __all__ = [
     *("PATIENCE", "Result", "Results", "TimeStandsStill", "duration", "explained", "messages_of", "new_world"),
     *("run_captured", "run_main", "run_node", "run_nodes", "say_error", "simulate", "split_words", "ticks_of"),
+    "warn_of_files",
 ]
 
 # After Ctrl-C roslaunch waits 15 s, asks once more with SIGTERM, and kills after another 2 s.
@@ -125,7 +126,7 @@ def run_node(
     the run gave so far (without one if code in C lets no thread run).
     """
     until = None if seconds is None else duration(seconds)
-    _warn_of_files([node])
+    warn_of_files([node])
     with Process(node, args, stand_in(node.ros).MODULES, node.ros).inside():
         world = new_world(node, clock, record)
         start = 0 if isinstance(clock, Simulation) else clock.now()
@@ -147,7 +148,8 @@ def run_node(
     return result(world.exit_status)
 
 
-def _warn_of_files(nodes: Sequence[Node]) -> None:
+def warn_of_files(nodes: Sequence[Node]) -> None:
+    """Say on ``sys.stderr`` which files beside nodes are in the way of modules on a real ROS."""
     for line in dict.fromkeys(line for node in nodes for line in in_the_way(node)):
         sys.stderr.write(f"rosspin: {line}\n")
 
@@ -171,7 +173,7 @@ def run_nodes(nodes: launch.Launch, seconds: float, clock: Simulation, record: b
         sys.stderr.write(f"rosspin: {line}\n")
     members = [Member(node, load(node.node), number) for number, node in enumerate(nodes.nodes, 1)]
     codes = [member.code for member in members]
-    _warn_of_files(codes)
+    warn_of_files(codes)
     if any(code.ros != 1 for code in codes):
         raise ValueError("several nodes in one run are nodes of ROS 1; in ROS 2 one process can hold several nodes")
     with Monitor(members, clock, graph, _run_beside_others, _say_where, rospy.MODULES, ros=1) as monitor:
