@@ -345,6 +345,18 @@ def test_time_that_stands_still(
         ("from rospy import ServiceProxy\n", "rospy.ServiceProxy", 1),
         ("import rospy\nfrom std_srvs.srv import Empty\n", "std_srvs", 2),
         ("import rospy.service\n", "rospy.service", 1),
+        (
+            "import rospy\nrospy.init_node('n')\ndef callback(event):\n    import tf2_ros\n"
+            "rospy.Timer(rospy.Duration(0.1), callback)\nrospy.spin()\n",
+            "tf2_ros",
+            4,
+        ),
+        (
+            "import rclpy\nrclpy.init()\ndef callback():\n    import tf2_ros\n"
+            "node = rclpy.create_node('n')\nnode.create_timer(0.1, callback)\nrclpy.spin(node)\n",
+            "tf2_ros",
+            4,
+        ),
     ],
 )
 def test_what_is_outside_of_the_stand_in(
