@@ -6,18 +6,22 @@ import argparse
 import os
 import signal
 import sys
+import warnings
 from collections.abc import Sequence
+from contextlib import nullcontext, suppress
 
 from . import pictures, ros1, ros2
 from .clocks.clock import Clock, WallClock
+from .clocks.guard import guard_threads
 from .clocks.simulation import Simulation
 from .descendants import adopt_orphans, descendants, kill_descendants
 from .doctor import report
+from .frames import Whereabouts, node_place
 from .launch import read_launch
 from .measures import by_source, describe_periods, describe_timeline
 from .plots import picture
 from .process import leave, load, refuse_launch_of_ros2, refuse_other_ros
-from .run import Result, Results, run_node, run_nodes, say_error, split_words
+from .run import Result, Results, run_node, run_nodes, say_error, split_words, warn_of_files
 from .ticks import Run, Tick
 
 __all__ = ["main"]
@@ -92,34 +96,9 @@ def _run(options: argparse.Namespace, args: Sequence[str]) -> int:
         raise ValueError("--skip-cpp is for launch files in simulated time")
     if options.plot is not None:
         _check_plot(options.plot)
-    record = options.plot is not None
-    result: Result | Results | Run
-    if options.ros1 or options.ros2:
-        # Whatever asks this process to end asks the nodes to.
-        for number in (signal.SIGTERM, signal.SIGHUP):
-            signal.signal(number, signal.default_int_handler)
-        real = ros1.launch if options.ros1 else ros2.launch
-        result = real(options.file, options.seconds, args, sys.stdout)
-    elif launched:
-        result = run_nodes(read_launch(options.file, args, options.skip_cpp), options.seconds, Simulation(), record)
-    else:
-        clock: Clock = Simulation() if options.simulated else WallClock()
-        if options.alone:
-            adopt_orphans()
-        before = descendants(os.getpid())  # of a shell that this process was before
-
-        def end_others() -> None:
-            if options.alone:
-                kill_descendants(but=before)
-
-        def give_up(result: Result) -> None:
-            sys.stdout.flush()
-            end_others()
-
-        try:
-            result = run_node(load(options.file), options.seconds, args, clock, record, give_up)
-        finally:
-            end_others()
+    guarded = guard_threads(_say_where_it_computed) if options.simulated and options.alone else nullcontext()
+    with guarded:
+        result = _result(options, args, record=options.plot is not None)
     status = result.status
     if options.plot is not None:
         sys.stdout.flush()
@@ -128,6 +107,48 @@ def _run(options: argparse.Namespace, args: Sequence[str]) -> int:
     if isinstance(result, Result):
         leave(status, result.world)
     return status
+
+
+def _result(options: argparse.Namespace, args: Sequence[str], record: bool) -> Result | Results | Run:
+    if options.ros1 or options.ros2:
+        # Whatever asks this process to end asks the nodes to.
+        for number in (signal.SIGTERM, signal.SIGHUP):
+            signal.signal(number, signal.default_int_handler)
+        _warn_of_files(options.file, args)
+        real = ros1.launch if options.ros1 else ros2.launch
+        return real(options.file, options.seconds, args, sys.stdout)
+    if options.file.endswith(".launch"):
+        return run_nodes(read_launch(options.file, args, options.skip_cpp), options.seconds, Simulation(), record)
+    clock: Clock = Simulation() if options.simulated else WallClock()
+    if options.alone:
+        adopt_orphans()
+    before = descendants(os.getpid())  # of a shell that this process was before
+
+    def end_others() -> None:
+        if options.alone:
+            kill_descendants(but=before)
+
+    def give_up(result: Result) -> None:
+        sys.stdout.flush()
+        end_others()
+
+    try:
+        return run_node(load(options.file), options.seconds, args, clock, record, give_up)
+    finally:
+        end_others()
+
+
+def _warn_of_files(file: str, args: Sequence[str]) -> None:
+    # Its run will show what is wrong with it.
+    with suppress(OSError, SyntaxError, ValueError), warnings.catch_warnings(action="ignore"):
+        nodes = [each.node for each in read_launch(file, args, True).nodes] if file.endswith(".launch") else [file]
+        warn_of_files([load(node) for node in nodes if str(node).endswith(".py")])
+
+
+def _say_where_it_computed(stacks: list[Whereabouts]) -> str:
+    place = node_place(place for each in stacks for place in each.places)
+    where = f"{place.filename}:{place.line}: " if place else ""
+    return f"rosspin: {where}this has let nothing else run for a minute, and heeds no signal; the process was killed\n"
 
 
 def _check_plot(path: str) -> None:

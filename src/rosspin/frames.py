@@ -7,14 +7,14 @@ import os
 import sys
 import traceback
 import warnings
-from collections.abc import Callable
+from collections.abc import Callable, Iterable
 from itertools import islice
 from types import CodeType, FrameType, TracebackType
 from typing import NamedTuple
 
 __all__ = [
-    *("Place", "Whereabouts", "called_from", "format_error", "is_installed", "node_frame", "node_frames", "places"),
-    *("trail", "warn"),
+    *("Place", "Whereabouts", "called_from", "format_error", "is_installed", "node_frame", "node_frames"),
+    *("node_place", "places", "trail", "trail_of", "warn"),
 ]
 
 _PACKAGE = __name__.rpartition(".")[0]
@@ -124,9 +124,24 @@ def trail(frame: FrameType | None) -> Trail:
     return found
 
 
+def trail_of(trace: TracebackType | None) -> Trail:
+    """Where an exception was raised, likewise."""
+    found: Trail = []
+    while trace:
+        found.insert(0, (trace.tb_frame.f_code, trace.tb_lasti, trace.tb_lineno))
+        trace = trace.tb_next
+    return found
+
+
 def places(trail: Trail) -> list[Place]:
     """A trail in places of source files, innermost first."""
     return [Place(code.co_filename, line, _call(code, at), code.co_qualname) for code, at, line in trail]
+
+
+def node_place(places: Iterable[Place]) -> Place | None:
+    """The first place that is neither in this package nor in the standard library."""
+    not_the_nodes = (os.path.dirname(__file__) + os.sep, _LIBRARY, "<frozen")
+    return next((place for place in places if not place.filename.startswith(not_the_nodes)), None)
 
 
 def _call(code: CodeType, at: int) -> str:

@@ -15,6 +15,7 @@ import random
 import re
 import shlex
 import signal
+import subprocess
 import sys
 import threading
 import time
@@ -41,7 +42,7 @@ from .frames import trail
 from .graph import TickLog
 from .measures import by_source, describe_timeline
 from .pinned import as_test
-from .process import load_source
+from .process import load_source, starter
 from .run import TimeStandsStill, run_node, say_error, split_words, stand_in
 from .world import NotSimulated, World, current_world
 
@@ -75,6 +76,29 @@ _SERIOUS = ("[WARN]", "[ERROR]", "[FATAL]")
 
 # Of what a tick prints so much is kept in mind; the page's console holds no more lines.
 _MOST_CHUNKS = 1000
+
+
+class _NoProcesses:
+    """Finds what ``multiprocessing`` imports only when it is asked for a process, or for what processes can share."""
+
+    @staticmethod
+    def find_spec(name: str, path: Any = None, target: Any = None) -> None:
+        if name in ("multiprocessing.resource_tracker", "multiprocessing.synchronize"):
+            raise NotSimulated(starter(sys._getframe()), _ON_A_COMPUTER)
+
+
+def _refusing(name: str) -> Any:
+    def refuse(*args: Any, **options: Any) -> None:
+        raise NotSimulated(name, _ON_A_COMPUTER)
+
+    return refuse
+
+
+# A page has no processes; what would start one is named.
+_ON_A_COMPUTER = "the wall clock or on a real ROS"
+sys.meta_path.insert(0, _NoProcesses)
+os.fork = _refusing("os.fork")
+subprocess.Popen.__init__ = _refusing("subprocess")  # type: ignore[method-assign]
 
 
 def wake(supply: Callable[[str], Any]) -> None:
@@ -127,7 +151,8 @@ def run(source: str, filename: str, seconds: float, args: str, speed: float, pag
                 print("Python could not read this line, so nothing ran.", file=sys.stderr)
             if isinstance(error, NotSimulated):
                 ros = load_source(_node(source), filename).ros
-                print(f"On a computer with ROS {ros}, run: python -m rosspin run --ros{ros} FILE", file=sys.stderr)
+                with_ros, option = ("", "") if error.where == _ON_A_COMPUTER else (f" with ROS {ros}", f" --ros{ros}")
+                print(f"On a computer{with_ros}, run: python -m rosspin run{option} FILE", file=sys.stderr)
             return dumps({"status": 1})
 
 

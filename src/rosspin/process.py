@@ -16,7 +16,7 @@ from collections.abc import Callable, Iterator, Mapping, Sequence
 from contextlib import contextmanager, redirect_stderr, redirect_stdout, suppress
 from importlib.machinery import BuiltinImporter, FrozenImporter
 from pathlib import Path
-from types import CodeType, ModuleType
+from types import CodeType, FrameType, ModuleType
 from typing import Any, NamedTuple, TextIO
 
 try:
@@ -56,7 +56,7 @@ __all__ = [
         "refuse_a_run_within_a_run",
         "refuse_launch_of_ros2",
     ),
-    *("refuse_other_ros", "refuse_text", "run_at_exit"),
+    *("refuse_other_ros", "refuse_text", "run_at_exit", "starter"),
 ]
 
 
@@ -409,12 +409,24 @@ def _exit(real: Callable[[int], Any]) -> Callable[[int], Any]:
     return exit_at_once
 
 
-# Who starts processes for others, by the module that does.
+# Who wants a process, by the module that asks for it.
 _STARTERS = {
     "concurrent.futures.process": "ProcessPoolExecutor",
     "multiprocessing.managers": "multiprocessing.Manager",
     "multiprocessing.pool": "multiprocessing.Pool",
+    "multiprocessing.process": "multiprocessing.Process",
 }
+
+
+def starter(frame: FrameType) -> str:
+    """Which name of the standard library a node has used that wants a process, or what processes can share."""
+    calls = [(each.f_globals.get("__name__"), each.f_code.co_name) for each, _ in traceback.walk_stack(frame)]
+    for module, function in reversed(calls):
+        if module in _STARTERS:
+            return _STARTERS[module]
+        if module == "multiprocessing.context" and not function.startswith("_"):
+            return f"multiprocessing.{function}"
+    return "multiprocessing"
 
 
 def _fork(real: Callable[..., Any]) -> Callable[..., Any]:
@@ -426,17 +438,14 @@ def _fork(real: Callable[..., Any]) -> Callable[..., Any]:
     def fork(*args: Any) -> Any:
         world = whose()
         if isinstance(world, World) and os.getpid() == world.pid:
-            frames = [frame for frame, _ in traceback.walk_stack(sys._getframe(1))]
-            names = [frame.f_globals.get("__name__") for frame in frames]
-            for frame, name in zip(frames, names, strict=True):
-                if name == "multiprocessing.process" and frame.f_code.co_name == "start":
+            for frame, _ in traceback.walk_stack(sys._getframe(1)):
+                if frame.f_globals.get("__name__") == "multiprocessing.process" and frame.f_code.co_name == "start":
                     method = getattr(frame.f_locals["self"], "_start_method", None)
                     method = method or sys.modules["multiprocessing"].get_start_method()
-                    starter = next((_STARTERS[name] for name in names if name in _STARTERS), "multiprocessing.Process")
                     if method != "fork":
-                        raise NotSimulated(f"{starter} ({method})")
+                        raise NotSimulated(f"{starter(frame)} ({method})")
                     if isinstance(world.clock, Simulation):
-                        raise NotSimulated(f"{starter} ({method})", "the wall clock or on a real ROS")
+                        raise NotSimulated(f"{starter(frame)} ({method})", "the wall clock or on a real ROS")
         return real(*args)
 
     return fork

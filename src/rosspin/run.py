@@ -32,6 +32,7 @@ from .world import NotSimulated, World, not_simulated
 __all__ = [
     *("PATIENCE", "Result", "Results", "TimeStandsStill", "duration", "explained", "messages_of", "new_world"),
     *("run_captured", "run_main", "run_node", "run_nodes", "say_error", "simulate", "split_words", "ticks_of"),
+    "warn_of_files",
 ]
 
 # After Ctrl-C roslaunch waits 15 s, asks once more with SIGTERM, and kills after another 2 s.
@@ -125,7 +126,7 @@ def run_node(
     the run gave so far (without one if code in C lets no thread run).
     """
     until = None if seconds is None else duration(seconds)
-    _warn_of_files([node])
+    warn_of_files([node])
     with Process(node, args, stand_in(node.ros).MODULES, node.ros).inside():
         world = new_world(node, clock, record)
         start = 0 if isinstance(clock, Simulation) else clock.now()
@@ -147,7 +148,8 @@ def run_node(
     return result(world.exit_status)
 
 
-def _warn_of_files(nodes: Sequence[Node]) -> None:
+def warn_of_files(nodes: Sequence[Node]) -> None:
+    """Say on ``sys.stderr`` which files beside nodes are in the way of modules on a real ROS."""
     for line in dict.fromkeys(line for node in nodes for line in in_the_way(node)):
         sys.stderr.write(f"rosspin: {line}\n")
 
@@ -171,7 +173,7 @@ def run_nodes(nodes: launch.Launch, seconds: float, clock: Simulation, record: b
         sys.stderr.write(f"rosspin: {line}\n")
     members = [Member(node, load(node.node), number) for number, node in enumerate(nodes.nodes, 1)]
     codes = [member.code for member in members]
-    _warn_of_files(codes)
+    warn_of_files(codes)
     if any(code.ros != 1 for code in codes):
         raise ValueError("several nodes in one run are nodes of ROS 1; in ROS 2 one process can hold several nodes")
     with Monitor(members, clock, graph, _run_beside_others, _say_where, rospy.MODULES, ros=1) as monitor:
@@ -179,10 +181,8 @@ def run_nodes(nodes: launch.Launch, seconds: float, clock: Simulation, record: b
             program = SimulatedProgram(monitor.run, Program(), clock)
             program.advance(until)
             program.end(None)
-        except Standstill as error:
-            raise _stands_still(codes, error.places, error.place, clock, waits=False, threads=error.threads) from None
-        except Stuck as error:
-            raise _stands_still(codes, error.places, clock.failed, clock, error.waits) from None
+        except (Standstill, Stuck) as error:
+            raise _stands_still(codes, error, clock) from None
         except Ended:
             failures = [member.world.failure for member in members if member.world.failure]
             if not failures:
@@ -227,16 +227,14 @@ def explained(node: Node, world: World, clock: Clock, seconds: float | None) -> 
         world.exit_status = _say_killed(node, seconds, killed)
     except Died as died:
         world.exit_status = 128 + died.number
-    except Standstill as error:
-        raise _stands_still([node], error.places, error.place, clock, waits=False, threads=error.threads) from None
     except Ended:
         if world.failure is not None:
             raise world.failure from None
         if world.exit_status is None:
             raise
-    except Stuck as error:
-        place = clock.failed if isinstance(clock, Simulation) else ""
-        raise _stands_still([node], error.places, place, clock, error.waits) from None
+    except (Standstill, Stuck) as error:
+        assert isinstance(clock, Simulation)
+        raise _stands_still([node], error, clock) from None
     _end_if_forked(world)
 
 
@@ -404,25 +402,26 @@ def _say_place(place: Place) -> str:
     return f"{place.filename}:{place.line}" + (f": {place.call}" if place.call else "")
 
 
-def _stands_still(
-    nodes: Sequence[Node], places: Sequence[Place], fallback: str, clock: Clock, waits: bool, threads: int = 0
-) -> TimeStandsStill:
+def _stands_still(nodes: Sequence[Node], error: Standstill | Stuck, clock: Simulation) -> TimeStandsStill:
     now = f"simulated time stands still at {clock.now() / NS} s"
-    place = _of_nodes(nodes, places)
-    if waits:
+    fallback = clock.failed if isinstance(error, Stuck) else error.place
+    place = _of_nodes(nodes, error.places) or (None if fallback else _of_nodes(nodes, clock.left))
+    where = f"{place.filename}:{place.line}" if place else fallback
+    if isinstance(error, Stuck) and (error.waits or error.computed):
         where = _say_place(place) if place else fallback
         why = (
-            "because this waits in real time, which the simulation cannot see. "
+            f"because this has computed for {error.computed:.0f} s and let nothing else run meanwhile. "
+            "Compute less at a time, or run the node on the wall clock."
+            if error.computed
+            else "because this waits in real time, which the simulation cannot see. "
             "Run the node on the wall clock, or remove what waits."
         )
-    elif threads:
-        where = f"{place.filename}:{place.line}" if place else fallback
+    elif isinstance(error, Standstill) and error.threads:
         why = (
-            f"because {threads:,} threads have not ended, as many as a run may have; this would have been one more"
-            f"{_ALSO_THREADS[nodes[0].ros]}. Start them outside of loops and callbacks, or let them end."
+            f"because {error.threads:,} threads have not ended, as many as a run may have; this would have been one "
+            f"more{_ALSO_THREADS[nodes[0].ros]}. Start them outside of loops and callbacks, or let them end."
         )
     else:
-        where = f"{place.filename}:{place.line}" if place else fallback
         why = (
             "because the node keeps running without sleeping. "
             f"Sleep in every loop (rate.sleep(), {_SLEEP[nodes[0].ros]}), and give timers and rates a period above 0."

@@ -16,7 +16,7 @@ from .clocks.stacks import acting_for
 from .frames import node_frames
 from .process import Capture, NodeLike, Process, load, refuse_text
 from .rospy import tester as rospy_tester
-from .run import PATIENCE, duration, explained, messages_of, new_world, run_main, stand_in, ticks_of
+from .run import PATIENCE, duration, explained, messages_of, new_world, run_main, stand_in, ticks_of, warn_of_files
 from .ticks import Message, Run
 from .world import World
 
@@ -72,6 +72,7 @@ class StartedNode:
         self._raised = 0  # of the node's errors so many were raised
         self._status_raised = False
         with self._inside():
+            warn_of_files([self._node])
             self._world = world = new_world(self._node, self._clock, record=True)
             world.on_failure = self._clock.pause
             own_world = World(self._clock, [], False, world.graph)

@@ -645,6 +645,11 @@ def test_arguments_set_a_parameter_of_ros2(page: Page) -> None:
         ),
         ("node.create_timer(0.5, print)\nrclpy.spin(node)", "done: 4 ticks, ended by Ctrl-C", "KeyboardInterrupt"),
         ("while rclpy.ok(): pass", "error", "Sleep in every loop (rate.sleep(), time.sleep(0.1))"),
+        (
+            "import threading, time\nwhile True: threading.Thread(target=time.sleep, args=[1]).start()",
+            "error",
+            "node.py:5: simulated time stands still at 0.0 s, because 1,000 threads have not ended",
+        ),
     ],
 )
 def test_errors_of_ros2_end_in_a_sentence_that_helps(page: Page, body: str, status: str, sentence: str) -> None:
@@ -1137,6 +1142,16 @@ def test_flood(page: Page, line: str) -> None:
         (node("rospy.Service"), "error", "node.py:4: rospy.Service is not simulated; run this node on a real ROS"),
         (node("while True: pass"), "error", "node.py:4: simulated time stands still at 0.0 s"),
         (node("while not rospy.is_shutdown(): rospy.sleep(0)"), "error", "node.py:4: simulated time stands still"),
+        (
+            node("import threading\nwhile True: threading.Thread(target=rospy.sleep, args=[1]).start()"),
+            "error",
+            "node.py:5: simulated time stands still at 0.0 s, because 1,000 threads have not ended",
+        ),
+        (
+            node("def callback(event):\n    import tf2_ros\nrospy.Timer(rospy.Duration(1), callback)\nrospy.spin()"),
+            "error",
+            "node.py:5: tf2_ros is not simulated; run this node on a real ROS",
+        ),
         (node("1 / 0"), "error", "ZeroDivisionError"),
         (node("input()"), "error", "EOFError"),
     ],
@@ -1149,6 +1164,36 @@ def test_errors_end_in_a_sentence_that_helps(page: Page, code: str, status: str,
     assert sentence in console
     assert "rosspin/" not in console and "pyodide" not in console
     assert cell.console.locator(".stderr").count()
+
+
+PROCESSES = {
+    "multiprocessing.Process(target=print).start()": "multiprocessing.Process",
+    "multiprocessing.get_context('fork').Process(target=print).start()": r"multiprocessing.Process \(fork\)",
+    "multiprocessing.Pool(2)": "multiprocessing.Pool",
+    "multiprocessing.Manager()": "multiprocessing.Manager",
+    "multiprocessing.Queue()": "multiprocessing.Queue",
+    "ProcessPoolExecutor(2).submit(pow, 2, 3)": "ProcessPoolExecutor",
+    "subprocess.run(['ls'])": "subprocess",
+    "os.fork()": r"os\.fork",
+}
+
+
+@pytest.mark.parametrize("where", ["main", "thread"])
+@pytest.mark.parametrize("call", PROCESSES)
+def test_a_process_is_named(page: Page, call: str, where: str) -> None:
+    """In the same line as in simulated time elsewhere. To import what could start one is no fault."""
+    cell = Cell(page, TIMER)
+    body = call if where == "main" else f"threading.Thread(target=lambda: {call}).start()\nrospy.spin()"
+    cell.write(
+        "import multiprocessing, os, subprocess, threading; from concurrent.futures import ProcessPoolExecutor\n"
+        + node(body)
+    )
+    cell.run(2)
+    assert re.fullmatch(
+        rf"\S+\.py:5: {PROCESSES[call]} is not simulated; run this node on the wall clock or on a real ROS\n"
+        r"On a computer, run: python -m rosspin run FILE\n",
+        cell.ends("error"),
+    )
 
 
 def test_traceback_shows_the_readers_lines_only(page: Page) -> None:

@@ -15,6 +15,7 @@ from typing import Any
 import pytest
 from tree import ROOT
 
+from rosspin import Run, ros1, ros2
 from rosspin.__main__ import main
 from rosspin.clocks import watchdog
 
@@ -77,6 +78,32 @@ def test_a_folder_with_a_file_that_is_in_the_way(write: Any, tmp_path: Path, nam
     whose = "ROS 1's" if name == "rospy" else "Python's"
     said = f"rosspin: {name}.py is in the way of {whose} module {name}: on a real ROS whatever imports {name} is given"
     assert (status, out, err) == (0, "ran\n", f"{said} this file\n")
+
+
+@pytest.mark.parametrize(("ros", "launched"), [(1, False), (1, True), (2, False)])
+def test_so_it_is_named_before_a_run_on_a_real_ros(
+    write: Any,
+    tmp_path: Path,
+    monkeypatch: pytest.MonkeyPatch,
+    capsys: pytest.CaptureFixture[str],
+    ros: int,
+    launched: bool,
+) -> None:
+    node = write(f"import {['rospy', 'rclpy'][ros - 1]}\n")
+    write("", "queue.py")
+    if launched:
+        write("<package><name>pkg</name></package>", "package.xml")
+        node = write("<launch><node pkg='pkg' type='node.py' name='node'/></launch>", "a.launch")
+    asked: list[str] = []
+
+    def launch(file: str, *_: Any) -> Run:
+        asked.append(file + capsys.readouterr().err)
+        return Run("", (), 0, f"ros{ros}", 1.0, 0.0, ())
+
+    monkeypatch.setattr([ros1, ros2][ros - 1], "launch", launch)
+    assert main(["run", node, f"--ros{ros}"]) == 0
+    said = f"{os.path.relpath(tmp_path / 'queue.py')} is in the way of Python's module queue: on a real ROS whatever "
+    assert asked == [f"{node}rosspin: {said}imports queue is given this file\n"]
 
 
 # --- good runs --------------------------------------------------------------------------------------------------------
@@ -319,6 +346,18 @@ def test_time_that_stands_still(
         ("from rospy import ServiceProxy\n", "rospy.ServiceProxy", 1),
         ("import rospy\nfrom std_srvs.srv import Empty\n", "std_srvs", 2),
         ("import rospy.service\n", "rospy.service", 1),
+        (
+            "import rospy\nrospy.init_node('n')\ndef callback(event):\n    import tf2_ros\n"
+            "rospy.Timer(rospy.Duration(0.1), callback)\nrospy.spin()\n",
+            "tf2_ros",
+            4,
+        ),
+        (
+            "import rclpy\nrclpy.init()\ndef callback():\n    import tf2_ros\n"
+            "node = rclpy.create_node('n')\nnode.create_timer(0.1, callback)\nrclpy.spin(node)\n",
+            "tf2_ros",
+            4,
+        ),
     ],
 )
 def test_what_is_outside_of_the_stand_in(

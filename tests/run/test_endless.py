@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import signal
 import subprocess
 import sys
 import threading
@@ -14,9 +15,10 @@ from typing import Any
 import pytest
 
 import rosspin
-from rosspin import TimeStandsStill, rospy, simulate
+from rosspin import TimeStandsStill, rospy, run, simulate
 from rosspin.clocks import simulation, watchdog
 from rosspin.clocks.ending import Ended
+from rosspin.clocks.stacks import current
 from rosspin.exercises import EXERCISES, check
 
 _SLEEPING = """
@@ -183,10 +185,36 @@ def test_too_many_threads_end_the_run(text: str, node: Any, few: None, raised: l
 def test_so_does_the_watchdog_and_nothing_is_raised_in_what_is_ending(
     text: str, node: Any, watched: None, raised: list[bool]
 ) -> None:
-    with pytest.raises(TimeStandsStill, match="simulated time stands still"):  # it looks when it happens to
+    with pytest.raises(TimeStandsStill, match=r"node\.py:\d+: simulated time stands still"):
         simulate(node(text), 5)
     assert not any(raised)
     assert as_before()
+
+
+@pytest.mark.parametrize("text", [source(ros, body) for ros in (1, 2) for body in (_SLEEPING, _OBSTINATE)])
+def test_the_place_is_known_even_if_none_of_its_lines_was_running(
+    text: str, node: Any, watched: None, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    monkeypatch.setattr(sys, "_current_frames", lambda: {})
+    with pytest.raises(TimeStandsStill, match=r"node\.py:\d+: simulated time stands still"):
+        simulate(node(text), 5)
+
+
+@pytest.mark.parametrize("thread", ["", "threading.Thread(target=SLEEP, args=(5,)).start()"])
+def test_so_it_is_if_time_stands_still_between_two_stacks(
+    thread: str, node: Any, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    class Standing(simulation.Simulation):
+        def _next(self) -> Any:
+            if current() is self._home and self.now():
+                raise simulation.Standstill([], "")
+            return super()._next()
+
+    monkeypatch.setattr(run, "Simulation", Standing)
+    text = source(1, f"{thread}\nrospy.sleep(1)\nthreading.Thread(target=rospy.sleep, args=(1,)).start()\nrospy.spin()")
+    line = text.count("\n")
+    with pytest.raises(TimeStandsStill, match=rf"node\.py:{line}: simulated time stands still"):
+        simulate(node(text), 5)
 
 
 @pytest.mark.parametrize("text", SOME)
@@ -263,10 +291,78 @@ def test_what_refuses_to_end_is_given_up_and_the_result_stands(
         rospy.sleep(0.5)
         print("done")
 
-    run = simulate(main, 5)
-    assert (run.status, run.console) == (0, "done\n")
+    done = simulate(main, 5)
+    assert (done.status, done.console) == (0, "done\n")
     assert set(ends) == {0}, "the time of all is over with the first's"
     assert any(raised) and as_before()
+
+
+C_CODE = {
+    "a power": "9**9**9",
+    "a regular expression": "re.match('(a+)+$', 'a' * 60 + 'b')",
+    "a loop that gives way to no thread": "(sys.setswitchinterval(1e6), [0 for _ in itertools.count()])",
+}
+
+
+@pytest.mark.parametrize("how", ["main", "thread", "end"])
+@pytest.mark.parametrize("name", C_CODE)
+def test_code_in_c_that_lets_no_thread_run(name: str, how: str, node: Any, monkeypatch: pytest.MonkeyPatch) -> None:
+    """It ends the watchdog's way, which gives it more time; and so it does while a run is taken down."""
+    monkeypatch.setattr(watchdog, "_INTERVAL", 0.005)
+    before = signal.getsignal(signal.SIGVTALRM), signal.getitimer(signal.ITIMER_VIRTUAL)
+    body = {
+        "main": f"{C_CODE[name]}",
+        "thread": f"threading.Thread(target=lambda: {C_CODE[name]}).start()",
+        "end": f"""
+            def work():
+                try:
+                    SLEEP(1)
+                finally:
+                    {C_CODE[name]}
+
+            threading.Thread(target=work, daemon=True).start()
+            SLEEP(0.5)
+            """,
+    }[how]
+    path = node("import itertools, re, sys\n" + source(1, body))
+    if how == "end":
+        assert simulate(path, 5).status == 0
+    else:
+        with pytest.raises(TimeStandsStill, match=r"node\.py:5: .*: simulated time .* has computed for \d+ s"):
+            simulate(path, 5)
+    assert before == (signal.getsignal(signal.SIGVTALRM), signal.getitimer(signal.ITIMER_VIRTUAL))
+    assert as_before()
+
+
+def test_so_it_ends_in_a_test_and_in_an_exercise(node: Any, monkeypatch: pytest.MonkeyPatch) -> None:
+    monkeypatch.setattr(watchdog, "_INTERVAL", 0.005)
+    text = source(1, "SLEEP(1)\n9**9**9")
+    with pytest.raises(TimeStandsStill, match=r"at 1\.0 s, because this has computed"):
+        with rosspin.start(node(text)) as started:
+            started.advance(2)
+    assert "because this has computed" in str(check(1, text))
+
+
+@pytest.mark.parametrize("launched", [False, True])
+def test_on_the_command_line_even_if_it_heeds_no_signal(launched: bool, node: Any, tmp_path: Path) -> None:
+    path = node("import itertools\n" + source(1, "SLEEP(1)\nsum(itertools.count())"))
+    if launched:
+        (tmp_path / "package.xml").write_text("<package><name>pkg</name></package>")
+        (tmp_path / "a.launch").write_text("<launch><node pkg='pkg' type='node.py' name='node'/></launch>")
+    file = str(tmp_path / "a.launch") if launched else path
+    program = f"""
+        import sys
+        from rosspin.__main__ import main
+        from rosspin.clocks import guard
+        guard._SILENT = 2.0
+        sys.argv = ["rosspin", "run", "--simulated", "--seconds", "5", {file!r}]
+        main()
+    """
+    done = subprocess.run([sys.executable, "-c", dedent(program)], capture_output=True, text=True, timeout=300)
+    assert (done.returncode, done.stdout) == (-signal.SIGKILL, "")
+    assert done.stderr == (
+        f"rosspin: {path}:6: this has let nothing else run for a minute, and heeds no signal; the process was killed\n"
+    )
 
 
 def test_if_nothing_else_ends_it_the_process_ends_and_says_why(node: Any, tmp_path: Path) -> None:

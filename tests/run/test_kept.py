@@ -224,6 +224,22 @@ def test_a_started_node_finds_its_changes_again_and_the_test_does_not() -> None:
     assert not hasattr(rospy, "mine") and random.getstate() == before
 
 
+def test_of_several_nodes_one_sees_what_another_has_changed_until_the_run_ends() -> None:
+    def changes() -> None:
+        rospy.init_node("changes")
+        rospy.mine = 1
+        rospy.spin()
+
+    def looks() -> None:
+        rospy.init_node("looks")
+        rospy.sleep(1)
+        print(rospy.mine)
+        rospy.spin()
+
+    assert "\n1\n" in "\n" + simulate([rosspin.Node(changes, name="a"), rosspin.Node(looks, name="b")], 2).console
+    assert not hasattr(rospy, "mine")
+
+
 def test_what_is_replaced_outside_of_a_run_stays(monkeypatch: pytest.MonkeyPatch) -> None:
     def node() -> None:
         rospy.init_node("node")

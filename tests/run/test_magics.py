@@ -13,6 +13,7 @@ from traitlets.config import Config
 from tree import ROOT
 
 from rosspin import Run
+from rosspin.clocks import simulation
 
 NODES = ROOT / "examples" / "my_robotics_pkg" / "src"
 NODE = (NODES / "spinner_py_node.py").read_text()
@@ -121,6 +122,17 @@ def test_what_ends_the_run_stops_the_notebook(shell: Any, capsys: pytest.Capture
         result = shell.run_cell(cell)
         assert type(result.error_in_exec).__name__ == error
     assert "run" not in shell.user_ns
+
+
+@pytest.mark.parametrize(
+    ("begin", "sleep"),
+    [("import rospy\nrospy.init_node('n')", "rospy.sleep"), ("import rclpy, time\nrclpy.init()", "time.sleep")],
+)
+def test_threads_without_end_end_the_cell(shell: Any, monkeypatch: pytest.MonkeyPatch, begin: str, sleep: str) -> None:
+    monkeypatch.setattr(simulation, "MOST_STACKS", 100)
+    loop = f"while True:\n    threading.Thread(target={sleep}, args=(1,)).start()"
+    error = shell.run_cell(f"%%simulate 1\n{begin}\nimport threading\n{loop}").error_in_exec
+    assert "<cell " in str(error) and ">:6: simulated time stands still at 0.0 s, because 100 threads" in str(error)
 
 
 def test_the_shell_is_as_it_was_after_a_cell(shell: Any) -> None:

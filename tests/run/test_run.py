@@ -23,7 +23,7 @@ import pytest
 from tree import ROOT
 
 import rosspin
-from rosspin import NotSimulated, Tick, TimeStandsStill, measure, rospy, simulate, start
+from rosspin import NotSimulated, Run, Tick, TimeStandsStill, measure, rospy, simulate, start
 from rosspin.clocks.simulation import Simulation
 from rosspin.process import load, load_source
 from rosspin.run import run_node, say_error
@@ -733,6 +733,12 @@ def test_the_time_since_logging_began_is_simulated() -> None:
 # --- files in the way -------------------------------------------------------------------------------------------------
 
 
+def started(node: str, seconds: float) -> Run:
+    with start(node) as node_in_steps:
+        node_in_steps.advance(seconds)
+    return node_in_steps.run
+
+
 @pytest.mark.parametrize(
     ("file", "whose"),
     [
@@ -744,7 +750,7 @@ def test_the_time_since_logging_began_is_simulated() -> None:
         ("sensor_msgs.py", "ROS 1's module sensor_msgs"),
     ],
 )
-@pytest.mark.parametrize("how", [simulate, measure])
+@pytest.mark.parametrize("how", [simulate, measure, started])
 def test_a_file_in_the_way_of_a_module_is_named(write: Any, tmp_path: Path, file: str, whose: str, how: Any) -> None:
     (tmp_path / file).parent.mkdir(exist_ok=True)
     write("", file)

@@ -16,7 +16,7 @@ TEXTS = ["README.md", "index.rst", "conf.py", "Makefile", "docs", "notebooks", "
 BRITISH = "license,licensed,licenses,program,programs,math,practice"
 # rospy, rclpy, CSS and io have names and messages in American.
 IN_CODE = "color,initialized,colors,serialize,deserialize,writable"
-IN_CODE += ",canceled,center,initialize,recognized,serialization,uninitialized"
+IN_CODE += ",canceled,center,initialize,recognized,serialization,uninitialized,synchronize"
 # A package, and a part of many words.
 NAMES = "simpy"
 

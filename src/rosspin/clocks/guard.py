@@ -17,13 +17,17 @@ from contextlib import contextmanager
 from ..descendants import kill_descendants
 from ..frames import Place, Whereabouts
 
-__all__ = ["LastWords", "guard"]
+__all__ = ["LastWords", "guard", "guard_threads"]
 
 # Where the threads of the guarded process are, to what is said before it is killed.
 LastWords = Callable[[list[Whereabouts]], str]
 
 # The stacks are looked at so long (s) before the end.
 _BEFORE = 0.2
+
+# Code in C may keep all other threads from running for so long (s); a thread tells of itself so often (s).
+_SILENT = 60.0
+_BEAT = 0.5
 
 # A timer of faulthandler cannot be set for later (s).
 _LATEST = threading.TIMEOUT_MAX / 2
@@ -46,11 +50,7 @@ def guard(until: float | None, patience: float, last_words: LastWords) -> Iterat
         os.close(write)
         os.close(dump)
         _watch(guarded, read, time.monotonic() + (math.inf if until is None else until + patience), patience)
-        sys.stderr.write(last_words(_read_stacks(stacks)))
-        sys.stderr.flush()
-        kill_descendants(guarded)
-        os.kill(guarded, signal.SIGKILL)
-        os._exit(0)
+        _kill(guarded, last_words(_read_stacks(stacks)))
     os.close(read)
     os.close(stacks)
 
@@ -68,6 +68,66 @@ def guard(until: float | None, patience: float, last_words: LastWords) -> Iterat
         os.close(write)
         os.close(dump)
         os.waitpid(guardian, 0)
+
+
+@contextmanager
+def guard_threads(last_words: LastWords) -> Iterator[None]:
+    """A process that kills this one if code in C keeps its threads from running for a minute, as it may for ever."""
+    read, write = os.pipe()
+    stacks, dump = os.pipe()
+    sys.stderr.flush()
+    guarded = os.getpid()
+    guardian = os.fork()
+    if not guardian:
+        os.close(write)
+        os.close(dump)
+        _listen(guarded, read)
+        _kill(guarded, last_words(_read_stacks(stacks)))
+    os.close(read)
+    os.close(stacks)
+    over = threading.Event()
+
+    def beat() -> None:
+        while not over.wait(_BEAT):
+            faulthandler.dump_traceback_later(_SILENT - _BEFORE, file=dump)
+            os.write(write, b"+")
+
+    faulthandler.dump_traceback_later(_SILENT - _BEFORE, file=dump)
+    beating = threading.Thread(target=beat, daemon=True)
+    beating.start()
+    try:
+        yield
+    finally:
+        over.set()
+        beating.join()
+        faulthandler.cancel_dump_traceback_later()
+        os.write(write, b".")
+        os.close(write)
+        os.close(dump)
+        os.waitpid(guardian, 0)
+
+
+def _listen(guarded: int, read: int) -> None:
+    """Return when nothing has come for too long; exit if the guarded process ends first."""
+    signal.signal(signal.SIGINT, signal.SIG_IGN)
+    silent = 0.0  # not by a clock: both processes may have been stopped
+    while os.getppid() == guarded and silent < _SILENT:
+        if not select.select([read], [], [], _BEFORE)[0]:
+            silent += _BEFORE
+        elif os.read(read, 1) == b"+":
+            silent = 0.0
+        else:
+            os._exit(0)
+    if os.getppid() != guarded:
+        os._exit(0)
+
+
+def _kill(guarded: int, words: str) -> None:
+    sys.stderr.write(words)
+    sys.stderr.flush()
+    kill_descendants(guarded)
+    os.kill(guarded, signal.SIGKILL)
+    os._exit(0)
 
 
 def _watch(guarded: int, read: int, deadline: float, patience: float) -> None:

@@ -13,7 +13,7 @@ import sys
 from collections.abc import Callable, Iterator
 from contextlib import AbstractContextManager, contextmanager
 from heapq import heapify, heappop, heappush, heappushpop
-from itertools import count
+from itertools import count, islice
 
 from ..frames import Place, places, trail
 from .clock import NS
@@ -32,6 +32,9 @@ _PAUSE = 1 << 62
 
 # A run may have so many stacks, each of some 13 KB; a page has less room. A computer has it for some 30,000 threads.
 MOST_STACKS = 1_000 if sys.platform == "emscripten" else 20_000
+
+# Of so many stacks, the newest, it is told where they were when an exception ended a simulation.
+_SHOWN = 10
 
 # The first thread's ident; the operating system gives none like it.
 _FIRST_IDENT = 1 << 32
@@ -82,6 +85,7 @@ class Simulation:
         self.taking_down: Callable[[], AbstractContextManager[Callable[[], bool]]] = _unlimited
         self.main: Stack
         self.failed = ""  # the place of the stack that an exception ended
+        self.left: list[Place] = []  # where some stacks were that an exception has left, the newest first
 
     def now(self) -> int:
         """The time, in ns."""
@@ -231,6 +235,8 @@ class Simulation:
                         raise RuntimeError(f"nothing is left to happen at {self.seconds()} s, and the node still waits")
                     due[2].switch()
         except BaseException:
+            newest = islice(reversed(self._stacks), _SHOWN)
+            self.left = [place for stack in (*newest, self.main) if stack for place in places(stack.trail)]
             self.close()
             raise
         if self.main.dead:

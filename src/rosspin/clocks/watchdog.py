@@ -14,7 +14,7 @@ from time import perf_counter
 from types import FrameType
 from typing import Any
 
-from ..frames import Place, called_from, places, trail
+from ..frames import Place, called_from, places, trail, trail_of
 from .ending import Ended, end_thread, spare_me
 from .stacks import Stack, current
 
@@ -31,14 +31,26 @@ _PATIENT = 10
 # A thread that has a processor, or wants one, for less than this share of the time waits for something else.
 _BUSY = 0.2
 
+# As they were before any node, which may put others in their place. The timer tells the time that the process works:
+# the one that tells real time may be in use, and this one hardly ever is.
+_pthread_kill: Any = getattr(signal, "pthread_kill", None)
+_setitimer: Any = getattr(signal, "setitimer", None)
+_getitimer: Any = getattr(signal, "getitimer", None)
+_ITIMER: Any = getattr(signal, "ITIMER_VIRTUAL", None)
+
 
 class Stuck(Exception):
-    """A run was found stuck at ``places``, innermost first; ``waits``: it did not work there, but wait."""
+    """A run was found stuck at ``places``, innermost first; ``waits``: it did not work there, but wait.
 
-    def __init__(self, places: list[Place], waits: bool) -> None:
+    After these come the places at which it was then ended: when it was found, it may have been between two stacks.
+    ``computed`` is for how long (s) code in C had let nothing else run, if that is why.
+    """
+
+    def __init__(self, places: list[Place], waits: bool, computed: float = 0.0) -> None:
         super().__init__()
         self.places = places
         self.waits = waits
+        self.computed = computed
 
 
 class Watchdog:
@@ -63,6 +75,7 @@ class Watchdog:
 
     def __exit__(self, kind: object, error: BaseException | None, trace: object) -> None:
         if isinstance(error, Ended) and self._stuck:
+            self._stuck.places += places(trail_of(error.__traceback__))
             raise self._stuck from None
         if self._interrupted:
             raise KeyboardInterrupt from None
@@ -113,7 +126,11 @@ class Watchdog:
 
 
 class _FromAThread(Watchdog):
-    """Looks at the thread that made it from another one."""
+    """Looks at the thread that made it from another one.
+
+    Code in C may let no other thread run. In the main thread a timer of the process is set anew at each look; when it
+    rings, there has been none for long, and such code is asked to end: most of what can go on for ever heeds signals.
+    """
 
     def __init__(self, sign_of_life: Callable[[], int]) -> None:
         self._ident = get_ident()
@@ -125,11 +142,16 @@ class _FromAThread(Watchdog):
         self._turn = threading.Lock()  # of looking, and of beginning something else
         self._sent = self._received = 0  # signals of its own, or exceptions
         self._watcher = threading.Thread(target=self._watch, daemon=True)
+        self._has_timer = self._is_main and _ITIMER is not None
+        self._looked = perf_counter()
 
     def __enter__(self) -> Watchdog:
         if self._is_main:
             # Only a signal also ends calls that block.
             self._previous = signal.signal(signal.SIGINT, self._on_signal)
+        if self._has_timer:
+            self._previous_timer = signal.signal(signal.SIGVTALRM, self._on_timer), _getitimer(_ITIMER)
+        self._set_timer()
         self._watcher.start()
         return self
 
@@ -138,6 +160,10 @@ class _FromAThread(Watchdog):
         self._watcher.join()
         if self._is_main:
             signal.signal(signal.SIGINT, self._previous)
+        if self._has_timer:
+            handler, times = self._previous_timer
+            _setitimer(_ITIMER, *times)
+            signal.signal(signal.SIGVTALRM, handler)
         self._take_back()
         super().__exit__(kind, error, trace)
 
@@ -168,8 +194,33 @@ class _FromAThread(Watchdog):
         if self._due and isinstance(current(), Stack):
             raise Ended
 
+    def _set_timer(self) -> None:
+        self._looked = perf_counter()
+        if self._has_timer:
+            _setitimer(_ITIMER, _INTERVAL * _LOOKS * _PATIENT)
+
+    def _has_rung(self) -> bool:
+        """Whether the timer has; before it is answered, the watcher may have a look again."""
+        return self._has_timer and not any(_getitimer(_ITIMER))
+
+    def _on_timer(self, number: int, frame: FrameType | None) -> None:
+        """Code in C heeds signals, or has returned, after the process has worked for long without a look."""
+        computed = perf_counter() - self._looked
+        if self._done.is_set():
+            return
+        if computed < _INTERVAL * _LOOKS * _PATIENT:  # many threads have worked at a time
+            self._set_timer()
+            return
+        if self._stuck is None and not self._taking_down:
+            self._stuck = Stuck(places(trail(frame)), waits=False, computed=computed)
+        self._due = True
+        if isinstance(current(), Stack):
+            raise Ended
+
     def _watch(self) -> None:
         while not self._done.wait(_INTERVAL):
+            if not self._has_rung():
+                self._set_timer()
             with self._turn:
                 frame = sys._current_frames().get(self._ident)
                 if not self._is_due(frame):
@@ -181,7 +232,7 @@ class _FromAThread(Watchdog):
                     break
                 self._sent += 1
                 if self._is_main:
-                    signal.pthread_kill(self._ident, signal.SIGINT)
+                    _pthread_kill(self._ident, signal.SIGINT)
                 else:
                     end_thread(self._ident)
 
