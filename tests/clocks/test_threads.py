@@ -362,10 +362,13 @@ def test_the_time_of_the_processor_is_real() -> None:
 # --- what waits in real time ------------------------------------------------------------------------------------------
 
 
+SLEEPS = f"subprocess.run([{sys.executable!r}, '-c', 'import time; time.sleep(60)'])"
+
+
 @pytest.mark.parametrize(
     ("code", "line", "call"),
     [
-        ("import subprocess\nsubprocess.run(['sleep', '60'])\n", 2, "subprocess.run(['sleep', '60'])"),
+        (f"import subprocess\n{SLEEPS}\n", 2, SLEEPS),
         ("import socket\ns = socket.create_server(('localhost', 0))\ns.accept()\n", 3, "s.accept()"),
         ("import select\n\nselect.select([], [], [], 60)\n", 3, "select.select([], [], [], 60)"),
         ("import asyncio\nasyncio.run(asyncio.sleep(60))\n", 2, "asyncio.run(asyncio.sleep(60))"),

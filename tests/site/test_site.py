@@ -42,7 +42,7 @@ FOREIGN_IN_JS = re.compile(
 )
 
 
-@pytest.fixture(scope="session")
+@pytest.fixture(scope="module")
 def pages(site: Path) -> dict[Path, BeautifulSoup]:
     """Every built page, parsed, by its path."""
     files = [path for path in sorted(site.rglob("*.html")) if "_static" not in path.parts]
