@@ -16,6 +16,7 @@ from typing import Any
 import pytest
 
 from rosspin import TimeStandsStill, measure, rospy, simulate
+from rosspin.clocks import watchdog
 
 # Only so that a test that hangs ends at all.
 NEVER = 60
@@ -322,6 +323,24 @@ def test_a_child_that_a_node_forks_does_not_come_back_to_the_host() -> None:
     here = os.getpid()
     assert simulate(node, 1).console == "7\n"
     assert os.getpid() == here
+
+
+def test_a_node_that_stands_in_line_for_a_processor_is_not_ended(
+    impatient: None, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    """As on a machine that has too much to do; it works for twice as long as a node may that has a processor."""
+
+    def node() -> None:
+        done = time.process_time() + 0.9
+        while time.process_time() < done:
+            pass
+        print("done")
+
+    with monkeypatch.context() as patch:
+        patch.setattr(watchdog._FromAThread, "_scheduled_until_now", lambda self: (0.0, time.perf_counter()))
+        assert simulate(node, 1).console == "done\n"
+    with pytest.raises(TimeStandsStill):
+        simulate(node, 1)
 
 
 def test_an_import_that_never_ends(impatient: None, write: Any) -> None:
