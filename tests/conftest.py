@@ -5,6 +5,7 @@ from __future__ import annotations
 import gc
 import json
 import os
+from collections import defaultdict
 from collections.abc import Iterator
 from contextlib import nullcontext
 from pathlib import Path
@@ -15,10 +16,11 @@ import pytest
 from hypothesis import settings
 from seeds import SEED
 from simulated_only import simulated_only
-from tree import DOCTREES, SITE, TESTS
+from tree import DOCTREES, ROOT, SITE, TESTS
 
-# Seconds that each file of tests took once, by its path below tests/.
+# Seconds that each file of tests took once, by its path below tests/; and those of this run.
 DURATIONS: dict[str, float] = json.loads((TESTS / "durations.json").read_text(encoding="utf-8"))
+_took: defaultdict[str, float] = defaultdict(float)
 
 
 def pytest_report_header() -> str:
@@ -47,6 +49,18 @@ def pytest_collection_modifyitems(items: list[pytest.Item]) -> None:
     for item, name in names.items():
         item.add_marker(lane(name))
     items.sort(key=lambda item: -DURATIONS.get(names[item], float("inf")))
+
+
+def pytest_runtest_logreport(report: pytest.TestReport) -> None:
+    _took[report.nodeid.partition("::")[0].removeprefix("tests/")] += report.duration
+
+
+def pytest_sessionfinish(session: pytest.Session) -> None:
+    if not hasattr(session.config, "workerinput"):
+        durations = DURATIONS | {name: round(seconds, 1) for name, seconds in _took.items()}
+        (ROOT / "build").mkdir(exist_ok=True)
+        text = json.dumps(dict(sorted(durations.items())), indent=2)
+        (ROOT / "build" / "durations.json").write_text(f"{text}\n", encoding="utf-8")
 
 
 def pytest_collection_finish() -> None:

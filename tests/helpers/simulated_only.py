@@ -4,10 +4,14 @@ from __future__ import annotations
 
 import os
 import sys
+import time
 from collections.abc import Iterator
 from contextlib import contextmanager
 from pathlib import Path
-from typing import Any
+from typing import Any, NoReturn
+from unittest import mock
+
+from rosspin.clocks.clock import WallClock
 
 # Programs that a test of the simulated lane may start: Python and node, what the author of a page types, and commands
 # in launch files.
@@ -27,31 +31,39 @@ def simulated_only() -> Iterator[None]:
 
     It is raised where that is asked for, and once more at the end, for there it may have been caught.
     """
-    global _watched
-    _seen.clear()
-    _watched = True
+    global _watched, _seen
+    before, (_watched, _seen) = (_watched, _seen), (True, [])
     try:
-        yield
+        with mock.patch.object(WallClock, "now", _refuse_the_wall_clock), mock.patch.object(time, "sleep", _sleep):
+            yield
+        if _seen:
+            raise OutOfLane("; ".join(_seen))
     finally:
-        _watched = False
-    if _seen:
-        raise OutOfLane("; ".join(_seen))
+        _watched, _seen = before
+
+
+def _refuse(text: str) -> NoReturn:
+    _seen.append(f"{text}: such a test belongs into tests/real")
+    raise OutOfLane(_seen[-1])
+
+
+def _refuse_the_wall_clock(clock: WallClock) -> NoReturn:
+    _refuse("it runs a node on the wall clock")
+
+
+def _sleep(seconds: float) -> None:
+    if seconds > 0:
+        _refuse(f"it sleeps for {seconds} s in real time")
 
 
 def _look(event: str, args: tuple[Any, ...]) -> None:
-    if not _watched or event not in ("time.sleep", "subprocess.Popen"):
+    if not _watched or event != "subprocess.Popen":
         return
-    if event == "time.sleep":
-        if args[0] <= 0:
-            return
-        text = f"it sleeps for {args[0]} s in real time"
-    else:
-        program = Path(os.fspath(args[0])).name
-        if program.startswith(PROGRAMS):
-            return
-        text = f"it starts {program}"
-    _seen.append(f"{text}: such a test belongs into tests/real")
-    raise OutOfLane(_seen[-1])
+    program = Path(os.fspath(args[0])).name
+    if not program.startswith(PROGRAMS):
+        _refuse(f"it starts {program}")
+    if "rosspin.wall" in str(args[1]):
+        _refuse("it runs a node on the wall clock")
 
 
 sys.addaudithook(_look)

@@ -25,7 +25,7 @@ def test_it_runs_a_node_in_a_folder_with_nothing_else(tmp_path: Path) -> None:
     assert run.returncode == 0, run.stderr
     (tmp_path / "nodes").mkdir()
     shutil.copy(NODE, tmp_path / "nodes")
-    command = [commands / "rosspin", "run", NODE.name, "--simulated", "--seconds", "1"]
+    command: list[str | Path] = [commands / "rosspin", "run", NODE.name, "--simulated", "--seconds", "1"]
     environment = {name: value for name, value in os.environ.items() if not name.startswith("PYTHON")}
     run = subprocess.run(command, cwd=tmp_path / "nodes", env=environment, capture_output=True, text=True)
     assert run.returncode == 0, run.stderr

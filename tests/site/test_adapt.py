@@ -101,7 +101,7 @@ def test_the_cell_with_a_slider_makes_a_figure(monkeypatch: pytest.MonkeyPatch) 
 
 def test_exercises_are_solved_by_their_solutions_and_none_is_missing(few: Path, wrong: str) -> None:
     page = (few / EXERCISES).read_text()
-    line = page.count("\n") + 1 + (_START + _SOLUTION).count("\n", 0, (_START + _SOLUTION).index("%%"))
+    line = page.count("\n", 0, page.index(_SOLUTION) + _SOLUTION.index("%%")) + 1
     entry = entry_of(wrong, f"notebooks/ros2-exercises.md:{line}\n")
     assert re.search(r"stands +%%answer 20\n +now +Exercise 20: not yet\.\n(.*\n)* +Hint: ", entry)
     assert wrong.count("%%answer 20") == 1  # where a reader starts, an answer need not be right

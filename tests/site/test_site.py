@@ -257,9 +257,15 @@ def test_readme_shows_its_commands() -> None:
     assert {"make html", "make test"} <= set(COMMANDS)
 
 
-@pytest.mark.parametrize("command", [command for command in COMMANDS if command.startswith("make ")])
+@pytest.mark.parametrize("command", [command for command in COMMANDS if "make " in command])
 def test_make_command_exists(command: str) -> None:
-    subprocess.run([*shlex.split(command), "--dry-run"], cwd=ROOT, check=True, capture_output=True)
+    subprocess.run(f"{command} --dry-run", shell=True, cwd=ROOT, check=True, capture_output=True)
+
+
+@pytest.mark.parametrize("command", [command for command in COMMANDS if "pytest " in command])
+def test_pytest_is_given_files_that_there_are(command: str) -> None:
+    files = re.findall(r"(?:tests|examples)/\S*", command)
+    assert all((ROOT / file).exists() for file in files)
 
 
 @pytest.mark.parametrize("command", SIMULATED)
