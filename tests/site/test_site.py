@@ -7,35 +7,27 @@ import pickle
 import re
 import shlex
 import subprocess
-import sys
 import tomllib
-from collections.abc import Callable, Iterator
+from collections.abc import Iterator
 from pathlib import Path
 from urllib.parse import unquote, urlsplit
 
 import pytest
 import yaml
 from bs4 import BeautifulSoup, Tag
+from commands import COMMANDS, PAGES, SIMULATED
 from docutils import nodes
-from outcomes import until_lucky
 from tree import DOCTREES, ROOT, SITE
 
-NOTEBOOKS = sorted(path.stem for path in (ROOT / "notebooks").glob("*.md"))
-SOURCES = [
-    path.relative_to(ROOT).with_suffix("").as_posix()
-    for path in [ROOT / "index.rst", *sorted(ROOT.glob("docs/**/*.rst")), *sorted(ROOT.glob("notebooks/*.md"))]
-]
+from rosspin.__main__ import main
 
-# What a browser loads by itself, as (selector, attribute).
-LOADED = [
-    *((tag, "src") for tag in ("script", "img", "iframe", "audio", "video", "source", "embed", "input")),
-    *((f"link[rel~={rel}]", "href") for rel in ("stylesheet", "icon", "manifest", "preload", "modulepreload")),
-    *((f"link[rel~={rel}]", "href") for rel in ("prefetch", "preconnect", "dns-prefetch")),
-    *((tag, "srcset") for tag in ("img", "source")),
-    *((tag, attribute) for tag in ("image", "use") for attribute in ("href", "xlink:href")),
-    ("object", "data"),
-    ("video", "poster"),
-]
+NOTEBOOKS = sorted(path.stem for path in (ROOT / "notebooks").glob("*.md"))
+SOURCES = [page.relative_to(ROOT).with_suffix("").as_posix() for page in PAGES]
+# What a browser loads by itself: attributes of these tags, and of links that stand in these relations.
+LOADED = {tag: {"src"} for tag in ("script", "iframe", "audio", "embed", "input")}
+LOADED |= {tag: {"src", "srcset"} for tag in ("img", "source")}
+LOADED |= {tag: {"href", "xlink:href"} for tag in ("image", "use")} | {"object": {"data"}, "video": {"src", "poster"}}
+LOADED_LINKS = {"stylesheet", "icon", "manifest", "preload", "modulepreload", "prefetch", "preconnect", "dns-prefetch"}
 FOREIGN = re.compile(r"\s*(?:[a-z]+:)?//", re.IGNORECASE)
 FOREIGN_IN_CSS = re.compile(r"""(?:url\(\s*|@import\s+)["']?(?:[a-z]+:)?//[^)"';]*""", re.IGNORECASE)
 FOREIGN_IN_JS = re.compile(
@@ -45,15 +37,11 @@ FOREIGN_IN_JS = re.compile(
 )
 
 
-@pytest.fixture(scope="session")
+@pytest.fixture(scope="module")
 def pages(site: Path) -> dict[Path, BeautifulSoup]:
     """Every built page, parsed, by its path."""
     files = [path for path in sorted(site.rglob("*.html")) if "_static" not in path.parts]
     return {path: BeautifulSoup(path.read_text(encoding="utf-8"), "html.parser") for path in files}
-
-
-def _page(name: str) -> BeautifulSoup:
-    return BeautifulSoup((SITE / f"{name}.html").read_text(encoding="utf-8"), "html.parser")
 
 
 @pytest.mark.parametrize("name", sorted({"index", "docs/tutorial", "notebooks/timer", "notebooks/rate", *SOURCES}))
@@ -61,15 +49,16 @@ def test_page_is_built(site: Path, name: str) -> None:
     assert (site / f"{name}.html").is_file()
 
 
+def _page(name: str) -> BeautifulSoup:
+    return BeautifulSoup((SITE / f"{name}.html").read_text(encoding="utf-8"), "html.parser")
+
+
 def test_links_lead_somewhere(pages: dict[Path, BeautifulSoup]) -> None:
-    anchors = {
-        path: {str(tag[name]) for name in ("id", "name") for tag in page.select(f"[{name}]")}
-        for path, page in pages.items()
-    }
+    tags = {path: page.find_all(True) for path, page in pages.items()}
+    anchors = {path: {str(tag.get(name)) for tag in of for name in ("id", "name")} for path, of in tags.items()}
     broken = []
-    for path, page in pages.items():
-        for tag in page.select("[href], [src]"):
-            target = str(tag.get("href") or tag.get("src"))
+    for path, of in tags.items():
+        for target in {str(target) for tag in of if (target := tag.get("href") or tag.get("src"))}:
             url = urlsplit(target)
             if url.scheme or url.netloc or target == "#":  # "#" is a button of the theme
                 continue
@@ -146,14 +135,34 @@ def test_a_topic_is_drawn_from_its_messages() -> None:
     assert labels == ["Timeline. /counter: 4 ticks from 0.500 s to 2.000 s. All 4 ticks were on time."]
 
 
+def _loaded(page: BeautifulSoup) -> list[str]:
+    """The addresses that a browser loads by itself."""
+    tags = page.find_all(True)
+    loaded = [str(tag[name]) for tag in tags for name in LOADED.get(tag.name, ()) if tag.get(name)]
+    links = [tag for tag in tags if tag.name == "link" and LOADED_LINKS & set(tag.get_attribute_list("rel"))]
+    return loaded + [str(tag["href"]) for tag in links]
+
+
+@pytest.mark.parametrize(
+    ("text", "loaded"),
+    [
+        ('<script src="a"></script><iframe src="b"></iframe><video src="c" poster="d"></video>', ["a", "b", "c", "d"]),
+        ('<img src="a" srcset="b 2x"><svg><use xlink:href="c"/><image href="d"/></svg>', ["a", "b 2x", "c", "d"]),
+        ('<object data="a"></object><link rel="icon stylesheet" href="b">', ["a", "b"]),
+        ('<a href="a">b</a><link rel="next" href="c"><p style="d">e</p>', []),
+    ],
+)
+def test_what_a_browser_loads_is_known(text: str, loaded: list[str]) -> None:
+    assert sorted(_loaded(BeautifulSoup(text, "html.parser"))) == loaded
+
+
 def test_pages_load_nothing_from_elsewhere(pages: dict[Path, BeautifulSoup]) -> None:
     foreign = []
     for path, page in pages.items():
-        loaded = [str(tag[name]) for selector, name in LOADED for tag in page.select(selector) if tag.get(name)]
-        inline = [tag.get_text() for tag in page.select("style")]
-        inline += [str(tag["style"]) for tag in page.select("[style]")]
-        scripts = [tag.get_text() for tag in page.select("script")]
-        found = [url for url in loaded if any(FOREIGN.match(part) for part in url.split(","))]
+        inline = [tag.get_text() for tag in page.find_all("style")]
+        inline += [str(tag["style"]) for tag in page.find_all(style=True)]
+        scripts = [tag.get_text() for tag in page.find_all("script")]
+        found = [url for url in _loaded(page) if any(FOREIGN.match(part) for part in url.split(","))]
         found += [hit for text in inline for hit in FOREIGN_IN_CSS.findall(text)]
         found += [hit for text in scripts for hit in FOREIGN_IN_JS.findall(text)]
         foreign += [f"{path.relative_to(SITE)}: {hit}" for hit in found]
@@ -244,47 +253,30 @@ def test_there_are_as_many_examples_as_there_were(site: Path) -> None:
     assert len(prompts) + sum(node.get("testnodetype") == "testcode" for node in literals) >= 183
 
 
-def _commands() -> dict[str, str]:
-    """The commands that README and the site tell a reader to type, each with where it stands."""
-    readme = (ROOT / "README.md").read_text(encoding="utf-8")
-    code = re.findall(r"```\w*\n(.*?)```|`([^`\n]+)`", readme, re.DOTALL)
-    texts = {"README.md": [text for pair in code for text in pair]}
-    for name in SOURCES:
-        if (SITE / f"{name}.html").exists():
-            texts[name] = [tag.get_text() for tag in _page(name).select("pre, code")]
-    found: dict[str, str] = {}
-    for place, literals in texts.items():
-        for line in "\n".join(literals).replace("\\\n", " ").splitlines():
-            command = line.strip().removeprefix("$ ")
-            if re.match(r"make [a-z]|rosspin run |\S*python3? -m rosspin run ", command):
-                found.setdefault(command, place)
-    return found
-
-
 def test_readme_shows_its_commands() -> None:
-    assert {"make html", "make test"} <= _commands().keys()
+    assert {"make html", "make test"} <= set(COMMANDS)
 
 
-@pytest.mark.parametrize("command", [command for command in _commands() if command.startswith("make ")])
+@pytest.mark.parametrize("command", [command for command in COMMANDS if "make " in command])
 def test_make_command_exists(command: str) -> None:
-    subprocess.run([*shlex.split(command), "--dry-run"], cwd=ROOT, check=True, capture_output=True)
+    subprocess.run(f"{command} --dry-run", shell=True, cwd=ROOT, check=True, capture_output=True)
 
 
-@pytest.mark.parametrize("command", [command for command in _commands() if " run " in command])
-def test_run_command_works(command: str, tmp_path: Path, require: Callable[[str], None]) -> None:
-    """Typed as it stands, in a folder that has the examples; a run without an end is given one."""
-    if "--ros2" in command:
-        require("ros2")
+@pytest.mark.parametrize("command", [command for command in COMMANDS if "pytest " in command])
+def test_pytest_is_given_files_that_there_are(command: str) -> None:
+    files = re.findall(r"(?:tests|examples)/\S*", command)
+    assert all((ROOT / file).exists() for file in files)
+
+
+@pytest.mark.parametrize("command", SIMULATED)
+def test_simulated_run_works(
+    command: str, tmp_path: Path, monkeypatch: pytest.MonkeyPatch, capsys: pytest.CaptureFixture[str]
+) -> None:
+    """Typed as it stands, in a folder that has the examples; those of the wall clock and of ROS are in tests/real."""
     (tmp_path / "examples").symlink_to(ROOT / "examples")
-    arguments = shlex.split(command.partition(" run ")[2])
-    end = [] if "--seconds" in arguments else ["--seconds", "1.2"]
-    typed = [sys.executable, "-m", "rosspin", "run", *end, *arguments]
-    run = until_lucky(
-        lambda: subprocess.run(typed, cwd=tmp_path, capture_output=True, text=True, timeout=60),
-        lambda run: run.stdout + run.stderr,
-    )
-    assert run.returncode == 0, run.stderr
-    assert "counter = 1" in run.stdout + run.stderr
+    monkeypatch.chdir(tmp_path)
+    assert main(["run", *shlex.split(command.partition(" run ")[2])]) == 0
+    assert "counter = 1" in "".join(capsys.readouterr())
 
 
 def test_readme_links_lead_somewhere() -> None:

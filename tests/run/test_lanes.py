@@ -1,0 +1,47 @@
+"""The simulated lane is what it is called: a test that needs more is an error there."""
+
+from __future__ import annotations
+
+import subprocess
+import time
+from collections.abc import Callable
+from contextlib import suppress
+from typing import Any
+
+import pytest
+from simulated_only import OutOfLane, simulated_only
+
+from rosspin import measure, simulate
+
+NODE = "import rospy\nrospy.init_node('node')\n"
+
+REAL: dict[str, Callable[[Any], object]] = {
+    "it sleeps for 0.001 s": lambda write: time.sleep(0.001),
+    "it starts sleep": lambda write: subprocess.run(["sleep", "0"]),
+    "it runs a node on the wall clock: ": lambda write: measure(lambda: None, 1),
+    "it runs a node on the wall": lambda write: measure(write(NODE), 1),
+}
+
+
+@pytest.mark.parametrize("said", REAL)
+def test_what_is_real_is_refused(write: Any, said: str) -> None:
+    with pytest.raises(OutOfLane, match=said), simulated_only():
+        REAL[said](write)
+
+
+def test_it_is_refused_even_if_the_test_catches_it() -> None:
+    with pytest.raises(OutOfLane, match="belongs into tests/real"), simulated_only():
+        with suppress(OutOfLane):
+            time.sleep(0.001)
+
+
+def test_what_is_simulated_is_not_refused(write: Any) -> None:
+    with simulated_only():
+        assert simulate(write(f"{NODE}import time\ntime.sleep(1)\n"), 2).status == 0
+        time.sleep(0)
+
+
+@pytest.mark.parametrize("fixture", ["require", "chromium", "browser", "address"])
+def test_it_has_no_fixture_for_what_is_real(request: pytest.FixtureRequest, fixture: str) -> None:
+    with pytest.raises(pytest.FixtureLookupError):
+        request.getfixturevalue(fixture)
