@@ -19,6 +19,8 @@ from tree import DOCTREES, SITE, TESTS
 # Seconds that each file of tests took once, by its path below tests/.
 DURATIONS: dict[str, float] = json.loads((TESTS / "durations.json").read_text(encoding="utf-8"))
 
+pytest_plugins = ["quiet_lane"]
+
 
 def pytest_report_header() -> str:
     return f"random tests: ROSSPIN_SEED={SEED}"
