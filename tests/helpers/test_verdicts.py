@@ -2,11 +2,6 @@
 
 from __future__ import annotations
 
-import signal
-import subprocess
-import sys
-import time
-from pathlib import Path
 from textwrap import dedent
 
 import pytest
@@ -31,8 +26,6 @@ PRELUDE = """
             inconclusive("a stall of 0.30 s")
         assert turn == ".", "not so"
 """
-
-BOTH_WAYS = pytest.mark.parametrize("options", [[], ["-n", "2", "--dist", "loadfile"]], ids=["alone", "xdist"])
 
 
 class Session:
@@ -62,51 +55,56 @@ def session(pytester: pytest.Pytester) -> Session:
     return Session(pytester)
 
 
-# --- what is told -----------------------------------------------------------------------------------------------------
+# --- what is told, and how it ends ------------------------------------------------------------------------------------
 
 
-@BOTH_WAYS
-def test_an_inconclusive_test_passes_in_the_quiet_lane_and_that_is_told(session: Session, options: list[str]) -> None:
-    session.write("test_a", "def test_a(): act('a', '?', '.')\ndef test_b(): act('b', '.')")
-    session.write("test_c", "def test_c(): act('c', '.')")
-    told = session.run(*options)
-    assert told.ret == 0
-    told.stdout.fnmatch_lines(["*?*", "*quiet lane: once more, alone: 1 inconclusive*"])
-    told.stdout.fnmatch_lines(["INCONCLUSIVE, THEN PASSED IN THE QUIET LANE test_a.py::test_a - a stall of 0.30 s"])
-    told.stdout.fnmatch_lines(["*2 passed, 1 passed in the quiet lane in*"])
-    assert [len(session.runs(name)) for name in "abc"] == [2, 1, 1]
-
-
-@BOTH_WAYS
-@pytest.mark.parametrize(("conclusive", "status"), [([], 0), (["--conclusive"], 1)], ids=["test", "judge"])
-def test_what_stays_inconclusive_fails_only_what_is_to_be_conclusive(
-    session: Session, options: list[str], conclusive: list[str], status: int
+@pytest.mark.parametrize("options", [[], ["-n", "2", "--dist", "loadfile"]], ids=["alone", "xdist"])
+def test_an_inconclusive_test_runs_once_more_alone_and_what_comes_of_it_is_told(
+    session: Session, options: list[str]
 ) -> None:
-    session.write("test_a", "def test_a(): act('a', '?', '?')\ndef test_b(): act('b', '.')")
-    told = session.run(*options, *conclusive)
-    assert told.ret == status
-    told.stdout.fnmatch_lines(["INCONCLUSIVE test_a.py::test_a - a stall of 0.30 s", "*1 passed, 1 inconclusive in*"])
-    assert len(session.runs("a")) == 2
-
-
-@BOTH_WAYS
-def test_a_not_so_in_the_quiet_lane_is_a_failure(session: Session, options: list[str]) -> None:
-    session.write("test_a", "def test_a(): act('a', '?', 'F', '.')")
+    session.write("test_a", "def test_a(): act('a', '?', '.', '.')\ndef test_b(): act('b', '?', 'F', '.')")
+    session.write(
+        "test_c",
+        """
+        def test_c(): act("c", "?", "?", ".")
+        def test_d(): act("d", "F", ".")
+        def test_e(): act("e", ".")
+        def test_f():
+            act("f", "?", ".")
+            pids = {line.split()[0] for name in "abcdef" for line in Path(name).read_text().splitlines()}
+            assert {pid for pid in pids if Path("/proc", pid).exists()} == {str(os.getpid())}, "somebody is beside it"
+        """,
+    )
     told = session.run(*options)
     assert told.ret == 1
-    told.stdout.fnmatch_lines(["*AssertionError: not so*", "The first time it was inconclusive: a stall of 0.30 s"])
-    told.stdout.fnmatch_lines(["INCONCLUSIVE, THEN FAILED IN THE QUIET LANE test_a.py::test_a - a stall of 0.30 s"])
-    told.stdout.fnmatch_lines(["FAILED test_a.py::test_a - AssertionError: not so", "*1 failed in*"])
-    assert len(session.runs("a")) == 2
+    lines = told.stdout
+    for line in (
+        "*quiet lane: once more, alone: 4 inconclusive*",
+        "*AssertionError: not so*",
+        "The first time it was inconclusive: a stall of 0.30 s",
+        "INCONCLUSIVE, THEN PASSED IN THE QUIET LANE test_a.py::test_a - a stall of 0.30 s",
+        "INCONCLUSIVE, THEN FAILED IN THE QUIET LANE test_a.py::test_b - a stall of 0.30 s",
+        "INCONCLUSIVE test_c.py::test_c - a stall of 0.30 s",
+        "INCONCLUSIVE, THEN PASSED IN THE QUIET LANE test_c.py::test_f - a stall of 0.30 s",
+        "FAILED test_a.py::test_b - AssertionError: not so",
+        "FAILED test_c.py::test_d - AssertionError: not so",
+        "*2 failed, 1 passed, 2 passed in the quiet lane, 1 inconclusive in*",
+    ):
+        lines.fnmatch_lines([line])
+    runs = {name: session.runs(name) for name in "abcdef"}
+    assert {name: len(runs[name]) for name in runs} == {"a": 2, "b": 2, "c": 2, "d": 1, "e": 1, "f": 2}
+    assert {how for _, how in (run[0] for run in runs.values())} == {"xdist" if options else "alone"}
+    assert {how for name in "abcf" for _, how in runs[name][1:]} == {"alone"}
+    assert len({process for name in "abcf" for process, _ in runs[name][1:]}) == 1
 
 
-@BOTH_WAYS
-def test_a_not_so_is_never_tried_again(session: Session, options: list[str]) -> None:
-    session.write("test_a", "def test_a(): act('a', 'F', '.')\ndef test_b(): act('b', '?', '.')")
-    told = session.run(*options)
-    assert told.ret == 1
-    told.stdout.fnmatch_lines(["*1 failed, 1 passed in the quiet lane in*"])
-    assert (len(session.runs("a")), len(session.runs("b"))) == (1, 2)
+@pytest.mark.parametrize(
+    ("turns", "options", "status"),
+    [("?.", [], 0), ("??", [], 0), ("??", ["--conclusive"], 1), ("?.", ["--conclusive"], 0), ("?F", [], 1)],
+)
+def test_the_exit_status(session: Session, turns: str, options: list[str], status: int) -> None:
+    session.write("test_a", f"def test_a(): act('a', *{turns!r})\ndef test_b(): act('b', '.')")
+    assert session.run(*options).ret == status
 
 
 def test_without_an_inconclusive_test_there_is_no_quiet_lane(session: Session) -> None:
@@ -117,8 +115,9 @@ def test_without_an_inconclusive_test_there_is_no_quiet_lane(session: Session) -
     told.stdout.no_fnmatch_line("*inconclusive*")
 
 
-def test_with_verbose_names(session: Session) -> None:
-    session.write("test_a", "def test_a(): act('a', '?', '.')")
+def test_letters_and_words(session: Session) -> None:
+    session.write("test_a", "def test_a(): act('a', '?', '.', '?', '.')")
+    session.run().stdout.fnmatch_lines(["test_a.py [?]*"])
     told = session.run("-v").stdout
     told.fnmatch_lines(["test_a.py::test_a INCONCLUSIVE*", "test_a.py::test_a INCONCLUSIVE, THEN PASSED IN THE*"])
 
@@ -138,29 +137,6 @@ def test_a_quiet_lane_that_breaks_off_fails_the_session(session: Session) -> Non
     told = session.run()
     assert told.ret == 3
     told.stdout.fnmatch_lines(["*the quiet lane broke off with status 5:*"])
-
-
-# --- the lane is quiet ------------------------------------------------------------------------------------------------
-
-
-def test_the_quiet_lane_is_one_process_after_the_workers_have_ended(session: Session) -> None:
-    session.write("test_a", "def test_a(): act('a', '?', '.')\n")
-    session.write(
-        "test_b",
-        """
-        def test_b():
-            act("b", "?", ".")
-            pids = {line.split()[0] for name in "ab" for line in Path(name).read_text().splitlines()}
-            assert {pid for pid in pids if Path("/proc", pid).exists()} == {str(os.getpid())}
-        """,
-    )
-    told = session.run("-n", "2", "--dist", "loadfile")
-    assert told.ret == 0, told.stdout.str()
-    told.stdout.fnmatch_lines(["*2 passed in the quiet lane in*"])
-    (_, beside_a), (alone_a, quiet_a) = session.runs("a")
-    (_, beside_b), (alone_b, quiet_b) = session.runs("b")
-    assert (beside_a, beside_b, quiet_a, quiet_b) == ("xdist", "xdist", "alone", "alone")
-    assert alone_a == alone_b
 
 
 # --- the control ------------------------------------------------------------------------------------------------------
@@ -217,20 +193,3 @@ def test_a_line_at_one_processor_of_several_is_seen(monkeypatch: pytest.MonkeyPa
     beside = Control()
     beside.called(0.025, 0.025 / 4)
     assert beside.stalled() == 0.025
-
-
-@pytest.mark.skipif(sys.platform != "linux", reason="only Linux tells that a process has been stopped")
-def test_a_process_that_stands_still_is_noticed() -> None:
-    code = "from verdicts import Control\nwith Control() as beside: print(); input()\nprint(beside.stalled())"
-    command = [sys.executable, "-u", "-c", code]
-    pipe = subprocess.PIPE
-    with subprocess.Popen(command, cwd=HELPERS, stdin=pipe, stdout=pipe, text=True) as process:
-        assert process.stdout
-        process.stdout.readline()
-        process.send_signal(signal.SIGSTOP)
-        while Path(f"/proc/{process.pid}/stat").read_text().rpartition(")")[2].split()[0] != "T":
-            pass
-        time.sleep(0.2)
-        process.send_signal(signal.SIGCONT)
-        out, _ = process.communicate("\n")
-    assert float(out) >= 0.2
