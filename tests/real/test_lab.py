@@ -11,7 +11,6 @@ import sys
 import threading
 from collections.abc import Iterable, Iterator
 from contextlib import suppress
-from pathlib import Path
 from typing import Any
 from urllib.request import Request, urlopen
 
@@ -52,7 +51,7 @@ def lab(tmp_path_factory: pytest.TempPathFactory) -> Iterator[str]:
         assert process.stdout
         said = list(_to_the_line_with(f"{address}/", process.stdout))
         too_late.cancel()
-        if process.poll() is not None:
+        if not said or address not in said[-1]:
             pytest.fail(f"JupyterLab did not start:\n{''.join(said)}")
         threading.Thread(target=process.stdout.read).start()  # so that the server can go on to print
         yield address
