@@ -22,6 +22,8 @@ from tree import DOCTREES, ROOT, SITE, TESTS
 DURATIONS: dict[str, float] = json.loads((TESTS / "durations.json").read_text(encoding="utf-8"))
 _took: defaultdict[str, float] = defaultdict(float)
 
+pytest_plugins = ["quiet_lane"]
+
 
 def pytest_report_header() -> str:
     return f"random tests: ROSSPIN_SEED={SEED}"

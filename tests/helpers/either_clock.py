@@ -32,7 +32,7 @@ def test_a_run_leaves_the_process_as_it_was(run: Run, write: Any) -> None:
     path = write("import sys, rospy, rospy.rostime, neighbour\nsys.path.append('x')\nsys.argv.append('y')\nsys.exit(5)")
     before = sys.argv, sys.argv[:], sys.path[:], sys.stdout, sys.stderr, set(sys.modules), sys.modules["__main__"]
     handlers = signal.getsignal(signal.SIGINT), signal.getsignal(signal.SIGTERM)
-    assert run(path, 1).status == 5
+    assert run(path, NEVER).status == 5
     after = sys.argv, sys.argv[:], sys.path[:], sys.stdout, sys.stderr, set(sys.modules), sys.modules["__main__"]
     assert after == before
     assert (signal.getsignal(signal.SIGINT), signal.getsignal(signal.SIGTERM)) == handlers
@@ -67,7 +67,7 @@ IN_A_THREAD = "threading.Thread(target=callback).start()\n"
 def test_a_package_of_ros_that_is_imported_late_is_named(run: Run, write: Any, calls: tuple[str, str]) -> None:
     node = write(calls[0] + CALLBACK + calls[1])
     with pytest.raises(NotSimulated, match=r"tf2_ros is not simulated; run this node on a real ROS") as caught:
-        run(node, 2)
+        run(node, NEVER)
     if run is simulate:
         assert say_error(caught.value).startswith(f"{node}:{len(calls[0].splitlines()) + 2}: tf2_ros")
 
@@ -128,9 +128,9 @@ def test_a_file_in_the_way_of_a_module_is_named(run: Run, write: Any, tmp_path: 
 def test_an_exception_of_a_handler_at_the_very_end_stays_in_the_run(run: Run) -> None:
     def node() -> None:
         signal.signal(signal.SIGINT, lambda number, frame: sys.exit(3))
-        threading.Thread(target=time.sleep, args=(1.0,)).start()
+        threading.Thread(target=time.sleep, args=(1.5,)).start()
 
-    result = run(node, 0.1)
+    result = run(node, 0.5)
     assert result.status == 0
     assert result.console.startswith("Exception ignored in: <module 'threading'>\n")
 
@@ -142,7 +142,7 @@ def test_a_run_leaves_the_folder_and_the_loggers_as_they_were(run: Run, tmp_path
         logging.getLogger().setLevel(logging.DEBUG)
 
     before = os.getcwd(), logging.getLogger().level, set(logging.root.manager.loggerDict)
-    assert run(node, 1).status == 0
+    assert run(node, NEVER).status == 0
     assert (os.getcwd(), logging.getLogger().level, set(logging.root.manager.loggerDict)) == before
 
 
@@ -153,7 +153,7 @@ def test_a_console_takes_bytes_too(run: Run) -> None:
         sys.stdout.buffer.write("zwö".encode()[3:] + b"\n")
         sys.stderr.write("three\n")
 
-    assert run(node, 1).console == "one\nzwö\nthree\n"
+    assert run(node, NEVER).console == "one\nzwö\nthree\n"
 
 
 def test_exit_at_once_ends_the_node_alone(run: Run) -> None:

@@ -14,8 +14,9 @@ from pathlib import Path
 
 import pytest
 from bs4 import BeautifulSoup
-from outcomes import launch_past, until_lucky
+from launches import NEVER, Until, launch_past
 from tree import ROOT
+from verdicts import control
 
 from rosspin import ros2, simulate
 from rosspin.console import read_ticks
@@ -64,11 +65,12 @@ def ros1(require: Callable[[str], None]) -> Iterator[Workspace]:
 @pytest.mark.parametrize("name", ["spinner_param_py_node.py", "spinner_param_cpp_node"])
 def test_the_frequency_is_a_parameter_on_the_real_ros(ros1: Workspace, name: str) -> None:
     node = PACKAGE / "src" / name if name.endswith(".py") else next(ros1.folder.glob(f"devel/lib/*/{name}"))
-    run = ros1.run([str(node), "_frequency:=5"], 4.0)
-    stamps = [tick.real for tick in read_ticks(run.console)]
+    with control(bears=0.1):
+        run = ros1.run([str(node), "_frequency:=5"], NEVER, Until("counter = 10"))
+        stamps = [tick.real for tick in read_ticks(run.console)]
+        assert min(later - earlier for earlier, later in pairwise(stamps)) < 0.35
     assert run.status == 0
-    assert min(later - earlier for earlier, later in pairwise(stamps)) < 0.35
-    refused = ros1.run([str(node), "_frequency:=0"], 60.0)
+    refused = ros1.run([str(node), "_frequency:=0"], NEVER)
     assert refused.status == 1
     assert "frequency must be above 0" in refused.console
 
@@ -76,9 +78,10 @@ def test_the_frequency_is_a_parameter_on_the_real_ros(ros1: Workspace, name: str
 def test_the_uneven_node_on_the_real_ros(ros1: Workspace) -> None:
     """The sixth call tells of the one that took long, as in simulated time."""
     node = ROOT / "examples" / "how-to" / "uneven_py_node.py"
-    real = ros1.run([str(node)], 0.0, begins=re.compile("counter = 6"))
-    for console in (simulate(node, 0.9).console, real.console):
-        assert re.search(r"counter = 6, [\d.]+ s after a call that took 0\.[2-9]", console)
+    told = re.compile(r"counter = 6, [\d.]+ s after a call that took 0\.[2-9]")
+    assert told.search(simulate(node, 0.9).console)
+    with control(bears=0.1):
+        assert told.search(ros1.run([str(node)], NEVER, Until("counter = 6")).console)
 
 
 def _wheels(console: str) -> list[tuple[str, str]]:
@@ -87,6 +90,7 @@ def _wheels(console: str) -> list[tuple[str, str]]:
 
 
 THREADS = ROOT / "examples" / "threads"
+REPORT = "left = "
 
 
 def test_callbacks_that_share_data_on_the_real_ros(ros1: Workspace, tmp_path: Path) -> None:
@@ -100,18 +104,20 @@ def test_callbacks_that_share_data_on_the_real_ros(ros1: Workspace, tmp_path: Pa
     program = {path.name: str(path) for path in ros1.folder.glob("devel/lib/odometer/*_node")}
     nodes = {name: str(THREADS / f"{name}_py_node.py") for name in ("torn", "locked")}
     for torn, locked in ((nodes["torn"], nodes["locked"]), (program["torn_cpp_node"], program["locked_cpp_node"])):
-        wrong, right = (_wheels(ros1.run([node], 4.5).console) for node in (torn, locked))
-        assert any(left != right for left, right in wrong)
+        with control(bears=0.05):  # late reports may miss all readings
+            wrong = _wheels(ros1.run([torn], NEVER, Until(REPORT, times=5)).console)
+            assert any(left != right for left, right in wrong)
+        right = _wheels(ros1.run([locked], NEVER, Until(REPORT, times=5)).console)
         assert right and all(left == right for left, right in right)
 
 
 def test_callbacks_that_share_data_on_the_real_ros_2(require: Callable[[str], None]) -> None:
     """Without the lock a report shows half a reading, with it none does."""
     require("ros2")
-    wrong, right = (
-        _wheels(ros2.launch(THREADS / f"ros2/{name}_py_node.py", 2.5).console) for name in ("torn", "locked")
-    )
-    assert any(left != right for left, right in wrong)
+    with control(bears=0.05):
+        wrong = _wheels(ros2.launch(THREADS / "ros2/torn_py_node.py", NEVER, (), Until(REPORT, times=5)).console)
+        assert any(left != right for left, right in wrong)
+    right = _wheels(ros2.launch(THREADS / "ros2/locked_py_node.py", NEVER, (), Until(REPORT, times=5)).console)
     assert right and all(left == right for left, right in right)
 
 
@@ -122,7 +128,8 @@ def test_a_roscpp_node_needs_no_lock_under_spin(ros1: Workspace, tmp_path: Path)
     (tmp_path / "spun_cpp_node.cpp").write_text(text, encoding="utf-8")
     ros1.add_nodes("spun", tmp_path / "spun_cpp_node.cpp")
     ros1.build()
-    found = _wheels(ros1.run([str(next(ros1.folder.glob("devel/lib/spun/spun_cpp_node")))], 4.5).console)
+    node = str(next(ros1.folder.glob("devel/lib/spun/spun_cpp_node")))
+    found = _wheels(ros1.run([node], NEVER, Until(REPORT, times=5)).console)
     assert found and all(left == right for left, right in found)
 
 
@@ -146,8 +153,8 @@ def test_the_launch_file_shows_lines_at_once(ros1: Workspace) -> None:
     """Lines that came only at the end could not end the run: it would go on until the time is up."""
     file = PACKAGE / "launch" / "spinner_at_once.launch"
     command = [str(ros1.folder / "devel/env.sh"), "roslaunch", "-p", str(ros1.port), str(file)]
-    run = ros1.run(command, 60.0, _UntilBothCount(ros1))  # type: ignore[arg-type]
-    assert max(tick.number for tick in read_ticks(run.console)) < 60  # after 60 s it would be 120
+    run = ros1.run(command, NEVER, _UntilBothCount(ros1))  # type: ignore[arg-type]
+    assert max(tick.number for tick in read_ticks(run.console)) < NEVER  # when the time is up it would be twice that
 
 
 @pytest.mark.parametrize("runtime", ["wall", "ros2"])
@@ -165,7 +172,7 @@ def test_lines_of_ros_2_come_at_once_on_stderr(require: Callable[[str], None], t
         assert child.stderr
         line = next(line for line in child.stderr if "counter = 1" in line)
         child.send_signal(signal.SIGINT)
-        printed, _ = child.communicate(timeout=60)
+        printed, _ = child.communicate(timeout=NEVER)
     finally:
         child.kill()
     assert re.fullmatch(r"\[INFO\] \[\d+\.\d{9}\] \[spinner_py_node\]: \[SPINNER PY NODE\] counter = 1\n", line)
@@ -181,15 +188,16 @@ def test_the_frequency_is_a_parameter_on_the_real_ros_2(require: Callable[[str],
     file = str(PACKAGE_ROS2 / "config" / "spinner.yaml")
     args = ["--ros-args", "-r", f"__ns:={namespace}", "--params-file", file]
     node = PACKAGE_ROS2 / "my_robotics_pkg/spinner_param_py_node.py"
-    run = until_lucky(lambda: ros2.launch(node, 2.05, args))
+    with control(bears=0.05):
+        run = launch_past("counter = 15", node, args)
+        assert min(later.expected - earlier.expected for earlier, later in pairwise(run.ticks)) < 0.15
     assert run.status == 0
-    assert min(later.expected - earlier.expected for earlier, later in pairwise(run.ticks)) < 0.15
 
 
 def test_a_frequency_without_a_point_is_refused_on_the_real_ros_2(require: Callable[[str], None]) -> None:
     require("ros2")
     file = PACKAGE_ROS2 / "my_robotics_pkg/spinner_param_py_node.py"
-    run = ros2.launch(file, 60.0, ["--ros-args", "-p", "frequency:=5"])
+    run = ros2.launch(file, NEVER, ["--ros-args", "-p", "frequency:=5"])
     assert run.status == 1
     assert "to '5' of type 'INTEGER', expecting type 'DOUBLE'" in run.console
 
@@ -201,7 +209,8 @@ def test_a_frequency_not_meant_for_the_node_is_ignored_on_the_real_ros_2(
     """Without --ros-args, or of another name: the node keeps its own, and nothing is said."""
     require("ros2")
     node = PACKAGE_ROS2 / "my_robotics_pkg/spinner_param_py_node.py"
-    run = launch_past("counter = 2", node, args)
+    with control(bears=0.1):
+        run = launch_past("counter = 2", node, args)
+        assert min(later.expected - earlier.expected for earlier, later in pairwise(run.ticks)) > 0.45
     assert run.status == 0
-    assert min(later.expected - earlier.expected for earlier, later in pairwise(run.ticks)) > 0.45
     assert all("[SPINNER PY NODE] counter = " in line for line in run.console.splitlines())

@@ -11,6 +11,7 @@ from typing import Any
 import pytest
 from shells import ipython_shell
 from tree import ROOT
+from verdicts import control
 
 from rosspin import NotSimulated, measure, rospy, simulate
 
@@ -51,8 +52,9 @@ def test_measure_runs_a_rate_loop_until_ctrl_c() -> None:
             rate.sleep()
         print("left")
 
-    run = measure(node, 0.5)
-    assert (run.status, run.console) == (0, "left\n")
+    with control(bears=0.1):
+        run = measure(node, 0.5)
+        assert (run.status, run.console) == (0, "left\n")
     assert run.ticks[0].expected == run.ticks[0].real
     assert run.ticks[0].source == "Rate"
 
@@ -138,11 +140,12 @@ def test_a_node_that_catches_everything_is_ended_and_does_nothing_afterwards(imp
         catches("main")
 
     before, trace = set(threading.enumerate()), sys.gettrace()
-    run = measure(node, 0.1)
+    with control(bears=0.05):
+        run = measure(node, 0.1)
+        assert run.status == 137
     for thread in set(threading.enumerate()) - before:
         thread.join(NEVER)
     count = len(seen)
-    assert run.status == 137
     assert set(threading.enumerate()) == before
     assert sys.gettrace() is trace
     time.sleep(0.05)
@@ -156,15 +159,17 @@ def test_a_node_that_waits_for_ever_is_ended(impatient: None) -> None:
         lock.acquire()
         lock.acquire()
 
-    run = measure(node, 0.1)
-    assert run.status == 137
+    with control(bears=0.05):
+        run = measure(node, 0.1)
+        assert run.status == 137
     assert run.console.splitlines()[1].endswith(": lock.acquire()")
 
 
 def test_a_cell_is_measured(tmp_path: Path, capsys: pytest.CaptureFixture[str]) -> None:
     with ipython_shell(tmp_path) as shell:
-        shell.run_cell(f"%%measure 0.5\n{TIMER_NODE.read_text()}")
-        assert "namespace of node = /\n" in capsys.readouterr().out
+        with control(bears=0.1):
+            shell.run_cell(f"%%measure 0.5\n{TIMER_NODE.read_text()}")
+            assert "namespace of node = /\n" in capsys.readouterr().out
         run = shell.user_ns["run"]
     assert (run.status, run.runtime, run.seconds) == (0, "wall", 0.5)
     assert run.start > 1e9
