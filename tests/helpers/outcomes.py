@@ -14,21 +14,20 @@ from pathlib import Path
 from typing import NamedTuple, TypeVar
 from unittest import mock
 
+import expectations
+
 from rosspin import ros2
-from rosspin.children import Children, Output
 from rosspin.ticks import Run
 
 __all__ = [
     "CTRL_C",
     "JITTER",
-    "MET_SHUTDOWN",
     "P",
     "TOLERANCE",
     "TRIES",
     "Outcome",
     "differences",
     "outcome",
-    "run_scenario",
     "until_lucky",
     "watching",
 ]
@@ -41,39 +40,27 @@ JITTER = 0.01  # what each block may take longer (s) and the scenario still coun
 CTRL_C = 3.6 * P
 TRIES = 6  # how often a run may be unlucky
 
-# After a signal the real rclpy shuts down in a thread of its own. What the node does meanwhile may fail, whatever it
-# does: see its issue 1352, and examples/recordings/ros2/signals.csv for how often. What Ctrl-C finds half-made, such as
-# the Task of a callback, complains in its destructor.
-MET_SHUTDOWN = re.compile(
-    r"RCLError: failed to (shutdown: rcl_shutdown already called|initialize wait set: the given)"
-    r"|Exception ignored in: <function \w+\.__del__ "
-)
-
 
 class Outcome(NamedTuple):
-    """What a scenario gave: exit status, lines that must be the same, times by label, whether the machine stalled."""
+    """What a scenario gave: exit status, lines that must be the same, times by label; its end, and its longest stall.
+
+    That (s) is how late a plain timer beside the node came at most, or the Ctrl-C; 0 if it all came in time.
+    """
 
     status: int
     text: str
     marks: dict[str, list[list[float | None]]]
     end: float | None
-    stalled: bool
+    stalled: float
 
 
 def until_lucky(run: Callable[[], T], console: Callable[[T], str] = attrgetter("console")) -> T:
     """Run a node on the real ROS 2, again if it met rclpy's own shutdown, at most TRIES times: the last run."""
     for _ in range(TRIES):
         done = run()
-        if not MET_SHUTDOWN.search(console(done)):
+        if not expectations.mishaps("ros2").search(console(done)):
             break
     return done
-
-
-def run_scenario(children: Children, command: Sequence[str], seconds: float, is_timed: bool) -> Output:
-    """Run a scenario until Ctrl-C. That comes from this process: when it has stalled, the console says so, too."""
-    with watching() as stalled:
-        output = children.run(command, seconds, begins=re.compile("@zero") if is_timed else None)
-    return output._replace(console="@stall\n" + output.console) if stalled.is_set() else output
 
 
 @contextmanager
@@ -107,18 +94,22 @@ _MARK = re.compile(r"@(\w+)((?: (?:None|-?\d+\.\d+))*)\n")
 def outcome(console: str, status: int, end: float | None) -> Outcome:
     """Read a console."""
     marks: dict[str, list[list[float | None]]] = {}
+    stalled = 0.0
     for label, words in _MARK.findall(console):
         times = [None if word == "None" else float(word) for word in words.split()]
         if label == "end":
             end = times[0]
-        elif label not in ("zero", "stall"):
+        elif label == "stall":
+            stalled = max(stalled, times[0] or 0.0)
+        elif label != "zero":
             marks.setdefault(label, []).append(times)
-    return Outcome(status, _normal(_MARK.sub("", console)), marks, end, "@stall" in console)
+    return Outcome(status, _normal(_MARK.sub("", console)), marks, end, stalled)
 
 
 def _normal(text: str) -> str:
     """What differs from run to run: stamps, thread numbers, and the frames of ROS and of Python in a traceback."""
-    text = re.sub(r"\[\d+\.\d{6,9}(, \d+\.\d{6})?\]", lambda stamp: f"[STAMP{', ROS' if stamp[1] else ''}]", text)
+    stamp = r"\[(?:\d+\.\d{6,9}|STAMP)(, \d+\.\d{6})?\]"
+    text = re.sub(stamp, lambda stamp: f"[STAMP{', ROS' if stamp[1] else ''}]", text)
     text = re.sub(r"Thread-\d+", "Thread-N", text)
     text = re.sub(r"\b0x[0-9a-f]+", "0xN", text)
     text = re.sub(r", at \S+:\d+", "", text)  # where in rcl's sources an error arose

@@ -1,0 +1,83 @@
+"""Runs of scenarios on real clocks for the tests of a module, begun as the machine can take them, and judged."""
+
+from __future__ import annotations
+
+from collections.abc import Iterable, Sequence
+from concurrent.futures import Future, ThreadPoolExecutor
+from typing import Any, Self
+
+import expectations
+import pytest
+from admission import Admission
+from corpus import Scenario, closest, read, recorded, simulated
+from lacking import LACKS
+from outcomes import Outcome
+from runtimes import Machine
+from verdicts import inconclusive
+
+# More at a time would not begin earlier, on any machine that we know.
+AT_MOST = 8
+
+Case = tuple[str, Scenario]
+
+
+def asked_for(request: pytest.FixtureRequest) -> list[dict[str, Any]]:
+    """The parameters of each test of this module that the session runs."""
+    here = [item for item in request.session.items if isinstance(item, pytest.Function) and item.path == request.path]
+    return [item.callspec.params for item in here if hasattr(item, "callspec")]
+
+
+class Runs:
+    """The consoles of cases. Those named at first are run ahead, side by side; any other when it is asked for."""
+
+    def __init__(self, runtimes: Iterable[str], cases: Sequence[Case], patience: float) -> None:
+        there = [name for name in runtimes if name not in LACKS or not LACKS[name]()]
+        self._admission = Admission(patience)
+        self._machine = Machine(there)
+        self._pool = ThreadPoolExecutor(AT_MOST)
+        self._begun: dict[Case, list[Future[str]]] = {}
+        for runtime, scenario in cases:
+            if runtime in there:
+                future = self._pool.submit(self._run, runtime, scenario)
+                self._begun.setdefault((runtime, scenario), []).append(future)
+
+    def __enter__(self) -> Self:
+        return self
+
+    def __exit__(self, *error: object) -> None:
+        self._pool.shutdown(cancel_futures=True)
+        self._machine.__exit__()
+
+    def console(self, runtime: str, scenario: Scenario) -> str:
+        """The console of one run, with its status in the first line."""
+        if begun := self._begun.get((runtime, scenario)):
+            return begun.pop().result()
+        return self._run(runtime, scenario)
+
+    def _run(self, runtime: str, scenario: Scenario) -> str:
+        self._admission.wait()
+        return self._machine.run(runtime, scenario)
+
+
+def exact(runtime: str, scenario: Scenario) -> list[Outcome]:
+    """What a run there may come to: what is recorded, and on the wall what is simulated; there a race is one, too."""
+    if runtime != "wall":
+        return recorded(scenario)
+    is_race = scenario.name in expectations.races(f"ros{scenario.ros}")
+    return [simulated(scenario), *(recorded(scenario) if is_race else ())]
+
+
+def met_mishap(runtime: str, console: str) -> bool:
+    """Whether a run met a race of the real ROS that any node may meet: it says nothing of the scenario."""
+    return bool(expectations.mishaps("ros2" if runtime == "kilted" else runtime).search(console))
+
+
+def check(runtime: str, scenario: Scenario, console: str) -> None:
+    """A run did what it should; a difference of one that the machine disturbed, as it says itself, tells nothing."""
+    if met_mishap(runtime, console):
+        return
+    found = closest(exact(runtime, scenario), read(console, scenario))
+    if bool(found) != (scenario.name in expectations.differences(runtime)):
+        if stalled := read(console, scenario).stalled:
+            inconclusive(f"{scenario.name} stood still for {stalled:.3f} s on {runtime}: {found}")
+        raise AssertionError("\n".join(found) or "the difference that is expected no longer happens")
