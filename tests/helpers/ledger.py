@@ -110,9 +110,9 @@ def _harness(folder: Path) -> list[Path]:
 
 
 def stand_in(scenario: Scenario) -> str:
-    """The hash of what of the stand-in a scenario concerns, and of what runs nodes on the real one."""
+    """The hash of what of the stand-in a scenario names, of clocks and of what runs nodes on the real one."""
     package = SOURCE / "rosspin"
-    words = set(re.findall(r"\w+", _text(scenario.path) + _text(scenario.path.with_name("scenario.py"))))
+    words = set(re.findall(r"\w+", _text(scenario.path)))
     concerned = [path for path in _modules(package / _STAND_INS[scenario.ros]) if words & _names(path)]
     has_messages = re.search(r"^(import|from) \w+_msgs", _text(scenario.path), re.M)
     messages = _modules(package / "messages") if has_messages else ()
