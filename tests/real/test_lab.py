@@ -8,9 +8,9 @@ import re
 import signal
 import subprocess
 import sys
-import time
-from collections.abc import Iterator
-from pathlib import Path
+import threading
+from collections.abc import Iterable, Iterator
+from contextlib import suppress
 from typing import Any
 from urllib.request import Request, urlopen
 
@@ -32,39 +32,42 @@ def lab(tmp_path_factory: pytest.TempPathFactory) -> Iterator[str]:
     """
     port = _free_port()
     home = tmp_path_factory.mktemp("home")
-    log = home.with_suffix(".log")
     arguments = f"--no-browser --port={port} --ServerApp.port_retries=0 --IdentityProvider.token={TOKEN}"
     if os.geteuid() == 0:
         arguments += " --allow-root"
-    with log.open("w") as output:
-        process = subprocess.Popen(
-            ["make", "lab", f"ARGS={arguments}", "VENV=", f"BIN={sys.prefix}/bin"],
-            cwd=ROOT,
-            env=os.environ | {"HOME": str(home)},
-            stdout=output,
-            stderr=subprocess.STDOUT,
-            start_new_session=True,
-        )
+    process = subprocess.Popen(
+        ["make", "lab", f"ARGS={arguments}", "VENV=", f"BIN={sys.prefix}/bin"],
+        cwd=ROOT,
+        env=os.environ | {"HOME": str(home)},
+        stdout=subprocess.PIPE,
+        stderr=subprocess.STDOUT,
+        text=True,
+        start_new_session=True,
+    )
+    address = f"http://127.0.0.1:{port}"
+    too_late = threading.Timer(PATIENCE, os.killpg, (process.pid, signal.SIGTERM))
+    too_late.start()
     try:
-        address = f"http://127.0.0.1:{port}"
-        _wait(process, address, log)
+        assert process.stdout
+        said = list(_to_the_line_with(f"{address}/", process.stdout))
+        too_late.cancel()
+        if not said or address not in said[-1]:
+            pytest.fail(f"JupyterLab did not start:\n{''.join(said)}")
+        threading.Thread(target=process.stdout.read).start()  # so that the server can go on to print
         yield address
     finally:
-        os.killpg(process.pid, signal.SIGTERM)
+        with suppress(ProcessLookupError):
+            os.killpg(process.pid, signal.SIGTERM)
         process.wait(PATIENCE)
     left = {path.name for path in home.iterdir()} & {".ipython", ".jupyter", ".local"}
     assert not left, "JupyterLab wrote into the reader's home"
 
 
-def _wait(process: subprocess.Popen[bytes], address: str, log: Path) -> None:
-    end = time.monotonic() + PATIENCE
-    while process.poll() is None and time.monotonic() < end:
-        try:
-            _ask(address, "api/status")
+def _to_the_line_with(words: str, stream: Iterable[str]) -> Iterator[str]:
+    for line in stream:
+        yield line
+        if words in line:
             return
-        except OSError:
-            time.sleep(0.1)
-    pytest.fail(f"JupyterLab did not start:\n{log.read_text()}")
 
 
 def _ask(address: str, path: str) -> Any:

@@ -15,8 +15,9 @@ from pathlib import Path
 
 import pytest
 from chatter import CHATTER
-from outcomes import TRIES, watching
+from launches import NEVER, Until
 from tree import ROOT
+from verdicts import control
 
 from rosspin import ros1
 from rosspin.__main__ import main
@@ -93,19 +94,6 @@ def program(workspace: ros1.Workspace, name: str) -> str:
     return str(path)
 
 
-class Until(io.StringIO):
-    """A console that is closed when these words come."""
-
-    def __init__(self, words: str) -> None:
-        super().__init__()
-        self.words = words
-
-    def write(self, text: str) -> int:
-        if self.words in text:
-            raise BrokenPipeError
-        return super().write(text)
-
-
 def counters(console: str) -> list[int]:
     return [int(number) for number in re.findall(r"counter = (\d+)", console)]
 
@@ -119,10 +107,10 @@ def test_every_listing_compiles_without_a_warning(strict: ros1.Workspace) -> Non
 
 
 def test_launch_runs_both_nodes() -> None:
-    live = io.StringIO()
-    run = ros1.launch(PACKAGE / "launch" / "spinner.launch", 5.0, onward=live)
-    assert (run.runtime, run.status, run.seconds) == ("ros1", 0, 5.0)
-    assert live.getvalue() == run.console
+    live = Until(r"SPINNER CPP NODE\] counter = 3", r"SPINNER PY NODE\] counter = 3")
+    run = ros1.launch(PACKAGE / "launch" / "spinner.launch", NEVER, onward=live)
+    assert (run.runtime, run.status) == ("ros1", 0)
+    assert run.console.startswith(live.getvalue())
     assert "[SPINNER CPP NODE] namespace of nh = /mrp/spinner_cpp_node" in run.console
     assert "[SPINNER PY NODE] namespace of node = /mrp/\n" in run.console
     for source in ("SPINNER CPP NODE", "SPINNER PY NODE"):
@@ -134,9 +122,10 @@ def test_launch_runs_both_nodes() -> None:
 
 @pytest.mark.parametrize("publisher", ["publisher_py_node.py", "publisher_cpp_node"])
 def test_subscribers_of_both_languages_hear_a_publisher_of_either(publisher: str) -> None:
-    run = ros1.launch(PACKAGE / "launch" / "publish.launch", 6.0, [f"publisher:={publisher}"])
-    assert run.status == 0
     language = publisher.split("_")[1].upper()
+    both = Until(*(rf"SUBSCRIBER {each} NODE\] counter = " for each in ("CPP", "PY")), times=3)
+    run = ros1.launch(PACKAGE / "launch" / "publish.launch", NEVER, [f"publisher:={publisher}"], both)
+    assert run.status == 0
     assert re.search(rf"\[PUBLISHER {language} NODE\] namespace of \w+ = /mrp", run.console)
     heard = by_source(run.ticks)
     assert heard.keys() == {"SUBSCRIBER CPP NODE", "SUBSCRIBER PY NODE"}
@@ -149,19 +138,18 @@ def test_subscribers_of_both_languages_hear_a_publisher_of_either(publisher: str
 def test_a_node_hears_itself(strict: ros1.Workspace, language: str) -> None:
     node = program(strict, "pubsub_cpp_node")
     command = [node] if language == "cpp" else ["python3", str(PACKAGE / "src/pubsub_py_node.py")]
-    for _ in range(TRIES):
-        with watching() as stalled:
-            output = strict.run(command, 2.2, begins=re.compile("counter = "))
-        assert output.status == 0
+    with control(bears=0.1):  # a node that is slow has been connected only after the first message
+        output = strict.run(command, NEVER, Until("counter = 5"))
         seen = counters(output.console)
-        if seen[0] == 1 or not stalled.is_set():  # else it may have been connected only after the first message
-            break
-    assert seen[0] == 1 and seen == list(range(1, len(seen) + 1))
+        assert seen[0] == 1
+    assert output.status == 0
+    assert seen == list(range(1, len(seen) + 1))
 
 
 @pytest.mark.parametrize("name", ["plain", "spinner", "spinner_rate"])
 def test_python_node_file(name: str) -> None:
-    run = ros1.launch(PACKAGE / "src" / f"{name}_py_node.py", 4.0, ["__ns:=/mrp"])
+    until = Until("namespace of node") if name == "plain" else Until("counter = 3")
+    run = ros1.launch(PACKAGE / "src" / f"{name}_py_node.py", NEVER, ["__ns:=/mrp"], until)
     assert (run.runtime, run.status) == ("ros1", 0)
     assert "namespace of node = /mrp/\n" in run.console
     seen = counters(run.console)
@@ -172,13 +160,21 @@ def test_python_node_file(name: str) -> None:
 def test_threads_print_whole_lines(tmp_path: Path) -> None:
     node = tmp_path / "node.py"
     node.write_text(CHATTER)
-    assert {*ros1.launch(node, 60).console.splitlines()} == {"one", "two"}
+    assert {*ros1.launch(node, NEVER).console.splitlines()} == {"one", "two"}
 
 
 def test_cpp_node_file_of_no_package() -> None:
-    run = ros1.launch(EXAMPLES / "steps" / "2_callback.cpp", 2.0)
+    said = "namespace of nh = /spinner_cpp_node"
+    run = ros1.launch(EXAMPLES / "steps" / "2_callback.cpp", NEVER, onward=Until(said))
     assert (run.status, run.ticks) == (0, ())
-    assert "namespace of nh = /spinner_cpp_node" in run.console
+    assert said in run.console
+
+
+def test_a_run_is_as_long_as_was_asked_for() -> None:
+    live = io.StringIO()
+    run = ros1.launch(PACKAGE / "src" / "plain_py_node.py", 1.0, onward=live)
+    assert run.seconds == 1.0
+    assert run.console == live.getvalue()
 
 
 # --- what goes wrong --------------------------------------------------------------------------------------------------
@@ -204,14 +200,17 @@ def empty_package(folder: Path) -> Path:
 
 def test_dying_nodes_are_named(tmp_path: Path) -> None:
     package = empty_package(tmp_path)
-    nodes = {"at_once": "import os\nos._exit(3)\n", "at_the_end": "import time\ntry:\n time.sleep(60)\nfinally: 1/0\n"}
+    nodes = {
+        "at_once": "import os\nos._exit(3)\n",
+        "at_the_end": f"import time\ntry:\n print('begun')\n time.sleep({NEVER})\nfinally: 1/0\n",
+    }
     for name, text in nodes.items():
         (package / f"{name}.py").write_text("#!/usr/bin/env python3\n" + text)
         (package / f"{name}.py").chmod(0o755)
     launch_file = package / "dying.launch"
     elements = [f'<node name="{name}" pkg="lab" type="{name}.py" output="screen"/>' for name in nodes]
     launch_file.write_text(f"<launch>{''.join(elements)}</launch>")
-    run = ros1.launch(launch_file, 4.0)
+    run = ros1.launch(launch_file, NEVER, onward=Until("process has died", "begun"))
     assert run.status == 3
     assert re.search(r"^rosspin: at_once-\d ended with status 3$", run.console, re.MULTILINE)
     assert re.search(r"^rosspin: at_the_end-\d ended with status 1$", run.console, re.MULTILINE)
@@ -220,7 +219,7 @@ def test_dying_nodes_are_named(tmp_path: Path) -> None:
 def test_node_file_that_fails(tmp_path: Path) -> None:
     node = tmp_path / "failing.py"
     node.write_text("import rospy\nrospy.init_node('failing')\n1/0\n")
-    run = ros1.launch(node, 30.0)
+    run = ros1.launch(node, NEVER)
     assert run.status == 1
     assert "ZeroDivisionError: division by zero\n" in run.console
     assert run.console.endswith("rosspin: failing.py ended with status 1\n")
@@ -270,9 +269,9 @@ def test_a_node_deaf_to_ctrl_c_is_killed(tmp_path: Path, monkeypatch: pytest.Mon
     node.write_text(
         "import signal, time\n"
         "for number in (signal.SIGINT, signal.SIGTERM): signal.signal(number, signal.SIG_IGN)\n"
-        "print('deaf')\ntime.sleep(60)\n"
+        f"print('deaf')\ntime.sleep({NEVER})\n"
     )
-    run = ros1.launch(node, onward=Until("deaf\n"))
+    run = ros1.launch(node, NEVER, onward=Until("deaf\n"))
     assert run.status == 128 + signal.SIGKILL
     assert run.console == "deaf\nrosspin: deaf.py ended with status 137 (SIGKILL)\n"
 
@@ -286,7 +285,7 @@ def test_an_error_ends_everything(leaves_nothing: Path) -> None:
 
 
 def test_a_console_that_is_closed_ends_the_run(leaves_nothing: Path) -> None:
-    run = ros1.launch(PACKAGE / "src" / "spinner_py_node.py", onward=Until("counter = 2"))
+    run = ros1.launch(PACKAGE / "src" / "spinner_py_node.py", NEVER, onward=Until("counter = 2"))
     assert run.status == 0
 
 
@@ -365,16 +364,14 @@ def test_a_global_timer_aborts_at_ctrl_c(original: ros1.Workspace) -> None:
 def test_a_slow_callback_re_phases_a_cpp_timer(strict: ros1.Workspace) -> None:
     """After 4.4 periods the timer goes on from there, one period at a time, and says so of none of it."""
     command = [program(strict, "timer_probe"), "_period:=0.2", "_block:=0.88", "_block_call:=2"]
-    for _ in range(TRIES):
-        lines = strict.run(command, 2.2, begins=re.compile("^start,")).console.splitlines()
+    with control(bears=0.1):  # a late call 3 is itself one after which the timer goes on from there
+        lines = strict.run(command, NEVER, Until("timerCallback,4,")).console.splitlines()
         rows = [line.split(",") for line in lines if line.startswith("timerCallback")]
         expected = {int(row[1]): float(row[4]) for row in rows}
         real = {int(row[1]): float(row[5]) for row in rows}
-        if 4 in real and real[4] - expected[4] < 0.1:  # else the machine may have stalled
-            break
+        assert expected[4] - expected[3] == pytest.approx(0.2, abs=1e-5)
     assert real[3] - real[2] >= 0.88
     assert expected[3] - expected[2] > 0.8  # rewritten: rospy's would be 0.2
-    assert expected[4] - expected[3] == pytest.approx(0.2, abs=1e-5)
     assert float(rows[2][6]) >= 0.88  # only profile.last_duration shows it
 
 

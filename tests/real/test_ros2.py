@@ -15,7 +15,6 @@ from collections.abc import Callable, Iterator
 from contextlib import suppress
 from functools import partial
 from itertools import pairwise
-from operator import attrgetter
 from pathlib import Path
 from statistics import fmean
 from textwrap import dedent
@@ -23,14 +22,14 @@ from typing import Any
 
 import pytest
 from chatter import CHATTER
-from outcomes import TRIES, launch_past, until_lucky
+from launches import NEVER, launch, launch_past, unspoilt
 from tree import ROOT
+from verdicts import control
 
 from rosspin import ros2
 from rosspin.__main__ import main
 from rosspin.children import Output
 from rosspin.measures import by_source
-from rosspin.ticks import Run
 
 EXAMPLES = ROOT / "examples"
 PACKAGE = EXAMPLES / "my_robotics_pkg_ros2"
@@ -93,34 +92,28 @@ def processes(folder: Path) -> list[str]:
 
 
 def test_a_timer_node(ros: None) -> None:
-    def launched() -> Run:
-        live = io.StringIO()
-        run = ros2.launch(TIMER_NODE, 2.3, ["--ros-args", "-r", "__ns:=/mrp"], live)
+    live = io.StringIO()
+    with control(bears=0.1):  # a late Ctrl-C comes in the midst of a tick
+        run = launch(TIMER_NODE, 2.3, ["--ros-args", "-r", "__ns:=/mrp"], live)
+        assert (run.runtime, run.status, run.seconds) == ("ros2", 0, 2.3)
         assert live.getvalue() == run.console
-        return run
-
-    for _ in range(TRIES):
-        run = until_lucky(launched)
-        if run.ticks[-1].real < run.seconds:  # else Ctrl-C came late, perhaps in the midst of this tick
-            break
-    assert (run.runtime, run.status, run.seconds) == ("ros2", 0, 2.3)
-    lines = [line.partition("[SPINNER")[0::2] for line in run.console.splitlines()]
-    assert all(head.startswith("[INFO] [") and head.endswith("] [mrp.spinner_py_node]: ") for head, _ in lines)
-    numbers = range(1, len(run.ticks) + 1)
-    wanted = ["namespace of node = /mrp", *(f"counter = {number}" for number in numbers)]
-    assert [text for _, text in lines] == [f" PY NODE] {text}" for text in wanted]
-    assert [tick.number for tick in run.ticks] == list(numbers)
-    for tick in run.ticks:
-        assert tick.source == "timer_callback"
-        assert 0 <= tick.lateness
-        assert tick.duration > 0
-        assert math.remainder(tick.expected - run.ticks[0].expected, 0.5) == pytest.approx(0, abs=0.1)
+        lines = [line.partition("[SPINNER")[0::2] for line in run.console.splitlines()]
+        assert all(head.startswith("[INFO] [") and head.endswith("] [mrp.spinner_py_node]: ") for head, _ in lines)
+        numbers = range(1, len(run.ticks) + 1)
+        wanted = ["namespace of node = /mrp", *(f"counter = {number}" for number in numbers)]
+        assert [text for _, text in lines] == [f" PY NODE] {text}" for text in wanted]
+        assert [tick.number for tick in run.ticks] == list(numbers)
+        for tick in run.ticks:
+            assert tick.source == "timer_callback"
+            assert 0 <= tick.lateness
+            assert tick.duration > 0
+            assert math.remainder(tick.expected - run.ticks[0].expected, 0.5) == pytest.approx(0, abs=0.1)
 
 
 @pytest.mark.parametrize("name", ["plain", "spinner", "spinner_rate", "spinner_param"])
 def test_the_nodes_of_the_package(ros: None, name: str) -> None:
     node = NODES / f"{name}_py_node.py"
-    run = until_lucky(lambda: ros2.launch(node, 1.2)) if name == "plain" else launch_past("counter = 2", node)
+    run = launch(node, 1.2) if name == "plain" else launch_past("counter = 2", node)
     assert run.status == 0
     assert "Traceback" not in run.console
     assert bool(run.ticks) == (name != "plain")
@@ -128,10 +121,11 @@ def test_the_nodes_of_the_package(ros: None, name: str) -> None:
 
 def test_a_parameter(ros: None) -> None:
     node = NODES / "spinner_param_py_node.py"
-    fast = ros2.launch(node, 1.0, ["--ros-args", "-p", "frequency:=20.0"])
-    periods = [later.expected - earlier.expected for earlier, later in pairwise(fast.ticks)]
-    assert min(periods) < 0.1 and fmean(periods) > 0.04  # a late node may skip ticks
-    refused = ros2.launch(node, 5.0, ["--ros-args", "-p", "frequency:=0.0"])
+    with control(bears=0.05):  # a late node skips ticks
+        fast = launch_past("counter = 15", node, ["--ros-args", "-p", "frequency:=20.0"])
+        periods = [later.expected - earlier.expected for earlier, later in pairwise(fast.ticks)]
+        assert min(periods) < 0.1 and fmean(periods) > 0.04
+    refused = ros2.launch(node, NEVER, ["--ros-args", "-p", "frequency:=0.0"])
     assert refused.status == 1
     assert "[FATAL]" in refused.console and "frequency must be above 0" in refused.console
 
@@ -156,17 +150,19 @@ def test_ticks_of_timers_and_rates(ros: None, write: Any) -> None:
         rclpy.spin(node)
         """
     )
-    run = ros2.launch(node, 2.0)
-    sources = by_source(run.ticks)
-    assert set(sources) == {"slow", "partial", "Rate"}
+    with control(bears=0.1):
+        run = ros2.launch(node, 2.0)
+        sources = by_source(run.ticks)
+        assert set(sources) == {"slow", "partial", "Rate"}
+        assert len(sources["Rate"]) > 1
+        assert sources["Rate"][0].expected < 0.2 < sources["slow"][0].expected
     assert [tick.real for tick in run.ticks] == sorted(tick.real for tick in run.ticks)
     assert all(tick.duration >= 0.3 or math.isnan(tick.duration) for tick in sources["slow"][:-1])
-    assert sources["Rate"][0].expected < 0.2 < sources["slow"][0].expected
     assert sources["Rate"][1].real >= sources["Rate"][1].expected
 
 
 def test_a_callback_that_raises_has_its_own_traceback(ros: None, write: Any) -> None:
-    run = ros2.launch(write(TIMER.format(callback="1 / 0")), 60)
+    run = ros2.launch(write(TIMER.format(callback="1 / 0")), NEVER)
     assert run.status == 1
     assert run.console.endswith("ZeroDivisionError: division by zero\n")
     assert "rosspin" not in run.console.replace(str(ROOT), "")
@@ -175,7 +171,7 @@ def test_a_callback_that_raises_has_its_own_traceback(ros: None, write: Any) -> 
 
 def test_ctrl_c_that_nobody_catches(ros: None, write: Any) -> None:
     node = write(TIMER.format(callback="pass"))
-    run = until_lucky(lambda: ros2.launch(node, 0.7))
+    run = launch(node, 0.7)
     assert run.status == 128 + signal.SIGINT
     assert run.console.endswith("KeyboardInterrupt\n")
 
@@ -185,16 +181,16 @@ def test_ctrl_c_that_nobody_catches(ros: None, write: Any) -> None:
     [("sys.exit(3)", 3), ("os._exit(4)", 4), ("rclpy.shutdown()", 0)],
 )
 def test_a_node_that_ends_by_itself(ros: None, write: Any, callback: str, status: int) -> None:
-    run = ros2.launch(write(TIMER.format(callback=callback)), 60)
+    run = ros2.launch(write(TIMER.format(callback=callback)), NEVER)
     assert (run.status, run.console) == (status, "")
 
 
 def test_threads_print_whole_lines(ros: None, write: Any) -> None:
-    assert {*ros2.launch(write(CHATTER), 60).console.splitlines()} == {"one", "two"}
+    assert {*ros2.launch(write(CHATTER), NEVER).console.splitlines()} == {"one", "two"}
 
 
 def test_a_killed_node_leaves_nothing(ros: None, write: Any) -> None:
-    run = ros2.launch(write(TIMER.format(callback="os.kill(os.getpid(), signal.SIGKILL)")), 60)
+    run = ros2.launch(write(TIMER.format(callback="os.kill(os.getpid(), signal.SIGKILL)")), NEVER)
     assert run.status == 128 + signal.SIGKILL
     assert run.console == "rosspin: node.py ended with status 137 (SIGKILL)\n"
 
@@ -215,8 +211,9 @@ def test_a_node_deaf_to_ctrl_c_is_killed(ros: None, write: Any, monkeypatch: pyt
                 print("no")
         """
     )
-    run = launch_past("begun", node)
-    assert run.console == "begun\nno\nbegun\nrosspin: node.py ended with status 137 (SIGKILL)\n"
+    with control(bears=0.5):  # it is given 2 s to begin anew
+        run = launch_past("begun", node)
+        assert run.console == "begun\nno\nbegun\nrosspin: node.py ended with status 137 (SIGKILL)\n"
 
 
 def test_nodes_do_not_meet_unless_they_are_to(ros: None, write: Any) -> None:
@@ -236,10 +233,10 @@ def test_nodes_do_not_meet_unless_they_are_to(ros: None, write: Any) -> None:
         """
     )
     heard = "(True, std_msgs.msg.String(data='word'))\n"
-    for meet, patience, wanted in ((False, "2", "(False, None)\n"), (True, "60", heard)):
+    for meet, patience, wanted in ((False, "2", "(False, None)\n"), (True, str(NEVER), heard)):
         with ros2.Nodes(meet) as nodes:
             talker = nodes.start([ros2.python(), str(node), "talker"], subprocess.DEVNULL, subprocess.DEVNULL)
-            assert nodes.launch(node, 120, ["listener", patience]).console == wanted
+            assert nodes.launch(node, 2 * NEVER, ["listener", patience]).console == wanted
             assert talker.poll() is None
 
 
@@ -260,15 +257,14 @@ def test_the_caller_s_environment_does_not_matter(ros: None, write: Any, monkeyp
 def test_the_command_line(ros: None, tmp_path: Path, capfd: pytest.CaptureFixture[str]) -> None:
     plot = tmp_path / "ticks.svg"
     command = ["run", "--ros2", str(TIMER_NODE), "--seconds", "1.7", "--plot", str(plot)]
-
-    def typed() -> tuple[int, str, str]:
-        return main([*command, "--", "--ros-args", "-r", "__node:=renamed"]), *capfd.readouterr()
-
-    status, out, err = until_lucky(typed, lambda typed: typed[1])
-    assert status == 0
-    assert "[renamed]: [SPINNER PY NODE] counter = 1\n" in out
-    assert "timer_callback: " in err
-    assert plot.exists()
+    with control(bears=0.1):
+        status = main([*command, "--", "--ros-args", "-r", "__node:=renamed"])
+        out, err = capfd.readouterr()
+        unspoilt(out)
+        assert status == 0
+        assert "[renamed]: [SPINNER PY NODE] counter = 1\n" in out
+        assert "timer_callback: " in err
+        assert plot.exists()
 
 
 # Without rclpy.init(): Ctrl-C in the middle of a callback now and then meets rclpy's own shutdown half-way.
@@ -277,7 +273,7 @@ WAITING = """
     import rclpy
     try:
         print("begun")
-        time.sleep(60)
+        time.sleep(1000)
     except KeyboardInterrupt:
         print("over")
 """
@@ -303,7 +299,8 @@ def test_where_ctrl_c_is_ignored_nodes_still_heed_it(ros: None) -> None:
     command = [sys.executable, "-m", "rosspin", "run", "--ros2", node, "--seconds", "0.75"]
     deaf = "import signal, subprocess, sys; signal.signal(signal.SIGINT, signal.SIG_IGN); sys.exit(subprocess.call({}))"
     shell = partial(subprocess.run, [sys.executable, "-c", deaf.format(command)], capture_output=True, text=True)
-    run = until_lucky(shell, attrgetter("stdout"))
+    run = shell()
+    unspoilt(run.stdout)
     assert run.returncode == 128 + signal.SIGINT
     assert run.stdout.endswith("KeyboardInterrupt\n")
 
@@ -426,8 +423,8 @@ def test_the_tutorial_builds_its_package_and_runs_it(ros: None) -> None:
         assert "Finished <<< my_robotics_pkg" in TUTORIAL
         assert "Finished <<< my_robotics_pkg" in built.console
         for command in (f"{source}\nexec {run}", run_file.replace("python3", "exec python3")):
-            typed = partial(type_in, f"{command} > $HOME/stdout", seconds=0.25, begins=re.compile("counter = 2"))
-            output = until_lucky(typed)
+            output = type_in(f"{command} > $HOME/stdout", seconds=0.25, begins=re.compile("counter = 2"))
+            unspoilt(output.console)
             assert output.status == 0
             assert "] [mrp.spinner_py_node]: [SPINNER PY NODE] counter = 2\n" in output.console
             assert (nodes.folder / "stdout").read_text() == ""
@@ -449,7 +446,7 @@ def test_a_node_may_import_its_own_package_and_is_told_what_messages_there_are(r
     begin = "import rclpy; from own_pkg.helper import value; rclpy.init(); rclpy.create_node('n'); print(value)\n"
     node.write_text(f"{begin}import nav2_msgs.msg\n")
     onward = io.StringIO()
-    run = ros2.launch(node, 5, onward=onward)
+    run = ros2.launch(node, NEVER, onward=onward)
     assert run.status == 1
     assert run.console.startswith("1\n")
     assert run.console == onward.getvalue()
