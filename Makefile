@@ -43,7 +43,7 @@ SPHINX = $(BIN)/sphinx-build -M $@ . build -n
 
 # html, doctest and outputs share their parsed pages, so one runs after the other.
 .NOTPARALLEL:
-.PHONY: html test doctest outputs linkcheck serve lab bench ros1 ros2 record definitions pins clean
+.PHONY: html test judge doctest outputs linkcheck serve lab bench ros1 ros2 record definitions pins clean
 
 html doctest linkcheck: $(VENV)
 	$(SPHINX) -W --keep-going $(SPHINXOPTS)
@@ -69,6 +69,11 @@ test: $(VENV:=-for-test) html doctest
 	$(BIN)/mypy
 	@# A file that waits (for ROS, for a clock, for a browser) beside one that works.
 	$(BIN)/pytest --numprocesses 2 --dist loadfile
+
+# The whole corpus of scenarios on all that is real and installed, one after another: it takes hours. What is recorded,
+# and the ledger of it, is written anew; commit that.
+judge: $(VENV:=-for-test) html
+	$(BIN)/pytest tests/real/judge --conclusive $(ARGS)
 
 serve: html
 	$(BIN)/python -m http.server --bind 127.0.0.1 --directory build/html $(PORT)

@@ -29,6 +29,10 @@ class Admission:
             while _free() < FREE and self._patience > 0:
                 self._patience -= WINDOW
 
+    def open(self) -> None:
+        """Let all in that still wait."""
+        self._patience = 0
+
 
 def _free() -> float:
     """How many processors have nothing to do; where the kernel does not say so, one."""

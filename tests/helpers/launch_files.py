@@ -10,7 +10,7 @@ import os
 import re
 import shutil
 from collections.abc import Collection, Iterator
-from concurrent.futures import Future, ThreadPoolExecutor
+from concurrent.futures import ThreadPoolExecutor
 from contextlib import contextmanager
 from pathlib import Path
 from unittest import mock
@@ -47,7 +47,7 @@ class Real:
     def __init__(self, package: Path, names: Collection[str], pool: ThreadPoolExecutor, patience: float) -> None:
         self._package = package
         self._admission = Admission(patience)
-        self._begun: dict[str, Future[tuple[int, str]]] = {name: pool.submit(self._run, name) for name in names}
+        self._begun = {name: pool.submit(self._run, name) for name in names}
 
     def console(self, name: str) -> tuple[int, str]:
         """The exit status of roslaunch, and what was printed."""

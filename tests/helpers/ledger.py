@@ -77,7 +77,7 @@ class Ledger(NamedTuple):
                     if (entry.date, entry.version) == (date, version)
                 ]
         lines.append("\n[races]\n")
-        lines += [f"{name} = {counts}\n" for name, counts in sorted(self.races.items())]
+        lines += [f'"{name}" = {counts}\n' for name, counts in sorted(self.races.items())]
         file.write_text("".join(lines), encoding="utf-8")
 
     def confirm(self, scenario: Scenario, version: str) -> None:

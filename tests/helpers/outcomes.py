@@ -3,42 +3,24 @@
 from __future__ import annotations
 
 import difflib
-import os
 import re
-import threading
-import time
-from collections.abc import Callable, Iterator, Sequence
-from contextlib import contextmanager
-from operator import attrgetter
-from pathlib import Path
-from typing import NamedTuple, TypeVar
-from unittest import mock
-
-import expectations
-
-from rosspin import ros2
-from rosspin.ticks import Run
+from collections.abc import Iterator
+from typing import NamedTuple
 
 __all__ = [
     "CTRL_C",
     "JITTER",
     "P",
     "TOLERANCE",
-    "TRIES",
     "Outcome",
     "differences",
     "outcome",
-    "until_lucky",
-    "watching",
 ]
-
-T = TypeVar("T")
 
 P = 0.4  # the period in the scenarios, s
 TOLERANCE = 0.3 * P
 JITTER = 0.01  # what each block may take longer (s) and the scenario still count; a process later than that has stalled
 CTRL_C = 3.6 * P
-TRIES = 6  # how often a run may be unlucky
 
 
 class Outcome(NamedTuple):
@@ -52,39 +34,6 @@ class Outcome(NamedTuple):
     marks: dict[str, list[list[float | None]]]
     end: float | None
     stalled: float
-
-
-def until_lucky(run: Callable[[], T], console: Callable[[T], str] = attrgetter("console")) -> T:
-    """Run a node on the real ROS 2, again if it met rclpy's own shutdown, at most TRIES times: the last run."""
-    for _ in range(TRIES):
-        done = run()
-        if not expectations.mishaps("ros2").search(console(done)):
-            break
-    return done
-
-
-@contextmanager
-def watching() -> Iterator[threading.Event]:
-    """An event that is set, once the block is over at the latest, if a CPU stood still for a while during it."""
-    stalled, over = threading.Event(), threading.Event()
-
-    def watch(cpu: int) -> None:
-        os.sched_setaffinity(0, {cpu})  # of this thread alone
-        before = time.monotonic()
-        while not over.wait(JITTER):
-            if time.monotonic() - before > 2 * JITTER:
-                stalled.set()
-            before = time.monotonic()
-
-    watchers = [threading.Thread(target=watch, args=(cpu,)) for cpu in os.sched_getaffinity(0)]
-    for watcher in watchers:
-        watcher.start()
-    try:
-        yield stalled
-    finally:
-        over.set()
-        for watcher in watchers:
-            watcher.join()
 
 
 # A mark is written in one go; it may stand within a line that another thread writes in several, as a traceback's are.
@@ -159,9 +108,3 @@ def _when(row: list[float | None]) -> float:
     time = row[3] if len(row) == 5 else row[0]
     assert time is not None
     return time
-
-
-def launch_past(line: str, node: Path, args: Sequence[str] = ()) -> Run:
-    """Press Ctrl-C 0.25 s after such a line has come: half-way between two ticks, if they come at 2 Hz."""
-    with mock.patch.object(ros2, "_BEGIN", re.compile(line)):
-        return until_lucky(lambda: ros2.launch(node, 0.25, args))
