@@ -1,4 +1,4 @@
-# `make html` builds the site, `make test` checks everything. Both set up .venv by themselves.
+# `make html` builds the site, `make test` checks it and the code. Both set up .venv by themselves.
 
 PYTHON ?= python3
 PORT ?= 8000
@@ -64,11 +64,15 @@ $(NPM): web/package.json web/package-lock.json web/.npmrc | $(VENV)
 outputs: $(VENV)
 	$(SPHINX) -q
 
+# The lanes of the tests: see tests/README.md. That of what is real comes with ROSSPIN_REQUIRE, which says what must be
+# there. A whole file at a time: its tests share what they have built or started.
+PYTEST := $(BIN)/pytest --numprocesses 2 --dist loadfile --no-loadscope-reorder
+
 test: $(VENV:=-for-test) html doctest
 	$(BIN)/ruff check
 	$(BIN)/mypy
-	@# A file that waits (for ROS, for a clock, for a browser) beside one that works.
-	$(BIN)/pytest --numprocesses 2 --dist loadfile
+	$(PYTEST)
+	$(if $(ROSSPIN_REQUIRE),$(PYTEST) tests/real)
 
 # The whole corpus of scenarios on all that is real and installed, one after another: it takes hours. What is recorded,
 # and the ledger of it, is written anew; commit that.
