@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import time
 from collections.abc import Iterable, Sequence
 from concurrent.futures import Future, ThreadPoolExecutor
 from typing import Any, Self
@@ -13,7 +14,7 @@ from corpus import Scenario, closest, read, recorded, simulated
 from lacking import LACKS
 from outcomes import Outcome
 from runtimes import Machine
-from verdicts import inconclusive
+from verdicts import Control, inconclusive
 
 # More at a time would not begin earlier, on any machine that we know.
 AT_MOST = 8
@@ -27,12 +28,34 @@ def asked_for(request: pytest.FixtureRequest) -> list[dict[str, Any]]:
     return [item.callspec.params for item in here if hasattr(item, "callspec")]
 
 
+class _Beside(Control):
+    """One control beside all runs of a module, which remembers when the machine stalled."""
+
+    def __init__(self) -> None:
+        super().__init__()
+        self._stalls: list[tuple[float, float]] = []
+
+    def called(self, took: float, waited: float) -> None:
+        super().called(took, waited)
+        if self._stretch:
+            self._stalls.append((time.monotonic(), self._stretch))
+
+    def since(self, begin: float) -> float:
+        """For how long (s), at the longest, since that moment."""
+        return max((min(stretch, now - begin) for now, stretch in self._stalls if now > begin), default=0.0)
+
+
 class Runs:
-    """The consoles of cases. Those named at first are run ahead, side by side; any other when it is asked for."""
+    """The consoles of cases. Those named at first are run ahead, side by side; any other when it is asked for.
+
+    A scenario says itself when it has stood still, but not if it ends at once after that: then the control does.
+    """
 
     def __init__(self, runtimes: Iterable[str], cases: Sequence[Case], patience: float) -> None:
         there = [name for name in runtimes if name not in LACKS or not LACKS[name]()]
         self._admission = Admission(patience)
+        self._beside = _Beside()
+        self._beside.__enter__()
         self._machine = Machine(there)
         self._pool = ThreadPoolExecutor(AT_MOST)
         self._begun: dict[Case, list[Future[str]]] = {}
@@ -48,6 +71,7 @@ class Runs:
         self._admission.open()
         self._pool.shutdown(cancel_futures=True)
         self._machine.__exit__()
+        self._beside.__exit__()
 
     def console(self, runtime: str, scenario: Scenario) -> str:
         """The console of one run, with its status in the first line."""
@@ -57,7 +81,11 @@ class Runs:
 
     def _run(self, runtime: str, scenario: Scenario) -> str:
         self._admission.wait()
-        return self._machine.run(runtime, scenario)
+        begin = time.monotonic()
+        status, end, console = self._machine.run(runtime, scenario).partition("\n")
+        stalled = self._beside.since(begin)
+        told = f"@stall {stalled:.3f}\n" if stalled else ""
+        return f"{status}{end}{told}{console}"
 
 
 def exact(runtime: str, scenario: Scenario) -> list[Outcome]:

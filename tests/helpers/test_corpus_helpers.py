@@ -181,6 +181,18 @@ def test_a_run_that_met_a_race_of_any_node_tells_nothing(console: Callable[[Scen
     runs.check("ros2", own, console(own))
 
 
+def test_the_control_beside_tells_of_stalls_within_a_run(monkeypatch: pytest.MonkeyPatch) -> None:
+    now = 100.0
+    monkeypatch.setattr("runs.time.monotonic", lambda: now)
+    beside = runs._Beside()
+    for took in (0.025, 0.5, 0.3, 0.025):  # it is to be called every 25 ms
+        now += took
+        beside.called(took, 0.0)
+    assert beside.since(100.0) == pytest.approx(0.8)
+    assert beside.since(100.6) == pytest.approx(0.225)
+    assert beside.since(100.9) == 0.0
+
+
 def test_on_the_wall_a_race_may_come_out_in_each_way() -> None:
     assert runs.exact("wall", GRID) == [simulated(GRID)]
     race = BY_NAME["executor_multi_raises"]
