@@ -18,15 +18,6 @@ class Expectation(NamedTuple):
     reason: str
     link: str
     scenarios: tuple[str, ...] = ()
-    before: str = ""  # a version of the Python that the tests run on, if it no longer happens from then on
-
-    def is_past(self, python: str) -> bool:
-        """Whether it no longer happens beside that version of Python."""
-        return bool(self.before) and _numbers(python) >= _numbers(self.before)
-
-
-def _numbers(version: str) -> list[int]:
-    return [int(number) for number in version.split(".")[:2]]
 
 
 def _read() -> dict[str, list[Expectation]]:

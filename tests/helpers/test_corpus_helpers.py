@@ -135,12 +135,6 @@ def test_each_expectation_says_why_and_is_of_scenarios_that_there_are() -> None:
     assert {entry.where for entry in entries} <= where
 
 
-def test_a_difference_may_be_one_of_older_pythons() -> None:
-    entry = expectations.Expectation("page", ("outcome",), "reason", "link", before="3.13")
-    assert [entry.is_past(version) for version in ("3.9.1", "3.12.8", "3.13.0", "3.14.0rc1")] == [0, 0, 1, 1]
-    assert not entry._replace(before="").is_past("3.14.0")
-
-
 # --- verdicts on runs -------------------------------------------------------------------------------------------------
 
 GRID = BY_NAME["timer_grid"]
@@ -208,7 +202,7 @@ def test_a_page_that_says_something_else_fails() -> None:
     sandbox = sandboxes.Sandbox(evaluate, "", corpus_ros1.SCENARIOS)
     with pytest.raises(AssertionError, match="something else"):
         sandboxes.check(sandbox, scenario)
-    sandboxes.check(sandbox, BY_NAME["values_anonymous"])
+    sandboxes.check(sandbox, BY_NAME["threads_idents"])
 
 
 # --- who may begin ----------------------------------------------------------------------------------------------------
