@@ -74,8 +74,10 @@ test: $(VENV:=-for-test) html doctest
 	$(PYTEST)
 	$(if $(ROSSPIN_REQUIRE),$(PYTEST) tests/real)
 
+# The whole corpus of scenarios on all that is real and installed, one after another: it takes hours. What is recorded,
+# and the ledger of it, is written anew; commit that.
 judge: $(VENV:=-for-test) html
-	$(BIN)/pytest tests/real/judge
+	$(BIN)/pytest tests/real/judge --conclusive $(ARGS)
 
 serve: html
 	$(BIN)/python -m http.server --bind 127.0.0.1 --directory build/html $(PORT)

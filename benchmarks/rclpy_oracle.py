@@ -19,8 +19,10 @@ from contextlib import contextmanager
 from importlib import import_module
 from importlib.util import module_from_spec, spec_from_file_location
 from pathlib import Path
-from types import ModuleType, SimpleNamespace
+from types import SimpleNamespace
 from typing import Any
+
+from oracles import stub, without
 
 
 def real_rclpy() -> Path | None:
@@ -366,11 +368,6 @@ def c_module() -> SimpleNamespace:
 # --- rclpy on it ------------------------------------------------------------------------------------------------------
 
 
-def _stub(name: str, **contents: Any) -> None:
-    module = sys.modules[name] = ModuleType(name)
-    vars(module).update(contents)
-
-
 class _Nothing:
     """In place of what needs services and events."""
 
@@ -387,35 +384,27 @@ class _Nothing:
 @contextmanager
 def oracle(folder: Path) -> Iterator[None]:
     """Within this context ``import rclpy`` imports the real one's Python from its folder, over the C module above."""
-    before = {name: module for name, module in sys.modules.items() if name.split(".")[0] == "rclpy"}
-    for name in before:
-        del sys.modules[name]
     _contexts.clear()
     _sigint.clear()
-    spec = spec_from_file_location("rclpy", folder / "__init__.py", submodule_search_locations=[str(folder)])
-    assert spec and spec.loader
-    package = sys.modules["rclpy"] = module_from_spec(spec)
-    stubs = ("rclpy.impl", "ament_index_python", "rcl_interfaces.srv")
-    _stub("rclpy.impl", __path__=[str(folder / "impl")])
-    _stub("rclpy.impl.implementation_singleton", rclpy_implementation=c_module())
-    events = ("EventHandler", "PublisherEventCallbacks", "SubscriptionEventCallbacks")
-    _stub("rclpy.event_handler", **dict.fromkeys(events, _Nothing))
-    _stub("rclpy.client", Client=_Nothing)
-    _stub("rclpy.service", Service=_Nothing)
-    _stub("rclpy.parameter_service", ParameterService=_Nothing)
-    _stub("rclpy.logging_service", LoggingService=_Nothing)
-    _stub("rclpy.type_description_service", TypeDescriptionService=_Nothing)
-    checks = dict.fromkeys(("check_is_valid_msg_type", "check_is_valid_srv_type"), lambda kind: None)
-    _stub("rclpy.type_support", **checks)
-    _stub("ament_index_python")
-    _stub("rcl_interfaces.srv", ListParameters=None)
-    try:
+    with without("rclpy", "ament_index_python", "rcl_interfaces.srv"):
+        spec = spec_from_file_location("rclpy", folder / "__init__.py", submodule_search_locations=[str(folder)])
+        assert spec and spec.loader
+        package = sys.modules["rclpy"] = module_from_spec(spec)
+        stub("rclpy.impl", __path__=[str(folder / "impl")])
+        stub("rclpy.impl.implementation_singleton", rclpy_implementation=c_module())
+        events = ("EventHandler", "PublisherEventCallbacks", "SubscriptionEventCallbacks")
+        stub("rclpy.event_handler", **dict.fromkeys(events, _Nothing))
+        stub("rclpy.client", Client=_Nothing)
+        stub("rclpy.service", Service=_Nothing)
+        stub("rclpy.parameter_service", ParameterService=_Nothing)
+        stub("rclpy.logging_service", LoggingService=_Nothing)
+        stub("rclpy.type_description_service", TypeDescriptionService=_Nothing)
+        checks = dict.fromkeys(("check_is_valid_msg_type", "check_is_valid_srv_type"), lambda kind: None)
+        stub("rclpy.type_support", **checks)
+        stub("ament_index_python")
+        stub("rcl_interfaces.srv", ListParameters=None)
         spec.loader.exec_module(package)
         yield
-    finally:
-        for name in [name for name in sys.modules if name.split(".")[0] == "rclpy" or name in stubs]:
-            del sys.modules[name]
-        sys.modules.update(before)
 
 
 def on_the_oracle(node: Callable[[], object], folder: Path) -> Callable[[], None]:

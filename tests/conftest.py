@@ -14,6 +14,7 @@ from typing import Any
 
 import pytest
 from hypothesis import settings
+from ledger import TURN
 from seeds import SEED
 from simulated_only import simulated_only
 from tree import DOCTREES, ROOT, SITE, TESTS
@@ -26,7 +27,7 @@ pytest_plugins = ["quiet_lane"]
 
 
 def pytest_report_header() -> str:
-    return f"random tests: ROSSPIN_SEED={SEED}"
+    return f"random tests: ROSSPIN_SEED={SEED}; scenarios on real clocks: ROSSPIN_TURN={TURN}"
 
 
 @pytest.hookimpl(tryfirst=True)

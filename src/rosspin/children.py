@@ -40,11 +40,12 @@ for stream in filter(None, (sys.stdout, sys.stderr)): stream.reconfigure(line_bu
 
 
 class Output(NamedTuple):
-    """What a process did: console text, exit status as a shell has it, start (s since the epoch)."""
+    """What a process did: console text, exit status as a shell has it; its start, and Ctrl-C (s since the epoch)."""
 
     console: str
     status: int
     start: float
+    interrupt: float | None = None
 
 
 class Children:
@@ -109,17 +110,19 @@ class Children:
         patience = patience or self.patience
         process = self.start(command, subprocess.PIPE, subprocess.STDOUT, more)
         console = _Reader(process, onward, begins, patience, clean)
+        interrupt = None
         try:
             if begins is not None and not console.begun.wait(START_PATIENCE):
                 raise RuntimeError(f"{command[0]} did not start anything:\n{console.text()}")
             process.wait(seconds)
         except subprocess.TimeoutExpired:
+            interrupt = time.time()
             _end(process, patience)
         except KeyboardInterrupt:
             _end(process, patience)
             if seconds is not None:
                 raise
-        return Output(console.text(), shell_status(process.wait()), console.start)
+        return Output(console.text(), shell_status(process.wait()), console.start, interrupt)
 
     def start(
         self, command: Sequence[str], stdout: int, stderr: int | None = None, more: Mapping[str, str] | None = None

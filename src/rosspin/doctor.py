@@ -1,14 +1,20 @@
-"""Say what can run on this machine, and what to install for the rest."""
+"""Say what can run on this machine, and what to install for the rest; in a checkout also how old its recordings are."""
 
 from __future__ import annotations
 
+import datetime
 import importlib.util
 import shutil
+import tomllib
 from collections.abc import Iterator
+from pathlib import Path
 
 from . import ros1, ros2
 
 __all__ = ["chromium", "report"]
+
+# Beside the project's tests: which recording of the real ROS was confirmed when, and by which version.
+_LEDGER = Path(__file__).parents[2] / "tests" / "ledger.toml"
 
 _APT = "on Debian and Ubuntu: sudo apt-get install"
 
@@ -26,7 +32,21 @@ def report() -> Iterator[str]:
     yield _line("roscpp", ros1.missing(), f"{_APT} {ros1.APT}")
     yield _line("rclpy", ros2.missing(), ros2.unavailable() or ros2.REMEDY)
     yield _line("browser", [] if chromium() else ["Chromium"], f"{_APT} chromium")
+    if _LEDGER.exists():
+        yield from _recordings()
 
 
 def _line(runtime: str, lacking: list[str], remedy: str) -> str:
     return f"{runtime:<9} no   lacks {', '.join(lacking)}; {remedy}" if lacking else f"{runtime:<9} yes"
+
+
+def _recordings() -> Iterator[str]:
+    """Yield a line for each ROS: how many of its recordings there are, and for how long the oldest is unconfirmed."""
+    batches = tomllib.loads(_LEDGER.read_text(encoding="utf-8")).get("confirmed", ())
+    for ros in sorted({batch["ros"] for batch in batches}):
+        own = [batch for batch in batches if batch["ros"] == ros]
+        count = sum(len(batch["hashes"]) for batch in own)
+        oldest = min(own, key=lambda batch: batch["date"])
+        days = (datetime.date.today() - oldest["date"]).days
+        when = f"{days} day{'s' * (days != 1)} ago or later" if days else "today"
+        yield f"recorded  ROS {ros}: {count} scenarios, confirmed {when} by {oldest['version']} (make judge)"

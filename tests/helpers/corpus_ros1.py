@@ -2,50 +2,20 @@
 
 from __future__ import annotations
 
-import re
-from typing import NamedTuple
-
-from outcomes import CTRL_C
+from corpus import LONGEST, Args, Scenario, given, scenarios
 from tree import TESTS
+
+__all__ = ["LENGTHS", "LONGEST", "SCENARIOS", "SCENARIO_LIST", "Scenario"]
 
 SCENARIOS = TESTS / "scenarios"
 
-LONGEST = 12.0  # s of a scenario that ends by itself
-
-
-class Scenario(NamedTuple):
-    """A scenario file with its node args, which are a part of its name."""
-
-    file: str
-    args: tuple[str, ...] = ()
-
-    @property
-    def name(self) -> str:
-        return re.sub(r"\W+", "_", "_".join((self.file, *self.args)))
-
-    @property
-    def is_timed(self) -> bool:
-        """Whether it is about times."""
-        return not self.file.startswith(("values", "log_", "exit", "main"))
-
-    @property
-    def end(self) -> float | None:
-        """When Ctrl-C comes, in those that are about it."""
-        return CTRL_C if self.file.startswith("ctrl_c") else None
-
-
-def _with(name: str, values: tuple[float, ...], *more: str) -> list[tuple[str, ...]]:
-    return [(f"_{name}:={value}", *more) for value in values]
-
-
 # Lengths, in periods, around the limits of 1, 2 and 3.
-_LENGTHS = (0.5, 0.7, 1.3, 1.6, 2.4, 2.7, 3.3, 3.6, 4.4, 5.6)
+LENGTHS = (0.5, 0.7, 1.3, 1.6, 2.4, 2.7, 3.3, 3.6, 4.4, 5.6)
 
-
-_ARGS: dict[str, list[tuple[str, ...]]] = {
-    "timer_blocked_once": _with("block", _LENGTHS),
-    "timer_blocked_always": _with("block", (0.5, 1.6, 3.5)),
-    "rate_blocked": _with("block", _LENGTHS, "_pass:=2") + _with("block", (0.5, 1.6, 3.5), "_pass:=0"),
+_ARGS: dict[str, list[Args]] = {
+    "timer_blocked_once": given("_block", LENGTHS),
+    "timer_blocked_always": given("_block", (0.5, 1.6, 3.5)),
+    "rate_blocked": given("_block", LENGTHS, "_pass:=2") + given("_block", (0.5, 1.6, 3.5), "_pass:=0"),
     "ros_time_backward": [("_reset:=false",), ("_reset:=true",)],
     "values_names": [
         (),
@@ -68,9 +38,4 @@ _ARGS: dict[str, list[tuple[str, ...]]] = {
     "threads_outlive_main_that_exits": [("soft",), ("hard",)],
 }
 
-SCENARIO_LIST = [
-    Scenario(file.stem, args)
-    for file in sorted(SCENARIOS.glob("*.py"))
-    if file.stem != "scenario"
-    for args in _ARGS.get(file.stem, [()])
-]
+SCENARIO_LIST = scenarios(1, SCENARIOS, _ARGS)

@@ -7,9 +7,9 @@ import subprocess
 from collections.abc import Callable
 from functools import cache
 
-from corpus_ros2 import KILTED_PYTHON
 from firefox import firefox
 from message_probe import PACKAGES
+from runtimes import KILTED_PYTHON
 
 from rosspin import doctor, ros2
 

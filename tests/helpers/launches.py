@@ -8,6 +8,7 @@ from collections.abc import Sequence
 from pathlib import Path
 from unittest import mock
 
+from expectations import mishaps
 from verdicts import inconclusive
 
 from rosspin import ros2
@@ -16,14 +17,6 @@ from rosspin.ticks import Run
 __all__ = ["NEVER", "Until", "launch", "launch_past", "unspoilt"]
 
 NEVER = 120.0  # s; only so that a run ends that goes wrong
-
-# After a signal the real rclpy shuts down in a thread of its own. What the node does meanwhile may fail, whatever it
-# does: see its issue 1352, and examples/recordings/ros2/signals.csv for how often. What Ctrl-C finds half-made, such as
-# the Task of a callback, complains in its destructor.
-MET_SHUTDOWN = re.compile(
-    r"RCLError: failed to (shutdown: rcl_shutdown already called|initialize wait set: the given)"
-    r"|Exception ignored in: <function \w+\.__del__ "
-)
 
 
 class Until(io.StringIO):
@@ -45,7 +38,7 @@ class Until(io.StringIO):
 
 def unspoilt(console: str) -> str:
     """The console of a run on the real ROS 2 that Ctrl-C ended; inconclusive if that met rclpy's own shutdown."""
-    if met := MET_SHUTDOWN.search(console):
+    if met := mishaps("ros2").search(console):
         inconclusive(f"Ctrl-C met rclpy's own shutdown, see its issue 1352: {met[0].strip()}")
     return console
 

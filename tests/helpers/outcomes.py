@@ -3,101 +3,37 @@
 from __future__ import annotations
 
 import difflib
-import os
 import re
-import threading
-import time
-from collections.abc import Callable, Iterator, Sequence
-from contextlib import contextmanager
-from operator import attrgetter
-from pathlib import Path
-from typing import NamedTuple, TypeVar
-from unittest import mock
-
-from rosspin import ros2
-from rosspin.children import Children, Output
-from rosspin.ticks import Run
+from collections.abc import Iterator
+from typing import NamedTuple
 
 __all__ = [
     "CTRL_C",
     "JITTER",
-    "MET_SHUTDOWN",
     "P",
     "TOLERANCE",
-    "TRIES",
     "Outcome",
     "differences",
     "outcome",
-    "run_scenario",
-    "until_lucky",
-    "watching",
 ]
-
-T = TypeVar("T")
 
 P = 0.4  # the period in the scenarios, s
 TOLERANCE = 0.3 * P
 JITTER = 0.01  # what each block may take longer (s) and the scenario still count; a process later than that has stalled
 CTRL_C = 3.6 * P
-TRIES = 6  # how often a run may be unlucky
-
-# After a signal the real rclpy shuts down in a thread of its own. What the node does meanwhile may fail, whatever it
-# does: see its issue 1352, and examples/recordings/ros2/signals.csv for how often. What Ctrl-C finds half-made, such as
-# the Task of a callback, complains in its destructor.
-MET_SHUTDOWN = re.compile(
-    r"RCLError: failed to (shutdown: rcl_shutdown already called|initialize wait set: the given)"
-    r"|Exception ignored in: <function \w+\.__del__ "
-)
 
 
 class Outcome(NamedTuple):
-    """What a scenario gave: exit status, lines that must be the same, times by label, whether the machine stalled."""
+    """What a scenario gave: exit status, lines that must be the same, times by label; its end, and its longest stall.
+
+    That (s) is how late a plain timer beside the node came at most, or the Ctrl-C; 0 if it all came in time.
+    """
 
     status: int
     text: str
     marks: dict[str, list[list[float | None]]]
     end: float | None
-    stalled: bool
-
-
-def until_lucky(run: Callable[[], T], console: Callable[[T], str] = attrgetter("console")) -> T:
-    """Run a node on the real ROS 2, again if it met rclpy's own shutdown, at most TRIES times: the last run."""
-    for _ in range(TRIES):
-        done = run()
-        if not MET_SHUTDOWN.search(console(done)):
-            break
-    return done
-
-
-def run_scenario(children: Children, command: Sequence[str], seconds: float, is_timed: bool) -> Output:
-    """Run a scenario until Ctrl-C. That comes from this process: when it has stalled, the console says so, too."""
-    with watching() as stalled:
-        output = children.run(command, seconds, begins=re.compile("@zero") if is_timed else None)
-    return output._replace(console="@stall\n" + output.console) if stalled.is_set() else output
-
-
-@contextmanager
-def watching() -> Iterator[threading.Event]:
-    """An event that is set, once the block is over at the latest, if a CPU stood still for a while during it."""
-    stalled, over = threading.Event(), threading.Event()
-
-    def watch(cpu: int) -> None:
-        os.sched_setaffinity(0, {cpu})  # of this thread alone
-        before = time.monotonic()
-        while not over.wait(JITTER):
-            if time.monotonic() - before > 2 * JITTER:
-                stalled.set()
-            before = time.monotonic()
-
-    watchers = [threading.Thread(target=watch, args=(cpu,)) for cpu in os.sched_getaffinity(0)]
-    for watcher in watchers:
-        watcher.start()
-    try:
-        yield stalled
-    finally:
-        over.set()
-        for watcher in watchers:
-            watcher.join()
+    stalled: float
 
 
 # A mark is written in one go; it may stand within a line that another thread writes in several, as a traceback's are.
@@ -107,18 +43,22 @@ _MARK = re.compile(r"@(\w+)((?: (?:None|-?\d+\.\d+))*)\n")
 def outcome(console: str, status: int, end: float | None) -> Outcome:
     """Read a console."""
     marks: dict[str, list[list[float | None]]] = {}
+    stalled = 0.0
     for label, words in _MARK.findall(console):
         times = [None if word == "None" else float(word) for word in words.split()]
         if label == "end":
             end = times[0]
-        elif label not in ("zero", "stall"):
+        elif label == "stall":
+            stalled = max(stalled, times[0] or 0.0)
+        elif label != "zero":
             marks.setdefault(label, []).append(times)
-    return Outcome(status, _normal(_MARK.sub("", console)), marks, end, "@stall" in console)
+    return Outcome(status, _normal(_MARK.sub("", console)), marks, end, stalled)
 
 
 def _normal(text: str) -> str:
     """What differs from run to run: stamps, thread numbers, and the frames of ROS and of Python in a traceback."""
-    text = re.sub(r"\[\d+\.\d{6,9}(, \d+\.\d{6})?\]", lambda stamp: f"[STAMP{', ROS' if stamp[1] else ''}]", text)
+    stamp = r"\[(?:\d+\.\d{6,9}|STAMP)(, \d+\.\d{6})?\]"
+    text = re.sub(stamp, lambda stamp: f"[STAMP{', ROS' if stamp[1] else ''}]", text)
     text = re.sub(r"Thread-\d+", "Thread-N", text)
     text = re.sub(r"\b0x[0-9a-f]+", "0xN", text)
     text = re.sub(r", at \S+:\d+", "", text)  # where in rcl's sources an error arose
@@ -168,9 +108,3 @@ def _when(row: list[float | None]) -> float:
     time = row[3] if len(row) == 5 else row[0]
     assert time is not None
     return time
-
-
-def launch_past(line: str, node: Path, args: Sequence[str] = ()) -> Run:
-    """Press Ctrl-C 0.25 s after such a line has come: half-way between two ticks, if they come at 2 Hz."""
-    with mock.patch.object(ros2, "_BEGIN", re.compile(line)):
-        return until_lucky(lambda: ros2.launch(node, 0.25, args))

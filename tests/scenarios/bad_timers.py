@@ -4,7 +4,7 @@ import rospy
 from scenario import P, begin, block
 
 begin("bad_timers")
-for period in (rospy.Duration(0), 0.5, None, "1"):
+for period in (rospy.Duration(0), rospy.Time(1), 0.5, None, "1"):
     timer = rospy.Timer(period, print)
     block(0.5)
     print("alive", timer.is_alive(), flush=True)

@@ -18,7 +18,7 @@ def begin():
     """Times count from here. Make the nodes first, which takes its time on a real ROS."""
     threading.Thread(target=_watch, daemon=True).start()
     _zero[0] = time.monotonic()
-    _write("@zero")
+    _write(f"@zero {time.time():.4f}")
 
 
 def _watch():

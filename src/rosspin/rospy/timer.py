@@ -38,10 +38,19 @@ class Rate:
         """The period."""
         return Duration._of(self._period)
 
+    @sleep_dur.setter
+    def sleep_dur(self, period: genpy.Duration) -> None:
+        before, self._period = self._period, period.to_nsec()
+        self._start += self._passes * (before - self._period)  # from here, as many of the new ones lie behind
+
     @property
     def last_time(self) -> Time:
         """When the current period began."""
         return Time._of(self._last)
+
+    @last_time.setter
+    def last_time(self, time: genpy.Time) -> None:
+        self._last = time.to_nsec()
 
     def remaining(self) -> genpy.Duration:
         """How long ``sleep`` would sleep now; negative after an overrun."""
@@ -99,12 +108,16 @@ def sleep(duration: float | genpy.Duration) -> None:
     """Sleep for ``duration`` (seconds or a Duration); return at once if it is negative.
 
     On the node's own clock the sleep is not cut short by a shutdown. On ROS time, as told by /clock, raises
-    ROSInterruptException at shutdown and ROSTimeMovedBackwardsException when the time moves backwards.
+    ROSInterruptException at shutdown, ROSTimeMovedBackwardsException when the time moves backwards, and TypeError if
+    a negative duration reaches back to before time 0; and fractions of a nanosecond are cut off.
     """
+    node = state()
     if isinstance(duration, genpy.Duration):
-        _sleep(state(), duration.to_nsec())
+        _sleep(node, duration.to_nsec())
+    elif node.ros_time is None:
+        node.clock.sleep(-1 if duration < 0 else nanoseconds(duration))
     else:
-        _sleep(state(), -1 if duration < 0 else nanoseconds(duration))
+        _sleep(node, genpy.Duration.from_sec(duration).to_nsec())
 
 
 def _sleep(node: State, ns: int) -> None:
@@ -114,6 +127,8 @@ def _sleep(node: State, ns: int) -> None:
     while node.ros_time == 0 and not node.shutdown:  # no time has been told yet
         node.wait_for_ros_time(0.3)
     began = node.now()
+    if began + ns < 0:
+        raise TypeError("time values must be positive")  # what a Time says that is to be before 0
     while began <= node.now() < began + ns and not node.shutdown:
         node.wait_for_ros_time(0.5)
     if (now := node.now()) < began:
@@ -182,7 +197,7 @@ class Timer(threading.Thread):
     The thread is a daemon; it starts at once and runs even if you keep no reference to the timer. It sleeps on a Rate,
     so what is said there about overruns holds here, too; ``current_expected`` is never adjusted after an overrun. With
     ``oneshot`` there is only one call. An exception in the callback is printed and ends this timer alone; so does a
-    period that is 0 (ZeroDivisionError) or not a Duration (AttributeError).
+    period that is 0 (ZeroDivisionError), a Time (TypeError), or neither that nor a Duration (AttributeError).
     """
 
     def __init__(
@@ -212,6 +227,8 @@ class Timer(threading.Thread):
         node = state()
         clock = node.clock
         rate = Rate(1.0 / self._period.to_sec(), self._reset)
+        if not isinstance(self._period, genpy.Duration):
+            raise TypeError(f"unsupported operand type(s) for +: 'Time' and '{type(self._period).__name__}'")
         period = self._period.to_nsec()
         expected = node.now() + period
         world = node.world

@@ -1,0 +1,158 @@
+"""Which recording was confirmed by which version of the real ROS, and when; and which scenarios have changed since.
+
+A recording is stale once its key is another one: its scenario or the harness has changed, or the text itself. The real
+ROS runs a part of the scenarios each time: those that a change touches, known by hash, and a twentieth that goes round.
+"""
+
+from __future__ import annotations
+
+import ast
+import datetime
+import hashlib
+import os
+import re
+import tomllib
+from collections.abc import Iterable, Sequence
+from functools import cache
+from pathlib import Path
+from typing import NamedTuple
+
+from corpus import Scenario
+from tree import HELPERS, SOURCE, TESTS
+
+LEDGER = TESTS / "ledger.toml"
+
+# What renews a recording.
+RENEW = ".venv/bin/pytest tests/real/judge -k {}"
+
+# Of those that a change touches so many (of each ROS) are run each time.
+MOST = 12
+SHARE = 20
+
+# Whose turn it is: another twentieth each day, the same in all processes of a run.
+TURN = int(os.environ.setdefault("ROSSPIN_TURN", str(datetime.date.today().toordinal() % SHARE)))
+
+_HEAD = """# Which recording was confirmed by which version of the real ROS, and when: written by `make judge`.
+# The first hash is of the scenario, the harness, the version and the recording, the second of what of the stand-in the
+# scenario concerns. Of races it says how often each outcome has come.
+"""
+
+
+class Entry(NamedTuple):
+    """What the ledger has of a recording."""
+
+    key: str
+    stand_in: str
+    version: str
+    date: datetime.date
+
+
+class Ledger(NamedTuple):
+    """The entries of each ROS by scenario, and how often each outcome of a race has come."""
+
+    entries: dict[int, dict[str, Entry]]
+    races: dict[str, list[int]]
+
+    @classmethod
+    def read(cls, file: Path = LEDGER) -> Ledger:
+        """The one of this checkout; an empty one if there is none."""
+        tables = tomllib.loads(file.read_text(encoding="utf-8")) if file.exists() else {}
+        entries: dict[int, dict[str, Entry]] = {1: {}, 2: {}}
+        for batch in tables.get("confirmed", ()):
+            for name, hashes in batch["hashes"].items():
+                key, stand_in = hashes.split()
+                entries[batch["ros"]][name] = Entry(key, stand_in, batch["version"], batch["date"])
+        return cls(entries, tables.get("races", {}))
+
+    def write(self, file: Path = LEDGER) -> None:
+        """Write it, in an order that makes for small differences."""
+        lines = [_HEAD]
+        for ros, entries in self.entries.items():
+            for date, version in sorted({(entry.date, entry.version) for entry in entries.values()}):
+                lines.append(f'\n[[confirmed]]\nros = {ros}\nversion = "{version}"\ndate = {date}\n')
+                lines.append("[confirmed.hashes]\n")
+                lines += [
+                    f'{name} = "{entry.key} {entry.stand_in}"\n'
+                    for name, entry in sorted(entries.items())
+                    if (entry.date, entry.version) == (date, version)
+                ]
+        lines.append("\n[races]\n")
+        lines += [f'"{name}" = {counts}\n' for name, counts in sorted(self.races.items())]
+        file.write_text("".join(lines), encoding="utf-8")
+
+    def confirm(self, scenario: Scenario, version: str) -> None:
+        """Note that the real one has given today what is recorded."""
+        row = Entry(key(scenario, version), stand_in(scenario), version, datetime.date.today())
+        self.entries[scenario.ros][scenario.name] = row
+
+    def is_stale(self, scenario: Scenario) -> bool:
+        """Whether the recording of a scenario is not what the real one gave with this scenario and this harness."""
+        entry = self.entries[scenario.ros].get(scenario.name)
+        return entry is None or entry.key != key(scenario, entry.version)
+
+    def is_touched(self, scenario: Scenario, version: str) -> bool:
+        """Whether anything that it concerns has changed since the real one confirmed it."""
+        entry = self.entries[scenario.ros].get(scenario.name)
+        return entry is None or entry[:2] != (key(scenario, version or entry.version), stand_in(scenario))
+
+
+def key(scenario: Scenario, version: str) -> str:
+    """The hash of a scenario, what it is run with, and what was recorded."""
+    what = (scenario.args, scenario.seconds, version)
+    files = [scenario.path, *_harness(scenario.path.parent), *scenario.recordings]
+    return _hash([repr(what), *map(_text, files)])
+
+
+def _harness(folder: Path) -> list[Path]:
+    """What shapes the run of any scenario: what stands beside it and is none, and what starts it and keeps the text."""
+    beside = [path for path in folder.glob("*/*.py") if path.parent.name != "recorded"]
+    return [HELPERS / "runtimes.py", folder / "scenario.py", *sorted(beside), *sorted(folder.glob("*.yaml"))]
+
+
+def stand_in(scenario: Scenario) -> str:
+    """The hash of what of the stand-in a scenario names, of clocks and of what runs nodes on the real one."""
+    package = SOURCE / "rosspin"
+    words = set(re.findall(r"\w+", _text(scenario.path)))
+    concerned = [path for path in _modules(package / _STAND_INS[scenario.ros]) if words & _names(path)]
+    has_messages = re.search(r"^(import|from) \w+_msgs", _text(scenario.path), re.M)
+    messages = _modules(package / "messages") if has_messages else ()
+    runner = package / "children.py", package / f"ros{scenario.ros}.py"
+    return _hash(map(_text, (*concerned, *messages, *_modules(package / "clocks"), *runner)))
+
+
+_STAND_INS = {1: "rospy", 2: "rclpy"}
+
+
+def _modules(package: Path) -> Sequence[Path]:
+    return sorted(package.glob("*.py"))
+
+
+@cache
+def _names(module: Path) -> frozenset[str]:
+    """What a module defines for nodes: functions, classes and their methods."""
+    found = (node for node in ast.walk(ast.parse(_text(module))) if isinstance(node, ast.FunctionDef | ast.ClassDef))
+    return frozenset(node.name for node in found if not node.name.startswith("_"))
+
+
+def _text(path: Path) -> str:
+    return path.read_text(encoding="utf-8")
+
+
+def _hash(texts: Iterable[str]) -> str:
+    found = hashlib.sha256()
+    for text in texts:
+        found.update(text.encode() + b"\0")
+    return found.hexdigest()[:12]
+
+
+def part(scenarios: Sequence[Scenario], version: str) -> tuple[list[Scenario], int]:
+    """Those to run this time, and how many that a change touches have to wait for `make judge`.
+
+    ``version`` is that of the real ROS here, which may be another one than that of the recordings; "" if there is none.
+    """
+    ledger = Ledger.read()
+    turn = scenarios[TURN % SHARE :: SHARE]
+    touched = [scenario for scenario in scenarios if scenario not in turn and ledger.is_touched(scenario, version)]
+    begin = TURN * MOST % (len(touched) or 1)
+    chosen = {*turn, *(touched[begin:] + touched[:begin])[:MOST]}
+    return [scenario for scenario in scenarios if scenario in chosen], max(0, len(touched) - MOST)

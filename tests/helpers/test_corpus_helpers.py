@@ -1,0 +1,223 @@
+"""What holds the corpus of scenarios together: keys, ledger, expectations, verdicts on runs, and who may begin."""
+
+from __future__ import annotations
+
+import shutil
+from collections.abc import Callable
+from pathlib import Path
+
+import admission
+import corpus_checks
+import corpus_ros1
+import corpus_ros2
+import expectations
+import ledger
+import pytest
+import runs
+import sandboxes
+from corpus import Scenario, recorded, scenarios, simulated
+from ledger import Ledger, key, part, stand_in
+from verdicts import Inconclusive
+
+ALL = [*corpus_ros1.SCENARIO_LIST, *corpus_ros2.SCENARIO_LIST]
+BY_NAME = {scenario.name: scenario for scenario in ALL}
+
+VERSION = "rospy 1.15.15"
+
+
+@pytest.fixture
+def scenario(tmp_path: Path) -> Scenario:
+    """A scenario in a folder of its own, with its recording."""
+    (tmp_path / "recorded").mkdir()
+    for name in ("scenario.py", "values_time.py", "recorded/values_time.txt"):
+        shutil.copy(corpus_ros1.SCENARIOS / name, tmp_path / name)
+    (found,) = scenarios(1, tmp_path, {})
+    return found
+
+
+# --- keys and the ledger ----------------------------------------------------------------------------------------------
+
+
+@pytest.mark.parametrize("changed", ["scenario.py", "values_time.py", "recorded/values_time.txt"])
+def test_a_recording_is_stale_once_what_made_it_has_changed(scenario: Scenario, changed: str) -> None:
+    found = Ledger({1: {}, 2: {}}, {})
+    assert found.is_stale(scenario)
+    found.confirm(scenario, VERSION)
+    assert not found.is_stale(scenario)
+    assert found.is_stale(scenario._replace(args=("_rate:=2",)))
+    with (scenario.path.parent / changed).open("a") as file:
+        file.write("\n")
+    assert found.is_stale(scenario)
+
+
+def test_a_stale_recording_fails_with_the_command_that_renews_it(
+    scenario: Scenario, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    own = Ledger({1: {}, 2: {}}, {})
+    own.confirm(scenario, VERSION)
+    monkeypatch.setattr(corpus_checks, "LEDGER", own)
+    corpus_checks.check_recorded(scenario)
+    scenario.path.write_text(scenario.path.read_text() + "\n")
+    with pytest.raises(pytest.fail.Exception, match=r"stale .* renew it: .* tests/real/judge -k values_time$"):
+        corpus_checks.check_recorded(scenario)
+
+
+def test_the_ledger_is_read_as_it_was_written(scenario: Scenario, tmp_path: Path) -> None:
+    found = Ledger({1: {}, 2: {}}, {"a_race": [3, 1], "mishaps on ros2": [2]})
+    for each in (scenario, BY_NAME["timer_grid"]):
+        found.confirm(each, VERSION if each.ros == 1 else "Jazzy")
+    found.write(tmp_path / "ledger.toml")
+    assert Ledger.read(tmp_path / "ledger.toml") == found
+    assert Ledger.read(tmp_path / "none.toml") == Ledger({1: {}, 2: {}}, {})
+
+
+@pytest.mark.parametrize(
+    "module, touched, untouched",
+    [
+        ("rospy/topics.py", "topics_latch", "rate_reset"),
+        ("rospy/timer.py", "rate_reset", "log_levels_INFO"),
+        ("rclpy/qos.py", "topics_policies", "timer_grid"),
+    ],
+)
+def test_a_module_of_a_stand_in_concerns_those_that_name_what_it_defines(
+    module: str, touched: str, untouched: str, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    text = ledger._text
+    before = [stand_in(BY_NAME[name]) for name in (touched, untouched)]
+    monkeypatch.setattr(ledger, "_text", lambda path: text(path) + "#" * path.as_posix().endswith(module))
+    after = [stand_in(BY_NAME[name]) for name in (touched, untouched)]
+    assert [old == new for old, new in zip(before, after, strict=True)] == [False, True]
+
+
+def test_the_real_ros_runs_each_scenario_within_twenty_turns(monkeypatch: pytest.MonkeyPatch) -> None:
+    monkeypatch.setattr(Ledger, "is_touched", lambda *about: False)
+    seen: list[str] = []
+    for turn in range(ledger.SHARE):
+        monkeypatch.setattr(ledger, "TURN", turn)
+        chosen, left = part(corpus_ros1.SCENARIO_LIST, VERSION)
+        assert len(chosen) <= len(corpus_ros1.SCENARIO_LIST) / ledger.SHARE + 1
+        assert left == 0
+        seen += [scenario.name for scenario in chosen]
+    assert sorted(seen) == sorted(scenario.name for scenario in corpus_ros1.SCENARIO_LIST)
+
+
+def test_the_real_ros_runs_what_has_changed(monkeypatch: pytest.MonkeyPatch) -> None:
+    some = corpus_ros1.SCENARIO_LIST[::3]
+    own = Ledger({1: {}, 2: {}}, {})
+    for each in some:
+        own.confirm(each, VERSION)
+    monkeypatch.setattr(Ledger, "read", lambda: own)
+    before, left = part(some, VERSION)
+    assert left == 0
+    changed = next(each for each in some if each not in before)
+    entry = own.entries[1][changed.name]
+    for row in (entry._replace(stand_in="another"), entry._replace(key="another")):
+        own.entries[1][changed.name] = row
+        assert set(part(some, VERSION)[0]) == {*before, changed}
+    own.entries[1][changed.name] = entry
+    chosen, left = part(some, "rospy 1.17")  # all of them; more than there is time for
+    assert len(chosen) == len(before) + ledger.MOST
+    assert left == len(some) - len(chosen)
+
+
+def test_a_key_tells_the_version(scenario: Scenario) -> None:
+    assert key(scenario, VERSION) != key(scenario, "rospy 1.17")
+
+
+# --- expectations -----------------------------------------------------------------------------------------------------
+
+
+def test_each_expectation_says_why_and_is_of_scenarios_that_there_are() -> None:
+    entries = [entry for kind in expectations.ALL.values() for entry in kind]
+    assert all(entry.outcomes and entry.reason and entry.link.startswith("https://") for entry in entries)
+    assert {name for entry in entries for name in entry.scenarios} <= BY_NAME.keys()
+    where = {"ros1", "ros2", "kilted", "wall", "page", "roslaunch", *corpus_checks.STAND_INS.values()}
+    assert {entry.where for entry in entries} <= where
+
+
+# --- verdicts on runs -------------------------------------------------------------------------------------------------
+
+GRID = BY_NAME["timer_grid"]
+SHOWN_AS_ENUM = BY_NAME["timer_clocks"]
+
+
+@pytest.fixture
+def console() -> Callable[[Scenario], str]:
+    """The console of a run as it is recorded."""
+    return lambda scenario: scenario.recordings[0].read_text()
+
+
+def test_a_run_as_recorded_passes_even_if_it_was_disturbed(console: Callable[[Scenario], str]) -> None:
+    runs.check("ros2", GRID, console(GRID))
+    runs.check("ros2", GRID, console(GRID) + "@stall 0.300\n")
+
+
+def test_a_difference_fails_and_tells_nothing_of_a_run_that_was_disturbed(console: Callable[[Scenario], str]) -> None:
+    other = console(GRID) + "one more line\n"
+    with pytest.raises(AssertionError, match="one more line"):
+        runs.check("ros2", GRID, other)
+    with pytest.raises(Inconclusive, match=r"stood still for 0\.300 s on ros2"):
+        runs.check("ros2", GRID, other + "@stall 0.300\n@stall 0.020\n")
+
+
+def test_a_difference_that_is_expected_has_to_happen(console: Callable[[Scenario], str]) -> None:
+    runs.check("kilted", SHOWN_AS_ENUM, console(SHOWN_AS_ENUM) + "another line\n")
+    with pytest.raises(AssertionError, match="no longer happens"):
+        runs.check("kilted", SHOWN_AS_ENUM, console(SHOWN_AS_ENUM))
+
+
+def test_a_run_that_met_a_race_of_any_node_tells_nothing(console: Callable[[Scenario], str]) -> None:
+    for runtime in ("ros2", "kilted"):
+        with pytest.raises(Inconclusive, match="a race that any node may meet"):
+            runs.check(runtime, GRID, console(GRID) + "Exception ignored in: <function Task.__del__ at 0x1>\n")
+    own = BY_NAME["context_own"]  # calls shutdown() twice, and prints what comes of it
+    assert "rcl_shutdown already called" in console(own)
+    runs.check("ros2", own, console(own))
+
+
+def test_the_control_beside_tells_of_stalls_within_a_run(monkeypatch: pytest.MonkeyPatch) -> None:
+    now = 100.0
+    monkeypatch.setattr("runs.time.monotonic", lambda: now)
+    beside = runs._Beside()
+    for took in (0.025, 0.5, 0.3, 0.025):  # it is to be called every 25 ms
+        now += took
+        beside.called(took, 0.0)
+    assert beside.since(100.0) == pytest.approx(0.8)
+    assert beside.since(100.6) == pytest.approx(0.225)
+    assert beside.since(100.9) == 0.0
+
+
+def test_on_the_wall_a_race_may_come_out_in_each_way() -> None:
+    assert runs.exact("wall", GRID) == [simulated(GRID)]
+    race = BY_NAME["executor_multi_raises"]
+    assert runs.exact("wall", race) == [simulated(race), *recorded(race)]
+
+
+def test_a_page_that_says_something_else_fails() -> None:
+    scenario = BY_NAME["values_time"]
+
+    def evaluate(function: str, argument: object) -> object:
+        return ["something else\n", {"status": 0}]
+
+    sandbox = sandboxes.Sandbox(evaluate, "", corpus_ros1.SCENARIOS)
+    with pytest.raises(AssertionError, match="something else"):
+        sandboxes.check(sandbox, scenario)
+    sandboxes.check(sandbox, BY_NAME["threads_idents"])
+
+
+# --- who may begin ----------------------------------------------------------------------------------------------------
+
+
+def test_a_run_begins_once_a_processor_is_free_or_all_have_waited_for_long(monkeypatch: pytest.MonkeyPatch) -> None:
+    seen = iter([0.1, 0.2, 1.4])
+    monkeypatch.setattr(admission, "_free", lambda: next(seen))
+    admission.Admission(10.0).wait()
+    assert list(seen) == []
+
+    monkeypatch.setattr(admission, "_free", lambda: 0.0)
+    door = admission.Admission(2.5 * admission.WINDOW)
+    door.wait()
+    assert door._patience <= 0
+    door = admission.Admission(10.0)
+    door.open()
+    door.wait()

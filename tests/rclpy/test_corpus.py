@@ -1,0 +1,20 @@
+"""The stand-in for rclpy is held to the real one: in simulated time each scenario does what is recorded beside it."""
+
+from __future__ import annotations
+
+from corpus_checks import check_late, check_recorded, check_whole, each
+from corpus_ros2 import SCENARIO_LIST, SCENARIOS, Scenario
+
+
+@each(SCENARIO_LIST)
+def test_a_scenario_does_what_is_recorded(scenario: Scenario) -> None:
+    check_recorded(scenario)
+
+
+@each([scenario for scenario in SCENARIO_LIST if scenario.is_timed])
+def test_a_little_lateness_changes_no_scenario(scenario: Scenario) -> None:
+    check_late(scenario)
+
+
+def test_the_corpus_is_whole() -> None:
+    check_whole(SCENARIO_LIST, SCENARIOS)

@@ -1,0 +1,62 @@
+"""All scenarios in both browsers: they print there what they print in simulated time elsewhere."""
+
+from __future__ import annotations
+
+from collections.abc import Callable, Iterator
+
+import corpus_ros1
+import corpus_ros2
+import pytest
+from corpus import Scenario
+from corpus_checks import each
+from firefox import firefox, tab
+from looks import faults
+from playwright.sync_api import Browser
+from sandboxes import Evaluate, Sandbox, check
+
+PAGE = "docs/tutorial.html"
+
+
+@pytest.fixture(scope="module")
+def in_chromium(request: pytest.FixtureRequest, address: str) -> Iterator[Evaluate]:
+    browser: Browser = request.getfixturevalue("browser")
+    with browser.new_context() as context:
+        page = context.new_page()
+        wrong = faults(page, address)
+        page.goto(address + PAGE)
+        yield page.evaluate
+        assert not wrong
+
+
+@pytest.fixture(scope="module")
+def in_firefox(require: Callable[[str], None], address: str) -> Iterator[Evaluate]:
+    require("firefox")
+    with tab(firefox() or "") as page:  # it tells of what the sandbox forbids Python; see tests/real/test_firefox.py
+        page.open(address + PAGE)
+        yield page.evaluate
+
+
+@pytest.fixture(scope="module", params=["in_chromium", "in_firefox"])
+def evaluate(request: pytest.FixtureRequest) -> Evaluate:
+    found: Evaluate = request.getfixturevalue(request.param)
+    return found
+
+
+@pytest.fixture(scope="module")
+def ros1(evaluate: Evaluate, address: str) -> Sandbox:
+    return Sandbox(evaluate, address, corpus_ros1.SCENARIOS)
+
+
+@pytest.fixture(scope="module")
+def ros2(evaluate: Evaluate, address: str) -> Sandbox:
+    return Sandbox(evaluate, address, corpus_ros2.SCENARIOS)
+
+
+@each(corpus_ros1.SCENARIO_LIST)
+def test_scenario(ros1: Sandbox, scenario: Scenario) -> None:
+    check(ros1, scenario)
+
+
+@each(corpus_ros2.SCENARIO_LIST)
+def test_scenario_of_ros2(ros2: Sandbox, scenario: Scenario) -> None:
+    check(ros2, scenario)

@@ -1,0 +1,26 @@
+"""Launch files are held to the real roslaunch: all of them."""
+
+from __future__ import annotations
+
+from collections.abc import Callable, Iterator
+
+import launch_files
+import pytest
+from runs import asked_for
+
+PATIENCE = 3600.0  # s
+
+
+@pytest.fixture(scope="module")
+def real(
+    request: pytest.FixtureRequest, require: Callable[[str], None], tmp_path_factory: pytest.TempPathFactory
+) -> Iterator[launch_files.Real]:
+    require("ros1")
+    names = [asked["name"] for asked in asked_for(request)]
+    with launch_files.on_roslaunch(tmp_path_factory.mktemp("src"), names, PATIENCE) as real:
+        yield real
+
+
+@pytest.mark.parametrize("name", launch_files.FILES)
+def test_a_launch_file_runs_as_on_roslaunch(real: launch_files.Real, name: str) -> None:
+    launch_files.check(real, name)
