@@ -3,23 +3,18 @@
 from __future__ import annotations
 
 import os
-from collections.abc import Callable, Iterator
+from collections.abc import Callable
 from pathlib import Path
 from textwrap import dedent
 from typing import Any
 
 import pytest
 from hypothesis import settings
-from in_chromium import launched, served
 from lacking import LACKS
-from looks import PATIENCE
-from playwright.sync_api import Browser, expect
 from seeds import SEED
 from tree import DOCTREES, SITE
 
 from rosspin import doctor
-
-expect.set_options(timeout=PATIENCE)
 
 
 def pytest_report_header() -> str:
@@ -78,20 +73,3 @@ def site() -> Path:
     if not ((SITE / "index.html").exists() and (DOCTREES / "environment.pickle").exists()):
         pytest.fail("the site is not built, or not to its end: run `make html` first")
     return SITE
-
-
-# --- the site in Chromium ---------------------------------------------------------------------------------------------
-
-
-@pytest.fixture(scope="module")
-def address(site: Path) -> Iterator[str]:
-    """The site on a local server."""
-    with served(site) as address:
-        yield address
-
-
-@pytest.fixture(scope="module")
-def browser(chromium: str) -> Iterator[Browser]:
-    """One browser for all pages."""
-    with launched(chromium) as browser:
-        yield browser

@@ -3,17 +3,14 @@
 from __future__ import annotations
 
 import os
-import re
 import shutil
 import subprocess
 import sys
-from collections.abc import Iterator
 from pathlib import Path
 from xml.etree import ElementTree
 
 import pytest
 from bs4 import BeautifulSoup
-from playwright.sync_api import Browser, Locator, Page, expect
 from tree import ROOT
 
 from rosspin.site.published import Published, where
@@ -93,50 +90,3 @@ def test_the_page_for_wrong_addresses_knows_the_path(published: Path) -> None:
     targets = [str(tag.get("href") or tag.get("src")) for tag in page.select("[href], [src]")]
     assert {target.split("/")[1] for target in targets if not target.startswith(("#", "https:"))} == {"spin"}
     assert "/spin/docs/page.html" in targets and page.html and page.html["data-content_root"] == "/spin/"
-
-
-# --- on paper ---------------------------------------------------------------------------------------------------------
-
-
-@pytest.fixture(params=["light", "dark"])
-def paper(browser: Browser, address: str, request: pytest.FixtureRequest) -> Iterator[Page]:
-    """A page as it is printed, by a reader with light or dark pages."""
-    page = browser.new_page(color_scheme=request.param)
-    page.emulate_media(media="print", color_scheme=request.param)
-    yield page
-    page.close()
-
-
-def _all_visible(found: Locator) -> bool:
-    return found.count() > 0 and all(found.nth(index).is_visible() for index in range(found.count()))
-
-
-def test_both_languages_are_printed(paper: Page, address: str) -> None:
-    paper.goto(f"{address}/docs/tutorial.html")
-    assert _all_visible(paper.locator(".sd-tab-content"))
-    assert _all_visible(paper.locator(".sd-tab-label"))
-    # Each label stands above what it names.
-    for label in paper.locator(".sd-tab-label").all():
-        above, below = label.bounding_box(), label.locator("xpath=following-sibling::*[1]").bounding_box()
-        assert above and below and above["y"] < below["y"]
-
-
-def test_answers_are_printed(paper: Page, address: str) -> None:
-    paper.goto(f"{address}/notebooks/timer.html")
-    expect(paper.get_by_text("20, at 0.1 s, 0.2 s and so on")).to_be_visible()
-    paper.goto(f"{address}/notebooks/exercises.html")
-    assert _all_visible(paper.locator("details > :not(summary)"))
-
-
-def test_print_is_dark_on_white_and_without_what_can_be_pressed(paper: Page, address: str) -> None:
-    paper.goto(f"{address}/docs/tutorial.html")
-    assert not any(button.is_visible() for button in paper.get_by_role("button").all())
-    assert not paper.locator(".bd-sidebar-primary").is_visible()
-    seen = "document.querySelectorAll('.bd-article :is(p, a, pre, pre span, .sd-tab-label)')"
-    find = f"[...{seen}].filter((e) => e.checkVisibility()).map((e) => getComputedStyle(e))"
-    inks = paper.evaluate(f"{find}.map((style) => style.color)")
-    assert not {ink for ink in inks if sum(map(int, re.findall(r"\d+", ink)[:3])) > 400}
-    grounds = paper.evaluate(f"{find}.map((style) => style.backgroundColor)")
-    dark = {ground for ground in grounds if sum(map(int, re.findall(r"\d+", ground)[:3])) < 600}
-    assert dark <= {"rgba(0, 0, 0, 0)"}
-    assert paper.evaluate("getComputedStyle(document.body).backgroundColor") == "rgb(255, 255, 255)"

@@ -2,24 +2,12 @@
 
 from __future__ import annotations
 
-import gzip
 import re
-from collections.abc import Iterator
 from pathlib import Path
 from typing import Literal
 
 import pytest
-from bs4 import BeautifulSoup
-from figures import (
-    FIGURES,
-    SHOWN,
-    SPINNER_ROS2,
-    Figure,
-    Kind,
-    kinds,
-    opened,
-    probes,
-)
+from figures import FIGURES, SHOWN, SPINNER_ROS2, Figure, Kind, kinds, opened, probes
 from looks import FAINT, TOO_WIDE, faults
 from playwright.sync_api import Browser, BrowserContext, Locator, expect
 
@@ -27,15 +15,6 @@ from rosspin import Tick
 from rosspin.plots import with_handle
 
 Scheme = Literal["light", "dark"]
-
-
-PAGES = sorted({kind.page for kind in FIGURES})
-
-
-@pytest.fixture
-def context(browser: Browser) -> Iterator[BrowserContext]:
-    with browser.new_context(viewport={"width": 1280, "height": 800}) as context:
-        yield context
 
 
 # --- moving -----------------------------------------------------------------------------------------------------------
@@ -162,40 +141,7 @@ def test_without_javascript_the_first_position_stands(browser: Browser, address:
         assert figure.evaluate(SHOWN)[0]["marks"]
 
 
-def test_on_paper_the_first_position_stands(context: BrowserContext, address: str) -> None:
-    page = context.new_page()
-    figure = opened(page, address, FIGURES[0])
-    before, code = figure.markup(), page.locator(".rosspin-beside pre").inner_text()
-    figure.handle.press("End")
-    moved = figure.markup()
-    page.evaluate("dispatchEvent(new Event('beforeprint'))")
-    page.emulate_media(media="print")
-    expect(figure.handle).to_be_hidden()
-    assert figure.markup() == before
-    assert page.locator(".rosspin-beside pre").inner_text() == code
-    page.evaluate("dispatchEvent(new Event('afterprint'))")
-    assert figure.markup() == moved
-
-
 # --- what it costs ----------------------------------------------------------------------------------------------------
-
-
-@pytest.mark.parametrize("name", PAGES)
-def test_a_figure_is_small_and_brings_no_script(site: Path, name: str) -> None:
-    page = BeautifulSoup((site / name).read_text(encoding="utf-8"), "html.parser")
-    figures = page.select("figure[data-positions]")
-    assert len(figures) == sum(kind.page == name for kind in FIGURES)
-    for figure in figures:
-        assert len(gzip.compress(str(figure).encode())) < 30_000
-        assert not figure.select("script, [onclick], [oninput]")
-    policy = str(page.select_one("meta[http-equiv]"))
-    assert "script-src 'self' 'wasm-unsafe-eval'" in policy
-    assert "unsafe-inline" not in policy.partition("script-src")[2].partition(";")[0]
-
-
-def test_all_figures_with_a_handle_are_tested(site: Path) -> None:
-    pages = {path.relative_to(site).as_posix(): path.read_text(encoding="utf-8") for path in site.rglob("*.html")}
-    assert {name for name, text in pages.items() if re.search("<figure [^>]*data-positions=", text)} == set(PAGES)
 
 
 def test_a_figure_needs_no_python(context: BrowserContext, address: str) -> None:
@@ -210,13 +156,6 @@ def test_a_figure_needs_no_python(context: BrowserContext, address: str) -> None
     assert len(asked) == already
     ours = [url for url in asked if re.search(r"live/|handles/|pyodide", url)]
     assert ours == ["_static/handles/handles.js"]
-
-
-def test_only_pages_with_such_a_figure_load_the_script(site: Path) -> None:
-    for path in site.rglob("*.html"):
-        if "_static" not in path.parts:
-            loads = "handles/handles.js" in path.read_text(encoding="utf-8")
-            assert loads == (path.relative_to(site).as_posix() in PAGES), path
 
 
 # --- how it looks -----------------------------------------------------------------------------------------------------
@@ -270,18 +209,6 @@ def test_plots_follow_the_switch_of_the_theme(browser: Browser, address: str) ->
                 "text => getComputedStyle(text).fill"
             )
             assert (max(map(int, re.findall(r"\d+", colour))) > 150) == (theme == "dark")
-
-
-def test_plots_are_on_paper(browser: Browser, address: str) -> None:
-    with browser.new_context(viewport={"width": 1280, "height": 844}, color_scheme="dark") as context:
-        page = context.new_page()
-        page.goto(address + "notebooks/rate.html")
-        page.emulate_media(media="print")
-        plots = page.locator(".cell_output figure.rosspin-plot")
-        assert plots.count() == 5
-        for index in range(5):
-            text = plots.nth(index).locator("svg[role=img]:visible text").first
-            assert text.evaluate("text => getComputedStyle(text).fill") == "rgb(0, 0, 0)"
 
 
 @pytest.mark.parametrize("scheme", ["light", "dark"])

@@ -1,139 +1,16 @@
-"""Answers are handed in as a file, and judged on the teachers' page: in Chromium, whatever is in the file."""
+"""Files of answers are judged on the teachers' page, whatever is in them."""
 
 from __future__ import annotations
 
-import json
 import re
-from collections.abc import Iterator
-from datetime import datetime
 from pathlib import Path
-from typing import Any, Literal
+from typing import Literal
 
-import pytest
-from answers import CELLS, NUMBERS, answer_in, written
-from answers_ros1 import RIGHT as RIGHT_ANSWERS
-from answers_ros1 import WRONG as WRONG_ANSWERS
-from hand_ins import ENDLESS, EXERCISES, HTML, RIGHT, TEACHERS, WRONG, Table, exchange, handed_in
-from listings_in_page import Cell, have_workers
-from looks import FAINT, PATIENCE, TOO_WIDE, faults
-from playwright.sync_api import Browser, BrowserContext, Download, FilePayload, Page, expect
-from tree import ROOT
-
-from rosspin.exercises.reach import reaches_for
-
-# Stands in for Python where a test is about the table: an answer is the verdict on it.
-NO_PYTHON = """
-const say = (message) => postMessage(JSON.stringify(message))
-const end = (result) => say({ kind: "end", result })
-say({ kind: "ready" })
-addEventListener("message", ({ data }) => {
-    if (data.kind === "trace" && data.text.trim() !== "endless") end({ trace: "" })
-    if (data.kind !== "judge") return
-    const verdict = data.text.trim()
-    const judged = { verdict, solved: verdict === "solved", status: "", console: "", said: verdict }
-    const odd = {
-        huge: { said: "x".repeat(1e7) },
-        long: { said: "x".repeat(1e6) },
-        number: { said: 5 },
-        "not solved": { verdict: "solved" },
-    }
-    const solved = { ...judged, verdict: "solved", solved: verdict !== "not solved", ...odd[verdict] }
-    if (verdict === "object") postMessage({ kind: "end", result: solved })
-    else end(odd[verdict] ? solved : judged)
-})
-"""
-
-
-@pytest.fixture
-def context(browser: Browser) -> Iterator[BrowserContext]:
-    """A reader who comes for the first time."""
-    with browser.new_context(viewport={"width": 1280, "height": 900}, accept_downloads=True) as context:
-        context.set_default_timeout(PATIENCE)
-        yield context
-
-
-@pytest.fixture
-def page(context: BrowserContext, address: str) -> Iterator[Page]:
-    """A page in which nothing may go wrong, such as a request to another host."""
-    page = context.new_page()
-    wrong = faults(page, address)
-    yield page
-    assert not wrong
-
-
-@pytest.fixture
-def table(page: Page, address: str) -> Table:
-    return Table(page, address)
-
-
-@pytest.fixture
-def quick(context: BrowserContext, table: Table, site: Path) -> Table:
-    """One that starts no Python."""
-    exchange(context, site, worker_js=NO_PYTHON.encode(), pyodide_asm_wasm=b"", snapshot_gz=b"")
-    return table
-
-
-# --- the file ---------------------------------------------------------------------------------------------------------
-
-
-def _hand_in(page: Page, name: str) -> tuple[str, dict[str, Any]]:
-    with page.expect_download() as found:
-        page.get_by_label("Your name").fill(name)
-        page.get_by_role("button", name="Hand in").click()
-    return _read(found.value)
-
-
-def _read(download: Download) -> tuple[str, dict[str, Any]]:
-    return download.suggested_filename, json.loads(Path(download.path()).read_text(encoding="utf-8"))
-
-
-def test_what_was_answered_is_saved(page: Page, address: str) -> None:
-    """As it stands on the page, run or not, and what the browser keeps of other pages; without any verdict."""
-    page.goto(address + EXERCISES)
-    status = page.locator(".hand-in").get_by_role("status")
-    page.get_by_role("button", name="Hand in").click()
-    expect(status).to_have_text("Write your name first.")
-    expect(page.get_by_label("Your name")).to_be_focused()
-    page.get_by_label("Your name").fill("Ada")
-    page.get_by_label("Your name").press("Enter")
-    expect(status).to_have_text("There is nothing to hand in: you have not changed an answer yet.")
-
-    Cell(page, 0).write(RIGHT)
-    other = "%%answer 20\nticks = [1]\n"
-    page.evaluate("text => localStorage.setItem('rosspin:/notebooks/ros2-exercises.html:0:1a', text)", other)
-    name, found = _hand_in(page, " Ada <Lovelace>/2 ")
-    assert name == "rosspin-answers-Ada-Lovelace-2.json"
-    assert found.pop("id")
-    assert abs((datetime.fromisoformat(found.pop("date")) - datetime.now().astimezone()).days) <= 1
-    answers = {"1": RIGHT, "20": other}
-    assert found == {"format": "rosspin-answers", "version": 1, "name": "Ada <Lovelace>/2", "answers": answers}
-    expect(status).to_have_text(re.compile(f"^Saved as {name}, with your answers to exercises 1 and 20"))
-
-
-def test_name_and_answers_are_there_after_a_reload(page: Page, address: str) -> None:
-    page.goto(address + EXERCISES)
-    Cell(page, 0).write(WRONG)
-    _, before = _hand_in(page, "Ada")
-    page.reload()
-    expect(page.get_by_label("Your name")).to_have_value("Ada")
-    with page.expect_download() as found:
-        page.get_by_role("button", name="Hand in").click()
-    assert _read(found.value)[1] | {"date": before["date"]} == before
-
-
-def test_file_comes_from_the_one_page_to_the_other(quick: Table, address: str) -> None:
-    page = quick.page
-    page.goto(address + EXERCISES)
-    Cell(page, 0).write("%%answer 1\nsolved")
-    name, found = _hand_in(page, "Ada")
-    table = Table(page, address)
-    table.input.set_input_files(FilePayload(name=name, mimeType="application/json", buffer=json.dumps(found).encode()))
-    table.done()
-    expect(table.sign("Ada, exercise 1: solved")).to_have_text("✓")
-
-
-# --- verdicts ---------------------------------------------------------------------------------------------------------
-
+from answers import CELLS, answer_in
+from hand_ins import ENDLESS, EXERCISES, HTML, RIGHT, WRONG, Table, handed_in
+from listings_in_page import have_workers
+from looks import FAINT, TOO_WIDE
+from playwright.sync_api import BrowserContext, FilePayload, Page, expect
 
 FLOOD = "print('x' * 20_000_000)"
 
@@ -207,7 +84,6 @@ def test_what_comes_out_of_a_sandbox_is_not_trusted(quick: Table) -> None:
 
 
 # --- files that are no answers ----------------------------------------------------------------------------------------
-
 
 NO_ANSWERS = [
     ("x" * 3_000_000, "it is 3.0 MB; the limit is 1 MB"),
@@ -378,112 +254,7 @@ def test_keyboard_alone(quick: Table) -> None:
     expect(sign).to_be_focused()
 
 
-# --- answers that mean harm -------------------------------------------------------------------------------------------
-
-
-@pytest.mark.parametrize(
-    ("answer", "name"),
-    [
-        ("import js", "js"),
-        ("from pyodide.ffi import run_sync", "pyodide.ffi"),
-        ("import pyodide_js, math", "pyodide_js"),
-        ("import _pyodide_core", "_pyodide_core"),
-        ("from rosspin.exercises.feedback import Feedback", "rosspin.exercises.feedback"),
-        ("from . import feedback", "."),
-        ("import gc", "gc"),
-        ("import ctypes", "ctypes"),
-        ("import importlib", "importlib"),
-        ("import sys\nsys.modules['js']", "modules"),
-        ("from sys import modules", "modules"),
-        ("from threading import _sys", "_sys"),
-        ("import sys\nsys._getframe()", "_getframe"),
-        ("__import__('js')", "__import__"),
-        ("__builtins__", "__builtins__"),
-        ("eval('1')", "eval"),
-        ("().__class__.__base__", "__base__"),
-        ("import rospy\nrospy.Timer._oneshot", "_oneshot"),
-        ("a._other", "_other"),
-        ("open('x')", "open"),
-        ("import _msgs", "_msgs"),
-    ],
-)
-def test_what_no_exercise_needs_is_found(answer: str, name: str) -> None:
-    assert reaches_for(answer) == name
-
-
-HONEST = [
-    "print(",
-    "import rclpy.node\nfrom example_interfaces.msg import Int64\nfrom std_srvs.srv import SetBool",
-    "import operator, asyncio\nfrom concurrent.futures import ThreadPoolExecutor",
-    "import a_module_that_the_page_lacks, its_own_msgs.msg",
-    "import collections.abc, re\ncollections.abc.Callable, re.compile('x')",
-    "import datetime as dt\nfrom datetime import datetime, time\nfrom rclpy.time import Time\ndt.datetime.now()",
-    "import rclpy.time, time, signal\nrclpy.time.Time(), time.time(), signal.signal(signal.SIGINT, print)",
-    "import os\nos.environ['A'] = 'b'",
-    "class A:\n    def __init__(self):\n        self.__x = self._y = 1\n        print(self.__x)",
-    "class A:\n    _b = 1\n    def _f(self):\n        pass\na = A()\na._f(), a._b",
-    "class A(B):\n    def __init__(self):\n        super().__init__()\n        super()._start()",
-    "try:\n    f()\nexcept Exception as e:\n    print(e.__class__.__name__, type(e).__name__)",
-    "__version__ = '1'\n__all__ = ['A']\nclass A:\n    __slots__ = ('x',)",
-    "open = 3\nprint(open)\ngripper.open()\ndef f(open):\n    return open",
-]
-
-
-def test_no_honest_answer_is_suspected() -> None:
-    for number in NUMBERS:
-        wrong = [answer for answer, *_ in WRONG_ANSWERS[number]]
-        for answer in [*RIGHT_ANSWERS[number], *wrong, *map(answer_in, CELLS[number])]:
-            assert reaches_for(written(number, answer)) == ""
-    for answer in HONEST:
-        assert reaches_for(answer) == ""
-
-
-# --- where it cannot be -----------------------------------------------------------------------------------------------
-
-
-def test_without_jspi(context: BrowserContext, address: str) -> None:
-    page = context.new_page()
-    page.add_init_script("delete WebAssembly.Suspending")
-    page.goto(address + TEACHERS)
-    expect(page.get_by_text("This browser cannot check answers: it lacks JSPI")).to_be_visible()
-    expect(page.locator(".rosspin-judge input")).to_have_count(0)
-    page.goto(address + EXERCISES)
-    expect(page.get_by_text("This browser cannot check answers, nor hand them in: it lacks JSPI")).to_be_visible()
-    expect(page.locator(".hand-in")).to_have_count(0)
-
-
-def test_without_javascript(browser: Browser, address: str) -> None:
-    with browser.new_context(java_script_enabled=False) as context:
-        page = context.new_page()
-        page.goto(address + TEACHERS)
-        expect(page.get_by_text("To check answers here, this page needs JavaScript.")).to_be_visible()
-
-
-def test_the_scripts_are_loaded_where_they_are_needed(site: Path) -> None:
-    found = {name: set[str]() for name in ("hand-in", "judge")}
-    for path in site.rglob("*.html"):
-        for name in re.findall(r"hand-in/([\w-]+)\.js", path.read_text(encoding="utf-8")):
-            found[name].add(path.relative_to(site).as_posix())
-    notebooks = (ROOT / "notebooks").glob("*.md")
-    asking = {f"notebooks/{path.stem}.html" for path in notebooks if "\n%%answer " in path.read_text(encoding="utf-8")}
-    assert EXERCISES in asking
-    assert found == {"hand-in": asking, "judge": {TEACHERS}}
-
-
 # --- how it looks -----------------------------------------------------------------------------------------------------
-
-
-def test_looks(quick: Table, address: str) -> None:
-    """The table and what is said fit a phone, and their text stands out in light and in dark."""
-    page = quick.page
-    answers = {str(number): "not judged" for number in range(30, 50)} | {"1": "solved", "2": "to read"}
-    quick.drop(ada=handed_in("Ada " * 10, answers=answers), b=handed_in("B", answers={"1": "solved"}))
-    quick.done()
-    quick.said("B, exercise 1: solved")
-    _stands_out(page)
-    page.goto(address + EXERCISES)
-    expect(page.get_by_role("button", name="Hand in")).to_be_visible()
-    _stands_out(page)
 
 
 def test_names_stay_in_view(quick: Table) -> None:
@@ -503,6 +274,19 @@ def test_names_stay_in_view(quick: Table) -> None:
                 }"""
             )
             assert shown == [400, True, True, "1"]
+
+
+def test_looks(quick: Table, address: str) -> None:
+    """The table and what is said fit a phone, and their text stands out in light and in dark."""
+    page = quick.page
+    answers = {str(number): "not judged" for number in range(30, 50)} | {"1": "solved", "2": "to read"}
+    quick.drop(ada=handed_in("Ada " * 10, answers=answers), b=handed_in("B", answers={"1": "solved"}))
+    quick.done()
+    quick.said("B, exercise 1: solved")
+    _stands_out(page)
+    page.goto(address + EXERCISES)
+    expect(page.get_by_role("button", name="Hand in")).to_be_visible()
+    _stands_out(page)
 
 
 def _stands_out(page: Page) -> None:

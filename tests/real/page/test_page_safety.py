@@ -3,8 +3,6 @@
 from __future__ import annotations
 
 import gzip
-import re
-from collections.abc import Iterator
 from pathlib import Path
 from typing import Any
 
@@ -14,16 +12,8 @@ from attacks import ATTACK, SANDBOX, SCRIPT, attempts, succeeded
 from hand_ins import EXERCISES, TEACHERS, Table, exchange, handed_in
 from in_chromium import served
 from listings_in_page import RATE, TIMER, TUTORIAL, Cell, link, open_tutorial
-from looks import PATIENCE, faults
-from playwright.sync_api import Browser, BrowserContext, Page, expect
-
-
-@pytest.fixture
-def context(browser: Browser) -> Iterator[BrowserContext]:
-    """A reader who comes for the first time."""
-    with browser.new_context(viewport={"width": 1280, "height": 900}) as context:
-        context.set_default_timeout(PATIENCE)
-        yield context
+from looks import faults
+from playwright.sync_api import BrowserContext, Page, expect
 
 
 def run(page: Page, index: int, text: str, status: str) -> str:
@@ -366,12 +356,3 @@ def test_what_a_browser_lacks_is_said(context: BrowserContext, address: str, lac
     else:
         assert said in run(page, TIMER, "print(1)", "error: Python stopped")
         assert not page.workers
-
-
-def test_policy_of_the_sandbox(site: Path) -> None:
-    """It may ask for nothing. There is no other page without the policy of all."""
-    text = (site / SANDBOX).read_text(encoding="utf-8")
-    (policy,) = re.findall(r'http-equiv="Content-Security-Policy" content="(.*?)"', text)
-    assert re.fullmatch(r"default-src 'none'; script-src 'sha256-[\w+/=]+' blob: 'wasm-unsafe-eval'", policy)
-    pages = {path.relative_to(site).as_posix() for path in (site / "_static").rglob("*.html")}
-    assert {name for name in pages if "live" in name or "hand-in" in name} == {SANDBOX}

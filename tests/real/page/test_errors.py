@@ -1,0 +1,145 @@
+"""What the page says of a node that goes wrong, and that it bears what such a node does."""
+
+from __future__ import annotations
+
+import re
+
+import pytest
+from listings_in_page import (
+    TIMER,
+    Cell,
+    node,
+    node2,
+    open_tutorial,
+)
+from playwright.sync_api import BrowserContext, Page, expect
+
+
+@pytest.mark.parametrize("line", ["while True:\n    print('flood')", "while True:\n    rospy.loginfo('flood')"])
+def test_flood(tutorial: Page, line: str) -> None:
+    """The page answers all the while, keeps the last lines only, and the run comes to its end."""
+    cell = Cell(tutorial, TIMER)
+    cell.write(node(line))
+    cell.run(2)
+    expect(cell.console).to_contain_text("earlier lines are left out")
+    assert tutorial.evaluate("1 + 1") == 2
+    assert "simulated time stands still at 0.0 s" in cell.ends("error")
+    assert cell.text().count("\n") <= 1000
+
+
+@pytest.mark.parametrize(
+    ("code", "status", "sentence"),
+    [
+        (node("rospy.Rate(0)"), "error: see", "Nothing can have a frequency of 0 Hz"),
+        (
+            node("rospy.Timer(rospy.Duration(0), print)\nrospy.spin()"),
+            "done, but with an error",
+            "Nothing can have a frequency of 0 Hz",
+        ),
+        (
+            node("rospy.Timer(0.5, print)\nrospy.spin()"),
+            "done, but with an error",
+            "rospy.Timer(rospy.Duration(0.5), callback)",
+        ),
+        ("import rospy\nprint('a'\n", "error", "SyntaxError: '(' was never closed\nPython could not read"),
+        ("import numpy\n", "error", "but no numpy. Run the node on your own computer"),
+        ("import rospy\nrospy.Rate(2)\n", "error", 'Call rospy.init_node("a_name") before you use anything else'),
+        ("import std_srvs.srv\n", "error", "python -m rosspin run --ros1 FILE"),
+        ("import std_srvs.srv\n", "error", "std_srvs is not simulated; run this node on a real ROS"),
+        (node("rospy.Service"), "error", "node.py:4: rospy.Service is not simulated; run this node on a real ROS"),
+        (node("while True: pass"), "error", "node.py:4: simulated time stands still at 0.0 s"),
+        (node("while not rospy.is_shutdown(): rospy.sleep(0)"), "error", "node.py:4: simulated time stands still"),
+        (node("1 / 0"), "error", "ZeroDivisionError"),
+        (node("input()"), "error", "EOFError"),
+    ],
+)
+def test_errors_end_in_a_sentence_that_helps(tutorial: Page, code: str, status: str, sentence: str) -> None:
+    cell = Cell(tutorial, TIMER)
+    cell.write(code)
+    cell.run(2)
+    console = cell.ends(status)
+    assert sentence in console
+    assert "rosspin/" not in console and "pyodide" not in console
+    assert cell.console.locator(".stderr").count()
+
+
+@pytest.mark.parametrize(
+    ("body", "status", "sentence"),
+    [
+        ("import rclpy.action", "error", "On a computer with ROS 2, run: python -m rosspin run --ros2 FILE"),
+        ("from std_srvs.srv import Empty", "error", "std_srvs is not simulated"),
+        ("import curses", "error", "Python has no curses in a page"),
+        ("import numpy", "error", "stand-ins for rospy and rclpy, and Python's standard library, but no numpy"),
+        ("node.create_timer(0.5, print)", "done$", "never called. Is rclpy.spin(node) missing"),
+        (
+            "node.create_timer(0.5, lambda event: 1)\nrclpy.spin(node)",
+            "error",
+            "A timer passes its callback no argument",
+        ),
+        ("node.create_timer(0.5, print)\nrclpy.spin(node)", "done: 4 ticks, ended by Ctrl-C", "KeyboardInterrupt"),
+        ("while rclpy.ok(): pass", "error", "Sleep in every loop (rate.sleep(), time.sleep(0.1))"),
+    ],
+)
+def test_errors_of_ros2_end_in_a_sentence_that_helps(tutorial: Page, body: str, status: str, sentence: str) -> None:
+    cell = Cell(tutorial, TIMER)
+    cell.write(node2(body))
+    cell.run(2)
+    console = cell.ends(status)
+    assert sentence in console
+    assert "rosspin/" not in console and "pyodide" not in console
+
+
+@pytest.mark.parametrize(
+    ("first", "said"),
+    [
+        ("%%answer 99", "there is no exercise 99"),
+        ("%%answer", "the first line can be %%simulate SECONDS or %%answer NUMBER"),
+        ("%%answer x", "the first line can be %%simulate SECONDS or %%answer NUMBER"),
+        ("%%simulate 1.2.3", "the first line can be %%simulate SECONDS or %%answer NUMBER"),
+        ("%%measure 2", "the first line can be %%simulate SECONDS or %%answer NUMBER"),
+        ("%%simulate nan", "seconds must be a number of at least 0, not nan"),
+    ],
+)
+def test_first_line_that_cannot_be(tutorial: Page, first: str, said: str) -> None:
+    cell = Cell(tutorial, TIMER)
+    cell.write(f"{first}\nimport rospy\n")
+    cell.run(1)
+    assert said in cell.ends("error")
+
+
+def test_traceback_shows_the_readers_lines_only(tutorial: Page) -> None:
+    cell = Cell(tutorial, TIMER)
+    cell.write(node("def f(event):\n    g()\ndef g():\n    raise KeyError('mine')\nf(None)"))
+    cell.run(2)
+    lines = re.findall(r'  File "(.*)", line (\d+)', cell.ends("error"))
+    assert lines == [("spinner_py_node.py", line) for line in ("8", "5", "7")]
+
+
+def test_last_line_without_its_end_is_shown(tutorial: Page) -> None:
+    cell = Cell(tutorial, TIMER)
+    cell.write("import sys\nprint('out', end='')\nprint('err', end='', file=sys.stderr)")
+    cell.run(2)
+    assert cell.ends("done") == "outerr"
+    assert cell.console.locator(".stderr").all_text_contents() == ["err"]
+
+
+def test_output_is_text(tutorial: Page) -> None:
+    cell = Cell(tutorial, TIMER)
+    html = "<img src=x onerror=\"document.title='taken'\"><b>bold</b>"
+    cell.write(f"print('''{html}''')")
+    cell.run(2)
+    assert cell.ends("done") == html + "\n"
+    assert cell.console.locator("img, b").count() == 0
+
+
+def test_python_breaks_down(context: BrowserContext, address: str) -> None:
+    """It says so on the console of the page, and the next run finds a Python of its own."""
+    page = context.new_page()
+    open_tutorial(page, address)
+    cell = Cell(page, TIMER)
+    cell.write("import os\nos.abort()")
+    cell.run(2)
+    assert "Python itself broke down" in cell.ends("error")
+    cell.write("print('next')")
+    cell.run(2)
+    assert cell.ends("done") == "next\n"

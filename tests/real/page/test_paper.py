@@ -1,0 +1,84 @@
+"""Pages as they are printed."""
+
+from __future__ import annotations
+
+import re
+from collections.abc import Iterator
+
+import pytest
+from figures import (
+    FIGURES,
+    opened,
+)
+from playwright.sync_api import Browser, BrowserContext, Locator, Page, expect
+
+
+@pytest.fixture(params=["light", "dark"])
+def paper(browser: Browser, address: str, request: pytest.FixtureRequest) -> Iterator[Page]:
+    """A page as it is printed, by a reader with light or dark pages."""
+    page = browser.new_page(color_scheme=request.param)
+    page.emulate_media(media="print", color_scheme=request.param)
+    yield page
+    page.close()
+
+
+def _all_visible(found: Locator) -> bool:
+    return found.count() > 0 and all(found.nth(index).is_visible() for index in range(found.count()))
+
+
+def test_both_languages_are_printed(paper: Page, address: str) -> None:
+    paper.goto(f"{address}/docs/tutorial.html")
+    assert _all_visible(paper.locator(".sd-tab-content"))
+    assert _all_visible(paper.locator(".sd-tab-label"))
+    # Each label stands above what it names.
+    for label in paper.locator(".sd-tab-label").all():
+        above, below = label.bounding_box(), label.locator("xpath=following-sibling::*[1]").bounding_box()
+        assert above and below and above["y"] < below["y"]
+
+
+def test_answers_are_printed(paper: Page, address: str) -> None:
+    paper.goto(f"{address}/notebooks/timer.html")
+    expect(paper.get_by_text("20, at 0.1 s, 0.2 s and so on")).to_be_visible()
+    paper.goto(f"{address}/notebooks/exercises.html")
+    assert _all_visible(paper.locator("details > :not(summary)"))
+
+
+def test_print_is_dark_on_white_and_without_what_can_be_pressed(paper: Page, address: str) -> None:
+    paper.goto(f"{address}/docs/tutorial.html")
+    assert not any(button.is_visible() for button in paper.get_by_role("button").all())
+    assert not paper.locator(".bd-sidebar-primary").is_visible()
+    seen = "document.querySelectorAll('.bd-article :is(p, a, pre, pre span, .sd-tab-label)')"
+    find = f"[...{seen}].filter((e) => e.checkVisibility()).map((e) => getComputedStyle(e))"
+    inks = paper.evaluate(f"{find}.map((style) => style.color)")
+    assert not {ink for ink in inks if sum(map(int, re.findall(r"\d+", ink)[:3])) > 400}
+    grounds = paper.evaluate(f"{find}.map((style) => style.backgroundColor)")
+    dark = {ground for ground in grounds if sum(map(int, re.findall(r"\d+", ground)[:3])) < 600}
+    assert dark <= {"rgba(0, 0, 0, 0)"}
+    assert paper.evaluate("getComputedStyle(document.body).backgroundColor") == "rgb(255, 255, 255)"
+
+
+def test_on_paper_the_first_position_stands(context: BrowserContext, address: str) -> None:
+    page = context.new_page()
+    figure = opened(page, address, FIGURES[0])
+    before, code = figure.markup(), page.locator(".rosspin-beside pre").inner_text()
+    figure.handle.press("End")
+    moved = figure.markup()
+    page.evaluate("dispatchEvent(new Event('beforeprint'))")
+    page.emulate_media(media="print")
+    expect(figure.handle).to_be_hidden()
+    assert figure.markup() == before
+    assert page.locator(".rosspin-beside pre").inner_text() == code
+    page.evaluate("dispatchEvent(new Event('afterprint'))")
+    assert figure.markup() == moved
+
+
+def test_plots_are_on_paper(browser: Browser, address: str) -> None:
+    with browser.new_context(viewport={"width": 1280, "height": 844}, color_scheme="dark") as context:
+        page = context.new_page()
+        page.goto(address + "notebooks/rate.html")
+        page.emulate_media(media="print")
+        plots = page.locator(".cell_output figure.rosspin-plot")
+        assert plots.count() == 5
+        for index in range(5):
+            text = plots.nth(index).locator("svg[role=img]:visible text").first
+            assert text.evaluate("text => getComputedStyle(text).fill") == "rgb(0, 0, 0)"
