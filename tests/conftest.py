@@ -1,28 +1,27 @@
-"""What several tests share: the built site, and what a machine may lack."""
+"""The lanes of the tests, and what several tests share. What only the real lane has is in real/conftest.py."""
 
 from __future__ import annotations
 
+import json
 import os
-from collections.abc import Callable
+from collections.abc import Iterator
+from contextlib import nullcontext
 from pathlib import Path
 from textwrap import dedent
 from typing import Any
 
 import pytest
 from hypothesis import settings
-from lacking import LACKS
 from seeds import SEED
-from tree import DOCTREES, SITE
+from simulated_only import simulated_only
+from tree import DOCTREES, SITE, TESTS
 
-from rosspin import doctor
+# Seconds that each file of tests took once, by its path below tests/.
+DURATIONS: dict[str, float] = json.loads((TESTS / "durations.json").read_text(encoding="utf-8"))
 
 
 def pytest_report_header() -> str:
     return f"random tests: ROSSPIN_SEED={SEED}"
-
-
-def _required() -> set[str]:
-    return set(os.environ.get("ROSSPIN_REQUIRE", "").replace(",", " ").split())
 
 
 @pytest.hookimpl(tryfirst=True)
@@ -30,8 +29,41 @@ def pytest_configure(config: pytest.Config) -> None:
     if "ROSSPIN_SEED" in os.environ:
         settings.load_profile("default")  # CI's takes no seed
         config.option.hypothesis_seed = SEED
-    if unknown := _required() - LACKS.keys():
-        raise pytest.UsageError(f"ROSSPIN_REQUIRE knows {', '.join(LACKS)}; not {', '.join(sorted(unknown))}")
+
+
+# --- lanes ------------------------------------------------------------------------------------------------------------
+
+
+def lane(name: str) -> str:
+    """The lane of a file of tests, by its path below tests/."""
+    return "judge" if name.startswith("real/judge/") else "real" if name.startswith("real/") else "simulated"
+
+
+@pytest.hookimpl(tryfirst=True)
+def pytest_collection_modifyitems(items: list[pytest.Item]) -> None:
+    """Mark each test with its lane; the files that take longest come first, and before them those that are new."""
+    names = {item: item.path.relative_to(TESTS).as_posix() for item in items}
+    for item, name in names.items():
+        item.add_marker(lane(name))
+    items.sort(key=lambda item: -DURATIONS.get(names[item], float("inf")))
+
+
+@pytest.hookimpl(wrapper=True)
+def pytest_runtest_setup(item: pytest.Item) -> Iterator[None]:
+    return (yield from _in_its_lane(item))
+
+
+@pytest.hookimpl(wrapper=True)
+def pytest_runtest_call(item: pytest.Item) -> Iterator[None]:
+    return (yield from _in_its_lane(item))
+
+
+def _in_its_lane(item: pytest.Item) -> Iterator[None]:
+    with simulated_only() if item.get_closest_marker("simulated") else nullcontext():
+        return (yield)
+
+
+# --- fixtures ---------------------------------------------------------------------------------------------------------
 
 
 @pytest.fixture
@@ -46,24 +78,11 @@ def write(tmp_path: Path) -> Any:
     return write
 
 
-@pytest.fixture(scope="session")
-def require() -> Callable[[str], None]:
-    """``require("ros1")`` skips the test where ROS 1 is lacking; with ROSSPIN_REQUIRE=ros1 it fails there."""
-
-    def check(name: str) -> None:
-        if reason := LACKS[name]():
-            (pytest.fail if name in _required() else pytest.skip)(reason)
-
-    return check
-
-
-@pytest.fixture(scope="session")
-def chromium(require: Callable[[str], None]) -> str:
-    """The path of Chromium."""
-    require("browser")
-    path = doctor.chromium()
-    assert path
-    return path
+@pytest.fixture
+def impatient(monkeypatch: pytest.MonkeyPatch) -> None:
+    """A node that does not heed Ctrl-C is killed after a second, one that stands still is found soon."""
+    monkeypatch.setattr("rosspin.run.PATIENCE", 1)
+    monkeypatch.setattr("rosspin.clocks.watchdog._INTERVAL", 0.05)
 
 
 @pytest.fixture(scope="session")

@@ -6,17 +6,15 @@ import io
 import re
 import subprocess
 import sys
-from collections.abc import Callable
 from contextlib import redirect_stdout
 from pathlib import Path
 from typing import Any
 
 import pytest
-from answers import CELLS, NOTEBOOKS, NUMBERS, ON_PAGE, answer_in, written
+from answers import CELLS, NOTEBOOKS, NUMBERS, ON_PAGE, PAGES, answer_in, section, solution_of, written
 from answers_ros1 import RIGHT, WRONG, Answer
 from IPython.core.error import UsageError
 from IPython.core.interactiveshell import InteractiveShell
-from outcomes import TRIES, until_lucky, watching
 from tree import ROOT
 
 from rosspin import simulate
@@ -24,10 +22,6 @@ from rosspin.console import read_ticks
 from rosspin.exercises import EXERCISES, check
 from rosspin.measures import periods
 from rosspin.recordings import load
-from rosspin.ros1 import Workspace
-from rosspin.ros2 import launch
-
-PAGES = {ros: notebook.read_text(encoding="utf-8") for ros, notebook in NOTEBOOKS.items()}
 
 
 @pytest.mark.parametrize("number", NUMBERS)
@@ -92,12 +86,6 @@ def test_exercises_are_what_the_page_says() -> None:
         linked = [(NOTEBOOKS[ros].parent / path).resolve() for path in re.findall(r"\]\((.*?)\)", line[1])]
         assert [path.relative_to(ROOT).with_suffix("").as_posix() for path in linked] == list(needs)
         assert all(path.exists() for path in linked)
-
-
-def section(number: int) -> str:
-    """The text of an exercise on the page."""
-    page = PAGES[EXERCISES[number - 1].ros]
-    return re.split(r"^##+ ", page.partition(f"### {number}. ")[2], maxsplit=1, flags=re.MULTILINE)[0]
 
 
 @pytest.mark.parametrize("ros", NOTEBOOKS)
@@ -231,13 +219,6 @@ def times_of(console: str, first: int) -> list[float]:
     return [tick.real for tick in read_ticks(console)][first - 1 : first + 2]
 
 
-def solution_of(number: int) -> dict[str, list[float]]:
-    """The predictions that are right."""
-    found: dict[str, list[float]] = {}
-    exec(answer_in(CELLS[number][1]), found)
-    return found
-
-
 # --- C++ --------------------------------------------------------------------------------------------------------------
 
 
@@ -248,49 +229,7 @@ def test_roscpp_reports_no_ticks_as_missing() -> None:
     assert late.lateness < 0.1
 
 
-def test_the_cpp_node_does_what_the_solution_says(require: Callable[[str], None], tmp_path: Path) -> None:
-    require("ros1")
-    [kept] = re.findall(r"```cpp\n(.*?)```", section(3), re.DOTALL)
-    nodes = tmp_path / "kept.cpp", tmp_path / "not_kept.cpp"
-    for node, text in zip(nodes, (kept, kept.replace("    timer_ =", "    ros::Timer timer_ =")), strict=True):
-        node.write_text(text)
-    with Workspace() as workspace:
-        workspace.add_nodes("nodes", *nodes)
-        workspace.build()
-        workspace.start_master()
-
-        def ticks(node: str, blocks_for: str) -> list[float]:
-            """When callbacks 3 to 6 come, as a recording of one; the third is due at 1.2 s."""
-            [program] = workspace.folder.glob(f"devel/lib/nodes/{node}")
-            output = workspace.run([str(program), f"_blocks_for:={blocks_for}"], 4.5, None)
-            found = [tick.real for tick in read_ticks(output.console)][2:6]
-            return [1.2 + time - found[0] for time in found]
-
-        for blocks_for in ("0.6", "1.0"):
-            after = solution_of(3)[f"after_{blocks_for.replace('.', '_')}_seconds"]
-            wanted = pytest.approx([1.2, *after], abs=0.15)
-            for _ in range(TRIES):
-                with watching() as stalled:
-                    found = ticks("kept", blocks_for)
-                if found == wanted or not stalled.is_set():
-                    break
-            assert found == wanted
-        assert ticks("not_kept", "0.6") == solution_of(3)["not_kept"]
-
-
 # --- the real ROS 2 -------------------------------------------------------------------------------------------------
-
-
-@pytest.mark.parametrize("number", [25, 26])
-def test_the_solution_ends_well_on_the_real_ros_2(number: int, require: Callable[[str], None], tmp_path: Path) -> None:
-    """What the unchanged cells do, scenarios of their own hold: ``ctrl_c_spin``, ``ctrl_c_rate_nobody_spins``."""
-    require("ros2")
-    node = tmp_path / "node.py"
-    node.write_text(answer_in(CELLS[number][1]))
-    run = until_lucky(lambda: launch(node, 1.73))  # between passes of 25, within a callback of 26
-    assert run.status == 0
-    assert "Traceback" not in run.console
-    assert run.console.endswith("speed = 0.0\n") or "counter = 2" in run.console
 
 
 # --- strange answers --------------------------------------------------------------------------------------------------

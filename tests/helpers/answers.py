@@ -46,3 +46,19 @@ def written(number: int, answer: Answer) -> str:
         assert old in text, old
         text = text.replace(old, new)
     return text
+
+
+PAGES = {ros: notebook.read_text(encoding="utf-8") for ros, notebook in NOTEBOOKS.items()}
+
+
+def section(number: int) -> str:
+    """The text of an exercise on the page."""
+    page = PAGES[EXERCISES[number - 1].ros]
+    return re.split(r"^##+ ", page.partition(f"### {number}. ")[2], maxsplit=1, flags=re.MULTILINE)[0]
+
+
+def solution_of(number: int) -> dict[str, list[float]]:
+    """The predictions that are right."""
+    found: dict[str, list[float]] = {}
+    exec(answer_in(CELLS[number][1]), found)
+    return found

@@ -10,10 +10,12 @@ import subprocess
 import sys
 from array import array
 from collections.abc import Callable, Iterator
+from functools import partial
 from pathlib import Path
 from typing import Any
 
 import pytest
+from own_packages import WHEEL, write_package
 from tree import ROOT
 
 from rosspin.messages import DefinitionError, MessageFinder, ros1, ros2
@@ -27,25 +29,15 @@ Package = Callable[..., Path]
 
 
 @pytest.fixture
-def messages() -> ros1.Messages:
-    """The classes of ROS 1."""
-    return ros1.Messages(Library(1))
+def package(tmp_path: Path) -> Package:
+    """Writes a package with messages into the workspace; the folder of its nodes."""
+    return partial(write_package, tmp_path)
 
 
 @pytest.fixture
-def package(tmp_path: Path) -> Package:
-    """Writes a package with messages into the workspace; returns the folder of its nodes."""
-
-    def write(name: str = "my_robotics_pkg", **definitions: str) -> Path:
-        folder = tmp_path / "ws" / "src" / "robots" / name
-        for part in ("msg", "scripts"):
-            (folder / part).mkdir(parents=True, exist_ok=True)
-        (folder / "package.xml").write_text(f"<package><name>{name}</name></package>")
-        for message, text in definitions.items():
-            (folder / "msg" / f"{message}.msg").write_text(text)
-        return folder / "scripts"
-
-    return write
+def messages() -> ros1.Messages:
+    """The classes of ROS 1."""
+    return ros1.Messages(Library(1))
 
 
 # --- what rosspin carries ---------------------------------------------------------------------------------------------
@@ -178,18 +170,6 @@ def test_too_few_bytes_are_no_message(messages: ros1.Messages) -> None:
 
 # --- ROS 1: a package's own messages ----------------------------------------------------------------------------------
 
-WHEEL = """# A wheel
-float32 MAX_SPEED=1.5   # m/s
-string NAME=front # left
-byte FIRST=-1
-bool YES=True
-
-Header header
-float32 speed       # m/s
-int16[3] counts
-duration since
-"""
-
 
 def test_a_package_has_messages_of_its_own(package: Package) -> None:
     package("parts", Wheel=WHEEL)
@@ -214,24 +194,6 @@ def test_a_package_has_messages_of_its_own(package: Package) -> None:
         assert str(got).endswith(
             "poses: \n  - \n    x: 0.0\n    from_: False\n  - \n    x: 0.0\n    from_: False\nraw: [7]"
         )
-
-
-def test_the_md5_sum_of_an_own_message_is_genmsgs(package: Package, require: Callable[[str], None]) -> None:
-    require("ros1")
-    folder = package(Wheel=WHEEL, Two="Wheel left\nWheel right\n")
-    with MessageFinder(1, folder) as finder:
-        ours = [finder.messages[f"my_robotics_pkg/{name}"]._md5sum for name in ("Wheel", "Two")]
-        header = finder.library.definition("std_msgs/Header").text
-    code = (
-        "import sys, genmsg; from genmsg import msg_loader as l; c = l.MsgContext.create_default()\n"
-        f"l.load_msg_from_string(c, {header!r}, 'std_msgs/Header')\n"
-        f"path = {{'my_robotics_pkg': [{str(folder.parent / 'msg')!r}]}}\n"
-        "for name in ('Wheel', 'Two'):\n"
-        "  spec = l.load_msg_by_type(c, 'my_robotics_pkg/' + name, path); l.load_depends(c, spec, path)\n"
-        "  print(genmsg.compute_md5(c, spec))"
-    )
-    real = subprocess.run(["/usr/bin/python3", "-c", code], capture_output=True, text=True, check=True)
-    assert real.stdout.split() == ours
 
 
 def test_a_package_keeps_its_python_modules(package: Package) -> None:

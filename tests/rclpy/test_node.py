@@ -12,9 +12,9 @@ from pathlib import Path
 from typing import Any
 
 import pytest
-from tree import HELPERS
+from names_of_rclpy import NAMES, names_of
 
-from rosspin import NotSimulated, Run, rclpy, ros2, simulate
+from rosspin import NotSimulated, Run, rclpy, simulate
 
 Error = type[BaseException]
 
@@ -635,12 +635,6 @@ def test_handlers_of_the_node_go_first_if_they_come_later() -> None:
 
 # --- a node's own names -----------------------------------------------------------------------------------------------
 
-NAMES = HELPERS / "rclpy_names_probe.py"
-
-
-def names_of(console: str) -> dict[str, set[str]]:
-    return {kind: set(names) for kind, *names in map(str.split, console.splitlines())}
-
 
 def test_what_rclpy_does_not_have_is_out_of_the_way_of_a_nodes_own_names() -> None:
     """A class of a node's may call its own methods and attributes as it likes, if it may on a real ROS."""
@@ -650,11 +644,6 @@ def test_what_rclpy_does_not_have_is_out_of_the_way_of_a_nodes_own_names() -> No
     for kind, names in names_of(done.console).items():
         ours = {name for name in names - real[kind] if not name.startswith(("_rosspin_", "_Parameters__"))}
         assert ours == set(), kind
-
-
-def test_the_recorded_names_are_those_of_rclpy(require: Callable[[str], None]) -> None:
-    require("ros2")
-    assert names_of(ros2.launch(NAMES, 5).console) == names_of(NAMES.with_suffix(".txt").read_text())
 
 
 @pytest.mark.parametrize(

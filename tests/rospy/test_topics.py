@@ -16,7 +16,7 @@ from seeds import SEED
 
 from rosspin import NotSimulated, Run, rospy, simulate
 from rosspin.advice import advice
-from rosspin.measures import describe_lateness, describe_periods, periods, rostopic_hz, topic_ticks
+from rosspin.measures import describe_lateness, describe_periods, periods, topic_ticks
 from rosspin.plots import lateness, period_histogram, timeline
 from rosspin.rospy.topics import LATER_PUBLISHER, LATER_SUBSCRIBER
 from rosspin.ticks import Message, Tick
@@ -216,34 +216,6 @@ def test_the_grid_of_a_topic_is_its_own_or_the_one_that_is_given() -> None:
     assert [tick.lateness for tick in topic_ticks(messages, "/a", 0.5)] == [0.0, 0.5, 1.25, 1.5]
     assert topic_ticks(messages, "/b") == [Tick("/b", 1, 0, 0, 0.0)]
     assert topic_ticks(messages, "/c") == []
-
-
-def test_rostopic_hz_prints_what_the_real_one_prints(require: Callable[[str], None]) -> None:
-    """The same times through the real class, whose clock says them one after the other."""
-    require("ros1")
-    draw = random.Random(SEED)
-    cases = []
-    for _ in range(40):
-        time, times = draw.uniform(0.1, 5), []
-        for _ in range(draw.randint(0, 12)):
-            times.append(time)
-            time += draw.choice((0.5, 0.02, draw.uniform(0, 2)))
-        cases.append((times, draw.choice((-1, 2, 3, 5, 100))))
-    code = f"""
-import rospy, rostopic
-for times, window in {cases!r}:
-    hz = rostopic.ROSTopicHz(window)
-    for time in times:
-        rospy.get_rostime = lambda: rospy.Time.from_sec(time)
-        hz.callback_hz(None)
-    hz.print_hz()
-"""
-    real = subprocess.run(["/usr/bin/python3", "-c", code], capture_output=True, text=True, check=True).stdout
-    ours = []
-    for times, window in cases:
-        messages = [Message("/a", "/n", rospy.Time.from_sec(time).to_sec(), None) for time in times]
-        ours.append(rostopic_hz(topic_ticks(messages, "/a"), *([window] if window > 0 else [])))
-    assert real == "".join(text + "\n" for text in ours)
 
 
 # --- random graphs ----------------------------------------------------------------------------------------------------

@@ -2,10 +2,6 @@
 
 from __future__ import annotations
 
-import os
-import re
-import signal
-import subprocess
 import sys
 import xml.etree.ElementTree as ElementTree
 from pathlib import Path
@@ -13,13 +9,10 @@ from textwrap import dedent
 from typing import Any
 
 import pytest
-from tree import ROOT
+from command_line import TIMER_NODE, run
 
 from rosspin.__main__ import main
 from rosspin.clocks import watchdog
-
-SOURCES = ROOT / "examples" / "my_robotics_pkg" / "src"
-TIMER_NODE, RATE_NODE = str(SOURCES / "spinner_py_node.py"), str(SOURCES / "spinner_rate_py_node.py")
 
 RATE_FROM_A_PARAMETER = """
     import rospy
@@ -29,19 +22,6 @@ RATE_FROM_A_PARAMETER = """
         rospy.loginfo("x")
         rate.sleep()
 """
-
-FOREVER = """
-    import rospy
-    rospy.init_node("node")
-    rospy.on_shutdown(lambda: rospy.logwarn("hook"))
-    rospy.loginfo("ready")
-    while not rospy.is_shutdown():
-        rospy.sleep(0.05)
-    rospy.loginfo("left")
-"""
-
-# Only so that a test that hangs ends at all.
-NEVER = 60
 
 
 @pytest.fixture
@@ -54,18 +34,6 @@ def write(tmp_path: Path) -> Any:
         return str(path)
 
     return write
-
-
-def start(*args: str, **options: Any) -> subprocess.Popen[str]:
-    pipes: dict[str, Any] = {"stdout": subprocess.PIPE, "stderr": subprocess.PIPE}
-    return subprocess.Popen([sys.executable, "-m", "rosspin", *args], text=True, **pipes | options)
-
-
-def run(*args: str, **options: Any) -> tuple[int, str, str]:
-    """Status, stdout and stderr of ``python -m rosspin ARGS``, through pipes."""
-    process = start(*args, **options)
-    out, err = process.communicate(timeout=NEVER)
-    return process.returncode, out, err
 
 
 @pytest.mark.parametrize("name", ["random", "queue", "copy", "typing", "rospy"])
@@ -92,14 +60,6 @@ def test_a_simulated_run_prints_the_console() -> None:
     )
 
 
-def test_on_the_wall_stamps_are_since_the_epoch(capfd: pytest.CaptureFixture[str]) -> None:
-    assert main(["run", RATE_NODE, "--seconds", "0.7"]) == 0
-    lines = capfd.readouterr().out.splitlines()
-    assert len(lines) >= 2
-    for line in lines:
-        assert re.fullmatch(r"\[INFO\] \[1\d{9}\.\d{6}\]: \[SPINNER PY NODE\] .*", line)
-
-
 def test_node_args_follow_two_dashes_wherever_the_options_stand(capsys: pytest.CaptureFixture[str], write: Any) -> None:
     node = write(RATE_FROM_A_PARAMETER)
     options = ["--simulated", "--seconds", "1"]
@@ -115,34 +75,6 @@ def test_warnings_go_to_stderr(write: Any) -> None:
         "[INFO] [0.000000]: out\n",
         "[WARN] [0.000000]: err\n",
     )
-
-
-def test_a_line_is_in_the_pipe_at_once_when_python_is_told_so(write: Any) -> None:
-    with start("run", write(FOREVER), env=os.environ | {"PYTHONUNBUFFERED": "1"}) as process:
-        assert process.stdout
-        assert process.stdout.readline().endswith("ready\n")
-        process.kill()
-
-
-@pytest.mark.parametrize("number", [signal.SIGINT, signal.SIGTERM])
-def test_ctrl_c_ends_a_node_in_peace(write: Any, number: int) -> None:
-    with start("run", write(FOREVER), env=os.environ | {"PYTHONUNBUFFERED": "1"}) as process:
-        assert process.stdout
-        process.stdout.readline()
-        process.send_signal(number)
-        out, err = process.communicate(timeout=NEVER)
-    assert process.returncode == 0
-    assert re.fullmatch(r"\[INFO\] \[[\d.]+\]: left\n", out)
-    assert re.fullmatch(r"\[WARN\] \[[\d.]+\]: hook\n", err)
-
-
-def test_ctrl_c_ends_the_timer_node_in_peace() -> None:
-    with start("run", TIMER_NODE, env=os.environ | {"PYTHONUNBUFFERED": "1"}) as process:
-        assert process.stdout
-        process.stdout.readline()
-        process.send_signal(signal.SIGINT)
-        _, err = process.communicate(timeout=NEVER)
-    assert (process.returncode, err) == (0, "")
 
 
 def test_the_node_s_status_is_the_command_s(write: Any) -> None:

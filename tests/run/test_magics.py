@@ -8,8 +8,7 @@ from pathlib import Path
 from typing import Any
 
 import pytest
-from IPython.core.interactiveshell import InteractiveShell
-from traitlets.config import Config
+from shells import ipython_shell
 from tree import ROOT
 
 from rosspin import Run
@@ -25,16 +24,9 @@ LINES = (
 
 
 @pytest.fixture
-def shell(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> Iterator[Any]:
-    monkeypatch.setenv("IPYTHONDIR", str(tmp_path))
-    monkeypatch.setitem(sys.modules, "__main__", sys.modules["__main__"])  # the shell puts its own there
-    config = Config()
-    config.HistoryManager.enabled = False
-    config.InteractiveShell.colors = "nocolor"
-    shell = InteractiveShell(config=config)
-    shell.run_cell("%load_ext rosspin")
-    yield shell
-    shell.restore_sys_module_state()
+def shell(tmp_path: Path) -> Iterator[Any]:
+    with ipython_shell(tmp_path) as shell:
+        yield shell
 
 
 def test_a_cell_is_a_node_file_and_its_run_a_variable(shell: Any, capsys: pytest.CaptureFixture[str]) -> None:
@@ -69,14 +61,6 @@ def test_the_run_has_the_messages(shell: Any) -> None:
 def test_warnings_go_to_stderr(shell: Any, capsys: pytest.CaptureFixture[str]) -> None:
     shell.run_cell("%%simulate 1\nimport rospy\nrospy.init_node('n')\nrospy.logwarn('hot')")
     assert capsys.readouterr() == ("", "[WARN] [0.000000]: hot\n")
-
-
-def test_measure_runs_on_the_wall_clock(shell: Any, capsys: pytest.CaptureFixture[str]) -> None:
-    shell.run_cell(f"%%measure 0.5\n{NODE}")
-    assert "namespace of node = /\n" in capsys.readouterr().out
-    run = shell.user_ns["run"]
-    assert (run.status, run.runtime, run.seconds) == (0, "wall", 0.5)
-    assert run.start > 1e9
 
 
 def test_an_error_in_the_node_is_printed_and_does_not_stop_the_notebook(

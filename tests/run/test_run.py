@@ -10,7 +10,6 @@ import random
 import re
 import signal
 import sys
-import tempfile
 import threading
 import time
 import warnings
@@ -282,19 +281,6 @@ def test_two_runs_do_not_see_each_other(write: Any) -> None:
     assert first.console.endswith("hook\n")
 
 
-def test_a_run_leaves_the_process_as_it_was(write: Any) -> None:
-    write("value = 1", "neighbour.py")
-    path = write("import sys, rospy, rospy.rostime, neighbour\nsys.path.append('x')\nsys.argv.append('y')\nsys.exit(5)")
-    before = sys.argv, sys.argv[:], sys.path[:], sys.stdout, sys.stderr, set(sys.modules), sys.modules["__main__"]
-    handlers = signal.getsignal(signal.SIGINT), signal.getsignal(signal.SIGTERM)
-    for run in (simulate, measure):
-        assert run(path, 1).status == 5
-        after = sys.argv, sys.argv[:], sys.path[:], sys.stdout, sys.stderr, set(sys.modules), sys.modules["__main__"]
-        assert after == before
-        assert (signal.getsignal(signal.SIGINT), signal.getsignal(signal.SIGTERM)) == handlers
-    assert "rospy" not in sys.modules or not sys.modules["rospy"].__name__.startswith("rosspin")
-
-
 def test_a_rospy_that_was_imported_before_comes_back(monkeypatch: pytest.MonkeyPatch, write: Any) -> None:
     monkeypatch.setitem(sys.modules, "rospy", sys)  # whatever it was
     assert simulate(write("import rospy; print(rospy.__name__)"), 1).console == "rosspin.rospy\n"
@@ -430,97 +416,7 @@ def test_randomness_is_the_node_s_own_affair() -> None:
     assert simulate(node, 5) == simulate(node, 5)
 
 
-# --- the wall clock: counts and patterns, no timings ------------------------------------------------------------------
-
-
-def test_measure_runs_timers_for_real() -> None:
-    calls: list[float] = []
-
-    def callback(event: Any) -> None:
-        calls.append(event.current_real.to_sec())
-        rospy.loginfo("tick")
-        if len(calls) == 5:
-            rospy.signal_shutdown("enough")
-
-    def node() -> None:
-        rospy.init_node("node")
-        rospy.Timer(rospy.Duration(0.02), callback)
-        rospy.spin()
-
-    before = time.time()
-    run = measure(node, 60)
-    assert (run.status, run.runtime, run.seconds) == (0, "wall", 60)
-    assert before <= run.start <= calls[0]
-    assert [tick.number for tick in run.ticks] == [1, 2, 3, 4, 5]
-    assert [tick.real for tick in run.ticks] == pytest.approx([call - run.start for call in calls], abs=1e-6)
-    assert run.console.count("]: tick\n") == 5
-
-
-def test_measure_runs_a_rate_loop_until_ctrl_c() -> None:
-    def node() -> None:
-        rospy.init_node("node")
-        rate = rospy.Rate(50)
-        while not rospy.is_shutdown():
-            rate.sleep()
-        print("left")
-
-    run = measure(node, 0.5)
-    assert (run.status, run.console) == (0, "left\n")
-    assert run.ticks[0].expected == run.ticks[0].real
-    assert run.ticks[0].source == "Rate"
-
-
-def test_on_the_wall_a_slow_callback_is_followed_by_the_same_pattern() -> None:
-    """As simulated: periods apart enough that no busy machine confuses them."""
-    calls: list[float] = []
-
-    def callback(event: Any) -> None:
-        calls.append(event.current_real.to_sec())
-        if len(calls) == 2:
-            rospy.sleep(0.8)
-
-    def node() -> None:
-        rospy.init_node("node")
-        rospy.Timer(rospy.Duration(0.2), callback)
-        while len(calls) < 4:
-            rospy.sleep(0.01)
-
-    measure(node, 60)
-    # More than three periods: the next call comes at once, but the one after it a whole period later.
-    blocked_until = calls[1] + 0.8
-    assert calls[2] >= blocked_until - 0.001
-    assert calls[3] >= blocked_until + 0.2 - 0.001
-
-
-def test_measure_needs_the_main_thread() -> None:
-    errors = []
-
-    def elsewhere() -> None:
-        with pytest.raises(RuntimeError, match="only in the main thread"):
-            measure(lambda: None, 1)
-        errors.append(simulate(TIMER_NODE, 2).status)  # simulated time does not mind
-
-    thread = threading.Thread(target=elsewhere)
-    thread.start()
-    thread.join()
-    assert errors == [0]
-
-
-def test_the_threads_of_a_wall_run_do_not_outlive_it() -> None:
-    calls: list[int] = []
-
-    def node() -> None:
-        rospy.init_node("node")
-        rospy.Timer(rospy.Duration(0.01), lambda event: calls.append(1))
-        rospy.sleep(0.1)
-
-    before = threading.enumerate()
-    measure(node, 60)
-    seen = len(calls)
-    for thread in set(threading.enumerate()) - set(before):
-        thread.join(60)
-        assert not thread.is_alive()
-    assert len(calls) <= seen + 1
+# --- the environment, several at once, and what is no node ------------------------------------------------------------
 
 
 def test_what_a_node_sets_in_the_environment_ends_with_its_run() -> None:
@@ -613,89 +509,12 @@ def test_a_process_of_a_node_in_simulated_time_is_named(write: Any, name: str, m
     assert pickle.loads(pickle.dumps(caught.value)).args == caught.value.args
 
 
-def test_on_the_wall_a_process_can_be_forked_but_not_made_anew(write: Any) -> None:
-    text = "import multiprocessing\nmultiprocessing.get_context({!r}).Process(target=print, args=['hi']).start()\n"
-    assert measure(write(text.format("fork")), 60).console == "hi\n"
-    with pytest.raises(
-        NotSimulated, match=r"multiprocessing.Process \(spawn\) is not simulated; run this node on a re"
-    ):
-        measure(write(text.format("spawn")), 60)
-
-
-ONE = "import rospy, threading\nfrom std_msgs.msg import UInt32\nrospy.init_node('node')\n"
-TWO = "import rclpy, threading\nrclpy.init()\nnode = rclpy.create_node('node')\n"
-TWO += "from std_msgs.msg import UInt32\n"
-CALLBACK = "def callback(*args):\n    import tf2_ros\n"
-PUBLISHES = "publisher = rospy.Publisher('a', UInt32, queue_size=1)\nfor _ in range(9):\n"
-PUBLISHES += "    publisher.publish(1)\n    rospy.sleep(0.1)\n"
-IN_A_THREAD = "threading.Thread(target=callback).start()\n"
-
-
-@pytest.mark.parametrize(
-    "calls",
-    [
-        (ONE, "rospy.Timer(rospy.Duration(0.1), callback)\nrospy.spin()\n"),
-        (ONE, f"rospy.Subscriber('a', UInt32, callback)\n{PUBLISHES}"),
-        (ONE, f"{IN_A_THREAD}rospy.spin()\n"),
-        (TWO, "node.create_timer(0.1, callback)\nrclpy.spin(node)\n"),
-        (TWO, f"{IN_A_THREAD}rclpy.spin(node)\n"),
-        (
-            TWO,
-            "node.create_subscription(UInt32, 'a', callback, 1)\npublisher = node.create_publisher(UInt32, 'a', 1)\n"
-            "node.create_timer(0.1, lambda: publisher.publish(UInt32()))\nrclpy.spin(node)\n",
-        ),
-    ],
-    ids=["timer", "subscriber", "thread", "timer 2", "thread 2", "subscriber 2"],
-)
-@pytest.mark.parametrize("how", [simulate, measure])
-def test_a_package_of_ros_that_is_imported_late_is_named(write: Any, calls: tuple[str, str], how: Any) -> None:
-    node = write(calls[0] + CALLBACK + calls[1])
-    with pytest.raises(NotSimulated, match=r"tf2_ros is not simulated; run this node on a real ROS") as caught:
-        how(node, 2)
-    if how is simulate:
-        assert say_error(caught.value).startswith(f"{node}:{len(calls[0].splitlines()) + 2}: tf2_ros")
-
-
 def test_a_node_can_do_without_a_package_of_ros(write: Any) -> None:
     node = write("import rospy\ntry:\n    import tf2_ros\nexcept ImportError:\n    print('without')\n")
     assert simulate(node, 1).console == "without\n"
 
 
 # --- what a node does to its surroundings -----------------------------------------------------------------------------
-
-
-@pytest.mark.parametrize("how", [simulate, measure])
-def test_an_error_is_told_where_stderr_is_gone(write: Any, how: Any) -> None:
-    node = write(
-        """
-        import sys, threading
-        def fail():
-            raise RuntimeError("boom")
-        sys.stderr = None
-        thread = threading.Thread(target=fail, name="worker")
-        thread.start()
-        thread.join()
-        fail()
-        """
-    )
-    run = how(node, 60)
-    assert run.status == 1
-    assert run.console.count("rosspin: sys.stderr is None, and Python would show nothing of this:\n") == 2
-    assert run.console.count("RuntimeError: boom\n") == 2
-    assert "Exception in thread worker:\n" in run.console
-    assert sys.stderr is not None
-
-
-@pytest.mark.parametrize("how", [simulate, measure])
-def test_a_node_may_remove_the_folder_that_it_is_in(how: Any) -> None:
-    def node() -> None:
-        folder = tempfile.mkdtemp()
-        os.chdir(folder)
-        os.rmdir(folder)
-        print("gone")
-
-    before = os.getcwd()
-    assert (how(node, 60).console, os.getcwd()) == ("gone\n", before)
 
 
 def test_a_run_can_begin_in_a_folder_that_was_removed(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
@@ -731,28 +550,6 @@ def test_the_time_since_logging_began_is_simulated() -> None:
 
 
 # --- files in the way -------------------------------------------------------------------------------------------------
-
-
-@pytest.mark.parametrize(
-    ("file", "whose"),
-    [
-        ("random.py", "Python's module random"),
-        ("queue.py", "Python's module queue"),
-        ("copy/__init__.py", "Python's module copy"),
-        ("rospy.py", "ROS 1's module rospy"),
-        ("std_msgs/__init__.py", "ROS 1's module std_msgs"),
-        ("sensor_msgs.py", "ROS 1's module sensor_msgs"),
-    ],
-)
-@pytest.mark.parametrize("how", [simulate, measure])
-def test_a_file_in_the_way_of_a_module_is_named(write: Any, tmp_path: Path, file: str, whose: str, how: Any) -> None:
-    (tmp_path / file).parent.mkdir(exist_ok=True)
-    write("", file)
-    text = "import rospy, std_msgs.msg, sensor_msgs.msg, random, queue, copy\nprint(random.Random, copy.copy)\n"
-    console = how(write(text), 60).console
-    said = f" is in the way of {whose}: on a real ROS whatever imports {whose.split()[-1]} is given this file\n"
-    assert console.startswith("rosspin: ") and console.partition("\n")[0].endswith(f"{file}{said.rstrip()}")
-    assert console.endswith("<class 'random.Random'> <function copy at " + console.rpartition("copy at ")[2])
 
 
 def test_a_node_may_itself_be_in_the_way(write: Any) -> None:

@@ -2,18 +2,13 @@
 
 from __future__ import annotations
 
-import re
-from collections.abc import Callable
 from pathlib import Path
 from typing import Any
 
 import day
-import lateness
-import live
 import pytest
 import ratios
 import ros2
-import ros2_beside
 import site_build
 import threads
 import ticks
@@ -78,12 +73,6 @@ def test_ticks_of_ros_2_that_are_missing_are_an_error() -> None:
         ros2.run(lambda: None, 3)
 
 
-def test_lateness_is_compared_with_the_real_rclpy(require: Callable[[str], None]) -> None:
-    require("ros2")
-    title, *lines = ros2_beside.report(turns=[(50, 0.2)], rounds=1)
-    assert ["p50 of 10 ticks" in line and "at most 1" in line for line in lines] == [True, False]
-
-
 def test_a_day_is_complete_and_leaves_no_memory() -> None:
     title, speed, memory = day.report(hours=0.1, rounds=1)
     assert "720 counters" in title
@@ -97,14 +86,6 @@ def test_a_day_that_lacks_a_counter_is_an_error(monkeypatch: pytest.MonkeyPatch)
     monkeypatch.setattr(day, "PERIOD", 0.25)
     with pytest.raises(AssertionError, match="not 8 counters"):
         day.spin(2.0)
-
-
-def test_lateness_is_compared_with_deadlines() -> None:
-    title, *lines = lateness.report(turns=[(50, 0.2)], rounds=1)
-    assert [re.sub(" of .* ticks", "", line[:40]).split()[:4] for line in lines] == [
-        ["50", "Hz,", f"{quantile},", name] for quantile in ("p50", "p99") for name in ("Timer", "Rate")
-    ]
-    assert all(re.search(r"\(.* (ms|µs|s) / .* (ms|µs|s)\)$", line) for line in lines)
 
 
 def test_the_build_is_compared_with_its_notebooks(tmp_path: Path) -> None:
@@ -132,10 +113,3 @@ def test_the_build_is_compared_with_its_notebooks(tmp_path: Path) -> None:
 )
 def test_a_line_says_whether_its_goal_holds(value: float, goal: Any, expected: str) -> None:
     assert ratios.line("what", value, **goal).endswith(expected)
-
-
-def test_the_page_is_measured(site: Path, require: Callable[[str], None]) -> None:
-    require("browser")
-    lines = list(live.report(rounds=1, seconds=1.0, pause=0.0))
-    assert sum("at most" in line for line in lines) == 8
-    assert "10 ticks" in lines[-1]

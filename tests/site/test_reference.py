@@ -3,20 +3,19 @@
 from __future__ import annotations
 
 import inspect
-import json
 import re
 import socket
 import subprocess
 import sys
-from collections.abc import Callable
 from pathlib import Path
 
 import pytest
 from bs4 import BeautifulSoup
+from names_of_rclpy import names_on_page
 from tree import ROOT
 
 import rosspin
-from rosspin import console, exercises, machine, measures, plots, rclpy, ros2, roscpp, rospy
+from rosspin import console, exercises, machine, measures, plots, rclpy, roscpp, rospy
 
 PAGES = [ROOT / "index.rst", *sorted(ROOT.glob("docs/**/*.rst")), *sorted(ROOT.glob("notebooks/*.md"))]
 
@@ -54,24 +53,8 @@ def test_every_name_of_the_stand_in_is_listed_once(site: Path) -> None:
     assert all(row.get_text().strip() for row in page.select("td:last-child"))
 
 
-def test_every_name_of_the_real_rospy_is_known(require: Callable[[str], None]) -> None:
-    require("ros1")
-    code = "import json, rospy; print(json.dumps([n for n in dir(rospy) if n[0] != '_']))"
-    real = json.loads(subprocess.run(["/usr/bin/python3", "-c", code], check=True, capture_output=True).stdout)
-    unknown = [name for name in real if name not in rospy.NOT_SIMULATED and not hasattr(rospy, name)]
-    assert unknown == []
-    assert rospy.NOT_SIMULATED - set(real) <= {"numpy_msg"}  # a module that is imported by itself
-
-
-def _names_of_rclpy(site: Path) -> dict[str, list[str]]:
-    """By module, those that the page lists."""
-    rows = _page(site, "reference/rclpy-names").select("#supported tbody tr")
-    cells = [[[code.get_text() for code in cell.select("code")] for cell in row.select("td")] for row in rows]
-    return {module: names for [module], names in cells}
-
-
 def test_every_name_of_the_stand_in_for_rclpy_is_listed_once(site: Path) -> None:
-    page, found = _page(site, "reference/rclpy-names"), _names_of_rclpy(site)
+    page, found = _page(site, "reference/rclpy-names"), names_on_page(site)
     assert found.keys() == rclpy.MODULES.keys()
     assert all(found.values())
     assert {name for names in found.values() for name in names} == {
@@ -82,39 +65,6 @@ def test_every_name_of_the_stand_in_for_rclpy_is_listed_once(site: Path) -> None
     lacks = [code.get_text() for code in page.select("#not-supported > p:nth-of-type(2) code")]
     missing = {f"rclpy.{name}" for name in rclpy.NOT_SIMULATED}
     assert sorted(lacks) == sorted(missing | {f"Node.{name}" for name in rclpy.node.NOT_SIMULATED})
-
-
-@pytest.fixture(scope="module")
-def real_rclpy(require: Callable[[str], None]) -> dict[str, list[str]]:
-    """The public names of the modules that the stand-in has, of the package itself, and of a Node."""
-    require("ros2")
-    code = (
-        "import importlib, json, pkgutil, sys\n"
-        "names = {name: dir(importlib.import_module(name)) for name in sys.argv[1:]}\n"
-        "import rclpy, rclpy.node\n"
-        "names[''] = [module.name for module in pkgutil.iter_modules(rclpy.__path__)]\n"
-        "names['Node'] = dir(rclpy.node.Node)\n"
-        "print(json.dumps({key: [n for n in found if n[0] != '_'] for key, found in names.items()}))\n"
-    )
-    with ros2.Nodes() as nodes:
-        real: dict[str, list[str]] = json.loads(nodes.run([ros2.python(), "-c", code, *rclpy.MODULES], 60).console)
-    return real
-
-
-def test_the_real_rclpy_has_the_names_that_are_listed(site: Path, real_rclpy: dict[str, list[str]]) -> None:
-    listed = {(module, name) for module, names in _names_of_rclpy(site).items() for name in names}
-    lacking = {(module, name) for module, name in listed if name not in real_rclpy[module]}
-    assert lacking == {("rclpy.timer", "TimerInfo")}  # which Kilted has
-
-
-def test_every_module_of_the_real_rclpy_and_every_name_of_its_node_is_known(
-    real_rclpy: dict[str, list[str]],
-) -> None:
-    ours = {name.split(".")[1] for name in rclpy.MODULES if "." in name}
-    assert set(real_rclpy[""]) - ours - rclpy.NOT_SIMULATED == set()
-    assert rclpy.NOT_SIMULATED <= set(real_rclpy[""])
-    unknown = [name for name in real_rclpy["Node"] if not hasattr(rclpy.node.Node, name)]
-    assert set(unknown) == rclpy.node.NOT_SIMULATED
 
 
 def test_docstrings_say_something() -> None:

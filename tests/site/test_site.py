@@ -7,25 +7,22 @@ import pickle
 import re
 import shlex
 import subprocess
-import sys
 import tomllib
-from collections.abc import Callable, Iterator
+from collections.abc import Iterator
 from pathlib import Path
 from urllib.parse import unquote, urlsplit
 
 import pytest
 import yaml
 from bs4 import BeautifulSoup, Tag
+from commands import COMMANDS, PAGES, SIMULATED
 from docutils import nodes
-from outcomes import until_lucky
 from tree import DOCTREES, ROOT, SITE
 
-NOTEBOOKS = sorted(path.stem for path in (ROOT / "notebooks").glob("*.md"))
-SOURCES = [
-    path.relative_to(ROOT).with_suffix("").as_posix()
-    for path in [ROOT / "index.rst", *sorted(ROOT.glob("docs/**/*.rst")), *sorted(ROOT.glob("notebooks/*.md"))]
-]
+from rosspin.__main__ import main
 
+NOTEBOOKS = sorted(path.stem for path in (ROOT / "notebooks").glob("*.md"))
+SOURCES = [page.relative_to(ROOT).with_suffix("").as_posix() for page in PAGES]
 # What a browser loads by itself, as (selector, attribute).
 LOADED = [
     *((tag, "src") for tag in ("script", "img", "iframe", "audio", "video", "source", "embed", "input")),
@@ -52,13 +49,13 @@ def pages(site: Path) -> dict[Path, BeautifulSoup]:
     return {path: BeautifulSoup(path.read_text(encoding="utf-8"), "html.parser") for path in files}
 
 
-def _page(name: str) -> BeautifulSoup:
-    return BeautifulSoup((SITE / f"{name}.html").read_text(encoding="utf-8"), "html.parser")
-
-
 @pytest.mark.parametrize("name", sorted({"index", "docs/tutorial", "notebooks/timer", "notebooks/rate", *SOURCES}))
 def test_page_is_built(site: Path, name: str) -> None:
     assert (site / f"{name}.html").is_file()
+
+
+def _page(name: str) -> BeautifulSoup:
+    return BeautifulSoup((SITE / f"{name}.html").read_text(encoding="utf-8"), "html.parser")
 
 
 def test_links_lead_somewhere(pages: dict[Path, BeautifulSoup]) -> None:
@@ -244,47 +241,24 @@ def test_there_are_as_many_examples_as_there_were(site: Path) -> None:
     assert len(prompts) + sum(node.get("testnodetype") == "testcode" for node in literals) >= 183
 
 
-def _commands() -> dict[str, str]:
-    """The commands that README and the site tell a reader to type, each with where it stands."""
-    readme = (ROOT / "README.md").read_text(encoding="utf-8")
-    code = re.findall(r"```\w*\n(.*?)```|`([^`\n]+)`", readme, re.DOTALL)
-    texts = {"README.md": [text for pair in code for text in pair]}
-    for name in SOURCES:
-        if (SITE / f"{name}.html").exists():
-            texts[name] = [tag.get_text() for tag in _page(name).select("pre, code")]
-    found: dict[str, str] = {}
-    for place, literals in texts.items():
-        for line in "\n".join(literals).replace("\\\n", " ").splitlines():
-            command = line.strip().removeprefix("$ ")
-            if re.match(r"make [a-z]|rosspin run |\S*python3? -m rosspin run ", command):
-                found.setdefault(command, place)
-    return found
-
-
 def test_readme_shows_its_commands() -> None:
-    assert {"make html", "make test"} <= _commands().keys()
+    assert {"make html", "make test"} <= set(COMMANDS)
 
 
-@pytest.mark.parametrize("command", [command for command in _commands() if command.startswith("make ")])
+@pytest.mark.parametrize("command", [command for command in COMMANDS if command.startswith("make ")])
 def test_make_command_exists(command: str) -> None:
     subprocess.run([*shlex.split(command), "--dry-run"], cwd=ROOT, check=True, capture_output=True)
 
 
-@pytest.mark.parametrize("command", [command for command in _commands() if " run " in command])
-def test_run_command_works(command: str, tmp_path: Path, require: Callable[[str], None]) -> None:
-    """Typed as it stands, in a folder that has the examples; a run without an end is given one."""
-    if "--ros2" in command:
-        require("ros2")
+@pytest.mark.parametrize("command", SIMULATED)
+def test_simulated_run_works(
+    command: str, tmp_path: Path, monkeypatch: pytest.MonkeyPatch, capsys: pytest.CaptureFixture[str]
+) -> None:
+    """Typed as it stands, in a folder that has the examples; those of the wall clock and of ROS are in tests/real."""
     (tmp_path / "examples").symlink_to(ROOT / "examples")
-    arguments = shlex.split(command.partition(" run ")[2])
-    end = [] if "--seconds" in arguments else ["--seconds", "1.2"]
-    typed = [sys.executable, "-m", "rosspin", "run", *end, *arguments]
-    run = until_lucky(
-        lambda: subprocess.run(typed, cwd=tmp_path, capture_output=True, text=True, timeout=60),
-        lambda run: run.stdout + run.stderr,
-    )
-    assert run.returncode == 0, run.stderr
-    assert "counter = 1" in run.stdout + run.stderr
+    monkeypatch.chdir(tmp_path)
+    assert main(["run", *shlex.split(command.partition(" run ")[2])]) == 0
+    assert "counter = 1" in "".join(capsys.readouterr())
 
 
 def test_readme_links_lead_somewhere() -> None:

@@ -1,4 +1,4 @@
-"""The built site on a local server, Chromium, and what is open in it."""
+"""What is open in Chromium."""
 
 from __future__ import annotations
 
@@ -7,28 +7,11 @@ from pathlib import Path
 
 import pytest
 from hand_ins import NO_PYTHON, Table, exchange
-from in_chromium import launched, served
 from listings_in_page import LISTINGS, Cell, open_tutorial
 from looks import PATIENCE, faults
-from playwright.sync_api import Browser, BrowserContext, Page, ViewportSize, expect
-
-expect.set_options(timeout=PATIENCE)
+from playwright.sync_api import Browser, BrowserContext, Page, ViewportSize
 
 LARGE = ViewportSize(width=1280, height=900)
-
-
-@pytest.fixture(scope="module")
-def address(site: Path) -> Iterator[str]:
-    """The site on a local server."""
-    with served(site) as address:
-        yield address
-
-
-@pytest.fixture(scope="module")
-def browser(chromium: str) -> Iterator[Browser]:
-    """One browser for all pages."""
-    with launched(chromium) as browser:
-        yield browser
 
 
 @pytest.fixture

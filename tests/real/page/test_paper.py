@@ -6,10 +6,7 @@ import re
 from collections.abc import Iterator
 
 import pytest
-from figures import (
-    FIGURES,
-    opened,
-)
+from figures import FIGURES, opened
 from playwright.sync_api import Browser, BrowserContext, Locator, Page, expect
 
 

@@ -1,0 +1,60 @@
+"""What only the real lane has: what a machine may lack, and the site in Chromium."""
+
+from __future__ import annotations
+
+import os
+from collections.abc import Callable, Iterator
+from pathlib import Path
+
+import pytest
+from in_chromium import launched, served
+from lacking import LACKS
+from looks import PATIENCE
+from playwright.sync_api import Browser, expect
+
+from rosspin import doctor
+
+expect.set_options(timeout=PATIENCE)
+
+
+def _required() -> set[str]:
+    return set(os.environ.get("ROSSPIN_REQUIRE", "").replace(",", " ").split())
+
+
+def pytest_configure() -> None:
+    if unknown := _required() - LACKS.keys():
+        raise pytest.UsageError(f"ROSSPIN_REQUIRE knows {', '.join(LACKS)}; not {', '.join(sorted(unknown))}")
+
+
+@pytest.fixture(scope="session")
+def require() -> Callable[[str], None]:
+    """``require("ros1")`` skips the test where ROS 1 is lacking; with ROSSPIN_REQUIRE=ros1 it fails there."""
+
+    def check(name: str) -> None:
+        if reason := LACKS[name]():
+            (pytest.fail if name in _required() else pytest.skip)(reason)
+
+    return check
+
+
+@pytest.fixture(scope="session")
+def chromium(require: Callable[[str], None]) -> str:
+    """The path of Chromium."""
+    require("browser")
+    path = doctor.chromium()
+    assert path
+    return path
+
+
+@pytest.fixture(scope="module")
+def address(site: Path) -> Iterator[str]:
+    """The site on a local server."""
+    with served(site) as address:
+        yield address
+
+
+@pytest.fixture(scope="module")
+def browser(chromium: str) -> Iterator[Browser]:
+    """One browser for all pages."""
+    with launched(chromium) as browser:
+        yield browser

@@ -1,0 +1,32 @@
+"""The parts of the benchmark that need a real clock run, at tiny sizes."""
+
+from __future__ import annotations
+
+import re
+from collections.abc import Callable
+from pathlib import Path
+
+import lateness
+import live
+import ros2_beside
+
+
+def test_lateness_is_compared_with_the_real_rclpy(require: Callable[[str], None]) -> None:
+    require("ros2")
+    title, *lines = ros2_beside.report(turns=[(50, 0.2)], rounds=1)
+    assert ["p50 of 10 ticks" in line and "at most 1" in line for line in lines] == [True, False]
+
+
+def test_lateness_is_compared_with_deadlines() -> None:
+    title, *lines = lateness.report(turns=[(50, 0.2)], rounds=1)
+    assert [re.sub(" of .* ticks", "", line[:40]).split()[:4] for line in lines] == [
+        ["50", "Hz,", f"{quantile},", name] for quantile in ("p50", "p99") for name in ("Timer", "Rate")
+    ]
+    assert all(re.search(r"\(.* (ms|µs|s) / .* (ms|µs|s)\)$", line) for line in lines)
+
+
+def test_the_page_is_measured(site: Path, require: Callable[[str], None]) -> None:
+    require("browser")
+    lines = list(live.report(rounds=1, seconds=1.0, pause=0.0))
+    assert sum("at most" in line for line in lines) == 8
+    assert "10 ticks" in lines[-1]

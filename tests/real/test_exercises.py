@@ -1,0 +1,57 @@
+"""The exercises on a real ROS: what the solutions say is so there."""
+
+from __future__ import annotations
+
+import re
+from collections.abc import Callable
+from pathlib import Path
+
+import pytest
+from answers import CELLS, answer_in, section, solution_of
+from outcomes import TRIES, until_lucky, watching
+
+from rosspin.console import read_ticks
+from rosspin.ros1 import Workspace
+from rosspin.ros2 import launch
+
+
+def test_the_cpp_node_does_what_the_solution_says(require: Callable[[str], None], tmp_path: Path) -> None:
+    require("ros1")
+    [kept] = re.findall(r"```cpp\n(.*?)```", section(3), re.DOTALL)
+    nodes = tmp_path / "kept.cpp", tmp_path / "not_kept.cpp"
+    for node, text in zip(nodes, (kept, kept.replace("    timer_ =", "    ros::Timer timer_ =")), strict=True):
+        node.write_text(text)
+    with Workspace() as workspace:
+        workspace.add_nodes("nodes", *nodes)
+        workspace.build()
+        workspace.start_master()
+
+        def ticks(node: str, blocks_for: str) -> list[float]:
+            """When callbacks 3 to 6 come, as a recording of one; the third is due at 1.2 s."""
+            [program] = workspace.folder.glob(f"devel/lib/nodes/{node}")
+            output = workspace.run([str(program), f"_blocks_for:={blocks_for}"], 4.5, None)
+            found = [tick.real for tick in read_ticks(output.console)][2:6]
+            return [1.2 + time - found[0] for time in found]
+
+        for blocks_for in ("0.6", "1.0"):
+            after = solution_of(3)[f"after_{blocks_for.replace('.', '_')}_seconds"]
+            wanted = pytest.approx([1.2, *after], abs=0.15)
+            for _ in range(TRIES):
+                with watching() as stalled:
+                    found = ticks("kept", blocks_for)
+                if found == wanted or not stalled.is_set():
+                    break
+            assert found == wanted
+        assert ticks("not_kept", "0.6") == solution_of(3)["not_kept"]
+
+
+@pytest.mark.parametrize("number", [25, 26])
+def test_the_solution_ends_well_on_the_real_ros_2(number: int, require: Callable[[str], None], tmp_path: Path) -> None:
+    """What the unchanged cells do, scenarios of their own hold: ``ctrl_c_spin``, ``ctrl_c_rate_nobody_spins``."""
+    require("ros2")
+    node = tmp_path / "node.py"
+    node.write_text(answer_in(CELLS[number][1]))
+    run = until_lucky(lambda: launch(node, 1.73))  # between passes of 25, within a callback of 26
+    assert run.status == 0
+    assert "Traceback" not in run.console
+    assert run.console.endswith("speed = 0.0\n") or "counter = 2" in run.console

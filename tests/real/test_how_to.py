@@ -1,0 +1,189 @@
+"""The how-to pages on a real ROS, and where output comes at once: what they tell a reader to do works."""
+
+from __future__ import annotations
+
+import os
+import re
+import signal
+import subprocess
+import sys
+from collections.abc import Callable, Iterator
+from itertools import pairwise
+from pathlib import Path
+
+import pytest
+from outcomes import launch_past, until_lucky
+from tree import ROOT
+
+from rosspin import ros2, simulate
+from rosspin.console import read_ticks
+from rosspin.ros1 import Workspace
+
+PACKAGE = ROOT / "examples" / "my_robotics_pkg"
+PACKAGE_ROS2 = ROOT / "examples" / "my_robotics_pkg_ros2"
+
+
+class _AsInAPipe(Workspace):
+    """Without the variables by which rosspin itself has lines shown at once."""
+
+    @property
+    def environment(self) -> dict[str, str]:
+        ours = ("PYTHONUNBUFFERED", "ROSCONSOLE_STDOUT_LINE_BUFFERED")
+        return {name: value for name, value in super().environment.items() if name not in ours}
+
+
+@pytest.fixture(scope="module")
+def ros1(require: Callable[[str], None]) -> Iterator[Workspace]:
+    """A workspace on the real ROS with the package built, and a master."""
+    require("ros1")
+    with _AsInAPipe() as workspace:
+        workspace.add_package(PACKAGE)
+        workspace.build()
+        workspace.start_master()
+        yield workspace
+
+
+@pytest.mark.parametrize("name", ["spinner_param_py_node.py", "spinner_param_cpp_node"])
+def test_the_frequency_is_a_parameter_on_the_real_ros(ros1: Workspace, name: str) -> None:
+    node = PACKAGE / "src" / name if name.endswith(".py") else next(ros1.folder.glob(f"devel/lib/*/{name}"))
+    run = ros1.run([str(node), "_frequency:=5"], 4.0)
+    stamps = [tick.real for tick in read_ticks(run.console)]
+    assert run.status == 0
+    assert min(later - earlier for earlier, later in pairwise(stamps)) < 0.35
+    refused = ros1.run([str(node), "_frequency:=0"], 60.0)
+    assert refused.status == 1
+    assert "frequency must be above 0" in refused.console
+
+
+def test_the_uneven_node_on_the_real_ros(ros1: Workspace) -> None:
+    """The sixth call tells of the one that took long, as in simulated time."""
+    node = ROOT / "examples" / "how-to" / "uneven_py_node.py"
+    real = ros1.run([str(node)], 0.0, begins=re.compile("counter = 6"))
+    for console in (simulate(node, 0.9).console, real.console):
+        assert re.search(r"counter = 6, [\d.]+ s after a call that took 0\.[2-9]", console)
+
+
+def _wheels(console: str) -> list[tuple[str, str]]:
+    """What the odometer node of the page on locks reported: pairs that should be equal."""
+    return re.findall(r"left = (\d+), right = (\d+)", console)
+
+
+THREADS = ROOT / "examples" / "threads"
+
+
+def test_callbacks_that_share_data_on_the_real_ros(ros1: Workspace, tmp_path: Path) -> None:
+    """Without the lock a report shows half a reading, with it none does, in Python and in C++."""
+    unlocked = tmp_path / "torn_cpp_node.cpp"
+    text = (THREADS / "locked_cpp_node.cpp").read_text(encoding="utf-8")
+    unlocked.write_text(re.sub(r".*\b(lock_guard|std::mutex)\b.*\n", "", text), encoding="utf-8")
+    assert unlocked.read_text(encoding="utf-8").count("\n") == text.count("\n") - 3
+    ros1.add_nodes("odometer", unlocked, THREADS / "locked_cpp_node.cpp")
+    ros1.build()
+    program = {path.name: str(path) for path in ros1.folder.glob("devel/lib/odometer/*_node")}
+    nodes = {name: str(THREADS / f"{name}_py_node.py") for name in ("torn", "locked")}
+    for torn, locked in ((nodes["torn"], nodes["locked"]), (program["torn_cpp_node"], program["locked_cpp_node"])):
+        wrong, right = (_wheels(ros1.run([node], 4.5).console) for node in (torn, locked))
+        assert any(left != right for left, right in wrong)
+        assert right and all(left == right for left, right in right)
+
+
+def test_callbacks_that_share_data_on_the_real_ros_2(require: Callable[[str], None]) -> None:
+    """Without the lock a report shows half a reading, with it none does."""
+    require("ros2")
+    wrong, right = (
+        _wheels(ros2.launch(THREADS / f"ros2/{name}_py_node.py", 2.5).console) for name in ("torn", "locked")
+    )
+    assert any(left != right for left, right in wrong)
+    assert right and all(left == right for left, right in right)
+
+
+def test_a_roscpp_node_needs_no_lock_under_spin(ros1: Workspace, tmp_path: Path) -> None:
+    text = (THREADS / "locked_cpp_node.cpp").read_text(encoding="utf-8")
+    text = re.sub(r".*\b(lock_guard|std::mutex)\b.*\n", "", text)
+    text = re.sub(r"  ros::AsyncSpinner(.|\n)*waitForShutdown", "  ros::spin", text)
+    (tmp_path / "spun_cpp_node.cpp").write_text(text, encoding="utf-8")
+    ros1.add_nodes("spun", tmp_path / "spun_cpp_node.cpp")
+    ros1.build()
+    found = _wheels(ros1.run([str(next(ros1.folder.glob("devel/lib/spun/spun_cpp_node")))], 4.5).console)
+    assert found and all(left == right for left, right in found)
+
+
+class _UntilBothCount:
+    """A console that presses Ctrl-C as soon as both nodes have been heard."""
+
+    def __init__(self, workspace: Workspace) -> None:
+        self._workspace = workspace
+        self._heard: set[str] = set()
+
+    def write(self, text: str) -> None:
+        self._heard |= {tick.source for tick in read_ticks(text)}
+        if len(self._heard) == 2:
+            os.kill(self._workspace._children[-1].pid, signal.SIGINT)
+
+    def flush(self) -> None:
+        pass
+
+
+def test_the_launch_file_shows_lines_at_once(ros1: Workspace) -> None:
+    """Lines that came only at the end could not end the run: it would go on until the time is up."""
+    file = PACKAGE / "launch" / "spinner_at_once.launch"
+    command = [str(ros1.folder / "devel/env.sh"), "roslaunch", "-p", str(ros1.port), str(file)]
+    run = ros1.run(command, 60.0, _UntilBothCount(ros1))  # type: ignore[arg-type]
+    assert max(tick.number for tick in read_ticks(run.console)) < 60  # after 60 s it would be 120
+
+
+@pytest.mark.parametrize("runtime", ["wall", "ros2"])
+def test_lines_of_ros_2_come_at_once_on_stderr(require: Callable[[str], None], tmp_path: Path, runtime: str) -> None:
+    """Lines that came only at the end would never be read: the node goes on until one was."""
+    node = str(PACKAGE_ROS2 / "my_robotics_pkg" / "spinner_py_node.py")
+    command = [sys.executable, "-m", "rosspin", "run", node]
+    environment = {name: value for name, value in os.environ.items() if name not in ("PYTHONUNBUFFERED", "NO_COLOR")}
+    if runtime == "ros2":
+        require("ros2")
+        command = [ros2.python(), node]
+        environment |= {"ROS_AUTOMATIC_DISCOVERY_RANGE": "OFF", "ROS_LOG_DIR": str(tmp_path)}
+    child = subprocess.Popen(command, env=environment, stdout=subprocess.PIPE, stderr=subprocess.PIPE, text=True)
+    try:
+        assert child.stderr
+        line = next(line for line in child.stderr if "counter = 1" in line)
+        child.send_signal(signal.SIGINT)
+        printed, _ = child.communicate(timeout=60)
+    finally:
+        child.kill()
+    assert re.fullmatch(r"\[INFO\] \[\d+\.\d{9}\] \[spinner_py_node\]: \[SPINNER PY NODE\] counter = 1\n", line)
+    assert printed == ""
+    # The real one may also end in an error: Ctrl-C on a log line now and then meets rclpy's own shutdown half-way.
+    assert runtime == "ros2" or child.returncode == 0
+
+
+@pytest.mark.parametrize("namespace", ["/", "/mrp"])
+def test_the_frequency_is_a_parameter_on_the_real_ros_2(require: Callable[[str], None], namespace: str) -> None:
+    """That of the file, 10 Hz, in any namespace."""
+    require("ros2")
+    file = str(PACKAGE_ROS2 / "config" / "spinner.yaml")
+    args = ["--ros-args", "-r", f"__ns:={namespace}", "--params-file", file]
+    node = PACKAGE_ROS2 / "my_robotics_pkg/spinner_param_py_node.py"
+    run = until_lucky(lambda: ros2.launch(node, 2.05, args))
+    assert run.status == 0
+    assert min(later.expected - earlier.expected for earlier, later in pairwise(run.ticks)) < 0.15
+
+
+def test_a_frequency_without_a_point_is_refused_on_the_real_ros_2(require: Callable[[str], None]) -> None:
+    require("ros2")
+    file = PACKAGE_ROS2 / "my_robotics_pkg/spinner_param_py_node.py"
+    run = ros2.launch(file, 60.0, ["--ros-args", "-p", "frequency:=5"])
+    assert run.status == 1
+    assert "to '5' of type 'INTEGER', expecting type 'DOUBLE'" in run.console
+
+
+@pytest.mark.parametrize("args", [["-p", "frequency:=5.0"], ["--ros-args", "-p", "frequency_in_hz:=5.0"]])
+def test_a_frequency_not_meant_for_the_node_is_ignored_on_the_real_ros_2(
+    require: Callable[[str], None], args: list[str]
+) -> None:
+    """Without --ros-args, or of another name: the node keeps its own, and nothing is said."""
+    require("ros2")
+    node = PACKAGE_ROS2 / "my_robotics_pkg/spinner_param_py_node.py"
+    run = launch_past("counter = 2", node, args)
+    assert run.status == 0
+    assert min(later.expected - earlier.expected for earlier, later in pairwise(run.ticks)) > 0.45
+    assert all("[SPINNER PY NODE] counter = " in line for line in run.console.splitlines())

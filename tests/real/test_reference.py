@@ -1,0 +1,55 @@
+"""The reference: what it lists is what the real rospy and the real rclpy have."""
+
+from __future__ import annotations
+
+import json
+import subprocess
+from collections.abc import Callable
+from pathlib import Path
+
+import pytest
+from names_of_rclpy import names_on_page
+
+from rosspin import rclpy, ros2, rospy
+
+
+def test_every_name_of_the_real_rospy_is_known(require: Callable[[str], None]) -> None:
+    require("ros1")
+    code = "import json, rospy; print(json.dumps([n for n in dir(rospy) if n[0] != '_']))"
+    real = json.loads(subprocess.run(["/usr/bin/python3", "-c", code], check=True, capture_output=True).stdout)
+    unknown = [name for name in real if name not in rospy.NOT_SIMULATED and not hasattr(rospy, name)]
+    assert unknown == []
+    assert rospy.NOT_SIMULATED - set(real) <= {"numpy_msg"}  # a module that is imported by itself
+
+
+@pytest.fixture(scope="module")
+def real_rclpy(require: Callable[[str], None]) -> dict[str, list[str]]:
+    """The public names of the modules that the stand-in has, of the package itself, and of a Node."""
+    require("ros2")
+    code = (
+        "import importlib, json, pkgutil, sys\n"
+        "names = {name: dir(importlib.import_module(name)) for name in sys.argv[1:]}\n"
+        "import rclpy, rclpy.node\n"
+        "names[''] = [module.name for module in pkgutil.iter_modules(rclpy.__path__)]\n"
+        "names['Node'] = dir(rclpy.node.Node)\n"
+        "print(json.dumps({key: [n for n in found if n[0] != '_'] for key, found in names.items()}))\n"
+    )
+    with ros2.Nodes() as nodes:
+        real: dict[str, list[str]] = json.loads(nodes.run([ros2.python(), "-c", code, *rclpy.MODULES], 60).console)
+    return real
+
+
+def test_the_real_rclpy_has_the_names_that_are_listed(site: Path, real_rclpy: dict[str, list[str]]) -> None:
+    listed = {(module, name) for module, names in names_on_page(site).items() for name in names}
+    lacking = {(module, name) for module, name in listed if name not in real_rclpy[module]}
+    assert lacking == {("rclpy.timer", "TimerInfo")}  # which Kilted has
+
+
+def test_every_module_of_the_real_rclpy_and_every_name_of_its_node_is_known(
+    real_rclpy: dict[str, list[str]],
+) -> None:
+    ours = {name.split(".")[1] for name in rclpy.MODULES if "." in name}
+    assert set(real_rclpy[""]) - ours - rclpy.NOT_SIMULATED == set()
+    assert rclpy.NOT_SIMULATED <= set(real_rclpy[""])
+    unknown = [name for name in real_rclpy["Node"] if not hasattr(rclpy.node.Node, name)]
+    assert set(unknown) == rclpy.node.NOT_SIMULATED
