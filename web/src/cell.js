@@ -9,6 +9,8 @@ import { start, warmUp } from "./python.js"
 /** For how long (s) a node runs, unless the reader says otherwise. */
 const SECONDS = "10"
 
+const SEE_CONSOLE = "error: see the console"
+
 /** What a node has in it that reads its command line. */
 const READS_ARGUMENTS = /\b(get_param|search_param|declare_parameters?|argv)\b/
 
@@ -62,18 +64,16 @@ function sayProgress(place, page) {
  * @param {HTMLElement} listing
  */
 function made(listing) {
-  const next = (listing.closest(".literal-block-wrapper") ?? listing).nextElementSibling
-  return next instanceof HTMLElement && next.matches("figure.live-made") ? next : null
+  const next = /** @type {HTMLElement | null} */ ((listing.closest(".literal-block-wrapper") ?? listing).nextElementSibling)
+  return next?.matches("figure.live-made") ? next : null
 }
 
 /**
- * The modules that are loaded when they are first needed; `base` is the address of the folder that our files are in.
+ * The module share.js; `base` is the address of the folder that our files are in.
  *
  * @type {(base: string) => Promise<typeof import("./share.js")>}
  */
 export const loadShare = (base) => import(`${base}share.js`)
-/** @type {(base: string) => Promise<typeof import("./editor.js")>} */
-const loadEditor = (base) => import(`${base}editor.js`)
 
 export class Cell {
   #base
@@ -90,7 +90,7 @@ export class Cell {
   #simulates // whether its first line says for how long it runs
   /** @type {HTMLElement | null} */
   #made = null // the plot that was made with the page, if there is one
-  /** @type {HTMLElement | null} */
+  /** @type {HTMLElement | null | undefined} */
   #output // of a notebook's cell: what it printed when the site was built
   #test = "" // pins what the last run showed
   #ran = "" // what the last run ran
@@ -109,18 +109,18 @@ export class Cell {
     this.#base = base
     this.#index = index
     this.#pre = find("pre", listing)
-    this.#original = this.#pre.textContent ?? ""
+    this.#original = /** @type {string} */ (this.#pre.textContent)
     this.#highlighted = [...this.#pre.childNodes]
     const caption = listing.parentElement?.querySelector(".code-block-caption .caption-text")
     const [, magic, number] = this.#original.match(/^%%(\w+) (\S+)/) ?? []
     this.#answers = magic === "answer"
     this.#simulates = magic === "simulate"
     // hand-in.js, which is on each page that has exercises, keeps the answers to all of them.
-    const answer = this.#answers ? window.rosspinStore?.of(number) : undefined
-    this.#kept = answer ?? new Kept(`${location.pathname}:${index}`, this.#original)
+    const answer = this.#answers && window.rosspinStore?.of(number)
+    this.#kept = answer || new Kept(`${location.pathname}:${index}`, this.#original)
     this.#kept.changed = (said) => this.#own || this.#follow(said)
-    this.#name = this.#answers ? `answer ${number}` : String((caption?.textContent ?? "node.py").trim().split("/").at(-1))
-    this.#output = listing.closest(".cell")?.querySelector(".cell_output") ?? null
+    this.#name = this.#answers ? `answer ${number}` : (caption?.textContent ?? "node.py").trim().replace(/.*\//, "")
+    this.#output = listing.closest(".cell")?.querySelector(".cell_output")
     this.#made = made(listing)
     const button = (/** @type {string} */ text, /** @type {() => void} */ act) => {
       const element = make("button", { type: "button", textContent: text, ariaLabel: `${text} ${this.#name}` })
@@ -167,19 +167,19 @@ export class Cell {
     if (!this.#answers) bar.append(this.speed)
     if (isNode) bar.append(this.arguments)
     bar.append(this.status)
-    const parts = [this.notice, bar, this.copied, this.console.element, this.plot.element]
-    return make("div", { className: "live-cell" }, ...parts, ...(this.#made ? [this.#made] : []))
+    const parts = [this.notice, bar, this.copied, this.console.element, this.plot.element, this.#made ?? ""]
+    return make("div", { className: "live-cell" }, ...parts)
   }
 
   /** The text as it is now. */
   get #text() {
-    return this.#editor?.text() ?? this.#pre.textContent ?? ""
+    return this.#editor?.text() ?? /** @type {string} */ (this.#pre.textContent)
   }
 
   /** Offer what can be done with the text as it is: arguments for a node that reads some, Reset for one that was changed. */
   #offer() {
     this.arguments.hidden = !READS_ARGUMENTS.test(this.#text) && !this.args.value
-    this.args.placeholder = EXAMPLE[this.#text.match(/\b(rospy|rclpy)\b/)?.[1] ?? ""] ?? ""
+    this.args.placeholder = EXAMPLE[String(this.#text.match(/\brospy\b|\brclpy\b/))] ?? ""
     this.reset.ariaDisabled = String(!this.#own && this.#untouched && this.console.empty)
     this.earlier.hidden = !this.#kept.hasEarlier
   }
@@ -259,7 +259,7 @@ export class Cell {
   #bringBack() {
     this.#end()
     this.#clear(false)
-    this.#follow(this.#kept.bringBack?.() ?? "")
+    this.#follow(/** @type {string} */ (this.#kept.bringBack?.()))
   }
 
   /**
@@ -270,7 +270,8 @@ export class Cell {
   async #edit(line) {
     this.#warmUp()
     if (!this.#editor) {
-      const loaded = await loadEditor(this.#base).catch(() => null)
+      /** @type {typeof import("./editor.js") | null} */
+      const loaded = await import(`${this.#base}editor.js`).catch(() => null)
       if (!loaded) return this.#say("error: the editor could not be loaded. Is the site still there?")
       if (this.#editor) return
       this.#editor = loaded.open(this.#text, `Code of ${this.#name}. Escape leaves the editor.`, {
@@ -326,7 +327,7 @@ export class Cell {
     this.#restore()
     this.#own ??= this.#kept
     this.#kept = kept
-    this.seconds.value = String(seconds)
+    this.seconds.value = `${seconds}`
     this.args.value = args
     this.notice.textContent = notice
     this.notice.hidden = false
@@ -345,8 +346,8 @@ export class Cell {
       const { address } = await loadShare(this.#base)
       await this.#copy(await address(this.#pre, listing), "the link is copied; the code is in it")
     } catch (error) {
-      const isTooLong = error instanceof RangeError
-      this.#say(`error: ${isTooLong ? error.message : "the link could not be made. Is the site still there?"}`)
+      const { said = "the link could not be made. Is the site still there?" } = /** @type {{said?: string}} */ (error)
+      this.#say(`error: ${said}`)
     }
   }
 
@@ -416,8 +417,9 @@ export class Cell {
       this.plot.add(message.ticks)
     } else if (message.kind === "end") {
       this.#worker = null
-      if ("verdict" in message.result) this.#showVerdict(message.result)
-      else this.#showRun(message.result)
+      const { result } = message
+      if ("solved" in result) this.#say((result.verdict || SEE_CONSOLE) + this.#progress(result.solved))
+      else this.#finish(result)
     } else {
       this.#end()
       this.console.print([[true, `${message.reason}\n`, 0, 0]], 0)
@@ -426,20 +428,15 @@ export class Cell {
   }
 
   /** @param {import("./protocol.js").RunResult} result */
-  #showRun({ status, errors, count, ticks, chunks, alternative, end, test }) {
+  #finish({ status, errors, count, ticks, chunks, alternative, end, test }) {
     this.#test = test
     this.pin.hidden = !test
     if (count) this.plot.finish(ticks, alternative, chunks, end)
     const ticked = count ? `: ${count} tick${count === 1 ? "" : "s"}` : ""
-    if (status === 0 && errors) this.#say("done, but with an error: see the console")
+    if (status === 0 && errors) this.#say(`done, but with an ${SEE_CONSOLE}`)
     else if (status === 0) this.#say(`done${ticked}`)
     else if (status === BY_CTRL_C) this.#say(`done${ticked}, ended by Ctrl-C with a traceback`)
-    else this.#say("error: see the console")
-  }
-
-  /** @param {import("./runs.js").Judged} result */
-  #showVerdict({ verdict, solved }) {
-    this.#say(verdict ? verdict + this.#progress(solved) : "error: see the console")
+    else this.#say(SEE_CONSOLE)
   }
 
   /**

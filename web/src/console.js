@@ -46,8 +46,7 @@ export class Console {
   }
 
   clear() {
-    this.element.hidden = true
-    this.#notice.hidden = true
+    this.element.hidden = this.#notice.hidden = true
     this.#text.replaceChildren()
     this.#leftOut = 0
     this.#open = false
@@ -108,7 +107,7 @@ export class Console {
     const button = make("button", { type: "button", textContent: found[0] })
     if (logged) button.title = `line ${line}`
     button.addEventListener("click", () => this.#goTo(line))
-    const at = Number(found.index)
+    const at = /** @type {number} */ (found.index)
     return [text.slice(0, at), button, text.slice(at + found[0].length)]
   }
 
@@ -123,7 +122,7 @@ export class Console {
         last.append(line)
         last.chunks.push(number)
       } else {
-        const element = Object.assign(make("span"), { chunks: [number] })
+        const element = make("span", /** @type {object} */ ({ chunks: [number] }))
         if (isError) element.className = "stderr"
         element.append(...(isError || this.#all ? this.#linked(line, logged) : [line]))
         this.#text.append(element)

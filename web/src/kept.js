@@ -9,7 +9,7 @@ export const PREFIX = "rosspin:"
  * @param {unknown} error what it has thrown
  */
 export const why = (error) =>
-  error instanceof Error && /quota/i.test(error.name) ? "the browser's storage is full" : "this browser keeps nothing here"
+  /quota/i.test(/** @type {Error} */ (error).name) ? "the browser's storage is full" : "this browser keeps nothing here"
 
 /**
  * A short text that differs when the given one does (FNV-1a).
@@ -18,7 +18,7 @@ export const why = (error) =>
  */
 export function fingerprint(text) {
   let hash = 0x811c9dc5
-  for (const character of text) hash = Math.imul(hash ^ Number(character.codePointAt(0)), 0x01000193)
+  for (const character of text) hash = Math.imul(hash ^ /** @type {number} */ (character.codePointAt(0)), 0x01000193)
   return (hash >>> 0).toString(16)
 }
 

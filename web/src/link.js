@@ -15,13 +15,13 @@ async function* read(stream) {
 }
 
 /**
- * The fragment that carries a listing. RangeError: it is too long.
+ * The fragment that carries a listing. RangeError: it is too long, which it has `said`.
  *
  * @param {Listing} listing
  */
 export async function pack(listing) {
   const bytes = new TextEncoder().encode(JSON.stringify(listing))
-  if (bytes.length > MOST) throw new RangeError("the listing is too long for a link")
+  if (bytes.length > MOST) throw Object.assign(new RangeError(), { said: "the listing is too long for a link" })
   let text = ""
   for await (const part of read(new Blob([bytes]).stream().pipeThrough(new CompressionStream("deflate-raw")))) {
     for (const byte of part) text += String.fromCharCode(byte)

@@ -7,13 +7,9 @@ import { notHere } from "./python.js"
 
 const base = here().href
 
-/** Why Python cannot run here, in a sentence; "" if it can. */
-function missing() {
-  return notHere("run Python") || (HAS_JSPI ? "" : `This browser cannot run this listing: ${LACKS_JSPI}`)
-}
-
 document.querySelectorAll(".live-missing").forEach((line) => line.remove())
-const why = missing()
+/** Why Python cannot run here, in a sentence; "" if it can. */
+const why = notHere("run Python") || (HAS_JSPI ? "" : `This browser cannot run this listing: ${LACKS_JSPI}`)
 /** @type {NodeListOf<HTMLElement>} */
 const listings = document.querySelectorAll("div.live")
 const cells = why ? [] : [...listings].map((listing, index) => new Cell(listing, index, base))
@@ -27,7 +23,7 @@ async function receive() {
     if (why) throw new Error(why)
     await (await loadShare(base)).receive(cells)
   } catch (error) {
-    const textContent = error instanceof Error ? error.message : String(error)
+    const textContent = /** @type {Error} */ (error).message
     find("article").prepend(make("p", { className: "live-notice of-page", textContent, role: "alert" }))
   }
 }

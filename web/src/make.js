@@ -14,16 +14,11 @@ export function make(tag, properties = {}, ...children) {
 }
 
 /**
- * The element that this selector finds; Error: there is none.
+ * The element, known to be there, that this selector finds.
  *
- * @param {string} selector
- * @param {ParentNode} within
+ * @type {(selector: string, within?: ParentNode) => HTMLElement}
  */
-export function find(selector, within = document) {
-  const found = within.querySelector(selector)
-  if (!(found instanceof HTMLElement)) throw new Error(`this page has no ${selector}`)
-  return found
-}
+export const find = (selector, within = document) => /** @type {HTMLElement} */ (within.querySelector(selector))
 
 /** The address of the folder that the script which is being run is in. */
 export const here = () => new URL(".", /** @type {HTMLScriptElement} */ (document.currentScript).src)

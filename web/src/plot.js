@@ -81,7 +81,7 @@ export class Plot {
     const picture = /** @type {SVGSVGElement} */ (this.element.querySelector("svg"))
     const ring = draw("circle", { r: 5.5, fill: "none", stroke: "currentColor", "stroke-width": 1.2 })
     const properties = { className: "live-handle", tabIndex: 0, role: "slider", ariaLabel: this.#name }
-    const handle = make("div", { ...properties, ariaValueMin: "1", ariaValueMax: String(this.#ticks.length) })
+    const handle = make("div", { ...properties, ariaValueMin: "1", ariaValueMax: `${this.#ticks.length}` })
     const said = make("p", { className: "live-tick", ariaHidden: "true" }) // it is the handle's value
 
     const show = (/** @type {number} */ index) => {
@@ -89,11 +89,11 @@ export class Plot {
       ring.remove()
       const text = index < 0 ? "Choose a tick: point at it, or use the arrow keys here." : this.#describe(index)
       said.textContent = handle.ariaValueText = text
-      handle.ariaValueNow = String(Math.max(index + 1, 1))
+      handle.ariaValueNow = `${Math.max(index + 1, 1)}`
       if (index >= 0) {
         const [share, y] = this.#places[index]
         ring.setAttribute("cx", percent(100 * share))
-        ring.setAttribute("cy", String(y))
+        ring.setAttribute("cy", `${y}`)
         picture.lastElementChild?.append(ring)
       }
       this.#choose(this.#chunks[index] ?? [])

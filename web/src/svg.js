@@ -21,7 +21,7 @@ export const MARGIN = 0.016 // of the width, on either side of the ticks
  */
 export function draw(tag, attributes, ...children) {
   const element = document.createElementNS("http://www.w3.org/2000/svg", tag)
-  for (const [name, value] of Object.entries(attributes)) element.setAttribute(name, String(value))
+  for (const [name, value] of Object.entries(attributes)) element.setAttribute(name, /** @type {string} */ (value))
   element.append(...children)
   return element
 }
@@ -127,7 +127,7 @@ function heights(number, ticks) {
  */
 export function layOut(ticks, end) {
   const first = ticks[0][1] === 1 ? 0 : Math.min(...ticks.map(([, , expected]) => expected))
-  const last = Math.max(end, ...ticks.map(([, , expected, real, duration]) => Math.max(expected, real + Math.max(duration, 0))))
+  const last = Math.max(end, ...ticks.map(([, , expected, real, duration]) => Math.max(expected, real + duration)))
   const scale = { first, span: last - first || 1, kinds: 3, title: "time (s); line: expected, mark: real" }
   /** @type {Map<string, Row>} */
   const found = new Map()
@@ -135,13 +135,12 @@ export function layOut(ticks, end) {
     const row = found.get(source) ?? /** @type {Row} */ ([source, "", [], [], []])
     found.set(source, row)
     if (!row[2].includes(expected)) row[2].push(expected)
-    row[4].push([real, Math.max(duration, 0)])
+    row[4].push([real, duration])
   }
   const rows = [...found.values()]
   const down = new Map(rows.map(([source, , , , when], number) => [source, heights(number, when)]))
-  /** @type {(tick: import("./protocol.js").Tick) => [share: number, down: number]} */
-  const place = ([source, , , real]) => [(real - first) / scale.span, Number(down.get(source)?.shift())]
-  return { rows, scale, places: ticks.map(place) }
+  const places = ticks.map(([source, , , real]) => [(real - first) / scale.span, down.get(source)?.shift()])
+  return { rows, scale, places: /** @type {[share: number, down: number][]} */ (places) }
 }
 
 /**

@@ -22,7 +22,7 @@ test("where first ticks were left out, it begins at the first that is there, and
 test("a run of no length has an axis", () => assert.equal(layOut([tick("t", 1, 0)], 0).scale.span, 1))
 
 test("each source has a row, in the order of the first ticks, with each time that was expected once", () => {
-  const { rows } = layOut([tick("a", 1, 1), tick("b", 1, 1, { duration: -1 }), tick("a", 2, 1, { real: 1.2, duration: 0.1 })], 2)
+  const { rows } = layOut([tick("a", 1, 1), tick("b", 1, 1), tick("a", 2, 1, { real: 1.2, duration: 0.1 })], 2)
   assert.deepEqual(rows, [
     ["a", "", [1], [], [[1, 0], [1.2, 0.1]]],
     ["b", "", [1], [], [[1, 0]]],

@@ -124,3 +124,19 @@ def test_verdict_leads_to_the_line_that_it_names(exercises: Page) -> None:
         assert exercises.evaluate("getSelection().toString()") == "1 / 0"
         cell.editor.press("Control+Home")
     cell.button("Reset").click()
+
+
+def test_ticks_at_the_same_time_are_drawn_apart(exercises: Page) -> None:
+    """The plot of the blocking node shows both ticks at 2.2 s."""
+    cell = Cell(exercises, 1)
+    cell.write((cell.element.locator("pre").first.text_content() or "").replace("0.6", "1.0"))
+    cell.element.get_by_role("combobox").select_option("instantly")
+    cell.button("Run").click()
+    cell.ends("done: 7 ticks")
+    places = cell.plot.locator("circle").evaluate_all(
+        "all => all.map(c => c.getAttribute('cx') + ' ' + c.getAttribute('cy'))"
+    )
+    assert len(set(places)) == 7
+    assert len({place.split()[0] for place in places}) == 6
+    expect(cell.element.locator("figure:not(.live-made) figcaption")).to_contain_text("simulated")
+    cell.button("Reset").click()

@@ -178,22 +178,6 @@ def test_pointing_at_a_tick(tutorial: Page) -> None:
     assert cell.marked() == []
 
 
-def test_ticks_at_the_same_time_are_drawn_apart(exercises: Page) -> None:
-    """The plot of the blocking node shows both ticks at 2.2 s."""
-    cell = Cell(exercises, 1)
-    cell.write((cell.element.locator("pre").first.text_content() or "").replace("0.6", "1.0"))
-    cell.element.get_by_role("combobox").select_option("instantly")
-    cell.button("Run").click()
-    cell.ends("done: 7 ticks")
-    places = cell.plot.locator("circle").evaluate_all(
-        "all => all.map(c => c.getAttribute('cx') + ' ' + c.getAttribute('cy'))"
-    )
-    assert len(set(places)) == 7
-    assert len({place.split()[0] for place in places}) == 6
-    expect(cell.element.locator("figure:not(.live-made) figcaption")).to_contain_text("simulated")
-    cell.button("Reset").click()
-
-
 @pytest.mark.parametrize(
     ("body", "named", "line"),
     [
