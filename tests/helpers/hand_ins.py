@@ -70,6 +70,13 @@ def handed_in(name: Any = "Ada", **changed: Any) -> str:
     return json.dumps(made | changed)
 
 
+def impatient(site: Path) -> bytes:
+    """The script of the teachers' page, with a quarter of the time that an answer may take."""
+    script = (site / "_static/hand-in/judge.js").read_text(encoding="utf-8")
+    assert script.count("2e4") == 1
+    return script.replace("2e4", "5e3").encode()
+
+
 class Table:
     """The teachers' page."""
 

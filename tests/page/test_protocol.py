@@ -5,6 +5,7 @@ from __future__ import annotations
 import json
 import subprocess
 import sys
+from pathlib import Path
 from typing import Any
 
 import pytest
@@ -89,7 +90,7 @@ def test_all_that_is_said_is_read(subtests: pytest.Subtests) -> None:
 
     everything = messages + verdicts
     lines = "\n".join(map(json.dumps, everything))
-    command = [ROOT / ".venv/bin/node", "--input-type=module", "--eval", READ]
+    command: list[str | Path] = [ROOT / ".venv/bin/node", "--input-type=module", "--eval", READ]
     run = subprocess.run(command, input=lines, capture_output=True, text=True, check=True)
     names = [name for name in [*JOBS, "solved", "not yet", "open"] for _ in range(2)]
     for name, (kind, message), line in zip(names, everything, run.stdout.splitlines(), strict=True):

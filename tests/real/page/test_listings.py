@@ -4,7 +4,6 @@ from __future__ import annotations
 
 import re
 from pathlib import Path
-from typing import Literal
 
 import pytest
 from listings_in_page import (
@@ -15,7 +14,7 @@ from listings_in_page import (
     node,
     open_tutorial,
 )
-from looks import FAINT, TOO_WIDE
+from looks import FAINT, SCHEMES, TOO_WIDE, look
 from playwright.sync_api import Browser, BrowserContext, Page, Response, expect
 from tree import EXAMPLES
 
@@ -133,16 +132,16 @@ def test_policy_forbids_other_inline_scripts(context: BrowserContext, address: s
 # --- how it looks -----------------------------------------------------------------------------------------------------
 
 
-@pytest.mark.parametrize("scheme", ["light", "dark"])
-@pytest.mark.parametrize("width", [390, 1280])
-def test_looks(browser: Browser, address: str, width: int, scheme: Literal["light", "dark"]) -> None:
+def test_looks(page: Page, address: str) -> None:
     """An open cell with its editor, console and plot fits a phone, and its text stands out in light and in dark."""
-    with browser.new_context(viewport={"width": width, "height": 900}, color_scheme=scheme) as context:
-        page = context.new_page()
-        open_tutorial(page, address)
-        cell = Cell(page, TIMER)
-        cell.write(node("rospy.logerr('late')\nrospy.Timer(rospy.Duration(0.1), lambda event: None)\nrospy.spin()"))
-        cell.run(2)
-        cell.ends("done")
-        expect(cell.plot).to_be_visible()
-        assert page.evaluate(TOO_WIDE) + page.evaluate(FAINT) == []
+    open_tutorial(page, address)
+    cell = Cell(page, TIMER)
+    cell.write(node("rospy.logerr('late')\nrospy.Timer(rospy.Duration(0.1), lambda event: None)\nrospy.spin()"))
+    cell.run(2)
+    cell.ends("done")
+    expect(cell.plot).to_be_visible()
+    for width in (1280, 390):
+        page.set_viewport_size({"width": width, "height": 900})
+        for scheme in SCHEMES:
+            look(page, scheme)
+            assert page.evaluate(TOO_WIDE) + page.evaluate(FAINT) == [], (width, scheme)
