@@ -1,4 +1,4 @@
-# `make html` builds the site, `make test` checks everything. Both set up .venv by themselves.
+# `make html` builds the site, `make test` checks it and the code. Both set up .venv by themselves.
 
 PYTHON ?= python3
 PORT ?= 8000
@@ -44,7 +44,7 @@ SPHINX = $(BIN)/sphinx-build -M $@ . build -n
 
 # html, doctest and outputs share their parsed pages, so one runs after the other.
 .NOTPARALLEL:
-.PHONY: html test doctest outputs linkcheck serve lab bench ros1 ros2 record definitions pins clean
+.PHONY: html test judge doctest outputs linkcheck serve lab bench ros1 ros2 record definitions pins clean
 
 html doctest linkcheck: $(VENV)
 	$(SPHINX) -W --keep-going $(SPHINXOPTS)
@@ -69,11 +69,18 @@ $(NPM)-for-test: $(NPM)
 outputs: $(VENV)
 	$(SPHINX) -q
 
+# The lanes of the tests: see tests/README.md. That of what is real comes with ROSSPIN_REQUIRE, which says what must be
+# there. A whole file at a time: its tests share what they have built or started.
+PYTEST := $(BIN)/pytest --numprocesses 2 --dist loadfile --no-loadscope-reorder
+
 test: $(VENV:=-for-test) $(NPM)-for-test html doctest
 	$(BIN)/ruff check
 	$(BIN)/mypy
-	@# A file that waits (for ROS, for a clock, for a browser) beside one that works.
-	$(BIN)/pytest --numprocesses 2 --dist loadfile
+	$(PYTEST)
+	$(if $(ROSSPIN_REQUIRE),$(PYTEST) tests/real)
+
+judge: $(VENV:=-for-test) html
+	$(BIN)/pytest tests/real/judge
 
 serve: html
 	$(BIN)/python -m http.server --bind 127.0.0.1 --directory build/html $(PORT)

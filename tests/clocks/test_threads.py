@@ -16,6 +16,7 @@ from typing import Any
 import pytest
 
 from rosspin import TimeStandsStill, measure, rospy, simulate
+from rosspin.clocks import watchdog
 
 # Only so that a test that hangs ends at all.
 NEVER = 60
@@ -324,6 +325,24 @@ def test_a_child_that_a_node_forks_does_not_come_back_to_the_host() -> None:
     assert os.getpid() == here
 
 
+def test_a_node_that_stands_in_line_for_a_processor_is_not_ended(
+    impatient: None, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    """As on a machine that has too much to do; it works for twice as long as a node may that has a processor."""
+
+    def node() -> None:
+        done = time.process_time() + 0.9
+        while time.process_time() < done:
+            pass
+        print("done")
+
+    with monkeypatch.context() as patch:
+        patch.setattr(watchdog._FromAThread, "_scheduled_until_now", lambda self: (0.0, time.perf_counter()))
+        assert simulate(node, 1).console == "done\n"
+    with pytest.raises(TimeStandsStill):
+        simulate(node, 1)
+
+
 def test_an_import_that_never_ends(impatient: None, write: Any) -> None:
     write("while True: pass\n", "endless.py")
     with pytest.raises(TimeStandsStill, match="endless.py:1: "):
@@ -362,10 +381,13 @@ def test_the_time_of_the_processor_is_real() -> None:
 # --- what waits in real time ------------------------------------------------------------------------------------------
 
 
+SLEEPS = f"subprocess.run([{sys.executable!r}, '-c', 'import time; time.sleep(60)'])"
+
+
 @pytest.mark.parametrize(
     ("code", "line", "call"),
     [
-        ("import subprocess\nsubprocess.run(['sleep', '60'])\n", 2, "subprocess.run(['sleep', '60'])"),
+        (f"import subprocess\n{SLEEPS}\n", 2, SLEEPS),
         ("import socket\ns = socket.create_server(('localhost', 0))\ns.accept()\n", 3, "s.accept()"),
         ("import select\n\nselect.select([], [], [], 60)\n", 3, "select.select([], [], [], 60)"),
         ("import asyncio\nasyncio.run(asyncio.sleep(60))\n", 2, "asyncio.run(asyncio.sleep(60))"),

@@ -9,8 +9,9 @@ from contextlib import contextmanager
 from pathlib import Path
 from typing import Any
 
-# Programs that a test of the simulated lane may start. The last three are what the author of a page types.
-PROGRAMS = ("python", "node", "make", "git", "sh")
+# Programs that a test of the simulated lane may start: Python and node, what the author of a page types, and commands
+# in launch files.
+PROGRAMS = (*("python", "node"), *("make", "git", "sh"), *("false", "yes", "rosspin-nowhere"))
 
 _watched = False
 _seen: list[str] = []

@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import os
 import re
+import shutil
 import signal
 import subprocess
 import sys
@@ -12,6 +13,7 @@ from itertools import pairwise
 from pathlib import Path
 
 import pytest
+from bs4 import BeautifulSoup
 from outcomes import launch_past, until_lucky
 from tree import ROOT
 
@@ -21,6 +23,22 @@ from rosspin.ros1 import Workspace
 
 PACKAGE = ROOT / "examples" / "my_robotics_pkg"
 PACKAGE_ROS2 = ROOT / "examples" / "my_robotics_pkg_ros2"
+
+
+def test_the_example_test_passes_in_a_package_of_the_reader_s_own(site: Path, tmp_path: Path) -> None:
+    """By the commands on the page; the package knows nothing of this environment."""
+    page = BeautifulSoup((site / "docs/how-to/test-timing.html").read_text(encoding="utf-8"), "html.parser")
+    shown = "\n".join(tag.get_text() for tag in page.select(".highlight-console pre"))
+    *elsewhere, _ = re.findall(r"^\$ (.*)", shown, re.MULTILINE)
+    shutil.copytree(ROOT / "examples" / "controller", tmp_path, dirs_exist_ok=True)
+    (tmp_path / "rosspin").symlink_to(ROOT)
+    environment = {name: value for name, value in os.environ.items() if not name.startswith("PYTHON")}
+    for command in elsewhere:
+        run = subprocess.run(command, shell=True, cwd=tmp_path, env=environment, capture_output=True, text=True)
+        if "NewConnectionError" in run.stderr:
+            pytest.skip("pip can reach no package index")
+        assert run.returncode == 0, run.stdout + run.stderr
+    assert "2 passed" in run.stdout
 
 
 class _AsInAPipe(Workspace):

@@ -2,136 +2,35 @@
 
 from __future__ import annotations
 
-import os
 import re
 import shutil
-import subprocess
-import sys
 import textwrap
 from pathlib import Path
 
 import pytest
+from author import HOW_TO, copied, entry_of, go_the_way, listed_in, places_in, typed, without_runs
 from tree import ROOT
 
 from rosspin.site.claims import Facts, Stale, report, sentence_near
 from rosspin.site.outputs import stale_copies, stale_picture, write
 
-HOW_TO = (ROOT / "docs/how-to/adapt-a-page.rst").read_text(encoding="utf-8")
-COMMANDS = re.findall(r"^ +\$ (.*)", HOW_TO, re.MULTILINE)
+# Enough for the way of the how-to; all pages go it in tests/real.
+FEW_PAGES = [
+    *("docs/tutorial.rst", "docs/reference/launch-files.rst", "docs/glossary.rst"),
+    *("notebooks/timer.md", "notebooks/rate.md"),
+]
+
+
+EXERCISES = "notebooks/ros2-exercises.md"
 
 
 @pytest.fixture(scope="module")
-def tree(tmp_path_factory: pytest.TempPathFactory) -> Path:
-    """A copy of what git tracks, as an author has it. To be quick, two notebooks are run, and measure for a moment.
-
-    What the others answer to exercises stays there as text.
-    """
-    folder = tmp_path_factory.mktemp("author") / "rosspin"
-    listed = subprocess.run(["git", "ls-files", "-z"], cwd=ROOT, check=True, capture_output=True, text=True).stdout
-    for name in filter(None, listed.split("\0")):
-        if (ROOT / name).is_file():
-            (folder / name).parent.mkdir(parents=True, exist_ok=True)
-            shutil.copy(ROOT / name, folder / name)
-    for notebook in folder.glob("notebooks/*.md"):
-        text = notebook.read_text().replace("%%measure 6", "%%measure 0.5")
-        if notebook.stem not in ("timer", "rate"):
-            text = re.sub(r"^```\{code-cell\}(.*\n)*?```\n", _not_run, text, flags=re.MULTILINE)
-        notebook.write_text(text)
-    git = ["git", "-c", "user.name=author", "-c", "user.email=author@localhost"]
-    for command in (["init", "--quiet"], ["add", "."], ["commit", "--quiet", "--message", "As it was"]):
-        subprocess.run([*git, *command], cwd=folder, check=True)
-    return folder
+def few(tmp_path_factory: pytest.TempPathFactory) -> Path:
+    return copied(tmp_path_factory.mktemp("author"), FEW_PAGES)
 
 
-def _not_run(cell: re.Match[str]) -> str:
-    return cell[0].replace("{code-cell} ipython3", "text", 1) if "\n%%answer " in cell[0] else ""
-
-
-def _type(command: str, tree: Path) -> subprocess.CompletedProcess[str]:
-    """Type a command in the tree, which uses this environment and runs no listing in the page."""
-    if command.startswith("make "):
-        command += f" VENV= WEB= BIN={sys.prefix}/bin"
-    environment = os.environ | {"PYTHONPATH": str(tree / "src")}
-    return subprocess.run(command, shell=True, cwd=tree, env=environment, capture_output=True, text=True)
-
-
-def _list(output: str) -> str:
-    _, _, found = output.partition("What follows no longer holds:\n")
-    return found
-
-
-def _entry(listed: str, start: str) -> str:
-    (entry,) = (part for part in listed.split("\n\n") if part.startswith(start))
-    return entry
-
-
-# What the author of the how-to writes in place of what.
-SPELT_ANEW = {
-    "[0.5, 1.0, 1.5, 2.0]": "[0.4, 0.8, 1.2, 1.6, 2.0]",
-    "0.5": "0.4",
-    "   assert launched_periods == {period}\n": "",
-    '   assert every["rospy"] == every["rclpy"]\n': "",
-    '   assert counted["rospy", ""] == counted["rclpy", ""] == ["1", "2", "3", "4"], counted\n': "",
-}
-
-
-def test_the_how_to_is_a_way_through(tree: Path) -> None:
-    into, change, back, *rest = COMMANDS
-    build, outputs, diff, doctest, again = rest
-    assert rest == ["make html", "make outputs", "git diff", "make doctest", "make html"]
-    assert _type(f"{into}; {change}; {back}; test -f conf.py", tree).returncode == 0
-
-    # The list: all pages and notebooks, with no frames of anybody's.
-    run = _type(build, tree)
-    listed = _list(run.stdout)
-    assert run.returncode != 0
-    # But for what ipykernel logs if a kernel's sockets have been closed before it has ended.
-    said = re.sub(r".*exception in ZMQStream callback\nTraceback(.*\n)+?zmq\..*\n", "", run.stdout + run.stderr)
-    assert "Traceback" not in said and 'File "' not in said
-    assert "exception" not in said.lower()
-    lines = (tree / "docs/tutorial.rst").read_text().splitlines()
-    line = lines.index("   [INFO] [0.500000]: [SPINNER PY NODE] counter = 1")  # the output begins one line above
-    entry = _entry(listed, f"docs/tutorial.rst:{line} (make outputs)\n")
-    assert f"   docs/tutorial.rst:{line} (make outputs)\n" in (tree / "docs/how-to/adapt-a-page.rst").read_text()
-    assert re.search(r"stands (.*\n)+.*\[1\.500000\]: .* counter = 3\n", entry)
-    assert re.search(r"now (.*\n)+.*\[1\.200000\]: .* counter = 3\n", entry)
-    fact = _entry(listed, f"docs/tutorial.rst:{lines.index('   assert period == 0.5') + 1}\n")
-    assert re.search(r"text +In this tutorial .* twice a second", fact) and "now     period is 0.4" in fact
-    cell = _entry(listed, "notebooks/rate.md:")
-    assert "stands  assert" in cell and "(0.0, 0.4)" in cell
-    for place in (r"README\.md:\d+ \(make", r"notebooks/timer\.md:\d+ \(make", r"docs/how-timing-works\.rst:\d+$"):
-        assert re.search(f"^{place}", listed, re.MULTILINE)
-
-    # The outputs are written, and what is left is the author's: in the timer's notebook, what the new node did not do.
-    run = _type(outputs, tree)
-    assert run.returncode == 0, run.stderr
-    changed = _type(diff, tree).stdout
-    assert "+   [INFO] [0.400000]: [SPINNER PY NODE] counter = 1" in changed
-    assert "+        timer_delta_t_in_seconds = 0.4" in changed
-    run = _type(doctest, tree)
-    assert re.search(r"^ +0 failures in tests$", run.stdout, re.MULTILINE)
-    assert "(make outputs)" not in run.stdout
-    left = _places(_list(run.stdout))
-    assert run.returncode != 0
-    assert len(left) == len(_places(listed, r"$")) + 1
-    written = {"README.md", "docs/reference/launch-files.rst"}  # all that was listed of them
-    assert {page for page, _ in left} == {page for page, line in _places(listed)} - written
-
-    # The author writes it, and the build succeeds. From the end, so that no line moves before it is found.
-    for page, number in sorted(left, reverse=True):
-        text = (tree / page).read_text().splitlines(keepends=True)
-        old = next(old for old in SPELT_ANEW if old in text[number - 1])
-        text[number - 1] = text[number - 1].replace(old, SPELT_ANEW[old])
-        (tree / page).write_text("".join(text))
-    run = _type(again, tree)
-    assert run.returncode == 0, run.stdout + run.stderr
-    # Numbers in sentences without a line of their own in the list follow by themselves.
-    assert "make the delta 0.1 instead of 0.4" in (tree / "build/html/docs/tutorial.html").read_text()
-
-
-def _places(listed: str, end: str = "") -> set[tuple[str, int]]:
-    """Page and line of each entry, or of those whose first line ends as this pattern says."""
-    return {(page, int(line)) for page, line in re.findall(rf"^([\w./-]+):(\d+){end}", listed, re.MULTILINE)}
+def test_the_how_to_is_a_way_through(few: Path) -> None:
+    go_the_way(few, runs_timer=False)
 
 
 # What a figure is asked for, and what is said of it.
@@ -171,26 +70,22 @@ _SOLUTION = "```{code-cell} ipython3\n:tags: [hide-cell]\n\n%%answer 20\nafter_1
 
 
 @pytest.fixture(scope="module")
-def wrong(tree: Path) -> str:
+def wrong(few: Path) -> str:
     """What is listed where figures cannot be made, a solution is wrong, and an exercise has no cell."""
-    figures, exercises = tree / "docs" / "glossary.rst", tree / "notebooks" / "ros2-exercises.md"
-    before = {page: page.read_text() for page in (figures, exercises)}
-    directives = ("\n.. ticks:: " + text.replace("\n", "\n   ") + "\n" for text in _WRONG_FIGURES)
-    figures.write_text(before[figures] + "".join(directives))
+    figures, exercises = few / "docs" / "glossary.rst", few / EXERCISES
+    with open(figures, "a") as page:
+        page.writelines("\n.. ticks:: " + text.replace("\n", "\n   ") + "\n" for text in _WRONG_FIGURES)
+    text = without_runs((ROOT / EXERCISES).read_text()).replace("%%answer 21\n", "%%answer\n")
     reader = _SOLUTION.replace("hide-cell", "live")
-    exercises.write_text(before[exercises].replace("%%answer 21\n", "%%answer\n") + _START + _SOLUTION + reader)
-    try:
-        return _list(_type("make doctest", tree).stdout)
-    finally:
-        for page, text in before.items():
-            page.write_text(text)
+    exercises.write_text(text + _START + _SOLUTION + reader)
+    return listed_in(typed("make doctest", few).stdout)
 
 
 def test_a_figure_that_cannot_be_made_is_in_the_list(wrong: str) -> None:
     for why in _WRONG_FIGURES.values():
         entry = rf"docs/glossary\.rst:\d+\n  stands  a plot of .*\n  now     {re.escape(why)}\n"
         assert re.search(entry, wrong), why
-    assert len([page for page, _ in _places(wrong) if page == "docs/glossary.rst"]) == len(_WRONG_FIGURES)
+    assert len([page for page, _ in places_in(wrong) if page == "docs/glossary.rst"]) == len(_WRONG_FIGURES)
 
 
 def test_the_cell_with_a_slider_makes_a_figure(monkeypatch: pytest.MonkeyPatch) -> None:
@@ -204,10 +99,10 @@ def test_the_cell_with_a_slider_makes_a_figure(monkeypatch: pytest.MonkeyPatch) 
     assert 'max="2"' in figure.html and "0.4 s" in figure.html
 
 
-def test_exercises_are_solved_by_their_solutions_and_none_is_missing(tree: Path, wrong: str) -> None:
-    page = (tree / "notebooks" / "ros2-exercises.md").read_text()
+def test_exercises_are_solved_by_their_solutions_and_none_is_missing(few: Path, wrong: str) -> None:
+    page = (few / EXERCISES).read_text()
     line = page.count("\n") + 1 + (_START + _SOLUTION).count("\n", 0, (_START + _SOLUTION).index("%%"))
-    entry = _entry(wrong, f"notebooks/ros2-exercises.md:{line}\n")
+    entry = entry_of(wrong, f"notebooks/ros2-exercises.md:{line}\n")
     assert re.search(r"stands +%%answer 20\n +now +Exercise 20: not yet\.\n(.*\n)* +Hint: ", entry)
     assert wrong.count("%%answer 20") == 1  # where a reader starts, an answer need not be right
     assert 'no cell with %%answer 21\n  now     rosspin.exercises checks exercise 21, "Call back once"\n' in wrong

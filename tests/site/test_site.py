@@ -23,16 +23,11 @@ from rosspin.__main__ import main
 
 NOTEBOOKS = sorted(path.stem for path in (ROOT / "notebooks").glob("*.md"))
 SOURCES = [page.relative_to(ROOT).with_suffix("").as_posix() for page in PAGES]
-# What a browser loads by itself, as (selector, attribute).
-LOADED = [
-    *((tag, "src") for tag in ("script", "img", "iframe", "audio", "video", "source", "embed", "input")),
-    *((f"link[rel~={rel}]", "href") for rel in ("stylesheet", "icon", "manifest", "preload", "modulepreload")),
-    *((f"link[rel~={rel}]", "href") for rel in ("prefetch", "preconnect", "dns-prefetch")),
-    *((tag, "srcset") for tag in ("img", "source")),
-    *((tag, attribute) for tag in ("image", "use") for attribute in ("href", "xlink:href")),
-    ("object", "data"),
-    ("video", "poster"),
-]
+# What a browser loads by itself: attributes of these tags, and of links that stand in these relations.
+LOADED = {tag: {"src"} for tag in ("script", "iframe", "audio", "embed", "input")}
+LOADED |= {tag: {"src", "srcset"} for tag in ("img", "source")}
+LOADED |= {tag: {"href", "xlink:href"} for tag in ("image", "use")} | {"object": {"data"}, "video": {"src", "poster"}}
+LOADED_LINKS = {"stylesheet", "icon", "manifest", "preload", "modulepreload", "prefetch", "preconnect", "dns-prefetch"}
 FOREIGN = re.compile(r"\s*(?:[a-z]+:)?//", re.IGNORECASE)
 FOREIGN_IN_CSS = re.compile(r"""(?:url\(\s*|@import\s+)["']?(?:[a-z]+:)?//[^)"';]*""", re.IGNORECASE)
 FOREIGN_IN_JS = re.compile(
@@ -42,7 +37,7 @@ FOREIGN_IN_JS = re.compile(
 )
 
 
-@pytest.fixture(scope="session")
+@pytest.fixture(scope="module")
 def pages(site: Path) -> dict[Path, BeautifulSoup]:
     """Every built page, parsed, by its path."""
     files = [path for path in sorted(site.rglob("*.html")) if "_static" not in path.parts]
@@ -59,14 +54,11 @@ def _page(name: str) -> BeautifulSoup:
 
 
 def test_links_lead_somewhere(pages: dict[Path, BeautifulSoup]) -> None:
-    anchors = {
-        path: {str(tag[name]) for name in ("id", "name") for tag in page.select(f"[{name}]")}
-        for path, page in pages.items()
-    }
+    tags = {path: page.find_all(True) for path, page in pages.items()}
+    anchors = {path: {str(tag.get(name)) for tag in of for name in ("id", "name")} for path, of in tags.items()}
     broken = []
-    for path, page in pages.items():
-        for tag in page.select("[href], [src]"):
-            target = str(tag.get("href") or tag.get("src"))
+    for path, of in tags.items():
+        for target in {str(target) for tag in of if (target := tag.get("href") or tag.get("src"))}:
             url = urlsplit(target)
             if url.scheme or url.netloc or target == "#":  # "#" is a button of the theme
                 continue
@@ -143,14 +135,34 @@ def test_a_topic_is_drawn_from_its_messages() -> None:
     assert labels == ["Timeline. /counter: 4 ticks from 0.500 s to 2.000 s. All 4 ticks were on time."]
 
 
+def _loaded(page: BeautifulSoup) -> list[str]:
+    """The addresses that a browser loads by itself."""
+    tags = page.find_all(True)
+    loaded = [str(tag[name]) for tag in tags for name in LOADED.get(tag.name, ()) if tag.get(name)]
+    links = [tag for tag in tags if tag.name == "link" and LOADED_LINKS & set(tag.get_attribute_list("rel"))]
+    return loaded + [str(tag["href"]) for tag in links]
+
+
+@pytest.mark.parametrize(
+    ("text", "loaded"),
+    [
+        ('<script src="a"></script><iframe src="b"></iframe><video src="c" poster="d"></video>', ["a", "b", "c", "d"]),
+        ('<img src="a" srcset="b 2x"><svg><use xlink:href="c"/><image href="d"/></svg>', ["a", "b 2x", "c", "d"]),
+        ('<object data="a"></object><link rel="icon stylesheet" href="b">', ["a", "b"]),
+        ('<a href="a">b</a><link rel="next" href="c"><p style="d">e</p>', []),
+    ],
+)
+def test_what_a_browser_loads_is_known(text: str, loaded: list[str]) -> None:
+    assert sorted(_loaded(BeautifulSoup(text, "html.parser"))) == loaded
+
+
 def test_pages_load_nothing_from_elsewhere(pages: dict[Path, BeautifulSoup]) -> None:
     foreign = []
     for path, page in pages.items():
-        loaded = [str(tag[name]) for selector, name in LOADED for tag in page.select(selector) if tag.get(name)]
-        inline = [tag.get_text() for tag in page.select("style")]
-        inline += [str(tag["style"]) for tag in page.select("[style]")]
-        scripts = [tag.get_text() for tag in page.select("script")]
-        found = [url for url in loaded if any(FOREIGN.match(part) for part in url.split(","))]
+        inline = [tag.get_text() for tag in page.find_all("style")]
+        inline += [str(tag["style"]) for tag in page.find_all(style=True)]
+        scripts = [tag.get_text() for tag in page.find_all("script")]
+        found = [url for url in _loaded(page) if any(FOREIGN.match(part) for part in url.split(","))]
         found += [hit for text in inline for hit in FOREIGN_IN_CSS.findall(text)]
         found += [hit for text in scripts for hit in FOREIGN_IN_JS.findall(text)]
         foreign += [f"{path.relative_to(SITE)}: {hit}" for hit in found]

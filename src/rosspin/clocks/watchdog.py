@@ -20,7 +20,8 @@ from .stacks import Stack, current
 
 __all__ = ["Stuck", "Watchdog", "watch"]
 
-# Looked at so often (s), so many times: under 5 s in all. A machine that stands still itself counts as one look.
+# Looked at so often (s), so many times: under 5 s in all. A machine that stands still itself counts as one look, and a
+# look at code that stood in line for a processor as a part of one.
 _INTERVAL = 0.4
 _LOOKS = 9
 
@@ -51,7 +52,7 @@ class Watchdog:
         self._sign_of_life = sign_of_life
         self._previous: Any = None
         self._last = -1
-        self._looks = 0
+        self._looks = 0.0
         self._worked = self._busy_until_now()
         self._stuck: Stuck | None = None
         self._interrupted = False  # by somebody's Ctrl-C
@@ -86,6 +87,10 @@ class Watchdog:
         """For how long (s) the thread that is watched has had a processor or wanted one. In a page it always has."""
         return perf_counter()
 
+    def _look(self) -> float:
+        """What a look counts: less than 1 if the thread stood in line for a processor since the last one."""
+        return 1.0
+
     def _is_due(self, frame: FrameType | None) -> bool:
         """Look at the code, which is at ``frame``: whether it is to be ended."""
         self._due = self._due or (self._is_over() if self._taking_down else self._is_stuck(frame))
@@ -93,18 +98,19 @@ class Watchdog:
 
     def _is_over(self) -> bool:
         """Whether the time to take a run down is."""
-        self._looks += 1
-        return self._looks > _LOOKS
+        self._looks += self._look()
+        return round(self._looks) > _LOOKS
 
     def _is_stuck(self, frame: FrameType | None) -> bool:
         """Whether the code has been without a sign of life for too many looks."""
         seen, self._last = self._last, self._sign_of_life()
+        look = self._look()
         if self._last != seen:
             self._looks = 0
             self._worked = self._busy_until_now()
             return False
-        self._looks += 1
-        if self._looks < _LOOKS * (_PATIENT if _is_importing(frame) else 1):
+        self._looks += look
+        if round(self._looks) < _LOOKS * (_PATIENT if _is_importing(frame) else 1):
             return False
         if self._stuck is None:
             worked = self._busy_until_now() - self._worked
@@ -120,6 +126,8 @@ class _FromAThread(Watchdog):
         self._is_main = threading.current_thread() is threading.main_thread()
         self._clock = time.pthread_getcpuclockid(self._ident) if hasattr(time, "pthread_getcpuclockid") else None
         self._scheduled = f"/proc/self/task/{threading.get_native_id()}/schedstat"
+        self._looked = perf_counter()
+        self._in_line = self._scheduled_until_now()[1]
         super().__init__(sign_of_life)
         self._done = threading.Event()
         self._turn = threading.Lock()  # of looking, and of beginning something else
@@ -152,12 +160,21 @@ class _FromAThread(Watchdog):
             self._received = self._sent
 
     def _busy_until_now(self) -> float:
+        return sum(self._scheduled_until_now())
+
+    def _scheduled_until_now(self) -> tuple[float, float]:
+        """For how long (s) the thread has had a processor, and has stood in line for one, which only Linux tells."""
         try:
-            with open(self._scheduled) as file:  # Linux also tells for how long it stood in the queue, in ns
-                worked, queued, _ = map(int, file.read().split())
-            return (worked + queued) / 1e9
+            with open(self._scheduled) as file:
+                worked, in_line, _ = map(int, file.read().split())
+            return worked / 1e9, in_line / 1e9
         except OSError:
-            return time.process_time() if self._clock is None else time.clock_gettime(self._clock)
+            return (time.process_time() if self._clock is None else time.clock_gettime(self._clock)), 0.0
+
+    def _look(self) -> float:
+        looked, in_line = self._looked, self._in_line
+        self._looked, (_, self._in_line) = perf_counter(), self._scheduled_until_now()
+        return min(1.0, max(0.0, self._looked - looked - (self._in_line - in_line)) / _INTERVAL)
 
     def _on_signal(self, number: int, frame: FrameType | None) -> None:
         if self._done.is_set():
