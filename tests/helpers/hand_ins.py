@@ -7,11 +7,13 @@ import hashlib
 import io
 import json
 import re
+from collections.abc import Iterable
 from functools import partial
 from pathlib import Path
 from typing import Any
 
 from answers import CELLS
+from attacks import FORGERIES
 from playwright.sync_api import BrowserContext, Locator, Page, Route, expect
 
 TEACHERS = "docs/for-teachers.html"
@@ -122,6 +124,15 @@ class Table:
         data = Path(found.value.path()).read_bytes()
         assert data.startswith(b"\xef\xbb\xbf")
         return list(csv.reader(io.StringIO(data.decode("utf-8-sig"))))
+
+
+def solves_nothing(table: Table, names: Iterable[str]) -> None:
+    """No such forgery is a solution in the table."""
+    answers = [f"%%answer 1\n{FORGERIES[name]}\n" for name in names]
+    table.drop(**{f"f{number}": handed_in(f"F{number}", answers={"1": text}) for number, text in enumerate(answers)})
+    table.done()
+    expect(table.rows).to_have_count(len(answers))
+    expect(table.page.locator(".judge-scroll button.judge-solved")).to_have_count(0)
 
 
 HTML = "<img src=x onerror=\"document.title='taken'\"><script>document.title = 'taken'</script>"

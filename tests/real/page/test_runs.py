@@ -245,3 +245,21 @@ rospy.init_node("a_node")
     for _ in range(3):
         cell.run(2)
         assert cell.ends("done") == "/unnamed None False False []\n"
+
+
+def test_what_is_drawn_at_random_differs(tutorial: Page) -> None:
+    """Though each run begins with the same snapshot."""
+    cell = Cell(tutorial, TIMER)
+    cell.write("import random\nprint(random.random())\n")
+    drawn = set()
+    for _ in range(2):
+        cell.run(2)
+        drawn.add(cell.ends("done"))
+    assert len(drawn) == 2
+
+
+def test_module_that_is_not_in_the_snapshot(tutorial: Page) -> None:
+    cell = Cell(tutorial, TIMER)
+    cell.write("import sys\nprint('csv' in sys.modules)\nimport csv\nprint(csv.reader(['a,b']).__next__())\n")
+    cell.run(2)
+    assert cell.ends("done") == "False\n['a', 'b']\n"
