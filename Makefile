@@ -22,7 +22,8 @@ FOR_HTML := docs
 FOR_LAB := notebooks
 FOR_TEST := notebooks,test,lint
 
-NPM := build/npm/node_modules/.package-lock.json
+# The packages of the page. What only its tests need is added likewise.
+NPM := build/npm/made
 WEB := build/web/live/live.js
 
 # Python compiles what is used when it is used.
@@ -57,7 +58,11 @@ $(WEB): $(NPM) $(wildcard web/*.mjs web/*.py web/src/* notebooks/*exercises.md) 
 $(NPM): web/package.json web/package-lock.json web/.npmrc | $(VENV)
 	mkdir -p build/npm
 	cp $^ build/npm
-	cd build/npm && $(CURDIR)/$(BIN)/npm ci
+	cd build/npm && $(CURDIR)/$(BIN)/npm ci --omit=dev
+	@touch $@
+
+$(NPM)-for-test: $(NPM)
+	cd build/npm && $(CURDIR)/$(BIN)/npm install
 	@touch $@
 
 # Writes what follows from the runs (expected outputs, copies of nodes) into the pages, to be read in `git diff`.
@@ -68,7 +73,7 @@ outputs: $(VENV)
 # there. A whole file at a time: its tests share what they have built or started.
 PYTEST := $(BIN)/pytest --numprocesses 2 --dist loadfile --no-loadscope-reorder
 
-test: $(VENV:=-for-test) html doctest
+test: $(VENV:=-for-test) $(NPM)-for-test html doctest
 	$(BIN)/ruff check
 	$(BIN)/mypy
 	$(PYTEST)

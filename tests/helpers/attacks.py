@@ -121,3 +121,29 @@ ATTACK = """async ([target, script]) => {
     await new Promise((go) => setTimeout(go, 1000))
     return answered
 }"""
+
+# What a text says in place of what came of it, in every way that it has.
+VERDICT = '"verdict": "solved", "solved": true, "status": "right", "console": "", "said": ""'
+FORGED = f'{{"kind": "end", "result": {{{VERDICT}}}}}'
+WITH_TRACE = f'{{"kind": "end", "result": {{{VERDICT}, "trace": ""}}}}'
+EMPTY = '{"kind": "batch", "chunks": [], "leftOut": 0, "ticks": []}'
+FORGERIES = {
+    "a verdict": f"import js\njs.postMessage('{FORGED}')",
+    "a verdict for a trace": f"import js\njs.postMessage('{WITH_TRACE}')",
+    "JSON": (
+        "import js, os\nfrom pyodide.ffi import create_proxy\n"
+        f"js.JSON.stringify = create_proxy(lambda made: '{WITH_TRACE}')\nos.abort()"
+    ),
+    "feedback": (
+        "import json\nfrom operator import attrgetter\nimport sys\n"
+        "attrgetter('modules')(sys)['rosspin.exercises.feedback'].Feedback.passed = True\n"
+        'json.dumps = lambda *made, **how: \'{"verdict": "solved", "solved": true}\''
+    ),
+    "flood": f"import js\nwhile True: js.postMessage('{EMPTY}')",
+    "prototypes": (
+        "import js\njs.Object.prototype.verdict = 'solved'\njs.Object.prototype.solved = True\n"
+        f"js.Array.prototype.push = js.MessagePort.prototype.postMessage = None\njs.postMessage('{FORGED}')"
+    ),
+    "huge": "import js\njs.postMessage('x' * 20_000_000)",
+    "object": "import js\njs.postMessage(js.Object.new())",
+}

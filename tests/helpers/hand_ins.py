@@ -7,11 +7,13 @@ import hashlib
 import io
 import json
 import re
+from collections.abc import Iterable
 from functools import partial
 from pathlib import Path
 from typing import Any
 
 from answers import CELLS
+from attacks import FORGERIES
 from playwright.sync_api import BrowserContext, Locator, Page, Route, expect
 
 TEACHERS = "docs/for-teachers.html"
@@ -23,6 +25,28 @@ RIGHT = CELLS[1][1].source
 WRONG = "%%answer 1\ntimer = [0, 1, 2]\nloop = [0, 1, 2]\nbusy_loop = [0, 1, 2]\n"
 
 ENDLESS = "%%answer 1\nsum(iter(int, 1))\n"  # gives way to no interrupt
+
+# Stands in for Python where a test is about the table: an answer is the verdict on it.
+NO_PYTHON = """
+const say = (message) => postMessage(JSON.stringify(message))
+const end = (result) => say({ kind: "end", result })
+say({ kind: "ready" })
+addEventListener("message", ({ data }) => {
+    if (data.kind === "trace" && data.text.trim() !== "endless") end({ trace: "" })
+    if (data.kind !== "judge") return
+    const verdict = data.text.trim()
+    const judged = { verdict, solved: verdict === "solved", status: "", console: "", said: verdict }
+    const odd = {
+        huge: { said: "x".repeat(1e7) },
+        long: { said: "x".repeat(1e6) },
+        number: { said: 5 },
+        "not solved": { verdict: "solved" },
+    }
+    const solved = { ...judged, verdict: "solved", solved: verdict !== "not solved", ...odd[verdict] }
+    if (verdict === "object") postMessage({ kind: "end", result: solved })
+    else end(odd[verdict] ? solved : judged)
+})
+"""
 
 
 def exchange(context: BrowserContext, site: Path, **files: bytes) -> None:
@@ -46,6 +70,13 @@ def handed_in(name: Any = "Ada", **changed: Any) -> str:
     """What is in a file."""
     made = {"format": "rosspin-answers", "version": 1, "name": name, "id": "a1", "answers": {"1": RIGHT}}
     return json.dumps(made | changed)
+
+
+def impatient(site: Path) -> bytes:
+    """The script of the teachers' page, with a quarter of the time that an answer may take."""
+    script = (site / "_static/hand-in/judge.js").read_text(encoding="utf-8")
+    assert script.count("2e4") == 1
+    return script.replace("2e4", "5e3").encode()
 
 
 class Table:
@@ -93,6 +124,15 @@ class Table:
         data = Path(found.value.path()).read_bytes()
         assert data.startswith(b"\xef\xbb\xbf")
         return list(csv.reader(io.StringIO(data.decode("utf-8-sig"))))
+
+
+def solves_nothing(table: Table, names: Iterable[str]) -> None:
+    """No such forgery is a solution in the table."""
+    answers = [f"%%answer 1\n{FORGERIES[name]}\n" for name in names]
+    table.drop(**{f"f{number}": handed_in(f"F{number}", answers={"1": text}) for number, text in enumerate(answers)})
+    table.done()
+    expect(table.rows).to_have_count(len(answers))
+    expect(table.page.locator(".judge-scroll button.judge-solved")).to_have_count(0)
 
 
 HTML = "<img src=x onerror=\"document.title='taken'\"><script>document.title = 'taken'</script>"

@@ -9,8 +9,10 @@ import time
 import zlib
 from typing import Any
 
+from answers import ON_PAGE
 from looks import PATIENCE
 from playwright.sync_api import Locator, Page, expect
+from tree import EXAMPLES
 
 TUTORIAL = "docs/tutorial.html"
 
@@ -24,6 +26,11 @@ LISTINGS = [
 ]
 
 TIMER, RATE = 3, 4
+
+ROS2 = [
+    EXAMPLES / "my_robotics_pkg_ros2" / "my_robotics_pkg" / f"spinner_{name}py_node.py"
+    for name in ("", "rate_", "param_")
+]
 
 
 class Cell:
@@ -58,6 +65,15 @@ class Cell:
 
     def text(self) -> str:
         return self.element.locator(".live-console pre").text_content() or ""
+
+    def marked(self) -> list[str]:
+        """The lines on the console that belong to the chosen tick."""
+        return self.console.locator(".of-tick").all_text_contents()
+
+
+def exercise(page: Page, number: int) -> Cell:
+    """The cell of an exercise: one before the 2nd, and one before the first on ROS 2, is no exercise."""
+    return Cell(page, {1: 0}.get(number, number) if number in ON_PAGE[1] else number - ON_PAGE[2][0] + 1)
 
 
 def open_tutorial(page: Page, address: str) -> None:

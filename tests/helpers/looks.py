@@ -2,11 +2,24 @@
 
 from __future__ import annotations
 
-from playwright.sync_api import Page
+from typing import Literal
+
+from playwright.sync_api import Page, expect
 
 # How long a test waits for what should be on a page until it gives up (ms). Playwright's own 5 s are too short where
 # Python starts, or the machine is busy.
 PATIENCE = 120_000
+
+
+Scheme = Literal["light", "dark"]
+SCHEMES: tuple[Scheme, ...] = ("light", "dark")
+
+
+def look(page: Page, scheme: Scheme) -> None:
+    """Have the reader's system ask for light or dark pages from now on. Colours have changed when this returns."""
+    page.emulate_media(color_scheme=scheme)
+    expect(page.locator("html")).to_have_attribute("data-theme", scheme)
+    page.evaluate("for (const moving of document.getAnimations()) if (moving instanceof CSSTransition) moving.finish()")
 
 
 def faults(page: Page, address: str) -> list[str]:

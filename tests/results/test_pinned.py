@@ -7,6 +7,7 @@ from pathlib import Path
 from typing import Any
 
 import pytest
+from tree import EXAMPLES
 
 from rosspin import simulate
 from rosspin.pinned import as_test
@@ -51,3 +52,17 @@ def test_the_text_is_not_in_the_encoding_that_it_tells_of(
     monkeypatch: pytest.MonkeyPatch, tmp_path: Path, first: str
 ) -> None:
     pinned(monkeypatch, tmp_path, f"{first}print('ä → ß')\n")
+
+
+@pytest.mark.parametrize("node", ["my_robotics_pkg/src/spinner_rate", "my_robotics_pkg_ros2/my_robotics_pkg/spinner"])
+def test_another_period_is_found(monkeypatch: pytest.MonkeyPatch, tmp_path: Path, node: str) -> None:
+    path = EXAMPLES / f"{node}_py_node.py"
+    run, source = simulate(path, 2), path.read_text(encoding="utf-8")
+    names: dict[str, Any] = {}
+    exec(as_test(source, path.name, 2.0, [], run.console, run.ticks), names)
+    test = names[f"test_{path.stem}"]
+    test(tmp_path, monkeypatch)
+    names["NODE"] = re.sub(r"(timer_delta_t_in_seconds|loop_frequency_in_hz) = [\d.]+", r"\1 = 0.25", source)
+    assert names["NODE"] != source
+    with pytest.raises(AssertionError):
+        test(tmp_path, monkeypatch)

@@ -1,4 +1,4 @@
-"""What is said to beginners of their errors with rclpy; for rospy see test_live.py and test_topics.py."""
+"""What is said to beginners of their errors with rclpy; for rospy see page/test_sentences.py, rospy/test_topics.py."""
 
 from __future__ import annotations
 

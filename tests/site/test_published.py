@@ -90,6 +90,3 @@ def test_the_page_for_wrong_addresses_knows_the_path(published: Path) -> None:
     targets = [str(tag.get("href") or tag.get("src")) for tag in page.select("[href], [src]")]
     assert {target.split("/")[1] for target in targets if not target.startswith(("#", "https:"))} == {"spin"}
     assert "/spin/docs/page.html" in targets and page.html and page.html["data-content_root"] == "/spin/"
-
-
-# --- on paper ---------------------------------------------------------------------------------------------------------

@@ -6,17 +6,32 @@ const VERSION = 1
 /** What is read at most: of a file (bytes), of an answer and a name (characters), and so many answers. */
 export const MOST = { file: 1_000_000, answer: 50_000, name: 100, answers: 100 }
 
-/** The text of such a file, made now; `answers` is an object: number of the exercise -> text. */
+/**
+ * What such a file holds.
+ *
+ * @typedef {{file: string, name: string, id: string, date: Date | null, answers: [number: number, text: string][]}} Answers
+ */
+
+/**
+ * The text of such a file, made now.
+ *
+ * @param {string} name
+ * @param {string} id what tells students of the same name apart
+ * @param {Record<string, string>} answers number of the exercise -> text
+ */
 export function write(name, id, answers) {
   const date = new Date().toISOString()
   return JSON.stringify({ format: FORMAT, version: VERSION, name, id, date, answers }, null, 1)
 }
 
 /**
- * What a file holds, with `answers` as pairs of a number and a text, and `date` as a Date or null. The message of an
- * Error says why it is refused.
+ * What a file holds. The message of an Error says why it is refused.
+ *
+ * @param {File} file
+ * @returns {Promise<Answers>}
  */
 export async function read(file) {
+  /** @type {(why: string) => never} */
   const refuse = (why) => {
     throw new Error(why)
   }
@@ -36,16 +51,20 @@ export async function read(file) {
   if (typeof name !== "string" || typeof id !== "string" || typeof answers !== "object" || !answers) {
     refuse("its name or its answers are missing")
   }
-  const pairs = Object.entries(answers).map(([number, answer]) => [Number(number), answer])
+  const pairs = Object.entries(answers).map(([number, answer]) => /** @type {[number, any]} */ ([Number(number), answer]))
   if (pairs.length > MOST.answers) refuse(`it has ${pairs.length} answers, and at most ${MOST.answers} are read`)
   if (!pairs.every(([number, answer]) => number > 0 && number < 1000 && Number.isInteger(number) && typeof answer === "string")) {
     refuse("one of its answers is not a text with the number of an exercise")
   }
   const date = new Date(typeof found.date === "string" ? found.date : NaN)
-  return { file: file.name, name: plain(name) || "(no name)", id, date: isNaN(date) ? null : date, answers: pairs }
+  return { file: file.name, name: plain(name) || "(no name)", id, date: isNaN(Number(date)) ? null : date, answers: pairs }
 }
 
-/** A name in one line, without the characters that are not seen or that turn the direction of a text. */
+/**
+ * A name in one line, without the characters that are not seen or that turn the direction of a text.
+ *
+ * @param {string} name
+ */
 function plain(name) {
   return name.replace(/\s+/g, " ").replace(/\p{C}/gu, "").trim().slice(0, MOST.name)
 }

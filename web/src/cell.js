@@ -2,23 +2,27 @@
 
 import { Console } from "./console.js"
 import { Kept } from "./kept.js"
-import { make } from "./make.js"
+import { find, make } from "./make.js"
 import { Plot } from "./plot.js"
 import { start, warmUp } from "./python.js"
 
 /** For how long (s) a node runs, unless the reader says otherwise. */
 const SECONDS = "10"
 
+const SEE_CONSOLE = "error: see the console"
+
 /** What a node has in it that reads its command line. */
 const READS_ARGUMENTS = /\b(get_param|search_param|declare_parameters?|argv)\b/
 
-/** An example of how a parameter is set, by the ROS of the node. */
+/** @type {Record<string, string>} an example of how a parameter is set, by the ROS of the node */
 const EXAMPLE = { rospy: "_frequency:=5", rclpy: "--ros-args -p frequency:=5.0" }
 
 /** The status of a node that Ctrl-C ended, as it does at the end of a run unless the node has seen to it. */
 const BY_CTRL_C = 130
 
-/** What is kept of the exercises of the page. */
+/** @typedef {import("./kept.js").Keeping} Keeping */
+
+/** @type {import("./store.js").Answer[]} what is kept of the exercises of the page */
 const exercises = []
 
 /** How many of them are solved. */
@@ -33,27 +37,43 @@ export function showProgress() {
   try {
     if (exercises.length) {
       localStorage.setItem(PROGRESS + location.pathname, `${progress()} solved`)
-      sayProgress(document.querySelector("article h1"), location.pathname)
+      sayProgress(find("article h1"), location.pathname)
     }
-    document.querySelectorAll('.bd-docs-nav a[href$="exercises.html"], .bd-docs-nav a[aria-current]').forEach((link) => {
-      sayProgress(link, link.pathname)
-    })
+    /** @type {NodeListOf<HTMLAnchorElement>} */
+    const links = document.querySelectorAll('.bd-docs-nav a[href$="exercises.html"], .bd-docs-nav a[aria-current]')
+    links.forEach((link) => sayProgress(link, link.pathname))
   } catch {
     // the reader does not let pages keep anything
   }
 }
 
-/** Say beside an element how many exercises of a page are solved, if that is known. */
+/**
+ * Say beside an element how many exercises of a page are solved, if that is known.
+ *
+ * @param {HTMLElement} place
+ * @param {string} page
+ */
 function sayProgress(place, page) {
   const said = localStorage.getItem(PROGRESS + page)
   if (said) place.after(make("p", { className: "live-progress", textContent: said }))
 }
 
-/** The plot that stands below a listing since the site was built. */
+/**
+ * The plot that stands below a listing since the site was built.
+ *
+ * @param {HTMLElement} listing
+ */
 function made(listing) {
-  const next = (listing.closest(".literal-block-wrapper") ?? listing).nextElementSibling
+  const next = /** @type {HTMLElement | null} */ ((listing.closest(".literal-block-wrapper") ?? listing).nextElementSibling)
   return next?.matches("figure.live-made") ? next : null
 }
+
+/**
+ * The module share.js; `base` is the address of the folder that our files are in.
+ *
+ * @type {(base: string) => Promise<typeof import("./share.js")>}
+ */
+export const loadShare = (base) => import(`${base}share.js`)
 
 export class Cell {
   #base
@@ -61,16 +81,22 @@ export class Cell {
   #pre
   #original
   #highlighted
+  /** @type {Keeping} */
   #kept // what the reader has written, or what came with a link
+  /** @type {Keeping | null} */
   #own = null // what the reader has written, while the other is shown
   #name
   #answers // whether it is an answer to an exercise, which is checked rather than run
   #simulates // whether its first line says for how long it runs
-  #made // the plot that was made with the page, if there is one
+  /** @type {HTMLElement | null} */
+  #made = null // the plot that was made with the page, if there is one
+  /** @type {HTMLElement | null | undefined} */
   #output // of a notebook's cell: what it printed when the site was built
   #test = "" // pins what the last run showed
   #ran = "" // what the last run ran
+  /** @type {import("./editor.js").Editor | null} */
   #editor = null
+  /** @type {import("./runs.js").Run | null} */
   #worker = null
   #runs = 0
 
@@ -78,36 +104,25 @@ export class Cell {
    * @param {HTMLElement} listing what Sphinx made of a listing
    * @param {number} index its number on the page
    * @param {string} base the address of the folder that our files are in
-   * @param {string} missing why Python cannot run here; "" if it can
    */
-  constructor(listing, index, base, missing) {
+  constructor(listing, index, base) {
     this.#base = base
     this.#index = index
-    this.#pre = listing.querySelector("pre")
-    this.#original = this.#pre.textContent
+    this.#pre = find("pre", listing)
+    this.#original = /** @type {string} */ (this.#pre.textContent)
     this.#highlighted = [...this.#pre.childNodes]
-    const caption = listing.parentElement.querySelector(".code-block-caption .caption-text")
+    const caption = listing.parentElement?.querySelector(".code-block-caption .caption-text")
     const [, magic, number] = this.#original.match(/^%%(\w+) (\S+)/) ?? []
     this.#answers = magic === "answer"
     this.#simulates = magic === "simulate"
     // hand-in.js, which is on each page that has exercises, keeps the answers to all of them.
-    const place = `${location.pathname}:${index}`
-    this.#kept = (this.#answers && window.rosspinStore?.of(number)) || new Kept(place, this.#original)
+    const answer = this.#answers && window.rosspinStore?.of(number)
+    this.#kept = answer || new Kept(`${location.pathname}:${index}`, this.#original)
     this.#kept.changed = (said) => this.#own || this.#follow(said)
-    this.#name = this.#answers ? `answer ${number}` : (caption?.textContent ?? "node.py").trim().split("/").at(-1)
+    this.#name = this.#answers ? `answer ${number}` : (caption?.textContent ?? "node.py").trim().replace(/.*\//, "")
     this.#output = listing.closest(".cell")?.querySelector(".cell_output")
-    if (missing) {
-      listing.append(make("p", { className: "live-missing", textContent: missing }))
-      return
-    }
     this.#made = made(listing)
-    this.#build(listing)
-    if (this.#answers) exercises.push(this.#kept)
-    this.#showKept()
-  }
-
-  #build(listing) {
-    const button = (text, act) => {
+    const button = (/** @type {string} */ text, /** @type {() => void} */ act) => {
       const element = make("button", { type: "button", textContent: text, ariaLabel: `${text} ${this.#name}` })
       element.addEventListener("click", () => element.ariaDisabled !== "true" && act())
       return element
@@ -127,11 +142,24 @@ export class Cell {
     this.args.addEventListener("keydown", (event) => event.key === "Enter" && this.#run())
     this.args.addEventListener("input", () => this.#offer())
     this.speed = make("select", { ariaLabel: "Speed" })
-    for (const [text, speed] of [["real time", 1], ["10 times as fast", 10], ["instantly", 0]]) {
-      this.speed.append(make("option", { textContent: text, value: speed }))
+    for (const [textContent, value] of [["real time", "1"], ["10 times as fast", "10"], ["instantly", "0"]]) {
+      this.speed.append(make("option", { textContent, value }))
     }
     this.status = make("span", { role: "status" })
     this.pin.hidden = true
+    const file = this.#answers ? "" : this.#name
+    this.console = new Console(`Console of ${this.#name}`, file, (line) => this.#edit(line))
+    this.plot = new Plot(`Ticks of ${this.#name}`, (chunks) => this.console.mark(chunks))
+    this.notice = make("p", { className: "live-notice", hidden: true })
+    this.copied = make("textarea", { readOnly: true, hidden: true, rows: 4, ariaLabel: "To be copied" })
+    listing.append(this.#arranged())
+    this.#pre.addEventListener("click", () => getSelection()?.isCollapsed && this.#edit())
+    if (answer) exercises.push(answer)
+    this.#showKept()
+  }
+
+  /** All that the reader can press and see, below the listing. */
+  #arranged() {
     const bar = make("div", { className: "live-bar", role: "group", ariaLabel: `Run ${this.#name} in this page` })
     bar.append(this.run, this.stop, this.edit, this.reset, this.earlier, this.share, this.copy, this.pin)
     const isNode = !this.#answers && !this.#simulates
@@ -139,25 +167,19 @@ export class Cell {
     if (!this.#answers) bar.append(this.speed)
     if (isNode) bar.append(this.arguments)
     bar.append(this.status)
-    const file = this.#answers ? "" : this.#name
-    this.console = new Console(`Console of ${this.#name}`, file, (line) => this.#edit(line))
-    this.plot = new Plot(`Ticks of ${this.#name}`, (chunks) => this.console.mark(chunks))
-    this.notice = make("p", { className: "live-notice", hidden: true })
-    this.copied = make("textarea", { readOnly: true, hidden: true, rows: 4, ariaLabel: "To be copied" })
-    const parts = [this.notice, bar, this.copied, this.console.element, this.plot.element, this.#made].filter(Boolean)
-    listing.append(make("div", { className: "live-cell" }, ...parts))
-    this.#pre.addEventListener("click", () => getSelection().isCollapsed && this.#edit())
+    const parts = [this.notice, bar, this.copied, this.console.element, this.plot.element, this.#made ?? ""]
+    return make("div", { className: "live-cell" }, ...parts)
   }
 
   /** The text as it is now. */
   get #text() {
-    return this.#editor ? this.#editor.text() : this.#pre.textContent
+    return this.#editor?.text() ?? /** @type {string} */ (this.#pre.textContent)
   }
 
   /** Offer what can be done with the text as it is: arguments for a node that reads some, Reset for one that was changed. */
   #offer() {
     this.arguments.hidden = !READS_ARGUMENTS.test(this.#text) && !this.args.value
-    this.args.placeholder = EXAMPLE[this.#text.match(/\b(rospy|rclpy)\b/)?.[1]] ?? ""
+    this.args.placeholder = EXAMPLE[String(this.#text.match(/\brospy\b|\brclpy\b/))] ?? ""
     this.reset.ariaDisabled = String(!this.#own && this.#untouched && this.console.empty)
     this.earlier.hidden = !this.#kept.hasEarlier
   }
@@ -166,7 +188,11 @@ export class Cell {
     return this.#text === this.#original && this.seconds.value === SECONDS && !this.args.value
   }
 
-  /** Say where the cell is; its buttons follow. What is not kept is said until it is. */
+  /**
+   * Say where the cell is; its buttons follow. What is not kept is said until it is.
+   *
+   * @param {string} status
+   */
   #say(status) {
     const { unkept } = this.#kept
     this.status.textContent = [status, unkept && `your text is not kept: ${unkept}`].filter(Boolean).join("; ")
@@ -177,7 +203,11 @@ export class Cell {
 
   // --- the text ---
 
-  /** Show a text in place of the one that stands there. The Copy button of the listing copies it. */
+  /**
+   * Show a text in place of the one that stands there. The Copy button of the listing copies it.
+   *
+   * @param {string} text
+   */
   #show(text) {
     if (text === this.#original) this.#pre.replaceChildren(...this.#highlighted)
     else this.#pre.textContent = text
@@ -193,18 +223,30 @@ export class Cell {
     this.#say(said)
   }
 
-  /** Show or hide what was made of the original when the site was built. */
+  /**
+   * Show or hide what was made of the original when the site was built.
+   *
+   * @param {boolean} shown
+   */
   #showMade(shown) {
     for (const element of [this.#output, this.#made]) if (element) element.hidden = !shown
   }
 
-  /** Keep what the reader has written, and say what there is to say of that. */
+  /**
+   * Keep what the reader has written, and say what there is to say of that.
+   *
+   * @param {string} text
+   */
   #keep(text) {
     const isNews = this.#kept.write(text === this.#original ? null : text)
     if (isNews && !this.#worker) this.#say(this.#kept.said)
   }
 
-  /** Show what is kept now, since another tab or the button for it has changed that. */
+  /**
+   * Show what is kept now, since another tab or the button for it has changed that.
+   *
+   * @param {string} said
+   */
   #follow(said) {
     showProgress()
     const text = this.#kept.text ?? this.#original
@@ -217,17 +259,22 @@ export class Cell {
   #bringBack() {
     this.#end()
     this.#clear(false)
-    this.#follow(this.#kept.bringBack())
+    this.#follow(/** @type {string} */ (this.#kept.bringBack?.()))
   }
 
-  /** Open the editor, at a line if one is given. */
+  /**
+   * Open the editor, at a line if one is given.
+   *
+   * @param {number} [line]
+   */
   async #edit(line) {
     this.#warmUp()
     if (!this.#editor) {
-      const { open } = await import(`${this.#base}editor.js`).catch(() => ({}))
-      if (!open) return this.#say("error: the editor could not be loaded. Is the site still there?")
+      /** @type {typeof import("./editor.js") | null} */
+      const loaded = await import(`${this.#base}editor.js`).catch(() => null)
+      if (!loaded) return this.#say("error: the editor could not be loaded. Is the site still there?")
       if (this.#editor) return
-      this.#editor = open(this.#text, `Code of ${this.#name}. Escape leaves the editor.`, {
+      this.#editor = loaded.open(this.#text, `Code of ${this.#name}. Escape leaves the editor.`, {
         wraps: this.#pre.className !== "",
         changed: (text) => {
           this.#show(text)
@@ -273,12 +320,14 @@ export class Cell {
   /**
    * Show a text that came with a link, which stands in for what is kept, and the fields beside it. It is not run. `shown`
    * is an element with the text as it is to look.
+   *
+   * @param {{kept: Keeping, seconds: number, args: string, notice: string, shown: HTMLElement}} received
    */
   receive({ kept, seconds, args, notice, shown }) {
     this.#restore()
     this.#own ??= this.#kept
     this.#kept = kept
-    this.seconds.value = seconds
+    this.seconds.value = `${seconds}`
     this.args.value = args
     this.notice.textContent = notice
     this.notice.hidden = false
@@ -292,16 +341,22 @@ export class Cell {
 
   async #share() {
     const seconds = this.seconds.valueAsNumber || 0
-    const object = { cell: this.#index, text: this.#text, seconds, args: this.args.value }
+    const listing = { cell: this.#index, text: this.#text, seconds, args: this.args.value }
     try {
-      const { address } = await import(`${this.#base}share.js`)
-      await this.#copy(await address(this.#pre, object), "the link is copied; the code is in it")
+      const { address } = await loadShare(this.#base)
+      await this.#copy(await address(this.#pre, listing), "the link is copied; the code is in it")
     } catch (error) {
-      this.#say(`error: ${error.said ?? "the link could not be made. Is the site still there?"}`)
+      const { said = "the link could not be made. Is the site still there?" } = /** @type {{said?: string}} */ (error)
+      this.#say(`error: ${said}`)
     }
   }
 
-  /** Copy a text, or where the browser does not let us, let the reader copy it. */
+  /**
+   * Copy a text, or where the browser does not let us, let the reader copy it.
+   *
+   * @param {string} text
+   * @param {string} said once it is copied
+   */
   async #copy(text, said) {
     try {
       await navigator.clipboard.writeText(text)
@@ -317,7 +372,11 @@ export class Cell {
 
   // --- runs ---
 
-  /** Take away what the last run showed. What was made when the site was built makes way for a run. */
+  /**
+   * Take away what the last run showed. What was made when the site was built makes way for a run.
+   *
+   * @param {boolean} runs
+   */
   #clear(runs) {
     this.console.clear()
     this.plot.clear()
@@ -349,6 +408,7 @@ export class Cell {
     this.#say("starting Python")
   }
 
+  /** @param {import("./runs.js").Told} message */
   #hear(message) {
     if (message.kind === "begun") {
       this.#say("running")
@@ -357,24 +417,33 @@ export class Cell {
       this.plot.add(message.ticks)
     } else if (message.kind === "end") {
       this.#worker = null
-      const { status, errors, verdict, count, ticks, chunks, alternative, end } = message.result
-      this.#test = message.result.test
-      this.pin.hidden = !this.#test
-      if (count) this.plot.finish(ticks, alternative, chunks, end)
-      const ticked = count ? `: ${count} tick${count === 1 ? "" : "s"}` : ""
-      if (verdict) this.#say(verdict + this.#progress(message.result.solved))
-      else if (status === 0 && errors) this.#say("done, but with an error: see the console")
-      else if (status === 0) this.#say(`done${ticked}`)
-      else if (status === BY_CTRL_C) this.#say(`done${ticked}, ended by Ctrl-C with a traceback`)
-      else this.#say("error: see the console")
+      const { result } = message
+      if ("solved" in result) this.#say((result.verdict || SEE_CONSOLE) + this.#progress(result.solved))
+      else this.#finish(result)
     } else {
       this.#end()
-      this.console.print([[true, `${message.reason}\n`]], 0)
+      this.console.print([[true, `${message.reason}\n`, 0, 0]], 0)
       this.#say("error: Python stopped")
     }
   }
 
-  /** What to say of all exercises when one has been answered. */
+  /** @param {import("./protocol.js").RunResult} result */
+  #finish({ status, errors, count, ticks, chunks, alternative, end, test }) {
+    this.#test = test
+    this.pin.hidden = !test
+    if (count) this.plot.finish(ticks, alternative, chunks, end)
+    const ticked = count ? `: ${count} tick${count === 1 ? "" : "s"}` : ""
+    if (status === 0 && errors) this.#say(`done, but with an ${SEE_CONSOLE}`)
+    else if (status === 0) this.#say(`done${ticked}`)
+    else if (status === BY_CTRL_C) this.#say(`done${ticked}, ended by Ctrl-C with a traceback`)
+    else this.#say(SEE_CONSOLE)
+  }
+
+  /**
+   * What to say of all exercises when one has been answered.
+   *
+   * @param {boolean} solved
+   */
   #progress(solved) {
     if (!solved) return ""
     const said = this.#kept.solve?.(this.#ran === this.#original ? null : this.#ran)

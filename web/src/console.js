@@ -9,6 +9,8 @@ const NO_ERROR = /^\[(DEBUG|INFO)\]/
 
 const LEVEL = /^\[\w+\]/
 
+/** @typedef {HTMLSpanElement & {chunks: number[]}} Line with the numbers of the chunks that it is made of */
+
 export class Console {
   #text = make("pre")
   #notice = make("p")
@@ -21,6 +23,10 @@ export class Console {
   /**
    * `goTo(line)` is called when the reader chooses a line of the file `filename`, such as one in a traceback. In what
    * is said of an answer to an exercise, which has no `filename`, all lines are such.
+   *
+   * @param {string} name
+   * @param {string} filename
+   * @param {(line: number) => void} goTo
    */
   constructor(name, filename, goTo) {
     const file = filename.replace(/[^\w ]/g, "\\$&")
@@ -40,8 +46,7 @@ export class Console {
   }
 
   clear() {
-    this.element.hidden = true
-    this.#notice.hidden = true
+    this.element.hidden = this.#notice.hidden = true
     this.#text.replaceChildren()
     this.#leftOut = 0
     this.#open = false
@@ -50,15 +55,18 @@ export class Console {
   /**
    * Add chunks, each [whether it is of stderr, text, number, line of the node that logged it or 0]; `leftOut` lines
    * before them were left out.
+   *
+   * @param {import("./protocol.js").Chunk[]} chunks
+   * @param {number} leftOut
    */
   print(chunks, leftOut) {
     if (!chunks.length) return
     this.element.hidden = false
     const atEnd = this.element.scrollTop + this.element.clientHeight >= this.element.scrollHeight - 2
     this.#leftOut += leftOut
-    for (const chunk of chunks) this.#add(...chunk)
+    for (const chunk of chunks) this.#add(chunk)
     while (this.#text.childElementCount > MOST_LINES) {
-      this.#text.firstChild.remove()
+      this.#text.firstChild?.remove()
       this.#leftOut++
     }
     this.#notice.hidden = this.#leftOut === 0
@@ -66,11 +74,16 @@ export class Console {
     if (atEnd) this.element.scrollTop = this.element.scrollHeight
   }
 
-  /** Mark the lines in which these chunks are, and show the first of them. */
+  /**
+   * Mark the lines in which these chunks are, and show the first of them.
+   *
+   * @param {number[]} chunks
+   */
   mark(chunks) {
     const numbers = new Set(chunks)
+    /** @type {Line | null} */
     let first = null
-    for (const line of this.#text.children) {
+    for (const line of /** @type {Iterable<Line>} */ (this.#text.children)) {
       const marked = line.chunks.some((number) => numbers.has(number))
       line.classList.toggle("of-tick", marked)
       if (marked) first ??= line
@@ -81,7 +94,12 @@ export class Console {
     if (place.top < top || place.bottom > bottom) this.element.scrollTop += place.top - top
   }
 
-  /** A text; where it names a line of the node's file, it leads there. So does the level of what the node logged. */
+  /**
+   * A text; where it names a line of the node's file, it leads there. So does the level of what the node logged.
+   *
+   * @param {string} text
+   * @param {number} logged
+   */
   #linked(text, logged) {
     const found = text.match(logged ? LEVEL : this.#place)
     if (!found) return [text]
@@ -89,20 +107,22 @@ export class Console {
     const button = make("button", { type: "button", textContent: found[0] })
     if (logged) button.title = `line ${line}`
     button.addEventListener("click", () => this.#goTo(line))
-    return [text.slice(0, found.index), button, text.slice(found.index + found[0].length)]
+    const at = /** @type {number} */ (found.index)
+    return [text.slice(0, at), button, text.slice(at + found[0].length)]
   }
 
-  #add(isError, text, number, logged) {
-    isError &&= !NO_ERROR.test(text)
+  /** @param {import("./protocol.js").Chunk} chunk */
+  #add([onStderr, text, number, logged]) {
+    const isError = onStderr && !NO_ERROR.test(text)
     const lines = text.split(/(?<=\n)/)
     if (lines.length > MOST_LINES) this.#leftOut += lines.splice(0, lines.length - MOST_LINES).length
     for (const line of lines) {
-      const last = this.#text.lastChild
-      if (this.#open && last.classList.contains("stderr") === isError) {
+      const last = /** @type {Line | null} */ (this.#text.lastElementChild)
+      if (last && this.#open && last.classList.contains("stderr") === isError) {
         last.append(line)
         last.chunks.push(number)
       } else {
-        const element = make("span", { chunks: [number] })
+        const element = make("span", /** @type {object} */ ({ chunks: [number] }))
         if (isError) element.className = "stderr"
         element.append(...(isError || this.#all ? this.#linked(line, logged) : [line]))
         this.#text.append(element)

@@ -7,12 +7,17 @@
  */
 const FORMULA = /(?<=^|[,;|；，])([\s"\p{C}\p{DI}\p{Z}]*)(?=[=＝﹦⁼₌+＋﹢⁺₊\-－﹣−⁻₋@＠﹫])/gu
 
-/** Rows of cells, as CSV. No cell is a formula, nor any part of one. */
+/**
+ * Rows of cells, as CSV. No cell is a formula, nor any part of one.
+ *
+ * @param {(string | number)[][]} rows
+ */
 export function csv(rows) {
   // With a byte order mark, without which Excel reads no UTF-8.
   return `\ufeff${rows.map((row) => `${row.map(field).join(",")}\r\n`).join("")}`
 }
 
+/** @param {string | number} value */
 function field(value) {
   const line = String(value).replace(/[\p{Cc}\p{Zl}\p{Zp}]+/gu, " ")
   return `"${line.replace(FORMULA, "$1'").replaceAll('"', '""')}"`

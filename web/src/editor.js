@@ -23,14 +23,25 @@ const likeTheListing = tagHighlighter([
   { tag: tags.meta, class: "nd" },
 ])
 
-const mark = (character) => make("span", { className: "unseen", textContent: sign(character) })
+const mark = (/** @type {string} */ character) => make("span", { className: "unseen", textContent: sign(character) })
+
+/**
+ * An open editor. `write` replaces its text, `goTo` selects a line, counted from 1.
+ *
+ * @typedef {{element: HTMLElement, text(): string, write(text: string): void, focus(): void, goTo(line: number): void}} Editor
+ */
 
 /**
  * An editor with a text, known to screen readers by a label. It calls `changed(text)` on each change, `run()` on
  * Ctrl-Enter and `leave()` on Escape. Long lines are wrapped if it `wraps`.
+ *
+ * @param {string} text
+ * @param {string} label
+ * @param {{wraps: boolean, changed: (text: string) => void, run: () => void, leave: () => void}} how
+ * @returns {Editor}
  */
 export function open(text, label, { wraps, changed, run, leave }) {
-  const command = (act) => () => {
+  const command = (/** @type {() => void} */ act) => () => {
     act()
     return true
   }

@@ -7,8 +7,9 @@ const base = new URL(".", import.meta.url)
 const opening = globalThis.caches?.open("rosspin").catch(() => undefined)
 
 /** The address of a file, which says which version of it is meant. */
-const address = (name) => new URL(`${name}?${FILES[name].slice(0, 16)}`, base).href
+const address = (/** @type {string} */ name) => new URL(`${name}?${FILES[name].slice(0, 16)}`, base).href
 
+/** @param {ArrayBuffer} bytes */
 async function digest(bytes) {
   // Browsers have this on https and on one's own computer only.
   const hash = crypto.subtle
@@ -17,18 +18,28 @@ async function digest(bytes) {
   return Array.from(hash, (byte) => byte.toString(16).padStart(2, "0")).join("")
 }
 
+/** @type {(name: string, bytes: ArrayBuffer) => Promise<boolean>} */
 const isRight = async (name, bytes) => (await digest(bytes)) === FILES[name]
+
+/** @typedef {(part: Uint8Array<ArrayBuffer> | null) => void} Hear */
 
 /** What is wrong with the site or the browser, in words for the reader. */
 export class Fault extends Error {}
 
-const wrong = (name) =>
+const wrong = (/** @type {string} */ name) =>
   `The file ${name} of this site is not the one that belongs to this page, so it was not used. Reload the page; ` +
   "if that does not help, tell whoever keeps the site."
 
-/** The bytes of a stream; `hear` is called with each part of them as it comes. */
+/**
+ * The bytes of a stream; `hear` is called with each part of them as it comes.
+ *
+ * @param {ReadableStream<Uint8Array<ArrayBuffer>> | null} stream
+ * @param {Hear} hear
+ */
 async function gather(stream, hear) {
+  /** @type {Uint8Array<ArrayBuffer>[]} */
   const parts = []
+  if (!stream) return new ArrayBuffer()
   const reader = stream.getReader()
   for (let part = await reader.read(); !part.done; part = await reader.read()) {
     parts.push(part.value)
@@ -42,9 +53,12 @@ async function gather(stream, hear) {
 /**
  * The bytes of a file of the site. Fault: twice it was another one. Error: it cannot be had. `hear` is called with each
  * part as it comes, not checked yet, and with null if those until then were wrong.
+ *
+ * @param {string} name
+ * @param {Hear} hear
  */
 export async function load(name, hear = () => {}) {
-  for (const cache of ["default", "reload"]) {
+  for (const cache of /** @type {const} */ (["default", "reload"])) {
     const response = await fetch(address(name), { cache })
     if (!response.ok) throw new Error(`${response.status} ${name}`)
     const bytes = await gather(response.body, hear)
@@ -56,11 +70,15 @@ export async function load(name, hear = () => {}) {
 
 const SNAPSHOT = "snapshot.gz"
 
-/** The snapshot, likewise: from what the browser keeps if it is there and right, else from the site, to be kept. */
+/**
+ * The snapshot, likewise: from what the browser keeps if it is there and right, else from the site, to be kept.
+ *
+ * @param {Hear} hear
+ */
 export async function loadSnapshot(hear) {
   const cache = await opening
   const found = await cache?.match(address(SNAPSHOT))
-  if (found) {
+  if (cache && found) {
     const kept = await gather(found.body, hear)
     if (await isRight(SNAPSHOT, kept)) return kept
     hear(null)
@@ -71,7 +89,12 @@ export async function loadSnapshot(hear) {
   return bytes
 }
 
-/** Keep the snapshot, and none of earlier versions of the site. */
+/**
+ * Keep the snapshot, and none of earlier versions of the site.
+ *
+ * @param {Cache} cache
+ * @param {ArrayBuffer} bytes
+ */
 async function keep(cache, bytes) {
   try {
     for (const key of await cache.keys()) if (key.url !== address(SNAPSHOT)) await cache.delete(key)

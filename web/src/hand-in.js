@@ -4,14 +4,14 @@
 import { MOST, write } from "./answers.js"
 import { HAS_JSPI, LACKS_JSPI } from "./jspi.js"
 import { fingerprint } from "./kept.js"
-import { make, save } from "./make.js"
+import { find, here, make, save } from "./make.js"
 import { FIRST_LINE, Store } from "./store.js"
 
 /** Under this, for all pages, the reader's name and what tells readers of the same name apart. */
 const KEY = "rosspin:hand-in"
 
 /** The site, beneath which all of its pages are. */
-const root = new URL("../../", document.currentScript.src).pathname
+const root = new URL("../../", here()).pathname
 
 const random = () => Math.random().toString(36).slice(2)
 
@@ -28,14 +28,16 @@ addEventListener("storage", ({ key }) => key && store.heard(key))
 // What other tabs wrote while this one was asleep, or was left and is shown again, no event has told.
 for (const sign of ["pageshow", "visibilitychange"]) addEventListener(sign, () => store.refresh())
 
+/** @returns {{name?: string, id?: string}} */
 function known() {
   try {
-    return JSON.parse(localStorage.getItem(KEY)) ?? {}
+    return JSON.parse(localStorage.getItem(KEY) ?? "null") ?? {}
   } catch {
     return {}
   }
 }
 
+/** @param {SubmitEvent} event */
 function handIn(event) {
   event.preventDefault()
   const name = field.value.trim()
@@ -66,7 +68,12 @@ function handIn(event) {
   status.textContent = said.join(" ")
 }
 
-/** What the student may not expect of the file. */
+/**
+ * What the student may not expect of the file.
+ *
+ * @param {Record<string, string>} found the answers
+ * @param {string} text of the file
+ */
 function doubts(found, text) {
   const changed = store.solvedBefore()
   const long = Object.keys(found).filter((number) => found[number].length > MOST.answer)
@@ -77,7 +84,11 @@ function doubts(found, text) {
   ].filter(Boolean)
 }
 
-/** Some numbers of exercises, in words. */
+/**
+ * Some numbers of exercises, in words.
+ *
+ * @param {string[]} numbers
+ */
 function list(numbers) {
   numbers.sort(new Intl.Collator("en", { numeric: true }).compare)
   if (numbers.length === 1) return `exercise ${numbers}`
@@ -91,4 +102,4 @@ const form = make("form", { className: "hand-in", noValidate: true })
 form.append(make("label", {}, "Your name ", field), make("button", { textContent: "Hand in" }), status)
 form.addEventListener("submit", handIn)
 const cannot = make("p", { textContent: `This browser cannot check answers, nor hand them in: ${LACKS_JSPI}` })
-if (location.protocol !== "file:") document.querySelector("article h1").after(HAS_JSPI ? form : cannot)
+if (location.protocol !== "file:") find("article h1").after(HAS_JSPI ? form : cannot)

@@ -1,30 +1,45 @@
 // Figures with a handle. The page carries the rows of all its positions. The first stands there as matplotlib drew it, for a
 // wide and for a narrow place; another is drawn here, as large as the first is in that place.
 
+import { find } from "./make.js"
 import { drawTimeline } from "./svg.js"
 
-/** The number that code beside a figure assigns to a variable; undefined where there is none. */
+/**
+ * The number that code beside a figure assigns to a variable; undefined where there is none.
+ *
+ * @param {HTMLElement} figure
+ * @param {string} name
+ */
 function assigned(figure, name) {
   const tokens = [...(figure.closest(".rosspin-beside")?.querySelectorAll("pre span") ?? [])]
   const at = tokens.findIndex((token) => token.textContent === name && token.nextElementSibling?.textContent === "=")
-  return at < 0 ? undefined : tokens[at].nextElementSibling.nextElementSibling
+  return at < 0 ? undefined : tokens[at].nextElementSibling?.nextElementSibling
 }
 
+/**
+ * What a figure carries: the variable that it `sets` in the code beside it, if there is such, its axis, and its positions.
+ *
+ * @typedef {[value: string, words: string, alternative: string, rows: import("./svg.js").Row[]]} Position
+ * @typedef {import("./svg.js").Scale & {title: string, sets?: string, positions: Position[]}} Carried
+ */
+
+/** @param {HTMLElement} figure */
 function move(figure) {
-  const { sets, positions, ...scale } = JSON.parse(figure.dataset.positions)
-  const handle = figure.querySelector(".rosspin-handle")
-  const input = handle.querySelector("input")
-  const said = handle.querySelector("[aria-hidden]")
+  /** @type {Carried} */
+  const { sets, positions, ...scale } = JSON.parse(figure.dataset.positions ?? "")
+  const handle = find(".rosspin-handle", figure)
+  const input = /** @type {HTMLInputElement} */ (find("input", handle))
+  const said = find("[aria-hidden]", handle)
   const first = [...figure.querySelectorAll(":scope > svg")]
   const number = sets ? assigned(figure, sets) : undefined
   let shown = first
 
-  const show = (position) => {
+  const show = (/** @type {number} */ position) => {
     const [value, words, alternative, rows] = positions[position]
     const next = first.map((picture) => {
       if (position === Number(input.defaultValue)) return picture
       const drawn = drawTimeline(rows, scale, alternative)
-      for (const name of ["class", "style", "viewBox"]) drawn.setAttribute(name, picture.getAttribute(name))
+      for (const name of ["class", "style", "viewBox"]) drawn.setAttribute(name, picture.getAttribute(name) ?? "")
       drawn.removeAttribute("height")
       return drawn
     })
@@ -42,4 +57,6 @@ function move(figure) {
   handle.hidden = false
 }
 
-document.querySelectorAll("figure[data-positions]").forEach(move)
+/** @type {NodeListOf<HTMLElement>} */
+const figures = document.querySelectorAll("figure[data-positions]")
+figures.forEach(move)

@@ -10,29 +10,51 @@ const START = 60_000
 /** So much (characters) is shown of what was said of an answer. */
 const MOST_SAID = 30_000
 
+/** @typedef {import("./protocol.js").Verdict | "did not end" | "stopped"} Found of an answer */
+/** @typedef {{verdict: Found, said: string}} Judgement */
+
 const NOT_JUDGED = "not judged"
 
 const STOPPED_SAID = "Stopped before it was judged. Drop the file again to have it judged."
+/** @type {Judgement} */
 export const STOPPED = { verdict: "stopped", said: STOPPED_SAID }
+
+/** @typedef {import("./protocol.js").Results} Results */
 
 /** Why an answer has no verdict. */
 class NoVerdict extends Error {
+  /**
+   * @param {string} said
+   * @param {Found} verdict
+   */
   constructor(said, verdict = NOT_JUDGED) {
     super(said)
-    this.verdict = { verdict, said }
+    /** @type {Judgement} */
+    this.judgement = { verdict, said }
   }
 }
 
-/** The result of a job in a sandbox. NoVerdict: there is none. */
+/**
+ * The result of a job in a sandbox. NoVerdict: there is none.
+ *
+ * @template {keyof Results} K
+ * @param {import("./sandboxes.js").Sandbox} sandbox
+ * @param {Extract<import("./protocol.js").Job, {kind: K}>} job
+ * @param {AbortSignal} stopped
+ * @returns {Promise<Results[K]>}
+ */
 function result(sandbox, job, stopped) {
   return new Promise((resolve, reject) => {
+    /** @type {number | undefined} */
     let timer
-    const fail = (...why) => reject(new NoVerdict(...why))
-    const limit = (ms, ...why) => {
+    /** @type {(said: string, verdict?: Found) => void} */
+    const fail = (said, verdict) => reject(new NoVerdict(said, verdict))
+    /** @type {(ms: number, said: string, verdict?: Found) => void} */
+    const limit = (ms, said, verdict) => {
       clearTimeout(timer)
-      timer = setTimeout(fail, ms, ...why)
+      timer = setTimeout(fail, ms, said, verdict)
     }
-    const hear = (message) => {
+    const hear = (/** @type {import("./protocol.js").Failed | import("./protocol.js").End<Results[K]>} */ message) => {
       clearTimeout(timer)
       if (message.kind === "end") resolve(message.result)
       else fail(message.reason)
@@ -49,27 +71,33 @@ function result(sandbox, job, stopped) {
 }
 
 /**
- * The verdict on an answer, and what was said of it. Stopped when the AbortSignal says so. `base` is the address of the
- * folder that runs.js is in.
+ * The verdict on an answer, and what was said of it.
+ *
+ * @param {string} base the address of the folder that runs.js is in
+ * @param {number} number
+ * @param {string} text
+ * @param {AbortSignal} stopped
+ * @returns {Promise<Judgement>}
  */
 export async function judge(base, number, text, stopped) {
   if (text.length > MOST.answer) {
     return { verdict: NOT_JUDGED, said: `It has ${text.length} characters; at most ${MOST.answer} are judged.` }
   }
+  /** @type {import("./sandboxes.js").Sandbox[]} */
   const sandboxes = []
   try {
     const { Sandbox } = await load(base).catch(() => {
       throw new NoVerdict("Python could not be loaded. Is the site still there?")
     })
-    sandboxes.push(new Sandbox(), new Sandbox())
-    const [running, judging] = sandboxes
+    const [running, judging] = [new Sandbox(), new Sandbox()]
+    sandboxes.push(running, judging)
     const { trace } = await result(running, { kind: "trace", number, text }, stopped)
     running.end()
     const { verdict, console, said } = await result(judging, { kind: "judge", number, text, trace }, stopped)
     const shown = console.slice(0, Math.max(MOST_SAID - said.length, 0))
     return { verdict, said: [shown, said].filter(Boolean).join("\n").slice(0, MOST_SAID) }
   } catch (error) {
-    return error.verdict ?? { verdict: NOT_JUDGED, said: String(error) }
+    return error instanceof NoVerdict ? error.judgement : { verdict: NOT_JUDGED, said: String(error) }
   } finally {
     sandboxes.forEach((sandbox) => sandbox.end())
   }

@@ -3,27 +3,58 @@
 /** Before the keys of all that the site keeps. */
 export const PREFIX = "rosspin:"
 
-/** Why the browser does not keep something, in words. */
-export const why = ({ name }) =>
-  /quota/i.test(name) ? "the browser's storage is full" : "this browser keeps nothing here"
+/**
+ * Why the browser does not keep something, in words.
+ *
+ * @param {unknown} error what it has thrown
+ */
+export const why = (error) =>
+  /quota/i.test(/** @type {Error} */ (error).name) ? "the browser's storage is full" : "this browser keeps nothing here"
 
-/** A short text that differs when the given one does (FNV-1a). */
+/**
+ * A short text that differs when the given one does (FNV-1a).
+ *
+ * @param {string} text
+ */
 export function fingerprint(text) {
   let hash = 0x811c9dc5
-  for (const character of text) hash = Math.imul(hash ^ character.codePointAt(0), 0x01000193)
+  for (const character of text) hash = Math.imul(hash ^ /** @type {number} */ (character.codePointAt(0)), 0x01000193)
   return (hash >>> 0).toString(16)
 }
 
-/** The text of a listing that is no exercise, at its place on its page. Exercises have store.js. */
+/**
+ * What a cell shows, kept by the browser or not.
+ *
+ * @typedef {object} Keeping
+ * @property {string | null} text what the reader wrote; null if the listing stands as it comes with its page
+ * @property {string} said what there is to say of it
+ * @property {string} unkept why the browser does not keep it, in words; "" if it does
+ * @property {(text: string | null) => boolean} write keep a text, or with null that the listing was reset; whether there is
+ *   news to say
+ * @property {(text: string | null) => string | void} [solve] hear that a text has solved the exercise; what to say of that
+ *   in place of the count
+ * @property {boolean} [hasEarlier] whether there is another text to bring back
+ * @property {() => string} [bringBack] bring it back; what there is to say of it
+ * @property {(said: string) => void} [changed] called when another tab has changed it
+ */
+
+/**
+ * The text of a listing that is no exercise, at its place on its page. Exercises have store.js.
+ *
+ * @implements {Keeping}
+ */
 export class Kept {
   #key
 
-  /** What the reader wrote; null if the listing stands as it comes with its page. */
+  /** @type {string | null} */
   text = null
 
-  /** Why the browser does not keep it, in words; "" if it does. */
   unkept = ""
 
+  /**
+   * @param {string} place of the listing: its page, and its number there
+   * @param {string} original
+   */
   constructor(place, original) {
     this.#key = `${PREFIX}${place}:${fingerprint(original)}`
     try {
@@ -33,12 +64,15 @@ export class Kept {
     }
   }
 
-  /** What there is to say of it. */
   get said() {
     return this.text === null ? "" : "as you edited it"
   }
 
-  /** Keep what the reader has written, or with null that the listing was reset. Whether `unkept` is another now. */
+  /**
+   * Keep what the reader has written, or with null that the listing was reset. Whether `unkept` is another now.
+   *
+   * @param {string | null} text
+   */
   write(text) {
     const { unkept } = this
     this.text = text

@@ -1,20 +1,19 @@
 // Loaded with each page that has listings to run. Nothing else is loaded until the reader touches one of them.
 
-import { Cell, showProgress } from "./cell.js"
+import { Cell, loadShare, showProgress } from "./cell.js"
 import { HAS_JSPI, LACKS_JSPI } from "./jspi.js"
-import { make } from "./make.js"
+import { find, here, make } from "./make.js"
 import { notHere } from "./python.js"
 
-const base = new URL(".", document.currentScript.src).href
-
-/** Why Python cannot run here, in a sentence; "" if it can. */
-function missing() {
-  return notHere("run Python") || (HAS_JSPI ? "" : `This browser cannot run this listing: ${LACKS_JSPI}`)
-}
+const base = here().href
 
 document.querySelectorAll(".live-missing").forEach((line) => line.remove())
-const why = missing()
-const cells = [...document.querySelectorAll("div.live")].map((listing, index) => new Cell(listing, index, base, why))
+/** Why Python cannot run here, in a sentence; "" if it can. */
+const why = notHere("run Python") || (HAS_JSPI ? "" : `This browser cannot run this listing: ${LACKS_JSPI}`)
+/** @type {NodeListOf<HTMLElement>} */
+const listings = document.querySelectorAll("div.live")
+const cells = why ? [] : [...listings].map((listing, index) => new Cell(listing, index, base))
+if (why) listings.forEach((listing) => listing.append(make("p", { className: "live-missing", textContent: why })))
 
 /** Show the code that came with the link, if there is some, or say why not. */
 async function receive() {
@@ -22,11 +21,10 @@ async function receive() {
   if (!location.hash.startsWith("#code=")) return
   try {
     if (why) throw new Error(why)
-    const share = await import(`${base}share.js`)
-    await share.receive(cells)
-  } catch ({ message }) {
-    const notice = make("p", { className: "live-notice of-page", textContent: message, role: "alert" })
-    document.querySelector("article").prepend(notice)
+    await (await loadShare(base)).receive(cells)
+  } catch (error) {
+    const textContent = /** @type {Error} */ (error).message
+    find("article").prepend(make("p", { className: "live-notice of-page", textContent, role: "alert" }))
   }
 }
 

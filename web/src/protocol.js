@@ -2,20 +2,68 @@
 // and few. The page trusts none of it: what comes out of a sandbox may have been written by the code that ran there.
 
 /**
- * @typedef {{kind: "run", source: string, filename: string, seconds: number, args: string, speed: number}
- *   | {kind: "trace", number: number, text: string}
- *   | {kind: "judge", number: number, text: string, trace: string}} Job
- * @typedef {{kind: "part", name: string, bytes: Uint8Array | null}} Part of a file; with null, those until then were wrong
- * @typedef {{kind: "file", name: string, bytes: ArrayBuffer | "all" | null}} File what a sandbox needed; null: it cannot be had
+ * What the page sends:
+ * @typedef {{kind: "run", source: string, filename: string, seconds: number, args: string, speed: number}} RunJob
+ * @typedef {{kind: "trace", number: number, text: string}} TraceJob
+ * @typedef {{kind: "judge", number: number, text: string, trace: string}} JudgeJob
+ * @typedef {RunJob | TraceJob | JudgeJob} Job
+ * @typedef {{kind: "part", name: string, bytes: Uint8Array<ArrayBuffer> | null}} Part of a file; with null, those until
+ *   then were wrong
+ * @typedef {{kind: "file", name: string, bytes: ArrayBuffer | "all" | null}} Whole file that a sandbox needed; null: it
+ *   cannot be had
+ * @typedef {Job | Part | Whole} ToSandbox
+ *
+ * What the functions of rosspin.page give back, as JSON but for the text of a trace:
  * @typedef {[isError: boolean, text: string, number: number, line: number]} Chunk of what is printed
  * @typedef {[source: string, number: number, expected: number, real: number, duration: number]} Tick
- * @typedef {{kind: "ready"} | {kind: "need", name: string} | {kind: "failed", reason: string}
- *   | {kind: "batch", chunks: Chunk[], leftOut: number, ticks: Tick[]}
- *   | {kind: "end", result: object}} Message what a sandbox says; the result is that of rosspin.page's function
+ * @typedef {{status: number, errors: number, count: number, ticks: Tick[], chunks: number[][], end: number,
+ *   alternative: string, test: string}} RunResult
+ * @typedef {{trace: string}} TraceResult
+ * @typedef {"solved" | "not yet" | "open" | "to read" | "not judged"} Verdict
+ * @typedef {{verdict: Verdict, solved: boolean, status: string, console: string, said: string}} JudgeResult
+ * @typedef {{run: RunResult, trace: TraceResult, judge: JudgeResult}} Results by the kind of the job
+ *
+ * What a sandbox says; its last word on a job is that it has ended or failed:
+ * @typedef {{kind: "ready"}} Ready
+ * @typedef {{kind: "need", name: string}} Need
+ * @typedef {{kind: "failed", reason: string}} Failed
+ * @typedef {{kind: "batch", chunks: Chunk[], leftOut: number, ticks: Tick[]}} Batch
+ */
+
+/**
+ * @template R
+ * @typedef {{kind: "end", result: R}} End
+ */
+
+/**
+ * @template {keyof Results} K
+ * @typedef {Batch | Failed | End<Results[K]>} Word on a job of that kind
+ */
+
+/** @typedef {Ready | Need | Word<keyof Results>} FromSandbox */
+
+/**
+ * What the worker has for rosspin.page, and that for the worker.
+ * @typedef {{
+ *   print(text: string, isError: boolean, line: number): void,
+ *   tick(source: string, number: number, expected: number, real: number): void,
+ *   wait(ms: number): Promise<void>,
+ * }} Shown of a run, as it happens
+ * @typedef {{
+ *   run: Python<[source: string, filename: string, seconds: number, args: string, speed: number, page: Shown]>,
+ *   trace: Python<[number: number, text: string]>,
+ *   judge: Python<[number: number, text: string, trace: string]>,
+ *   wake(supply: (path: string) => Promise<void> | undefined): void,
+ * }} PythonPage
+ */
+
+/**
+ * @template {unknown[]} A
+ * @typedef {{callPromising(...args: A): Promise<string>}} Python function that may wait
  */
 
 /** In place of a file: its parts are all here, and right. */
-export const ALL = "all"
+export const ALL = /** @type {const} */ ("all")
 
 /** A message has at most so many characters. The longest are traces, of little more than 2 MB, whose quotes are escaped. */
 export const LONGEST = 6_000_000
@@ -27,13 +75,22 @@ export const PER_SECOND = 100
 /** An answer is either; see rosspin.page.judge. */
 const VERDICTS = ["solved", "not yet", "open", "to read", "not judged"]
 
-const isText = (value) => typeof value === "string"
-const isNumber = (value) => typeof value === "number"
-const isList = (value, isItem) => Array.isArray(value) && value.every(isItem)
-const isChunk = (value) =>
-  isList(value, () => true) && isText(value[1]) && isNumber(value[2]) && isNumber(value[3]) && value.length === 4
-const isTick = (value) => isList(value, () => true) && isText(value[0]) && isList(value.slice(1), isNumber) && value.length === 5
+/** @typedef {any} Unknown what may be anything */
 
+const isText = (/** @type {Unknown} */ value) => typeof value === "string"
+const isNumber = (/** @type {Unknown} */ value) => typeof value === "number"
+/** @type {(value: Unknown, isItem: (item: Unknown) => boolean) => boolean} */
+const isList = (value, isItem) => Array.isArray(value) && value.every(isItem)
+const isChunk = (/** @type {Unknown} */ value) =>
+  isList(value, () => true) && isText(value[1]) && isNumber(value[2]) && isNumber(value[3]) && value.length === 4
+const isTick = (/** @type {Unknown} */ value) =>
+  isList(value, () => true) && isText(value[0]) && isList(value.slice(1), isNumber) && value.length === 5
+
+/**
+ * What is known of the result of a job, by its kind; false if that is not right.
+ *
+ * @type {{[K in keyof Results]: (result: Unknown) => Results[K] | false}}
+ */
 const RESULTS = {
   run({ status, errors = 0, count = 0, ticks = [], chunks = [], end = 0, alternative = "", test = "" }) {
     const right =
@@ -51,6 +108,7 @@ const RESULTS = {
   },
 }
 
+/** @type {Record<string, (message: Unknown, job: keyof Results | null) => object | false>} */
 const MESSAGES = {
   ready: () => ({}),
   need: ({ name }) => isText(name) && { name },
@@ -58,14 +116,19 @@ const MESSAGES = {
   batch({ chunks, leftOut, ticks }) {
     return isList(chunks, isChunk) && isNumber(leftOut) && isList(ticks, isTick) && { chunks, leftOut, ticks }
   },
-  end: ({ result }, job) => result && job && (result = RESULTS[job](result)) && { result },
+  end({ result }, job) {
+    const known = result && job && RESULTS[job](result)
+    return known && { result: known }
+  },
 }
 
 /**
  * The message in a text that came from a sandbox, with what is known of such messages alone; `job` is the kind of what
  * the sandbox was asked to do.
  *
- * @returns {Message | null} null: it is none
+ * @param {string} text
+ * @param {keyof Results | null} job
+ * @returns {FromSandbox | null} null: it is none
  */
 export function read(text, job) {
   try {

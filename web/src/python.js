@@ -1,9 +1,19 @@
 // What runs code is loaded when it is first needed: see runs.js. `base` is the address of the folder that it is in.
 
-/** The module runs.js, in the version that belongs to this page. */
+/**
+ * The module runs.js, in the version that belongs to this page.
+ *
+ * @param {string} base
+ * @returns {Promise<typeof import("./runs.js")>}
+ */
 export const load = (base) => import(`${base}runs.js?${RUNS}`)
 
-/** Have Python ready for the next run, of an answer to an exercise if `answers`. */
+/**
+ * Have Python ready for the next run, of an answer to an exercise if `answers`.
+ *
+ * @param {string} base
+ * @param {boolean} answers
+ */
 export function warmUp(base, answers) {
   load(base).then(
     (runs) => runs.warmUp(answers),
@@ -11,8 +21,16 @@ export function warmUp(base, answers) {
   )
 }
 
-/** Run a job; `hear(message)` is called with what comes of it. `end()` of what is returned ends it at once. */
+/**
+ * Run a job; `hear(message)` is called with what comes of it. `end()` of what is returned ends it at once.
+ *
+ * @param {string} base
+ * @param {import("./runs.js").Text} job
+ * @param {(message: import("./runs.js").Told) => void} hear
+ * @returns {import("./runs.js").Run}
+ */
 export function start(base, job, hear) {
+  /** @type {import("./runs.js").Run | null} */
   let run = null
   let ended = false
   load(base).then(
@@ -27,7 +45,11 @@ export function start(base, job, hear) {
   }
 }
 
-/** Why a page as it was opened runs no code, in a sentence; "" if it does. `what` it cannot do, as in "run Python". */
+/**
+ * Why a page as it was opened runs no code, in a sentence; "" if it does.
+ *
+ * @param {string} what it cannot do, as in "run Python"
+ */
 export function notHere(what) {
   if (location.protocol === "file:") return `Opened as a file, a page cannot ${what}. Serve the site instead: make serve`
   if (self !== top) return `Shown inside another page, a page cannot ${what}. Open it by itself.`

@@ -5,24 +5,37 @@ import { Sandbox } from "./sandboxes.js"
 
 export { Sandbox }
 
+/**
+ * @typedef {import("./protocol.js").Failed} Failed
+ * @typedef {import("./protocol.js").Results} Results
+ * @typedef {Omit<import("./protocol.js").RunJob, "kind">} Text to be run: a node, or an answer to an exercise
+ * @typedef {{verdict: string, solved: boolean}} Judged the verdict in a line; "" if there is none
+ * @typedef {import("./protocol.js").Word<"run"> | import("./protocol.js").End<Judged> | {kind: "begun"}} Told of that
+ * @typedef {{end(): void}} Run that goes on
+ */
+
+/**
+ * @template {keyof Results} K
+ * @typedef {(message: import("./protocol.js").Word<K> | {kind: "begun"}) => void} Hear
+ */
+
 /** So long (ms) a run has the computer for itself, before the next sandbox is started. */
 const FIRST = 200
 
 /** Sandboxes for one purpose. What judges never shares one with what runs. */
 class Pool {
-  /** The one for the next job, if it was asked for. */
+  /** @type {Runner | null} the one for the next job, if it was asked for */
   next = null
 
-  /** One that has done its job. It is kept until the next one is ready. */
+  /** @type {Runner | null} one that has done its job; it is kept until the next one is ready */
   used = null
 
   warmUp() {
-    this.next ??= new Runner(this)
+    return (this.next ??= new Runner(this))
   }
 
   take() {
-    this.warmUp()
-    const runner = this.next
+    const runner = this.warmUp()
     this.next = null
     return runner
   }
@@ -35,14 +48,17 @@ class Runner {
   #known // a promise, kept when it is known whether it is ready
   #dead = false
   #ready = false
+  /** @type {Failed | null} */
   #failed = null // what was said of that
 
+  /** @param {Pool} pool */
   constructor(pool) {
     this.#pool = pool
     this.#sandbox = new Sandbox()
     this.#known = this.#sandbox.started.then((message) => this.#become(message))
   }
 
+  /** @param {import("./protocol.js").Ready | Failed} message */
   #become(message) {
     if (this.#dead) return
     const { used } = this.#pool
@@ -61,7 +77,13 @@ class Runner {
     this.#ready = !this.#failed
   }
 
-  /** Do a job; `hear(message)` is called with what comes of it. */
+  /**
+   * Do a job; `hear(message)` is called with what comes of it.
+   *
+   * @template {keyof Results} K
+   * @param {Extract<import("./protocol.js").Job, {kind: K}>} job
+   * @param {Hear<K>} hear
+   */
   async do(job, hear) {
     await this.#known
     if (this.#dead) return
@@ -77,7 +99,8 @@ class Runner {
   /** It has done its job by itself. */
   #release() {
     this.#pool.used?.end()
-    if (this.#pool.next?.#ready) this.end()
+    const { next } = this.#pool
+    if (next && next.#ready) this.end()
     else this.#pool.used = this
   }
 
@@ -91,7 +114,11 @@ class Runner {
 const runs = new Pool()
 const judges = new Pool()
 
-/** Have sandboxes ready for the next run, of an answer to an exercise if `answers`. */
+/**
+ * Have sandboxes ready for the next run, of an answer to an exercise if `answers`.
+ *
+ * @param {boolean} answers
+ */
 export function warmUp(answers) {
   runs.warmUp()
   if (answers) judges.warmUp()
@@ -100,7 +127,13 @@ export function warmUp(answers) {
 /** The first line of an answer to an exercise. */
 const ANSWER = /^%%answer[ \t]+(\d+)[^\n]*\n?/
 
-/** Run a job; `hear(message)` is called with what comes of it. `end()` of what is returned ends it at once. */
+/**
+ * Run a job; `hear(message)` is called with what comes of it. `end()` of what is returned ends it at once.
+ *
+ * @param {Text} job
+ * @param {(message: Told) => void} hear
+ * @returns {Run}
+ */
 export function start(job, hear) {
   const [first, number] = job.source.match(ANSWER) ?? []
   if (first) return answer(Number(number), `\n${job.source.slice(first.length)}`, hear)
@@ -109,7 +142,13 @@ export function start(job, hear) {
   return runner
 }
 
-/** Run an answer in one sandbox, and have what came of that judged in another. */
+/**
+ * Run an answer in one sandbox, and have what came of that judged in another.
+ *
+ * @param {number} number
+ * @param {string} text
+ * @param {(message: Told) => void} hear
+ */
 function answer(number, text, hear) {
   const [running, judging] = [runs.take(), judges.take()]
   running.do({ kind: "trace", number, text }, (message) => {
@@ -127,10 +166,16 @@ function answer(number, text, hear) {
   }
 }
 
-/** Tell what was said of an answer; what is left to say at the end of its run. */
+/**
+ * Tell what was said of an answer; what is left to say at the end of its run.
+ *
+ * @param {Results["judge"]} result
+ * @param {(message: Told) => void} hear
+ * @returns {Judged}
+ */
 function told({ verdict, solved, status, console, said }, hear) {
   const texts = [console, said.replaceAll("`", "")].filter(Boolean) // a console is no Markdown
   const isError = verdict === "not judged"
   hear({ kind: "batch", chunks: texts.map((text, number) => [isError, `${text}\n`, number, 0]), leftOut: 0, ticks: [] })
-  return isError ? { status: 1 } : { status: 0, verdict: status, solved }
+  return { verdict: isError ? "" : status, solved }
 }

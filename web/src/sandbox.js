@@ -14,6 +14,7 @@ class Packed {
     this.#bytes.catch(() => {}) // it is awaited later, if it is right
   }
 
+  /** @param {Uint8Array<ArrayBuffer>} part */
   add(part) {
     this.#writer.write(part).catch(() => {})
   }
@@ -25,10 +26,14 @@ class Packed {
   }
 }
 
+/**
+ * @param {string} script
+ * @param {MessagePort} port
+ */
 function begin(script, port) {
   const address = URL.createObjectURL(new Blob([script], { type: "text/javascript" }))
   const worker = new Worker(address)
-  const end = (reason) => {
+  const end = (/** @type {string} */ reason) => {
     worker.onmessage = null
     worker.terminate()
     port.postMessage(JSON.stringify({ kind: "failed", reason }))
@@ -41,6 +46,7 @@ function begin(script, port) {
     else end("It was ended: it sent more than this page takes.")
   }
   worker.onerror = ({ message }) => end(`It was ended by an error: ${message ?? "its worker could not be started"}`)
+  /** @type {Packed | null} */
   let packed = null
   port.onmessage = async ({ data }) => {
     if (data.name?.endsWith(".gz")) {
@@ -49,7 +55,7 @@ function begin(script, port) {
         packed?.add(data.bytes)
         if (data.kind === "part") return
       }
-      data.bytes = data.bytes && (await packed.end())
+      data.bytes = data.bytes && packed && (await packed.end())
     }
     const { bytes } = data
     worker.postMessage(data, bytes && bytes !== ALL ? [bytes.buffer ?? bytes] : [])
@@ -60,7 +66,7 @@ function begin(script, port) {
 if (self.origin === "null" && parent !== self) {
   let begun = false
   addEventListener("message", ({ source, data, ports: [port] }) => {
-    if (source !== parent || begun) return
+    if (source !== parent || begun || !port) return
     begun = true
     begin(data, port)
   })

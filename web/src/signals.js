@@ -3,7 +3,7 @@ const LOOK = 400
 
 /** Stands for the shared memory through which Python is told of signals: it looks there every now and then. */
 export const signals = {
-  last: Infinity,
+  last: Infinity, // when (ms) it was interrupted last
   get 0() {
     if (performance.now() < this.last + LOOK) return 0
     this.last = performance.now()

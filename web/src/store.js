@@ -9,6 +9,19 @@ import { PREFIX, why } from "./kept.js"
 /** So many versions are kept, and the newest that solved the exercise. */
 const MOST = 6
 
+/**
+ * A text, or with null the cell as it comes with its page, with a name that no other has, and when (ms) it was begun.
+ *
+ * @typedef {{id: string, time: number, text: string | null, solved?: boolean}} Version
+ * @typedef {{solved: boolean, versions: Version[]}} Known of an answer: whether some text has solved it, and the versions,
+ *   newest first
+ *
+ * What a browser has; `page` is a name that no other page has, and `begun` counts what it has named.
+ * @typedef {{storage(): Storage, now(): number, page: string}} Browser
+ * @typedef {Browser & {begun: number}} Browsing
+ */
+
+/** @type {Known} */
 const NONE = { solved: false, versions: [] }
 
 /** How the keys of earlier versions of the site end: number of the listing on its page, fingerprint; solved or not. */
@@ -17,8 +30,13 @@ const OLD = /:\d+:([0-9a-f]+)(:solved)?$/
 /** The first line of an answer names the exercise. */
 export const FIRST_LINE = /^%%answer (\S+)\n/
 
-/** Versions in their order, each text once, without those that are too many. */
+/**
+ * Versions in their order, each text once, without those that are too many.
+ *
+ * @param {Version[]} versions
+ */
 function inOrder(versions) {
+  /** @type {Version[]} */
   const found = []
   for (const version of [...versions].sort((one, other) => other.time - one.time)) {
     const same = found.find(({ id, text }) => id === version.id || text === version.text)
@@ -29,11 +47,16 @@ function inOrder(versions) {
   return found.filter((version, number) => number < MOST || version === solved)
 }
 
-/** A record as it was written; null if that is none. */
+/**
+ * A record as it was written; null if that is none.
+ *
+ * @param {string | null} written
+ * @returns {Known | null}
+ */
 function parsed(written) {
   try {
-    const { solved, versions } = JSON.parse(written)
-    const right = ({ id, time, text }) =>
+    const { solved, versions } = JSON.parse(written ?? "null")
+    const right = (/** @type {any} */ { id, time, text }) =>
       typeof id === "string" && Number.isFinite(time) && (text === null || typeof text === "string")
     return { solved: solved === true, versions: inOrder(versions.filter(right)) }
   } catch {
@@ -42,19 +65,25 @@ function parsed(written) {
 }
 
 /** The answer to one exercise. */
-class Answer {
+export class Answer {
   #key
   #browser
   #known = NONE // the record, as this page knows it
+  /** @type {string | null} */
   #draft = null // the version that typing goes on in
+  /** @type {(string | null)[] | null} */
   #round = null // the texts that Earlier version goes through, the one that is shown first
 
   /** Why the browser does not keep it, in words; "" if it does. */
   unkept = ""
 
-  /** Is called when another tab has changed it, with what there is to say of that. */
+  /** @type {(said: string) => void} is called when another tab has changed it, with what there is to say of that */
   changed = () => {}
 
+  /**
+   * @param {string} key
+   * @param {Browsing} browser
+   */
   constructor(key, browser) {
     this.#key = key
     this.#browser = browser
@@ -100,6 +129,8 @@ class Answer {
   /**
    * Keep what the student has written, or with null that the cell was reset. Whether `solved` or `unkept`
    * is another now.
+   *
+   * @param {string | null} text
    */
   write(text) {
     const before = this.#state
@@ -109,6 +140,7 @@ class Answer {
     return before !== this.#state
   }
 
+  /** @param {string | null} text */
   #add(text) {
     const { solved, versions } = this.#known
     const [newest] = versions
@@ -120,7 +152,11 @@ class Answer {
     this.#save({ solved, versions: inOrder([{ id, time, text }, ...versions]) })
   }
 
-  /** Keep that a text, with null that of the page, has solved the exercise. It may have been changed since. */
+  /**
+   * Keep that a text, with null that of the page, has solved the exercise. It may have been changed since.
+   *
+   * @param {string | null} text
+   */
   solve(text) {
     const { versions } = this.#latest()
     const time = versions.length ? versions[0].time - 1 : this.#browser.now()
@@ -132,7 +168,7 @@ class Answer {
   bringBack() {
     const { versions } = this.#latest()
     const round = this.#round ?? versions.map(({ text }) => text)
-    round.push(round.shift())
+    round.push(...round.splice(0, 1))
     this.#draft = null // the text that stands there stays a version
     const time = versions.find(({ text }) => text === round[0])?.time
     this.write(round[0])
@@ -155,7 +191,12 @@ class Answer {
     this.changed(text === this.text ? this.said : "as you changed it in another tab")
   }
 
-  /** Take over texts, newest first, from before there were records, and whether one solved. Whether that is kept. */
+  /**
+   * Take over texts, newest first, from before there were records, and whether one solved. Whether that is kept.
+   *
+   * @param {string[]} texts
+   * @param {boolean} solved
+   */
   adopt(texts, solved) {
     const latest = this.#latest()
     const versions = texts.map((text) => ({ id: this.#newId(), time: 0, text }))
@@ -185,6 +226,7 @@ class Answer {
     return { solved: kept.solved || this.#known.solved, versions: inOrder([...kept.versions, ...own]) }
   }
 
+  /** @param {Known} record */
   #save(record) {
     this.#known = record
     try {
@@ -201,11 +243,12 @@ export class Store {
   #before // what the keys of all answers begin with
   #old // what those of earlier versions of the site begin with
   #browser
+  /** @type {Map<string, Answer>} */
   #answers = new Map()
 
   /**
    * @param {string} root the path beneath which all pages of the site are
-   * @param {object} browser its storage, which may throw, the time (ms), and a name that no other page has
+   * @param {Browser} browser its storage, which may throw, the time (ms), and a name that no other page has
    */
   constructor(root, { storage, now, page }) {
     this.#old = PREFIX + root
@@ -213,21 +256,32 @@ export class Store {
     this.#browser = { storage, now, page, begun: 0 }
   }
 
-  /** The answer to an exercise. */
+  /**
+   * The answer to an exercise.
+   *
+   * @param {string} id
+   */
   of(id) {
-    if (!this.#answers.has(id)) this.#answers.set(id, new Answer(this.#before + id, this.#browser))
-    return this.#answers.get(id)
+    const answer = this.#answers.get(id) ?? new Answer(this.#before + id, this.#browser)
+    this.#answers.set(id, answer)
+    return answer
   }
 
-  /** All answers, as pairs of an exercise and what was written. */
+  /**
+   * All answers, as pairs of an exercise and what was written.
+   *
+   * @returns {[id: string, text: string][]}
+   */
   texts() {
     const ids = this.#keys().filter((key) => key.startsWith(this.#before)).map((key) => key.slice(this.#before.length))
-    const old = this.#oldTexts().map(({ id, text }) => [id, text])
+    /** @type {[string, string | null][]} */
+    const old = this.#oldTexts().map(({ id, text }) => [String(id), text])
     ids.forEach((id) => this.of(id))
     this.refresh()
+    /** @type {[string, string | null][]} */
     const mine = [...this.#answers].map(([id, answer]) => [id, answer.text])
     const has = new Set(mine.map(([id]) => id))
-    return [...old.filter(([id]) => !has.has(id)), ...mine].filter(([, text]) => text !== null)
+    return [...old.filter(([id]) => !has.has(id)), ...mine].flatMap(([id, text]) => (text === null ? [] : [[id, text]]))
   }
 
   /** The exercises that were solved with a text that is kept, but is not the newest one. */
@@ -240,16 +294,25 @@ export class Store {
     for (const answer of this.#answers.values()) answer.refresh()
   }
 
-  /** See what another tab has made of the answer under a key. */
+  /**
+   * See what another tab has made of the answer under a key.
+   *
+   * @param {string} key
+   */
   heard(key) {
     if (key.startsWith(this.#before)) this.#answers.get(key.slice(this.#before.length))?.refresh()
   }
 
-  /** Take over what earlier versions of the site kept of an exercise, first what belongs to its cell as it is now. */
+  /**
+   * Take over what earlier versions of the site kept of an exercise, first what belongs to its cell as it is now.
+   *
+   * @param {string} id
+   * @param {string} fingerprint of that cell
+   */
   adopt(id, fingerprint) {
-    const isOfCell = (key) => key.match(OLD)[1] === fingerprint
+    const isOfCell = (/** @type {string} */ key) => key.match(OLD)?.[1] === fingerprint
     const texts = this.#oldTexts(isOfCell).filter((old) => old.id === id || isOfCell(old.key))
-    texts.sort((one, other) => isOfCell(other.key) - isOfCell(one.key))
+    texts.sort((one, other) => Number(isOfCell(other.key)) - Number(isOfCell(one.key)))
     const keys = texts.map(({ key }) => key)
     const solved = this.#oldKeys().filter((key) => key.endsWith(":solved"))
     const ticks = solved.filter((key) => isOfCell(key) || keys.includes(key.replace(/:solved$/, "")))
@@ -271,7 +334,7 @@ export class Store {
     return this.#keys().filter((key) => key.startsWith(this.#old) && OLD.test(key))
   }
 
-  #oldTexts(isOfCell = () => false) {
+  #oldTexts(isOfCell = (/** @type {string} */ _key) => false) {
     return this.#oldKeys()
       .filter((key) => !key.endsWith(":solved"))
       .map((key) => ({ key, text: this.#browser.storage().getItem(key) ?? "" }))

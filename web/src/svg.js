@@ -12,19 +12,39 @@ const MOST_ABOVE = 2
 const LINE = { stroke: "currentColor", "stroke-opacity": 0.55 }
 export const MARGIN = 0.016 // of the width, on either side of the ticks
 
-/** An SVG element. */
+/**
+ * An SVG element.
+ *
+ * @param {string} tag
+ * @param {Record<string, string | number>} attributes
+ * @param {(Node | string)[]} children
+ */
 export function draw(tag, attributes, ...children) {
   const element = document.createElementNS("http://www.w3.org/2000/svg", tag)
-  for (const [name, value] of Object.entries(attributes)) element.setAttribute(name, value)
+  for (const [name, value] of Object.entries(attributes)) element.setAttribute(name, /** @type {string} */ (value))
   element.append(...children)
   return element
 }
 
-const round = (value) => Math.floor(value * 1e3 + 0.5) / 1e3
+const round = (/** @type {number} */ value) => Math.floor(value * 1e3 + 0.5) / 1e3
 
-export const percent = (share) => `${round(share)}%`
+export const percent = (/** @type {number} */ share) => `${round(share)}%`
 
-/** A mark for a tick: a dot in the first row, a square in the second, a ring in the third. */
+/**
+ * What a row shows: its name and words, the times (s) expected and lost, and when (s) and for how long (s) it ticked.
+ *
+ * @typedef {[name: string, words: string, expected: number[], lost: number[], ticks: When[]]} Row
+ * @typedef {[real: number, duration: number]} When
+ * @typedef {{first: number, span: number, kinds: number}} Scale when (s) it begins, how long (s) it is; kinds of marks
+ */
+
+/**
+ * A mark for a tick: a dot in the first row, a square in the second, a ring in the third.
+ *
+ * @param {number} kind
+ * @param {string} x
+ * @param {number} y
+ */
 function mark(kind, x, y) {
   const colour = COLOURS[kind]
   if (kind === 1) return draw("rect", { x, y: y - 4, width: 8, height: 8, transform: "translate(-4)", fill: colour })
@@ -32,9 +52,15 @@ function mark(kind, x, y) {
   return draw("circle", { cx: x, cy: y, r: 4, fill: colour })
 }
 
-/** What a row shows: its name and words, the times expected and lost, and [when, how long] for each tick, in seconds. */
+/**
+ * The elements of a row.
+ *
+ * @param {number} number
+ * @param {Row} row
+ * @param {Scale} scale
+ */
 function drawRow(number, [, , expected, lost, ticks], { first, span, kinds }) {
-  const scale = (time) => percent((100 * (time - first)) / span)
+  const scale = (/** @type {number} */ time) => percent((100 * (time - first)) / span)
   const top = TOP + ROW * number
   const y = top + TICKS
   const kind = number % kinds
@@ -57,8 +83,14 @@ function drawRow(number, [, , expected, lost, ticks], { first, span, kinds }) {
   return drawn
 }
 
-/** How far down the calls of a row are, and the height of their bars: calls that overlap get a lane each. */
+/**
+ * How far down the calls of a row are, and the height of their bars: calls that overlap get a lane each.
+ *
+ * @param {When[]} ticks
+ * @returns {[lanes: number[], height: number]}
+ */
 function lanesOf(ticks) {
+  /** @type {number[]} */
   const ends = [] // of the last call in each lane
   const taken = ticks.map(([real, duration]) => {
     const free = ends.findIndex((end) => end < real + 1e-3)
@@ -70,8 +102,13 @@ function lanesOf(ticks) {
   return [taken.map((lane) => (lane - (ends.length - 1) / 2) * pitch), Math.min(BAR, pitch - 1)]
 }
 
-/** How far down the ticks of a row are. Those at the same time stand one above the other, as far as there is room. */
-export function heights(number, ticks) {
+/**
+ * How far down the ticks of a row are. Those at the same time stand one above the other, as far as there is room.
+ *
+ * @param {number} number of the row
+ * @param {When[]} ticks
+ */
+function heights(number, ticks) {
   const [lanes] = lanesOf(ticks)
   let above = 0
   return ticks.map(([real], index) => {
@@ -81,7 +118,38 @@ export function heights(number, ticks) {
   })
 }
 
-/** A timeline with its axis: `title` says what there is to see, `alternative` what is seen. */
+/**
+ * The ticks of a run that has come to `end` (s) as a timeline: its rows and its scale, and of each tick where its mark is,
+ * across as a share and down in pixels.
+ *
+ * @param {import("./protocol.js").Tick[]} ticks at least one
+ * @param {number} end
+ */
+export function layOut(ticks, end) {
+  const first = ticks[0][1] === 1 ? 0 : Math.min(...ticks.map(([, , expected]) => expected))
+  const last = Math.max(end, ...ticks.map(([, , expected, real, duration]) => Math.max(expected, real + duration)))
+  const scale = { first, span: last - first || 1, kinds: 3, title: "time (s); line: expected, mark: real" }
+  /** @type {Map<string, Row>} */
+  const found = new Map()
+  for (const [source, , expected, real, duration] of ticks) {
+    const row = found.get(source) ?? /** @type {Row} */ ([source, "", [], [], []])
+    found.set(source, row)
+    if (!row[2].includes(expected)) row[2].push(expected)
+    row[4].push([real, duration])
+  }
+  const rows = [...found.values()]
+  const down = new Map(rows.map(([source, , , , when], number) => [source, heights(number, when)]))
+  const places = ticks.map(([source, , , real]) => [(real - first) / scale.span, down.get(source)?.shift()])
+  return { rows, scale, places: /** @type {[share: number, down: number][]} */ (places) }
+}
+
+/**
+ * A timeline with its axis: `title` says what there is to see, `alternative` what is seen.
+ *
+ * @param {Row[]} rows
+ * @param {Scale & {title: string}} scale
+ * @param {string} alternative
+ */
 export function drawTimeline(rows, { title, ...scale }, alternative) {
   const top = TOP + ROW * rows.length
   const axis = []
@@ -108,8 +176,12 @@ export function drawTimeline(rows, { title, ...scale }, alternative) {
   )
 }
 
-/** The step between the numbers on an axis of that length: 1, 2 or 5 times a power of ten, at most 7 of them. */
+/**
+ * The step between the numbers on an axis of that length: 1, 2 or 5 times a power of ten, at most 7 of them.
+ *
+ * @param {number} length
+ */
 function step(length) {
   const power = 10 ** Math.floor(Math.log10(length / 7))
-  return [1, 2, 5, 10].map((factor) => factor * power).find((size) => length / size <= 7)
+  return power * ([1, 2, 5].find((factor) => length / (factor * power) <= 7) ?? 10)
 }

@@ -9,10 +9,18 @@ export const UNSEEN = /[\p{Cf}\p{Zl}\p{Zp}\u115f\u1160\u3164\uffa0]|(?![\t\n\r])
 /** A line that is longer (characters) is wrapped. */
 const LONG = 150
 
-/** The sign of such a character, as in "U+202E". */
-export const sign = (character) => `U+${character.codePointAt(0).toString(16).toUpperCase().padStart(4, "0")}`
+/**
+ * The sign of such a character, as in "U+202E".
+ *
+ * @param {string} character
+ */
+export const sign = (character) => `U+${Number(character.codePointAt(0)).toString(16).toUpperCase().padStart(4, "0")}`
 
-/** What to show of a text: `pre`, an element whose textContent it is, and what is to be `said` of it, maybe nothing. */
+/**
+ * What to show of a text: `pre`, an element whose textContent it is, and what is to be `said` of it, maybe nothing.
+ *
+ * @param {string} text
+ */
 export function reveal(text) {
   const pre = make("pre")
   let from = 0

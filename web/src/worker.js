@@ -26,19 +26,34 @@ const NOWHERE = "memory:/"
 /** What Python is told where a file cannot be read: the number of an input/output error. */
 const EIO = 29
 
+/** @type {(text: string) => void} */
 const post = postMessage.bind(globalThis)
-const say = (message) => post(JSON.stringify(message))
+const say = (/** @type {import("./protocol.js").FromSandbox} */ message) => post(JSON.stringify(message))
 
-/** What Python sees of the page. What it prints and when it ticks is gathered, so that a flood does not drown it. */
+/** @typedef {import("./protocol.js").Shown} Shown */
+
+/**
+ * What Python sees of the page. What it prints and when it ticks is gathered, so that a flood does not drown it.
+ *
+ * @implements {Shown}
+ */
 class Page {
+  /** @type {import("./protocol.js").Chunk[]} */
   #chunks = []
   #count = 0
   #size = 0
   #leftOut = 0
+  /** @type {import("./protocol.js").Tick[]} */
   #ticks = []
   #sent = 0
-  #timer = null
+  /** @type {number | undefined} */
+  #timer
 
+  /**
+   * @param {string} text
+   * @param {boolean} isError
+   * @param {number} line
+   */
   print(text, isError, line) {
     if (text.length > MOST) {
       const dropped = text.slice(0, -MOST)
@@ -48,19 +63,29 @@ class Page {
     this.#chunks.push([isError, text, this.#count++, line])
     this.#size += text.length
     while (this.#size > MOST && this.#chunks.length > 1) {
-      const [, dropped] = this.#chunks.shift()
+      const [[, dropped]] = this.#chunks.splice(0, 1)
       this.#size -= dropped.length
       this.#leftOut += lines(dropped)
     }
     this.#soon()
   }
 
+  /**
+   * @param {string} source
+   * @param {number} number
+   * @param {number} expected
+   * @param {number} real
+   */
   tick(source, number, expected, real) {
     this.#ticks.push([source, number, expected, real, 0])
     if (this.#ticks.length >= 2 * MOST_TICKS) this.#ticks.splice(0, MOST_TICKS)
     this.#soon()
   }
 
+  /**
+   * @param {number} ms
+   * @returns {Promise<void>}
+   */
   wait(ms) {
     return new Promise((resolve) => setTimeout(resolve, ms))
   }
@@ -73,7 +98,7 @@ class Page {
 
   send() {
     clearTimeout(this.#timer)
-    this.#timer = null
+    this.#timer = undefined
     this.#sent = performance.now()
     if (this.#chunks.length || this.#ticks.length) {
       say({ kind: "batch", chunks: this.#chunks, leftOut: this.#leftOut, ticks: this.#ticks.slice(-MOST_TICKS) })
@@ -84,7 +109,11 @@ class Page {
   }
 }
 
-/** How many lines end in a text. */
+/**
+ * How many lines end in a text.
+ *
+ * @param {string} text
+ */
 function lines(text) {
   let count = 0
   for (let end = text.indexOf("\n"); end >= 0; end = text.indexOf("\n", end + 1)) count++
@@ -93,15 +122,27 @@ function lines(text) {
 
 // --- files that the page has ---
 
-const files = new Map() // name -> what it is promised with: bytes, or null if the page could not get them
+/** @typedef {import("./protocol.js").Whole["bytes"]} Bytes or null if the page could not get them */
 
-/** A file that the page sends, or null. */
+/** @type {Map<string, PromiseWithResolvers<Bytes>>} with what files are promised, by their names */
+const files = new Map()
+
+/**
+ * A file that the page sends, or null.
+ *
+ * @param {string} name
+ */
 function file(name) {
-  if (!files.has(name)) files.set(name, Promise.withResolvers())
-  return files.get(name)
+  const promised = files.get(name) ?? Promise.withResolvers()
+  files.set(name, promised)
+  return promised
 }
 
-/** One that it sends when it is asked to. */
+/**
+ * One that it sends when it is asked to.
+ *
+ * @param {string} name
+ */
 function ask(name) {
   files.delete(name)
   say({ kind: "need", name })
@@ -117,8 +158,14 @@ class LateFile {
   #node
   #name
   #usual
+  /** @type {Promise<void> | null} */
   #asking = null
 
+  /**
+   * @param {any} FS that of Pyodide
+   * @param {string} path
+   * @param {string} name
+   */
   constructor(FS, path, name) {
     FS.writeFile(path, "")
     this.#FS = FS
@@ -135,7 +182,7 @@ class LateFile {
     if (this.#node.stream_ops === this.#usual) return undefined
     this.#asking ??= ask(this.#name).then((bytes) => {
       this.#asking = null
-      if (!bytes) return
+      if (!(bytes instanceof ArrayBuffer)) return
       this.#node.contents = new Uint8Array(bytes)
       this.#node.usedBytes = bytes.byteLength
       this.#node.stream_ops = this.#usual
@@ -158,64 +205,83 @@ function limitMemory() {
 
 async function loadScript() {
   const text = await file("pyodide.asm.mjs").promise
-  return (await import(URL.createObjectURL(new Blob([text], { type: "text/javascript" })))).default
+  return (await import(URL.createObjectURL(new Blob([/** @type {ArrayBuffer} */ (text)], { type: "text/javascript" })))).default
 }
 
 /** WebAssembly that is compiled while it comes. It is run when all of it is known to be right. */
 class Compiling {
+  /** @type {ReadableStreamDefaultController | undefined} */
   #controller
   #module
 
   constructor() {
-    const stream = new ReadableStream({ start: (controller) => (this.#controller = controller) })
+    const stream = new ReadableStream({
+      start: (controller) => {
+        this.#controller = controller
+      },
+    })
     this.#module = WebAssembly.compileStreaming(new Response(stream, { headers: { "Content-Type": "application/wasm" } }))
     this.#module.catch(() => {}) // it is awaited later, if it is right
   }
 
+  /** @param {Uint8Array} part */
   add(part) {
-    this.#controller.enqueue(part)
+    this.#controller?.enqueue(part)
   }
 
   end() {
-    this.#controller.close()
+    this.#controller?.close()
     return this.#module
   }
 }
 
+/** @type {Compiling | null} */
 let compiling = null
 
-/** A part of the WebAssembly has come, or null: those until then were wrong. */
+/**
+ * A part of the WebAssembly has come, or null: those until then were wrong.
+ *
+ * @param {import("./protocol.js").Part["bytes"]} part
+ */
 function take(part) {
   compiling = part && (compiling ?? new Compiling())
-  compiling?.add(part)
+  if (part) compiling?.add(part)
 }
 
 async function compile() {
   const bytes = await file("pyodide.asm.wasm").promise
-  return bytes === ALL ? compiling.end() : WebAssembly.compile(bytes)
+  if (bytes === ALL && compiling) return compiling.end()
+  return WebAssembly.compile(/** @type {ArrayBuffer} */ (bytes))
 }
 
-/** Start Python, from `snapshot` if there is one: Python, and what to call before it reads a file. */
+/**
+ * Start Python, from `snapshot` if there is one: Python, and what to call before it reads a file.
+ *
+ * @param {unknown} createPyodideModule
+ * @param {Promise<WebAssembly.Module>} compiled
+ * @param {Bytes} snapshot
+ */
 async function start(createPyodideModule, compiled, snapshot) {
   // All that most nodes need is in the snapshot. The standard library and our own files are asked for when one of them is
   // read: for an import, or a line of a traceback. Pyodide insists on a file in the first one's place.
   const [stdlib, ours] = snapshot ? ["-"] : await Promise.all(LATE.map(ask))
   if (!stdlib) throw new Error("its files cannot be had")
-  globalThis.fetch = async () => new Response(stdlib) // there is nothing else that Pyodide asks for
+  globalThis.fetch = async () => new Response(/** @type {BodyInit} */ (stdlib)) // there is nothing else that Pyodide asks for
   WebAssembly.instantiateStreaming = async (_, imports) => {
     const module = await compiled
     return { module, instance: await WebAssembly.instantiate(module, imports) }
   }
+  /** @type {any} */ // Pyodide says less of it than there is
   const given = { ...options(info), stdout() {}, stderr() {}, stdin: () => null, indexURL: NOWHERE, createPyodideModule }
-  const python = await loadPyodide({ ...given, _loadSnapshot: snapshot && Promise.resolve(snapshot) })
-  delete globalThis.fetch // the browser's own is back, which can ask for nothing
+  const python = await loadPyodide({ ...given, _loadSnapshot: snapshot instanceof ArrayBuffer ? Promise.resolve(snapshot) : undefined })
+  delete /** @type {Partial<typeof globalThis>} */ (globalThis).fetch // the browser's own is back, which can ask for nothing
   if (!snapshot) {
-    install(python, new Uint8Array(ours))
+    install(python, new Uint8Array(/** @type {ArrayBuffer} */ (ours)))
     return { python, supply: () => undefined }
   }
   const paths = [`${LIBRARY}/python314.zip`, `${PACKAGES}/rosspin.zip`]
   const late = new Map(paths.map((path, number) => [path, new LateFile(python.FS, path, LATE[number])]))
-  return { python, supply: (path) => late.get(path)?.supply() }
+  return { python, supply: (/** @type {string} */ path) => late.get(path)?.supply() }
 }
 
 async function boot() {
@@ -224,18 +290,26 @@ async function boot() {
   const snapshot = file("snapshot.gz").promise
   compiled.catch(() => {}) // it is awaited later
   const createPyodideModule = await loadScript()
-  const from = (snapshot) => start(createPyodideModule, compiled, snapshot)
+  const from = (/** @type {Bytes} */ snapshot) => start(createPyodideModule, compiled, snapshot)
   const { python, supply } = await from(await snapshot).catch(() => from(null))
+  /** @type {import("./protocol.js").PythonPage} */
   const page = python.pyimport("rosspin.page")
   page.wake(supply)
-  python.setInterruptBuffer(signals)
+  python.setInterruptBuffer(/** @type {any} */ (signals))
   python.setStdin({ stdin: () => null }) // there is nobody to ask: EOFError
   return page
 }
 
 // --- jobs ---
 
-/** Do a job, with the functions of rosspin.page: what came of it. */
+/**
+ * Do a job, with the functions of rosspin.page: what came of it.
+ *
+ * @param {import("./protocol.js").PythonPage} python
+ * @param {import("./protocol.js").Job} job
+ * @param {Page} page
+ * @returns {Promise<import("./protocol.js").Results[keyof import("./protocol.js").Results]>}
+ */
 async function act({ run, trace, judge }, job, page) {
   if (job.kind === "run") {
     const { source, filename, seconds, args, speed } = job
@@ -245,8 +319,8 @@ async function act({ run, trace, judge }, job, page) {
   return JSON.parse(await judge.callPromising(job.number, job.text, job.trace))
 }
 
-const fail = (reason) => say({ kind: "failed", reason })
-const broke = (error) => fail(`Python itself broke down: ${error}`)
+const fail = (/** @type {string} */ reason) => say({ kind: "failed", reason })
+const broke = (/** @type {unknown} */ error) => fail(`Python itself broke down: ${error}`)
 
 const booting = boot()
 booting.then(
@@ -254,7 +328,7 @@ booting.then(
   (error) => fail(`Python could not be started: ${error}`),
 )
 
-addEventListener("message", async ({ data }) => {
+addEventListener("message", async (/** @type {MessageEvent<import("./protocol.js").ToSandbox>} */ { data }) => {
   if (data.kind === "part") return take(data.bytes)
   if (data.kind === "file") return file(data.name).resolve(data.bytes)
   const python = await booting

@@ -6,7 +6,8 @@ import re
 from collections.abc import Iterator
 
 import pytest
-from playwright.sync_api import Browser, Locator, Page, expect
+from figures import FIGURES, opened
+from playwright.sync_api import Browser, BrowserContext, Locator, Page, expect
 
 
 @pytest.fixture(params=["light", "dark"])
@@ -51,3 +52,30 @@ def test_print_is_dark_on_white_and_without_what_can_be_pressed(paper: Page, add
     dark = {ground for ground in grounds if sum(map(int, re.findall(r"\d+", ground)[:3])) < 600}
     assert dark <= {"rgba(0, 0, 0, 0)"}
     assert paper.evaluate("getComputedStyle(document.body).backgroundColor") == "rgb(255, 255, 255)"
+
+
+def test_on_paper_the_first_position_stands(context: BrowserContext, address: str) -> None:
+    page = context.new_page()
+    figure = opened(page, address, FIGURES[0])
+    before, code = figure.markup(), page.locator(".rosspin-beside pre").inner_text()
+    figure.handle.press("End")
+    moved = figure.markup()
+    page.evaluate("dispatchEvent(new Event('beforeprint'))")
+    page.emulate_media(media="print")
+    expect(figure.handle).to_be_hidden()
+    assert figure.markup() == before
+    assert page.locator(".rosspin-beside pre").inner_text() == code
+    page.evaluate("dispatchEvent(new Event('afterprint'))")
+    assert figure.markup() == moved
+
+
+def test_plots_are_on_paper(browser: Browser, address: str) -> None:
+    with browser.new_context(viewport={"width": 1280, "height": 844}, color_scheme="dark") as context:
+        page = context.new_page()
+        page.goto(address + "notebooks/rate.html")
+        page.emulate_media(media="print")
+        plots = page.locator(".cell_output figure.rosspin-plot")
+        assert plots.count() == 5
+        for index in range(5):
+            text = plots.nth(index).locator("svg[role=img]:visible text").first
+            assert text.evaluate("text => getComputedStyle(text).fill") == "rgb(0, 0, 0)"

@@ -4,17 +4,12 @@ from __future__ import annotations
 
 import json
 import re
-import subprocess
-from collections.abc import Iterator
 from pathlib import Path
 
-import pytest
 from answers import CELLS
 from hand_ins import EXERCISES, RIGHT, WRONG
 from listings_in_page import TIMER, Cell, link, node, open_tutorial
-from looks import PATIENCE, faults
-from playwright.sync_api import Browser, BrowserContext, Page, expect
-from tree import ROOT
+from playwright.sync_api import BrowserContext, Page, expect
 
 RECORD = "rosspin:/:answer:1"
 
@@ -68,32 +63,6 @@ class Answer(Cell):
     @property
     def progress(self) -> str:
         return self.page.locator("article .live-progress").text_content() or ""
-
-
-@pytest.fixture
-def context(browser: Browser) -> Iterator[BrowserContext]:
-    """A reader who comes for the first time."""
-    with browser.new_context(viewport={"width": 1280, "height": 900}, accept_downloads=True) as context:
-        context.set_default_timeout(PATIENCE)
-        yield context
-
-
-@pytest.fixture
-def page(context: BrowserContext, address: str) -> Iterator[Page]:
-    """A page in which nothing may go wrong."""
-    page = context.new_page()
-    wrong = faults(page, address)
-    yield page
-    assert not wrong
-
-
-def test_the_models_keep_what_they_promise() -> None:
-    """Without a browser: web/test has what the store and the table promise, in many cases."""
-    files = sorted((ROOT / "web/test").glob("*.test.mjs"))
-    assert {path.name for path in files} >= {"csv.test.mjs", "store.test.mjs"}
-    command: list[str | Path] = [ROOT / ".venv/bin/node", "--test", "--test-reporter=dot", *files]
-    run = subprocess.run(command, capture_output=True, text=True)
-    assert run.returncode == 0, run.stdout
 
 
 def test_two_tabs(context: BrowserContext, page: Page, address: str) -> None:

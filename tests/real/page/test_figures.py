@@ -2,41 +2,17 @@
 
 from __future__ import annotations
 
-import gzip
 import re
-from collections.abc import Iterator
 from pathlib import Path
-from typing import Literal
 
 import pytest
-from bs4 import BeautifulSoup
-from figures import (
-    FIGURES,
-    SHOWN,
-    SPINNER_ROS2,
-    Figure,
-    Kind,
-    kinds,
-    opened,
-    probes,
-)
-from looks import FAINT, TOO_WIDE, faults
-from playwright.sync_api import Browser, BrowserContext, Locator, expect
+from axe import COLOURS, violations
+from figures import FIGURES, SHOWN, SPINNER_ROS2, Figure, Kind, kinds, opened, probes
+from looks import FAINT, TOO_WIDE, Scheme, faults, look
+from playwright.sync_api import Browser, BrowserContext, Locator, Page, expect
 
 from rosspin import Tick
 from rosspin.plots import with_handle
-
-Scheme = Literal["light", "dark"]
-
-
-PAGES = sorted({kind.page for kind in FIGURES})
-
-
-@pytest.fixture
-def context(browser: Browser) -> Iterator[BrowserContext]:
-    with browser.new_context(viewport={"width": 1280, "height": 800}) as context:
-        yield context
-
 
 # --- moving -----------------------------------------------------------------------------------------------------------
 
@@ -150,52 +126,19 @@ def test_one_figure_moves_alone(context: BrowserContext, address: str) -> None:
 # --- where nothing moves ----------------------------------------------------------------------------------------------
 
 
-@kinds
-def test_without_javascript_the_first_position_stands(browser: Browser, address: str, kind: Kind) -> None:
-    with browser.new_context(java_script_enabled=False) as context:
-        page = context.new_page()
-        page.goto(address + kind.page)
-        figure = page.locator("figure[data-positions]").nth(kind.number)
-        expect(figure.locator("input")).to_be_hidden()
-        picture = figure.locator("svg[role=img]:visible")
-        expect(picture).to_have_attribute("aria-label", re.compile(f"^Timeline, {kind.label}: "))
-        assert figure.evaluate(SHOWN)[0]["marks"]
-
-
-def test_on_paper_the_first_position_stands(context: BrowserContext, address: str) -> None:
-    page = context.new_page()
-    figure = opened(page, address, FIGURES[0])
-    before, code = figure.markup(), page.locator(".rosspin-beside pre").inner_text()
-    figure.handle.press("End")
-    moved = figure.markup()
-    page.evaluate("dispatchEvent(new Event('beforeprint'))")
-    page.emulate_media(media="print")
-    expect(figure.handle).to_be_hidden()
-    assert figure.markup() == before
-    assert page.locator(".rosspin-beside pre").inner_text() == code
-    page.evaluate("dispatchEvent(new Event('afterprint'))")
-    assert figure.markup() == moved
-
-
 # --- what it costs ----------------------------------------------------------------------------------------------------
 
 
-@pytest.mark.parametrize("name", PAGES)
-def test_a_figure_is_small_and_brings_no_script(site: Path, name: str) -> None:
-    page = BeautifulSoup((site / name).read_text(encoding="utf-8"), "html.parser")
-    figures = page.select("figure[data-positions]")
-    assert len(figures) == sum(kind.page == name for kind in FIGURES)
-    for figure in figures:
-        assert len(gzip.compress(str(figure).encode())) < 30_000
-        assert not figure.select("script, [onclick], [oninput]")
-    policy = str(page.select_one("meta[http-equiv]"))
-    assert "script-src 'self' 'wasm-unsafe-eval'" in policy
-    assert "unsafe-inline" not in policy.partition("script-src")[2].partition(";")[0]
-
-
-def test_all_figures_with_a_handle_are_tested(site: Path) -> None:
-    pages = {path.relative_to(site).as_posix(): path.read_text(encoding="utf-8") for path in site.rglob("*.html")}
-    assert {name for name, text in pages.items() if re.search("<figure [^>]*data-positions=", text)} == set(PAGES)
+def test_without_javascript_the_first_position_stands(browser: Browser, address: str) -> None:
+    with browser.new_context(java_script_enabled=False) as context:
+        page = context.new_page()
+        for kind in FIGURES:
+            page.goto(address + kind.page)
+            figure = page.locator("figure[data-positions]").nth(kind.number)
+            expect(figure.locator("input")).to_be_hidden()
+            picture = figure.locator("svg[role=img]:visible")
+            expect(picture).to_have_attribute("aria-label", re.compile(f"^Timeline, {kind.label}: "))
+            assert figure.evaluate(SHOWN)[0]["marks"]
 
 
 def test_a_figure_needs_no_python(context: BrowserContext, address: str) -> None:
@@ -212,50 +155,7 @@ def test_a_figure_needs_no_python(context: BrowserContext, address: str) -> None
     assert ours == ["_static/handles/handles.js"]
 
 
-def test_only_pages_with_such_a_figure_load_the_script(site: Path) -> None:
-    for path in site.rglob("*.html"):
-        if "_static" not in path.parts:
-            loads = "handles/handles.js" in path.read_text(encoding="utf-8")
-            assert loads == (path.relative_to(site).as_posix() in PAGES), path
-
-
 # --- how it looks -----------------------------------------------------------------------------------------------------
-
-# The pictures that leave more than a little of the place that they have beside them.
-NARROW = """() => [...document.querySelectorAll("article svg[role=img]")].filter(picture => {
-    const width = element => element.getBoundingClientRect().width
-    const place = width(picture.parentElement) // in which one of two may be seen
-    return place && Math.max(...[...picture.parentElement.querySelectorAll(":scope > svg")].map(width)) < place - 40
-}).map(picture => picture.getAttribute("aria-label"))"""
-
-
-@pytest.mark.parametrize("width", [1280, 1920])
-def test_figures_fill_the_width_of_the_text(site: Path, address: str, browser: Browser, width: int) -> None:
-    names = [path.relative_to(site).as_posix() for path in sorted(site.rglob("*.html")) if "_static" not in path.parts]
-    wrong = {}
-    with browser.new_context(viewport={"width": width, "height": 800}) as context:
-        page = context.new_page()
-        for name in names:
-            page.goto(address + name)
-            wrong[name] = page.evaluate(NARROW)
-    assert not {name: found for name, found in wrong.items() if found}
-
-
-# The size (px) of the smallest lettering that is seen in the plots of a page.
-LETTERING = """() => Math.min(...[...document.querySelectorAll("figure.rosspin-plot svg[role=img]")]
-    .filter(picture => picture.getBoundingClientRect().width)
-    .flatMap(picture => [...picture.querySelectorAll("text")].map(text =>
-        parseFloat(getComputedStyle(text).fontSize) * (picture.getScreenCTM().a || 1))))"""
-
-
-@pytest.mark.parametrize("width", [390, 1280])
-def test_lettering_is_large_enough(site: Path, address: str, browser: Browser, width: int) -> None:
-    pages = {path.relative_to(site).as_posix(): path.read_text(encoding="utf-8") for path in site.rglob("*.html")}
-    with browser.new_context(viewport={"width": width, "height": 844}) as context:
-        page = context.new_page()
-        for name in sorted(name for name, text in pages.items() if 'class="rosspin-plot"' in text):
-            page.goto(address + name)
-            assert 11 <= (page.evaluate(LETTERING) or 99), name
 
 
 def test_plots_follow_the_switch_of_the_theme(browser: Browser, address: str) -> None:
@@ -272,31 +172,25 @@ def test_plots_follow_the_switch_of_the_theme(browser: Browser, address: str) ->
             assert (max(map(int, re.findall(r"\d+", colour))) > 150) == (theme == "dark")
 
 
-def test_plots_are_on_paper(browser: Browser, address: str) -> None:
-    with browser.new_context(viewport={"width": 1280, "height": 844}, color_scheme="dark") as context:
-        page = context.new_page()
-        page.goto(address + "notebooks/rate.html")
-        page.emulate_media(media="print")
-        plots = page.locator(".cell_output figure.rosspin-plot")
-        assert plots.count() == 5
-        for index in range(5):
-            text = plots.nth(index).locator("svg[role=img]:visible text").first
-            assert text.evaluate("text => getComputedStyle(text).fill") == "rgb(0, 0, 0)"
-
-
-@pytest.mark.parametrize("scheme", ["light", "dark"])
-@pytest.mark.parametrize("width", [390, 1280])
-def test_moved_figures_stay_in_the_page(browser: Browser, address: str, width: int, scheme: Scheme) -> None:
-    with browser.new_context(viewport={"width": width, "height": 844}, color_scheme=scheme) as context:
-        page = context.new_page()
-        for kind in FIGURES:
-            figure = opened(page, address, kind)
-            figure.handle.press("End")
-            assert page.evaluate(TOO_WIDE) + page.evaluate(FAINT) == []
+@pytest.mark.parametrize("name", sorted({kind.page for kind in FIGURES}))
+def test_moved_figures(page: Page, address: str, name: str) -> None:
+    """They stay in the page, also on a phone, can be read in light and in dark, and axe-core objects to nothing."""
+    page.goto(address + name)
+    figures = [Figure(page, kind) for kind in FIGURES if kind.page == name]
+    for figure in figures:
+        figure.handle.press("End")
+    assert violations(page) == []
+    for width in (1280, 390):
+        page.set_viewport_size({"width": width, "height": 844})
+        assert page.evaluate(TOO_WIDE) + page.evaluate(FAINT) == []
+        for figure in figures:
             widths = figure.element.evaluate(
                 "figure => [figure, ...figure.querySelectorAll('text')].map(part => part.getBoundingClientRect().right)"
             )
-            assert max(widths[1:]) <= min(widths[0] + 1, width), kind
+            assert max(widths[1:]) <= min(widths[0] + 1, width), figure.kind
+    page.set_viewport_size({"width": 1280, "height": 844})
+    look(page, "dark")
+    assert violations(page, COLOURS) + page.evaluate(FAINT) == []
 
 
 @pytest.mark.parametrize("scheme", ["light", "dark"])

@@ -1,0 +1,124 @@
+"""What the build puts into the pages for what runs there: read from its files, without a browser."""
+
+from __future__ import annotations
+
+import gzip
+import hashlib
+import json
+import re
+import subprocess
+import sys
+from pathlib import Path
+
+import pytest
+import yaml
+from attacks import SANDBOX
+from bs4 import BeautifulSoup
+from figures import FIGURES
+from hand_ins import EXERCISES, TEACHERS
+from tree import ROOT
+
+from rosspin.site.live import plot, policy
+
+PAGES = sorted({kind.page for kind in FIGURES})
+
+
+def test_pages_without_such_a_listing_load_nothing(site: Path) -> None:
+    text = (site / "index.html").read_text(encoding="utf-8")
+    assert "live/live" not in text
+
+
+def test_snapshot_is_made_anew_only_when_its_inputs_change(site: Path, tmp_path: Path) -> None:
+    """And its address in the pages follows it."""
+    (kept,) = ROOT.glob("build/snapshot-*.gz")
+    (tmp_path / kept.name).write_bytes(b"kept")
+    out = tmp_path / "web" / "live"
+    node: list[str | Path] = [ROOT / ".venv/bin/node", "--experimental-wasm-jspi", ROOT / "web/build.mjs"]
+    subprocess.run([*node, ROOT / "build/npm", *yaml.__path__, out], check=True)
+    assert (out / "snapshot.gz").read_bytes() == b"kept"
+    for folder, data in ((out, b"kept"), (site / "_static/live", kept.read_bytes())):
+        assert hashlib.sha256(data).hexdigest() in (folder / "runs.js").read_text(encoding="utf-8")
+
+
+def test_plot_of_a_listing_that_says_for_how_long() -> None:
+    text = (
+        "import rospy\nrospy.init_node('a')\nrospy.Timer(rospy.Duration(rospy.get_param('~p')), print)\nrospy.spin()\n"
+    )
+    assert "print: 4 ticks" in plot(f"%%simulate 2 -- _p:=0.5\n{text}")
+    assert "the first 2 s" in plot(f"%%simulate 2 -- _p:=0.5\n{text}")
+    for other in (f"%%answer 1\n{text}", "print(1)\n", "import rospy\n1 / 0\n", "while True: pass", "print("):
+        assert plot(other) == ""
+
+
+def test_the_page_is_interrupted_within_runs_only() -> None:
+    """A check runs an answer several times; an interrupt in between, for the watchdog, must not end it."""
+    code = """
+import signal, sys
+from unittest.mock import MagicMock
+sys.modules.update({name: MagicMock() for name in ("js", "pyodide", "pyodide.ffi")})
+import rosspin.page
+assert signal.getsignal(signal.SIGINT) == signal.SIG_IGN
+"""
+    subprocess.run([sys.executable, "-c", code], check=True)
+
+
+def test_every_page_has_its_policy(site: Path) -> None:
+    """What may be loaded comes from the site itself; inline scripts are those of the page, by their hashes."""
+    for path in site.rglob("*.html"):
+        if "_static" not in path.parts:
+            text = path.read_text(encoding="utf-8")
+            (found,) = re.findall(r'<meta http-equiv="Content-Security-Policy" content="(.*?)"', text)
+            assert found == policy(text)
+            assert not re.search(r"https?:|\*|'unsafe-eval'|script-src[^;]*'unsafe-inline'", found)
+            assert not re.search(r"<[^>]* on[a-z]+=", text), "an inline handler, which the policy forbids"
+
+
+def test_lock_file_has_no_addresses() -> None:
+    lock = json.loads((ROOT / "web" / "package-lock.json").read_text(encoding="utf-8"))
+    assert "node_modules/pyodide" in lock["packages"]
+    assert not [name for name, package in lock["packages"].items() if "resolved" in package]
+
+
+@pytest.mark.parametrize("name", PAGES)
+def test_a_figure_is_small_and_brings_no_script(site: Path, name: str) -> None:
+    page = BeautifulSoup((site / name).read_text(encoding="utf-8"), "html.parser")
+    figures = page.select("figure[data-positions]")
+    assert len(figures) == sum(kind.page == name for kind in FIGURES)
+    for figure in figures:
+        assert len(gzip.compress(str(figure).encode())) < 30_000
+        assert not figure.select("script, [onclick], [oninput]")
+    policy = str(page.select_one("meta[http-equiv]"))
+    assert "script-src 'self' 'wasm-unsafe-eval'" in policy
+    assert "unsafe-inline" not in policy.partition("script-src")[2].partition(";")[0]
+
+
+def test_all_figures_with_a_handle_are_tested(site: Path) -> None:
+    pages = {path.relative_to(site).as_posix(): path.read_text(encoding="utf-8") for path in site.rglob("*.html")}
+    assert {name for name, text in pages.items() if re.search("<figure [^>]*data-positions=", text)} == set(PAGES)
+
+
+def test_only_pages_with_such_a_figure_load_the_script(site: Path) -> None:
+    for path in site.rglob("*.html"):
+        if "_static" not in path.parts:
+            loads = "handles/handles.js" in path.read_text(encoding="utf-8")
+            assert loads == (path.relative_to(site).as_posix() in PAGES), path
+
+
+def test_policy_of_the_sandbox(site: Path) -> None:
+    """It may ask for nothing. There is no other page without the policy of all."""
+    text = (site / SANDBOX).read_text(encoding="utf-8")
+    (policy,) = re.findall(r'http-equiv="Content-Security-Policy" content="(.*?)"', text)
+    assert re.fullmatch(r"default-src 'none'; script-src 'sha256-[\w+/=]+' blob: 'wasm-unsafe-eval'", policy)
+    pages = {path.relative_to(site).as_posix() for path in (site / "_static").rglob("*.html")}
+    assert {name for name in pages if "live" in name or "hand-in" in name} == {SANDBOX}
+
+
+def test_the_scripts_are_loaded_where_they_are_needed(site: Path) -> None:
+    found = {name: set[str]() for name in ("hand-in", "judge")}
+    for path in site.rglob("*.html"):
+        for name in re.findall(r"hand-in/([\w-]+)\.js", path.read_text(encoding="utf-8")):
+            found[name].add(path.relative_to(site).as_posix())
+    notebooks = (ROOT / "notebooks").glob("*.md")
+    asking = {f"notebooks/{path.stem}.html" for path in notebooks if "\n%%answer " in path.read_text(encoding="utf-8")}
+    assert EXERCISES in asking
+    assert found == {"hand-in": asking, "judge": {TEACHERS}}

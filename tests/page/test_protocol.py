@@ -1,0 +1,66 @@
+"""What rosspin.page says is what web/src/protocol.js reads, and all of it."""
+
+from __future__ import annotations
+
+import json
+import subprocess
+from pathlib import Path
+
+import pytest
+from answers import CELLS, answer_in
+from listings_in_page import node
+from page_python import Message, run_job, said
+from tree import EXAMPLES, ROOT
+
+READ = f"""
+import {{ readFileSync }} from "node:fs"
+import {{ read }} from "{(ROOT / "web/src/protocol.js").as_uri()}"
+for (const line of readFileSync(0, "utf8").split("\\n")) {{
+  const [kind, message] = JSON.parse(line)
+  console.log(JSON.stringify(read(JSON.stringify(message), kind)))
+}}
+"""
+
+SPINNER = (EXAMPLES / "my_robotics_pkg/src/spinner_py_node.py").read_text(encoding="utf-8")
+JOBS = {
+    "ticks": run_job(SPINNER),
+    "no ticks": run_job("print('a')"),
+    "a warning": run_job(node("rospy.logwarn('late')")),
+    "an error in a thread": run_job(node("rospy.Timer(rospy.Duration(0.5), lambda event: 1 / 0)\nrospy.spin()")),
+    "an error": run_job("1 / 0"),
+    "no Python": run_job("print("),
+    "bad arguments": run_job("print(1)", "'"),
+    "a first line": run_job(f"%%simulate 1\n{SPINNER}"),
+    "an answer to nothing": {"kind": "trace", "number": 99, "text": ""},
+    "a verdict on no trace": {"kind": "judge", "number": 1, "text": "", "trace": "{"},
+}
+
+
+def judging() -> dict[str, Message]:
+    """Answers to the first exercise that are to be judged, by their verdicts."""
+    start, right = map(answer_in, CELLS[1])
+    answers = {"solved": right, "not yet": "timer = [0, 1, 2]\n", "open": start}
+    given: list[Message] = [{"kind": "trace", "number": 1, "text": f"\n{text}"} for text in answers.values()]
+    traces = [end["result"] for _, end in said(given)]
+    return {
+        verdict: job | {"kind": "judge"} | trace for verdict, job, trace in zip(answers, given, traces, strict=True)
+    }
+
+
+def test_all_that_is_said_is_read(subtests: pytest.Subtests) -> None:
+    verdicts = judging()
+    jobs = JOBS | verdicts
+    messages = said(list(jobs.values()))
+    assert [end["result"]["verdict"] for _, end in messages[-3:]] == list(verdicts)
+    lines = [json.dumps([job["kind"], one]) for job, both in zip(jobs.values(), messages, strict=True) for one in both]
+    command: list[str | Path] = [ROOT / ".venv/bin/node", "--input-type=module", "--eval", READ]
+    run = subprocess.run(command, input="\n".join(lines), capture_output=True, text=True, check=True)
+    read = map(json.loads, run.stdout.splitlines())
+    for (name, job), (batch, end) in zip(jobs.items(), messages, strict=True):
+        with subtests.test(name):
+            assert next(read) == batch
+            found = next(read)
+            if job["kind"] == "run":  # what a run that went wrong leaves out is filled in
+                assert found["result"].items() >= end["result"].items()
+            else:
+                assert found == end

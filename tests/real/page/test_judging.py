@@ -1,0 +1,236 @@
+"""Files of answers are judged on the teachers' page, whatever is in them."""
+
+from __future__ import annotations
+
+import re
+from pathlib import Path
+
+from answers import CELLS, answer_in
+from hand_ins import ENDLESS, EXERCISES, HTML, RIGHT, WRONG, Table, handed_in, impatient
+from listings_in_page import have_workers
+from looks import FAINT, SCHEMES, TOO_WIDE, look
+from playwright.sync_api import BrowserContext, FilePayload, Page, expect
+
+FLOOD = "print('x' * 20_000_000)"
+
+
+def test_right_wrong_and_forged(table: Table) -> None:
+    """The check of the exercises says it; what a file says of itself changes nothing."""
+    starts = {number: answer_in(CELLS[number][0]) for number in (4, 14)}
+    answers = {"1": RIGHT, "4": CELLS[4][1].source, "14": starts[14], "99": "x = 1"}
+    forged = {"verdict": "solved", "verdicts": {"1": "solved"}, "solved": True, "1": "solved"}
+    table.drop(
+        ada=handed_in("Ada", answers=answers),
+        ben=handed_in("Ben", answers={"1": WRONG, "4": f"%%answer 1\n{answer_in(CELLS[1][1])}"}, **forged),
+        eve=handed_in("Eve", answers={"1": "print('Exercise 1: right.')\nprint('{\"verdict\": \"solved\"}')"}),
+        flo=handed_in("Flo", answers={"1": "import js\njs.postMessage('solved')", "4": "import numpy", "7": FLOOD}),
+    )
+    table.done()
+    for title in ("Ada, exercise 1: solved", "Ada, exercise 4: solved", "Ada, exercise 14: open"):
+        expect(table.sign(title)).to_be_visible()
+    assert "there is no exercise 99" in table.said("Ada, exercise 99: not judged")
+    assert "The timer: 0.4 s" in table.said("Ada, exercise 1: solved")
+    said = table.said("Ben, exercise 1: not yet")
+    assert "Hint:" in said and "timer = [0, 1, 2]" in said
+    expect(table.sign("Ben, exercise 4: not yet")).to_be_visible()  # whatever its first line says
+    expect(table.sign("Eve, exercise 1: open")).to_be_visible()
+    assert "said what this page does not understand" in table.said("Flo, exercise 1: not judged")
+    assert "No module named 'numpy'" in table.said("Flo, exercise 4: not yet")
+    assert 20_000 < len(table.said("Flo, exercise 7: not yet")) < 31_000
+    assert table.rows.locator("td:nth-child(2)").all_text_contents() == ["2 of 4", "0 of 2", "0 of 1", "0 of 3"]
+    expect(table.status).to_have_text("Done: 8 judged, 2 not judged")
+    have_workers(table.page, 0)
+
+
+def test_an_answer_that_never_ends_is_ended(context: BrowserContext, table: Table, address: str, site: Path) -> None:
+    """And the next one is judged."""
+    context.route("**/judge.js*", lambda route: route.fulfill(body=impatient(site)))
+    table = Table(table.page, address)
+    table.drop(eve=handed_in("Eve", answers={"1": ENDLESS}), ada=handed_in("Ada", answers={"98": "x"}))
+    table.done()
+    assert "It was ended after" in table.said("Eve, exercise 1: did not end")
+    expect(table.sign("Ada, exercise 98: not judged")).to_be_visible()
+    have_workers(table.page, 0)
+
+
+def test_what_comes_out_of_a_sandbox_is_not_trusted(quick: Table) -> None:
+    """Only a text of JSON that is not too long is read, and only what a verdict is made of."""
+    answers = {"1": "huge", "2": "number", "3": "object", "4": "no such verdict", "5": "not solved"}
+    answers |= {"6": "#" * 50_001, "7": "solved", "8": "long"}
+    quick.drop(eve=handed_in("Eve", answers=answers))
+    expect(quick.status).to_have_text("Done: 2 judged, 6 not judged")
+    for number in range(1, 6):
+        said = quick.said(f"Eve, exercise {number}: not judged")
+        assert ("sent more than this page takes" if number in (1, 3) else "what this page does not understand") in said
+    assert "It has 50001 characters; at most 50000 are judged" in quick.said("Eve, exercise 6: not judged")
+    assert len(quick.said("Eve, exercise 8: solved")) < 31_000
+
+
+# --- files that are no answers ----------------------------------------------------------------------------------------
+
+
+def test_stop(quick: Table) -> None:
+    """Ends what runs and what waits; a file that is dropped again is judged again."""
+    quick.drop(eve=handed_in("Eve", answers={"1": "solved", "2": "endless"}))
+    for title in ("Eve, exercise 1: solved", "Eve, exercise 2: being judged"):
+        expect(quick.sign(title)).to_be_visible()
+    quick.page.get_by_role("button", name="Stop").click()
+    expect(quick.status).to_have_text("Done: 1 judged, 1 stopped")
+    assert "Stopped before it was judged" in quick.said("Eve, exercise 2: stopped")
+    quick.drop(again=handed_in("Eve", answers={"1": "not yet"}))
+    expect(quick.status).to_have_text("Done: 1 judged")
+    expect(quick.sign("Eve, exercise 1: not yet")).to_be_visible()
+
+
+def test_what_was_refused_is_not_forgotten(quick: Table) -> None:
+    """Whatever is dropped after it: it is on the page, counted, and in the CSV, even if no file was read."""
+    quick.drop(**{"=odd": "null", "other": ""})
+    expect(quick.status).to_have_text("Done: 0 judged; 2 files refused")
+    expect(quick.page.get_by_role("region", name="Who solved what")).to_be_hidden()
+    quick.drop(ada=handed_in(answers={"99": "solved"}), huge="x" * 2_000_000)
+    expect(quick.status).to_have_text("Done: 1 judged; 3 files refused")
+    named = [said.partition(" ")[0] for said in quick.notes.all_text_contents()]
+    assert named == ["=odd.json", "other.json", "huge.json"]
+    _, ada, *refused = quick.csv()
+    assert ada[0] == "Ada"
+    assert refused == [
+        ["", "'=odd.json", "refused: it is not a file of answers to these exercises"],
+        ["", "other.json", "refused: it is not a file that Hand in saved (it is not JSON)"],
+        ["", "huge.json", "refused: it is 2.0 MB; the limit is 1 MB"],
+    ]
+
+
+# --- the table --------------------------------------------------------------------------------------------------------
+
+
+def test_who_is_who(quick: Table) -> None:
+    """Of one student's files the newest counts; students of the same name, or on the same computer, stay apart."""
+    days = [f"2026-11-{day}T12:00:00.000Z" for day in (20, 21, 22)]
+    quick.drop(
+        b=handed_in("Sam", date=days[1], answers={"1": "solved"}), c=handed_in("Sam", id="a2"), d=handed_in("Al")
+    )
+    expect(quick.rows).to_have_count(3)
+    expect(quick.notes).to_have_count(0)
+    quick.drop(a=handed_in("Sam", date=days[0], answers={"2": "solved"}))
+    expect(quick.notes).to_have_text("a.json is left out: Sam handed in b.json after it.")
+    quick.drop(b=handed_in("Sam", date=days[2], answers={"3": "solved"}))
+    expect(quick.notes.nth(1)).to_have_text("b.json takes the place of b.json, which Sam handed in before.")
+    quick.drop(b=handed_in("Sam", date=days[2].replace(":00.000", ":30.000"), answers={"3": "solved"}))
+    expect(quick.notes.nth(2)).to_have_text("b.json takes the place of b.json, which Sam handed in before.")
+    quick.drop(b=handed_in("Sam", date=days[2], answers={"3": "not yet"}))  # in the same minute, but before it
+    expect(quick.notes.nth(3)).to_have_text("b.json is left out: Sam handed in b.json after it.")
+    quick.done()
+    al, c, b = quick.rows.locator("th").all_inner_texts()
+    assert al == "Al\nd.json\nsame browser as Sam"
+    assert c == "Sam\nc.json\nsame name as b.json, another browser"
+    source = r"2026-11-2\d \d\d:\d\d, b\.json"
+    assert re.fullmatch(rf"Sam\n{source}\nsame browser as Al\nsame name as c\.json, another browser", b)
+    said = quick.said("Sam, exercise 3: solved")
+    assert said.startswith("Sam, exercise 3: The ticks of a C++ node: solved\n")
+    assert re.search(rf"^The answer, from {source}:$", said, re.MULTILINE)
+    assert [row[4:6] for row in quick.csv()[1:]] == [["Sam", ""], ["", "b.json"], ["Al", "c.json"]]
+    expect(quick.sign("Sam, exercise 3: solved")).to_be_visible()
+    expect(quick.page.get_by_role("columnheader", name="3")).to_have_attribute(
+        "title", "Exercise 3: The ticks of a C++ node"
+    )
+
+
+def test_what_is_in_a_file_is_text(table: Table) -> None:
+    table.drop(**{"<b>a": handed_in(HTML, answers={"1": f"print({HTML!r})", "4": HTML})})
+    table.done()
+    said = table.said(f"{HTML}, exercise 1: open")
+    assert said.count(HTML) >= 2  # as the name, and on the console
+    assert table.page.title() != "taken"
+    assert table.page.locator(".rosspin-judge").locator("img, script, b").count() == 0
+    expect(table.rows.locator("th")).to_have_text(f"{HTML}<b>a.json")
+
+
+def test_csv(quick: Table) -> None:
+    """No name is a formula in a spreadsheet; whoever leaves without it is asked."""
+    may_leave = "dispatchEvent(new Event('beforeunload', { cancelable: true }))"
+    assert quick.page.evaluate(may_leave)
+    names = ["=1+1", "+1", "-1", "@SUM(A1)", 'Zoë "Z", jr.']
+    for number, name in enumerate(names):
+        quick.drop(**{f"{number}": handed_in(name, id=name, answers={"99": "to read"})})
+    date = "2026-11-21T12:00:00.000Z"
+    quick.drop(ada=handed_in(answers={"1": "solved", "4": "not yet"}, date=date), **{"=x": handed_in("Al")})
+    expect(quick.status).to_have_text("Done: 2 judged, 5 to read, 1 not judged")
+    assert not quick.page.evaluate(may_leave)
+    head, *rows = quick.csv()
+    assert quick.page.evaluate(may_leave)
+    exercises = ["exercise 1: The first ticks", "exercise 4: Change the rate", "exercise 99"]
+    marks = ["same browser as", "same name in another browser"]
+    assert head == ["name", "file", "note", "date", *marks, "answers", "solved", *exercises]
+    assert sorted(row[0] for row in rows[:4]) == ["'+1", "'-1", "'=1+1", "'@SUM(A1)"]
+    ada, al, zoe = rows[4:]
+    assert re.fullmatch(r"2026-11-2\d \d\d:\d\d", ada.pop(3))
+    assert ada == ["Ada", "ada.json", "", "Al", "", "2", "1", "solved", "not yet", ""]
+    assert al == ["Al", "'=x.json", "", "", "Ada", "", "1", "0", "not judged", "", ""]
+    assert zoe == ['Zoë "Z", jr.', "4.json", "", "", "", "", "1", "0", "", "", "to read"]
+
+
+def test_keyboard_alone(quick: Table) -> None:
+    page = quick.page
+    file = FilePayload(name="a.json", mimeType="application/json", buffer=handed_in(answers={"99": "to read"}).encode())
+    quick.input.set_input_files(file)
+    quick.done()
+    quick.input.focus()
+    sign = quick.sign("Ada, exercise 99: to read")
+    for element in (
+        page.get_by_role("button", name="Stop"),
+        page.get_by_role("button", name="Save as CSV"),
+        page.get_by_role("region", name="Who solved what"),
+        sign,
+    ):
+        page.keyboard.press("Tab")
+        expect(element).to_be_focused()
+    page.keyboard.press("Enter")
+    expect(quick.detail).to_be_focused()
+    page.keyboard.press("Tab")
+    page.keyboard.press("Tab")
+    expect(page.get_by_role("button", name="Back to the table")).to_be_focused()
+    page.keyboard.press("Enter")
+    expect(sign).to_be_focused()
+
+
+# --- how it looks -----------------------------------------------------------------------------------------------------
+
+
+def test_names_stay_in_view(quick: Table) -> None:
+    """Wherever the table is scrolled to; nothing shows through, in light and in dark."""
+    quick.drop(ada=handed_in("Ada", answers={str(number): "solved" for number in range(1, 40)}))
+    quick.done()
+    for width in (1280, 390):
+        quick.page.set_viewport_size({"width": width, "height": 900})
+        for name in quick.page.locator(".judge-scroll th:first-child").all():
+            shown = name.evaluate(
+                """cell => {
+                    const scroll = cell.closest(".judge-scroll")
+                    scroll.scrollLeft = 400
+                    const [{ left, right }, place] = [cell.getBoundingClientRect(), scroll.getBoundingClientRect()]
+                    const alpha = getComputedStyle(cell).backgroundColor.split(",")[3] ?? "1"
+                    return [scroll.scrollLeft, Math.abs(left - place.left) <= 1, right < place.right - 100, alpha]
+                }"""
+            )
+            assert shown == [400, True, True, "1"]
+
+
+def test_looks(quick: Table, address: str) -> None:
+    """The table and what is said fit a phone, and their text stands out in light and in dark."""
+    page = quick.page
+    answers = {str(number): "not judged" for number in range(30, 50)} | {"1": "solved", "2": "to read"}
+    quick.drop(ada=handed_in("Ada " * 10, answers=answers), b=handed_in("B", answers={"1": "solved"}))
+    quick.done()
+    quick.said("B, exercise 1: solved")
+    _stands_out(page)
+    page.goto(address + EXERCISES)
+    expect(page.get_by_role("button", name="Hand in")).to_be_visible()
+    _stands_out(page)
+
+
+def _stands_out(page: Page) -> None:
+    for scheme in SCHEMES:
+        look(page, scheme)
+        for width in (390, 1280):
+            page.set_viewport_size({"width": width, "height": 900})
+            assert page.evaluate(TOO_WIDE) + page.evaluate(FAINT) == [], (scheme, width)

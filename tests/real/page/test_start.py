@@ -1,0 +1,209 @@
+"""How Python starts in a page, from what, and what is said where a part of it cannot be had."""
+
+from __future__ import annotations
+
+import gzip
+import re
+import time
+from functools import cache
+from pathlib import Path
+from urllib.parse import urlsplit
+
+import pytest
+from listings_in_page import (
+    LISTINGS,
+    RATE,
+    ROS2,
+    TIMER,
+    TUTORIAL,
+    Cell,
+    have_workers,
+    open_tutorial,
+)
+from looks import PATIENCE
+from playwright.sync_api import BrowserContext, Page, expect
+from tree import EXAMPLES
+
+from rosspin import simulate
+
+
+def _asked(page: Page, name: str) -> list[str]:
+    """A list of the requests for a file from now on."""
+    found: list[str] = []
+    page.on("request", lambda request: found.append(request.url) if f"/live/{name}" in request.url else None)
+    return found
+
+
+def _first_run(page: Page, address: str, text: str = "") -> str:
+    open_tutorial(page, address)
+    cell = Cell(page, TIMER)
+    if text:
+        cell.write(text)
+    cell.run(2)
+    return cell.ends("done")
+
+
+@pytest.mark.parametrize("sign", ["hover", "focus"])
+def test_python_is_asked_for_when_the_reader_points_at_run(context: BrowserContext, address: str, sign: str) -> None:
+    page = context.new_page()
+    asked = _asked(page, "")
+    open_tutorial(page, address)
+    page.wait_for_load_state("networkidle")
+    assert not [url for url in asked if "/live/live." not in url]
+    with page.expect_request(re.compile("/snapshot.gz")):
+        getattr(Cell(page, TIMER).button("Run"), sign)()
+
+
+def _kept(page: Page) -> list[str]:
+    """Which snapshots the browser keeps."""
+    keys = page.evaluate("async () => (await (await caches.open('rosspin')).keys()).map((key) => key.url)")
+    return [urlsplit(url).query for url in keys]
+
+
+def _until_kept(page: Page) -> None:
+    """Wait for that of this site, and for no other: some time after the first run."""
+    end = time.monotonic() + PATIENCE / 1e3
+    while (len(kept := _kept(page)) != 1 or kept == ["old"]) and time.monotonic() < end:
+        page.wait_for_timeout(50)
+    assert len(kept) == 1 and kept != ["old"]
+
+
+def test_snapshot_is_kept_for_the_next_page(context: BrowserContext, address: str) -> None:
+    """In place of that of an earlier version of the site."""
+    page = context.new_page()
+    page.goto(address)
+    page.evaluate("async () => (await caches.open('rosspin')).put('snapshot.gz?old', new Response('old'))")
+    asked = _asked(page, "snapshot.gz")
+    assert "counter = 1" in _first_run(page, address)
+    assert asked
+    _until_kept(page)
+    page.close()
+    page = context.new_page()
+    asked = _asked(page, "snapshot.gz")
+    assert "counter = 1" in _first_run(page, address)
+    assert not asked
+
+
+def test_without_a_snapshot_python_starts_plainly(context: BrowserContext, address: str) -> None:
+    expected = simulate(EXAMPLES / LISTINGS[TIMER], 2).console
+    context.route("**/snapshot.gz*", lambda route: route.abort())
+    page = context.new_page()
+    whole, snapshots = _asked(page, "python_stdlib.zip"), _asked(page, "snapshot.gz")
+    assert _first_run(page, address) == expected
+    assert whole
+    assert _kept(page) == []
+    page.close()  # its spare worker may still be starting
+    context.unroute("**/snapshot.gz*")
+    page = context.new_page()
+    whole, snapshots = _asked(page, "python_stdlib.zip"), _asked(page, "snapshot.gz")
+    assert _first_run(page, address) == expected
+    assert snapshots and not whole
+
+
+@cache
+def packed(file: Path) -> int:
+    """The size of a file as it is sent."""
+    return len(gzip.compress(file.read_bytes()))
+
+
+@pytest.mark.parametrize("node", [EXAMPLES / LISTINGS[TIMER], ROS2[0]], ids=["ros1", "ros2"])
+def test_first_click_loads_at_most_11_mb(context: BrowserContext, address: str, site: Path, node: Path) -> None:
+    """Gzipped, as servers send them. ROS 2 is in the snapshot, too."""
+    page = context.new_page()
+    asked = _asked(page, "")
+    assert "counter = 1" in _first_run(page, address, node.read_text(encoding="utf-8"))
+    files = {site / urlsplit(url).path.lstrip("/") for url in asked}
+    assert 7_000_000 < sum(map(packed, files)) <= 11_000_000
+
+
+def test_our_own_files_are_loaded_when_one_is_read(context: BrowserContext, address: str) -> None:
+    page = context.new_page()
+    asked = _asked(page, "rosspin.zip")
+    assert "counter = 1" in _first_run(page, address)
+    assert not asked
+    text = "import inspect\nimport rospy\nprint(inspect.getsource(rospy.Rate).splitlines()[0])\n"
+    assert _first_run(page, address, text) == "class Rate:\n"
+    assert asked
+
+
+def test_node_finds_no_traces_of_the_snapshot(context: BrowserContext, address: str) -> None:
+    """Its environment and its path are those of a plain start; nothing that made the snapshot is left in it."""
+    text = "import os, sys\nprint(sorted(os.environ.items()), sys.path, sys.argv)\nprint(sorted(globals()))\n"
+    found = _first_run(context.new_page(), address, text)
+    context.route("**/snapshot.gz*", lambda route: route.abort())
+    page = context.new_page()
+    page.goto(address + TUTORIAL)
+    page.evaluate("caches.delete('rosspin')")
+    plain = _first_run(page, address, text)
+    assert re.sub("'LANG', '.*?'", "", found) == re.sub("'LANG', '.*?'", "", plain)
+
+
+# --- what cannot be loaded --------------------------------------------------------------------------------------------
+
+# What is said where a file of the site cannot be had.
+NOT_LOADED = "A part of Python could not be loaded from this site. Is its server still there?"
+
+
+def test_without_the_server_runs_go_on(context: BrowserContext, address: str) -> None:
+    page = context.new_page()
+    assert _first_run(page, address, "print('first')") == "first\n"
+    cell = Cell(page, TIMER)
+
+    def ends(text: str, status: str) -> str:
+        cell.write(text)
+        cell.run(1)
+        return cell.ends(status)
+
+    have_workers(page, 1)  # a Python whose files are still on their way might wait for them
+    context.set_offline(True)
+    for number in range(3):
+        assert ends(f"print({number})", "done") == f"{number}\n"
+    assert "IndexError: Cannot choose" in ends("import random\nrandom.choice([])", "error")
+    assert ends("import csv", "error").endswith(f"{NOT_LOADED}\n")
+    context.set_offline(False)
+    assert ends("import csv", "done") == ""
+
+
+def test_a_link_that_cannot_be_made(context: BrowserContext, address: str) -> None:
+    page = context.new_page()
+    open_tutorial(page, address)
+    context.set_offline(True)
+    cell = Cell(page, RATE)
+    cell.button("Share").click()
+    expect(cell.status).to_have_text("error: the link could not be made. Is the site still there?")
+    context.set_offline(False)
+
+
+def test_an_editor_that_cannot_be_loaded(context: BrowserContext, address: str) -> None:
+    page = context.new_page()
+    open_tutorial(page, address)
+    context.set_offline(True)
+    cell = Cell(page, RATE)
+    cell.button("Edit").click()
+    expect(cell.status).to_have_text("error: the editor could not be loaded. Is the site still there?")
+
+
+TRIES_AGAIN = """import time
+
+while True:
+    try:
+        import csv
+        break
+    except OSError:
+        print("not yet")
+        time.sleep(0.1)
+"""
+
+
+@pytest.mark.parametrize("status", [200, 404])
+def test_a_wrong_file_in_the_place_of_the_library(context: BrowserContext, address: str, status: int) -> None:
+    """As from a portal, or cut off; nothing of it is kept."""
+    context.route("**/python_stdlib.zip*", lambda route: route.fulfill(status=status, body="PK"))
+    page = context.new_page()
+    open_tutorial(page, address)
+    cell = Cell(page, TIMER)
+    cell.write(TRIES_AGAIN)
+    cell.run(1000, "real time")
+    expect(cell.console).to_contain_text("not yet")
+    context.unroute("**/python_stdlib.zip*")
+    assert set(cell.ends("done").splitlines()) == {"not yet"}

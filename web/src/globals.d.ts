@@ -1,0 +1,15 @@
+// What the build and the scripts of a page leave for others: see web/build.mjs and hand-in.js.
+
+/** The SHA-256 of each file that Python starts from. */
+declare const FILES: Record<string, string>
+
+/** The version of runs.js that belongs to this page. */
+declare const RUNS: string
+
+/** What the exercises are called: number -> title. */
+declare const TITLES: Record<string, string>
+
+interface Window {
+  /** The answers to exercises; on pages that have some. */
+  rosspinStore?: import("./store.js").Store
+}

@@ -1,0 +1,230 @@
+// What the teachers' page knows: who has handed in what, which of a student's files counts, and what was said of each
+// answer. What of it is seen is in judge.js.
+
+import { read } from "./answers.js"
+import { STOPPED } from "./judging.js"
+
+/** Of these it is said how many there are, where there are any. */
+export const NOT_JUDGED = /** @type {const} */ (["to read", "not judged", "stopped"])
+
+/**
+ * @typedef {import("./judging.js").Found | "waiting" | "being judged"} Verdict
+ * @typedef {(number: number, text: string, stopped: AbortSignal) => Promise<import("./judging.js").Judgement>} Judge
+ */
+
+/** A row of the table: what one student has handed in. */
+class HandIn {
+  /** @param {import("./answers.js").Answers} found */
+  constructor({ file, name, id, date, answers }) {
+    this.file = file
+    this.name = name
+    this.id = id
+    this.date = date ? local(date) : ""
+    this.time = date?.getTime() ?? 0
+    this.source = [this.date, file].filter(Boolean).join(", ")
+    this.answers = new Map(answers.map(([number, text]) => [number, new Answer(this, number, text)]))
+  }
+
+  get solved() {
+    return [...this.answers.values()].filter(({ verdict }) => verdict === "solved").length
+  }
+}
+
+/** A time as in "2026-11-21 22:05", where the reader is. */
+const local = (/** @type {Date} */ date) => date.toLocaleString("sv", { dateStyle: "short", timeStyle: "short" })
+
+/** An answer and its verdict. */
+export class Answer {
+  /** @type {Verdict} */
+  verdict = "waiting"
+  said = ""
+
+  /**
+   * @param {HandIn} row
+   * @param {number} number
+   * @param {string} text
+   */
+  constructor(row, number, text) {
+    this.row = row
+    this.number = number
+    this.text = text
+  }
+
+  get title() {
+    return `${this.row.name}, exercise ${this.number}: ${this.verdict}`
+  }
+
+  get isOpen() {
+    return this.verdict === "waiting" || this.verdict === "being judged"
+  }
+
+  /** What the checker is given: the first line only says which exercise it is, and that is known. */
+  get code() {
+    return this.text.startsWith("%%") ? `\n${this.text.split("\n").slice(1).join("\n")}` : this.text
+  }
+}
+
+export const count = (/** @type {number} */ number, /** @type {string} */ what) =>
+  `${number} ${what}${number === 1 ? "" : "s"}`
+
+/** All that was handed in. */
+export class Table {
+  /** @type {HandIn[]} */
+  rows = []
+
+  /** @type {{file: string, why: string}[]} */
+  refused = []
+
+  /** Whether all that is known is in the text that was saved last. */
+  isSaved = true
+
+  /** @type {Answer[]} */
+  #waiting = []
+  #lanes = 0
+  #stop = new AbortController()
+  #judge
+  #most
+  #changed
+
+  /**
+   * @param {Judge} judge
+   * @param {number} most how many answers are judged at the same time
+   * @param {(answer: Answer | null) => void} changed is called when an answer has another verdict; with null, when there
+   *   are other rows
+   */
+  constructor(judge, most, changed) {
+    this.#judge = judge
+    this.#most = most
+    this.#changed = changed
+  }
+
+  /**
+   * Read files, and have the answers judged that count: what is to be said of those that do not, in sentences.
+   *
+   * @param {File[]} files
+   */
+  async add(files) {
+    // All are read first: while one is being read, others are judged, which looks at the rows.
+    const contents = await Promise.allSettled(files.map(read))
+    const problems = contents.map((found, number) =>
+      found.status === "fulfilled" ? this.#take(new HandIn(found.value)) : this.#refuse(files[number].name, found.reason.message),
+    )
+    this.rows.sort((one, other) => one.name.localeCompare(other.name, undefined, { numeric: true }))
+    this.isSaved = false
+    this.#changed(null)
+    while (this.#lanes < this.#most && this.#waiting.length) this.#work()
+    return problems.filter((said) => said !== "")
+  }
+
+  /**
+   * @param {string} file
+   * @param {string} why
+   */
+  #refuse(file, why) {
+    this.refused.push({ file, why })
+    return `${file} is refused: ${why}.`
+  }
+
+  /**
+   * Of one student's files the newest counts.
+   *
+   * @param {HandIn} row
+   */
+  #take(row) {
+    const before = this.rows.find(({ name, id }) => name === row.name && id === row.id)
+    if (before && before.time > row.time) return `${row.file} is left out: ${row.name} handed in ${before.file} after it.`
+    this.rows = [...this.rows.filter((other) => other !== before), row]
+    this.#waiting = [...this.#waiting.filter((answer) => answer.row !== before), ...row.answers.values()]
+    return before ? `${row.file} takes the place of ${before.file}, which ${row.name} handed in before.` : ""
+  }
+
+  /** Judge what waits, one answer after the other. */
+  async #work() {
+    this.#lanes++
+    for (let answer = this.#waiting.shift(); answer; answer = this.#waiting.shift()) {
+      this.#become(answer, { verdict: "being judged", said: "" })
+      const found = await this.#judge(answer.number, answer.code, this.#stop.signal)
+      this.isSaved = false
+      this.#become(answer, found)
+    }
+    this.#lanes--
+  }
+
+  /**
+   * @param {Answer} answer
+   * @param {{verdict: Verdict, said: string}} found
+   */
+  #become(answer, found) {
+    Object.assign(answer, found)
+    this.#changed(answer)
+  }
+
+  /** End what is being judged and what waits. */
+  stop() {
+    for (const answer of this.#waiting.splice(0)) this.#become(answer, STOPPED)
+    this.#stop.abort()
+    this.#stop = new AbortController()
+  }
+
+  // --- what there is to say ---
+
+  get answers() {
+    return this.rows.flatMap(({ answers }) => [...answers.values()])
+  }
+
+  /** The exercises that somebody has answered. */
+  get numbers() {
+    return [...new Set(this.answers.map(({ number }) => number))].sort((a, b) => a - b)
+  }
+
+  /**
+   * Other names under which answers from the same browser were handed in.
+   *
+   * @param {HandIn} row
+   */
+  others(row) {
+    return this.rows.filter(({ id, name }) => id === row.id && name !== row.name).map(({ name }) => name)
+  }
+
+  /**
+   * The files that were handed in under this name from other browsers.
+   *
+   * @param {HandIn} row
+   */
+  namesakes(row) {
+    return this.rows.filter(({ id, name }) => id !== row.id && name === row.name).map(({ file }) => file)
+  }
+
+  /** How far it is, and in the end how many answers were judged, and how many were not. */
+  get said() {
+    const { answers } = this
+    if (answers.some(({ isOpen }) => isOpen)) return `Judging the answers of ${count(this.rows.length, "file")}`
+    const kinds = NOT_JUDGED.map((kind) => ({ kind, number: answers.filter(({ verdict }) => verdict === kind).length }))
+    const judged = kinds.reduce((left, { number }) => left - number, answers.length)
+    const said = [{ kind: "judged", number: judged }, ...kinds.filter(({ number }) => number)]
+    const outcome = `Done: ${said.map(({ kind, number }) => `${number} ${kind}`).join(", ")}`
+    return this.refused.length ? `${outcome}; ${count(this.refused.length, "file")} refused` : outcome
+  }
+
+  /**
+   * The table as rows of cells, to be saved.
+   *
+   * @param {(number: number) => string} title of an exercise
+   * @returns {(string | number)[][]}
+   */
+  save(title) {
+    const { numbers } = this
+    const marks = ["same browser as", "same name in another browser"]
+    this.isSaved = true
+    return [
+      ["name", "file", "note", "date", ...marks, "answers", "solved", ...numbers.map((number) => title(number))],
+      ...this.rows.map((row) => {
+        const { name, file, date, solved, answers } = row
+        const verdicts = numbers.map((number) => answers.get(number)?.verdict ?? "")
+        const [others, namesakes] = [this.others(row), this.namesakes(row)].map((list) => list.join(", "))
+        return [name, file, "", date, others, namesakes, answers.size, solved, ...verdicts]
+      }),
+      ...this.refused.map(({ file, why }) => ["", file, `refused: ${why}`]),
+    ]
+  }
+}

@@ -1,0 +1,80 @@
+// What the page takes from a sandbox, whatever is said there: see protocol.js.
+
+import assert from "node:assert/strict"
+import { test } from "node:test"
+
+import { LONGEST, read } from "../src/protocol.js"
+
+const BATCH = { kind: "batch", chunks: [[false, "a\n", 0, 0]], leftOut: 0, ticks: [["timer", 1, 0.5, 0.5, 0]] }
+const RUN = { status: 0, errors: 0, count: 1, ticks: [["t", 1, 0.5, 0.5, 0]], chunks: [[0]], end: 1, alternative: "a", test: "" }
+const VERDICT = { verdict: "solved", solved: true, status: "right", console: "", said: "" }
+const end = (result) => ({ kind: "end", result })
+
+const RIGHT = [
+  [null, { kind: "ready" }],
+  [null, { kind: "need", name: "rosspin.zip" }],
+  [null, { kind: "failed", reason: "why" }],
+  ["run", BATCH],
+  ["run", end(RUN)],
+  ["trace", end({ trace: "{}" })],
+  ["judge", end(VERDICT)],
+  ["judge", end({ ...VERDICT, verdict: "to read", solved: false })],
+]
+for (const [job, message] of RIGHT) {
+  test(`is read: ${message.kind} of ${job}`, () => {
+    assert.deepEqual(read(JSON.stringify(message), job), message)
+    assert.deepEqual(read(JSON.stringify({ ...message, more: 1, __proto__: { kind: "x" } }), job), message)
+  })
+}
+
+test("a run that went wrong says no more than its status", () => {
+  const { result } = read('{"kind": "end", "result": {"status": 1}}', "run")
+  assert.deepEqual(result, { status: 1, errors: 0, count: 0, ticks: [], chunks: [], end: 0, alternative: "", test: "" })
+})
+
+test("a reason is short", () => {
+  assert.equal(read(JSON.stringify({ kind: "failed", reason: "x".repeat(5000) }), "run").reason.length, 1000)
+})
+
+const WRONG = [
+  ["run", "", "no JSON"],
+  ["run", "null"],
+  ["run", "[]"],
+  ["run", '"ready"'],
+  ["run", "{}"],
+  ["run", '{"kind": "toString"}'],
+  ["run", '{"kind": "__proto__"}'],
+  ["run", '{"kind": "constructor", "result": {}}'],
+  ["run", '{"kind": "batch"}'],
+  ["run", JSON.stringify({ ...BATCH, chunks: [[false, 5, 0, 0]] })],
+  ["run", JSON.stringify({ ...BATCH, chunks: [[false, "a", 0]] })],
+  ["run", JSON.stringify({ ...BATCH, leftOut: "1" })],
+  ["run", JSON.stringify({ ...BATCH, ticks: [["timer", 1, 0.5, "0.5", 0]] })],
+  ["run", JSON.stringify({ ...BATCH, ticks: [["timer", 1, 0.5]] })],
+  ["run", JSON.stringify({ kind: "need" })],
+  ["run", JSON.stringify({ kind: "failed", reason: { toString: 1 } })],
+  ["run", JSON.stringify(end())],
+  ["run", JSON.stringify(end({}))],
+  ["run", JSON.stringify(end({ ...RUN, status: "0" }))],
+  ["run", JSON.stringify(end({ ...RUN, count: 0 }))],
+  ["run", JSON.stringify(end({ ...RUN, ticks: [] }))],
+  ["run", JSON.stringify(end({ ...RUN, chunks: [0] }))],
+  ["run", JSON.stringify(end({ ...RUN, test: 5 }))],
+  ["run", JSON.stringify(end(VERDICT))],
+  ["trace", JSON.stringify(end(VERDICT))],
+  ["trace", JSON.stringify(end({ trace: {} }))],
+  ["judge", JSON.stringify(end({ trace: "" }))],
+  ["judge", JSON.stringify(end({ ...VERDICT, solved: false }))],
+  ["judge", JSON.stringify(end({ ...VERDICT, verdict: "not yet" }))],
+  ["judge", JSON.stringify(end({ ...VERDICT, verdict: "no such verdict", solved: false }))],
+  ["judge", JSON.stringify(end({ ...VERDICT, said: 5 }))],
+  [null, JSON.stringify(end(VERDICT))],
+  ["judge", JSON.stringify(end({ ...VERDICT, said: "x".repeat(LONGEST) }))],
+]
+for (const [job, text] of WRONG) {
+  test(`is none: ${text.slice(0, 100)} of ${job}`, () => assert.equal(read(text, job), null))
+}
+
+test("a verdict that came with a trace is not passed on", () => {
+  assert.deepEqual(read(JSON.stringify(end({ ...VERDICT, trace: "" })), "trace").result, { trace: "" })
+})

@@ -1,0 +1,179 @@
+// Which files count, who is who, what is judged when, and what is saved: the teachers' table, without a browser.
+
+import assert from "node:assert/strict"
+import { beforeEach, test } from "node:test"
+
+import { Table } from "../src/table.js"
+
+/** A file that a student hands in. */
+function handedIn(name, { as = `${name}.json`, id = "a1", date, answers = { 1: "solved" } } = {}) {
+  return new File([JSON.stringify({ format: "rosspin-answers", version: 1, name, id, date, answers })], as)
+}
+
+/** Judges an answer by what it says: its text is the verdict; one that says "endless" is judged until it is stopped. */
+function judge(number, text, stopped) {
+  judged.push(number)
+  const said = `said of ${number}`
+  if (text !== "endless") return Promise.resolve({ verdict: text, said })
+  return new Promise((resolve) => stopped.addEventListener("abort", () => resolve({ verdict: "stopped", said: "" })))
+}
+
+let table, judged, changes
+
+beforeEach(() => {
+  judged = []
+  changes = []
+  table = new Table(judge, 2, (answer) => changes.push(answer?.title ?? "rows"))
+})
+
+/** Drop files, and let all be judged that will be: what is said. */
+async function drop(...files) {
+  const said = await table.add(files)
+  await new Promise(setImmediate)
+  return said
+}
+
+const verdicts = () => table.answers.map(({ title }) => title)
+const day = (number) => `2026-11-${number}T12:00:00.000Z`
+
+// --- which files count ---
+
+test("of one student's files the newest counts, whichever comes last", async () => {
+  await drop(handedIn("Sam", { as: "b.json", date: day(21), answers: { 1: "solved" } }))
+  const older = await drop(handedIn("Sam", { as: "a.json", date: day(20), answers: { 2: "solved" } }))
+  assert.deepEqual(older, ["a.json is left out: Sam handed in b.json after it."])
+  const newer = await drop(handedIn("Sam", { as: "c.json", date: day(22), answers: { 3: "not yet" } }))
+  assert.deepEqual(newer, ["c.json takes the place of b.json, which Sam handed in before."])
+  assert.deepEqual(verdicts(), ["Sam, exercise 3: not yet"])
+})
+
+test("the same file again takes its own place, and seconds count", async () => {
+  await drop(handedIn("Sam", { date: "2026-11-21T12:00:30.000Z" }))
+  assert.match((await drop(handedIn("Sam", { date: "2026-11-21T12:00:30.000Z" })))[0], /takes the place of/)
+  assert.match((await drop(handedIn("Sam", { date: "2026-11-21T12:00:00.000Z" })))[0], /is left out/)
+  assert.equal(table.rows.length, 1)
+})
+
+test("what waits of a file whose place was taken is not judged", async () => {
+  const answers = { 1: "endless", 2: "endless", 3: "solved" }
+  await drop(handedIn("Sam", { date: day(20), answers }))
+  await drop(handedIn("Sam", { date: day(21), answers: { 4: "solved" } }))
+  table.stop()
+  await drop(handedIn("Al", { id: "b" }))
+  assert.deepEqual(judged, [1, 2, 1])
+})
+
+test("students of the same name or in the same browser stay apart, and are told of", async () => {
+  await drop(handedIn("Sam"), handedIn("Sam", { as: "other.json", id: "a2" }), handedIn("Al"))
+  assert.deepEqual(table.rows.map(({ name, file }) => [name, file]), [["Al", "Al.json"], ["Sam", "Sam.json"], ["Sam", "other.json"]])
+  const [al, sam, other] = table.rows
+  assert.deepEqual([al, sam, other].map((row) => table.others(row)), [["Sam"], ["Al"], []])
+  assert.deepEqual([al, sam, other].map((row) => table.namesakes(row)), [[], ["other.json"], ["Sam.json"]])
+})
+
+test("rows are in the order of their names, numbers by their size", async () => {
+  await drop(...["Team 10", "team 9", "Ada", "Zoë"].map((name) => handedIn(name, { id: name })))
+  assert.deepEqual(table.rows.map(({ name }) => name), ["Ada", "team 9", "Team 10", "Zoë"])
+})
+
+test("a file that is refused is said, counted and saved, and the others are read", async () => {
+  const said = await drop(new File(["null"], "odd.json"), handedIn("Ada"), new File(["PK\x03\x04"], "all.zip"))
+  assert.deepEqual(said, [
+    "odd.json is refused: it is not a file of answers to these exercises.",
+    "all.zip is refused: it is a zip archive; unpack it first.",
+  ])
+  assert.equal(table.said, "Done: 1 judged; 2 files refused")
+  assert.deepEqual(table.save(String).slice(2), [
+    ["", "odd.json", "refused: it is not a file of answers to these exercises"],
+    ["", "all.zip", "refused: it is a zip archive; unpack it first"],
+  ])
+})
+
+// --- what is judged ---
+
+test("answers are judged one after the other in so many lanes, without their first line", async () => {
+  let most = 0
+  let now = 0
+  const texts = []
+  table = new Table(
+    async (number, text) => {
+      texts.push(text)
+      most = Math.max(most, ++now)
+      await new Promise(setImmediate)
+      now--
+      return { verdict: "solved", said: "" }
+    },
+    2,
+    () => {},
+  )
+  await table.add([handedIn("Ada", { answers: { 1: "%%answer 1\nx = 1\ny", 2: "x", 3: "%%answer 9", 4: "" } })])
+  assert.equal(table.said, "Judging the answers of 1 file")
+  for (let turn = 0; turn < 10; turn++) await new Promise(setImmediate)
+  assert.deepEqual(texts, ["\nx = 1\ny", "x", "\n", ""])
+  assert.equal(most, 2)
+  assert.equal(table.said, "Done: 4 judged")
+})
+
+test("Stop ends what is judged and what waits; a file that is dropped again is judged again", async () => {
+  const answers = { 1: "solved", 2: "to read", 3: "endless", 4: "endless", 5: "solved", 6: "solved" }
+  await drop(handedIn("Eve", { answers }))
+  assert.equal(table.said, "Judging the answers of 1 file")
+  table.stop()
+  await drop()
+  assert.equal(table.said, "Done: 1 judged, 1 to read, 4 stopped")
+  assert.deepEqual(judged, [1, 2, 3, 4])
+  assert.match(table.answers.at(-1).said, /^Stopped before it was judged/)
+  await drop(handedIn("Eve", { answers: { 1: "not yet" } }))
+  assert.deepEqual(verdicts(), ["Eve, exercise 1: not yet"])
+  assert.equal(table.said, "Done: 1 judged")
+})
+
+test("files are dropped while others are judged, and one is slow to read", async () => {
+  await drop(handedIn("Slow", { id: "s", answers: { 1: "endless", 2: "solved" } }))
+  const late = handedIn("Late", { id: "c" })
+  const { promise, resolve } = Promise.withResolvers()
+  const { text } = late
+  late.text = () => promise.then(() => text.call(late))
+  const adding = drop(handedIn("Al", { id: "b" }), late)
+  table.stop()
+  await drop()
+  resolve()
+  await adding
+  assert.deepEqual(verdicts(), [
+    "Al, exercise 1: solved",
+    "Late, exercise 1: solved",
+    "Slow, exercise 1: stopped",
+    "Slow, exercise 2: solved",
+  ])
+})
+
+test("each change is told, and that there are other rows", async () => {
+  await drop(handedIn("Ada", { answers: { 1: "solved", 2: "open" } }))
+  const [first, ...others] = changes
+  assert.equal(first, "rows")
+  assert.deepEqual(others.toSorted(), [
+    "Ada, exercise 1: being judged",
+    "Ada, exercise 1: solved",
+    "Ada, exercise 2: being judged",
+    "Ada, exercise 2: open",
+  ])
+})
+
+// --- what is saved ---
+
+test("what is saved has a line for each student, and a column for each exercise that somebody answered", async () => {
+  assert.equal(table.isSaved, true)
+  await drop(
+    handedIn("Ada", { date: day(21), answers: { 10: "not yet", 4: "solved" } }),
+    handedIn("Zoë", { id: "a2", answers: { 1: "not judged" } }),
+  )
+  assert.equal(table.isSaved, false)
+  const [head, ada, zoe] = table.save((number) => `exercise ${number}`)
+  assert.equal(table.isSaved, true)
+  const marks = ["same browser as", "same name in another browser"]
+  const exercises = ["exercise 1", "exercise 4", "exercise 10"]
+  assert.deepEqual(head, ["name", "file", "note", "date", ...marks, "answers", "solved", ...exercises])
+  assert.match(ada[3], /^2026-11-2\d \d\d:\d\d$/)
+  assert.deepEqual(ada.toSpliced(3, 1), ["Ada", "Ada.json", "", "", "", 2, 1, "", "solved", "not yet"])
+  assert.deepEqual(zoe, ["Zoë", "Zoë.json", "", "", "", "", 1, 0, "not judged", "", ""])
+})

@@ -1,0 +1,42 @@
+// Where a plot of a run has its ticks: see svg.js.
+
+import assert from "node:assert/strict"
+import { test } from "node:test"
+
+import { layOut } from "../src/svg.js"
+
+const tick = (source, number, expected, { real = expected, duration = 0 } = {}) => [source, number, expected, real, duration]
+
+test("the axis begins at 0 and goes to the end of the run, though nothing ticks there any more", () => {
+  const { scale, places } = layOut([tick("timer", 1, 0.5)], 10)
+  assert.deepEqual([scale.first, scale.span], [0, 10])
+  assert.deepEqual(places.map(([across]) => across), [0.05])
+})
+
+test("where first ticks were left out, it begins at the first that is there, and ends with the last call", () => {
+  const { scale, places } = layOut([tick("t", 7, 3), tick("t", 8, 4, { real: 4.5, duration: 0.5 })], 0)
+  assert.deepEqual([scale.first, scale.span], [3, 2])
+  assert.deepEqual(places.map(([across]) => across), [0, 0.75])
+})
+
+test("a run of no length has an axis", () => assert.equal(layOut([tick("t", 1, 0)], 0).scale.span, 1))
+
+test("each source has a row, in the order of the first ticks, with each time that was expected once", () => {
+  const { rows } = layOut([tick("a", 1, 1), tick("b", 1, 1), tick("a", 2, 1, { real: 1.2, duration: 0.1 })], 2)
+  assert.deepEqual(rows, [
+    ["a", "", [1], [], [[1, 0], [1.2, 0.1]]],
+    ["b", "", [1], [], [[1, 0]]],
+  ])
+})
+
+test("ticks at the same time stand one above the other, at most three, and rows below each other", () => {
+  const { places } = layOut([1, 2, 3, 4].map((number) => tick("t", number, 1)).concat([tick("u", 1, 1)]), 2)
+  const [first, second, third, fourth, below] = places.map(([, down]) => down)
+  assert.ok(first > second && second > third && third === fourth && below > first)
+})
+
+test("calls that overlap have a lane each", () => {
+  const { places } = layOut([tick("t", 1, 1, { duration: 2 }), tick("t", 2, 2, { duration: 2 }), tick("t", 3, 3.5)], 5)
+  const [first, second, third] = places.map(([, down]) => down)
+  assert.ok(first < second && third === first)
+})
