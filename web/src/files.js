@@ -26,17 +26,35 @@ const wrong = (name) =>
   `The file ${name} of this site is not the one that belongs to this page, so it was not used. Reload the page; ` +
   "if that does not help, tell whoever keeps the site."
 
+/** Parts have at least so many bytes, but for the last: to pass one on to another process costs as much as it weighs. */
+const PART = 2 ** 19
+
+/** Some bytes after each other, in one piece. */
+function join(parts) {
+  const bytes = new Uint8Array(parts.reduce((size, part) => size + part.length, 0))
+  parts.reduce((at, part) => (bytes.set(part, at), at + part.length), 0)
+  return bytes
+}
+
 /** The bytes of a stream; `hear` is called with each part of them as it comes. */
 async function gather(stream, hear) {
-  const parts = []
+  const whole = []
+  let parts = []
+  let size = 0
+  const give = () => {
+    whole.push(join(parts))
+    hear(whole.at(-1))
+    parts = []
+    size = 0
+  }
   const reader = stream.getReader()
   for (let part = await reader.read(); !part.done; part = await reader.read()) {
     parts.push(part.value)
-    hear(part.value)
+    size += part.value.length
+    if (size >= PART) give()
   }
-  const bytes = new Uint8Array(parts.reduce((size, part) => size + part.length, 0))
-  parts.reduce((at, part) => (bytes.set(part, at), at + part.length), 0)
-  return bytes.buffer
+  if (size) give()
+  return join(whole).buffer
 }
 
 /**

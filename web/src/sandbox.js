@@ -25,9 +25,10 @@ class Packed {
   }
 }
 
-function begin(script, port) {
+function begin(script, [port, wasm]) {
   const address = URL.createObjectURL(new Blob([script], { type: "text/javascript" }))
   const worker = new Worker(address)
+  worker.postMessage({ kind: "wasm", port: wasm }, [wasm])
   const end = (reason) => {
     worker.onmessage = null
     worker.terminate()
@@ -59,10 +60,10 @@ function begin(script, port) {
 // Opened as a page, or in a frame that shares its origin with the site, it does nothing.
 if (self.origin === "null" && parent !== self) {
   let begun = false
-  addEventListener("message", ({ source, data, ports: [port] }) => {
+  addEventListener("message", ({ source, data, ports }) => {
     if (source !== parent || begun) return
     begun = true
-    begin(data, port)
+    begin(data, ports)
   })
   parent.postMessage("here", "*")
 }

@@ -9,12 +9,9 @@ import { ALL, read } from "./protocol.js"
 /** A frame that has loaded has said so before; its word is waited for so long (ms). */
 const WORD = 5000
 
-/** What Python starts from, and what it may need later on. */
+/** What Python starts from, which a sandbox begins to compile and to unpack while it comes, and what it may need later on. */
+const WASM = "pyodide.asm.wasm"
 const SNAPSHOT = "snapshot.gz"
-const FIRST = ["pyodide.asm.wasm", "pyodide.asm.mjs", SNAPSHOT]
-
-/** The large ones of these. A sandbox begins to compile and to unpack them while they come. */
-const LARGE = ["pyodide.asm.wasm", SNAPSHOT]
 const LATE = ["python_stdlib.zip", "rosspin.zip"]
 
 /** A file that was asked for: `bytes` is a promise, and a sandbox is given its parts as they come. */
@@ -95,30 +92,32 @@ export class Sandbox {
 
   async #open() {
     const { port1, port2 } = new MessageChannel()
+    const wasm = new MessageChannel() // past the page of the sandbox, which has a snapshot to unpack
     try {
-      const first = file("worker.js").bytes
-      const coming = FIRST.map((name) => [name, file(name)])
-      const [script] = await Promise.all([first, open(this.#frame)])
+      const opened = open(this.#frame)
+      const [first, code, snapshot] = ["worker.js", WASM, SNAPSHOT].map(file)
+      const [script] = await Promise.all([first.bytes, opened])
       if (!this.#frame) return
       this.#port = port1
       port1.onmessage = ({ data }) => this.#receive(data)
-      this.#frame.contentWindow.postMessage(script, "*", [port2]) // it has no origin that could be named
-      await Promise.all(coming.map(([name, loading]) => this.#pass(name, loading)))
+      this.#frame.contentWindow.postMessage(script, "*", [port2, wasm.port2]) // it has no origin that could be named
+      await Promise.all([this.#pass(WASM, code, wasm.port1), this.#pass(SNAPSHOT, snapshot, port1)])
     } catch (error) {
       this.#start({ kind: "failed", reason: error instanceof Fault ? error.message : NOT_LOADED })
+    } finally {
+      wasm.port1.close() // before anybody's code runs there: nothing is heard on it
     }
   }
 
   /** Pass a file on: if it is still coming, in parts, which are used once it is known that they are right. */
-  async #pass(name, loading) {
+  async #pass(name, loading, port) {
     let inParts = false
-    const give = (bytes) => {
+    loading.follow((bytes) => {
       inParts = true
-      this.#port?.postMessage({ kind: "part", name, bytes })
-    }
-    if (LARGE.includes(name)) loading.follow(give)
+      port.postMessage({ kind: "part", name, bytes })
+    })
     const bytes = await loading.bytes
-    this.#port?.postMessage({ kind: "file", name, bytes: inParts && bytes ? ALL : bytes })
+    port.postMessage({ kind: "file", name, bytes: inParts && bytes ? ALL : bytes })
   }
 
   #receive(text) {

@@ -1,8 +1,9 @@
 // Python in the worker of a sandbox. It is sent all that it starts from, then jobs, one at a time, and says what comes of
 // them: see protocol.js. It can ask for nothing but the files that the page has for it.
 
+import createPyodideModule from "pyodide/pyodide.asm.mjs"
 import { info } from "pyodide/pyodide-lock.json"
-import { loadPyodide } from "pyodide/pyodide.mjs"
+import { filled, HEAD, restore } from "./memory.js"
 import { ALL } from "./protocol.js"
 import { signals } from "./signals.js"
 import { install, LIBRARY, options, PACKAGES } from "./start.js"
@@ -19,9 +20,6 @@ const PAGE = 2 ** 16
 
 /** What is asked for when it is needed: the standard library and our own files. */
 const LATE = ["python_stdlib.zip", "rosspin.zip"]
-
-// Where Pyodide believes that its files are.
-const NOWHERE = "memory:/"
 
 /** What Python is told where a file cannot be read: the number of an input/output error. */
 const EIO = 29
@@ -156,11 +154,6 @@ function limitMemory() {
   }
 }
 
-async function loadScript() {
-  const text = await file("pyodide.asm.mjs").promise
-  return (await import(URL.createObjectURL(new Blob([text], { type: "text/javascript" })))).default
-}
-
 /** WebAssembly that is compiled while it comes. It is run when all of it is known to be right. */
 class Compiling {
   #controller
@@ -184,10 +177,11 @@ class Compiling {
 
 let compiling = null
 
-/** A part of the WebAssembly has come, or null: those until then were wrong. */
-function take(part) {
-  compiling = part && (compiling ?? new Compiling())
-  compiling?.add(part)
+/** A part of the WebAssembly has come, or null: those until then were wrong; or the file of it. */
+function take({ kind, name, bytes }) {
+  if (kind === "file") return file(name).resolve(bytes)
+  compiling = bytes && (compiling ?? new Compiling())
+  compiling?.add(bytes)
 }
 
 async function compile() {
@@ -195,19 +189,36 @@ async function compile() {
   return bytes === ALL ? compiling.end() : WebAssembly.compile(bytes)
 }
 
-/** Start Python, from `snapshot` if there is one: Python, and what to call before it reads a file. */
-async function start(createPyodideModule, compiled, snapshot) {
+/**
+ * Start Python: itself, and what to call before it reads a file. `snapshot`, if it is given, is a promise of one. Until
+ * that is kept, Python gets as far as it can without: so much takes as long as to unpack a snapshot.
+ */
+async function start(compiled, snapshot) {
   // All that most nodes need is in the snapshot. The standard library and our own files are asked for when one of them is
   // read: for an import, or a line of a traceback. Pyodide insists on a file in the first one's place.
   const [stdlib, ours] = snapshot ? ["-"] : await Promise.all(LATE.map(ask))
   if (!stdlib) throw new Error("its files cannot be had")
   globalThis.fetch = async () => new Response(stdlib) // there is nothing else that Pyodide asks for
+  let fresh
   WebAssembly.instantiateStreaming = async (_, imports) => {
     const module = await compiled
-    return { module, instance: await WebAssembly.instantiate(module, imports) }
+    const instance = await WebAssembly.instantiate(module, imports)
+    fresh = snapshot && filled(instance.exports.memory)
+    return { module, instance }
   }
-  const given = { ...options(info), stdout() {}, stderr() {}, stdin: () => null, indexURL: NOWHERE, createPyodideModule }
-  const python = await loadPyodide({ ...given, _loadSnapshot: snapshot && Promise.resolve(snapshot) })
+  const given = { ...options(info), stdout() {}, stderr() {}, stdin: () => null, indexURL: import.meta.url, createPyodideModule }
+  if (snapshot) {
+    const head = new Uint8Array(HEAD)
+    given._loadSnapshot = Promise.resolve(head)
+    given.createPyodideModule = async (settings) => {
+      const module = await createPyodideModule(settings)
+      restore(await snapshot, head, module.HEAPU8, fresh)
+      return module
+    }
+  }
+  // Not before, and not with the rest: it tries what is refused here, and developer tools note from where.
+  const { loadPyodide } = await import("pyodide/pyodide.mjs")
+  const python = await loadPyodide(given)
   delete globalThis.fetch // the browser's own is back, which can ask for nothing
   if (!snapshot) {
     install(python, new Uint8Array(ours))
@@ -221,11 +232,9 @@ async function start(createPyodideModule, compiled, snapshot) {
 async function boot() {
   limitMemory()
   const compiled = compile()
-  const snapshot = file("snapshot.gz").promise
   compiled.catch(() => {}) // it is awaited later
-  const createPyodideModule = await loadScript()
-  const from = (snapshot) => start(createPyodideModule, compiled, snapshot)
-  const { python, supply } = await from(await snapshot).catch(() => from(null))
+  const { python, supply } = await start(compiled, file("snapshot.gz").promise).catch(() => start(compiled))
+  files.clear() // what it started from; more is asked for
   const page = python.pyimport("rosspin.page")
   page.wake(supply)
   python.setInterruptBuffer(signals)
@@ -255,7 +264,7 @@ booting.then(
 )
 
 addEventListener("message", async ({ data }) => {
-  if (data.kind === "part") return take(data.bytes)
+  if (data.kind === "wasm") return (data.port.onmessage = ({ data }) => take(data))
   if (data.kind === "file") return file(data.name).resolve(data.bytes)
   const python = await booting
   const page = new Page()
