@@ -1,5 +1,5 @@
-// What the page and a sandbox say to each other. The page sends objects; a sandbox sends JSON, in texts that are short
-// and few. The page trusts none of it: what comes out of a sandbox may have been written by the code that ran there.
+// What the page and a sandbox say to each other. The page sends objects, and nothing is heard where it sends WebAssembly; a
+// sandbox sends JSON, in texts that are short and few. The page trusts none of it: what comes out of a sandbox may have been written by the code that ran there.
 
 /**
  * @typedef {{kind: "run", source: string, filename: string, seconds: number, args: string, speed: number}

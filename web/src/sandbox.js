@@ -1,8 +1,9 @@
-// All that the page of a sandbox does. It is sent a script, once, starts a worker from it, and passes on what the page
-// and the worker say to each other: from the worker no more than the page can bear. Both have an origin
-// that nothing else has, and may ask for nothing: web/build.mjs has their policy.
+// All that the page of a sandbox does. It starts a worker, is sent its script, once, and passes on what the page
+// and the worker say to each other: from the worker no more than the page can bear. The WebAssembly has a port of its own,
+// which the worker is given. Both have an origin that nothing else has, and may ask for nothing: web/build.mjs has their
+// policy.
 
-import { ALL, AT_ONCE, LONGEST, PER_SECOND } from "./protocol.js"
+import { AT_ONCE, LONGEST, PER_SECOND } from "./protocol.js"
 
 /** A file that is unpacked while it comes, since the worker has other things to do. */
 class Packed {
@@ -25,9 +26,16 @@ class Packed {
   }
 }
 
-function begin(script, [port, wasm]) {
-  const address = URL.createObjectURL(new Blob([script], { type: "text/javascript" }))
-  const worker = new Worker(address)
+const blob = (script) => URL.createObjectURL(new Blob([script], { type: "text/javascript" }))
+
+/** A worker that becomes what the first message says. It takes as long to start as its script to come. */
+const BLANK = `onmessage = ({ data }) => {
+  onmessage = null
+  importScripts(data)
+}`
+
+function begin(worker, broken, script, [port, wasm]) {
+  worker.postMessage(blob(script))
   worker.postMessage({ kind: "wasm", port: wasm }, [wasm])
   const end = (reason) => {
     worker.onmessage = null
@@ -41,7 +49,7 @@ function begin(script, [port, wasm]) {
     if (typeof data === "string" && data.length <= LONGEST && ++count <= most) port.postMessage(data)
     else end("It was ended: it sent more than this page takes.")
   }
-  worker.onerror = ({ message }) => end(`It was ended by an error: ${message ?? "its worker could not be started"}`)
+  broken.then(({ message }) => end(`It was ended by an error: ${message ?? "its worker could not be started"}`))
   let packed = null
   port.onmessage = async ({ data }) => {
     if (data.name?.endsWith(".gz")) {
@@ -52,18 +60,19 @@ function begin(script, [port, wasm]) {
       }
       data.bytes = data.bytes && (await packed.end())
     }
-    const { bytes } = data
-    worker.postMessage(data, bytes && bytes !== ALL ? [bytes.buffer ?? bytes] : [])
+    worker.postMessage(data, data.bytes ? [data.bytes] : [])
   }
 }
 
 // Opened as a page, or in a frame that shares its origin with the site, it does nothing.
 if (self.origin === "null" && parent !== self) {
+  const worker = new Worker(blob(BLANK))
+  const broken = new Promise((resolve) => (worker.onerror = resolve))
   let begun = false
   addEventListener("message", ({ source, data, ports }) => {
     if (source !== parent || begun) return
     begun = true
-    begin(data, ports)
+    begin(worker, broken, data, ports)
   })
   parent.postMessage("here", "*")
 }

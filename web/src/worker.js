@@ -177,11 +177,18 @@ class Compiling {
 
 let compiling = null
 
+/** A promise that is kept when the first of it comes. */
+const coming = Promise.withResolvers()
+
 /** A part of the WebAssembly has come, or null: those until then were wrong; or the file of it. */
 function take({ kind, name, bytes }) {
-  if (kind === "file") return file(name).resolve(bytes)
-  compiling = bytes && (compiling ?? new Compiling())
-  compiling?.add(bytes)
+  if (kind === "file") {
+    file(name).resolve(bytes)
+  } else {
+    compiling = bytes && (compiling ?? new Compiling())
+    compiling?.add(bytes)
+  }
+  coming.resolve()
 }
 
 async function compile() {
@@ -233,6 +240,7 @@ async function boot() {
   limitMemory()
   const compiled = compile()
   compiled.catch(() => {}) // it is awaited later
+  await coming.promise // what follows blocks this thread, while others compile
   const { python, supply } = await start(compiled, file("snapshot.gz").promise).catch(() => start(compiled))
   files.clear() // what it started from; more is asked for
   const page = python.pyimport("rosspin.page")
