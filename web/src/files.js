@@ -26,48 +26,13 @@ const wrong = (name) =>
   `The file ${name} of this site is not the one that belongs to this page, so it was not used. Reload the page; ` +
   "if that does not help, tell whoever keeps the site."
 
-/** Parts have at least so many bytes, but for the last: to pass one on to another process costs as much as it weighs. */
-const PART = 2 ** 19
-
-/** Some bytes after each other, in one piece. */
-function join(parts) {
-  const bytes = new Uint8Array(parts.reduce((size, part) => size + part.length, 0))
-  parts.reduce((at, part) => (bytes.set(part, at), at + part.length), 0)
-  return bytes
-}
-
-/** The bytes of a stream; `hear` is called with each part of them as it comes. */
-async function gather(stream, hear) {
-  const whole = []
-  let parts = []
-  let size = 0
-  const give = () => {
-    whole.push(join(parts))
-    hear(whole.at(-1))
-    parts = []
-    size = 0
-  }
-  const reader = stream.getReader()
-  for (let part = await reader.read(); !part.done; part = await reader.read()) {
-    parts.push(part.value)
-    size += part.value.length
-    if (size >= PART) give()
-  }
-  if (size) give()
-  return join(whole).buffer
-}
-
-/**
- * The bytes of a file of the site. Fault: twice it was another one. Error: it cannot be had. `hear` is called with each
- * part as it comes, not checked yet, and with null if those until then were wrong.
- */
-export async function load(name, hear = () => {}) {
+/** The bytes of a file of the site. Fault: twice it was another one. Error: it cannot be had. */
+export async function load(name) {
   for (const cache of ["default", "reload"]) {
     const response = await fetch(address(name), { cache })
     if (!response.ok) throw new Error(`${response.status} ${name}`)
-    const bytes = await gather(response.body, hear)
+    const bytes = await response.arrayBuffer()
     if (await isRight(name, bytes)) return bytes
-    hear(null)
   }
   throw new Fault(wrong(name))
 }
@@ -75,16 +40,15 @@ export async function load(name, hear = () => {}) {
 const SNAPSHOT = "snapshot.gz"
 
 /** The snapshot, likewise: from what the browser keeps if it is there and right, else from the site, to be kept. */
-export async function loadSnapshot(hear) {
+export async function loadSnapshot() {
   const cache = await opening
   const found = await cache?.match(address(SNAPSHOT))
   if (found) {
-    const kept = await gather(found.body, hear)
+    const kept = await found.arrayBuffer()
     if (await isRight(SNAPSHOT, kept)) return kept
-    hear(null)
     await cache.delete(address(SNAPSHOT))
   }
-  const bytes = await load(SNAPSHOT, hear)
+  const bytes = await load(SNAPSHOT)
   if (cache) keep(cache, bytes)
   return bytes
 }

@@ -1,21 +1,17 @@
-// What the page and a sandbox say to each other. The page sends objects, and nothing is heard where it sends WebAssembly; a
-// sandbox sends JSON, in texts that are short and few. The page trusts none of it: what comes out of a sandbox may have been written by the code that ran there.
+// What the page and a sandbox say to each other. The page sends objects; a sandbox sends JSON, in texts that are short
+// and few. The page trusts none of it: what comes out of a sandbox may have been written by the code that ran there.
 
 /**
  * @typedef {{kind: "run", source: string, filename: string, seconds: number, args: string, speed: number}
  *   | {kind: "trace", number: number, text: string}
  *   | {kind: "judge", number: number, text: string, trace: string}} Job
- * @typedef {{kind: "part", name: string, bytes: Uint8Array | null}} Part of a file; with null, those until then were wrong
- * @typedef {{kind: "file", name: string, bytes: ArrayBuffer | "all" | null}} File what a sandbox needed; null: it cannot be had
+ * @typedef {{kind: "file", name: string, bytes: ArrayBuffer | null}} File what a sandbox needed; null: it cannot be had
  * @typedef {[isError: boolean, text: string, number: number, line: number]} Chunk of what is printed
  * @typedef {[source: string, number: number, expected: number, real: number, duration: number]} Tick
  * @typedef {{kind: "ready"} | {kind: "need", name: string} | {kind: "failed", reason: string}
  *   | {kind: "batch", chunks: Chunk[], leftOut: number, ticks: Tick[]}
  *   | {kind: "end", result: object}} Message what a sandbox says; the result is that of rosspin.page's function
  */
-
-/** In place of a file: its parts are all here, and right. */
-export const ALL = "all"
 
 /** A message has at most so many characters. The longest are traces, of little more than 2 MB, whose quotes are escaped. */
 export const LONGEST = 6_000_000

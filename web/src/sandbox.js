@@ -1,30 +1,11 @@
 // All that the page of a sandbox does. It starts a worker, is sent its script, once, and passes on what the page
-// and the worker say to each other: from the worker no more than the page can bear. The WebAssembly has a port of its own,
-// which the worker is given. Both have an origin that nothing else has, and may ask for nothing: web/build.mjs has their
+// and the worker say to each other: from the worker no more than the page can bear. What is packed it unpacks, since the
+// worker has other things to do. Both have an origin that nothing else has, and may ask for nothing: web/build.mjs has their
 // policy.
 
 import { AT_ONCE, LONGEST, PER_SECOND } from "./protocol.js"
 
-/** A file that is unpacked while it comes, since the worker has other things to do. */
-class Packed {
-  #stream = new DecompressionStream("gzip")
-  #writer = this.#stream.writable.getWriter()
-  #bytes = new Response(this.#stream.readable).arrayBuffer()
-
-  constructor() {
-    this.#bytes.catch(() => {}) // it is awaited later, if it is right
-  }
-
-  add(part) {
-    this.#writer.write(part).catch(() => {})
-  }
-
-  /** All of it, unpacked; null if it cannot be unpacked. */
-  end() {
-    this.#writer.close().catch(() => {})
-    return this.#bytes.catch(() => null)
-  }
-}
+const unpack = (bytes) => new Response(new Response(bytes).body.pipeThrough(new DecompressionStream("gzip"))).arrayBuffer()
 
 const blob = (script) => URL.createObjectURL(new Blob([script], { type: "text/javascript" }))
 
@@ -34,9 +15,8 @@ const BLANK = `onmessage = ({ data }) => {
   importScripts(data)
 }`
 
-function begin(worker, broken, script, [port, wasm]) {
+function begin(worker, broken, script, port) {
   worker.postMessage(blob(script))
-  worker.postMessage({ kind: "wasm", port: wasm }, [wasm])
   const end = (reason) => {
     worker.onmessage = null
     worker.terminate()
@@ -50,16 +30,8 @@ function begin(worker, broken, script, [port, wasm]) {
     else end("It was ended: it sent more than this page takes.")
   }
   broken.then(({ message }) => end(`It was ended by an error: ${message ?? "its worker could not be started"}`))
-  let packed = null
   port.onmessage = async ({ data }) => {
-    if (data.name?.endsWith(".gz")) {
-      if (data.kind === "part" || data.bytes instanceof ArrayBuffer) {
-        packed = data.bytes && (packed ?? new Packed())
-        packed?.add(data.bytes)
-        if (data.kind === "part") return
-      }
-      data.bytes = data.bytes && (await packed.end())
-    }
+    if (data.bytes && data.name.endsWith(".gz")) data.bytes = await unpack(data.bytes).catch(() => null)
     worker.postMessage(data, data.bytes ? [data.bytes] : [])
   }
 }
@@ -69,10 +41,10 @@ if (self.origin === "null" && parent !== self) {
   const worker = new Worker(blob(BLANK))
   const broken = new Promise((resolve) => (worker.onerror = resolve))
   let begun = false
-  addEventListener("message", ({ source, data, ports }) => {
+  addEventListener("message", ({ source, data, ports: [port] }) => {
     if (source !== parent || begun) return
     begun = true
-    begin(worker, broken, data, ports)
+    begin(worker, broken, data, port)
   })
   parent.postMessage("here", "*")
 }

@@ -4,55 +4,33 @@
 
 import { Fault, load, loadSnapshot, sandboxPage } from "./files.js"
 import { make } from "./make.js"
-import { ALL, read } from "./protocol.js"
+import { read } from "./protocol.js"
 
 /** A frame that has loaded has said so before; its word is waited for so long (ms). */
 const WORD = 5000
 
-/** What Python starts from, which a sandbox begins to compile and to unpack while it comes, and what it may need later on. */
+/** What Python starts from, and what it may need later on. */
 const WASM = "pyodide.asm.wasm"
 const SNAPSHOT = "snapshot.gz"
 const LATE = ["python_stdlib.zip", "rosspin.zip"]
 
-/** A file that was asked for: `bytes` is a promise, and a sandbox is given its parts as they come. */
-class Loading {
-  #parts = []
-  #followers = []
-
-  constructor(name) {
-    const hear = (part) => {
-      this.#parts = part ? [...this.#parts, part] : []
-      for (const give of this.#followers) give(part)
-    }
-    this.bytes = name === SNAPSHOT ? snapshotIfThere(hear) : load(name, hear)
-    const end = () => (this.#parts = this.#followers = null)
-    this.bytes.then(end, end)
-  }
-
-  /** Call `give` with each part, from the first on, and with null if those until then were wrong; not if all is here. */
-  follow(give) {
-    this.#parts?.forEach((part) => give(part))
-    this.#followers?.push(give)
-  }
-}
-
-/** What every sandbox starts from, as soon as it was asked for: name -> Loading. */
+/** What every sandbox starts from, as soon as it was asked for: name -> a promise of the bytes. */
 const files = new Map()
 
 function file(name) {
   if (!files.has(name)) {
-    const loading = new Loading(name)
+    const loading = name === SNAPSHOT ? snapshotIfThere() : load(name)
     files.set(name, loading)
     const forget = () => files.delete(name) // the next one may have more luck
-    loading.bytes.then((bytes) => bytes || forget(), forget)
+    loading.then((bytes) => bytes || forget(), forget)
   }
   return files.get(name)
 }
 
 /** Without a snapshot, Python starts plainly. One that is not the right one is a fault of the site. */
-async function snapshotIfThere(hear) {
+async function snapshotIfThere() {
   try {
-    return await loadSnapshot(hear)
+    return await loadSnapshot()
   } catch (error) {
     if (error instanceof Fault) throw error
     return null
@@ -92,32 +70,24 @@ export class Sandbox {
 
   async #open() {
     const { port1, port2 } = new MessageChannel()
-    const wasm = new MessageChannel() // past the page of the sandbox, which has a snapshot to unpack
     try {
       const opened = open(this.#frame)
-      const [first, code, snapshot] = ["worker.js", WASM, SNAPSHOT].map(file)
-      const [script] = await Promise.all([first.bytes, opened])
+      const [first, ...coming] = ["worker.js", WASM, SNAPSHOT].map((name) => file(name))
+      const [script] = await Promise.all([first, opened])
       if (!this.#frame) return
       this.#port = port1
       port1.onmessage = ({ data }) => this.#receive(data)
-      this.#frame.contentWindow.postMessage(script, "*", [port2, wasm.port2]) // it has no origin that could be named
-      await Promise.all([this.#pass(WASM, code, wasm.port1), this.#pass(SNAPSHOT, snapshot, port1)])
+      this.#frame.contentWindow.postMessage(script, "*", [port2]) // it has no origin that could be named
+      // One after the other: that which is to be compiled does not wait for the other one to be unpacked.
+      this.#pass(WASM, await coming[0])
+      this.#pass(SNAPSHOT, await coming[1])
     } catch (error) {
       this.#start({ kind: "failed", reason: error instanceof Fault ? error.message : NOT_LOADED })
-    } finally {
-      wasm.port1.close() // before anybody's code runs there: nothing is heard on it
     }
   }
 
-  /** Pass a file on: if it is still coming, in parts, which are used once it is known that they are right. */
-  async #pass(name, loading, port) {
-    let inParts = false
-    loading.follow((bytes) => {
-      inParts = true
-      port.postMessage({ kind: "part", name, bytes })
-    })
-    const bytes = await loading.bytes
-    port.postMessage({ kind: "file", name, bytes: inParts && bytes ? ALL : bytes })
+  #pass(name, bytes) {
+    this.#port?.postMessage({ kind: "file", name, bytes })
   }
 
   #receive(text) {
@@ -130,7 +100,7 @@ export class Sandbox {
 
   async #give(name) {
     const bytes = LATE.includes(name) ? await load(name).catch(() => null) : null
-    this.#port?.postMessage({ kind: "file", name, bytes })
+    this.#pass(name, bytes)
   }
 
   /** Do a job; `hear(message)` is called with what comes of it. */

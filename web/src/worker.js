@@ -4,7 +4,6 @@
 import createPyodideModule from "pyodide/pyodide.asm.mjs"
 import { info } from "pyodide/pyodide-lock.json"
 import { filled, HEAD, restore } from "./memory.js"
-import { ALL } from "./protocol.js"
 import { signals } from "./signals.js"
 import { install, LIBRARY, options, PACKAGES } from "./start.js"
 
@@ -154,48 +153,6 @@ function limitMemory() {
   }
 }
 
-/** WebAssembly that is compiled while it comes. It is run when all of it is known to be right. */
-class Compiling {
-  #controller
-  #module
-
-  constructor() {
-    const stream = new ReadableStream({ start: (controller) => (this.#controller = controller) })
-    this.#module = WebAssembly.compileStreaming(new Response(stream, { headers: { "Content-Type": "application/wasm" } }))
-    this.#module.catch(() => {}) // it is awaited later, if it is right
-  }
-
-  add(part) {
-    this.#controller.enqueue(part)
-  }
-
-  end() {
-    this.#controller.close()
-    return this.#module
-  }
-}
-
-let compiling = null
-
-/** A promise that is kept when the first of it comes. */
-const coming = Promise.withResolvers()
-
-/** A part of the WebAssembly has come, or null: those until then were wrong; or the file of it. */
-function take({ kind, name, bytes }) {
-  if (kind === "file") {
-    file(name).resolve(bytes)
-  } else {
-    compiling = bytes && (compiling ?? new Compiling())
-    compiling?.add(bytes)
-  }
-  coming.resolve()
-}
-
-async function compile() {
-  const bytes = await file("pyodide.asm.wasm").promise
-  return bytes === ALL ? compiling.end() : WebAssembly.compile(bytes)
-}
-
 /**
  * Start Python: itself, and what to call before it reads a file. `snapshot`, if it is given, is a promise of one. Until
  * that is kept, Python gets as far as it can without: so much takes as long as to unpack a snapshot.
@@ -238,9 +195,9 @@ async function start(compiled, snapshot) {
 
 async function boot() {
   limitMemory()
-  const compiled = compile()
+  const compiled = file("pyodide.asm.wasm").promise.then((bytes) => WebAssembly.compile(bytes))
   compiled.catch(() => {}) // it is awaited later
-  await coming.promise // what follows blocks this thread, while others compile
+  await new Promise((go) => setTimeout(go)) // if the file is here, others compile it while this thread goes on
   const { python, supply } = await start(compiled, file("snapshot.gz").promise).catch(() => start(compiled))
   files.clear() // what it started from; more is asked for
   const page = python.pyimport("rosspin.page")
@@ -272,7 +229,6 @@ booting.then(
 )
 
 addEventListener("message", async ({ data }) => {
-  if (data.kind === "wasm") return (data.port.onmessage = ({ data }) => take(data))
   if (data.kind === "file") return file(data.name).resolve(data.bytes)
   const python = await booting
   const page = new Page()
