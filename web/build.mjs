@@ -34,7 +34,7 @@ const common = {
 }
 // Loaded with each page that has a figure to move, for that alone.
 await build({ ...common, outdir: path.join(out, "../handles"), entryPoints: [path.join(here, "src/handles.js")] })
-for (const name of ["pyodide.asm.mjs", "pyodide.asm.wasm", "python_stdlib.zip"]) {
+for (const name of ["pyodide.asm.wasm", "python_stdlib.zip"]) {
   cpSync(path.join(pyodide, name), path.join(out, name))
 }
 
@@ -53,7 +53,7 @@ writeFileSync(path.join(out, "rosspin.zip"), zipSync(files, { level: 9, mtime: n
 const inputs = ["pyodide.mjs", "pyodide.asm.mjs", "pyodide.asm.wasm", "python_stdlib.zip"]
   .map((name) => path.join(pyodide, name))
   .concat(path.join(out, "rosspin.zip"))
-  .concat(["snapshot.mjs", "snapshot.py", "src/start.js"].map((name) => path.join(here, name)))
+  .concat(["snapshot.mjs", "snapshot.py", "src/memory.js", "src/start.js"].map((name) => path.join(here, name)))
 const hash = createHash("sha256").update(process.version)
 inputs.forEach((file) => hash.update(readFileSync(file)))
 const made = hash.digest("hex").slice(0, 16)
@@ -73,6 +73,7 @@ cpSync(kept, path.join(out, "snapshot.gz"))
 await build({
   ...common,
   external: ["node:*", "ws"], // of which Pyodide has no need here
+  define: { "import.meta.url": JSON.stringify("memory:/") }, // where it believes that its files are
   entryPoints: [path.join(here, "src/worker.js")],
 })
 const { outputFiles } = await build({ ...common, write: false, entryPoints: [path.join(here, "src/sandbox.js")] })
@@ -89,7 +90,7 @@ writeFileSync(
 )
 
 // Loaded when a listing is touched, or an answer is to be judged. What runs code knows each file that it starts from.
-const sealed = ["pyodide.asm.mjs", "pyodide.asm.wasm", "python_stdlib.zip", "rosspin.zip", "snapshot.gz"]
+const sealed = ["pyodide.asm.wasm", "python_stdlib.zip", "rosspin.zip", "snapshot.gz"]
   .concat(["sandbox.html", "worker.js"])
   .map((name) => [name, sha256(readFileSync(path.join(out, name)))])
 const { metafile } = await build({

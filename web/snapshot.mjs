@@ -4,6 +4,7 @@ import { readFileSync } from "node:fs"
 import path from "node:path"
 import { pathToFileURL } from "node:url"
 
+import { filled, pack } from "./src/memory.js"
 import { install, options } from "./src/start.js"
 
 // Nothing of the machine on which it is made may be in it. With random hashes no two snapshots would be the same.
@@ -12,16 +13,30 @@ const SETTINGS = { env: { LANG: "C.UTF-8", PYTHONHASHSEED: "0" }, _sysExecutable
 // A block of memory (bytes) that is free, or the first part of one.
 const LARGEST = 2 ** 16
 
+/** A promise of what WebAssembly fills of the memory of the next Python. */
+function watch() {
+  const { instantiate } = WebAssembly
+  const { promise, resolve } = Promise.withResolvers()
+  WebAssembly.instantiate = async (...given) => {
+    const made = await instantiate(...given)
+    const { memory } = made.instance?.exports ?? {}
+    if (memory) resolve(filled(memory))
+    return made
+  }
+  return promise
+}
+
 /** The bytes of a snapshot of the Python in the folder `pyodide`, with our own files in `zip`; `info` is that of its lock file. */
 export async function snapshot(pyodide, zip, info) {
   const { loadPyodide } = await import(pathToFileURL(path.join(pyodide, "pyodide.mjs")))
+  const fresh = watch()
   const python = await loadPyodide({ ...options(info), ...SETTINGS })
   const { HEAP8 } = python._module // another one, once the memory has grown
   install(python, readFileSync(zip))
   python.runPython(readFileSync(path.join(import.meta.dirname, "snapshot.py"), "utf8"))
   wipe(python._module)
   if (python._module.HEAP8 !== HEAP8) throw new Error("what the snapshot is to hold does not fit into Python's first memory")
-  return python.makeMemorySnapshot()
+  return pack(python.makeMemorySnapshot(), await fresh)
 }
 
 /**

@@ -21,8 +21,6 @@ async function digest(bytes) {
 /** @type {(name: string, bytes: ArrayBuffer) => Promise<boolean>} */
 const isRight = async (name, bytes) => (await digest(bytes)) === FILES[name]
 
-/** @typedef {(part: Uint8Array<ArrayBuffer> | null) => void} Hear */
-
 /** What is wrong with the site or the browser, in words for the reader. */
 export class Fault extends Error {}
 
@@ -31,60 +29,32 @@ const wrong = (/** @type {string} */ name) =>
   "if that does not help, tell whoever keeps the site."
 
 /**
- * The bytes of a stream; `hear` is called with each part of them as it comes.
- *
- * @param {ReadableStream<Uint8Array<ArrayBuffer>> | null} stream
- * @param {Hear} hear
- */
-async function gather(stream, hear) {
-  /** @type {Uint8Array<ArrayBuffer>[]} */
-  const parts = []
-  if (!stream) return new ArrayBuffer()
-  const reader = stream.getReader()
-  for (let part = await reader.read(); !part.done; part = await reader.read()) {
-    parts.push(part.value)
-    hear(part.value)
-  }
-  const bytes = new Uint8Array(parts.reduce((size, part) => size + part.length, 0))
-  parts.reduce((at, part) => (bytes.set(part, at), at + part.length), 0)
-  return bytes.buffer
-}
-
-/**
- * The bytes of a file of the site. Fault: twice it was another one. Error: it cannot be had. `hear` is called with each
- * part as it comes, not checked yet, and with null if those until then were wrong.
+ * The bytes of a file of the site. Fault: twice it was another one. Error: it cannot be had.
  *
  * @param {string} name
- * @param {Hear} hear
  */
-export async function load(name, hear = () => {}) {
+export async function load(name) {
   for (const cache of /** @type {const} */ (["default", "reload"])) {
     const response = await fetch(address(name), { cache })
     if (!response.ok) throw new Error(`${response.status} ${name}`)
-    const bytes = await gather(response.body, hear)
+    const bytes = await response.arrayBuffer()
     if (await isRight(name, bytes)) return bytes
-    hear(null)
   }
   throw new Fault(wrong(name))
 }
 
 const SNAPSHOT = "snapshot.gz"
 
-/**
- * The snapshot, likewise: from what the browser keeps if it is there and right, else from the site, to be kept.
- *
- * @param {Hear} hear
- */
-export async function loadSnapshot(hear) {
+/** The snapshot, likewise: from what the browser keeps if it is there and right, else from the site, to be kept. */
+export async function loadSnapshot() {
   const cache = await opening
   const found = await cache?.match(address(SNAPSHOT))
   if (cache && found) {
-    const kept = await gather(found.body, hear)
+    const kept = await found.arrayBuffer()
     if (await isRight(SNAPSHOT, kept)) return kept
-    hear(null)
     await cache.delete(address(SNAPSHOT))
   }
-  const bytes = await load(SNAPSHOT, hear)
+  const bytes = await load(SNAPSHOT)
   if (cache) keep(cache, bytes)
   return bytes
 }

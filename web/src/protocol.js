@@ -7,11 +7,8 @@
  * @typedef {{kind: "trace", number: number, text: string}} TraceJob
  * @typedef {{kind: "judge", number: number, text: string, trace: string}} JudgeJob
  * @typedef {RunJob | TraceJob | JudgeJob} Job
- * @typedef {{kind: "part", name: string, bytes: Uint8Array<ArrayBuffer> | null}} Part of a file; with null, those until
- *   then were wrong
- * @typedef {{kind: "file", name: string, bytes: ArrayBuffer | "all" | null}} Whole file that a sandbox needed; null: it
- *   cannot be had
- * @typedef {Job | Part | Whole} ToSandbox
+ * @typedef {{kind: "file", name: string, bytes: ArrayBuffer | null}} File what a sandbox needed; null: it cannot be had
+ * @typedef {Job | File} ToSandbox
  *
  * What the functions of rosspin.page give back, as JSON but for the text of a trace:
  * @typedef {[isError: boolean, text: string, number: number, line: number]} Chunk of what is printed
@@ -61,9 +58,6 @@
  * @template {unknown[]} A
  * @typedef {{callPromising(...args: A): Promise<string>}} Python function that may wait
  */
-
-/** In place of a file: its parts are all here, and right. */
-export const ALL = /** @type {const} */ ("all")
 
 /** A message has at most so many characters. The longest are traces, of little more than 2 MB, whose quotes are escaped. */
 export const LONGEST = 6_000_000

@@ -1,38 +1,30 @@
-// All that the page of a sandbox does. It is sent a script, once, starts a worker from it, and passes on what the page
-// and the worker say to each other: from the worker no more than the page can bear. Both have an origin
-// that nothing else has, and may ask for nothing: web/build.mjs has their policy.
+// All that the page of a sandbox does. It starts a worker, is sent its script, once, and passes on what the page
+// and the worker say to each other: from the worker no more than the page can bear. What is packed it unpacks, since the
+// worker has other things to do. Both have an origin that nothing else has, and may ask for nothing: web/build.mjs has their
+// policy.
 
-import { ALL, AT_ONCE, LONGEST, PER_SECOND } from "./protocol.js"
+import { AT_ONCE, LONGEST, PER_SECOND } from "./protocol.js"
 
-/** A file that is unpacked while it comes, since the worker has other things to do. */
-class Packed {
-  #stream = new DecompressionStream("gzip")
-  #writer = this.#stream.writable.getWriter()
-  #bytes = new Response(this.#stream.readable).arrayBuffer()
+const unpack = (/** @type {ArrayBuffer} */ bytes) =>
+  new Response(new Blob([bytes]).stream().pipeThrough(new DecompressionStream("gzip"))).arrayBuffer()
 
-  constructor() {
-    this.#bytes.catch(() => {}) // it is awaited later, if it is right
-  }
+const blob = (/** @type {string | ArrayBuffer} */ script) =>
+  URL.createObjectURL(new Blob([script], { type: "text/javascript" }))
 
-  /** @param {Uint8Array<ArrayBuffer>} part */
-  add(part) {
-    this.#writer.write(part).catch(() => {})
-  }
-
-  /** All of it, unpacked; null if it cannot be unpacked. */
-  end() {
-    this.#writer.close().catch(() => {})
-    return this.#bytes.catch(() => null)
-  }
-}
+/** A worker that becomes what the first message says. It takes as long to start as its script to come. */
+const BLANK = `onmessage = ({ data }) => {
+  onmessage = null
+  importScripts(data)
+}`
 
 /**
- * @param {string} script
+ * @param {Worker} worker
+ * @param {Promise<ErrorEvent>} broken
+ * @param {ArrayBuffer} script
  * @param {MessagePort} port
  */
-function begin(script, port) {
-  const address = URL.createObjectURL(new Blob([script], { type: "text/javascript" }))
-  const worker = new Worker(address)
+function begin(worker, broken, script, port) {
+  worker.postMessage(blob(script))
   const end = (/** @type {string} */ reason) => {
     worker.onmessage = null
     worker.terminate()
@@ -45,30 +37,22 @@ function begin(script, port) {
     if (typeof data === "string" && data.length <= LONGEST && ++count <= most) port.postMessage(data)
     else end("It was ended: it sent more than this page takes.")
   }
-  worker.onerror = ({ message }) => end(`It was ended by an error: ${message ?? "its worker could not be started"}`)
-  /** @type {Packed | null} */
-  let packed = null
+  broken.then(({ message }) => end(`It was ended by an error: ${message ?? "its worker could not be started"}`))
   port.onmessage = async ({ data }) => {
-    if (data.name?.endsWith(".gz")) {
-      if (data.kind === "part" || data.bytes instanceof ArrayBuffer) {
-        packed = data.bytes && (packed ?? new Packed())
-        packed?.add(data.bytes)
-        if (data.kind === "part") return
-      }
-      data.bytes = data.bytes && packed && (await packed.end())
-    }
-    const { bytes } = data
-    worker.postMessage(data, bytes && bytes !== ALL ? [bytes.buffer ?? bytes] : [])
+    if (data.bytes && data.name.endsWith(".gz")) data.bytes = await unpack(data.bytes).catch(() => null)
+    worker.postMessage(data, data.bytes ? [data.bytes] : [])
   }
 }
 
 // Opened as a page, or in a frame that shares its origin with the site, it does nothing.
 if (self.origin === "null" && parent !== self) {
+  const worker = new Worker(blob(BLANK))
+  const broken = new Promise((resolve) => (worker.onerror = resolve))
   let begun = false
   addEventListener("message", ({ source, data, ports: [port] }) => {
     if (source !== parent || begun || !port) return
     begun = true
-    begin(data, port)
+    begin(worker, broken, data, port)
   })
   parent.postMessage("here", "*")
 }

@@ -4,73 +4,40 @@
 
 import { Fault, load, loadSnapshot, sandboxPage } from "./files.js"
 import { make } from "./make.js"
-import { ALL, read } from "./protocol.js"
+import { read } from "./protocol.js"
 
 /** A frame that has loaded has said so before; its word is waited for so long (ms). */
 const WORD = 5000
 
 /** What Python starts from, and what it may need later on. */
+const WASM = "pyodide.asm.wasm"
 const SNAPSHOT = "snapshot.gz"
-const FIRST = ["pyodide.asm.wasm", "pyodide.asm.mjs", SNAPSHOT]
-
-/** The large ones of these. A sandbox begins to compile and to unpack them while they come. */
-const LARGE = ["pyodide.asm.wasm", SNAPSHOT]
 const LATE = ["python_stdlib.zip", "rosspin.zip"]
 
-/** @typedef {(part: Uint8Array<ArrayBuffer> | null) => void} HearPart */
+/** @typedef {Promise<ArrayBuffer | null>} Coming */
 
-/** A file that was asked for: `bytes` is a promise, and a sandbox is given its parts as they come. */
-class Loading {
-  /** @type {Uint8Array<ArrayBuffer>[] | null} */
-  #parts = []
-  /** @type {HearPart[] | null} */
-  #followers = []
-
-  /** @param {string} name */
-  constructor(name) {
-    /** @type {HearPart} */
-    const hear = (part) => {
-      this.#parts = part ? [...(this.#parts ?? []), part] : []
-      for (const give of this.#followers ?? []) give(part)
-    }
-    this.bytes = name === SNAPSHOT ? snapshotIfThere(hear) : load(name, hear)
-    const end = () => (this.#parts = this.#followers = null)
-    this.bytes.then(end, end)
-  }
-
-  /**
-   * Call `give` with each part, from the first on, and with null if those until then were wrong; not if all is here.
-   *
-   * @param {HearPart} give
-   */
-  follow(give) {
-    this.#parts?.forEach((part) => give(part))
-    this.#followers?.push(give)
-  }
-}
-
-/** @type {Map<string, Loading>} what every sandbox starts from, as soon as it was asked for, by its name */
+/** @type {Map<string, Coming>} what every sandbox starts from, as soon as it was asked for, by its name */
 const files = new Map()
 
-/** @param {string} name */
+/**
+ * @param {string} name
+ * @returns {Coming}
+ */
 function file(name) {
   const known = files.get(name)
   if (known) return known
-  const loading = new Loading(name)
+  /** @type {Coming} */
+  const loading = name === SNAPSHOT ? snapshotIfThere() : load(name)
   files.set(name, loading)
   const forget = () => files.delete(name) // the next one may have more luck
-  loading.bytes.then((bytes) => bytes || forget(), forget)
+  loading.then((bytes) => bytes || forget(), forget)
   return loading
 }
 
-/**
- * Without a snapshot, Python starts plainly. One that is not the right one is a fault of the site.
- *
- * @param {HearPart} hear
- */
-async function snapshotIfThere(hear) {
+/** Without a snapshot, Python starts plainly. One that is not the right one is a fault of the site. */
+async function snapshotIfThere() {
   try {
-    return await loadSnapshot(hear)
+    return await loadSnapshot()
   } catch (error) {
     if (error instanceof Fault) throw error
     return null
@@ -128,14 +95,16 @@ export class Sandbox {
     const { port1, port2 } = new MessageChannel()
     const frame = /** @type {HTMLIFrameElement} */ (this.#frame)
     try {
-      const first = file("worker.js").bytes
-      const coming = FIRST.map((name) => ({ name, loading: file(name) }))
-      const [script] = await Promise.all([first, open(frame)])
+      const opened = open(frame)
+      const [compiling, unpacking] = [file(WASM), file(SNAPSHOT)]
+      const [script] = await Promise.all([file("worker.js"), opened])
       if (!this.#frame) return
       this.#port = port1
       port1.onmessage = ({ data }) => this.#receive(data)
       frame.contentWindow?.postMessage(script, "*", [port2]) // it has no origin that could be named
-      await Promise.all(coming.map(({ name, loading }) => this.#pass(name, loading)))
+      // One after the other: that which is to be compiled does not wait for the other one to be unpacked.
+      this.#pass(WASM, await compiling)
+      this.#pass(SNAPSHOT, await unpacking)
     } catch (error) {
       this.#start({ kind: "failed", reason: error instanceof Fault ? error.message : NOT_LOADED })
     }
@@ -147,21 +116,11 @@ export class Sandbox {
   }
 
   /**
-   * Pass a file on: if it is still coming, in parts, which are used once it is known that they are right.
-   *
    * @param {string} name
-   * @param {Loading} loading
+   * @param {ArrayBuffer | null} bytes
    */
-  async #pass(name, loading) {
-    let inParts = false
-    /** @type {HearPart} */
-    const give = (bytes) => {
-      inParts = true
-      this.#say({ kind: "part", name, bytes })
-    }
-    if (LARGE.includes(name)) loading.follow(give)
-    const bytes = await loading.bytes
-    this.#say({ kind: "file", name, bytes: inParts && bytes ? ALL : bytes })
+  #pass(name, bytes) {
+    this.#say({ kind: "file", name, bytes })
   }
 
   /** @param {string} text */
@@ -177,7 +136,7 @@ export class Sandbox {
   /** @param {string} name */
   async #give(name) {
     const bytes = LATE.includes(name) ? await load(name).catch(() => null) : null
-    this.#say({ kind: "file", name, bytes })
+    this.#pass(name, bytes)
   }
 
   /**

@@ -1,9 +1,10 @@
 // Python in the worker of a sandbox. It is sent all that it starts from, then jobs, one at a time, and says what comes of
 // them: see protocol.js. It can ask for nothing but the files that the page has for it.
 
+// @ts-expect-error: Pyodide does not describe it
+import createPyodideModule from "pyodide/pyodide.asm.mjs"
 import { info } from "pyodide/pyodide-lock.json"
-import { loadPyodide } from "pyodide/pyodide.mjs"
-import { ALL } from "./protocol.js"
+import { filled, HEAD, restore } from "./memory.js"
 import { signals } from "./signals.js"
 import { install, LIBRARY, options, PACKAGES } from "./start.js"
 
@@ -19,9 +20,6 @@ const PAGE = 2 ** 16
 
 /** What is asked for when it is needed: the standard library and our own files. */
 const LATE = ["python_stdlib.zip", "rosspin.zip"]
-
-// Where Pyodide believes that its files are.
-const NOWHERE = "memory:/"
 
 /** What Python is told where a file cannot be read: the number of an input/output error. */
 const EIO = 29
@@ -122,7 +120,7 @@ function lines(text) {
 
 // --- files that the page has ---
 
-/** @typedef {import("./protocol.js").Whole["bytes"]} Bytes or null if the page could not get them */
+/** @typedef {import("./protocol.js").File["bytes"]} Bytes or null if the page could not get them */
 
 /** @type {Map<string, PromiseWithResolvers<Bytes>>} with what files are promised, by their names */
 const files = new Map()
@@ -203,77 +201,41 @@ function limitMemory() {
   }
 }
 
-async function loadScript() {
-  const text = await file("pyodide.asm.mjs").promise
-  return (await import(URL.createObjectURL(new Blob([/** @type {ArrayBuffer} */ (text)], { type: "text/javascript" })))).default
-}
-
-/** WebAssembly that is compiled while it comes. It is run when all of it is known to be right. */
-class Compiling {
-  /** @type {ReadableStreamDefaultController | undefined} */
-  #controller
-  #module
-
-  constructor() {
-    const stream = new ReadableStream({
-      start: (controller) => {
-        this.#controller = controller
-      },
-    })
-    this.#module = WebAssembly.compileStreaming(new Response(stream, { headers: { "Content-Type": "application/wasm" } }))
-    this.#module.catch(() => {}) // it is awaited later, if it is right
-  }
-
-  /** @param {Uint8Array} part */
-  add(part) {
-    this.#controller?.enqueue(part)
-  }
-
-  end() {
-    this.#controller?.close()
-    return this.#module
-  }
-}
-
-/** @type {Compiling | null} */
-let compiling = null
-
 /**
- * A part of the WebAssembly has come, or null: those until then were wrong.
+ * Start Python: itself, and what to call before it reads a file. `snapshot`, if it is given, is a promise of one. Until
+ * that is kept, Python gets as far as it can without: so much takes as long as to unpack a snapshot.
  *
- * @param {import("./protocol.js").Part["bytes"]} part
- */
-function take(part) {
-  compiling = part && (compiling ?? new Compiling())
-  if (part) compiling?.add(part)
-}
-
-async function compile() {
-  const bytes = await file("pyodide.asm.wasm").promise
-  if (bytes === ALL && compiling) return compiling.end()
-  return WebAssembly.compile(/** @type {ArrayBuffer} */ (bytes))
-}
-
-/**
- * Start Python, from `snapshot` if there is one: Python, and what to call before it reads a file.
- *
- * @param {unknown} createPyodideModule
  * @param {Promise<WebAssembly.Module>} compiled
- * @param {Bytes} snapshot
+ * @param {Promise<Bytes>} [snapshot]
  */
-async function start(createPyodideModule, compiled, snapshot) {
+async function start(compiled, snapshot) {
   // All that most nodes need is in the snapshot. The standard library and our own files are asked for when one of them is
   // read: for an import, or a line of a traceback. Pyodide insists on a file in the first one's place.
   const [stdlib, ours] = snapshot ? ["-"] : await Promise.all(LATE.map(ask))
   if (!stdlib) throw new Error("its files cannot be had")
   globalThis.fetch = async () => new Response(/** @type {BodyInit} */ (stdlib)) // there is nothing else that Pyodide asks for
+  /** @type {Uint8Array} */
+  let fresh
   WebAssembly.instantiateStreaming = async (_, imports) => {
     const module = await compiled
-    return { module, instance: await WebAssembly.instantiate(module, imports) }
+    const instance = await WebAssembly.instantiate(module, imports)
+    if (snapshot) fresh = filled(/** @type {WebAssembly.Memory} */ (instance.exports.memory))
+    return { module, instance }
   }
   /** @type {any} */ // Pyodide says less of it than there is
-  const given = { ...options(info), stdout() {}, stderr() {}, stdin: () => null, indexURL: NOWHERE, createPyodideModule }
-  const python = await loadPyodide({ ...given, _loadSnapshot: snapshot instanceof ArrayBuffer ? Promise.resolve(snapshot) : undefined })
+  const given = { ...options(info), stdout() {}, stderr() {}, stdin: () => null, indexURL: import.meta.url, createPyodideModule }
+  if (snapshot) {
+    const head = new Uint8Array(HEAD)
+    given._loadSnapshot = Promise.resolve(head)
+    given.createPyodideModule = async (/** @type {unknown} */ settings) => {
+      const module = await createPyodideModule(settings)
+      restore(/** @type {ArrayBuffer} */ (await snapshot), head, module.HEAPU8, fresh)
+      return module
+    }
+  }
+  // Not before, and not with the rest: it tries what is refused here, and developer tools note from where.
+  const { loadPyodide } = await import("pyodide/pyodide.mjs")
+  const python = await loadPyodide(given)
   delete /** @type {Partial<typeof globalThis>} */ (globalThis).fetch // the browser's own is back, which can ask for nothing
   if (!snapshot) {
     install(python, new Uint8Array(/** @type {ArrayBuffer} */ (ours)))
@@ -286,13 +248,11 @@ async function start(createPyodideModule, compiled, snapshot) {
 
 async function boot() {
   limitMemory()
-  const compiled = compile()
-  const snapshot = file("snapshot.gz").promise
+  const compiled = file("pyodide.asm.wasm").promise.then((bytes) => WebAssembly.compile(/** @type {ArrayBuffer} */ (bytes)))
   compiled.catch(() => {}) // it is awaited later
-  const createPyodideModule = await loadScript()
-  const from = (/** @type {Bytes} */ snapshot) => start(createPyodideModule, compiled, snapshot)
-  const { python, supply } = await from(await snapshot).catch(() => from(null))
-  /** @type {import("./protocol.js").PythonPage} */
+  await new Promise((go) => setTimeout(go)) // if the file is here, others compile it while this thread goes on
+  const { python, supply } = await start(compiled, file("snapshot.gz").promise).catch(() => start(compiled))
+  files.clear() // what it started from; more is asked for
   const page = python.pyimport("rosspin.page")
   page.wake(supply)
   python.setInterruptBuffer(/** @type {any} */ (signals))
@@ -329,7 +289,6 @@ booting.then(
 )
 
 addEventListener("message", async (/** @type {MessageEvent<import("./protocol.js").ToSandbox>} */ { data }) => {
-  if (data.kind === "part") return take(data.bytes)
   if (data.kind === "file") return file(data.name).resolve(data.bytes)
   const python = await booting
   const page = new Page()

@@ -183,7 +183,7 @@ KEPT_IN_THE_END = """async wanted => {
 }"""
 
 
-@pytest.mark.parametrize("name", ["snapshot.gz", "pyodide.asm.wasm", "pyodide.asm.mjs", "worker.js"])
+@pytest.mark.parametrize("name", ["snapshot.gz", "pyodide.asm.wasm", "worker.js"])
 def test_a_file_of_the_site_that_was_changed_is_not_used(context: BrowserContext, address: str, name: str) -> None:
     """It is asked for once more; then a line says which it is."""
     asked: list[str] = []
