@@ -108,6 +108,9 @@ def test_the_plugin_loads_next_to_nothing() -> None:
 
 
 def test_a_started_node_is_what_start_gives() -> None:
-    with start(lambda: None) as node:
-        assert type(node) is StartedNode
-        assert node.name == "node"
+    def node() -> None:
+        pass
+
+    with start(node) as started:
+        assert type(started) is StartedNode
+        assert started.name == "node"
