@@ -7,7 +7,7 @@ from pathlib import Path
 
 import pytest
 from attacks import ATTACK, SANDBOX, SCRIPT, attempts, succeeded
-from figures import FIGURES
+from figures import Kind, some_kinds
 from figures_in_firefox import moves
 from firefox import Tab, firefox, tab
 from hand_ins import ENDLESS, RIGHT, TEACHERS, WRONG, handed_in, impatient
@@ -28,10 +28,9 @@ def page(require: Callable[[str], None]) -> Iterator[Tab]:
         assert not page.wrong
 
 
-# One with a row of marks, one with ticks that are lost, and one with many rows and bars; all of them are in judge/.
-@pytest.mark.parametrize("number", [0, 3, 6])
-def test_a_figure_moves(page: Tab, address: str, number: int) -> None:
-    moves(page, address, FIGURES[number])
+@some_kinds
+def test_a_figure_moves(page: Tab, address: str, kind: Kind) -> None:
+    moves(page, address, kind)
 
 
 # The console of a page's first listing after a run.
