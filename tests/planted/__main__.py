@@ -64,7 +64,7 @@ def main() -> None:
 def _planted(fault: dict[str, Any]) -> Iterator[Path]:
     """A copy of the tree with a fault in it; but without this list, whose own test would catch them all."""
     with tempfile.TemporaryDirectory(prefix="planted-", ignore_cleanup_errors=True) as folder:
-        tree = Path(folder, "rosspin")
+        tree = Path(folder, "tree")
         git = ["git", "ls-files", "-z", "--cached", "--others", "--exclude-standard", ":!tests/*planted*"]
         listed = subprocess.run(git, cwd=ROOT, check=True, capture_output=True, text=True).stdout
         for name in filter(None, listed.split("\0")):
