@@ -546,3 +546,28 @@ def test_a_node_that_waits_for_ever_is_ended(impatient: None) -> None:
     run = measure(node, 0.1)
     assert run.status == 137
     assert run.console.splitlines()[1].endswith(": lock.acquire()")
+
+
+def test_a_turn_that_was_interrupted_goes_to_the_next_who_waits() -> None:
+    def node() -> None:
+        lock = threading.Lock()
+        lock.acquire()
+
+        def wait() -> None:
+            time.sleep(1)
+            with lock:
+                print("the next one's turn")
+
+        def release() -> None:
+            time.sleep(2)
+            lock.release()
+            signal.raise_signal(signal.SIGINT)
+
+        for target in (wait, release):
+            threading.Thread(target=target).start()
+        try:
+            lock.acquire()
+        except KeyboardInterrupt:
+            print("interrupted")
+
+    assert simulate(node, 5).console == "interrupted\nthe next one's turn\n"
