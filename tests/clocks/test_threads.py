@@ -409,3 +409,28 @@ def test_what_waits_in_real_time_is_named(impatient: None, write: Any, code: str
 def test_seconds_that_no_clock_can_hold(run: Any) -> None:
     with pytest.raises(ValueError, match=r"^seconds must be less than 9223372036 \(292 years\), not 1e\+300$"):
         run(lambda: None, 1e300)
+
+
+def test_a_turn_that_was_interrupted_goes_to_the_next_who_waits() -> None:
+    def node() -> None:
+        lock = threading.Lock()
+        lock.acquire()
+
+        def wait() -> None:
+            time.sleep(1)
+            with lock:
+                print("the next one's turn")
+
+        def release() -> None:
+            time.sleep(2)
+            lock.release()
+            signal.raise_signal(signal.SIGINT)
+
+        for target in (wait, release):
+            threading.Thread(target=target).start()
+        try:
+            lock.acquire()
+        except KeyboardInterrupt:
+            print("interrupted")
+
+    assert simulate(node, 5).console == "interrupted\nthe next one's turn\n"

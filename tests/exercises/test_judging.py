@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import json
+import os
 import random
 import subprocess
 import sys
@@ -12,7 +13,7 @@ from typing import Any
 import pytest
 from answers import CELLS, NUMBERS, answer_in
 
-from rosspin.exercises import Misfit, judge, trace
+from rosspin.exercises import Misfit, check, judge, trace
 from rosspin.exercises.traces import LONGEST
 
 # The page's Python, as far as it is not of a browser.
@@ -222,3 +223,10 @@ def test_a_trace_is_bounded(flood: str) -> None:
 def test_a_trace_does_not_know_what_is_judged() -> None:
     """It is data: nothing of a finding, a hint or a verdict."""
     assert not {"Right", "Wrong", "Hint", "solved"} & set(GOOD.replace('"', " ").split())
+
+
+def test_the_environment_of_the_reader_is_put_back(monkeypatch: pytest.MonkeyPatch) -> None:
+    """For an answer it is a plain one."""
+    monkeypatch.setenv("ROS_NAMESPACE", "/mine")
+    assert check(1, "timer = [0.4, 0.8, 1.2]").console == ""
+    assert os.environ["ROS_NAMESPACE"] == "/mine"

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import re
+from collections.abc import Iterable, Mapping
 
 SANDBOX = "_static/live/sandbox.html"
 
@@ -86,17 +87,20 @@ WAYS = {
 FAILED = ("Error", "JsException", "True")
 
 
-def attempts(address: str) -> str:
-    """A node that tries all of them on a site."""
-    calls = [f"attempt({name!r}, lambda: {way})\n" for name, way in WAYS.items()]
+def attempts(address: str, names: Iterable[str] = WAYS) -> str:
+    """A node that tries these, or all of them, on a site."""
+    calls = [f"attempt({name!r}, lambda: {WAYS[name]})\n" for name in names]
     return ATTEMPTS + "".join(calls).replace("SITE", address)
 
 
-def succeeded(console: str) -> dict[str, str]:
-    """What came of the attempts that did not fail; all are told of."""
-    tried = dict(re.findall(r"^tried ([\w ]+) (\S+)$", console, re.MULTILINE))
-    assert tried.keys() == WAYS.keys()
-    return {name: result for name, result in tried.items() if not result.endswith(FAILED)}
+def tried(console: str) -> dict[str, str]:
+    """What came of each attempt that a node told of."""
+    return dict(re.findall(r"^tried ([\w ]+) (\S+)$", console, re.MULTILINE))
+
+
+def succeeded(results: Mapping[str, str]) -> dict[str, str]:
+    """What came of those that did not fail."""
+    return {name: result for name, result in results.items() if not result.endswith(FAILED)}
 
 
 # What a page elsewhere sends to the page of a sandbox: a script in the place of Python's, in every form.

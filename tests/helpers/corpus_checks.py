@@ -26,7 +26,7 @@ def check_recorded(scenario: Scenario) -> None:
     if LEDGER.is_stale(scenario):
         pytest.fail(
             f"the recording of {scenario.name} is stale (the scenario, the harness or the text itself has changed); "
-            f"where the real ROS is installed, renew it: {RENEW.format(scenario.name)}"
+            f"where the real ROS is installed, renew it: {RENEW.format(scenario)}"
         )
     found = closest(recorded(scenario), simulated(scenario))
     assert bool(found) == (scenario.name in expectations.differences(STAND_INS[scenario.ros])), found

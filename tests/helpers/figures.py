@@ -267,5 +267,12 @@ def opened(page: Page, address: str, kind: Kind) -> Figure:
     return figure
 
 
-def kinds(test: Any) -> Any:
-    return pytest.mark.parametrize("kind", FIGURES, ids=lambda kind: f"{Path(kind.page).stem}-{kind.number}")(test)
+def _each(figures: Sequence[Kind]) -> pytest.MarkDecorator:
+    return pytest.mark.parametrize("kind", figures, ids=lambda kind: f"{Path(kind.page).stem}-{kind.number}")
+
+
+kinds = _each(FIGURES)
+
+# One with a row of marks, one with ticks that are lost, and one with many rows and bars. All of them are moved in
+# real/judge; what they carry is looked at in tests/page.
+some_kinds = _each([FIGURES[0], FIGURES[3], FIGURES[6]])

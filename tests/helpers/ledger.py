@@ -23,7 +23,7 @@ from tree import HELPERS, SOURCE, TESTS
 LEDGER = TESTS / "ledger.toml"
 
 # What renews a recording.
-RENEW = ".venv/bin/pytest tests/real/judge -k {}"
+RENEW = ".venv/bin/pytest tests/real/judge/test_corpus.py -k ros{0.ros}-{0.name}"
 
 # Of those that a change touches so many (of each ROS) are run each time.
 MOST = 12

@@ -58,7 +58,7 @@ def test_a_stale_recording_fails_with_the_command_that_renews_it(
     monkeypatch.setattr(corpus_checks, "LEDGER", own)
     corpus_checks.check_recorded(scenario)
     scenario.path.write_text(scenario.path.read_text() + "\n")
-    with pytest.raises(pytest.fail.Exception, match=r"stale .* renew it: .* tests/real/judge -k values_time$"):
+    with pytest.raises(pytest.fail.Exception, match=r"stale .* renew it: .*/test_corpus.py -k ros1-values_time$"):
         corpus_checks.check_recorded(scenario)
 
 

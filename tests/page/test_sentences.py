@@ -59,8 +59,8 @@ def test_errors_end_in_a_sentence_that_helps(found: list[tuple[Message, Message]
     assert any(is_error for is_error, *_ in batch["chunks"])
 
 
+# What multiprocessing starts if it is not told how differs in a page: see real/page/test_errors.py.
 PROCESSES = {
-    "multiprocessing.Process(target=print).start()": "multiprocessing.Process",
     "multiprocessing.get_context('fork').Process(target=print).start()": r"multiprocessing.Process \(fork\)",
     "multiprocessing.Pool(2)": "multiprocessing.Pool",
     "multiprocessing.Manager()": "multiprocessing.Manager",

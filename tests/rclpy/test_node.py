@@ -696,3 +696,33 @@ def test_nothing_is_counted_after_shutdown() -> None:
             refused(rclpy.exceptions.RCLError, message, lambda: count("x"))
 
     values(body)
+
+
+def test_steps_count_from_the_lower_end_of_the_range() -> None:
+    def body(node: Any) -> list[bool]:
+        from rcl_interfaces.msg import IntegerRange, ParameterDescriptor
+
+        span = IntegerRange(from_value=1, to_value=10, step=3)
+        node.declare_parameter("third", 1, ParameterDescriptor(integer_range=[span]))
+        values = [rclpy.parameter.Parameter("third", value=value) for value in (4, 7, 6, 10)]
+        return [result.successful for result in node.set_parameters(values)]
+
+    assert values(body) == [True, True, False, True]
+
+
+def test_what_a_node_itself_is_given_goes_before_the_command_line() -> None:
+    def body(_: Any) -> int:
+        node = rclpy.create_node("other", cli_args=["-p", "rate:=2"])
+        rate: int = node.declare_parameter("rate", 1).value
+        return rate
+
+    assert values(body, "--ros-args", "-p", "rate:=3") == 2
+
+
+def test_a_throttled_line_comes_again_after_just_its_period() -> None:
+    def body(node: Any) -> None:
+        for count in range(4):
+            node.get_logger().info(f"line {count}", throttle_duration_sec=0.5)
+            time.sleep(0.25)
+
+    assert re.findall(r": line (\d)\n", run(body).console) == ["0", "2"]

@@ -495,3 +495,27 @@ def test_time_that_is_told_jumps() -> None:
 
     simulate(node, 5)
     assert [now for now, _ in ticked] == [100, 101, 107.5, 108, 51]
+
+
+@pytest.mark.parametrize(("step", "told"), [(9, 0), (10, 1), (11, 1), (-9, 0), (-10, 1), (-11, 1)])
+def test_a_jump_of_just_the_threshold_is_told(step: int, told: int) -> None:
+    def node() -> None:
+        rclpy.init()
+        clock, Duration = rclpy.clock.ROSClock(), rclpy.duration.Duration
+        clock._set_ros_time_is_active(True)
+        clock.set_ros_time_override(rclpy.time.Time(nanoseconds=100))
+        threshold = rclpy.clock.JumpThreshold(
+            min_forward=Duration(nanoseconds=10), min_backward=Duration(nanoseconds=-10)
+        )
+        handle = clock.create_jump_callback(threshold, post_callback=lambda jump: print(jump.delta.nanoseconds))
+        clock.set_ros_time_override(rclpy.time.Time(nanoseconds=100 + step))
+        handle.unregister()
+
+    assert simulate(node, 1).console == told * f"{step}\n"
+
+
+def test_fractions_of_a_nanosecond_are_cut_off() -> None:
+    """4.1 * 10**9 is a little less than 4100000000."""
+    assert rclpy.duration.Duration(seconds=4.1).nanoseconds == 4_099_999_999
+    assert rclpy.duration.Duration(seconds=-4.1).nanoseconds == -4_099_999_999
+    assert rclpy.time.Time(seconds=4.1).nanoseconds == 4_099_999_999

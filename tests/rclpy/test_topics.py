@@ -290,3 +290,35 @@ def test_several_nodes_in_one_process() -> None:
     assert (done.status, done.console) == (0, "")
     assert seen == [("node", 0), ("node", 1), ("node", 2)]
     assert [message.node for message in done.messages] == ["/ns/other"] * 3
+
+
+def test_a_depth_of_0_keeps_one_message() -> None:
+    seen: list[int] = []
+
+    def body(node: Any, UInt32: Any) -> None:
+        with pytest.warns(UserWarning, match="A zero depth with KEEP_LAST doesn't make sense"):
+            node.create_subscription(UInt32, "topic", lambda message: seen.append(message.data), 0)
+        publisher = node.create_publisher(UInt32, "topic", 10)
+        for number in (1, 2):
+            publisher.publish(UInt32(data=number))
+        spin_until(node, 1)
+
+    run(body)
+    assert seen == [2]
+
+
+def test_each_subscription_has_a_copy_of_its_own() -> None:
+    seen: list[int] = []
+
+    def body(node: Any, UInt32: Any) -> None:
+        def callback(message: Any) -> None:
+            message.data += 1
+            seen.append(message.data)
+
+        for _ in range(2):
+            node.create_subscription(UInt32, "topic", callback, 10)
+        node.create_publisher(UInt32, "topic", 10).publish(UInt32(data=1))
+        spin_until(node, 1)
+
+    run(body)
+    assert seen == [2, 2]

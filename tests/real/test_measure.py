@@ -13,7 +13,7 @@ from shells import ipython_shell
 from tree import ROOT
 from verdicts import control
 
-from rosspin import NotSimulated, measure, rospy, simulate
+from rosspin import NotSimulated, measure, rospy, simulate, start
 
 TIMER_NODE = ROOT / "examples" / "my_robotics_pkg" / "src" / "spinner_py_node.py"
 
@@ -173,3 +173,22 @@ def test_a_cell_is_measured(tmp_path: Path, capsys: pytest.CaptureFixture[str]) 
         run = shell.user_ns["run"]
     assert (run.status, run.runtime, run.seconds) == (0, "wall", 0.5)
     assert run.start > 1e9
+
+
+def test_real_time_is_real_between_the_steps() -> None:
+    def node_function() -> None:
+        rospy.init_node("n")
+        while not rospy.is_shutdown():
+            print(time.time(), time.monotonic())
+            time.sleep(1)
+
+    with start(node_function) as node:
+        node.advance(1)
+        began = time.monotonic()
+        assert time.time() > 1e9
+        time.sleep(0.01)
+        assert time.monotonic() >= began + 0.01
+        thread = threading.Thread(target=node.run.console.upper)
+        thread.start()
+        thread.join()
+        assert node.advance(1).console == "2.0 2.0\n"

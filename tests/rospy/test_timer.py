@@ -6,6 +6,7 @@ import copy
 import pickle
 import re
 import threading
+import time
 from collections.abc import Callable
 from typing import Any
 
@@ -429,8 +430,8 @@ def test_two_timers_on_one_callback_are_two_sources() -> None:
 
 def tell(*times: float) -> None:
     """Tell the ROS time, ten times a second."""
-    for time in times:
-        rostime._set_rostime(rospy.Time.from_sec(time))
+    for told in times:
+        rostime._set_rostime(rospy.Time.from_sec(told))
         rostime.wallsleep(0.1)
 
 
@@ -641,3 +642,21 @@ def test_what_an_event_has_not_is_an_error() -> None:
         return str(caught.value)
 
     assert event_seen(look) == ["'TimerEvent' object has no attribute 'real'"] * 2
+
+
+def test_the_time_that_is_told_wakes_all_who_sleep_by_it() -> None:
+    """At once, and a sleep ends with the very time that it is to end at."""
+
+    def node() -> None:
+        rospy.init_node("node")
+        tell(1)
+
+        def sleeper(name: str) -> None:
+            rospy.sleep(1.0)
+            print(name, time.time())
+
+        for name in "abc":
+            threading.Thread(target=sleeper, args=(name,)).start()
+        tell(1, 2)
+
+    assert simulate(node, 10).console == "a 0.2\nb 0.2\nc 0.2\n"

@@ -314,3 +314,26 @@ def test_a_random_graph_loses_what_a_plain_model_loses(seed: int) -> None:
     expected = sorted(call for sink in sinks for call in in_the_model(by_topic[sink.topic], sink))
     # What happens as the main ends may or may not be seen.
     assert [call for call in seen if call[0] < LENGTH] == [call for call in expected if call[0] < LENGTH]
+
+
+def within(body: Callable[[Any, Any], None]) -> str:
+    """What a node prints that does something with a publisher, and with the class of its messages."""
+
+    def node() -> None:
+        from std_msgs.msg import Header
+
+        rospy.init_node("n")
+        body(rospy.Publisher("a", Header, queue_size=1, latch=True), Header)
+
+    return simulate(node, 5).console
+
+
+def test_what_a_hook_publishes_arrives_in_its_node_and_no_later() -> None:
+    def body(publisher: Any, Header: Any) -> None:
+        rospy.Subscriber("a", Header, lambda message: print(message.frame_id))
+        rospy.on_shutdown(lambda: publisher.publish(frame_id="of the hook"))
+        rospy.sleep(1)
+        rospy.signal_shutdown("end")
+        publisher.publish(frame_id="too late")
+
+    assert within(body) == "of the hook\n"

@@ -571,3 +571,22 @@ def test_what_cannot_be_in_the_way_is_passed_over(write: Any) -> None:
     for name in ("sys.py", "os.py", "rclpy.py", "geometry_msgs.py", "helper.py", "not-a-name.py"):
         write("", name)
     assert simulate(write("import rospy, helper\n"), 1).console == ""
+
+
+def test_ctrl_c_of_the_user_ends_a_simulated_run() -> None:
+    begun = threading.Event()
+
+    def node() -> None:
+        begun.set()
+        while True:
+            time.sleep(1)
+
+    def press() -> None:
+        begun.wait()
+        os.kill(os.getpid(), signal.SIGINT)
+
+    user = threading.Thread(target=press)
+    user.start()
+    with pytest.raises(KeyboardInterrupt):
+        simulate(node, 1e9)
+    user.join()

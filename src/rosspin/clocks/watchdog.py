@@ -151,7 +151,7 @@ class _FromAThread(Watchdog):
         self._sent = self._received = 0  # signals of its own, or exceptions
         self._watcher = threading.Thread(target=self._watch, daemon=True)
         self._has_timer = self._is_main and _ITIMER is not None
-        self._looked = perf_counter()
+        self._set_at = perf_counter()  # the timer
 
     def __enter__(self) -> Watchdog:
         if self._is_main:
@@ -212,7 +212,7 @@ class _FromAThread(Watchdog):
             raise Ended
 
     def _set_timer(self) -> None:
-        self._looked = perf_counter()
+        self._set_at = perf_counter()
         if self._has_timer:
             _setitimer(_ITIMER, _INTERVAL * _LOOKS * _PATIENT)
 
@@ -222,7 +222,7 @@ class _FromAThread(Watchdog):
 
     def _on_timer(self, number: int, frame: FrameType | None) -> None:
         """Code in C heeds signals, or has returned, after the process has worked for long without a look."""
-        computed = perf_counter() - self._looked
+        computed = perf_counter() - self._set_at
         if self._done.is_set():
             return
         if computed < _INTERVAL * _LOOKS * _PATIENT:  # many threads have worked at a time

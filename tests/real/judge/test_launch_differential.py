@@ -8,7 +8,7 @@ import launch_files
 import pytest
 from runs import asked_for
 
-PATIENCE = 3600.0  # s
+PATIENCE = 600.0  # s
 
 
 @pytest.fixture(scope="module")

@@ -48,6 +48,11 @@ def test_flood(tutorial: Page, line: str) -> None:
             "error",
             "node.py:5: simulated time stands still at 0.0 s, because 1,000 threads have not ended",
         ),
+        (
+            node("import multiprocessing\nmultiprocessing.Process(target=print).start()"),
+            "error",
+            "node.py:5: multiprocessing.Process is not simulated; run this node on the wall clock or on a real ROS",
+        ),
         (node("1 / 0"), "error", "ZeroDivisionError"),
         (node("input()"), "error", "EOFError"),
     ],

@@ -7,8 +7,9 @@ from pathlib import Path
 
 import pytest
 from axe import COLOURS, violations
-from figures import FIGURES, SHOWN, SPINNER_ROS2, Figure, Kind, kinds, opened, probes
-from looks import FAINT, TOO_WIDE, Scheme, faults, look
+from figures import FIGURES, SHOWN, SPINNER_ROS2, Figure, Kind, opened, probes, some_kinds
+from figures_in_chromium import moves_by_keyboard, moves_by_pointer
+from looks import FAINT, TOO_WIDE, Scheme, look
 from playwright.sync_api import Browser, BrowserContext, Locator, Page, expect
 
 from rosspin import Tick
@@ -17,42 +18,14 @@ from rosspin.plots import with_handle
 # --- moving -----------------------------------------------------------------------------------------------------------
 
 
-@kinds
+@some_kinds
 def test_by_keyboard(context: BrowserContext, address: str, kind: Kind) -> None:
-    page = context.new_page()
-    wrong = faults(page, address)
-    figure = opened(page, address, kind)
-    first, before = figure.check(), figure.markup()
-    figure.handle.focus()
-    found = []
-    for key in ("Home", "ArrowRight", "PageUp", "End", "ArrowLeft"):
-        page.keyboard.press(key)
-        found.append(figure.check())
-    assert found[0] < found[1] < found[2] < found[3] > found[4] and first not in (found[0], found[3])
-    # Moved back, it is as matplotlib drew it.
-    while figure.value() > first:
-        page.keyboard.press("ArrowLeft")
-    assert figure.markup() == before
-    assert not wrong
+    moves_by_keyboard(context, address, kind)
 
 
-@kinds
+@some_kinds
 def test_by_pointer(context: BrowserContext, address: str, kind: Kind) -> None:
-    page = context.new_page()
-    wrong = faults(page, address)
-    figure = opened(page, address, kind)
-    box = figure.handle.bounding_box()
-    assert box
-    y = box["y"] + box["height"] / 2
-    page.mouse.move(box["x"] + box["width"] / 2, y)
-    page.mouse.down()
-    found = []
-    for share in (0.1, 0.45, 0.8):
-        page.mouse.move(box["x"] + box["width"] * share, y, steps=3)
-        found.append(figure.check())
-    page.mouse.up()
-    assert found == sorted(set(found))
-    assert not wrong
+    moves_by_pointer(context, address, kind)
 
 
 def test_by_touch(browser: Browser, address: str) -> None:

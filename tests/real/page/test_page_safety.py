@@ -8,7 +8,7 @@ from typing import Any
 
 import pytest
 from answers import CELLS
-from attacks import ATTACK, FORGERIES, SANDBOX, SCRIPT, attempts, succeeded
+from attacks import ATTACK, FORGERIES, SANDBOX, SCRIPT, WAYS, attempts, succeeded, tried
 from hand_ins import EXERCISES, TEACHERS, Table, exchange, handed_in, solves_nothing
 from in_chromium import served
 from listings_in_page import RATE, TIMER, TUTORIAL, Cell, link, open_tutorial
@@ -42,7 +42,8 @@ def test_code_reaches_nothing(context: BrowserContext, address: str) -> None:
             await caches.open("mine")
         }"""
     )
-    assert succeeded(run(page, TIMER, attempts(address), "done|error")) == {}
+    results = tried(run(page, TIMER, attempts(address), "done|error"))
+    assert (results.keys(), succeeded(results)) == (WAYS.keys(), {})
     assert not [url for url in asked if "stolen" in url]
     assert page.url == address + TUTORIAL
     assert page.evaluate("heard") == []

@@ -103,7 +103,7 @@ def program(spec: dict[str, Any]) -> Callable[[], None]:
 
     def node() -> None:
         import rospy  # type: ignore[import-not-found]
-        from rospy import rostime  # type: ignore[import-not-found]
+        from rospy import rostime
 
         def say(*words: object) -> None:
             if not over:  # how a process ends is another question

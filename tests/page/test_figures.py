@@ -1,0 +1,34 @@
+"""What the figures with a handle carry is what runs give; that pages show it is in real/page/test_figures.py."""
+
+from __future__ import annotations
+
+import json
+from pathlib import Path
+from typing import Any
+
+from bs4 import BeautifulSoup
+from figures import Kind, check_rows, kinds
+
+
+def shown(row: list[Any], first: float, span: float) -> dict[str, Any]:
+    """A row as a page draws it: across in percent."""
+    name, words, _, lost, ticks = row
+    return {
+        "drawn_by": "the page",
+        "name": name,
+        "words": words,
+        "marks": [100 * (real - first) / span for real, _ in ticks],
+        "bars": [100 * duration / span for _, duration in ticks if duration],
+        "crosses": lost,
+    }
+
+
+@kinds
+def test_rows_are_those_of_runs(site: Path, kind: Kind) -> None:
+    """At the first, the last and some other positions."""
+    page = BeautifulSoup((site / kind.page).read_text(encoding="utf-8"), "html.parser")
+    carried = json.loads(str(page.select("figure[data-positions]")[kind.number]["data-positions"]))
+    first, span, positions = carried["first"], carried["span"], carried["positions"]
+    assert len(positions) > 5
+    for value, _, alternative, rows in [*positions[:-1:5], positions[-1]]:
+        check_rows(kind, float(value), [shown(row, first, span) for row in rows], alternative, span)

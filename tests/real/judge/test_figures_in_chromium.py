@@ -1,0 +1,26 @@
+"""All figures with a handle in Chromium."""
+
+from __future__ import annotations
+
+from collections.abc import Iterator
+
+import pytest
+from figures import Kind, kinds
+from figures_in_chromium import moves_by_keyboard, moves_by_pointer
+from playwright.sync_api import Browser, BrowserContext
+
+
+@pytest.fixture
+def context(browser: Browser) -> Iterator[BrowserContext]:
+    with browser.new_context(viewport={"width": 1280, "height": 900}) as context:
+        yield context
+
+
+@kinds
+def test_by_keyboard(context: BrowserContext, address: str, kind: Kind) -> None:
+    moves_by_keyboard(context, address, kind)
+
+
+@kinds
+def test_by_pointer(context: BrowserContext, address: str, kind: Kind) -> None:
+    moves_by_pointer(context, address, kind)

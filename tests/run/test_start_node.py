@@ -1,0 +1,116 @@
+"""The pytest fixture ``start_node``, in tests of a package of its own."""
+
+from __future__ import annotations
+
+import subprocess
+import sys
+from collections.abc import Callable
+from pathlib import Path
+from typing import Any
+
+import pytest
+
+from rosspin import StartedNode, start
+
+NODE = """
+import rospy
+from std_msgs.msg import UInt32
+
+rospy.init_node("echo")
+publisher = rospy.Publisher("b", UInt32, queue_size=1)
+rospy.Subscriber("a", UInt32, lambda heard: publisher.publish(heard.data))
+rospy.loginfo("here I am")
+rospy.spin()
+"""
+
+
+@pytest.fixture
+def run_tests(tmp_path: Path) -> Callable[..., subprocess.CompletedProcess[str]]:
+    """Runs pytest in a package with the node src/echo.py and a test of this text."""
+
+    def run(text: str, *options: str, node: str = NODE) -> subprocess.CompletedProcess[str]:
+        for name, content in (("src/echo.py", node), ("test/test_echo.py", text)):
+            (tmp_path / name).parent.mkdir(exist_ok=True)
+            (tmp_path / name).write_text(content)
+        command = [sys.executable, "-m", "pytest", "-q", "-p", "no:cacheprovider", *options, "test"]
+        return subprocess.run(command, cwd=tmp_path, capture_output=True, text=True)
+
+    return run
+
+
+def test_the_fixture_starts_nodes_beside_the_test(run_tests: Callable[..., Any]) -> None:
+    run = run_tests("""
+def test_echo(start_node):
+    node, other = start_node("../src/echo.py"), start_node("../src/echo.py", ["__name:=other"], {"rate": 5})
+    node.publish("/a", data=5)
+    node.advance(0)
+    assert [sent.message.data for sent in node.messages("/b")] == [5]
+    assert other.messages("/b") == []
+
+def test_of_a_function(start_node):
+    def function():
+        print("hello")
+    assert start_node(function).run.console == "hello\\n"
+""")
+    assert (run.returncode, run.stdout.splitlines()[-1].partition(" in ")[0]) == (0, "2 passed"), run.stdout
+
+
+def test_a_test_that_fails_shows_the_console_and_one_error(run_tests: Callable[..., Any]) -> None:
+    text = "def test_echo(start_node):\n    node = start_node('../src/echo.py')\n    assert node.time == 2"
+    run = run_tests(text, node=NODE + "1 / 0\n")
+    assert run.stdout.splitlines()[-1].startswith("1 failed in"), run.stdout
+    assert "- Console of echo.py -" in run.stdout
+    assert "[INFO] [0.000000]: here I am" in run.stdout
+    assert "ZeroDivisionError" not in run.stdout
+
+
+def test_the_end_is_checked_after_a_test_that_has_passed(run_tests: Callable[..., Any]) -> None:
+    text = "def test_echo(start_node):\n    start_node('../src/echo.py')\n"
+    run = run_tests(text, node=NODE + "1 / 0\n")
+    assert run.stdout.splitlines()[-1].startswith("1 passed, 1 error in"), run.stdout
+    assert "src/echo.py:10: ZeroDivisionError" in run.stdout
+    assert "rosspin/steps.py" not in run.stdout
+
+
+def test_an_exception_of_the_node_is_shown_with_its_line(run_tests: Callable[..., Any]) -> None:
+    text = """def test_echo(start_node):
+    node = start_node('../src/echo.py')
+    node.publish('/a', 1)
+    node.advance(1)
+"""
+    run = run_tests(text, node=NODE.replace("publisher.publish(heard.data)", "heard.dta"))
+    assert run.stdout.splitlines()[-1].startswith("1 failed in"), run.stdout
+    assert "test/test_echo.py:4" in run.stdout
+    assert "src/echo.py:7: AttributeError" in run.stdout
+    assert "raised in echo.py at 0.0 s" in run.stdout
+    assert "rosspin/steps.py" not in run.stdout
+
+
+@pytest.mark.parametrize("option", ["-s", "--capture=sys", "--capture=fd", "-W error"])
+def test_whatever_pytest_captures(run_tests: Callable[..., Any], option: str) -> None:
+    run = run_tests("""
+def test_echo(start_node, capfd, caplog):
+    node = start_node("../src/echo.py")
+    print("mine")
+    node.advance(1)
+    assert capfd.readouterr().out == "mine\\n"
+    assert node.run.console == "[INFO] [0.000000]: here I am\\n"
+""", *option.split())  # fmt: skip
+    assert run.returncode == 0, run.stdout
+
+
+def test_the_plugin_loads_next_to_nothing() -> None:
+    code = (
+        "import sys, pytest; before = set(sys.modules); import rosspin.pytest_plugin; print(*set(sys.modules) - before)"
+    )
+    run = subprocess.run([sys.executable, "-c", code], capture_output=True, text=True, check=True)
+    assert set(run.stdout.split()) == {"rosspin", "rosspin.pytest_plugin"}
+
+
+def test_a_started_node_is_what_start_gives() -> None:
+    def node() -> None:
+        pass
+
+    with start(node) as started:
+        assert type(started) is StartedNode
+        assert started.name == "node"

@@ -1,0 +1,131 @@
+"""Nodes of ROS 2 in steps: their parameters, messages and errors."""
+
+from __future__ import annotations
+
+import signal
+from typing import Any
+
+import pytest
+
+from rosspin import start
+
+
+def controller() -> None:
+    """Answers on /command, in a period of its parameter, the last number that it has heard on /a."""
+    import rclpy  # type: ignore[import-not-found]
+    from geometry_msgs.msg import PointStamped, Twist
+    from std_msgs.msg import UInt32
+
+    def hear(heard: Any) -> None:
+        numbers.append(heard.data)
+        if heard.data == 13:
+            raise ZeroDivisionError("thirteen")
+
+    def tick() -> None:
+        command = Twist()
+        command.linear.x = float(numbers[-1])
+        publisher.publish(command)
+
+    numbers = [0]
+    rclpy.init()
+    node = rclpy.create_node("controller")
+    names = node.declare_parameter("names", ["none"]).value
+    period = node.declare_parameter("period", 0.5).value
+    publisher = node.create_publisher(Twist, "command", 1)
+    node.create_subscription(UInt32, "a", hear, 10)
+    node.create_subscription(PointStamped, "point", lambda point: print(point.header.stamp.nanosec, point.point.x), 10)
+    node.create_timer(period, tick)
+    print(names, publisher.get_subscription_count())
+    rclpy.spin(node)
+
+
+def test_a_node_of_ros_2_is_connected_and_has_its_parameters() -> None:
+    with start(controller, parameters={"period": 0.25, "names": ["a b", "yes"]}) as node:
+        assert node.run.console == "['a b', 'yes'] 1\n"
+        node.publish("a", 5)
+        node.publish("point", header={"stamp": 0.25}, point={"x": 2.0})
+        run = node.advance(0.5)
+        assert run.console == "250000000 2.0\n"
+        node.publish("/a", data=6)
+        node.publish("a", node.message("std_msgs/UInt32", data=7))
+        node.advance(0.25)
+        node.publish("a", {"data": 8})
+        node.publish("point", {"header": {"stamp": 0.5}, "point": {"x": 3.0}})
+        assert node.advance(0.25).console == "500000000 3.0\n"
+        assert [message.message.linear.x for message in node.messages("command")] == [5.0, 5.0, 7.0, 8.0]
+        assert node.message("std_msgs/msg/UInt32") == node.message("std_msgs/UInt32", data=0)
+    assert node.status == 128 + signal.SIGINT  # of the KeyboardInterrupt that it does not catch
+    assert "KeyboardInterrupt" in node.run.console
+
+
+@pytest.mark.parametrize(
+    ("value", "name", "shown"),
+    [
+        (1e-7, "float", "1e-07"),
+        (float("-inf"), "float", "-inf"),
+        (3, "int", "3"),
+        ("3", "str", "'3'"),
+        ("a: 'b' \"c\"", "str", None),
+        (True, "bool", "True"),
+        ([1.5, 2e300], "list", "[1.5, 2e+300]"),
+    ],
+)
+def test_a_parameter_of_ros_2_has_the_value_that_is_given(value: object, name: str, shown: str | None) -> None:
+    def node() -> None:
+        import rclpy
+
+        rclpy.init()
+        options = {"automatically_declare_parameters_from_overrides": True}
+        found = rclpy.create_node("n", **options).get_parameter("value").value
+        print(type(found).__name__ if name != "list" else "list", list(found) if name == "list" else repr(found))
+
+    with start(node, parameters={"value": value}) as started:
+        assert started.run.console == f"{name} {shown or repr(value)}\n"
+
+
+def test_the_command_line_of_a_node_of_ros_2_goes_before_its_parameters() -> None:
+    args = ["word", "--ros-args", "-p", "period:=0.125"]
+    with start(controller, args, parameters={"period": 0.25}) as node:
+        assert [tick.real for tick in node.advance(0.25).ticks] == [0.125, 0.25]
+
+
+@pytest.mark.parametrize("value", [None, {"a": 1}, [1, None], object()])
+def test_what_no_parameter_can_be_is_an_error(value: object) -> None:
+    with pytest.raises(TypeError, match="the parameter period can be"):
+        start(controller, parameters={"period": value})
+
+
+@pytest.mark.parametrize("parameters", [[("period", 1)], "period:=1", 3])
+def test_parameters_are_given_by_name(parameters: Any) -> None:
+    with pytest.raises(TypeError, match="parameters are given by name, as in {'rate': 10.0}, not as "):
+        start(controller, parameters=parameters)
+
+
+def test_wrong_messages_to_a_node_of_ros_2_are_errors_and_do_nothing() -> None:
+    with start(controller) as node:
+        with pytest.raises(LookupError, match=r"no node subscribes to /b; .* /a \(std_msgs/msg/UInt32\)"):
+            node.publish("b", 1)
+        with pytest.raises(LookupError, match="no node publishes /a; published are: /command"):
+            node.messages("a")
+        with pytest.raises(LookupError, match="there is no message std_msgs/Nothing"):
+            node.message("std_msgs/Nothing")
+        with pytest.raises(AssertionError, match="Invalid arguments passed to constructor: date"):
+            node.publish("a", date=1)
+        with pytest.raises(AssertionError, match="must be an unsigned integer"):
+            node.publish("a", -1)
+        with pytest.raises(TypeError, match="UInt32 has the fields data"):
+            node.publish("a", 1, 2)
+        with pytest.raises(TypeError, match="Expected .*UInt32.*, got .*String"):
+            node.publish("a", node.message("std_msgs/String"))
+        node.advance(0.5)
+        assert node.messages("command")[0].message.linear.x == 0
+
+
+def test_an_error_in_a_callback_of_ros_2_is_raised_and_ends_the_node() -> None:
+    node = start(controller)
+    node.publish("a", 13)
+    with pytest.raises(ZeroDivisionError, match="thirteen"):
+        node.advance(1)
+    assert (node.time, node.status) == (0, 1)
+    assert not node.advance(1).ticks
+    node.close()
