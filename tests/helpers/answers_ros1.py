@@ -842,6 +842,11 @@ rospy.spin()
     ],
     11: [
         (
+            parts(LOCKED_COUNT, LOCKED_REPORT, LOCK + "\nself.parts = 1"),
+            "but 10 parts have passed: some are reported twice",
+            "both need one lock",
+        ),
+        (
             {"        with self.lock:\n            parts =": "        if True:\n            parts ="},
             "when the threads take turns at every line: the reports up to",
             "both need one lock",

@@ -122,3 +122,9 @@ def test_the_scripts_are_loaded_where_they_are_needed(site: Path) -> None:
     asking = {f"notebooks/{path.stem}.html" for path in notebooks if "\n%%answer " in path.read_text(encoding="utf-8")}
     assert EXERCISES in asking
     assert found == {"hand-in": asking, "judge": {TEACHERS}}
+
+
+def test_policy_of_pages_has_no_plug_ins(site: Path) -> None:
+    for path in site.rglob("*.html"):
+        if "_static" not in path.parts:
+            assert "object-src 'none'" in path.read_text(encoding="utf-8"), path

@@ -3,11 +3,13 @@
 from __future__ import annotations
 
 import json
+import re
 from pathlib import Path
 from typing import Any
 
 from bs4 import BeautifulSoup
 from figures import Kind, check_rows, kinds
+from tree import ROOT
 
 
 def shown(row: list[Any], first: float, span: float) -> dict[str, Any]:
@@ -32,3 +34,12 @@ def test_rows_are_those_of_runs(site: Path, kind: Kind) -> None:
     assert len(positions) > 5
     for value, _, alternative, rows in [*positions[:-1:5], positions[-1]]:
         check_rows(kind, float(value), [shown(row, first, span) for row in rows], alternative, span)
+
+
+@kinds
+def test_handle_goes_from_its_first_number_to_its_last(site: Path, kind: Kind) -> None:
+    (source,) = ROOT.glob(kind.page.replace(".html", ".*"))
+    first, last = re.findall(r":handle: .+, (\S+) to (\S+) by", source.read_text(encoding="utf-8"))[kind.number]
+    page = BeautifulSoup((site / kind.page).read_text(encoding="utf-8"), "html.parser")
+    positions = json.loads(str(page.select("figure[data-positions]")[kind.number]["data-positions"]))["positions"]
+    assert [float(positions[0][0]), float(positions[-1][0])] == [float(first), float(last)]
