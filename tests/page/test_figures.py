@@ -36,10 +36,12 @@ def test_rows_are_those_of_runs(site: Path, kind: Kind) -> None:
         check_rows(kind, float(value), [shown(row, first, span) for row in rows], alternative, span)
 
 
-@kinds
-def test_handle_goes_from_its_first_number_to_its_last(site: Path, kind: Kind) -> None:
-    (source,) = ROOT.glob(kind.page.replace(".html", ".*"))
-    first, last = re.findall(r":handle: .+, (\S+) to (\S+) by", source.read_text(encoding="utf-8"))[kind.number]
-    page = BeautifulSoup((site / kind.page).read_text(encoding="utf-8"), "html.parser")
-    positions = json.loads(str(page.select("figure[data-positions]")[kind.number]["data-positions"]))["positions"]
-    assert [float(positions[0][0]), float(positions[-1][0])] == [float(first), float(last)]
+def test_handles_go_from_their_first_number_to_their_last(site: Path) -> None:
+    for source in [ROOT / "index.rst", *ROOT.glob("docs/**/*.rst")]:
+        words = re.findall(r"(?m)^   :handle: .+, (\S+) to (\S+) by", source.read_text(encoding="utf-8"))
+        page = BeautifulSoup(
+            (site / source.relative_to(ROOT).with_suffix(".html")).read_text(encoding="utf-8"), "html.parser"
+        )
+        carried = [json.loads(str(figure["data-positions"])) for figure in page.select("figure[data-positions]")]
+        ends = [[float(found["positions"][end][0]) for end in (0, -1)] for found in carried]
+        assert ends == [[float(word) for word in each] for each in words], source
