@@ -23,8 +23,8 @@ NEVER = 120.0  # s; only so that a run ends that goes wrong
 class Until(io.StringIO):
     """A console that is closed, which ends the run, once each of these patterns has come so many ``times``.
 
-    A little later, half-way between two ticks at 2 Hz: a node of the real rospy that Ctrl-C met as it logged did not end,
-    and had to be killed.
+    A little later, half-way between two ticks at 2 Hz: a node of the real rospy that Ctrl-C met as it logged did not
+    end, and had to be killed.
     """
 
     def __init__(self, *patterns: str, times: int = 1) -> None:
