@@ -7,7 +7,7 @@ from datetime import UTC, datetime
 from pathlib import Path
 from typing import Any
 
-from rosspin.machine import describe
+from rosspin.results.machine import describe
 
 __all__ = ["write_provenance"]
 

@@ -23,9 +23,9 @@ from typing import Any, NamedTuple
 from arrivals import Arrivals
 from provenance import write_provenance
 
-from rosspin import ros1
-from rosspin.recordings import COLUMNS
-from rosspin.roscpp import timer_probe
+from rosspin.real import ros1
+from rosspin.results.recordings import COLUMNS
+from rosspin.results.roscpp import timer_probe
 
 EXAMPLES = Path(__file__).parents[1] / "examples"
 RECORDINGS = EXAMPLES / "recordings"

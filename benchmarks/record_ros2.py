@@ -23,9 +23,10 @@ from typing import Any, NamedTuple
 from arrivals import Arrivals
 from provenance import write_provenance
 
-from rosspin import Tick, ros2
-from rosspin.children import Patience
-from rosspin.recordings import COLUMNS
+from rosspin import Tick
+from rosspin.real import ros2
+from rosspin.real.children import Patience
+from rosspin.results.recordings import COLUMNS
 
 EXAMPLES = Path(__file__).parents[1] / "examples" / "ros2"
 NODE = Path(__file__).parents[1] / "examples/my_robotics_pkg_ros2/my_robotics_pkg/spinner_py_node.py"

@@ -10,8 +10,9 @@ from pathlib import Path
 
 from ratios import line
 
-from rosspin import ros1, simulate
+from rosspin import simulate
 from rosspin.measures import quantile, say_time
+from rosspin.real import ros1
 
 ROOT = Path(__file__).parents[1]
 PROBES = ROOT / "examples" / "timing_probes"

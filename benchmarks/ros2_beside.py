@@ -8,8 +8,8 @@ from pathlib import Path
 
 from ratios import line
 
-from rosspin import ros2
 from rosspin.measures import quantile, say_time
+from rosspin.real import ros2
 
 # Calls back so often, and prints how late (s) each call was: of the period, what had passed when it came.
 _NODE = """

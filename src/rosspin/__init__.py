@@ -12,21 +12,21 @@ from importlib import import_module
 from typing import TYPE_CHECKING, Any
 
 if TYPE_CHECKING:
-    from .launch import Node
-    from .run import TimeStandsStill, simulate
-    from .steps import NodeFailed, StartedNode, start
-    from .ticks import Message, Run, Tick
-    from .wall import measure
-    from .world import NotSimulated
+    from .results.ticks import Message, Run, Tick
+    from .run.roslaunch.launch import Node
+    from .run.simulate import TimeStandsStill, simulate
+    from .run.steps import NodeFailed, StartedNode, start
+    from .run.wall import measure
+    from .world.world import NotSimulated
 
 # Where the names come from that are imported when they are asked for: pytest loads this package in every run.
 _MODULES = {
-    "launch": ("Node",),
-    "run": ("TimeStandsStill", "simulate"),
-    "steps": ("NodeFailed", "StartedNode", "start"),
-    "ticks": ("Message", "Run", "Tick"),
-    "wall": ("measure",),
-    "world": ("NotSimulated",),
+    "run.roslaunch.launch": ("Node",),
+    "run.simulate": ("TimeStandsStill", "simulate"),
+    "run.steps": ("NodeFailed", "StartedNode", "start"),
+    "results.ticks": ("Message", "Run", "Tick"),
+    "run.wall": ("measure",),
+    "world.world": ("NotSimulated",),
 }
 
 __all__ = [

@@ -10,19 +10,19 @@ import warnings
 from collections.abc import Sequence
 from contextlib import nullcontext, suppress
 
-from . import pictures, ros1, ros2
 from .clocks.clock import Clock, WallClock
+from .clocks.descendants import adopt_orphans, descendants, kill_descendants
+from .clocks.frames import Whereabouts, node_place
 from .clocks.guard import guard_threads
 from .clocks.simulation import Simulation
-from .descendants import adopt_orphans, descendants, kill_descendants
 from .doctor import report
-from .frames import Whereabouts, node_place
-from .launch import read_launch
 from .measures import by_source, describe_periods, describe_timeline
-from .plots import picture
-from .process import leave, load, refuse_launch_of_ros2, refuse_other_ros
-from .run import Result, Results, run_node, run_nodes, say_error, split_words, warn_of_files
-from .ticks import Run, Tick
+from .plots import picture, pictures
+from .real import ros1, ros2
+from .results.ticks import Run, Tick
+from .run.process import leave, load, refuse_launch_of_ros2, refuse_other_ros
+from .run.roslaunch.launch import read_launch
+from .run.simulate import Result, Results, run_node, run_nodes, say_error, split_words, warn_of_files
 
 __all__ = ["main"]
 

@@ -9,7 +9,7 @@ import tomllib
 from collections.abc import Iterator
 from pathlib import Path
 
-from . import ros1, ros2
+from .real import ros1, ros2
 
 __all__ = ["chromium", "report"]
 

@@ -8,7 +8,7 @@ from fractions import Fraction
 from itertools import pairwise
 from statistics import median
 
-from .ticks import Message, Tick
+from .results.ticks import Message, Tick
 
 __all__ = [
     "at_once",

@@ -32,19 +32,19 @@ from js import performance
 from pyodide.ffi import can_run_sync, run_sync
 
 from . import exercises
-from .advice import advice
 from .clocks.clock import NS
+from .clocks.frames import trail
 from .clocks.patches import patched
 from .clocks.simulation import PacedSimulation, Simulation
 from .clocks.stacks import whose
+from .exercises.advice import advice
 from .exercises.reach import reaches_for
-from .frames import trail
-from .graph import TickLog
 from .measures import by_source, describe_timeline
-from .pinned import as_test
-from .process import load_source, starter
-from .run import TimeStandsStill, run_node, say_error, split_words, stand_in
-from .world import NotSimulated, World, current_world
+from .results.pinned import as_test
+from .run.process import load_source, starter
+from .run.simulate import TimeStandsStill, run_node, say_error, split_words, stand_in
+from .world.graph import TickLog
+from .world.world import NotSimulated, World, current_world
 
 __all__ = ["judge", "run", "trace", "wake"]
 

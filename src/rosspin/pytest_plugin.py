@@ -10,8 +10,8 @@ from typing import TYPE_CHECKING, Any
 import pytest
 
 if TYPE_CHECKING:
-    from .process import NodeLike
-    from .steps import StartedNode
+    from .run.process import NodeLike
+    from .run.steps import StartedNode
 
 __all__ = ["start_node"]
 
@@ -24,7 +24,7 @@ def start_node(request: pytest.FixtureRequest) -> Iterator[Callable[..., Started
 
     A relative path is relative to the folder of the test's file.
     """
-    from .steps import start
+    from .run.steps import start
 
     started = request.node.stash[_started] = []
     with ExitStack() as stack:

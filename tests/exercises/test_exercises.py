@@ -18,10 +18,10 @@ from IPython.core.interactiveshell import InteractiveShell
 from tree import ROOT
 
 from rosspin import simulate
-from rosspin.console import read_ticks
 from rosspin.exercises import EXERCISES, check
 from rosspin.measures import periods
-from rosspin.recordings import load
+from rosspin.results.console import read_ticks
+from rosspin.results.recordings import load
 
 
 @pytest.mark.parametrize("number", NUMBERS)

@@ -11,7 +11,8 @@ from firefox import firefox
 from message_probe import PACKAGES
 from runtimes import KILTED_PYTHON
 
-from rosspin import doctor, ros2
+from rosspin import doctor
+from rosspin.real import ros2
 
 
 @cache

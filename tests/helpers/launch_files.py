@@ -20,7 +20,8 @@ from admission import Admission
 from tree import TESTS
 from verdicts import inconclusive
 
-from rosspin import ros1, simulate
+from rosspin import simulate
+from rosspin.real import ros1
 
 PACKAGE = TESTS / "launched"
 FILES = sorted(path.stem for path in (PACKAGE / "launch").glob("*.launch"))

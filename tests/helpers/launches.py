@@ -12,8 +12,8 @@ from unittest import mock
 from expectations import mishaps
 from verdicts import inconclusive
 
-from rosspin import ros2
-from rosspin.ticks import Run
+from rosspin.real import ros2
+from rosspin.results.ticks import Run
 
 __all__ = ["NEVER", "Until", "launch", "launch_past", "unspoilt"]
 

@@ -116,7 +116,7 @@ def stand_in(scenario: Scenario) -> str:
     concerned = [path for path in _modules(package / _STAND_INS[scenario.ros]) if words & _names(path)]
     has_messages = re.search(r"^(import|from) \w+_msgs", _text(scenario.path), re.M)
     messages = _modules(package / "messages") if has_messages else ()
-    runner = package / "children.py", package / f"ros{scenario.ros}.py"
+    runner = package / "real" / "children.py", package / "real" / f"ros{scenario.ros}.py"
     return _hash(map(_text, (*concerned, *messages, *_modules(package / "clocks"), *runner)))
 
 

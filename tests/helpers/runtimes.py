@@ -14,8 +14,8 @@ from corpus import Scenario
 from outcomes import JITTER
 from tree import ROOT
 
-from rosspin import ros1, ros2
-from rosspin.children import Children
+from rosspin.real import ros1, ros2
+from rosspin.real.children import Children
 
 KILTED_PYTHON = ROOT / "build" / "ros2-kilted" / "bin" / "python"
 

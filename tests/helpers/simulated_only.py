@@ -66,7 +66,7 @@ def _look(event: str, args: tuple[Any, ...]) -> None:
     program = Path(os.fspath(args[0])).name
     if not program.startswith(PROGRAMS):
         _refuse(f"it starts {program}")
-    if "rosspin.wall" in str(args[1]):
+    if "rosspin.run.wall" in str(args[1]):
         _refuse("it runs a node on the wall clock")
 
 

@@ -35,5 +35,5 @@ def test_the_faults_are_spread_over_the_house() -> None:
         return sum(file.startswith(starts) for file in files)
 
     assert count("src/rosspin/rospy/") == count("src/rosspin/rclpy/") == 20
-    assert count("src/rosspin/clocks/", "src/rosspin/process.py") == 10
+    assert count("src/rosspin/clocks/", "src/rosspin/run/process.py") == 10
     assert len(files) == 60

@@ -12,8 +12,8 @@ from answers import CELLS, answer_in, section, solution_of
 from launches import NEVER, Until, launch
 from verdicts import control
 
-from rosspin.console import read_ticks
-from rosspin.ros1 import Workspace
+from rosspin.real.ros1 import Workspace
+from rosspin.results.console import read_ticks
 
 
 def test_the_cpp_node_does_what_the_solution_says(require: Callable[[str], None], tmp_path: Path) -> None:

@@ -18,9 +18,10 @@ from launches import NEVER, Until, launch_past
 from tree import ROOT
 from verdicts import control
 
-from rosspin import ros2, simulate
-from rosspin.console import read_ticks
-from rosspin.ros1 import Workspace
+from rosspin import simulate
+from rosspin.real import ros2
+from rosspin.real.ros1 import Workspace
+from rosspin.results.console import read_ticks
 
 PACKAGE = ROOT / "examples" / "my_robotics_pkg"
 PACKAGE_ROS2 = ROOT / "examples" / "my_robotics_pkg_ros2"

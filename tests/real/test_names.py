@@ -9,7 +9,8 @@ from names_of_rclpy import NAMES, names_of
 from seeds import SEED
 from tree import HELPERS
 
-from rosspin import ros2, simulate
+from rosspin import simulate
+from rosspin.real import ros2
 
 PROBE = HELPERS / "names_probe.py"
 COUNT = 300

@@ -10,7 +10,8 @@ from pathlib import Path
 import pytest
 from names_of_rclpy import names_on_page
 
-from rosspin import rclpy, ros2, rospy
+from rosspin import rclpy, rospy
+from rosspin.real import ros2
 
 
 def test_every_name_of_the_real_rospy_is_known(require: Callable[[str], None]) -> None:

@@ -19,9 +19,9 @@ from launches import NEVER, Until
 from tree import ROOT
 from verdicts import control
 
-from rosspin import ros1
 from rosspin.__main__ import main
 from rosspin.measures import by_source
+from rosspin.real import ros1
 
 EXAMPLES = ROOT / "examples"
 PACKAGE = EXAMPLES / "my_robotics_pkg"

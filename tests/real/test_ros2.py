@@ -26,10 +26,10 @@ from launches import NEVER, launch, launch_past, unspoilt
 from tree import ROOT
 from verdicts import control
 
-from rosspin import ros2
 from rosspin.__main__ import main
-from rosspin.children import Output
 from rosspin.measures import by_source
+from rosspin.real import ros2
+from rosspin.real.children import Output
 
 EXAMPLES = ROOT / "examples"
 PACKAGE = EXAMPLES / "my_robotics_pkg_ros2"

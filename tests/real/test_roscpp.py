@@ -14,9 +14,9 @@ from tree import ROOT
 from verdicts import control
 
 from rosspin import Tick, simulate
-from rosspin.recordings import load
-from rosspin.ros1 import Workspace
-from rosspin.roscpp import timer_probe, timer_ticks
+from rosspin.real.ros1 import Workspace
+from rosspin.results.recordings import load
+from rosspin.results.roscpp import timer_probe, timer_ticks
 
 # The recordings of a timer of timer_probe.cpp alone, in a node that spins at once.
 RECORDINGS = sorted(ROOT.glob("examples/recordings/timer_cpp_blocks_*.csv"))

@@ -21,7 +21,7 @@ from rosspin.measures import (
     say_time,
     verdict,
 )
-from rosspin.roscpp import timer_ticks
+from rosspin.results.roscpp import timer_ticks
 
 
 def ticks(*reals: float, period: float = 0.5) -> list[Tick]:

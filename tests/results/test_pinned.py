@@ -10,7 +10,7 @@ import pytest
 from tree import EXAMPLES
 
 from rosspin import simulate
-from rosspin.pinned import as_test
+from rosspin.results.pinned import as_test
 
 
 def pinned(monkeypatch: pytest.MonkeyPatch, folder: Path, source: str, more: str = "") -> None:

@@ -23,9 +23,9 @@ from matplotlib import pyplot
 from matplotlib.axes import Axes
 from matplotlib.colors import to_hex
 
-from rosspin import Run, Tick, pictures, plots, simulate
-from rosspin.pictures import alternative, figure_of, page, save
-from rosspin.plots import Movable, picture, with_handle
+from rosspin import Run, Tick, plots, simulate
+from rosspin.plots import Movable, picture, pictures, with_handle
+from rosspin.plots.pictures import alternative, figure_of, page, save
 
 # Much of Axes is typed as "object".
 compare: Any = plots.compare
@@ -420,7 +420,7 @@ print([name for name in sys.modules if name.partition(".")[0] in ("matplotlib", 
 def test_without_matplotlib_it_is_said_what_to_install() -> None:
     code = """
 from rosspin import Tick
-from rosspin import pictures
+from rosspin.plots import pictures
 from rosspin import plots
 pictures.find_spec = lambda name: None
 for plot in (plots.timeline, plots.lateness, plots.period_histogram, plots.picture):
@@ -443,7 +443,7 @@ def test_no_setting_of_matplotlibs_is_changed(plot: Callable[..., Any]) -> None:
 
 
 def test_its_style_can_be_used() -> None:
-    with pyplot.style.context("rosspin.rosspin"):
+    with pyplot.style.context("rosspin.plots.rosspin"):
         assert [entry["color"] for entry in matplotlib.rcParams["axes.prop_cycle"]] == [BLUE, VERMILION, GREEN]
 
 

@@ -11,7 +11,8 @@ from pathlib import Path
 import pytest
 from tree import ROOT
 
-from rosspin import Run, recordings, simulate
+from rosspin import Run, simulate
+from rosspin.results import recordings
 
 FOLDER = ROOT / "examples" / "recordings"
 # No run's ticks; docs/how-timing-works.rst and docs/publish.rst check what they say.

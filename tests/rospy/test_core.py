@@ -14,8 +14,8 @@ import pytest
 
 from rosspin import NotSimulated, rospy, simulate
 from rosspin.clocks.simulation import Simulation
-from rosspin.process import load
-from rosspin.run import run_node
+from rosspin.run.process import load
+from rosspin.run.simulate import run_node
 
 LEVELS = ["debug", "info", "warn", "err", "fatal"]
 

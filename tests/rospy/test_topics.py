@@ -15,12 +15,12 @@ from graphs import LENGTH, Sink, Source
 from seeds import SEED
 
 from rosspin import NotSimulated, Run, rospy, simulate
-from rosspin.advice import advice
+from rosspin.exercises.advice import advice
 from rosspin.measures import describe_lateness, describe_periods, periods, topic_ticks
 from rosspin.plots import lateness, period_histogram, timeline
+from rosspin.results.ticks import Message, Tick
 from rosspin.rospy.topics import LATER_PUBLISHER, LATER_SUBSCRIBER
-from rosspin.ticks import Message, Tick
-from rosspin.world import current_world
+from rosspin.world.world import current_world
 
 # --- what a run tells of its topics -----------------------------------------------------------------------------------
 

@@ -7,10 +7,10 @@ from typing import Any
 
 import pytest
 
-from rosspin.advice import advice
 from rosspin.clocks.simulation import Simulation
-from rosspin.process import capture, load
-from rosspin.run import run_node
+from rosspin.exercises.advice import advice
+from rosspin.run.process import capture, load
+from rosspin.run.simulate import run_node
 
 # A node's class around some lines of its __init__, with callbacks to choose from.
 NODE = """

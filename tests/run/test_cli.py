@@ -12,9 +12,10 @@ from typing import Any
 import pytest
 from command_line import TIMER_NODE, run
 
-from rosspin import Run, ros1, ros2
+from rosspin import Run
 from rosspin.__main__ import main
 from rosspin.clocks import watchdog
+from rosspin.real import ros1, ros2
 
 RATE_FROM_A_PARAMETER = """
     import rospy
@@ -183,7 +184,7 @@ def test_without_matplotlib_it_is_said_before_the_run(
     capsys: pytest.CaptureFixture[str], monkeypatch: pytest.MonkeyPatch
 ) -> None:
     monkeypatch.delitem(sys.modules, "matplotlib", raising=False)
-    monkeypatch.setattr("rosspin.pictures.find_spec", lambda name: None)
+    monkeypatch.setattr("rosspin.plots.pictures.find_spec", lambda name: None)
     assert main(["run", TIMER_NODE, "--simulated", "--seconds", "0.5", "--plot", "a.svg"]) == 1
     needs = "plots need matplotlib, which is not installed: pip install 'rosspin[plot]'"
     assert capsys.readouterr() == ("", f"rosspin: --plot a.svg: {needs}\n")

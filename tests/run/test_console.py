@@ -8,7 +8,7 @@ import pytest
 from tree import ROOT
 
 from rosspin import Tick, simulate
-from rosspin.console import Line, read_lines, read_ticks
+from rosspin.results.console import Line, read_lines, read_ticks
 
 TIMER_NODE = ROOT / "examples" / "my_robotics_pkg" / "src" / "spinner_py_node.py"
 

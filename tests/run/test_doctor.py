@@ -13,7 +13,7 @@ from rosspin import doctor
 @pytest.fixture(autouse=True)
 def no_ros(monkeypatch: pytest.MonkeyPatch) -> None:
     """What else can run here is none of these tests' business."""
-    for name in ("rosspin.ros1.missing", "rosspin.ros2.missing"):
+    for name in ("rosspin.real.ros1.missing", "rosspin.real.ros2.missing"):
         monkeypatch.setattr(name, lambda cpp=True: [])
 
 

@@ -15,11 +15,12 @@ from typing import Any
 import pytest
 
 import rosspin
-from rosspin import TimeStandsStill, rospy, run, simulate
+from rosspin import TimeStandsStill, rospy, simulate
 from rosspin.clocks import simulation, watchdog
 from rosspin.clocks.ending import Ended
 from rosspin.clocks.stacks import current
 from rosspin.exercises import EXERCISES, check
+from rosspin.run import simulate as run
 
 _SLEEPING = """
     def work():

@@ -5,7 +5,7 @@ from __future__ import annotations
 import sys
 import threading
 
-from rosspin.graph import TickLog
+from rosspin.world.graph import TickLog
 
 
 def test_a_tick_has_no_duration_until_it_has_ended() -> None:

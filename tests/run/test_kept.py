@@ -20,7 +20,7 @@ from hypothesis import strategies as st
 
 import rosspin
 from rosspin import Run, rospy, simulate
-from rosspin.kept import KEPT
+from rosspin.run.kept import KEPT
 
 _REFERENCE = {
     1: """

@@ -24,8 +24,8 @@ from tree import ROOT
 import rosspin
 from rosspin import NotSimulated, Tick, TimeStandsStill, measure, rospy, simulate, start
 from rosspin.clocks.simulation import Simulation
-from rosspin.process import load, load_source
-from rosspin.run import run_node, say_error
+from rosspin.run.process import load, load_source
+from rosspin.run.simulate import run_node, say_error
 
 EXAMPLES = ROOT / "examples" / "my_robotics_pkg" / "src"
 TIMER_NODE, RATE_NODE = EXAMPLES / "spinner_py_node.py", EXAMPLES / "spinner_rate_py_node.py"

@@ -9,7 +9,7 @@ from pathlib import Path
 import pytest
 from small_sites import build, listed, site
 
-from rosspin import machine
+from rosspin.results import machine
 
 THEME = """
 html_theme = "basic"

@@ -15,7 +15,8 @@ from names_of_rclpy import names_on_page
 from tree import ROOT
 
 import rosspin
-from rosspin import console, exercises, machine, measures, plots, rclpy, roscpp, rospy
+from rosspin import exercises, measures, plots, rclpy, rospy
+from rosspin.results import console, machine, roscpp
 
 PAGES = [ROOT / "index.rst", *sorted(ROOT.glob("docs/**/*.rst")), *sorted(ROOT.glob("notebooks/*.md"))]
 

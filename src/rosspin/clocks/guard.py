@@ -14,8 +14,8 @@ import time
 from collections.abc import Callable, Iterator
 from contextlib import contextmanager
 
-from ..descendants import kill_descendants
-from ..frames import Place, Whereabouts
+from .descendants import kill_descendants
+from .frames import Place, Whereabouts
 
 __all__ = ["LastWords", "guard", "guard_threads"]
 

@@ -16,7 +16,7 @@ from typing import Any
 from js import Promise
 from pyodide.ffi import run_sync
 
-from ..frames import Trail, trail
+from .frames import Trail, trail
 
 __all__ = ["Switched", "current", "can_raise"]
 

@@ -13,9 +13,9 @@ from collections.abc import Callable, Iterator
 from contextlib import contextmanager, nullcontext
 from typing import Any, NamedTuple
 
-from ..frames import Trail, Whereabouts, places, trail
 from .clock import NS
 from .ending import Ended, end_thread, ending_here
+from .frames import Trail, Whereabouts, places, trail
 from .guard import LastWords, guard
 from .patches import Builtins
 from .signals import Died, send, simulated_signals

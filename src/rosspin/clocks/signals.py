@@ -12,8 +12,8 @@ from collections.abc import Callable, Iterator
 from contextlib import contextmanager
 from typing import Any
 
-from ..frames import is_installed, node_frame
 from .clock import NS, nanoseconds
+from .frames import is_installed, node_frame
 from .patches import Patch, either, patched
 from .stacks import Program, Stack
 

@@ -15,9 +15,9 @@ from contextlib import AbstractContextManager, contextmanager
 from heapq import heapify, heappop, heappush, heappushpop
 from itertools import count, islice
 
-from ..frames import Place, places, trail
 from .clock import NS
 from .ending import ending_here
+from .frames import Place, places, trail
 from .stacks import Program, Stack, StackExit, Switched, current, telling_no_turns
 
 __all__ = ["PacedSimulation", "Simulation", "Standstill"]

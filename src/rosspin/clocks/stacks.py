@@ -15,7 +15,7 @@ from contextvars import Context
 from itertools import count
 from typing import TYPE_CHECKING, Any, cast
 
-from ..frames import Trail, trail
+from .frames import Trail, trail
 
 if TYPE_CHECKING:
     from .simulation import Simulation

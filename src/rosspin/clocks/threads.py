@@ -21,9 +21,9 @@ from functools import wraps
 from types import SimpleNamespace
 from typing import Any
 
-from ..frames import called_from, format_error
 from .clock import NS, nanoseconds
 from .ending import Ended, ending_here
+from .frames import called_from, format_error
 from .patches import Patch, either, patched
 from .stacks import Program, Stack, StackExit, current, enter, whose
 

@@ -14,8 +14,8 @@ from time import perf_counter
 from types import FrameType
 from typing import Any
 
-from ..frames import Place, called_from, places, trail, trail_of
 from .ending import Ended, end_thread, spare_me
+from .frames import Place, called_from, places, trail, trail_of
 from .stacks import Stack, current
 
 __all__ = ["Stuck", "Watchdog", "watch"]

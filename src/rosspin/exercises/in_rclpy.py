@@ -7,7 +7,7 @@ from types import CodeType, FrameType
 from typing import Any
 
 from .. import rclpy
-from ..frames import node_frames
+from ..clocks.frames import node_frames
 from ..rclpy.exceptions import (
     ExternalShutdownException,
     InvalidParameterTypeException,
@@ -18,7 +18,7 @@ from ..rclpy.exceptions import (
 )
 from ..rclpy.executors import Executor, _call
 from ..rclpy.timer import Timer
-from ..world import World
+from ..world.world import World
 
 __all__ = ["ENDINGS", "WAITING", "hint", "timer_of", "timers", "whose"]
 

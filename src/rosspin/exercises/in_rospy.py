@@ -7,10 +7,10 @@ from types import CodeType, FrameType
 from typing import Any
 
 from .. import rospy
-from ..advice import advice
 from ..rospy.state import State
 from ..rospy.timer import Timer
-from ..world import World
+from ..world.world import World
+from .advice import advice
 
 __all__ = ["ENDINGS", "WAITING", "hint", "timer_of", "timers", "whose"]
 

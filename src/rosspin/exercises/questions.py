@@ -8,8 +8,8 @@ from functools import cache
 from itertools import count, pairwise
 from typing import Any
 
-from ..roscpp import timer_ticks
-from ..run import simulate
+from ..results.roscpp import timer_ticks
+from ..run.simulate import simulate
 from .exercise import Exercises
 from .feedback import Finding
 from .judging import CLOSE, Answer, grid, on_time, plain, say

@@ -21,10 +21,10 @@ from typing import Any, Protocol, TypeVar
 from ..clocks.clock import NS, nanoseconds
 from ..clocks.programs import send
 from ..clocks.simulation import Simulation
-from ..process import Node, capture, execute, load_source
-from ..run import Result, TimeStandsStill, messages_of, run_node, ticks_of, waits_for_a_rate, where_it_was_kept
-from ..ticks import Message, Tick
-from ..world import NotSimulated, World
+from ..results.ticks import Message, Tick
+from ..run.process import Node, capture, execute, load_source
+from ..run.simulate import Result, TimeStandsStill, messages_of, run_node, ticks_of, waits_for_a_rate, where_it_was_kept
+from ..world.world import NotSimulated, World
 from . import in_rospy
 from .judging import not_python, plain, started
 from .seen import Error, Kept, Printed, Seen, SeenTimer, Sent, Value

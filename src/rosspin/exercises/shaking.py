@@ -14,7 +14,7 @@ from collections.abc import Iterator
 from contextlib import contextmanager
 from typing import Any
 
-from ..world import current_world
+from ..world.world import current_world
 
 __all__ = ["shake", "turns"]
 

@@ -10,7 +10,7 @@ from functools import cache
 from pathlib import Path
 from typing import Any
 
-from ..ticks import Message
+from ..results.ticks import Message
 from .finder import MessageFinder
 
 __all__ = ["Packed", "pack", "unpack"]

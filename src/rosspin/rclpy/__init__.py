@@ -9,7 +9,7 @@ import sys
 from types import ModuleType
 from typing import Any
 
-from ..world import NotSimulated
+from ..world.world import NotSimulated
 from . import (
     callback_groups,
     clock,

@@ -8,7 +8,7 @@ from collections.abc import Callable, Iterator
 from concurrent.futures import ThreadPoolExecutor
 from typing import TYPE_CHECKING, Any, TypeVar
 
-from ..frames import warn
+from ..clocks.frames import warn
 from .context import Context, get_default_context
 from .exceptions import (
     ConditionReachedException,

@@ -13,8 +13,8 @@ from types import FrameType
 from typing import TYPE_CHECKING, Any, NamedTuple
 
 from ..clocks.clock import NS
-from ..frames import node_frame
-from ..world import NotSimulated
+from ..clocks.frames import node_frame
+from ..world.world import NotSimulated
 from .arguments import LEVELS
 from .state import State, state
 

@@ -8,7 +8,7 @@ from importlib import import_module
 from typing import TYPE_CHECKING, Any
 
 from ..messages.ros2 import Message
-from ..world import NotSimulated
+from ..world.world import NotSimulated
 from . import logging, names
 from .arguments import Arguments
 from .callback_groups import CallbackGroup, MutuallyExclusiveCallbackGroup, ReentrantCallbackGroup

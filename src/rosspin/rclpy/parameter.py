@@ -9,7 +9,7 @@ from enum import Enum
 from importlib import import_module
 from typing import Any
 
-from ..frames import warn
+from ..clocks.frames import warn
 from .exceptions import (
     InvalidParameterTypeException,
     InvalidParameterValueException,

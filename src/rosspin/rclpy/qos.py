@@ -6,7 +6,7 @@ from collections.abc import Sequence
 from enum import Enum, IntEnum
 from typing import Any, NamedTuple
 
-from ..frames import warn
+from ..clocks.frames import warn
 from .duration import Duration
 
 __all__ = [

@@ -7,7 +7,7 @@ from collections.abc import Callable
 from typing import TYPE_CHECKING, Any
 from weakref import WeakKeyDictionary
 
-from ..world import World, current_world
+from ..world.world import World, current_world
 
 if TYPE_CHECKING:
     from .context import Context

@@ -9,7 +9,7 @@ from enum import Enum
 from typing import TYPE_CHECKING, Any
 from weakref import ref
 
-from ..frames import warn
+from ..clocks.frames import warn
 from .state import world_here
 
 if TYPE_CHECKING:

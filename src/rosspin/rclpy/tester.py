@@ -6,10 +6,10 @@ import json
 from collections.abc import Mapping
 from typing import Any
 
-from .. import tester
 from ..clocks.clock import NS, nanoseconds
 from ..messages.ros2 import Message
-from ..world import World
+from ..world import tester
+from ..world.world import World
 from .topics import End, Publisher, Subscription
 
 __all__ = ["Tester", "give_parameters"]

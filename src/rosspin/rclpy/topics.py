@@ -19,7 +19,7 @@ from .qos import Policies, QoSProfile, incompatible_policy
 from .state import Gate
 
 if TYPE_CHECKING:
-    from ..world import World
+    from ..world.world import World
     from .node import Node
 
 __all__ = ["Publisher", "Subscription", "wait_for_message"]

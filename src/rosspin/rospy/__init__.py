@@ -11,7 +11,7 @@ from typing import Any
 
 from ..messages import MessageFinder, genpy, ros1
 from ..messages.ros1 import Message
-from ..world import NotSimulated
+from ..world.world import NotSimulated
 from . import client, core, exceptions, msg, names, rostime, timer, topics, validators
 from .client import *
 from .core import *

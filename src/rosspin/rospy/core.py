@@ -11,7 +11,7 @@ from collections.abc import Callable, Hashable
 from types import FrameType
 from typing import Any
 
-from ..frames import format_error, node_frame
+from ..clocks.frames import format_error, node_frame
 from ..messages.genpy import Duration
 from .names import valid_name
 from .rosgraph import SEP

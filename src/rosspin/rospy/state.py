@@ -7,7 +7,7 @@ import threading
 from collections.abc import Callable
 from typing import Any
 
-from ..world import World, current_world
+from ..world.world import World, current_world
 from . import rosgraph
 from .exceptions import ROSInitException
 

@@ -5,10 +5,10 @@ from __future__ import annotations
 from collections.abc import Mapping
 from typing import Any
 
-from .. import tester
 from ..clocks.clock import nanoseconds
 from ..messages.ros1 import TIMES, Message, SerializationError
-from ..world import World
+from ..world import tester
+from ..world.world import World
 from . import client, rosgraph
 from .exceptions import ROSSerializationException
 from .msg import AnyMsg, args_kwds_to_message, serialize_message

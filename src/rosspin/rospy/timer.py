@@ -9,7 +9,7 @@ from collections.abc import Callable
 from typing import Any
 
 from ..clocks.clock import nanoseconds
-from ..frames import node_frame
+from ..clocks.frames import node_frame
 from ..messages import genpy
 from .exceptions import ROSInterruptException, ROSTimeMovedBackwardsException
 from .rostime import Duration, Time

@@ -13,9 +13,9 @@ from collections import deque
 from collections.abc import Callable
 from typing import Any, TypeVar
 
-from ..frames import format_error
+from ..clocks.frames import format_error
 from ..messages.ros1 import Message, SerializationError
-from ..world import NotSimulated, World, not_simulated
+from ..world.world import NotSimulated, World, not_simulated
 from . import names, rosgraph
 from .core import logerr, logwarn
 from .exceptions import ROSException, ROSSerializationException

@@ -20,11 +20,11 @@ from sphinx.application import Sphinx
 from sphinx.util.typing import ExtensionMetadata
 
 from ..clocks.simulation import Simulation
-from ..pictures import page
 from ..plots import picture
-from ..process import capture, load_source
-from ..run import TimeStandsStill, run_node, split_words
-from ..world import NotSimulated
+from ..plots.pictures import page
+from ..run.process import capture, load_source
+from ..run.simulate import TimeStandsStill, run_node, split_words
+from ..world.world import NotSimulated
 
 __all__ = ["plot", "setup"]
 

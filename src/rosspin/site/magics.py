@@ -17,10 +17,10 @@ from IPython.core.magic import cell_magic, magics_class
 
 from ..clocks.simulation import Simulation
 from ..exercises import EXERCISES, Feedback, check
-from ..process import load_source
-from ..run import run_captured, split_words
-from ..ticks import Run
-from ..wall import measured
+from ..results.ticks import Run
+from ..run.process import load_source
+from ..run.simulate import run_captured, split_words
+from ..run.wall import measured
 from .claims import MIME, Facts
 
 __all__ = ["Magics"]

@@ -13,9 +13,9 @@ from collections.abc import Iterable, Iterator
 from contextlib import chdir
 from pathlib import Path
 
-from ..pictures import alternative, save
 from ..plots import picture
-from ..run import simulate
+from ..plots.pictures import alternative, save
+from ..run.simulate import simulate
 from .claims import Edit, Stale, one_line
 
 __all__ = ["differences", "stale_copies", "stale_picture", "write"]

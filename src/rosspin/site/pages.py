@@ -24,15 +24,16 @@ from sphinx.environment import BuildEnvironment
 from sphinx.util.docutils import SphinxDirective, SphinxRole
 from sphinx.util.typing import ExtensionMetadata
 
-from .. import machine, rclpy, rospy
+from .. import rclpy, rospy
 from ..clocks.simulation import Simulation
 from ..measures import topic_ticks
-from ..pictures import page
 from ..plots import picture, with_handle
-from ..process import load, load_source
-from ..roscpp import timer_probe
-from ..run import run_captured
-from ..ticks import Tick
+from ..plots.pictures import page
+from ..results import machine
+from ..results.roscpp import timer_probe
+from ..results.ticks import Tick
+from ..run.process import load, load_source
+from ..run.simulate import run_captured
 from .checks import note
 from .claims import Facts, one_line
 from .outputs import differences

@@ -18,7 +18,7 @@ import pytest
 from playwright.sync_api import Browser, expect
 from tree import ROOT
 
-from rosspin.ros1 import _free_port
+from rosspin.real.ros1 import _free_port
 
 TOKEN = "a-token-for-this-test"
 PATIENCE = 120  # seconds until a server that does not answer is given up

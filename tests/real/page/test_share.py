@@ -22,7 +22,7 @@ from playwright.sync_api import BrowserContext, Page, Route, expect
 from tree import EXAMPLES
 
 from rosspin import simulate
-from rosspin.pinned import as_test
+from rosspin.results.pinned import as_test
 
 
 def _copied(page: Page) -> str:

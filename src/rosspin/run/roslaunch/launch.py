@@ -13,10 +13,10 @@ from datetime import date
 from pathlib import Path
 from typing import Any
 
+from ...messages.library import Library
+from ...rospy.rosgraph import PRIV_NAME, canonicalize_name, load_mappings, make_global_ns, ns_join
+from ..process import NodeLike
 from .expressions import Unbounded, evaluate
-from .messages.library import Library
-from .process import NodeLike
-from .rospy.rosgraph import PRIV_NAME, canonicalize_name, load_mappings, make_global_ns, ns_join
 
 __all__ = ["Launch", "Node", "read_launch"]
 

@@ -19,9 +19,9 @@ from functools import cache
 from pathlib import Path
 from typing import TextIO
 
+from ..results.ticks import Run, Tick
+from ..run.process import around_package
 from .children import SITECUSTOMIZE, START_PATIENCE, Children, Patience, check_seconds, say_deaths
-from .process import around_package
-from .ticks import Run, Tick
 
 __all__ = ["Nodes", "REMEDY", "Nodes", "Ros2Missing", "launch", "missing", "python", "unavailable", "version"]
 
@@ -30,7 +30,7 @@ REMEDY = "make ros2"
 NS = 10**9
 
 # Where `make ros2` puts it: an environment of its own, as its packages start every Python beside them anew.
-_MADE = Path(__file__).parents[2] / "build" / "ros2" / "bin" / "python"
+_MADE = Path(__file__).parents[3] / "build" / "ros2" / "bin" / "python"
 
 # The Python that a ROS 2 of the system's is made for.
 _SYSTEM = "/usr/bin:/bin"

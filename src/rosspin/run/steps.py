@@ -9,16 +9,16 @@ from pathlib import Path
 from types import NoneType, TracebackType
 from typing import Any
 
-from .clocks.clock import NS
-from .clocks.programs import SimulatedProgram
-from .clocks.simulation import Simulation
-from .clocks.stacks import acting_for
-from .frames import node_frames
+from ..clocks.clock import NS
+from ..clocks.frames import node_frames
+from ..clocks.programs import SimulatedProgram
+from ..clocks.simulation import Simulation
+from ..clocks.stacks import acting_for
+from ..results.ticks import Message, Run
+from ..rospy import tester as rospy_tester
+from ..world.world import World
 from .process import Capture, NodeLike, Process, load, refuse_text
-from .rospy import tester as rospy_tester
-from .run import PATIENCE, duration, explained, messages_of, new_world, run_main, stand_in, ticks_of, warn_of_files
-from .ticks import Message, Run
-from .world import World
+from .simulate import PATIENCE, duration, explained, messages_of, new_world, run_main, stand_in, ticks_of, warn_of_files
 
 __all__ = ["NodeFailed", "StartedNode", "start"]
 
@@ -228,7 +228,7 @@ class StartedNode:
 def _tester(ros: int) -> Any:
     """The module with the test's node in a ROS."""
     if ros == 2:
-        from .rclpy import tester  # loaded, as all of rclpy, only for nodes that need it
+        from ..rclpy import tester  # loaded, as all of rclpy, only for nodes that need it
 
         return tester
     return rospy_tester

@@ -9,7 +9,7 @@ import threading
 from collections.abc import Callable
 from typing import Any, Generic, Protocol, TypeVar
 
-from .clocks.clock import Clock
+from ..clocks.clock import Clock
 
 __all__ = ["End", "Graph", "Published", "Tester", "TickLog"]
 

@@ -13,16 +13,16 @@ from collections import deque
 from collections.abc import Callable, Mapping, Sequence
 from types import ModuleType
 
-from .clocks.clock import NS, nanoseconds
-from .clocks.programs import Died, begin_beside, press_ctrl_c, send, where_it_waits
-from .clocks.simulation import Simulation
-from .clocks.threads import unlist_threads
-from .frames import Whereabouts
-from .graph import Graph
+from ...clocks.clock import NS, nanoseconds
+from ...clocks.frames import Whereabouts
+from ...clocks.programs import Died, begin_beside, press_ctrl_c, send, where_it_waits
+from ...clocks.simulation import Simulation
+from ...clocks.threads import unlist_threads
+from ...world.graph import Graph
+from ...world.world import World
+from ..process import Node as Code
+from ..processes import Processes
 from .launch import Node
-from .process import Node as Code
-from .processes import Processes
-from .world import World
 
 __all__ = ["Member", "Monitor"]
 

@@ -19,11 +19,12 @@ from contextlib import contextmanager, suppress
 from functools import partial
 from typing import Any, TextIO
 
-from . import run
-from .clocks.clock import NS, WallClock
-from .descendants import adopt_orphans, kill_descendants
-from .frames import node_frames
-from .messages import pickles
+from ..clocks.clock import NS, WallClock
+from ..clocks.descendants import adopt_orphans, kill_descendants
+from ..clocks.frames import node_frames
+from ..messages import pickles
+from ..results.ticks import Run, Tick
+from . import simulate
 from .process import (
     Capture,
     Node,
@@ -36,8 +37,7 @@ from .process import (
     refuse_a_run_within_a_run,
     refuse_text,
 )
-from .run import Result, duration, messages_of, run_captured, run_node
-from .ticks import Run, Tick
+from .simulate import Result, duration, messages_of, run_captured, run_node
 
 __all__ = ["measure", "measured"]
 
@@ -75,10 +75,10 @@ def measured(node: Node, seconds: float, args: Sequence[str], *streams: TextIO) 
     refuse_a_run_within_a_run()
     duration(seconds)
     console = Capture(*streams)
-    job = pickle.dumps((node.source, node.filename, seconds, list(args), run.PATIENCE))
+    job = pickle.dumps((node.source, node.filename, seconds, list(args), simulate.PATIENCE))
     read, write = os.pipe()
     # The node's process is a fresh one: a fork of this one would have the locks that its other threads hold.
-    code = f"import sys; sys.path[:] = {sys.path!r}; from rosspin.wall import run_apart; run_apart({write})"
+    code = f"import sys; sys.path[:] = {sys.path!r}; from rosspin.run.wall import run_apart; run_apart({write})"
     child = subprocess.Popen(
         [sys.executable, "-c", code], stdin=subprocess.PIPE, pass_fds=[write], start_new_session=True
     )
@@ -127,7 +127,7 @@ class _Apart:
                 received = self._take(received + data)
             elif self._child.poll() is not None:
                 return  # what holds the pipe is a child of the node's
-            elif self._ended and time.monotonic() > self._ended + run.PATIENCE:
+            elif self._ended and time.monotonic() > self._ended + simulate.PATIENCE:
                 return
 
     def _take(self, received: bytes) -> bytes:
@@ -202,7 +202,7 @@ def run_apart(pipe: int) -> None:
     os.set_inheritable(pipe, False)
     adopt_orphans()
     signal.signal(signal.SIGINT, signal.SIG_IGN)  # before the run and after it
-    source, filename, seconds, args, run.PATIENCE = pickle.load(sys.stdin.buffer)
+    source, filename, seconds, args, simulate.PATIENCE = pickle.load(sys.stdin.buffer)
     caller, empty = os.dup(0), os.open(os.devnull, os.O_RDONLY)
     os.dup2(empty, 0)
     with warnings.catch_warnings(action="ignore"):  # the caller has seen them

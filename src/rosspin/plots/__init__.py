@@ -3,7 +3,7 @@
 ``ax`` is where to draw; without it, a new figure of pyplot's. ``caption`` says where the data come from: a page has it
 below the plot; of a simulated :class:`~rosspin.Run` it is "simulated". The label of the Axes says what is drawn, as
 the text alternative of the picture: ``ax.set_label(words)`` replaces it. The style is one of matplotlib's, by the name
-of ``rosspin.rosspin``.
+of ``rosspin.plots.rosspin``.
 
 Of a row of more than 600 ticks, those are drawn that stand out, and the axis says how many. Raises ValueError if there
 are no ticks, if a time is not finite, or for a period that is not above 0; ImportError without matplotlib, which
@@ -19,8 +19,7 @@ from collections.abc import Collection, Iterable, Iterator, Mapping, Sequence
 from dataclasses import dataclass
 from typing import TYPE_CHECKING, Any, NamedTuple
 
-from . import pictures
-from .measures import (
+from ..measures import (
     by_source,
     describe_lateness,
     describe_pace,
@@ -30,7 +29,8 @@ from .measures import (
     periods,
     verdict,
 )
-from .ticks import Run, Tick
+from ..results.ticks import Run, Tick
+from . import pictures
 
 if TYPE_CHECKING:
     from matplotlib.axes import Axes

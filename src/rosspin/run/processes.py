@@ -13,9 +13,9 @@ from operator import attrgetter
 from types import ModuleType
 from typing import Any
 
-from .clocks.patches import Patch, patched
-from .clocks.stacks import Program, telling_turns
-from .messages import MessageFinder
+from ..clocks.patches import Patch, patched
+from ..clocks.stacks import Program, telling_turns
+from ..messages import MessageFinder
 from .process import Node, folder_of, kept_in_order
 
 __all__ = ["Processes"]

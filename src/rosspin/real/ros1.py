@@ -18,9 +18,9 @@ from collections.abc import Mapping, Sequence
 from pathlib import Path
 from typing import TextIO
 
+from ..results.console import read_ticks
+from ..results.ticks import Run
 from .children import SITECUSTOMIZE, START_PATIENCE, Children, Output, check_seconds, say_deaths, shell_status
-from .console import read_ticks
-from .ticks import Run
 
 __all__ = ["APT", "BuildFailed", "Ros1Missing", "Workspace", "launch", "missing"]
 

@@ -9,9 +9,9 @@ from collections.abc import Callable
 from contextlib import AbstractContextManager
 from typing import Any, TypeVar
 
-from .clocks.clock import Clock
-from .clocks.stacks import Program, acting_for, whose
-from .frames import Whereabouts
+from ..clocks.clock import Clock
+from ..clocks.frames import Whereabouts
+from ..clocks.stacks import Program, acting_for, whose
 from .graph import Graph
 
 __all__ = ["NotSimulated", "World", "current_world", "not_simulated"]

@@ -14,20 +14,21 @@ from functools import partial
 from types import ModuleType
 from typing import NamedTuple, TextIO
 
-from . import launch, rospy
-from .clocks.clock import NS, Clock, nanoseconds
-from .clocks.ending import Ended
-from .clocks.programs import Died, Killed, LastResort, SimulatedProgram, run_on_the_wall, run_simulated
-from .clocks.simulation import Simulation, Standstill
-from .clocks.stacks import Program, StackExit
-from .clocks.threads import begin_main, end_main
-from .clocks.watchdog import Stuck
-from .frames import Place, Whereabouts, is_installed, node_frames
-from .graph import Graph
-from .monitor import Member, Monitor
+from .. import rospy
+from ..clocks.clock import NS, Clock, nanoseconds
+from ..clocks.ending import Ended
+from ..clocks.frames import Place, Whereabouts, is_installed, node_frames
+from ..clocks.programs import Died, Killed, LastResort, SimulatedProgram, run_on_the_wall, run_simulated
+from ..clocks.simulation import Simulation, Standstill
+from ..clocks.stacks import Program, StackExit
+from ..clocks.threads import begin_main, end_main
+from ..clocks.watchdog import Stuck
+from ..results.ticks import Message, Run, Tick
+from ..world.graph import Graph
+from ..world.world import NotSimulated, World, not_simulated
 from .process import Node, NodeLike, Process, capture, in_the_way, load, print_error, refuse_text, run_at_exit
-from .ticks import Message, Run, Tick
-from .world import NotSimulated, World, not_simulated
+from .roslaunch import launch
+from .roslaunch.monitor import Member, Monitor
 
 __all__ = [
     *("PATIENCE", "Result", "Results", "TimeStandsStill", "duration", "explained", "messages_of", "new_world"),
@@ -199,7 +200,7 @@ def _run_beside_others(node: Node, world: World) -> None:
 def stand_in(ros: int) -> ModuleType:
     """The stand-in for ROS 1 or 2."""
     if ros == 2:
-        from . import rclpy  # it is large, and loaded only for nodes that need it
+        from .. import rclpy  # it is large, and loaded only for nodes that need it
 
         return rclpy
     return rospy

@@ -24,15 +24,15 @@ try:
 except ImportError:  # a web page has no processes
     _posixsubprocess = None  # type: ignore[assignment]
 
-from .clocks.ending import Ended
-from .clocks.patches import Patch, patched
-from .clocks.programs import end_program, end_run
-from .clocks.simulation import Simulation
-from .clocks.stacks import StackExit, whose
-from .frames import format_error, is_installed
+from ..clocks.ending import Ended
+from ..clocks.frames import format_error, is_installed
+from ..clocks.patches import Patch, patched
+from ..clocks.programs import end_program, end_run
+from ..clocks.simulation import Simulation
+from ..clocks.stacks import StackExit, whose
+from ..messages import MessageFinder
+from ..world.world import NotSimulated, World, not_simulated
 from .kept import state_of_node, state_of_process, working_folder
-from .messages import MessageFinder
-from .world import NotSimulated, World, not_simulated
 
 __all__ = [
     *(

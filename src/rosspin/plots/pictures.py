@@ -67,7 +67,7 @@ def drawing(ax: Axes | None, alt: str, caption: str, height: float = 220) -> Ite
 
         # Not within the style: the first figure chooses the backend, which the style would forget again.
         figure = pyplot.figure(figsize=(_WIDTHS["rosspin-wide"] / 72, height / 72))
-    with matplotlib.style.context("rosspin.rosspin"):
+    with matplotlib.style.context("rosspin.plots.rosspin"):
         if ax is None:
             figure.set_layout_engine("constrained")
             ax = figure.add_subplot()
@@ -84,7 +84,7 @@ def new_axes(height: float) -> Axes:
     import matplotlib.style
     from matplotlib.figure import Figure
 
-    with matplotlib.style.context("rosspin.rosspin"):
+    with matplotlib.style.context("rosspin.plots.rosspin"):
         return Figure((_WIDTHS["rosspin-wide"] / 72, height / 72)).add_subplot()
 
 

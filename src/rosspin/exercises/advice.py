@@ -4,8 +4,8 @@ from __future__ import annotations
 
 from types import FrameType
 
-from .frames import node_frames
-from .rospy.exceptions import ROSInitException
+from ..clocks.frames import node_frames
+from ..rospy.exceptions import ROSInitException
 
 __all__ = ["advice"]
 
@@ -41,7 +41,7 @@ def _on_rospy(error: BaseException, module: str) -> str:
 
 
 def _on_rclpy(error: BaseException, module: str, frame: FrameType) -> str:
-    from .rclpy.exceptions import (  # where an error comes from rclpy, it is there
+    from ..rclpy.exceptions import (  # where an error comes from rclpy, it is there
         InvalidParameterTypeException,
         NotInitializedException,
         ParameterNotDeclaredException,

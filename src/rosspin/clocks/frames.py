@@ -17,7 +17,9 @@ __all__ = [
     *("node_place", "places", "trail", "trail_of", "warn"),
 ]
 
-_PACKAGE = __name__.rpartition(".")[0]
+# What is here: frames of it are none of the node's.
+_PACKAGE = __name__.partition(".")[0]
+_FOLDER = os.path.dirname(os.path.dirname(__file__)) + os.sep
 
 # The function with which a stack begins in a web page (clocks/jspi.py).
 _BASE = "_run_stack"
@@ -140,7 +142,7 @@ def places(trail: Trail) -> list[Place]:
 
 def node_place(places: Iterable[Place]) -> Place | None:
     """The first place that is neither in this package nor in the standard library."""
-    not_the_nodes = (os.path.dirname(__file__) + os.sep, _LIBRARY, "<frozen")
+    not_the_nodes = (_FOLDER, _LIBRARY, "<frozen")
     return next((place for place in places if not place.filename.startswith(not_the_nodes)), None)
 
 

@@ -1,0 +1,1 @@
+"""The real ROS, where it is installed."""

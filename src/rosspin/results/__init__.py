@@ -1,0 +1,1 @@
+"""What runs give, and what is made of it."""

@@ -1,0 +1,1 @@
+"""Runs: processes on one clock."""

@@ -1,0 +1,1 @@
+"""A node's world, whichever ROS it is for."""
