@@ -105,7 +105,7 @@ def write(tmp_path: Path) -> Any:
 @pytest.fixture
 def impatient(monkeypatch: pytest.MonkeyPatch) -> None:
     """A node that does not heed Ctrl-C is killed after a second, one that stands still is found soon."""
-    monkeypatch.setattr("rosspin.run.simulate.PATIENCE", 1)
+    monkeypatch.setattr("rosspin.run.host.PATIENCE", 1)
     monkeypatch.setattr("rosspin.clocks.watchdog._INTERVAL", 0.05)
 
 

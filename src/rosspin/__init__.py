@@ -13,8 +13,9 @@ from typing import TYPE_CHECKING, Any
 
 if TYPE_CHECKING:
     from .results.ticks import Message, Run, Tick
+    from .run.explain import TimeStandsStill
     from .run.roslaunch.launch import Node
-    from .run.simulate import TimeStandsStill, simulate
+    from .run.simulate import simulate
     from .run.steps import NodeFailed, StartedNode, start
     from .run.wall import measure
     from .world.world import NotSimulated
@@ -22,7 +23,8 @@ if TYPE_CHECKING:
 # Where the names come from that are imported when they are asked for: pytest loads this package in every run.
 _MODULES = {
     "run.roslaunch.launch": ("Node",),
-    "run.simulate": ("TimeStandsStill", "simulate"),
+    "run.explain": ("TimeStandsStill",),
+    "run.simulate": ("simulate",),
     "run.steps": ("NodeFailed", "StartedNode", "start"),
     "results.ticks": ("Message", "Run", "Tick"),
     "run.wall": ("measure",),

@@ -20,9 +20,13 @@ from .measures import by_source, describe_periods, describe_timeline
 from .plots import picture, pictures
 from .real import ros1, ros2
 from .results.ticks import Run, Tick
-from .run.process import leave, load, refuse_launch_of_ros2, refuse_other_ros
+from .run.explain import say_error
+from .run.host import Result
+from .run.process import leave
 from .run.roslaunch.launch import read_launch
-from .run.simulate import Result, Results, run_node, run_nodes, say_error, split_words, warn_of_files
+from .run.simulate import run_node, run_nodes
+from .run.source import load, refuse_launch_of_ros2, refuse_other_ros, split_words, warn_of_files
+from .world.graph import TickLog
 
 __all__ = ["main"]
 
@@ -104,12 +108,12 @@ def _run(options: argparse.Namespace, args: Sequence[str]) -> int:
         sys.stdout.flush()
         failed = _plot(result.ticks, options.plot)
         status = status or failed
-    if isinstance(result, Result):
+    if isinstance(result, Result) and result.host.processes:
         leave(status, result.world)
     return status
 
 
-def _result(options: argparse.Namespace, args: Sequence[str], record: bool) -> Result | Results | Run:
+def _result(options: argparse.Namespace, args: Sequence[str], record: bool) -> Result | Run:
     if options.ros1 or options.ros2:
         # Whatever asks this process to end asks the nodes to.
         for number in (signal.SIGTERM, signal.SIGHUP):
@@ -117,8 +121,9 @@ def _result(options: argparse.Namespace, args: Sequence[str], record: bool) -> R
         _warn_of_files(options.file, args)
         real = ros1.launch if options.ros1 else ros2.launch
         return real(options.file, options.seconds, args, sys.stdout)
+    ticks = TickLog() if record else None
     if options.file.endswith(".launch"):
-        return run_nodes(read_launch(options.file, args, options.skip_cpp), options.seconds, Simulation(), record)
+        return run_nodes(read_launch(options.file, args, options.skip_cpp), options.seconds, Simulation(), ticks)
     clock: Clock = Simulation() if options.simulated else WallClock()
     if options.alone:
         adopt_orphans()
@@ -133,7 +138,7 @@ def _result(options: argparse.Namespace, args: Sequence[str], record: bool) -> R
         end_others()
 
     try:
-        return run_node(load(options.file), options.seconds, args, clock, record, give_up)
+        return run_node(load(options.file), options.seconds, args, clock, ticks, give_up)
     finally:
         end_others()
 

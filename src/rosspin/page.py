@@ -41,10 +41,13 @@ from .exercises.advice import advice
 from .exercises.reach import reaches_for
 from .measures import by_source, describe_timeline
 from .results.pinned import as_test
-from .run.process import load_source, starter
-from .run.simulate import TimeStandsStill, run_node, say_error, split_words, stand_in
+from .run.explain import TimeStandsStill, say_error
+from .run.process import starter
+from .run.roses import ROSES
+from .run.simulate import run_node
+from .run.source import load_source, split_words
 from .world.graph import TickLog
-from .world.world import NotSimulated, World, current_world
+from .world.world import NotSimulated, World
 
 __all__ = ["judge", "run", "trace", "wake"]
 
@@ -150,7 +153,7 @@ def run(source: str, filename: str, seconds: float, args: str, speed: float, pag
             if isinstance(error, SyntaxError):
                 print("Python could not read this line, so nothing ran.", file=sys.stderr)
             if isinstance(error, NotSimulated):
-                ros = load_source(_node(source), filename).ros
+                ros = load_source(_node(source), filename).hint or 1
                 with_ros, option = ("", "") if error.where == _ON_A_COMPUTER else (f" with ROS {ros}", f" --ros{ros}")
                 print(f"On a computer{with_ros}, run: python -m rosspin run{option} FILE", file=sys.stderr)
             return dumps({"status": 1})
@@ -238,19 +241,14 @@ def _run(
 ) -> dict[str, Any]:
     pacer = _Pacer(page, speed)
     node = load_source(_node(source), filename)
-
-    def main() -> None:
-        current_world().graph.ticks = printed
-        node.main()
-
-    modules = stand_in(node.ros).MODULES
-    with patched([(modules["rospy" if node.ros == 1 else "rclpy.timer"].Rate, "__init__", printed.forget_before)]):
-        result = run_node(node._replace(main=main), seconds, args, pacer.simulation)
+    rates = [ROSES[1].stand_in.Rate, ROSES[2].stand_in.timer.Rate]
+    with patched((rate, "__init__", printed.forget_before) for rate in rates):
+        result = run_node(node, seconds, args, pacer.simulation, printed)
     hints = [_hint(error) for error in result.world.errors]
     ended_early = result.status == 0 and pacer.simulation.now() < seconds * NS
     if ended_early and not result.ticks and result.world.has_sources:
-        hints.append(_NOBODY_SPINS[node.ros])
-    if node.ros == 2 and "--ros-args" not in args and any(_FOR_ROS.match(word) for word in args):
+        hints.append(_NOBODY_SPINS[result.world.ros])
+    if result.world.ros == 2 and "--ros-args" not in args and any(_FOR_ROS.match(word) for word in args):
         hints.append("In ROS 2, what is for ROS follows --ros-args, as in: --ros-args -p frequency:=5.0")
     for hint in dict.fromkeys(filter(None, hints)):
         print(hint, file=sys.stderr)
@@ -338,7 +336,7 @@ class _Pacer:
             run_sync(self._page.wait(ahead))
 
     def _show_ticks(self) -> None:
-        ticks = cast(World, self.simulation.main.program).graph.ticks
+        ticks = cast(World, self.simulation.main.program).recording.log
         assert ticks is not None
         for source, number, expected, real, _ in zip(*ticks.columns(self._shown)):
             self._page.tick(source, number, expected / NS, real / NS)
@@ -383,7 +381,7 @@ def _hint(error: BaseException) -> str:
 
 
 def _is_of_a_rate_that_nobody_wakes(error: KeyboardInterrupt) -> bool:
-    sleep = stand_in(2).MODULES["rclpy.timer"].Rate.sleep
+    sleep = ROSES[2].stand_in.timer.Rate.sleep
     for frame, _ in walk_tb(error.__traceback__):
         if frame.f_code is sleep.__code__:
             timer = frame.f_locals["self"]._timer

@@ -10,7 +10,7 @@ from typing import TYPE_CHECKING, Any
 import pytest
 
 if TYPE_CHECKING:
-    from .run.process import NodeLike
+    from .run.source import NodeLike
     from .run.steps import StartedNode
 
 __all__ = ["start_node"]

@@ -19,7 +19,7 @@ import pytest
 
 import rosspin
 from rosspin import NotSimulated, rospy, simulate
-from rosspin.run.simulate import say_error
+from rosspin.run.explain import say_error
 
 # Only so that a test that hangs ends at all.
 NEVER = 60

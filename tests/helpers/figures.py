@@ -17,8 +17,8 @@ from tree import ROOT
 from rosspin import Tick, rclpy, simulate
 from rosspin.clocks.simulation import Simulation
 from rosspin.results.roscpp import timer_probe
-from rosspin.run.process import load_source
 from rosspin.run.simulate import run_captured
+from rosspin.run.source import load_source
 
 SPINNER = ROOT / "examples/my_robotics_pkg/src/spinner_py_node.py"
 

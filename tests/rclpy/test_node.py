@@ -70,8 +70,9 @@ def test_messages_are_those_of_its_ros(write: Any) -> None:
 
 
 def test_a_node_is_not_for_both(write: Any) -> None:
-    with pytest.raises(ValueError, match="imports rospy .* or rclpy .* but not both"):
-        simulate(write("import rospy, rclpy\n"), 1)
+    run = simulate(write("import rospy, rclpy\n"), 1)
+    said = "ImportError: this process has imported ROS 1: a process is one of ROS 1 (rospy) or of ROS 2 (rclpy)\n"
+    assert run.status == 1 and run.console.endswith(said)
 
 
 @pytest.mark.parametrize(

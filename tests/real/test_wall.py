@@ -391,7 +391,7 @@ def test_a_node_ends_with_its_caller(write: Any, life: Life) -> None:
 
 
 def run_on_the_command_line(node: Path, seconds: float = 0.5) -> subprocess.CompletedProcess[str]:
-    code = f"import sys, rosspin.run.simulate as r, rosspin.__main__ as m; r.PATIENCE = {PATIENCE}; sys.exit(m.main())"
+    code = f"import sys, rosspin.run.host as r, rosspin.__main__ as m; r.PATIENCE = {PATIENCE}; sys.exit(m.main())"
     command = [sys.executable, "-c", code, "run", str(node), "--seconds", str(seconds)]
     return subprocess.run(command, capture_output=True, text=True, timeout=NEVER)
 
@@ -440,7 +440,7 @@ def test_a_cell_of_a_notebook(tmp_path: Path) -> None:
         return "".join(shown)
 
     try:
-        show(f"%load_ext rosspin\nimport rosspin.run.simulate\nrosspin.run.simulate.PATIENCE = {PATIENCE}")
+        show(f"%load_ext rosspin\nimport rosspin.run.host\nrosspin.run.host.PATIENCE = {PATIENCE}")
         with control(bears=0.1):
             shown = show(f"%%measure 1\n{first.hold}{HOLDS_ALL}")
             assert "did not end the node" in shown and "rosspin: MainThread was at <cell " in shown

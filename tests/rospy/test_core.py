@@ -14,8 +14,8 @@ import pytest
 
 from rosspin import NotSimulated, rospy, simulate
 from rosspin.clocks.simulation import Simulation
-from rosspin.run.process import load
 from rosspin.run.simulate import run_node
+from rosspin.run.source import load
 
 LEVELS = ["debug", "info", "warn", "err", "fatal"]
 
@@ -77,7 +77,7 @@ def everything() -> None:
 
 
 def test_warnings_and_above_go_to_stderr(capsys: pytest.CaptureFixture[str]) -> None:
-    run_node(load(everything), 1, (), Simulation(), record=False)
+    run_node(load(everything), 1, (), Simulation())
     captured = capsys.readouterr()
     assert captured.out == "[INFO] [0.000000]: info\n"
     assert [line.split()[0] for line in captured.err.splitlines()] == ["[WARN]", "[ERROR]", "[FATAL]"]
@@ -92,7 +92,7 @@ def test_colours_on_a_terminal_only(monkeypatch: pytest.MonkeyPatch) -> None:
     out, err = Terminal(), Terminal()
     monkeypatch.setattr(sys, "stdout", out)
     monkeypatch.setattr(sys, "stderr", err)
-    run_node(load(everything), 1, (), Simulation(), record=False)
+    run_node(load(everything), 1, (), Simulation())
     assert out.getvalue() == "[INFO] [0.000000]: info\n"
     assert err.getvalue() == (
         "\033[33m[WARN] [0.000000]: warn\n\033[0m"

@@ -9,8 +9,9 @@ import pytest
 
 from rosspin.clocks.simulation import Simulation
 from rosspin.exercises.advice import advice
-from rosspin.run.process import capture, load
 from rosspin.run.simulate import run_node
+from rosspin.run.source import load
+from rosspin.run.streams import capture
 
 # A node's class around some lines of its __init__, with callbacks to choose from.
 NODE = """

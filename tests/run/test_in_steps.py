@@ -73,7 +73,7 @@ def in_steps(path: Path, seconds: float, args: tuple[str, ...], name: str) -> No
     assert contents(node.run) == contents(whole)
     assert node.run.seconds == pytest.approx(seconds)
     if not (ROS_2 in path.parents and whole.status == 128 + signal.SIGINT):
-        assert bool(raised) == bool(whole.status or node._world.errors)
+        assert bool(raised) == bool(whole.status or node._host.processes[0].world.errors)
 
 
 @pytest.mark.parametrize(

@@ -14,8 +14,8 @@ from tree import ROOT
 
 from rosspin import measure, simulate
 from rosspin.__main__ import main
+from rosspin.run.explain import say_error
 from rosspin.run.roslaunch.launch import read_launch
-from rosspin.run.simulate import say_error
 
 SPINNERS = ROOT / "examples/my_robotics_pkg/launch/spinner_param.launch"
 

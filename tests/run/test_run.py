@@ -24,8 +24,9 @@ from tree import ROOT
 import rosspin
 from rosspin import NotSimulated, Tick, TimeStandsStill, measure, rospy, simulate, start
 from rosspin.clocks.simulation import Simulation
-from rosspin.run.process import load, load_source
-from rosspin.run.simulate import run_node, say_error
+from rosspin.run.explain import say_error
+from rosspin.run.simulate import run_node
+from rosspin.run.source import load, load_source
 
 EXAMPLES = ROOT / "examples" / "my_robotics_pkg" / "src"
 TIMER_NODE, RATE_NODE = EXAMPLES / "spinner_py_node.py", EXAMPLES / "spinner_rate_py_node.py"
@@ -400,7 +401,7 @@ def test_after_an_error_the_next_run_is_as_ever() -> None:
 
 
 def test_ticks_are_recorded_only_if_asked_for() -> None:
-    assert run_node(load(lambda: None), 1, (), Simulation(), record=False).ticks == ()
+    assert run_node(load(lambda: None), 1, (), Simulation()).ticks == ()
 
 
 def test_randomness_is_the_node_s_own_affair() -> None:
@@ -526,10 +527,18 @@ def test_a_run_can_begin_in_a_folder_that_was_removed(tmp_path: Path, monkeypatc
 
 
 def test_a_null_byte_is_shown_in_its_file_and_line(write: Any) -> None:
-    write("x = 1\n\n\0", "neighbour.py")
+    path = write("x = 1\n\n\0")
     with pytest.raises(SyntaxError) as caught:
-        simulate(write("import neighbour\n"), 1)
-    assert say_error(caught.value).startswith(f'File "{write("", "node.py").parent}/neighbour.py", line 3\n')
+        simulate(path, 1)
+    assert say_error(caught.value).startswith(f'File "{path}", line 3\n')
+
+
+def test_a_neighbour_of_another_python_is_none_of_our_business_until_it_is_imported(write: Any) -> None:
+    write("print 1\n", "legacy.py")
+    path = write("import types, rospy\nprint(types.SimpleNamespace(legacy=rospy.Duration(1).to_sec()).legacy)\n")
+    assert simulate(path, 1).console == "1.0\n"
+    run = simulate(write("import legacy\n"), 1)
+    assert run.status == 1 and 'legacy.py", line 1\n' in run.console
 
 
 def test_a_signal_cannot_be_blocked_in_simulated_time() -> None:

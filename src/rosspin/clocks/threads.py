@@ -27,7 +27,7 @@ from .frames import called_from, format_error
 from .patches import Patch, either, patched
 from .stacks import Program, Stack, StackExit, current, enter, whose
 
-__all__ = ["begin_main", "end_main", "followed_threads", "simulated_threads", "unlist_threads"]
+__all__ = ["begin_main", "end_main", "followed_threads", "list_threads", "simulated_threads", "unlist_threads"]
 
 _real_lock = _thread.allocate_lock
 _real_rlock = _thread.RLock
@@ -326,14 +326,19 @@ def _listed(program: Program) -> Iterator[None]:
 
     Outside of it they are not: at its exit Python waits for those on the lists.
     """
-    active: Any = threading._active  # type: ignore[attr-defined]
-    working: Any = pools._threads_queues
-    active.update(program.active)
-    working.update(program.working)
+    list_threads(program)
     try:
         yield
     finally:
         unlist_threads(program)
+
+
+def list_threads(program: Program) -> None:
+    """Put a simulated program's threads on the lists that all threads of the process share."""
+    active: Any = threading._active  # type: ignore[attr-defined]
+    working: Any = pools._threads_queues
+    active.update(program.active)
+    working.update(program.working)
 
 
 def unlist_threads(program: Program) -> None:

@@ -22,8 +22,12 @@ from ..clocks.clock import NS, nanoseconds
 from ..clocks.programs import send
 from ..clocks.simulation import Simulation
 from ..results.ticks import Message, Tick
-from ..run.process import Node, capture, execute, load_source
-from ..run.simulate import Result, TimeStandsStill, messages_of, run_node, ticks_of, waits_for_a_rate, where_it_was_kept
+from ..run.explain import TimeStandsStill, waits_for_a_rate, where_it_was_kept
+from ..run.host import Result
+from ..run.simulate import run_node
+from ..run.source import Node, execute, load_source
+from ..run.streams import capture
+from ..world.graph import TickLog
 from ..world.world import NotSimulated, World
 from . import in_rospy
 from .judging import not_python, plain, started
@@ -158,7 +162,7 @@ class _Watched(Simulation):
     def _note_timers(self) -> None:
         world = self.main.program
         assert isinstance(world, World)
-        ticks = ticks_of(world.graph, 0)
+        ticks = world.recording.ticks()
         printers = [timer for _, timer in self._timers.values()]
         for timer, source, has_ended, was_asked in self._ros.timers(world, printers):
             calls = [tick for tick in ticks if tick.source == source]
@@ -234,7 +238,7 @@ class Runner:
         listener: Any = _Listener(clock)
         try:
             with capture(listener, listener) as console, _plain_environment(), turns(request.seed):
-                result = run_node(node._replace(main=main), request.seconds, request.args, clock)
+                result = run_node(node._replace(main=main), request.seconds, request.args, clock, TickLog())
         except (TimeStandsStill, NotSimulated, RuntimeError) as error:
             text = f"{started(request.args)} node cannot be run: `{plain(str(error))}`"
             raise _Failed(text, _hint_for(error)) from None
@@ -250,7 +254,7 @@ class Runner:
         kept_at = where_it_was_kept(node, world.waited)
         self.cut |= clock.cut
         errors, timers = self._fitting(map(self._error, world.errors)), self._fitting(clock.timers)
-        sent, printed = self._fitting(map(_sent, messages_of(world.graph, 0))), self._fitting(clock.printed)
+        sent, printed = self._fitting(map(_sent, result.messages())), self._fitting(clock.printed)
         return Seen(
             request.seconds,
             printed,
@@ -261,7 +265,7 @@ class Runner:
             errors,
             world.interrupted,
             kept_at and Kept(kept_at.line, plain(kept_at.call)),
-            waits_for_a_rate(node, world.waited),
+            waits_for_a_rate(node, world.ros, world.waited),
             tuple(variables),
         )
 
@@ -281,7 +285,7 @@ class Runner:
     @cached_property
     def _node(self) -> Node:
         try:
-            return load_source(self._text, _FILENAME)._replace(ros=self._ros_number)
+            return load_source(self._text, _FILENAME)._replace(hint=self._ros_number)
         except SyntaxError as error:
             raise _Failed(*not_python(error, self._text)) from None
 

@@ -207,6 +207,9 @@ MODULES: dict[str, ModuleType] = {
     "rclpy.wait_for_message": topics,
 }
 
+# What importing it registers with atexit.
+AT_EXIT: list[Any] = []
+
 # In tracebacks and texts, classes have the names that they have on a real ROS.
 _HOMES = {
     "ClockType": "rclpy.clock_type",

@@ -39,6 +39,8 @@ class Gate:
 class State:
     """The contexts of a process, its log levels, and what its signals do."""
 
+    ROS = 2
+
     def __init__(self, world: World) -> None:
         self.world = world
         self.clock = world.clock

@@ -79,7 +79,7 @@ class Timer:
         self.nudge: Callable[[], None] | None = None  # tells the executor that waits
         self._executor_event = False
         world = clock._state.world
-        self._ticks = world.graph.ticks if callback is not None else None
+        self._ticks = world.recording.log if callback is not None else None
         self._count = 0
         if self._ticks is not None:
             self._source = world.source(getattr(callback, "__name__", type(callback).__name__))
@@ -289,7 +289,7 @@ class Rate:
         self._expected, self._pass_start = self._due, self._timer.stamp(self._timer.clock.ns())
 
     def _record_pass(self) -> None:
-        ticks = self._world.graph.ticks
+        ticks = self._world.recording.log
         if ticks is not None:
             self._source = self._source or self._world.source("Rate")
             self._passes += 1

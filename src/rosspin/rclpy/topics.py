@@ -118,9 +118,9 @@ class Publisher(_Owner):
             raise RCLError("Failed to publish: publisher's context is invalid")
         message = transfer(msg, self.msg_type)
         self.kept.append(message)
-        graph = self.world.graph
-        if graph.published is not None:
-            graph.record(self.end.topic, self.node.get_fully_qualified_name(), lambda: message)
+        recording = self.world.recording
+        if recording.published is not None:
+            recording.add_message(self.end.topic, self.node.get_fully_qualified_name(), lambda: message)
         for subscription in list(self.peers):
             subscription.deliver(message, self.world.clock.now())
 

@@ -20,7 +20,7 @@ from pathlib import Path
 from typing import TextIO
 
 from ..results.ticks import Run, Tick
-from ..run.process import around_package
+from ..run.source import around_package
 from .children import SITECUSTOMIZE, START_PATIENCE, Children, Patience, check_seconds, say_deaths
 
 __all__ = ["Nodes", "REMEDY", "Nodes", "Ros2Missing", "launch", "missing", "python", "unavailable", "version"]

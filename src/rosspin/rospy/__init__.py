@@ -93,6 +93,9 @@ MODULES = {
     "rospy.topics": topics,
 }
 
+# What importing it registers with atexit: function, args, kwargs.
+AT_EXIT: list[Any] = [(core.signal_shutdown, ("atexit",), {})]
+
 
 def __getattr__(name: str) -> Any:
     if name == "Header":  # the class that this run's std_msgs.msg has

@@ -48,6 +48,8 @@ def param_path(name: str) -> list[str]:
 class State:
     """A node's name, parameters, log and time, and whether it is to shut down."""
 
+    ROS = 1
+
     def __init__(self, world: World) -> None:
         self.world = world
         self.clock = world.clock

@@ -95,7 +95,7 @@ class Rate:
             self._last = now
 
     def _record_pass(self, node: State) -> None:
-        ticks = node.world.graph.ticks
+        ticks = node.world.recording.log
         if ticks is not None:
             self._source = self._source or node.world.source("Rate")
             expected = self._start + self._passes * self._period
@@ -232,7 +232,7 @@ class Timer(threading.Thread):
         period = self._period.to_nsec()
         expected = node.now() + period
         world = node.world
-        ticks = world.graph.ticks
+        ticks = world.recording.log
         source = world.source(getattr(self._callback, "__name__", type(self._callback).__name__))
         if ticks is not None:
             self.source = source  # under which its ticks are recorded

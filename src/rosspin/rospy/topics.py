@@ -118,9 +118,9 @@ class Publication:
             if self.latches:
                 self._latched = message
             data = self._send(message, self.connections if only is None else [only])
-            graph = self.node.world.graph
-            if graph.published is not None:
-                graph.record(self.topic, self.node.name, _copy(message, data))
+            recording = self.node.world.recording
+            if recording.published is not None:
+                recording.add_message(self.topic, self.node.name, _copy(message, data))
 
     def _send(self, message: Message, connections: list[Connection]) -> bytes | None:
         """What was sent; None if nobody is there, and nothing was even looked at."""
@@ -377,6 +377,8 @@ Impl = TypeVar("Impl", Publication, Subscription)
 
 class Topics:
     """The topics of one node."""
+
+    ROS = 1
 
     def __init__(self, world: World) -> None:
         self.node = world.part(State)

@@ -15,13 +15,24 @@ import sys
 import threading
 import time
 from collections.abc import Callable, Iterable, Iterator
-from contextlib import suppress
+from contextlib import contextmanager, suppress
 from itertools import chain
 from operator import is_
 from types import ModuleType
 from typing import Any, NamedTuple
 
-__all__ = ["KEPT", "Kept", "state_of_node", "state_of_process", "working_folder"]
+from ..clocks.stacks import whose
+
+__all__ = [
+    "KEPT",
+    "Kept",
+    "one_at_a_time",
+    "refuse_a_run_within_a_run",
+    "state_of_names",
+    "state_of_node",
+    "state_of_process",
+    "working_folder",
+]
 
 Put = Callable[[], None]
 
@@ -37,6 +48,23 @@ _LIBRARY_WITH_CLASSES = ("concurrent.futures.thread", "logging", "queue", "rando
 
 _MISSING: Any = object()
 _END = [_MISSING]  # what comes after all values
+
+
+_lock = threading.RLock()
+
+
+@contextmanager
+def one_at_a_time() -> Iterator[None]:
+    """Within this context a run may change what the whole process shares. RuntimeError if a node asks."""
+    refuse_a_run_within_a_run()
+    with _lock:
+        yield
+
+
+def refuse_a_run_within_a_run() -> None:
+    """RuntimeError if a node asks."""
+    if whose() is not None:
+        raise RuntimeError("a node cannot start a run of its own")
 
 
 class Kept(NamedTuple):
@@ -463,6 +491,11 @@ def state_of_process() -> Undo:
         return put_names()
 
     return put
+
+
+def state_of_names() -> Undo:
+    """The same for names alone: of modules that were imported only after the state of the process was noted."""
+    return _names.state()
 
 
 def state_of_node() -> Put:

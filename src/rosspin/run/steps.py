@@ -4,21 +4,26 @@ from __future__ import annotations
 
 import signal
 from collections.abc import Callable, Iterator, Mapping, Sequence
-from contextlib import contextmanager
+from contextlib import contextmanager, suppress
 from pathlib import Path
 from types import NoneType, TracebackType
 from typing import Any
 
 from ..clocks.clock import NS
 from ..clocks.frames import node_frames
-from ..clocks.programs import SimulatedProgram
+from ..clocks.programs import end_run
 from ..clocks.simulation import Simulation
 from ..clocks.stacks import acting_for
 from ..results.ticks import Message, Run
-from ..rospy import tester as rospy_tester
+from ..world.graph import Graph, Recording, TickLog
 from ..world.world import World
-from .process import Capture, NodeLike, Process, load, refuse_text
-from .simulate import PATIENCE, duration, explained, messages_of, new_world, run_main, stand_in, ticks_of, warn_of_files
+from .host import Host, duration
+from .process import Process
+from .roses import ROSES
+from .roslaunch.launch import Node
+from .simulate import several, supervisor
+from .source import NodeLike, load, refuse_text, warn_of_files
+from .streams import Capture
 
 __all__ = ["NodeFailed", "StartedNode", "start"]
 
@@ -32,13 +37,16 @@ class NodeFailed(RuntimeError):
     """A started node has ended with a status other than 0, or not at all. The message says how, and what it printed."""
 
 
-def start(node: NodeLike, args: Sequence[str] = (), parameters: Mapping[str, Any] | None = None) -> StartedNode:
-    """Start a node in simulated time, to be run in steps.
+def start(
+    node: NodeLike | Sequence[NodeLike | Node], args: Sequence[str] = (), parameters: Mapping[str, Any] | None = None
+) -> StartedNode:
+    """Start a node, or several, in simulated time, to be run in steps.
 
-    ``node`` and ``args`` are as for :func:`simulate`; ``parameters`` are set before the node runs, as by a launch file:
+    ``node`` and ``args`` are as for :func:`simulate`; ``parameters`` are set before a node runs, as by a launch file:
     in ROS 1 private ones by names such as ``"~rate"``, in ROS 2 those that it declares. What is due at 0 s has run when
     this returns; the time then waits for :meth:`StartedNode.advance`. Raises what :func:`simulate` does, what
-    ``advance`` does, and TypeError for a value that no parameter can have.
+    ``advance`` does, TypeError for a value that no parameter can have, and ValueError for parameters of several nodes,
+    which each have their own on their command line.
     """
     __tracebackhide__ = True  # pytest shows the lines of the test and of the node, not these
     refuse_text(args)
@@ -54,37 +62,59 @@ class StartedNode:
     working directory, modules and loggers; outside of these methods nothing of them is to be seen.
 
     In the graph there is a second node, ``/tester``, which is connected to every topic of the node as soon as the node
-    has it, and which publishes what the test publishes.
+    has it, and which publishes what the test publishes. Of several nodes each is meant where these texts say "the
+    node"; ``name`` is their names.
     """
 
-    def __init__(self, node: NodeLike, args: Sequence[str], parameters: Mapping[str, Any]) -> None:
+    def __init__(
+        self, node: NodeLike | Sequence[NodeLike | Node], args: Sequence[str], parameters: Mapping[str, Any]
+    ) -> None:
         __tracebackhide__ = True
-        self._node = load(node)
-        self.name = Path(self._node.argv0).name  # of the file, or of the function
-        ros = stand_in(self._node.ros)
-        tester = _tester(self._node.ros)
-        self._process = Process(self._node, args, ros.MODULES, self._node.ros)
+        launched = several(node, args)
+        if launched and parameters:
+            raise ValueError(
+                "give each of several nodes its parameters on its own command line: rosspin.Node(node, args)"
+            )
+        codes = [load(node)] if launched is None else [load(each.node) for each in launched.nodes]  # type: ignore[arg-type]
+        self.name = ", ".join(Path(code.argv0).name for code in codes)  # of files, or of functions
+        self._parameters = parameters
         self._capture = Capture()
         self._clock = Simulation()
+        self._host = Host(self._clock, TickLog(), several=launched is not None)
+        self._host.on_failure = self._clock.pause
+        self._host.at_graph.append(self._take_part)
+        self._testers: dict[int, Any] = {}
         self._now = 0
         self._messages: list[Message] = []  # all of the run
         self._closed = False
-        self._raised = 0  # of the node's errors so many were raised
+        self._raised: set[int] = set()  # of the nodes' errors, those that were raised; and then their statuses
         self._status_raised = False
         with self._inside():
-            warn_of_files([self._node])
-            self._world = world = new_world(self._node, self._clock, record=True)
-            world.on_failure = self._clock.pause
-            own_world = World(self._clock, [], False, world.graph)
-            world.graph.tester = self._tester = tester.Tester(own_world, self._process.messages)
-            with acting_for(world):
-                tester.give_parameters(world, parameters)
-            self._program = SimulatedProgram(lambda: run_main(self._node, world), world, self._clock)
+            if launched:
+                self._host.supervisor = supervisor(launched, self._host)
+            else:
+                warn_of_files(codes)
+                world = self._host.add(codes[0], args).world
+                world.at_bind.append(lambda: self._give_parameters(world))
         try:
             self.advance(0)
         except BaseException:
             self._abandon()
             raise
+
+    def _take_part(self, ros: int, graph: Graph) -> None:
+        """A node has used a ROS for the first time: be another node there."""
+        world = World(self._clock, [], Recording(self._clock, None), lambda ros: graph)
+        world.bind(ros)
+        graph.tester = self._testers[ros] = ROSES[ros].tester.Tester(world, _Messages(self._host, ros))
+
+    def _give_parameters(self, world: World) -> None:
+        try:
+            with acting_for(world):
+                ROSES[world.ros].tester.give_parameters(world, self._parameters)
+        except Exception as error:  # the test's, not the node's
+            world.failure = error
+            end_run()
 
     def __enter__(self) -> StartedNode:
         return self
@@ -103,9 +133,19 @@ class StartedNode:
 
     @property
     def status(self) -> int | None:
-        """The node's exit status; None while it runs."""
-        world = self._world
-        return world.main_status or None if world.exit_status is None else world.exit_status
+        """The node's exit status; None while it runs. Of several: the first that is not 0, None while one runs."""
+        statuses = [self._status_of(process) for process in self._host.processes]
+        return next(filter(None, statuses), None if None in statuses else 0)
+
+    def _failed(self, process: Process) -> bool:
+        """Whether it has ended with a status that says so. In ROS 2, 130 is how most nodes end at Ctrl-C."""
+        status = self._status_of(process)
+        return bool(status) and not (status == _INTERRUPTED and self._closed and process.world.ros == 2)
+
+    def _status_of(self, process: Process) -> int | None:
+        world = process.world
+        status = world.main_status or None if world.exit_status is None else world.exit_status
+        return status if status is None or status >= 0 else 128 - status
 
     @property
     def run(self) -> Run:
@@ -128,7 +168,7 @@ class StartedNode:
         if self._closed:
             raise RuntimeError(f"the node was closed at {self.time} s")
         until = self._now + duration(seconds)
-        return self._step(until, lambda: self._program.advance(until))
+        return self._step(until, lambda: self._host.advance(until))
 
     def close(self) -> None:
         """Press Ctrl-C, let the node end, and check that it does so with status 0. Another call does nothing.
@@ -141,8 +181,8 @@ class StartedNode:
         __tracebackhide__ = True
         if not self._closed:
             self._closed = True
-            self._world.on_failure = None
-            self._step(self._now, lambda: self._program.end(PATIENCE * NS))
+            self._host.on_failure = None
+            self._step(self._now, self._host.interrupt)
 
     def _abandon(self) -> None:
         try:
@@ -161,62 +201,81 @@ class StartedNode:
         Raises LookupError if the node does not subscribe to the topic, and what ``rospy.Publisher.publish`` or, in
         ROS 2, the message's class does if it has no such fields or they cannot have these values.
         """
-        self._tester.publish(topic, args, fields)
+        self._tester(lambda tester: tester.publish(topic, args, fields))
 
     def message(self, type: str, /, **fields: Any) -> Any:
         """A message of any type that the node can import: ``node.message("geometry_msgs/Twist", linear={"x": 0.5})``.
 
         Raises LookupError if there is none, and what the class does for wrong fields.
         """
-        return self._tester.message(type, fields)
+        return self._tester(lambda tester: tester.message(type, fields))
 
     def messages(self, topic: str) -> list[Message]:
         """All messages that were published on a topic so far, without those of the test.
 
         Raises LookupError if the node does not publish on it.
         """
-        name = self._tester.published(topic)
+        name = self._tester(lambda tester: tester.published(topic))
         return [message for message in self._messages if message.topic == name]
+
+    def _tester(self, ask: Callable[[Any], Any]) -> Any:
+        """Ask the testers, one for each ROS, until one can answer. LookupError if none can."""
+        if not self._testers:  # the node has used no ROS
+            with self._inside():
+                self._host.graph(self._host.ros)
+        for number, tester in enumerate(self._testers.values(), 1):
+            try:
+                return ask(tester)
+            except LookupError:
+                if number == len(self._testers):
+                    raise
 
     @contextmanager
     def _inside(self) -> Iterator[None]:
-        with self._capture.redirected(), self._process.inside():
+        with self._capture.redirected(), self._host.inside():
             yield
 
     def _step(self, until: int, go_on: Callable[[], None]) -> Run:
         __tracebackhide__ = True
-        world = self._world
-        before = len(self._capture), len(world.graph.ticks or ()), len(self._messages), self._now
-        with self._inside(), explained(self._node, world, self._clock, self.time):
+        recording = self._host.recording
+        before = len(self._capture), len(recording.log or ()), len(self._messages), self._now
+        with self._inside():
             go_on()
-        self._messages += messages_of(world.graph, 0, len(self._messages))
-        status = self.status or 0
-        errors = world.errors[self._raised :]
-        if self._closed and self._node.ros == 2 and status == _INTERRUPTED:
-            # In ROS 2 this is how most nodes end at Ctrl-C.
-            status, errors = 0, [error for error in errors if not isinstance(error, KeyboardInterrupt)]
-        died = bool(status) and not self._status_raised
+        self._messages += recording.messages(len(self._messages))
+        failed = [(process, error) for process in self._host.processes for error in process.world.errors]
+        failed = [each for each in failed if id(each[1]) not in self._raised]
+        self._raised |= {id(error) for _, error in failed}  # they are kept by their worlds
+        if self._closed:
+            failed = [each for each in failed if not self._is_end(*each)]
+        deaths = list(filter(self._failed, self._host.processes))
+        died = bool(deaths) and not self._status_raised
         if not self._closed:  # else it stays the time of Ctrl-C
-            self._now = self._clock.now() if errors or died else until
-        self._raised, self._status_raised = len(world.errors), bool(status)
+            self._now = self._clock.now() if failed or died else until
+        self._status_raised = bool(deaths)
+        errors = [error for _, error in failed]
+        name = next((Path(each.node.argv0).name for each in (*(each for each, _ in failed), *deaths)), self.name)
         if errors and isinstance(errors[0], Exception):
             error, *others = errors
-            error.add_note(f"raised in {self.name} at {self.time} s")
+            error.add_note(f"raised in {name} at {self.time} s")
             for other in others:
                 error.add_note(f"then there was {other!r}")
             raise error.with_traceback(node_frames(error.__traceback__))
         if errors or died:
-            how = f"ended with status {status}" if died else f"raised {errors[0]!r}"
+            how = f"ended with status {self._status_of(deaths[0])}" if died else f"raised {errors[0]!r}"
             when = f"after Ctrl-C at {self.time} s" if self._closed else f"at {self.time} s"
             lines = self._capture.text().splitlines()[-_LINES:]
-            raise NodeFailed("\n".join([f"{self.name} {how} {when}", *lines])) from (errors[0] if errors else None)
+            raise NodeFailed("\n".join([f"{name} {how} {when}", *lines])) from (errors[0] if errors else None)
         return self._run_since(*before)
+
+    def _is_end(self, process: Process, error: BaseException) -> bool:
+        """Whether an error is how a node of ROS 2 ends at Ctrl-C."""
+        return isinstance(error, KeyboardInterrupt) and process.world.ros == 2 and not self._failed(process)
 
     def _run_since(self, piece: int, tick: int, message: int, time: int) -> Run:
         """What the node has done from these pieces of its console, ticks and messages on, since the time ``time``."""
         return Run(
             self._capture.text(piece),
-            ticks_of(self._world.graph, 0, tick),
+            self._host.recording.ticks(tick),
             self.status or 0,
             "simulated",
             (self._now - time) / NS,
@@ -225,10 +284,16 @@ class StartedNode:
         )
 
 
-def _tester(ros: int) -> Any:
-    """The module with the test's node in a ROS."""
-    if ros == 2:
-        from ..rclpy import tester  # loaded, as all of rclpy, only for nodes that need it
+class _Messages:
+    """The classes of messages that one of the nodes can import, as in ``messages["std_msgs/UInt32"]``."""
 
-        return tester
-    return rospy_tester
+    def __init__(self, host: Host, ros: int) -> None:
+        self._host = host
+        self._ros = ros
+
+    def __getitem__(self, name: str) -> Any:
+        for process in self._host.processes:
+            if process.world.ros in (0, self._ros):
+                with suppress(KeyError):
+                    return process.messages[name]
+        raise KeyError(name)

@@ -19,25 +19,19 @@ from contextlib import contextmanager, suppress
 from functools import partial
 from typing import Any, TextIO
 
-from ..clocks.clock import NS, WallClock
+from ..clocks.clock import WallClock
 from ..clocks.descendants import adopt_orphans, kill_descendants
 from ..clocks.frames import node_frames
 from ..messages import pickles
 from ..results.ticks import Run, Tick
-from . import simulate
-from .process import (
-    Capture,
-    Node,
-    NodeLike,
-    byte_stream,
-    folder_of,
-    leave,
-    load,
-    load_source,
-    refuse_a_run_within_a_run,
-    refuse_text,
-)
-from .simulate import Result, duration, messages_of, run_captured, run_node
+from ..world.graph import TickLog
+from . import host
+from .host import Result, duration
+from .kept import refuse_a_run_within_a_run
+from .process import leave
+from .simulate import run_captured, run_node
+from .source import Node, NodeLike, folder_of, load, load_source, refuse_text
+from .streams import Capture, byte_stream
 
 __all__ = ["measure", "measured"]
 
@@ -75,7 +69,7 @@ def measured(node: Node, seconds: float, args: Sequence[str], *streams: TextIO) 
     refuse_a_run_within_a_run()
     duration(seconds)
     console = Capture(*streams)
-    job = pickle.dumps((node.source, node.filename, seconds, list(args), simulate.PATIENCE))
+    job = pickle.dumps((node.source, node.filename, seconds, list(args), host.PATIENCE))
     read, write = os.pipe()
     # The node's process is a fresh one: a fork of this one would have the locks that its other threads hold.
     code = f"import sys; sys.path[:] = {sys.path!r}; from rosspin.run.wall import run_apart; run_apart({write})"
@@ -127,7 +121,7 @@ class _Apart:
                 received = self._take(received + data)
             elif self._child.poll() is not None:
                 return  # what holds the pipe is a child of the node's
-            elif self._ended and time.monotonic() > self._ended + simulate.PATIENCE:
+            elif self._ended and time.monotonic() > self._ended + host.PATIENCE:
                 return
 
     def _take(self, received: bytes) -> bytes:
@@ -202,7 +196,7 @@ def run_apart(pipe: int) -> None:
     os.set_inheritable(pipe, False)
     adopt_orphans()
     signal.signal(signal.SIGINT, signal.SIG_IGN)  # before the run and after it
-    source, filename, seconds, args, simulate.PATIENCE = pickle.load(sys.stdin.buffer)
+    source, filename, seconds, args, host.PATIENCE = pickle.load(sys.stdin.buffer)
     caller, empty = os.dup(0), os.open(os.devnull, os.O_RDONLY)
     os.dup2(empty, 0)
     with warnings.catch_warnings(action="ignore"):  # the caller has seen them
@@ -221,7 +215,7 @@ def run_apart(pipe: int) -> None:
         send(_END)
 
     try:
-        result = run_node(node._replace(main=main), seconds, args, WallClock(), give_up=give)
+        result = run_node(node._replace(main=main), seconds, args, WallClock(), TickLog(), give)
     except Exception as error:
         where = traceback.format_tb(node_frames((error.__cause__ or error).__traceback__))
         error.add_note("In the process of the node:\n" + "".join(where).rstrip())
@@ -244,5 +238,4 @@ def _send(pipe: int, kind: bytes, data: bytes = b"") -> None:
 
 
 def _plain(result: Result) -> _Outcome:
-    messages = messages_of(result.world.graph, round(result.start * NS))
-    return result.status, result.start, list(map(tuple, result.ticks)), pickles.pack(messages)
+    return result.status, result.start, list(map(tuple, result.ticks)), pickles.pack(result.messages())

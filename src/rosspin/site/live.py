@@ -22,8 +22,11 @@ from sphinx.util.typing import ExtensionMetadata
 from ..clocks.simulation import Simulation
 from ..plots import picture
 from ..plots.pictures import page
-from ..run.process import capture, load_source
-from ..run.simulate import TimeStandsStill, run_node, split_words
+from ..run.explain import TimeStandsStill
+from ..run.simulate import run_node
+from ..run.source import load_source, split_words
+from ..run.streams import capture
+from ..world.graph import TickLog
 from ..world.world import NotSimulated
 
 __all__ = ["plot", "setup"]
@@ -103,7 +106,7 @@ def plot(text: str) -> str:
     with capture():
         try:
             clock = Simulation()
-            ticks = run_node(load_source(text, "<listing>"), seconds, args, clock).ticks
+            ticks = run_node(load_source(text, "<listing>"), seconds, args, clock, TickLog()).ticks
         except (SyntaxError, NotSimulated, TimeStandsStill):
             return ""
     if not ticks:

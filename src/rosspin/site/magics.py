@@ -18,8 +18,8 @@ from IPython.core.magic import cell_magic, magics_class
 from ..clocks.simulation import Simulation
 from ..exercises import EXERCISES, Feedback, check
 from ..results.ticks import Run
-from ..run.process import load_source
-from ..run.simulate import run_captured, split_words
+from ..run.simulate import run_captured
+from ..run.source import load_source, split_words
 from ..run.wall import measured
 from .claims import MIME, Facts
 

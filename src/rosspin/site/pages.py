@@ -32,8 +32,8 @@ from ..plots.pictures import page
 from ..results import machine
 from ..results.roscpp import timer_probe
 from ..results.ticks import Tick
-from ..run.process import load, load_source
 from ..run.simulate import run_captured
+from ..run.source import load, load_source
 from .checks import note
 from .claims import Facts, one_line
 from .outputs import differences

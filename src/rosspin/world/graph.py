@@ -1,17 +1,22 @@
-"""What the nodes of one run share: its topics, who publishes and subscribes, and what is recorded of the run.
+"""What the processes of one run share: what is recorded of them, and the topics of each ROS.
 
 What is the same in every ROS. Who is told of whom, when two nodes connect, and what a queue keeps, is each ROS's own.
 """
 
 from __future__ import annotations
 
+import gc
+import math
 import threading
-from collections.abc import Callable
+from collections.abc import Callable, Iterator
+from contextlib import contextmanager
+from functools import partial
 from typing import Any, Generic, Protocol, TypeVar
 
-from ..clocks.clock import Clock
+from ..clocks.clock import NS, Clock
+from ..results.ticks import Message, Tick
 
-__all__ = ["End", "Graph", "Published", "Tester", "TickLog"]
+__all__ = ["End", "Graph", "Published", "Recording", "Tester", "TickLog"]
 
 Part = TypeVar("Part")
 
@@ -42,6 +47,10 @@ E = TypeVar("E", bound=End)
 
 # A message as it is recorded: topic, node, time (ns), and what makes the message when somebody asks for it.
 Published = tuple[str, str, int, Callable[[], Any]]
+
+
+# A run may have a million ticks: a Tick from a tuple takes half as long as one from its fields.
+_new_tick = partial(tuple.__new__, Tick)
 
 
 class TickLog:
@@ -102,18 +111,69 @@ class _Ends(Generic[E]):
         return [(topic, ends[0].type) for topic, ends in self._of.items() if ends]
 
 
-class Graph:
-    """What the nodes that run on one clock share.
+class Recording:
+    """The ticks and messages of a run that began at ``start`` (ns); with ``log`` None nobody asks for them.
 
-    ``record`` says whether anybody asks for their ticks and messages, ``several`` whether the nodes are more than one.
+    ``several`` says whether the processes are more than one.
     """
 
-    def __init__(self, clock: Clock, record: bool, several: bool = False) -> None:
+    def __init__(self, clock: Clock, log: TickLog | None, several: bool = False, start: int = 0) -> None:
         self.several = several
-        self.ticks = TickLog() if record else None
-        self.published: list[Published] | None = [] if record else None
-        self.tester: Tester | None = None
+        self.log = log
+        self.published: list[Published] | None = None if log is None else []
+        self.start = start
         self._clock = clock
+
+    def add_message(self, topic: str, node: str, make: Callable[[], Any]) -> None:
+        """Keep that ``node`` has published, now, the message that ``make()`` gives."""
+        if self.published is not None:
+            self.published.append((topic, node, self._clock.now(), make))
+
+    def ticks(self, since: int = 0) -> tuple[Tick, ...]:
+        """What was recorded of ticks, from the tick ``since`` on."""
+        if self.log is None:
+            return ()
+        start = self.start
+        sources, numbers, expected, real, durations = self.log.columns(since)
+        with _no_collections():
+            return tuple(
+                map(
+                    _new_tick,
+                    zip(
+                        sources,
+                        numbers,
+                        [(time - start) / NS for time in expected],
+                        [(time - start) / NS for time in real],
+                        [math.nan if duration is None else duration / NS for duration in durations],
+                    ),
+                )
+            )
+
+    def messages(self, since: int = 0) -> tuple[Message, ...]:
+        """What was recorded of messages, likewise."""
+        published = self.published or ()
+        return tuple(
+            Message(topic, node, (time - self.start) / NS, make()) for topic, node, time, make in published[since:]
+        )
+
+
+@contextmanager
+def _no_collections() -> Iterator[None]:
+    """Within this context the garbage collector does not go through what is made, again and again as it grows."""
+    collects = gc.isenabled()
+    gc.disable()
+    try:
+        yield
+    finally:
+        if collects:
+            gc.enable()
+
+
+class Graph:
+    """The topics that the nodes of one ROS share in a run."""
+
+    def __init__(self) -> None:
+        self.tester: Tester | None = None
         self._parts: dict[type, Any] = {}
         self._lock = threading.Lock()
         self._publications: _Ends[Any] = _Ends()
@@ -156,8 +216,3 @@ class Graph:
         """The topics to which somebody subscribes, and their types."""
         with self._lock:
             return self._subscriptions.types()
-
-    def record(self, topic: str, node: str, make: Callable[[], Any]) -> None:
-        """Keep that ``node`` has published, now, the message that ``make()`` gives."""
-        if self.published is not None:
-            self.published.append((topic, node, self._clock.now(), make))

@@ -12,7 +12,7 @@ from typing import Any, TypeVar
 from ..clocks.clock import Clock
 from ..clocks.frames import Whereabouts
 from ..clocks.stacks import Program, acting_for, whose
-from .graph import Graph
+from .graph import Graph, Recording
 
 __all__ = ["NotSimulated", "World", "current_world", "not_simulated"]
 
@@ -54,12 +54,19 @@ def not_simulated(error: BaseException) -> NotSimulated | None:
 class World(Program):
     """A node's world: the clock that it runs on, its command line ``argv``, and what is recorded of it.
 
-    ``record`` says whether anybody asks for its ticks and messages; ``graph`` is the one that it shares with the other
-    nodes of its run, if there are any; ``number`` tells it from them.
+    ``graph_of(ros)`` is the graph that it shares with the nodes of its ROS, which is known once it uses one; ``number``
+    tells it from the other processes of its run.
     """
 
+    graph: Graph
+
     def __init__(
-        self, clock: Clock, argv: list[str], record: bool, graph: Graph | None = None, number: int = 0
+        self,
+        clock: Clock,
+        argv: list[str],
+        recording: Recording,
+        graph_of: Callable[[int], Graph],
+        number: int = 0,
     ) -> None:
         super().__init__()
         self.clock = clock
@@ -67,10 +74,13 @@ class World(Program):
         self.stderr = sys.stderr  # whatever the node makes of it
         self.number = number
         self.name = ""  # its full name in the graph, as soon as it has one
-        self.graph = graph or Graph(clock, record)
+        self.recording = recording
+        self.ros = 0  # 1 or 2, once it has imported one of them
+        self.at_bind: list[Callable[[], None]] = []
+        self._graph_of = graph_of
         self.argv = argv
         self.errors: list[BaseException] = []  # those whose tracebacks were printed
-        self.failure: NotSimulated | None = None  # met in a thread, and the end of the run
+        self.failure: Exception | None = None  # met in a thread, and the end of the run
         self.main_status: int | None = None  # with which its main program has ended
         self.exit_status: int | None = None  # and all of it
         self.on_failure: Callable[[], None] | None = None  # called for each error, and a main status other than 0
@@ -79,6 +89,18 @@ class World(Program):
         self._sources: dict[str, int] = {}
         self._parts: dict[type, Any] = {}
 
+    def bind(self, ros: int) -> None:
+        """It is a process of ROS 1, or 2, from now on. Raises ImportError if it is one of the other."""
+        if self.ros not in (0, ros):
+            raise ImportError(
+                f"this process has imported ROS {self.ros}: a process is one of ROS 1 (rospy) or of ROS 2 (rclpy)"
+            )
+        if not self.ros:
+            self.ros = ros
+            self.graph = self._graph_of(ros)
+            for function in self.at_bind:
+                function()
+
     def source(self, name: str) -> str:
         """A name for something that ticks, made different from those given before: Rate, Rate 2, ...
 
@@ -86,7 +108,7 @@ class World(Program):
         """
         count = self._sources[name] = self._sources.get(name, 0) + 1
         numbered = name if count == 1 else f"{name} {count}"
-        return f"{self.name} {numbered}" if self.graph.several else numbered
+        return f"{self.name} {numbered}" if self.recording.several else numbered
 
     @property
     def has_sources(self) -> bool:
@@ -115,10 +137,16 @@ class World(Program):
             thread.start()
 
     def part(self, kind: type[Part]) -> Part:
-        """What one ROS keeps of this node: ``kind(world)``, made when it is first asked for."""
+        """What a ROS, ``kind.ROS``, keeps of this node: ``kind(world)``, made when it is first asked for.
+
+        That makes it a node of this ROS.
+        """
         try:
             return self._parts[kind]  # type: ignore[no-any-return]
         except KeyError:
+            self.bind(kind.ROS)  # type: ignore[attr-defined]  # what follows from that may ask for it, too
+            if kind in self._parts:
+                return self._parts[kind]  # type: ignore[no-any-return]
             part = self._parts[kind] = kind(self)  # type: ignore[call-arg]
             return part
 

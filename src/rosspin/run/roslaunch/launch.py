@@ -15,7 +15,7 @@ from typing import Any
 
 from ...messages.library import Library
 from ...rospy.rosgraph import PRIV_NAME, canonicalize_name, load_mappings, make_global_ns, ns_join
-from ..process import NodeLike
+from ..source import NodeLike
 from .expressions import Unbounded, evaluate
 
 __all__ = ["Launch", "Node", "read_launch"]

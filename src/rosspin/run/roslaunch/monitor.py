@@ -5,26 +5,24 @@ How roslaunch does it is in its pmon.py and nodeprocess.py. It is told of here a
 
 from __future__ import annotations
 
-import os
 import signal
 import sys
 import threading
 from collections import deque
-from collections.abc import Callable, Mapping, Sequence
-from types import ModuleType
+from collections.abc import Sequence
 
 from ...clocks.clock import NS, nanoseconds
-from ...clocks.frames import Whereabouts
-from ...clocks.programs import Died, begin_beside, press_ctrl_c, send, where_it_waits
+from ...clocks.programs import press_ctrl_c, send, where_it_waits
 from ...clocks.simulation import Simulation
 from ...clocks.threads import unlist_threads
-from ...world.graph import Graph
+from ...rospy.state import Master
 from ...world.world import World
-from ..process import Node as Code
-from ..processes import Processes
-from .launch import Node
+from ..explain import say_where
+from ..host import Host
+from ..source import Node as Code
+from .launch import Launch, Node
 
-__all__ = ["Member", "Monitor"]
+__all__ = ["Monitor"]
 
 # So often (ns) it looks at its processes.
 _LOOK = NS // 10
@@ -39,13 +37,13 @@ _WORKERS = 10
 _RULE = "=" * 80
 
 
-class Member:
+class _Member:
     """One of the nodes: its process, and then the one that takes its place."""
 
     def __init__(self, node: Node, code: Code, number: int) -> None:
         self.node = node
         self.code = code
-        self.name = f"{node.namespace.strip('/')}/{node.name or _name(code)}-{number}".removeprefix("/")
+        self.name = f"{node.namespace.strip('/')}/{node.name or code.name}-{number}".removeprefix("/")
         self.args = [*node.args, *([f"__name:={node.name}"] if node.name else [])]
         self.world: World  # that of the process that is running, or was
         self.respawns_at: int | None = None  # when (ns) it is to live again
@@ -56,50 +54,29 @@ class Member:
 
 
 class Monitor:
-    """Runs nodes on a simulated clock, as a program of its own there.
+    """Runs the nodes of a launch file, whose code is ``codes``, in a host."""
 
-    ``run_main(code, world)`` is to do with a node's code what the interpreter does with a program. ``stand_ins`` are
-    the modules that the nodes are given, and ``ros`` is which ROS they import messages of.
-    ``describe(code, waited)`` puts into words where the threads of a process were that had to be killed.
-    """
+    status = 0  # whatever becomes of them
 
-    def __init__(
-        self,
-        members: Sequence[Member],
-        clock: Simulation,
-        graph: Graph,
-        run_main: Callable[[Code, World], None],
-        describe: Callable[[Code, list[Whereabouts]], str],
-        stand_ins: Mapping[str, ModuleType],
-        ros: int,
-    ) -> None:
-        self.members = members
-        self._clock = clock
-        self._graph = graph
-        self._run_main = run_main
-        self._describe = describe
-        self._ros = ros
-        self._processes = Processes([member.code for member in members], stand_ins)
-        self._watched = list(members)
-        self._started = 0
+    def __init__(self, host: Host, launch: Launch, codes: Sequence[Code]) -> None:
+        self._host = host
+        assert isinstance(host.clock, Simulation)
+        self._clock = host.clock
+        self._parameters = launch.parameters
+        self._members = [_Member(*each, number) for number, each in enumerate(zip(launch.nodes, codes), 1)]
+        self._watched = list(self._members)
         self._stdout, self._stderr = sys.stdout, sys.stderr
 
-    def __enter__(self) -> Monitor:
-        self._processes.__enter__()
-        return self
-
-    def __exit__(self, *error: object) -> None:
-        for member in self.members[: self._started]:
-            unlist_threads(member.world)
-        self._processes.__exit__(*error)
-
     def run(self) -> None:
-        """Start the nodes, watch over them until Ctrl-C comes or they have ended, and end those that are left."""
-        if not self.members:
+        """Set the parameters, start the nodes, watch over them until Ctrl-C comes, and end those that are left."""
+        master = self._host.graph(1).part(Master)
+        for name, value in self._parameters:
+            master.set_param(name, value)
+        if not self._members:
             self._say("No processes to monitor")
             return
         try:
-            for member in self.members:
+            for member in self._members:
                 self._start(member)
             while self._watch():
                 self._clock.sleep(_LOOK)
@@ -107,24 +84,13 @@ class Monitor:
             pass
         self._end_all()
 
-    def _start(self, member: Member) -> None:
-        self._started += 1
+    def _start(self, member: _Member) -> None:
         node = member.node
         namespace = node.namespace.rstrip("/")
         environment = {**node.env, **({"ROS_NAMESPACE": namespace} if namespace else {})}
-        argv = [member.code.argv0, *member.args]
-        world = member.world = World(self._clock, argv, self._graph.ticks is not None, self._graph, self._started)
-        world.at_end.append(lambda: self._processes.remove(world))
-        self._processes.add(world, member.code, argv, self._ros, environment, node.cwd, node.output != "screen")
-        begin_beside(lambda: self._live(member, world), world, self._clock)
-
-    def _live(self, member: Member, world: World) -> None:
-        """What the main stack of a process does."""
-        try:
-            self._run_main(member.code, world)
-        except Died as died:
-            world.exit_status = -died.number
-        self._clock.end(world)
+        process = self._host.add(member.code, member.args, environment, node.cwd, quiet=node.output != "screen")
+        member.world = process.world
+        self._host.begin(process)
 
     def _watch(self) -> bool:
         """Look at the processes; whether there is anything left to do."""
@@ -149,7 +115,7 @@ class Monitor:
                 self._start(member)
         return bool(self._watched)
 
-    def _death(self, member: Member) -> str:
+    def _death(self, member: _Member) -> str:
         code = member.exit_code()
         if not code:
             return "process has finished cleanly"
@@ -167,14 +133,14 @@ class Monitor:
         if errors:
             self._complain("\n".join(["Shutdown errors:", *errors]))
 
-    def _end_some(self, waiting: deque[Member], errors: list[str]) -> None:
+    def _end_some(self, waiting: deque[_Member], errors: list[str]) -> None:
         while waiting:
             member = waiting.popleft()
             self._say(f"[{member.name}] killing on exit")
             if self._end(member):
                 errors.append(f" * process[{member.name}]: required SIGKILL. May still be running.")
 
-    def _end(self, member: Member) -> bool:
+    def _end(self, member: _Member) -> bool:
         """End a process; whether it had to be killed."""
         world = member.world
         if not world.over:
@@ -186,7 +152,7 @@ class Monitor:
         if self._ends_within(world, _LAST_PATIENCE):
             return False
         self._complain(f"[{member.name}] escalating to SIGKILL")
-        self._stderr.write(self._describe(member.code, where_it_waits(world)))
+        self._stderr.write(say_where(member.code, where_it_waits(world)))
         self._clock.end(world)
         return True
 
@@ -201,8 +167,3 @@ class Monitor:
 
     def _complain(self, text: str) -> None:
         self._stderr.write(f"\033[31m{text}\033[0m\n" if self._stderr.isatty() else text + "\n")
-
-
-def _name(code: Code) -> str:
-    """What a node without a name is called on the console."""
-    return os.path.basename(code.argv0).removesuffix(".py")

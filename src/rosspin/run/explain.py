@@ -1,0 +1,128 @@
+"""Say what became of a run: why a node was killed, where time stands still, what went wrong."""
+
+from __future__ import annotations
+
+import os
+import traceback
+from collections.abc import Sequence
+
+from ..clocks.clock import NS
+from ..clocks.frames import Place, Whereabouts, is_installed, node_frames
+from ..clocks.simulation import Simulation, Standstill
+from ..clocks.watchdog import Stuck
+from ..world.world import NotSimulated
+from .roses import ROSES
+from .source import Node
+
+__all__ = [
+    "TimeStandsStill",
+    "keep_those_of",
+    "say_error",
+    "say_killed",
+    "say_where",
+    "stands_still",
+    "waits_for_a_rate",
+    "where_it_was_kept",
+]
+
+
+class TimeStandsStill(RuntimeError):
+    """The node keeps simulated time from going on. The message says where and how."""
+
+
+def say_killed(node: Node, ros: int, seconds: float | None, waited: Sequence[Whereabouts], patience: int) -> str:
+    """A node of ROS 1 or 2 was killed ``patience`` seconds after Ctrl-C: why, and where its threads were."""
+    at = "" if seconds is None else f" at {seconds:.10g} s"
+    why = f"Does its loop check {ROSES[ros].goes_on}?"
+    if waits_for_a_rate(node, ros, waited):
+        why = (
+            "After Ctrl-C nothing wakes a Rate any more, and Python waits for the thread that is asleep in it. "
+            "Use a Rate only in a daemon thread."
+        )
+    said = f"rosspin: Ctrl-C{at} did not end the node; it was killed {patience} s later{ROSES[ros].kills}. {why}\n"
+    return said + say_where(node, waited)
+
+
+def say_where(node: Node, waited: Sequence[Whereabouts]) -> str:
+    """Where the threads of a node were, a line for each."""
+    lines = []
+    for thread, places, _ in waited:
+        place = _of_nodes([node], places)
+        where = f"was at {_say_place(place)}" if place else "had done its work and waited for other threads"
+        lines.append(f"rosspin: {thread} {where}\n")
+    return "".join(lines)
+
+
+def waits_for_a_rate(node: Node, ros: int, waited: Sequence[Whereabouts]) -> bool:
+    """Whether what keeps a node from its end are threads that sleep on a Rate of ROS 2, and nothing else.
+
+    In ROS 1 a Rate looks at the clock by itself.
+    """
+    kept = _keeping(node, waited)
+    return ros == 2 and bool(kept) and all(map(ROSES[2].stand_in.timer.is_asleep_on_a_rate, kept))
+
+
+def keep_those_of(node: Node, stacks: Sequence[Whereabouts]) -> list[Whereabouts]:
+    """Of stacks, those that are in a node's code."""
+    return [each for each in stacks if _of_nodes([node], each.places)]
+
+
+def where_it_was_kept(node: Node, waited: Sequence[Whereabouts]) -> Place | None:
+    """The place in a node's code that kept it from its end, or the first of them."""
+    return next((_of_nodes([node], places) for places in _keeping(node, waited)), None)
+
+
+def _keeping(node: Node, waited: Sequence[Whereabouts]) -> list[list[Place]]:
+    """The places of the threads that Python waits for, and that do not wait for others themselves."""
+    return [places for _, places, daemon in waited if not daemon and _of_nodes([node], places)]
+
+
+def _of_nodes(nodes: Sequence[Node], places: Sequence[Place]) -> Place | None:
+    """The innermost place in a node's file or its folder."""
+    folders = tuple(name for node in nodes for name in (node.filename, f"{node.folder or node.filename}{os.sep}"))
+    return next((place for place in places if place.filename.startswith(folders)), None)
+
+
+def _say_place(place: Place) -> str:
+    return f"{place.filename}:{place.line}" + (f": {place.call}" if place.call else "")
+
+
+def stands_still(nodes: Sequence[Node], ros: int, error: Standstill | Stuck, clock: Simulation) -> TimeStandsStill:
+    now = f"simulated time stands still at {clock.now() / NS} s"
+    fallback = clock.failed if isinstance(error, Stuck) else error.place
+    place = _of_nodes(nodes, error.places) or (None if fallback else _of_nodes(nodes, clock.left))
+    where = f"{place.filename}:{place.line}" if place else fallback
+    if isinstance(error, Stuck) and (error.waits or error.computed):
+        where = _say_place(place) if place else fallback
+        why = (
+            f"because this has computed for {error.computed:.0f} s and let nothing else run meanwhile. "
+            "Compute less at a time, or run the node on the wall clock."
+            if error.computed
+            else "because this waits in real time, which the simulation cannot see. "
+            "Run the node on the wall clock, or remove what waits."
+        )
+    elif isinstance(error, Standstill) and error.threads:
+        why = (
+            f"because {error.threads:,} threads have not ended, as many as a run may have; this would have been one "
+            f"more{ROSES[ros].also_threads}. Start them outside of loops and callbacks, or let them end."
+        )
+    else:
+        why = (
+            "because the node keeps running without sleeping. "
+            f"Sleep in every loop (rate.sleep(), {ROSES[ros].sleep}), and give timers and rates a period above 0."
+        )
+    return TimeStandsStill(f"{where}{': ' if where else ''}{now}, {why}")
+
+
+def say_error(error: Exception) -> str:
+    """An error that ended a run or prevented it, in words, with the line of the node's file if it has one."""
+    if isinstance(error, SyntaxError):
+        return "".join(traceback.format_exception_only(error)).strip()
+    if isinstance(error, OSError) and error.filename:
+        return f"{error.filename}: {error.strerror}"
+    if isinstance(error, NotSimulated):
+        trace = node_frames((error.__cause__ or error).__traceback__)
+        lines = [each for each in traceback.walk_tb(trace) if not each[0].f_code.co_filename.startswith("<frozen")]
+        lines = [each for each in lines if not is_installed(each[0])] or lines
+        return f"{lines[-1][0].f_code.co_filename}:{lines[-1][1]}: {error}" if lines else str(error)
+    return str(error)

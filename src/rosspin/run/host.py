@@ -1,0 +1,387 @@
+"""A run: processes on one clock, each of which finds what is its own when it has its turn."""
+
+from __future__ import annotations
+
+import math
+import os
+import signal
+import sys
+from collections.abc import Callable, Iterator, Mapping, Sequence
+from contextlib import ExitStack, contextmanager
+from types import ModuleType
+from typing import Any, NamedTuple, Protocol
+
+from ..clocks.clock import NS, Clock, nanoseconds
+from ..clocks.ending import Ended
+from ..clocks.frames import Whereabouts
+from ..clocks.patches import Patch, patched
+from ..clocks.programs import Died, Killed, LastResort, SimulatedProgram, begin_beside, run_on_the_wall
+from ..clocks.simulation import Simulation, Standstill
+from ..clocks.stacks import Program, telling_turns
+from ..clocks.threads import list_threads, unlist_threads
+from ..clocks.watchdog import Stuck
+from ..results.ticks import Message, Tick
+from ..world.graph import Graph, Recording, TickLog
+from ..world.world import World
+from .explain import keep_those_of, say_killed, stands_still
+from .kept import one_at_a_time, state_of_names, state_of_node, state_of_process
+from .process import PATCHES, Process, Slots
+from .roses import ROSES
+from .source import Node
+
+__all__ = ["PATIENCE", "Host", "Result", "Supervisor", "duration"]
+
+# After Ctrl-C roslaunch waits 15 s, asks once more with SIGTERM, and kills after another 2 s.
+PATIENCE = 17
+
+# How the names of modules begin that may be those of a real ROS.
+_ROOTS = tuple(root for ros in ROSES.values() for root in ros.roots)
+
+_chdir = os.chdir
+
+
+class Supervisor(Protocol):
+    """Who starts the nodes of a run, waits for their end and ends them: a program of its own, which is sent Ctrl-C."""
+
+    def run(self) -> None:
+        """Do so. ``host`` calls it inside of the run."""
+
+    @property
+    def status(self) -> int:
+        """The exit status of the run."""
+
+
+class Host:
+    """Runs processes on a clock, simulated or on the wall. :meth:`add` them before the run, or while it goes on.
+
+    ``ticks`` is where they are recorded; with None nothing is. On a simulated clock the run can be gone through in
+    steps: :meth:`advance`, then :meth:`interrupt`. Of ``several`` processes each has for itself what it imports from
+    its own folder, messages, and random numbers; all other modules they share. They need a ``supervisor``.
+    """
+
+    supervisor: Supervisor | None = None
+    on_failure: Callable[[], None] | None = None  # called for each error that is printed, and for a status other than 0
+
+    def __init__(self, clock: Clock, ticks: TickLog | None, several: bool = False) -> None:
+        self.clock = clock
+        self.recording = Recording(clock, ticks, several, 0 if isinstance(clock, Simulation) else clock.now())
+        self.processes: list[Process] = []
+        self.at_graph: list[Callable[[int, Graph], None]] = []  # called when a ROS is used for the first time
+        self._program: SimulatedProgram | None = None
+        self._graphs: dict[int, Graph] = {}
+        self._stand_ins: dict[int, Mapping[str, ModuleType]] = {}
+        self._of: dict[Program, Process] = {}
+        self._own = ("__main__", "random") if several else ("__main__",)
+        self._differ = False  # whether the environments of processes may
+        self._put_inside: Callable[[], None] = lambda: None
+        self._put_names: Callable[[], None] = lambda: None  # those that nodes have changed
+
+    # --- processes ---
+
+    def add(
+        self,
+        node: Node,
+        args: Sequence[str] = (),
+        environment: Mapping[str, str] | None = None,
+        folder: str = "",
+        quiet: bool = False,
+    ) -> Process:
+        """Make the process of a node; see :class:`Process`. To be called inside."""
+        here = self._current
+        self._go_on(self._outside)
+        number = len(self.processes) + 1 if self.recording.several else 0
+
+        def make_world(argv: list[str]) -> World:
+            return World(self.clock, argv, self.recording, self.graph, number)
+
+        process = Process(node, args, make_world, self._stand_in, self._hide, environment, folder, quiet)
+        self.processes.append(process)
+        self._of[process.world] = process
+        process.world.on_failure = lambda: self.on_failure and self.on_failure()
+        self._differ = self._differ or bool(environment)
+        process.world.at_end.append(lambda: self._of.__delitem__(process.world))
+        process.world.at_bind.append(lambda: self._bound(process))
+        for ros in [node.hint] if node.hint else ROSES:  # before it can change anything
+            self._stand_in(ros)
+        self._go_on(here if self.recording.several else process)
+        return process
+
+    def graph(self, ros: int) -> Graph:
+        """The graph of the nodes of ROS 1 or 2."""
+        if ros not in self._graphs:
+            graph = self._graphs[ros] = Graph()
+            for function in self.at_graph:
+                function(ros, graph)
+        return self._graphs[ros]
+
+    def _stand_in(self, ros: int) -> Mapping[str, ModuleType]:
+        """The modules that stand in for a ROS, by their names."""
+        if ros not in self._stand_ins:
+            known = f"rosspin.{ROSES[ros].roots[0]}" in sys.modules
+            self._stand_ins[ros] = dict(ROSES[ros].stand_in.MODULES)
+            if not known:  # then its state was not noted with all the rest
+                self._loaded.append(state_of_names())
+        return self._stand_ins[ros]
+
+    def _bound(self, process: Process) -> None:
+        """A process has imported its ROS."""
+        process.stand_in = self._stand_in(process.world.ros)
+        process.world.at_exit += ROSES[process.world.ros].stand_in.AT_EXIT
+        self._shared |= process.stand_in.keys()
+        if process is self._current:
+            self._put_in(process.stand_in)
+
+    def begin(self, process: Process) -> None:
+        """Start a process now, beside those that run: for the supervisor. Who dies of a signal has its negative number
+        as exit status."""
+
+        def live() -> None:
+            try:
+                process.run()
+            except Died as died:
+                process.world.exit_status = -died.number
+            assert isinstance(self.clock, Simulation)
+            self.clock.end(process.world)
+
+        assert isinstance(self.clock, Simulation)
+        begin_beside(live, process.world, self.clock)
+
+    # --- turns ---
+
+    @contextmanager
+    def inside(self) -> Iterator[None]:
+        """Within this context the processes can run: they find what they have left. Afterwards all is as before."""
+        with one_at_a_time(), ExitStack() as stack:
+            put_back = state_of_process()
+            stack.callback(lambda: self._keep_names(put_back()))
+            self._loaded: list[Callable[[], Callable[[], None]]] = []
+            stack.callback(lambda: [undo() for undo in self._loaded])
+            stack.enter_context(patched(PATCHES))
+            self._outside = self._current = Slots()
+            self._replaced: dict[str, ModuleType] = {}
+            self._shared = {*sys.modules, *self._own}
+            self._count = len(sys.modules)
+            self._hide({name: sys.modules.pop(name) for name in list(sys.modules) if name.startswith(_ROOTS)})
+            self._outside.modules = {name: sys.modules[name] for name in self._own if name in sys.modules}
+            stack.callback(self._put_back)
+            if self.supervisor:
+                for process in self.processes:
+                    list_threads(process.world)
+                stack.callback(self._unlist_threads)
+                stack.enter_context(patched(self._patches()))
+                stack.enter_context(telling_turns(self._turn))
+            elif self.processes:
+                self._go_on(self.processes[0])
+            self._put_inside()
+            self._put_names()
+            try:
+                yield
+            finally:
+                self._put_inside = state_of_node()
+
+    def _unlist_threads(self) -> None:
+        for process in self.processes:
+            unlist_threads(process.world)
+
+    def _keep_names(self, put: Callable[[], None]) -> None:
+        self._put_names = put
+
+    def _hide(self, modules: Mapping[str, ModuleType]) -> None:
+        """Take note of modules that were taken away until the end."""
+        self._replaced.update(modules)
+        self._shared.difference_update(modules)
+        self._count -= len(modules)
+
+    def _put_back(self) -> None:
+        self._go_on(self._outside)
+        sys.modules.update(self._replaced)
+
+    def _turn(self, program: Program) -> None:
+        """It is the program's turn. One that is no node finds what is there."""
+        process = self._of.get(program)
+        if process is not None and process is not self._current:
+            self._go_on(process)
+
+    def _go_on(self, process: Slots) -> None:
+        before, self._current = self._current, process
+        if before is process:
+            return
+        before.keep()
+        modules = sys.modules
+        own = before.modules
+        if len(modules) != self._count:
+            own = before.modules = {name: modules[name] for name in list(modules) if self._is_own(name, before)}
+        for name in own:
+            own[name] = modules.pop(name, own[name])
+        modules.update(process.modules)
+        if before.stand_in is not process.stand_in:
+            for name in before.stand_in:
+                modules.pop(name, None)
+            modules.update(process.stand_in)
+        self._count = len(modules)
+        process.put_in_place()
+        if process.folder and process.folder != before.folder:
+            _chdir(process.folder)
+        if self._differ and process.environment != before.environment:
+            _export(before.environment, process.environment)
+
+    def _put_in(self, modules: Mapping[str, ModuleType]) -> None:
+        before = len(sys.modules)
+        sys.modules.update(modules)
+        self._count += len(sys.modules) - before
+
+    def _is_own(self, name: str, process: Slots) -> bool:
+        if name in self._shared:
+            return name in self._own
+        package = name.partition(".")[0]
+        if package in _ROOTS:
+            return True
+        if isinstance(process, Process) and (package in process.imports.found or process.owns(sys.modules[name])):
+            return True
+        self._shared.add(name)
+        return False
+
+    def _patches(self) -> list[Patch]:
+        def noted(real: Callable[[Any], None]) -> Callable[[Any], None]:
+            def chdir(path: Any) -> None:
+                real(path)
+                self._current.folder = os.getcwd()
+
+            return chdir
+
+        def changing(real: Callable[..., None]) -> Callable[..., None]:
+            def change(*words: Any) -> None:
+                self._differ = True
+                real(*words)
+
+            return change
+
+        return [
+            *((os, name, noted) for name in ("chdir", "fchdir")),
+            *((os, name, changing) for name in ("putenv", "unsetenv")),
+        ]
+
+    # --- the run ---
+
+    def advance(self, until: int) -> None:
+        """Let the simulated time go on to ``until`` (ns), what is due then included. To be called inside."""
+        assert isinstance(self.clock, Simulation)
+        if self._program is None:
+            if self.supervisor:
+                self._program = SimulatedProgram(self.supervisor.run, Program(), self.clock)
+            else:
+                self._program = SimulatedProgram(self.processes[0].run, self.processes[0].world, self.clock)
+        with self._explained(until / NS):
+            self._program.advance(until)
+
+    def interrupt(self) -> None:
+        """Press Ctrl-C, and let the processes end. To be called inside."""
+        assert isinstance(self.clock, Simulation) and self._program
+        with self._explained(self.clock.seconds()):
+            self._program.end(None if self.supervisor else PATIENCE * NS)
+
+    def run_on_the_wall(self, seconds: float | None, give_up: Callable[[Result], object] | None) -> None:
+        """Run the only process on the wall clock, until Ctrl-C if ``seconds`` is None. To be called inside.
+
+        With ``give_up`` this process is there only for the node: if nothing else ends the node, the process is killed,
+        after a call with what the run gave so far (without one if code in C lets no thread run).
+        """
+        (process,) = self.processes
+        node = process.node
+
+        def give(killed: Killed) -> None:
+            assert give_up
+            self._killed(process, seconds, killed)
+            give_up(self.result())
+
+        def last_words(stacks: list[Whereabouts]) -> str:
+            return say_killed(node, self.ros, seconds, keep_those_of(node, stacks), PATIENCE)
+
+        last_resort = give_up and LastResort(give, last_words)
+        until = None if seconds is None else duration(seconds)
+        with self._explained(seconds):
+            run_on_the_wall(process.run, process.world, until, PATIENCE * NS, last_resort)
+
+    @contextmanager
+    def _explained(self, seconds: float | None) -> Iterator[None]:
+        """Within this context processes run. What ends one from outside is its status, or an error that says why."""
+        first = self.processes[0] if self.processes else None
+        try:
+            yield
+        except Killed as killed:
+            assert first
+            self._killed(first, seconds, killed)
+        except Died as died:
+            assert first
+            first.world.exit_status = 128 + died.number
+        except Ended:
+            failures = [process.world.failure for process in self.processes if process.world.failure]
+            if failures:
+                raise failures[0] from None
+            if self.supervisor or not first or first.world.exit_status is None:
+                raise
+        except (Standstill, Stuck) as error:
+            assert isinstance(self.clock, Simulation)
+            nodes = [process.node for process in self.processes]
+            raise stands_still(nodes, self.ros, error, self.clock) from None
+        for process in self.processes:
+            process.end_if_forked()
+
+    def _killed(self, process: Process, seconds: float | None, killed: Killed) -> None:
+        process.world.waited = killed.waited
+        sys.stderr.write(say_killed(process.node, self.ros, seconds, killed.waited, PATIENCE))
+        if killed.blocks:
+            sys.stderr.write(
+                "rosspin: the main thread blocks SIGINT (signal.pthread_sigmask): Ctrl-C does not reach it\n"
+            )
+        process.world.exit_status = 128 + signal.SIGKILL
+
+    # --- what it gave ---
+
+    @property
+    def ros(self) -> int:
+        """The ROS that the first process is for: 1 or 2, or 1 as long as it has used none and names none."""
+        return next((process.world.ros or process.node.hint for process in self.processes), 0) or 1
+
+    def result(self) -> Result:
+        """How the run ended."""
+        status = self.supervisor.status if self.supervisor else self.processes[0].world.exit_status
+        assert status is not None
+        return Result(status, self.recording.ticks(), self.recording.start / NS, self)
+
+
+class Result(NamedTuple):
+    """How a run ended: its exit status, its ticks (none if not recorded), its start (s since the epoch)."""
+
+    status: int
+    ticks: tuple[Tick, ...]
+    start: float
+    host: Host
+
+    @property
+    def world(self) -> World:
+        """The world of its first process."""
+        return self.host.processes[0].world
+
+    def messages(self) -> tuple[Message, ...]:
+        """What was published (nothing if not recorded)."""
+        return self.host.recording.messages()
+
+
+def _export(before: Mapping[bytes, bytes], after: Mapping[bytes, bytes]) -> None:
+    """Give the environment to the programs that are started from here, which take it from the system."""
+    for name in before.keys() - after.keys():
+        os.unsetenv(name)
+    for name, value in after.items():
+        if before.get(name) != value:
+            os.putenv(name, value)
+
+
+def duration(seconds: float) -> int:
+    """The length of a run, or of a step, in ns. Raises ValueError if it cannot be one."""
+    if not (isinstance(seconds, (int, float)) and math.isfinite(seconds) and seconds >= 0):
+        raise ValueError(f"seconds must be a number of at least 0, not {seconds!r}")
+    try:
+        return nanoseconds(seconds)
+    except OverflowError:
+        raise ValueError(f"seconds must be less than {2**63 // NS} (292 years), not {seconds!r}") from None

@@ -1,0 +1,100 @@
+"""What a node's imports find: the stand-ins of both ROSes, and messages. The first of them says for which ROS it is."""
+
+from __future__ import annotations
+
+import sys
+from collections.abc import Callable, Mapping, Sequence
+from importlib.abc import Loader, MetaPathFinder
+from importlib.machinery import ModuleSpec
+from types import FrameType, ModuleType
+from typing import Any
+
+from ..messages import MessageFinder
+from ..world.world import World
+from .roses import ros_of
+from .source import Node, folder_of, names_a_ros
+
+__all__ = ["Imports"]
+
+
+class Imports(MetaPathFinder):
+    """An entry of ``sys.meta_path`` for one process: ``world`` is its own, and ``node`` what runs in it.
+
+    Importing ``rospy`` or ``rclpy`` binds the process to ROS 1 or 2. Importing the other one then raises ImportError,
+    as where only one ROS is installed. Messages that are imported before are those of the ROS that the code names.
+    """
+
+    def __init__(
+        self,
+        node: Node,
+        world: World,
+        stand_in: Callable[[int], Mapping[str, ModuleType]],
+        hidden: Callable[[Mapping[str, ModuleType]], None],
+    ) -> None:
+        self._node = node
+        self._world = world
+        self._stand_in = stand_in  # the modules of a ROS, by their names
+        self._hidden = hidden  # is told of the modules that messages have taken the place of
+        self._finder = self._new_finder(node.hint or 1)
+
+    @property
+    def found(self) -> set[str]:
+        """The packages of messages that were imported."""
+        return self._finder.found
+
+    @property
+    def messages(self) -> Any:
+        """What makes the classes of messages, as in ``messages["std_msgs/UInt32"]``."""
+        return self._finder_of(self._world.ros or self._finder.library.ros).messages
+
+    def find_spec(self, fullname: str, path: Sequence[str] | None = None, target: Any = None) -> ModuleSpec | None:
+        """Part of the import system; None for what is neither of ROS nor a message's."""
+        if ros := ros_of(fullname):
+            return self._find_ros(fullname, ros.number)
+        if fullname.startswith("rosspin."):
+            return None
+        number = self._world.ros or self._node.hint or _named_by_who_asks(sys._getframe(1)) or 1
+        return self._finder_of(number).find_spec(fullname, path, target)
+
+    def _find_ros(self, fullname: str, ros: int) -> ModuleSpec | None:
+        if self._finder.library.ros != ros and self._finder.found:
+            raise ImportError(f"messages of ROS {3 - ros} were imported before {fullname}", name=fullname)
+        self._world.bind(ros)
+        modules = self._stand_in(ros)
+        if fullname in modules:
+            sys.modules.pop(fullname, None)  # else its own spec would be taken, and it would be loaded anew
+            return ModuleSpec(fullname, _Given(modules[fullname]), is_package=True)
+        if any(name.startswith(f"{fullname}.") for name in modules):
+            return ModuleSpec(fullname, None, is_package=True)
+        return None
+
+    def _finder_of(self, ros: int) -> MessageFinder:
+        if self._finder.library.ros != ros and not self._finder.found:
+            self._finder = self._new_finder(ros)
+        return self._finder
+
+    def _new_finder(self, ros: int) -> MessageFinder:
+        finder = MessageFinder(ros, folder_of(self._node))
+        self._hidden(finder.hide())
+        return finder
+
+
+class _Given(Loader):
+    """Gives a module that is there already; it keeps its own spec."""
+
+    def __init__(self, module: ModuleType) -> None:
+        self._module = module
+        self._spec = module.__spec__
+
+    def create_module(self, spec: ModuleSpec) -> ModuleType:
+        return self._module
+
+    def exec_module(self, module: ModuleType) -> None:
+        module.__spec__ = self._spec
+
+
+def _named_by_who_asks(frame: FrameType | None) -> int:
+    """The ROS that the importing code names: 1, 2, or 0."""
+    while frame and frame.f_code.co_filename.startswith("<frozen importlib"):
+        frame = frame.f_back
+    return names_a_ros(frame.f_code) if frame else 0

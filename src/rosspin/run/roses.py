@@ -1,0 +1,67 @@
+"""What runs need to know of ROS 1 and ROS 2."""
+
+from __future__ import annotations
+
+from importlib import import_module
+from types import ModuleType
+from typing import Any, NamedTuple
+
+__all__ = ["ROSES", "Ros", "ros_of"]
+
+
+class Ros(NamedTuple):
+    """One of the ROSes, by its number.
+
+    ``roots`` are the packages that make a process one of this ROS when it imports them, the stand-in's own first;
+    ``needed`` are the modules that its nodes need beside Python's own. The rest completes sentences about a node: what
+    kills it if it does not end, what its loops should ask, what else is a thread, how they sleep.
+    """
+
+    number: int
+    roots: tuple[str, ...]
+    needed: frozenset[str]
+    kills: str
+    goes_on: str
+    also_threads: str
+    sleep: str
+
+    @property
+    def stand_in(self) -> ModuleType:
+        """The package that stands in for it: rclpy is large, and loaded only for nodes that may need it."""
+        return import_module(f"rosspin.{self.roots[0]}")
+
+    @property
+    def tester(self) -> Any:
+        """The module of the node that a test plays."""
+        return import_module(f"rosspin.{self.roots[0]}.tester")
+
+
+ROSES = {
+    1: Ros(
+        1,
+        ("rospy", "genpy"),
+        frozenset({"genpy", "rosgraph", "rosgraph_msgs", "roslib", "rospkg", "rospy", "std_msgs", "yaml"}),
+        ", as roslaunch does",
+        "rospy.is_shutdown()",
+        " (a rospy.Timer is one, too)",
+        "rospy.sleep(0.1)",
+    ),
+    2: Ros(
+        2,
+        ("rclpy",),
+        frozenset(
+            {"builtin_interfaces", "rcl_interfaces", "rclpy", "rosgraph_msgs", "rosidl_runtime_py", "rpyutils", "yaml"}
+        ),
+        "",
+        "rclpy.ok()",
+        "",
+        "time.sleep(0.1)",
+    ),
+}
+
+_OF_ROOTS = {root: ros for ros in ROSES.values() for root in ros.roots}
+
+
+def ros_of(module: str) -> Ros | None:
+    """The ROS to which a module belongs by its name, as in rclpy.node; None for any other module."""
+    return _OF_ROOTS.get(module.partition(".")[0])

@@ -1,0 +1,220 @@
+"""A node's code: what can be run, how it is loaded, and what can be seen of it before it runs."""
+
+from __future__ import annotations
+
+import inspect
+import io
+import linecache
+import os
+import re
+import sys
+import tokenize
+from collections.abc import Callable, Iterator, Sequence
+from contextlib import suppress
+from functools import partial
+from importlib.machinery import BuiltinImporter, FrozenImporter
+from pathlib import Path
+from types import CodeType, ModuleType
+from typing import Any, NamedTuple
+
+from .kept import working_folder
+from .roses import ROSES, ros_of
+
+__all__ = [
+    *("Node", "NodeLike", "around_package", "execute", "folder_of", "load", "load_source", "names_a_ros"),
+    *("refuse_launch_of_ros2", "refuse_other_ros", "refuse_text", "split_words", "warn_of_files"),
+]
+
+
+class Node(NamedTuple):
+    """What can be run: the node's own code, the first word of its command line, the file that the code is in."""
+
+    main: Callable[[], Any]
+    argv0: str
+    filename: str
+    folder: str | None  # of the node file: its neighbours can be imported
+    source: str | None = None  # the text that it was made of, if it was
+    hint: int = 0  # 1 or 2: the ROS that its code names, as far as one sees; what it imports decides
+
+    @property
+    def name(self) -> str:
+        """What it is called where it has no other name: its file or function, without the suffix."""
+        return os.path.basename(self.argv0).removesuffix(".py")
+
+
+NodeLike = str | os.PathLike[str] | Callable[[], Any]
+
+
+def load(node: NodeLike) -> Node:
+    """Make a node of a file or a function.
+
+    Raises OSError if it cannot be read, SyntaxError if it is not Python, ValueError for several nodes or a launch file,
+    TypeError for what is neither.
+    """
+    if callable(node):
+        function = inspect.unwrap(node)
+        while isinstance(function, partial):
+            function = inspect.unwrap(function.func)
+        name = getattr(function, "__name__", type(function).__name__)
+        code = getattr(function, "__code__", None) or getattr(type(function).__call__, "__code__", None)
+        return Node(node, name, code.co_filename if code else "", None, hint=_hint([code] if code else [], None))
+    if isinstance(node, (list, tuple)) or (isinstance(node, (str, os.PathLike)) and str(node).endswith(".launch")):
+        raise ValueError("several nodes and launch files run in simulated time (rosspin.simulate) or on a real ROS")
+    if not isinstance(node, (str, os.PathLike)):
+        raise TypeError(f"a node is the path of a file, or a function, not {node!r}")
+    path = os.fspath(node)
+    refuse_launch_of_ros2(path)
+    return load_source(_read(path), path)
+
+
+def load_source(source: str, filename: str) -> Node:
+    """Load a node from its source text. Raises SyntaxError if it is not Python."""
+    lines = io.StringIO(source, newline=None).readlines()  # as Python counts them; it may show one when it compiles
+    linecache.cache[filename] = (len(source), None, lines, filename)
+    code = _compile(source, filename)
+    folder = str(Path(filename).resolve().parent) if os.path.exists(filename) else None
+    return Node(lambda: execute(code, filename), filename, filename, folder, source, _hint([code], folder))
+
+
+def execute(code: CodeType, filename: str) -> None:
+    """Run code as the module ``__main__``."""
+    module = ModuleType("__main__")
+    module.__file__ = filename
+    sys.modules["__main__"] = module
+    exec(code, module.__dict__)
+
+
+def _read(path: str) -> str:
+    """The text of a Python file. SyntaxError for bytes that are none."""
+    try:
+        with tokenize.open(path) as file:
+            return file.read()
+    except UnicodeDecodeError as error:
+        line = error.object.count(b"\n", 0, error.start) + 1
+        text = f"the byte 0x{error.object[error.start]:02x} is not {error.encoding}"
+        raise SyntaxError(text, (path, line, None, None)) from None
+
+
+def _compile(source: str, filename: str) -> CodeType:
+    try:
+        return compile(source, filename, "exec", dont_inherit=True)
+    except SyntaxError as error:  # of null bytes Python does not say where
+        line = source.partition("\0")[0].count("\n") + 1
+        raise error if error.filename else SyntaxError(error.msg, (filename, line, None, None)) from None
+
+
+# --- what is refused before it runs -----------------------------------------------------------------------------------
+
+
+def refuse_launch_of_ros2(path: str) -> None:
+    """ValueError for a launch file of ROS 2, by its name."""
+    if re.search(r"[._]launch\.(xml|ya?ml)$|\.launch\.py$", path):
+        raise ValueError(
+            f"{path}: rosspin runs launch files of ROS 1 (.launch) only; run the nodes of this one one by one"
+        )
+
+
+def refuse_other_ros(path: str, ros: int) -> None:
+    """ValueError if a node file is for the other ROS. What is wrong with it otherwise, its run will show."""
+    with suppress(SyntaxError):
+        if load_source(_read(path), path).hint == 3 - ros:
+            raise ValueError(f"{path}: this is a node of ROS {3 - ros}: --ros{3 - ros}")
+
+
+def refuse_text(args: Sequence[str]) -> None:
+    """TypeError for a command line that is not in words."""
+    if isinstance(args, str):
+        raise TypeError(f"args is a list of words, not a text: {args.split()!r}, not {args!r}")
+
+
+def split_words(words: Sequence[str]) -> tuple[Sequence[str], Sequence[str]]:
+    """Split a command line in two: rosspin's own words and, after ``--``, the node's."""
+    at = words.index("--") if "--" in words else len(words)
+    return words[:at], words[at + 1 :]
+
+
+def warn_of_files(nodes: Sequence[Node]) -> None:
+    """Say on ``sys.stderr`` which files beside nodes hide modules of Python or of a real ROS."""
+    for line in dict.fromkeys(line for node in nodes for line in _in_the_way(node)):
+        sys.stderr.write(f"rosspin: {line}\n")
+
+
+def _in_the_way(node: Node) -> Iterator[str]:
+    if node.folder is None:
+        return
+    for entry in sorted(os.listdir(node.folder)):
+        name = entry.removesuffix(".py")
+        file = _neighbour(node.folder, name)
+        if not file or not name.isidentifier():
+            continue
+        if node.hint and (name in ROSES[node.hint].needed or (name.endswith("_msgs") and name in _imports(node))):
+            whose = f"ROS {node.hint}'s"
+        elif name in sys.stdlib_module_names and not any(map(_finds(name), (BuiltinImporter, FrozenImporter))):
+            whose = "Python's"
+        else:
+            continue
+        shown = os.path.relpath(file) if working_folder() else file
+        hidden = f"{shown} is in the way of {whose} module {name}"
+        yield f"{hidden}: on a real ROS whatever imports {name} is given this file"
+
+
+def _finds(name: str) -> Callable[[Any], bool]:
+    return lambda importer: importer.find_spec(name) is not None
+
+
+def _imports(node: Node) -> set[str]:
+    return {name.partition(".")[0] for name in _names(_compile(node.source or "", node.filename))}
+
+
+# --- what is seen of it -----------------------------------------------------------------------------------------------
+
+
+def _hint(codes: Sequence[CodeType], folder: str | None) -> int:
+    """The ROS that code names, or else the neighbours that it imports; 0 if that is none, or both."""
+    seen: set[str] = set()
+    while codes:
+        names = {name for code in codes for name in _names(code)}
+        roses = {ros.number for name in names if (ros := ros_of(name))}
+        if roses or folder is None:
+            return roses.pop() if len(roses) == 1 else 0
+        paths = {path for name in names - seen if (path := _neighbour(folder, name))}
+        seen |= names
+        codes = list(_compiled(sorted(paths)))
+    return 0
+
+
+def _compiled(paths: Sequence[str]) -> Iterator[CodeType]:
+    for path in paths:
+        with suppress(SyntaxError):  # it may be for another Python, and never be imported
+            yield _compile(_read(path), path)
+
+
+def names_a_ros(code: CodeType) -> int:
+    """The ROS that code names, without what it imports; 0 if that is none, or both."""
+    return _hint([code], None)
+
+
+def _names(code: CodeType) -> Iterator[str]:
+    """The names in code and in the functions in it, among which are those of the modules that it imports."""
+    yield from code.co_names
+    for constant in code.co_consts:
+        if isinstance(constant, CodeType):
+            yield from _names(constant)
+
+
+def _neighbour(folder: str, name: str) -> str | None:
+    path = os.path.join(folder, *name.split("."))
+    return next((file for file in (f"{path}.py", os.path.join(path, "__init__.py")) if os.path.isfile(file)), None)
+
+
+def around_package(folder: str) -> str:
+    """The folder from which the package in a folder can be imported, as after ``colcon build``; "" if it is none."""
+    around = folder
+    while os.path.isfile(os.path.join(around, "__init__.py")):
+        around = os.path.dirname(around)
+    return around if around != folder else ""
+
+
+def folder_of(node: Node) -> Path | None:
+    """The folder of a node's code, from which its package is looked for: a function's, too."""
+    return Path(node.filename).parent if os.path.exists(node.filename) else None

@@ -1,0 +1,100 @@
+"""Start nodes side by side, as in terminals of their own, and press Ctrl-C in all of them."""
+
+from __future__ import annotations
+
+import signal
+import sys
+import threading
+from collections.abc import Sequence
+
+from ..clocks.clock import NS
+from ..clocks.programs import press_ctrl_c, where_it_waits
+from ..clocks.simulation import Simulation
+from .explain import say_killed
+from .host import PATIENCE, Host
+from .process import Process
+from .roslaunch.launch import Node
+from .source import Node as Code
+
+__all__ = ["Together"]
+
+_INTERRUPTED = 128 + signal.SIGINT
+
+
+class Together:
+    """Runs ``nodes``, whose code is ``codes``, in a host. Raises ValueError for what only roslaunch does.
+
+    The status is that of the first node that fails: 0 is none, and in ROS 2 neither is 130 after Ctrl-C.
+    """
+
+    def __init__(self, host: Host, nodes: Sequence[Node], codes: Sequence[Code]) -> None:
+        for node in nodes:
+            if node.required or node.respawn:
+                raise ValueError("required and respawn are for nodes of ROS 1 only, which run as under roslaunch")
+        assert isinstance(host.clock, Simulation)
+        self.status = 0
+        self._host = host
+        self._clock = host.clock
+        self._nodes = list(zip(nodes, codes, strict=True))
+        self._stderr = sys.stderr
+        self._interrupted = False
+
+    def run(self) -> None:
+        """Start the nodes, wait until Ctrl-C comes or they have ended, and end those that are left."""
+        self._ended = threading.Event()
+        processes = []
+        try:
+            processes += [self._start(node, code) for node, code in self._nodes]
+            self._wait(processes)
+        except KeyboardInterrupt:
+            pass
+        signal.signal(signal.SIGINT, signal.SIG_IGN)  # this program's own: Ctrl-C may come only now
+        self._interrupted = True
+        for process in processes:
+            if not process.world.over:
+                press_ctrl_c(process.world)
+        self._wait(processes, PATIENCE * NS)
+        for process in processes:
+            if not process.world.over:
+                self._kill(process)
+
+    def _start(self, node: Node, code: Code) -> Process:
+        folder, quiet = node.cwd, node.output != "screen"
+        process = self._host.add(code, node.args, node.env, folder, quiet)
+        process.world.at_bind.append(lambda: _give_names(process, node))
+        process.world.at_end.append(lambda: self._note_end(process))
+        self._host.begin(process)
+        return process
+
+    def _note_end(self, process: Process) -> None:
+        world = process.world
+        status = world.exit_status or 0
+        is_fine = status == 0 or (status == _INTERRUPTED and world.ros == 2 and self._interrupted)
+        if not is_fine and status != 128 + signal.SIGKILL:
+            status = 128 - status if status < 0 else status
+            self._stderr.write(f"rosspin: {process.node.name} ended with status {status}\n")
+        self.status = self.status or (0 if is_fine else status)
+        self._ended.set()
+
+    def _wait(self, processes: Sequence[Process], patience: int | None = None) -> None:
+        clock = self._clock
+        until = None if patience is None else clock.now() + patience
+        while any(not process.world.over for process in processes) and (until is None or clock.now() < until):
+            self._ended.clear()
+            self._ended.wait(None if until is None else (until - clock.now()) / NS)
+
+    def _kill(self, process: Process) -> None:
+        world = process.world
+        waited = where_it_waits(world)
+        self._stderr.write(say_killed(process.node, world.ros or 1, None, waited, PATIENCE))
+        world.exit_status = 128 + signal.SIGKILL
+        self._clock.end(world)
+
+
+def _give_names(process: Process, node: Node) -> None:
+    """Give the node the name and the namespace that it is to have, as its ROS takes them on a command line."""
+    names = {"name" if process.world.ros == 1 else "node": node.name, "ns": node.namespace.rstrip("/")}
+    words = [f"__{key}:={value}" for key, value in names.items() if value]
+    if words and process.world.ros == 2:
+        words = ["--ros-args", *(part for word in words for part in ("-r", word))]
+    process.world.argv += words
