@@ -469,7 +469,7 @@ def test_ctrl_c_while_all_are_being_ended_does_nothing() -> None:
             time.sleep(3)
             print("ended at", time.time())
 
-    run = simulate([Node(lambda: time.sleep(0.5), required=True), slow], 1)
+    run = simulate([Node(lambda: time.sleep(0.55), required=True), slow], 1)
     assert run.console.endswith("ended at 3.6\n")
 
 

@@ -28,6 +28,8 @@ class Context:
         self._hooks: list[Callable[[], Any]] = []
         self._domain_id = 0
         self.nodes: list[Node] = []
+        self.joined: int | None = None  # when (ns) other processes could begin to see it
+        self.left: int | None = None  # and from when they miss it
 
     def init(
         self, args: list[str] | None = None, *, initialize_logging: bool = True, domain_id: int | None = None
@@ -79,6 +81,7 @@ class Context:
     def end(self) -> None:
         """What a signal does: nothing goes on, but no hook is called."""
         self.valid = False
+        self.state.participants.leave(self)
         if self in self.state.contexts:
             self.state.contexts.remove(self)
         if not self.state.contexts and self.state.rosout:
@@ -97,6 +100,12 @@ class Context:
             self._hooks.append(WeakMethod(callback, self._hooks.remove))
         else:
             self._hooks.append(callback)
+
+    def add_node(self, node: Node) -> None:
+        """A node was made in it."""
+        self.nodes.append(node)
+        if self.joined is None:
+            self.state.participants.join(self)
 
     def forget(self, callback: Callable[[], Any]) -> None:
         """Do not call a function at shutdown."""

@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 import time
-from collections.abc import Callable, Iterator
+from collections.abc import Callable, Iterable, Iterator, Mapping, Set
 from importlib import import_module
 from typing import TYPE_CHECKING, Any
 
@@ -33,6 +33,24 @@ if TYPE_CHECKING:
     from .executors import Executor
 
 __all__ = ["Node"]
+
+# The topics that every node publishes.
+_OF_EVERY_NODE = {
+    "/parameter_events": {"rcl_interfaces/msg/ParameterEvent"},
+    "/rosout": {"rcl_interfaces/msg/Log"},
+}
+
+
+class NodeNameNonExistentError(RCLError):
+    """There is no such node."""
+
+
+def _by_topic(ends: Iterable[Publisher | Subscription], topics: Mapping[str, Set[str]]) -> list[tuple[str, list[str]]]:
+    """The topics of ends, and those given, with their types, sorted."""
+    found = {topic: set(types) for topic, types in topics.items()}
+    for owner in ends:
+        found.setdefault(owner.end.topic, set()).add(owner.end.type)
+    return [(topic, sorted(types)) for topic, types in sorted(found.items())]
 
 
 class Node(Parameters):
@@ -350,20 +368,43 @@ class Node(Parameters):
         InvalidHandle if the node was destroyed.
         """
         self.__check()
-        topics = {
-            "/parameter_events": "rcl_interfaces/msg/ParameterEvent",
-            "/rosout": "rcl_interfaces/msg/Log",
-            **{owner.end.topic: owner.end.type for node in self._context.nodes for owner in node._subscriptions},
-            **dict(self._context.state.world.graph.topics()),
-        }
-        return [(topic, [kind]) for topic, kind in sorted(topics.items())]
+        own = [owner for context in self._context.state.contexts for node in context.nodes for owner in node.__ends()]
+        return _by_topic([*own, *(owner for node in self.__nodes() for owner in node.__ends())], _OF_EVERY_NODE)
+
+    def __ends(self) -> Iterator[Publisher | Subscription]:
+        yield from self._publishers
+        yield from self._subscriptions
+
+    def __nodes(self) -> list[Node]:
+        """The nodes that are known: those of its context, and those of other processes that were found."""
+        others = self._context.state.participants.nodes(self._context)
+        return [*self._context.nodes, *others]
+
+    def get_publisher_names_and_types_by_node(
+        self, node_name: str, node_namespace: str, no_demangle: bool = False
+    ) -> list[tuple[str, list[str]]]:
+        """The topics that a known node publishes, and their types. NodeNameNonExistentError if there is none."""
+        return _by_topic(self.__find("publisher", node_name, node_namespace)._publishers, _OF_EVERY_NODE)
+
+    def get_subscriber_names_and_types_by_node(
+        self, node_name: str, node_namespace: str, no_demangle: bool = False
+    ) -> list[tuple[str, list[str]]]:
+        """The topics that a known node subscribes to, likewise."""
+        return _by_topic(self.__find("subscriber", node_name, node_namespace)._subscriptions, {})
+
+    def __find(self, what: str, name: str, namespace: str) -> Node:
+        self.__check()
+        for node in self.__nodes():
+            if (node.__name, node.__namespace) == (name, namespace):
+                return node
+        raise NodeNameNonExistentError(f"cannot get {what} names and types for nonexistent node: error not set")
 
     def count_publishers(self, topic_name: str) -> int:
-        """How many publishers of this process a topic has, whose name is not remapped. ValueError, InvalidHandle."""
+        """How many known publishers a topic has, whose name is not remapped. ValueError, InvalidHandle."""
         return self.__count(topic_name, "_publishers")
 
     def count_subscribers(self, topic_name: str) -> int:
-        """How many subscriptions of this process a topic has, whose name is not remapped. ValueError, InvalidHandle."""
+        """How many known subscriptions a topic has, whose name is not remapped. ValueError, InvalidHandle."""
         return self.__count(topic_name, "_subscriptions")
 
     def __count(self, topic_name: str, owners: str) -> int:
@@ -372,25 +413,25 @@ class Node(Parameters):
         if not self._context.ok():
             what = {"_publishers": "publishers", "_subscriptions": "subscribers"}[owners]
             raise RCLError(f"Error in rcl_count_{what}: rcl node's context is invalid")
-        return sum(owner.end.topic == full_name for node in self._context.nodes for owner in getattr(node, owners))
+        return sum(owner.end.topic == full_name for node in self.__nodes() for owner in getattr(node, owners))
 
     def get_node_names(self) -> list[str]:
-        """The names of the nodes of this process. InvalidHandle if this one was destroyed."""
+        """The names of the nodes that are known. InvalidHandle if this one was destroyed."""
         self.__check()
-        return [node.__name for node in self._context.nodes]
+        return [node.__name for node in self.__nodes()]
 
     def get_node_names_and_namespaces(self) -> list[tuple[str, str]]:
-        """Names and namespaces of the nodes of this process. InvalidHandle if this one was destroyed."""
+        """Names and namespaces of the nodes that are known. InvalidHandle if this one was destroyed."""
         self.__check()
-        return [(node.__name, node.__namespace) for node in self._context.nodes]
+        return [(node.__name, node.__namespace) for node in self.__nodes()]
 
     def get_fully_qualified_node_names(self) -> list[str]:
-        """The full names of the nodes of this process. InvalidHandle if this one was destroyed."""
+        """The full names of the nodes that are known. InvalidHandle if this one was destroyed."""
         self.__check()
-        return [node.__full_name for node in self._context.nodes]
+        return [node.__full_name for node in self.__nodes()]
 
     def wait_for_node(self, fully_qualified_node_name: str, timeout: float) -> bool:
-        """Look every 0.1 s for a node of this process, for so many seconds; whether it was there.
+        """Look every 0.1 s for a node that is known, for so many seconds; whether it was there.
 
         Without a slash one is put before the name. A timeout that is not above 0 does not look. InvalidHandle.
         """
@@ -460,7 +501,8 @@ class Node(Parameters):
         self.__clock_subscription: Subscription | None = None
         if not self.has_parameter("use_sim_time"):
             self.declare_parameter("use_sim_time", False)
-        self._context.nodes.append(self)
+        self.made = self._context.state.clock.now()
+        self._context.add_node(self)
         given = self.get_parameter("use_sim_time")
         if given.type_ is Parameter.Type.BOOL:
             self.__use_sim_time(given.value)
@@ -504,8 +546,8 @@ class Node(Parameters):
 NOT_SIMULATED = {
     *("add_waitable", "clients", "count_clients", "count_services", "create_client", "create_service"),
     *("destroy_client", "get_client_names_and_types_by_node", "get_publishers_info_by_topic"),
-    *("get_publisher_names_and_types_by_node", "get_service_names_and_types", "get_subscriptions_info_by_topic"),
+    *("get_service_names_and_types", "get_subscriptions_info_by_topic"),
     *("get_node_names_and_namespaces_with_enclaves", "get_service_names_and_types_by_node", "handle"),
-    *("get_subscriber_names_and_types_by_node", "remove_waitable", "resolve_service_name"),
+    *("remove_waitable", "resolve_service_name"),
     *("destroy_service", "services", "set_descriptor", "waitables"),
 }

@@ -8,6 +8,7 @@ from typing import TYPE_CHECKING, Any
 from weakref import WeakKeyDictionary
 
 from ..world.world import World, current_world
+from .discovery import Participants
 
 if TYPE_CHECKING:
     from .context import Context
@@ -48,6 +49,8 @@ class State:
         self.executor: Executor | None = None  # the one that ``rclpy.spin`` uses
 
         self.contexts: list[Context] = []  # those that were initialised
+        self.participants = world.graph.part(Participants)
+        world.at_end.append(self._be_missed)
         self.waiting: WeakKeyDictionary[Gate, None] = WeakKeyDictionary()  # a signal opens them
         self.handled: set[int] = set()  # signals that shut the contexts down
         self.before: dict[int, Any] = {}  # signal handlers that were there before rclpy's
@@ -59,6 +62,10 @@ class State:
         self.console = True
         self.rosout: set[str] | None = set()  # loggers that would publish on /rosout; None: none may
         self.log_form: LogForm | None = None  # None: not looked up yet
+
+    def _be_missed(self) -> None:
+        for context in self.contexts:
+            self.participants.leave(context, killed=not self.world.finished)
 
 
 def world_here() -> World | None:

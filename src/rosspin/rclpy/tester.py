@@ -78,7 +78,7 @@ class _Counterpart:
         self.peers: list[Any] = []
         self.kept: tuple[Message, ...] = ()
 
-    def deliver(self, message: Message, sent: int) -> None:
+    def receive(self, publisher: Publisher, message: Message) -> None:
         """The run has recorded it."""
 
     def send(self, message: Message) -> None:

@@ -1,7 +1,7 @@
 """Publishers and subscriptions (sources: rclpy/publisher.py, rclpy/subscription.py, rclpy/wait_for_message.py).
 
 On a real ROS a middleware brings the messages. Here a publisher puts copies of them into the queues of those who
-subscribe. All nodes of a run are in one process, where those find each other at once.
+subscribe. Those of one process find each other at once; how others do is in :mod:`rosspin.rclpy.discovery`.
 """
 
 from __future__ import annotations
@@ -14,6 +14,7 @@ from typing import TYPE_CHECKING, Any, NamedTuple
 
 from ..messages.ros2 import Message, transfer
 from .callback_groups import ReentrantCallbackGroup
+from .discovery import ENDPOINT, KEPT, discover, lose
 from .exceptions import InvalidHandle, RCLError
 from .qos import Policies, QoSProfile, incompatible_policy
 from .state import Gate
@@ -33,7 +34,7 @@ class End(NamedTuple):
     owner: Any
 
 
-class _Owner:
+class Owner:
     """What a publisher and a subscription have in common."""
 
     def __init__(
@@ -53,6 +54,7 @@ class _Owner:
         self.qos_profile = qos
         self.policies = policies
         self.peers: list[Any] = []
+        self.made = node.context.state.clock.now()
         self._destroyed = False
 
     @property
@@ -89,10 +91,30 @@ class _Owner:
         self._destroyed = True
         self.world.graph.remove(self.end)
         for peer in self.peers:
-            peer.peers.remove(self)
+            if peer.world is self.world:
+                peer.peers.remove(self)
+        lose(self, self.world.clock.now() + ENDPOINT)
+
+    def is_remote(self, other: Any) -> bool:
+        """Whether another end is in another process, where it has to be found."""
+        return isinstance(other, Owner) and other.world is not self.world
+
+    def meet(self, other: Any, policy: str | None) -> None:
+        """It knows now of an end in another process, with which it matches but for a policy."""
+        if self._destroyed or not self.node.context.ok():
+            return
+        if policy:
+            self.refuse(policy)
+        else:
+            self.peers.append(other)
+
+    def part(self, other: Any) -> None:
+        """It knows now that an end in another process is gone."""
+        if other in self.peers:
+            self.peers.remove(other)
 
 
-class Publisher(_Owner):
+class Publisher(Owner):
     """Publishes messages on a topic. Made by ``Node.create_publisher``."""
 
     _refusal = (
@@ -104,7 +126,10 @@ class Publisher(_Owner):
         super().__init__(node, msg_type, topic, full_name, qos, Policies.offered(qos))
         self.kept: deque[Message] = deque(maxlen=qos.kept if self.policies.transient_local else 0)
         for end in self.world.graph.advertise(self.end):
-            _connect(self, end.owner, end.owner, self)
+            if self.is_remote(end.owner):
+                discover(self, end.owner)
+            else:
+                _connect(self, end.owner, end.owner, self)
 
     def publish(self, msg: Message) -> None:
         """Publish a message. TypeError for one of another class, AssertionError for one with wrong values in it.
@@ -122,7 +147,7 @@ class Publisher(_Owner):
         if recording.published is not None:
             recording.add_message(self.end.topic, self.node.get_fully_qualified_name(), lambda: message)
         for subscription in list(self.peers):
-            subscription.deliver(message, self.world.clock.now())
+            subscription.receive(self, message)
 
     def get_subscription_count(self) -> int:
         """How many subscriptions it sends to."""
@@ -139,7 +164,7 @@ class Publisher(_Owner):
         return True
 
 
-class Subscription(_Owner):
+class Subscription(Owner):
     """Lets an executor call ``callback(message)``, or ``callback(message, info)``. Made by ``create_subscription``.
 
     It keeps the newest messages, as its QoS says, and gives the oldest of them first.
@@ -167,10 +192,14 @@ class Subscription(_Owner):
         self.nudge: Callable[[], None] | None = None  # tells the executor that waits
         self._executor_event = False
         self._received = 0
+        self._early: dict[Publisher, list[tuple[Message, int]] | None] = {}
         publishers = [end.owner for end in self.world.graph.subscribe(self.end)]
         self.policies = Policies.requested(qos, [publisher.policies for publisher in publishers])
         for publisher in publishers:
-            _connect(publisher, self, publisher, self)
+            if self.is_remote(publisher):
+                discover(publisher, self)
+            else:
+                _connect(publisher, self, publisher, self)
 
     @property
     def callback(self) -> Callable[..., Any]:
@@ -190,6 +219,32 @@ class Subscription(_Owner):
             "Subscription.__init__(): callback should be either be callable with one argument"
             "(to get only the message) or two (to get message and message info)"
         )
+
+    def receive(self, publisher: Publisher, message: Message) -> None:
+        """Take a message that a publisher sends now."""
+        if publisher not in self._early:
+            self.deliver(message, self.world.clock.now())
+        elif self.policies.reliable and (early := self._early[publisher]) is not None:
+            early.append((message, self.world.clock.now()))
+
+    def expect(self, publisher: Publisher) -> None:
+        """A publisher of another process may send before this end knows of it: what is reliable waits for that."""
+        self._early[publisher] = []
+
+    def meet(self, other: Publisher, policy: str | None) -> None:
+        """See the base. What was kept comes a little later, with all that was published meanwhile."""
+        super().meet(other, policy)
+        if other in self.peers and self.policies == other.policies == (True, True):
+            self._early[other] = None
+            self.world.at(self.world.clock.now() + KEPT, lambda: self._take_kept(other))
+        else:
+            for message, sent in self._early.pop(other) or ():
+                self.deliver(message, sent)
+
+    def _take_kept(self, publisher: Publisher) -> None:
+        del self._early[publisher]
+        for message in publisher.kept:
+            self.deliver(message, self.world.clock.now())
 
     def deliver(self, message: Message, sent: int) -> None:
         """Put a copy of a message into the queue."""

@@ -156,7 +156,7 @@ class Host:
             stack.callback(lambda: self._keep_names(put_back()))
             self._loaded: list[Callable[[], Callable[[], None]]] = []
             stack.callback(lambda: [undo() for undo in self._loaded])
-            stack.enter_context(patched(PATCHES))
+            stack.enter_context(patched([*PATCHES, *self._patches()]))
             self._outside = self._current = Slots()
             self._replaced: dict[str, ModuleType] = {}
             self._shared = {*sys.modules, *self._own}
@@ -168,7 +168,6 @@ class Host:
                 for process in self.processes:
                     list_threads(process.world)
                 stack.callback(self._unlist_threads)
-                stack.enter_context(patched(self._patches()))
                 stack.enter_context(telling_turns(self._turn))
             elif self.processes:
                 self._go_on(self.processes[0])

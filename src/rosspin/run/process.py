@@ -39,6 +39,9 @@ __all__ = ["PATCHES", "Process", "Slots", "leave", "starter"]
 _OF_SYS = ("argv", "path", "meta_path", "excepthook", "unraisablehook", "stdin", "stdout", "stderr")
 _of_sys = attrgetter(*_OF_SYS)
 
+# Nodes may put something else in its place.
+_environ: Any = os.environ
+
 
 class Slots:
     """What one of several processes has for itself, to be put in place when it has its turn."""
@@ -54,7 +57,7 @@ class Slots:
     def keep(self) -> None:
         """Keep what is in place now; this and the next are done at each turn, and have to be quick."""
         self.of_sys = _of_sys(sys)
-        self.environment: dict[bytes, bytes] = os.environ._data  # type: ignore[attr-defined]
+        self.environment: dict[bytes, bytes] = _environ._data
         self.filters = warnings.filters
         self.root_logger = logging.root.__dict__
         self.loggers = logging.root.manager.loggerDict
@@ -71,7 +74,7 @@ class Slots:
             sys.stdout,
             sys.stderr,
         ) = self.of_sys
-        os.environ._data = self.environment  # type: ignore[attr-defined]
+        _environ._data = self.environment
         warnings.filters = self.filters
         logging.root.__dict__ = self.root_logger
         logging.root.manager.loggerDict = self.loggers
@@ -185,6 +188,7 @@ class Process(Slots):
             _print_error(world, error)
         _run_at_exit(world)
         world.exit_status = status
+        world.finished = True
 
 
 def _status(end: SystemExit) -> int:

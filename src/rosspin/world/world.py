@@ -11,6 +11,7 @@ from typing import Any, TypeVar
 
 from ..clocks.clock import Clock
 from ..clocks.frames import Whereabouts
+from ..clocks.simulation import Simulation
 from ..clocks.stacks import Program, acting_for, whose
 from .graph import Graph, Recording
 
@@ -83,6 +84,7 @@ class World(Program):
         self.failure: Exception | None = None  # met in a thread, and the end of the run
         self.main_status: int | None = None  # with which its main program has ended
         self.exit_status: int | None = None  # and all of it
+        self.finished = False  # whether it has come to its own end: it was not killed, nor left by os._exit
         self.on_failure: Callable[[], None] | None = None  # called for each error, and a main status other than 0
         self.waited: list[Whereabouts] = []  # where its threads were when it was killed
         self.at_exit: list[tuple[Callable[..., Any], tuple[Any, ...], dict[str, Any]]] = []
@@ -130,6 +132,20 @@ class World(Program):
         self.main_status = status
         if status and self.on_failure:
             self.on_failure()
+
+    def at(self, when: int, function: Callable[[], object]) -> None:
+        """Call a function for this node at a time (ns) on its simulated clock; now, if that is past."""
+        if when <= self.clock.now():
+            function()
+            return
+
+        def call() -> None:
+            if not self.over:
+                with self.acting():
+                    function()
+
+        assert isinstance(self.clock, Simulation)
+        self.clock.at(when, call)
 
     def start(self, thread: threading.Thread) -> None:
         """Start a thread of this node, whichever node asks for it."""

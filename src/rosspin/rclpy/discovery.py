@@ -1,0 +1,84 @@
+"""How processes of ROS 2 find each other, and how they are missed, as measured on Jazzy with Fast DDS on one machine.
+
+A context is known to other processes some time after its first node was made, and the end of a topic soon after it was
+made. Each side learns of the other by itself. Within a process all is known at once.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Iterator
+from functools import partial
+from typing import TYPE_CHECKING
+
+from .qos import incompatible_policy
+
+if TYPE_CHECKING:
+    from .context import Context
+    from .node import Node
+    from .topics import Owner, Publisher, Subscription
+
+__all__ = ["KEPT", "Participants", "discover", "lose"]
+
+# How long (ns) it takes, what was measured most often: an end of a topic is known to another process, a context is,
+# messages that a publisher has kept come, a process that has ended is missed, and one that was killed.
+ENDPOINT = 1_000_000
+PARTICIPANT = 115_000_000
+KEPT = 12_000_000
+END = 35_000_000
+LEASE = 20_000_000_000
+
+
+class Participants:
+    """The contexts of a run that have a node; one for all of its processes."""
+
+    def __init__(self) -> None:
+        self._contexts: list[Context] = []
+
+    def join(self, context: Context) -> None:
+        """A context has its first node."""
+        context.joined = context.state.clock.now()
+        self._contexts.append(context)
+
+    def leave(self, context: Context, killed: bool = False) -> None:
+        """A context was shut down, or its process has ended: the others will miss it."""
+        if context.joined is not None and context.left is None:
+            context.left = context.state.clock.now() + (LEASE if killed else END)
+            for node in context.nodes:
+                for end in (*node.publishers, *node.subscriptions):
+                    lose(end, context.left)
+
+    def nodes(self, context: Context) -> Iterator[Node]:
+        """The nodes of other processes that are known to a context now."""
+        now = context.state.clock.now()
+        for other in self._contexts:
+            if (
+                other.state is not context.state
+                and _met(context, other) <= now
+                and (other.left is None or now < other.left)
+            ):
+                yield from (node for node in other.nodes if node.made + ENDPOINT <= now)
+
+
+def _met(one: Context, other: Context) -> int:
+    """When (ns) two contexts know each other."""
+    assert one.joined is not None and other.joined is not None
+    return max(one.joined, other.joined) + PARTICIPANT
+
+
+def discover(publisher: Publisher, subscription: Subscription) -> None:
+    """Let two ends of a topic in different processes find each other."""
+    if publisher.end.type != subscription.end.type:
+        return
+    met = _met(publisher.node.context, subscription.node.context)
+    policy = incompatible_policy(publisher.policies, subscription.policies)
+    subscription.expect(publisher)
+    for end, other in ((publisher, subscription), (subscription, publisher)):
+        when = max(end.made, other.made + ENDPOINT, met)
+        end.world.at(when, partial(end.meet, other, policy))
+
+
+def lose(end: Owner, when: int) -> None:
+    """An end of a topic is gone; those of other processes know it at ``when`` (ns)."""
+    for other in [*end.peers]:
+        if other.world is not end.world:
+            other.world.at(when, partial(other.part, end))
