@@ -15,10 +15,10 @@ import tomllib
 from collections.abc import Iterable, Sequence
 from functools import cache
 from pathlib import Path
-from typing import NamedTuple
+from typing import NamedTuple, Protocol
 
 from corpus import Scenario
-from tree import HELPERS, SOURCE, TESTS
+from tree import SOURCE, TESTS
 
 LEDGER = TESTS / "ledger.toml"
 
@@ -36,6 +36,25 @@ _HEAD = """# Which recording was confirmed by which version of the real ROS, and
 # The first hash is of the scenario, the harness, the version and the recording, the second of what of the stand-in the
 # scenario concerns. Of races it says how often each outcome has come.
 """
+
+
+class Confirmed(Protocol):
+    """What a recording is of: a scenario, of one process or of several."""
+
+    @property
+    def ros(self) -> int: ...
+    @property
+    def name(self) -> str: ...
+    @property
+    def args(self) -> Sequence[object]: ...
+    @property
+    def seconds(self) -> float: ...
+    @property
+    def sources(self) -> Sequence[Path]: ...
+    @property
+    def harness(self) -> Path: ...
+    @property
+    def recordings(self) -> Sequence[Path]: ...
 
 
 class Entry(NamedTuple):
@@ -80,41 +99,43 @@ class Ledger(NamedTuple):
         lines += [f'"{name}" = {counts}\n' for name, counts in sorted(self.races.items())]
         file.write_text("".join(lines), encoding="utf-8")
 
-    def confirm(self, scenario: Scenario, version: str) -> None:
+    def confirm(self, scenario: Confirmed, version: str) -> None:
         """Note that the real one has given today what is recorded."""
         row = Entry(key(scenario, version), stand_in(scenario), version, datetime.date.today())
         self.entries[scenario.ros][scenario.name] = row
 
-    def is_stale(self, scenario: Scenario) -> bool:
+    def is_stale(self, scenario: Confirmed) -> bool:
         """Whether the recording of a scenario is not what the real one gave with this scenario and this harness."""
         entry = self.entries[scenario.ros].get(scenario.name)
         return entry is None or entry.key != key(scenario, entry.version)
 
-    def is_touched(self, scenario: Scenario, version: str) -> bool:
+    def is_touched(self, scenario: Confirmed, version: str) -> bool:
         """Whether anything that it concerns has changed since the real one confirmed it."""
         entry = self.entries[scenario.ros].get(scenario.name)
         return entry is None or entry[:2] != (key(scenario, version or entry.version), stand_in(scenario))
 
 
-def key(scenario: Scenario, version: str) -> str:
+def key(scenario: Confirmed, version: str) -> str:
     """The hash of a scenario, what it is run with, and what was recorded."""
     what = (scenario.args, scenario.seconds, version)
-    files = [scenario.path, *_harness(scenario.path.parent), *scenario.recordings]
+    files = [*scenario.sources, *_harness(scenario), *scenario.recordings]
     return _hash([repr(what), *map(_text, files)])
 
 
-def _harness(folder: Path) -> list[Path]:
+def _harness(scenario: Confirmed) -> list[Path]:
     """What shapes the run of any scenario: what stands beside it and is none, and what starts it and keeps the text."""
+    folder = scenario.sources[0].parent
     beside = [path for path in folder.glob("*/*.py") if path.parent.name != "recorded"]
-    return [HELPERS / "runtimes.py", folder / "scenario.py", *sorted(beside), *sorted(folder.glob("*.yaml"))]
+    return [scenario.harness, folder / "scenario.py", *sorted(beside), *sorted(folder.glob("*.yaml"))]
 
 
-def stand_in(scenario: Scenario) -> str:
+def stand_in(scenario: Confirmed) -> str:
     """The hash of what of the stand-in a scenario names, of clocks and of what runs nodes on the real one."""
     package = SOURCE / "rosspin"
-    words = set(re.findall(r"\w+", _text(scenario.path)))
+    text = "".join(map(_text, scenario.sources))
+    words = set(re.findall(r"\w+", text))
     concerned = [path for path in _modules(package / _STAND_INS[scenario.ros]) if words & _names(path)]
-    has_messages = re.search(r"^(import|from) \w+_msgs", _text(scenario.path), re.M)
+    has_messages = re.search(r"^(import|from) \w+_msgs", text, re.M)
     messages = _modules(package / "messages") if has_messages else ()
     runner = package / "real" / "children.py", package / "real" / f"ros{scenario.ros}.py"
     return _hash(map(_text, (*concerned, *messages, *_modules(package / "clocks"), *runner)))

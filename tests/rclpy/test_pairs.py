@@ -1,0 +1,25 @@
+"""Several processes of ROS 2 in one run are held to the real ones: each does what is recorded of it."""
+
+from __future__ import annotations
+
+import pytest
+from corpus_pairs import LEDGER, PAIR_LIST, PAIRS, RENEW, Pair, differing, recorded, simulated
+from ledger import Ledger
+
+
+@pytest.mark.xfail(strict=True, raises=ValueError, reason="several processes in one run are those of ROS 1")
+@pytest.mark.parametrize("pair", PAIR_LIST, ids=lambda pair: pair.name)
+def test_the_processes_do_what_is_recorded(pair: Pair) -> None:
+    assert differing(simulated(pair), recorded(pair)) == []
+
+
+@pytest.mark.parametrize("pair", PAIR_LIST, ids=lambda pair: pair.name)
+def test_no_recording_is_stale(pair: Pair) -> None:
+    assert not Ledger.read(LEDGER).is_stale(pair), f"renew it where the real ROS is installed: {RENEW.format(pair)}"
+
+
+def test_the_corpus_is_whole() -> None:
+    files = {file.stem for file in (PAIRS / "recorded").glob("*.txt")}
+    assert files == {file.stem for pair in PAIR_LIST for file in pair.sources}
+    assert Ledger.read(LEDGER).entries[2].keys() == {pair.name for pair in PAIR_LIST}
+    assert {file.stem for file in PAIRS.glob("*.py")} - files == {"scenario"}

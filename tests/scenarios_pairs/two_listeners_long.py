@@ -1,0 +1,13 @@
+"""Listens to 6 numbers."""
+
+import rclpy
+from scenario import say, spin_until
+from std_msgs.msg import UInt32
+
+rclpy.init()
+node = rclpy.create_node("long")
+seen = []
+node.create_subscription(UInt32, "numbers", lambda message: seen.append(message.data), 10)
+spin_until(node, lambda: len(seen) == 6)
+say(seen)
+rclpy.shutdown()

@@ -1,0 +1,13 @@
+"""Hears two processes on one topic: the numbers of each come in order."""
+
+import rclpy
+from scenario import say, spin_until
+from std_msgs.msg import UInt32
+
+rclpy.init()
+node = rclpy.create_node("listener")
+seen = []
+node.create_subscription(UInt32, "numbers", lambda message: seen.append(message.data), 10)
+spin_until(node, lambda: len(seen) == 10)
+say([number for number in seen if number % 2 == 0], [number for number in seen if number % 2])
+rclpy.shutdown()
