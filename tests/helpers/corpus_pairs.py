@@ -18,9 +18,13 @@ from outcomes import Outcome, differences, outcome
 from runtimes import kept
 from tree import HELPERS, TESTS
 
-from rosspin import Node, simulate
+from rosspin import Node
+from rosspin.clocks.simulation import Simulation
 from rosspin.real import ros2
 from rosspin.real.children import shell_status
+from rosspin.run.roslaunch import launch
+from rosspin.run.simulate import run_nodes
+from rosspin.run.streams import capture
 
 __all__ = ["LEDGER", "PAIRS", "PAIR_LIST", "RENEW", "Pair", "differing", "read", "recorded", "run", "simulated"]
 
@@ -44,7 +48,6 @@ _ARGS: dict[str, Args] = {
 # A line of a process says whose it is; of what rclpy logs the logger does, which is named as the process.
 _LINE = re.compile(r"(\w+): (.*\n)")
 _LOGGED = re.compile(r"\[\w+\] \[[\d.]+\] \[(?:\w+\.)*(\w+)\]: .*\n")
-_DIED = re.compile(r".*\[(\w+?)(?:-\d+)?\].* process has died \[.*?exit code (-?\d+).*\n")
 _FIRST_LINE = re.compile("")
 
 
@@ -103,15 +106,18 @@ PAIR_LIST = _pairs()
 
 def simulated(pair: Pair) -> dict[str, Outcome]:
     """What the processes of a scenario give in simulated time."""
-    nodes = [Node(file, args) for file, args in zip(pair.sources, pair.args, strict=True)]
-    console = simulate(nodes, pair.seconds).console
-    texts, statuses = dict.fromkeys(pair.files, ""), dict.fromkeys(pair.files, 0)
-    for line in console.splitlines(keepends=True):
-        if died := _DIED.match(line):
-            statuses[died[1]] = shell_status(int(died[2]))
-        elif found := _LINE.match(line) or _LOGGED.match(line):
+    nodes = launch.Launch([Node(file, args) for file, args in zip(pair.sources, pair.args, strict=True)])
+    with capture() as console:
+        processes = run_nodes(nodes, pair.seconds, Simulation()).host.processes
+    texts = dict.fromkeys(pair.files, "")
+    for line in console.text().splitlines(keepends=True):
+        found = _LINE.match(line) or _LOGGED.match(line)
+        if found and found[1] in texts:
             texts[found[1]] += line
-    return {process: outcome(_unnamed(text), statuses[process], None) for process, text in texts.items()}
+    statuses = [shell_status(process.world.exit_status or 0) for process in processes]
+    return {
+        name: outcome(_unnamed(texts[name]), status, None) for name, status in zip(pair.files, statuses, strict=True)
+    }
 
 
 def run(pair: Pair) -> dict[str, str]:

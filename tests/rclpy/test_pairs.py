@@ -7,7 +7,6 @@ from corpus_pairs import LEDGER, PAIR_LIST, PAIRS, RENEW, Pair, differing, recor
 from ledger import Ledger
 
 
-@pytest.mark.xfail(strict=True, raises=ValueError, reason="several processes in one run are those of ROS 1")
 @pytest.mark.parametrize("pair", PAIR_LIST, ids=lambda pair: pair.name)
 def test_the_processes_do_what_is_recorded(pair: Pair) -> None:
     assert differing(simulated(pair), recorded(pair)) == []

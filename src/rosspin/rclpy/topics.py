@@ -231,7 +231,7 @@ class Subscription(Owner):
         """A publisher of another process may send before this end knows of it: what is reliable waits for that."""
         self._early[publisher] = []
 
-    def meet(self, other: Publisher, policy: str | None) -> None:
+    def meet(self, other: Any, policy: str | None) -> None:
         """See the base. What was kept comes a little later, with all that was published meanwhile."""
         super().meet(other, policy)
         if other in self.peers and self.policies == other.policies == (True, True):
