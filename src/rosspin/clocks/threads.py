@@ -27,7 +27,15 @@ from .frames import called_from, format_error
 from .patches import Patch, either, patched
 from .stacks import Program, Stack, StackExit, current, enter, whose
 
-__all__ = ["begin_main", "end_main", "followed_threads", "list_threads", "simulated_threads", "unlist_threads"]
+__all__ = [
+    "PATCHES",
+    "begin_main",
+    "end_main",
+    "followed_threads",
+    "list_threads",
+    "simulated_threads",
+    "unlist_threads",
+]
 
 _real_lock = _thread.allocate_lock
 _real_rlock = _thread.RLock
@@ -447,7 +455,7 @@ _FOLLOWED: list[Patch] = [
     (pools, "_shutdown", _Ending),
 ]
 
-_SIMULATED: list[Patch] = [
+PATCHES: list[Patch] = [
     *_FOLLOWED,
     (_thread, "allocate_lock", lambda real: Lock),
     (_thread, "allocate", lambda real: Lock),
@@ -487,5 +495,5 @@ def followed_threads() -> Iterator[None]:
 @contextmanager
 def simulated_threads(program: Program) -> Iterator[None]:
     """Within this context the threads, locks and queues that stacks make are simulated; those of ``program`` go on."""
-    with patched(_SIMULATED), _listed(program):
+    with patched(PATCHES), _listed(program):
         yield

@@ -17,7 +17,7 @@ from .clock import nanoseconds
 from .patches import Patch, either, patched
 from .stacks import Stack, current
 
-__all__ = ["virtual_time"]
+__all__ = ["PATCHES", "virtual_time"]
 
 
 _real_sleep = time.sleep
@@ -70,7 +70,7 @@ class _LoggingSince:
         return now if isinstance(current(), Stack) else now - self._real
 
 
-_PATCHES: list[Patch] = [
+PATCHES: list[Patch] = [
     (logging, "_startTime", _LoggingSince),
     (time, "sleep", either(_sleep)),
     *((time, name, either(_seconds)) for name in ("time", "monotonic", "perf_counter")),
@@ -83,5 +83,5 @@ _PATCHES: list[Patch] = [
 @contextmanager
 def virtual_time() -> Iterator[None]:
     """Within this context the stacks of simulations are told their simulation's time."""
-    with patched(_PATCHES):
+    with patched(PATCHES):
         yield

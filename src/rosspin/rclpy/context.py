@@ -104,6 +104,7 @@ class Context:
     def add_node(self, node: Node) -> None:
         """A node was made in it."""
         self.nodes.append(node)
+        self.state.world.name = self.state.world.name or node.get_fully_qualified_name()
         if self.joined is None:
             self.state.participants.join(self)
 

@@ -11,7 +11,8 @@ from contextlib import ExitStack, contextmanager
 from types import ModuleType
 from typing import Any, NamedTuple, Protocol
 
-from ..clocks.clock import NS, Clock, nanoseconds
+from ..clocks import signals, threads, virtual_time
+from ..clocks.clock import NS, Clock, WallClock, nanoseconds
 from ..clocks.ending import Ended
 from ..clocks.frames import Whereabouts
 from ..clocks.patches import Patch, patched
@@ -24,12 +25,12 @@ from ..results.ticks import Message, Tick
 from ..world.graph import Graph, Recording, TickLog
 from ..world.world import World
 from .explain import keep_those_of, say_killed, stands_still
-from .kept import one_at_a_time, state_of_names, state_of_node, state_of_process
+from .kept import KEPT, one_at_a_time, state_of_names, state_of_node, state_of_process
 from .process import PATCHES, Process, Slots
 from .roses import ROSES
 from .source import Node
 
-__all__ = ["PATIENCE", "Host", "Result", "Supervisor", "duration"]
+__all__ = ["PATIENCE", "Host", "Result", "Supervisor", "duration", "kept", "replaced"]
 
 # After Ctrl-C roslaunch waits 15 s, asks once more with SIGTERM, and kills after another 2 s.
 PATIENCE = 17
@@ -374,6 +375,16 @@ def _export(before: Mapping[bytes, bytes], after: Mapping[bytes, bytes]) -> None
     for name, value in after.items():
         if before.get(name) != value:
             os.putenv(name, value)
+
+
+def replaced() -> list[Patch]:
+    """What is replaced in modules while processes run: for their own code, with the real thing for everybody else."""
+    return [*threads.PATCHES, *virtual_time.PATCHES, *signals.PATCHES, *PATCHES, *Host(WallClock(), None)._patches()]
+
+
+def kept() -> list[str]:
+    """What is put back at the end of a run."""
+    return [each.what for each in KEPT] + ["names in rospy, rclpy, message classes and the standard library's modules"]
 
 
 def duration(seconds: float) -> int:

@@ -70,7 +70,7 @@ class Together:
         world = process.world
         status = world.exit_status or 0
         is_fine = status == 0 or (status == _INTERRUPTED and world.ros == 2 and self._interrupted)
-        if not is_fine and status != 128 + signal.SIGKILL:
+        if not is_fine:
             status = 128 - status if status < 0 else status
             self._stderr.write(f"rosspin: {process.node.name} ended with status {status}\n")
         self.status = self.status or (0 if is_fine else status)
@@ -88,6 +88,7 @@ class Together:
         waited = where_it_waits(world)
         self._stderr.write(say_killed(process.node, world.ros or 1, None, waited, PATIENCE))
         world.exit_status = 128 + signal.SIGKILL
+        self.status = self.status or world.exit_status
         self._clock.end(world)
 
 

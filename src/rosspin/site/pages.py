@@ -32,6 +32,7 @@ from ..plots.pictures import page
 from ..results import machine
 from ..results.roscpp import timer_probe
 from ..results.ticks import Tick
+from ..run.host import kept, replaced
 from ..run.simulate import run_captured
 from ..run.source import load, load_source
 from .checks import note
@@ -302,6 +303,27 @@ def _rclpy_names() -> dict[str, list[str]]:
     }
 
 
+class PatchedDirective(SphinxDirective):
+    """``.. patched::``: what a run replaces in modules, and what it puts back at its end."""
+
+    def run(self) -> list[nodes.Node]:
+        """Two lists, from the data that patch and put back."""
+        names: dict[str, list[str]] = {}
+        for place, name, _ in replaced():
+            names.setdefault(getattr(place, "__qualname__", place.__name__), []).append(name)
+        lines = [f"{place}: {', '.join(sorted(set(found)))}" for place, found in sorted(names.items())]
+        return [
+            _bullets(lines),
+            nodes.paragraph(text="What is as before when a run is over:"),
+            _bullets(map(str, kept())),
+        ]
+
+
+def _bullets(lines: Iterable[str]) -> nodes.bullet_list:
+    items = [nodes.list_item("", nodes.paragraph(text=line)) for line in lines]
+    return nodes.bullet_list("", *items)
+
+
 class MachineDirective(SphinxDirective):
     """``.. machine:: myst-nb Sphinx``: the machine that builds this page, and the versions of these packages."""
 
@@ -402,6 +424,7 @@ def setup(app: Sphinx) -> ExtensionMetadata:
     app.add_directive("usage", UsageDirective)
     app.add_directive("names", NamesDirective)
     app.add_directive("machine", MachineDirective)
+    app.add_directive("patched", PatchedDirective)
     app.add_role("fact", FactRole())
     app.add_lexer("ipython3", CellLexer)
     app.connect("env-get-outdated", moved)
