@@ -41,6 +41,12 @@ def test_the_example_test_passes_in_a_package_of_the_reader_s_own(site: Path, tm
             pytest.skip("pip can reach no package index")
         assert run.returncode == 0, run.stdout + run.stderr
     assert "2 passed" in run.stdout
+    # So the wheel, with what it asks for from a package index, also runs a node in a folder with nothing else.
+    shutil.copy(PACKAGE / "src" / "spinner_py_node.py", tmp_path / "test")
+    command = [tmp_path / ".venv/bin/rosspin", "run", "spinner_py_node.py", "--simulated", "--seconds", "1"]
+    run = subprocess.run(command, cwd=tmp_path / "test", env=environment, capture_output=True, text=True)
+    assert run.returncode == 0, run.stderr
+    assert [line[-11:] for line in run.stdout.splitlines()[1:]] == ["counter = 1", "counter = 2"]
 
 
 class _AsInAPipe(Workspace):

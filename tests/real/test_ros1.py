@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-import importlib
 import io
 import os
 import re
@@ -373,17 +372,3 @@ def test_a_slow_callback_re_phases_a_cpp_timer(strict: ros1.Workspace) -> None:
     assert real[3] - real[2] >= 0.88
     assert expected[3] - expected[2] > 0.8  # rewritten: rospy's would be 0.2
     assert float(rows[2][6]) >= 0.88  # only profile.last_duration shows it
-
-
-# --- the benchmark ----------------------------------------------------------------------------------------------------
-
-
-def test_the_benchmark_measures_all_three(monkeypatch: pytest.MonkeyPatch, require: Callable[[str], None]) -> None:
-    """At a tiny size; what it measures is nobody's success or failure."""
-    require("ros1")
-    monkeypatch.syspath_prepend(ROOT / "benchmarks")
-    report = importlib.import_module("ros1_beside").report
-    title, *lines = report(turns=((50, 0.5),), rounds=1, loads=(1,), scenarios=(("timer_oneshot.py",),))
-    assert len(lines) == 10
-    assert sum("at most 1" in line for line in lines) == 2
-    assert sum("stand-in / roscpp" in line for line in lines) == 4
