@@ -15,6 +15,7 @@ from pathlib import Path
 import pytest
 from chatter import CHATTER
 from launches import NEVER, Until
+from leftovers import processes
 from tree import ROOT
 from verdicts import control
 
@@ -26,32 +27,12 @@ EXAMPLES = ROOT / "examples"
 PACKAGE = EXAMPLES / "my_robotics_pkg"
 PROBES = EXAMPLES / "timing_probes"
 
+pytestmark = pytest.mark.usefixtures("leaves_nothing")
+
 
 @pytest.fixture(scope="module", autouse=True)
 def ros(require: Callable[[str], None]) -> None:
     require("ros1")
-
-
-@pytest.fixture(autouse=True)
-def leaves_nothing(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> Iterator[Path]:
-    """Every run in its own temporary folder: no file in it and no process from it is there afterwards."""
-    monkeypatch.setenv("TMPDIR", str(tmp_path))
-    monkeypatch.setattr("tempfile.tempdir", None)
-    yield tmp_path
-    assert list(tmp_path.glob("rosspin-*")) == []
-    assert processes(tmp_path) == []
-
-
-def processes(folder: Path) -> list[str]:
-    """Processes that were started in a scratch workspace below a folder."""
-    mark, found = f"ROS_HOME={folder}/rosspin-".encode(), []
-    for entry in Path("/proc").glob("[0-9]*"):
-        try:
-            if mark in (entry / "environ").read_bytes():
-                found.append((entry / "cmdline").read_text())
-        except OSError:
-            pass
-    return found
 
 
 @pytest.fixture(scope="module")
@@ -233,30 +214,6 @@ def test_launch_file_that_is_none(tmp_path: Path) -> None:
     assert re.search(r"^rosspin: roslaunch ended with status \d+$", run.console, re.MULTILINE)
 
 
-@pytest.mark.parametrize("name", ["lone.launch", "lone.txt"])
-def test_file_that_cannot_be_run(tmp_path: Path, name: str) -> None:
-    (tmp_path / name).write_text("")
-    with pytest.raises(ValueError, match=name):
-        ros1.launch(tmp_path / name, 1.0)
-
-
-@pytest.mark.parametrize("seconds", [-1, float("nan"), float("inf")])
-def test_seconds_that_are_none(seconds: float) -> None:
-    with pytest.raises(ValueError, match="at least 0"):
-        ros1.launch(PACKAGE / "launch" / "spinner.launch", seconds)
-
-
-def test_missing_file() -> None:
-    with pytest.raises(FileNotFoundError):
-        ros1.launch(PACKAGE / "launch" / "nonsuch.launch", 1.0)
-
-
-def test_ros_missing(monkeypatch: pytest.MonkeyPatch) -> None:
-    monkeypatch.setattr(ros1, "_path", lambda: "/nonexistent")
-    with pytest.raises(ros1.Ros1Missing, match="sudo apt-get install .*libroscpp-dev.*python3-rospy"):
-        ros1.launch(PACKAGE / "launch" / "spinner.launch", 1.0)
-
-
 # --- clean-up ---------------------------------------------------------------------------------------------------------
 
 
@@ -316,10 +273,6 @@ def test_a_signal_ends_everything(file: str, number: signal.Signals, when: str, 
     console += process.communicate()[0]
     assert process.returncode == (0 if when == "running" else 130)
     assert "Traceback" not in console
-
-
-def test_make_ros1_installs_what_the_error_names() -> None:
-    assert f"ROS1 := {ros1.APT}\n" in ROOT.joinpath("Makefile").read_text()
 
 
 def test_doctor(capsys: pytest.CaptureFixture[str]) -> None:
