@@ -7,6 +7,7 @@ from collections.abc import Callable, Iterator
 from pathlib import Path
 
 import pytest
+from cpp_nodes import CppNodes, built
 from firefox import Tab, firefox, tab
 from in_chromium import launched, served
 from lacking import LACKS
@@ -47,6 +48,14 @@ def leaves_nothing(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> Iterator[
     yield tmp_path
     assert list(tmp_path.glob("rosspin-*")) == []
     assert processes(tmp_path) == []
+
+
+@pytest.fixture(scope="session")
+def cpp_nodes(require: Callable[[str], None], tmp_path_factory: pytest.TempPathFactory) -> CppNodes:
+    """The same for all of xdist's workers."""
+    require("ros1")
+    folder = tmp_path_factory.getbasetemp()
+    return built((folder.parent if "PYTEST_XDIST_WORKER" in os.environ else folder) / "cpp_nodes")
 
 
 @pytest.fixture(scope="session")

@@ -60,7 +60,7 @@ WRONG: dict[str, Callable[[Any], object]] = {
 @pytest.mark.parametrize("wrong", WRONG)
 def test_what_is_wrong(folder: Path, wrong: str, told: bool) -> None:
     def node() -> None:
-        import rospy
+        import rospy  # type: ignore[import-not-found]
 
         def tell(text: str) -> None:
             sys.stdout.write(f"{time.time_ns()} {text}\n")
