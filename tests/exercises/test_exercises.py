@@ -23,6 +23,8 @@ from rosspin.measures import periods
 from rosspin.results.console import read_ticks
 from rosspin.results.recordings import load
 
+pytestmark = pytest.mark.usefixtures("watchful")
+
 
 @pytest.mark.parametrize("number", NUMBERS)
 def test_there_is_a_start_and_a_folded_solution(number: int) -> None:
