@@ -55,8 +55,12 @@ def test_right_answer_passes_however_it_is_written(number: int, answer: Answer) 
 
 
 @pytest.mark.parametrize(("number", "wrong"), [(number, wrong) for number in NUMBERS for wrong in WRONG[number]])
-def test_wrong_answer_is_told_what_is_wrong_and_how_to_go_on(number: int, wrong: tuple[Answer, str, str]) -> None:
+def test_wrong_answer_is_told_what_is_wrong_and_how_to_go_on(
+    number: int, wrong: tuple[Answer, str, str], request: pytest.FixtureRequest
+) -> None:
     answer, said, hint = wrong
+    if "stands still" in said:
+        request.getfixturevalue("watchful")
     feedback = check(number, written(number, answer))
     assert not feedback.passed
     assert said.lower() in "\n".join(finding.text for finding in feedback.findings if not finding.right).lower()
@@ -305,7 +309,9 @@ def test_an_error_has_a_hint_of_its_own(wrong: str, hint: str) -> None:
         ("raise KeyboardInterrupt", "died in line 1: `KeyboardInterrupt`"),
     ],
 )
-def test_node_that_cannot_be_checked(answer: str, said: str) -> None:
+def test_node_that_cannot_be_checked(answer: str, said: str, request: pytest.FixtureRequest) -> None:
+    if answer == ENDLESS:
+        request.getfixturevalue("watchful")
     feedback = check(4, answer)
     assert not feedback.passed
     assert said in repr(feedback)

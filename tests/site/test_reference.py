@@ -11,6 +11,7 @@ from pathlib import Path
 
 import pytest
 from bs4 import BeautifulSoup
+from built_pages import parsed
 from names_of_rclpy import names_on_page
 from tree import ROOT
 
@@ -22,7 +23,7 @@ PAGES = [ROOT / "index.rst", *sorted(ROOT.glob("docs/**/*.rst")), *sorted(ROOT.g
 
 
 def _page(site: Path, name: str) -> BeautifulSoup:
-    return BeautifulSoup((site / f"docs/{name}.html").read_text(encoding="utf-8"), "html.parser")
+    return parsed(site / f"docs/{name}.html")
 
 
 def test_every_name_of_the_package_is_documented(site: Path) -> None:
