@@ -8,13 +8,11 @@ import re
 import sys
 import time
 from enum import IntEnum
-from pathlib import Path
 from types import FrameType
 from typing import TYPE_CHECKING, Any, NamedTuple
 
 from ..clocks.clock import NS
 from ..clocks.frames import node_frame
-from ..world.world import NotSimulated
 from .arguments import LEVELS
 from .state import State, state
 
@@ -23,7 +21,7 @@ if TYPE_CHECKING:
 
 __all__ = [
     *("LoggingSeverity", "RcutilsLogger", "get_logger", "get_logger_effective_level", "get_logger_level"),
-    *("get_logging_directory", "get_logging_severity_from_string", "set_logger_level"),
+    *("get_logging_severity_from_string", "set_logger_level"),
 ]
 
 
@@ -301,8 +299,3 @@ def get_logging_severity_from_string(log_severity: str) -> LoggingSeverity:
     if log_severity.lower() not in LEVELS:
         raise RuntimeError("Failed to get severity name")
     return LoggingSeverity(LEVELS[log_severity.lower()])
-
-
-def get_logging_directory() -> Path:
-    """Nothing is written to files here: NotSimulated."""
-    raise NotSimulated("rclpy.logging.get_logging_directory")
