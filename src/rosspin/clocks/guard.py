@@ -35,10 +35,10 @@ _LATEST = threading.TIMEOUT_MAX / 2
 
 @contextmanager
 def guard(until: float | None, patience: float, last_words: LastWords) -> Iterator[Callable[[], None]]:
-    """A process that kills this one if it goes on for ``patience`` seconds after a Ctrl-C, whatever it does.
+    """Start a process that kills this one if it goes on for ``patience`` seconds after a Ctrl-C, whatever it does.
 
     A thread would not do: code in C may keep all others from running. Ctrl-C comes ``until`` seconds from now, if that
-    is not None; of another one the function tells that this gives, and one from a terminal the guardian hears itself.
+    is not None. The guardian hears a Ctrl-C from a terminal itself; the function that this gives tells it of any other.
     The last words go to ``sys.stderr``.
     """
     deadline = time.monotonic() + (math.inf if until is None else until + patience)
@@ -55,7 +55,7 @@ def guard(until: float | None, patience: float, last_words: LastWords) -> Iterat
 
 @contextmanager
 def guard_threads(last_words: LastWords) -> Iterator[None]:
-    """A process that kills this one if code in C keeps its threads from running for a minute, as it may for ever."""
+    """Start a process that kills this one if code in C keeps its threads from running for a minute."""
     with _guardian(_listen, last_words) as (write, dump):
         over = threading.Event()
 

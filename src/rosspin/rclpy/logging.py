@@ -252,7 +252,10 @@ def configure(arguments: Arguments) -> None:
 
 
 def publish_on_rosout(name: str, node_name: str) -> bool:
-    """Let a node's logger publish on /rosout, where nothing goes here; whether it may. There is one of each name."""
+    """Register a node's logger for /rosout, and warn of a second one of its name; whether it may publish there.
+
+    Nothing is published there in a simulated run.
+    """
     loggers = state().rosout
     if loggers is None:
         return False

@@ -49,7 +49,7 @@ class Node:
 
 @dataclass(frozen=True)
 class Launch:
-    """The nodes of a run, in the order in which they start; the parameters that are set before; who is left out."""
+    """The nodes of a run, in the order of their start, the parameters that are set before, and what is left out."""
 
     nodes: Sequence[Node]
     parameters: Sequence[tuple[str, Any]] = ()
@@ -132,8 +132,8 @@ class _Scope:
     file: str
     namespace: str = "/"
     args: dict[str, str] = field(default_factory=dict)
-    declared: set[str] = field(default_factory=set)  # args
-    takes_all: bool = False  # args of the file that includes this one
+    declared: set[str] = field(default_factory=set)  # names of args that have a tag in this file
+    takes_all: bool = False  # whether the file is given all args of the one that includes it
     remaps: dict[str, str] = field(default_factory=dict)
     env: dict[str, str] = field(default_factory=dict)
     private: dict[str, Any] = field(default_factory=dict)  # parameters of the nodes to come
@@ -151,7 +151,7 @@ class _Scope:
         )
 
 
-# The attributes that tags may have, those that they must have first; all may have "if" and "unless".
+# How many attributes each tag must have, and their names, those first. Every tag may have "if" and "unless".
 _ATTRIBUTES = {
     "arg": (1, "name value default doc"),
     "env": (2, "name value"),
@@ -163,7 +163,7 @@ _ATTRIBUTES = {
     "rosparam": (0, "command file ns param"),
 }
 
-# What is part of the language and not of a simulation, and why a run can do without.
+# Tags that are passed over, as roslaunch does.
 _IGNORED = {"test", "master"}
 
 _TRUTHS = {"true": True, "1": True, "false": False, "0": False}
