@@ -163,8 +163,9 @@ _ATTRIBUTES = {
     "rosparam": (0, "command file ns param"),
 }
 
-# Tags that are passed over, as roslaunch does.
+# Tags that are passed over, as roslaunch does, and attributes that say nothing of a run.
 _IGNORED = {"test", "master"}
+_IDLE = {"doc", "clear_params"}
 
 _TRUTHS = {"true": True, "1": True, "false": False, "0": False}
 
@@ -218,19 +219,14 @@ class _Reader:
         for name in names[:needed]:
             if name not in tag.attributes:
                 raise _Fault(f"<{tag.name}> lacks {name}")
-        return {name: self._resolve(value, scope) for name, value in tag.attributes.items() if name not in found}
+        passed_over = _IDLE | found.keys()
+        return {name: self._resolve(text, scope) for name, text in tag.attributes.items() if name not in passed_over}
 
-    def _read_group(self, tag: _Tag, scope: _Scope, ns: str | None = None, clear_params: str = "") -> None:
+    def _read_group(self, tag: _Tag, scope: _Scope, ns: str | None = None) -> None:
         self._read_all(tag.children, scope.inner(ns))
 
     def _read_arg(
-        self,
-        tag: _Tag,
-        scope: _Scope,
-        name: str,
-        value: str | None = None,
-        default: str | None = None,
-        doc: str = "",
+        self, tag: _Tag, scope: _Scope, name: str, value: str | None = None, default: str | None = None
     ) -> None:
         if value is not None and default is not None:
             raise _Fault(f"arg {name} has both value and default")
@@ -245,13 +241,7 @@ class _Reader:
             scope.args.setdefault(name, default)
 
     def _read_include(
-        self,
-        tag: _Tag,
-        scope: _Scope,
-        file: str,
-        ns: str | None = None,
-        clear_params: str = "",
-        pass_all_args: str = "false",
+        self, tag: _Tag, scope: _Scope, file: str, ns: str | None = None, pass_all_args: str = "false"
     ) -> None:
         inner = scope.inner(ns)
         takes_all = _truth(pass_all_args, "pass_all_args")
@@ -328,13 +318,7 @@ class _Reader:
             self.parameters[name] = value
 
     def _read_rosparam(
-        self,
-        tag: _Tag,
-        scope: _Scope,
-        command: str = "load",
-        file: str | None = None,
-        ns: str = "",
-        param: str = "",
+        self, tag: _Tag, scope: _Scope, command: str = "load", file: str | None = None, ns: str = "", param: str = ""
     ) -> None:
         if command != "load":
             raise _Fault(f'<rosparam command="{command}"> is not simulated')
@@ -359,7 +343,6 @@ class _Reader:
         respawn_delay: str = "0",
         cwd: str = "ROS_HOME",
         ns: str | None = None,
-        clear_params: str = "",
         required: str = "false",
     ) -> None:
         if "/" in name:
