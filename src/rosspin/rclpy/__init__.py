@@ -161,7 +161,7 @@ NOT_SIMULATED = {
 # Names that are lacking in the modules that are here.
 LACKING = {
     "rclpy.clock": {"ClockChange", "JumpHandle", "JumpThreshold", "TimeJump"},
-    "rclpy.logging": {"get_logging_directory"},
+    "rclpy.logging": {"get_logger_level", "get_logging_directory"},
     "rclpy.signals": {"get_current_signal_handlers_options"},
 }
 

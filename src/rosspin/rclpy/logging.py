@@ -17,7 +17,7 @@ if TYPE_CHECKING:
     from .arguments import Arguments
 
 __all__ = [
-    *("LoggingSeverity", "RcutilsLogger", "get_logger", "get_logger_effective_level", "get_logger_level"),
+    *("LoggingSeverity", "RcutilsLogger", "get_logger", "get_logger_effective_level"),
     *("get_logging_severity_from_string", "set_logger_level"),
 ]
 
@@ -255,12 +255,6 @@ def set_logger_level(name: str, level: int, detailed_error: bool = False) -> Non
 def get_logger_effective_level(name: str) -> LoggingSeverity:
     """How serious something must be for the logger of that name to print it."""
     return LoggingSeverity(_effective(state(), name))
-
-
-def get_logger_level(name: str) -> LoggingSeverity:
-    """The level that was set for the logger of that name; UNSET if none was."""
-    own = state()
-    return LoggingSeverity(own.levels.get(name, 0) if name else own.level)
 
 
 def get_logging_severity_from_string(log_severity: str) -> LoggingSeverity:
