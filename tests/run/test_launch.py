@@ -149,14 +149,17 @@ def test_the_tutorials_launch_file_runs_without_its_cpp_node() -> None:
         ("<param name='a' command='echo \"x'/>", ":2: command is no command line: no closing quotation in 'echo \"x'"),
         ("<node pkg='pkg' type='node.py' name='n' args='\"x'/>", ":2: args is no command line: no closing quotation"),
         ("<param name='a' textfile='/bin/sh'/>", ":2: /bin/sh is not UTF-8: "),
-        ("<param name='a' value='4294967296'/>", ":2: a has an integer of more than 32 bits, which ROS's parameter"),
-        ("<rosparam>{a: {b: [1, -2147483649]}}</rosparam>", ":2: rosparam has an integer of more than 32 bits"),
-        ("<rosparam>{a: 2024-01-02}</rosparam>", ":2: rosparam has a date, 2024-01-02, which ROS's parameter server"),
+        ("<param name='a' value='4294967296'/>", ":2: a has a value that ROS's parameter server does not take: int"),
+        (
+            "<rosparam>{a: {b: [1, -2147483649]}}</rosparam>",
+            ":2: rosparam has a value that ROS's parameter server does not take",
+        ),
+        ("<rosparam>{a: 2024-01-02}</rosparam>", ":2: rosparam has a value that ROS's parameter server does not"),
         ("<rosparam>{a: 2024-13-02}</rosparam>", ":2: rosparam has a value that YAML cannot read: month must be in"),
-        ("<rosparam>{a: null}</rosparam>", ":2: rosparam has a null, which ROS's parameter server does not take"),
-        ("<rosparam>{a: [1, ~]}</rosparam>", ":2: rosparam has a null"),
-        ("<rosparam>{a: !!set {b}}</rosparam>", ":2: rosparam has a set"),
-        ("<rosparam>{1: 2}</rosparam>", ":2: rosparam has a name that is no text, 1"),
+        ("<rosparam>{a: null}</rosparam>", ":2: rosparam has a value that ROS's parameter server does not"),
+        ("<rosparam>{a: [1, ~]}</rosparam>", "does not take: cannot marshal None"),
+        ("<rosparam>{a: !!set {b}}</rosparam>", "does not take: cannot marshal <class 'set'>"),
+        ("<rosparam>{1: 2}</rosparam>", "does not take: dictionary key must be string"),
         (XML.format("klingon"), ":1: this cannot be read: unknown encoding"),
         (XML.format("utf-7"), ":1: this cannot be read: multi-byte encodings"),
     ],
@@ -173,18 +176,14 @@ def test_what_is_wrong_is_said_with_file_and_line(launched: Launched, text: str,
 
 TENFOLD = ["x"] + [f"&{name};" * 10 for name in "abcdefg"]
 LAUGHS = "".join(f'<!ENTITY {name} "{text}">' for name, text in zip("abcdefgh", TENFOLD, strict=True))
-ALIASES = "a: &a [x]\n" + "".join(
-    f"{name}: &{name} [{', '.join([f'*{before}'] * 10)}]\n" for before, name in zip("abcdefg", "bcdefgh", strict=True)
-)
 
 
 @pytest.mark.parametrize(
     ("text", "message"),
     [
         (f"\n<!DOCTYPE launch [{LAUGHS}]><launch><rosparam>&h;</rosparam></launch>", ":2: this is not XML: limit on"),
-        (f"<rosparam>{ALIASES.replace('&', '&amp;')}</rosparam>", ":2: rosparam has more than 100,000 values, if each"),
-        ("<rosparam>a: &amp;a [*a]</rosparam>", ":2: rosparam has more than 100,000 values"),
-        ("<rosparam>a: &amp;a {b: *a}</rosparam>", ":2: rosparam has more than 100,000 values"),
+        ("<rosparam>a: &amp;a [*a]</rosparam>", "does not take: cannot marshal recursive sequences"),
+        ("<rosparam>a: &amp;a {b: *a}</rosparam>", "does not take: cannot marshal recursive dictionaries"),
         (f"<rosparam>a: {'[' * 5000}</rosparam>", ":2: rosparam is not YAML: "),
         (f"<rosparam>a: {'9' * 5000}</rosparam>", ":2: rosparam has a value that YAML cannot read: Exceeds the limit"),
         ("<include file='$(dirname)/a.launch'/>", ":2 -> ..."),

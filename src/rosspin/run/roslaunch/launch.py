@@ -7,8 +7,8 @@ import re
 import shlex
 from collections import Counter
 from collections.abc import Mapping, Sequence
+from copy import deepcopy
 from dataclasses import dataclass, field, replace
-from datetime import date
 from pathlib import Path
 from typing import Any
 
@@ -18,8 +18,7 @@ from ..process import NodeLike
 
 __all__ = ["Launch", "Node", "read_launch"]
 
-# Nobody means more: so many values a text of YAML may have, and so deep files may include one another.
-_MOST_VALUES = 100_000
+# Nobody means more: so deep files may include one another.
 _DEEPEST = 100
 
 
@@ -140,15 +139,10 @@ class _Scope:
 
     def inner(self, namespace: str | None) -> _Scope:
         """A scope of its own inside of this one."""
-        return replace(
-            self,
-            namespace=make_global_ns(ns_join(self.namespace, namespace)) if namespace else self.namespace,
-            args=dict(self.args),
-            declared=set(self.declared),
-            remaps=dict(self.remaps),
-            env=dict(self.env),
-            private=dict(self.private),
-        )
+        inner = deepcopy(self)
+        if namespace:
+            inner.namespace = make_global_ns(ns_join(self.namespace, namespace))
+        return inner
 
 
 # How many attributes each tag must have, and their names, those first. Every tag may have "if" and "unless".
@@ -392,12 +386,11 @@ class _Reader:
 
     def _find_node(self, package: str, kind: str) -> Path | None:
         """The file of a node; None if it is to be left out."""
-        if self._skip_cpp and self._library.package(package) is None:
-            return None
-        try:
-            folder = self._package(package)
-        except _Fault as fault:
-            raise _Fault(f"{fault}; --skip-cpp leaves its node {kind} out") from None
+        folder = self._library.package(package)
+        if folder is None:
+            if self._skip_cpp:
+                return None
+            raise _Fault(f"there is no package {package} around this file; --skip-cpp leaves its node {kind} out")
         for place, folders, files in os.walk(folder):
             folders[:] = sorted(name for name in folders if not name.startswith("."))
             if kind in files and _is_python(Path(place, kind)):
@@ -542,26 +535,10 @@ def _yaml(text: str, name: str) -> Any:
 
 
 def _check_values(data: Any, name: str) -> None:
-    """_Fault if ROS's parameter server would not take it (source: xmlrpc.client's Marshaller), or if it is endless."""
-    count, waiting = 0, [data]
-    while waiting:
-        value = waiting.pop()
-        count += 1
-        if count > _MOST_VALUES:
-            raise _Fault(f"{name} has more than {_MOST_VALUES:,} values, if each alias counts as what it stands for")
-        wrong = ""
-        if isinstance(value, dict):
-            wrong = next((f"a name that is no text, {key!r}" for key in value if not isinstance(key, str)), "")
-            waiting += value.values()
-        elif isinstance(value, (list, tuple)):
-            waiting += value
-        elif value is None:
-            wrong = "a null"
-        elif isinstance(value, int) and not -(2**31) <= value < 2**31:
-            wrong = "an integer of more than 32 bits"
-        elif type(value) is date:
-            wrong = f"a date, {value}"
-        elif isinstance(value, set):
-            wrong = "a set"
-        if wrong:
-            raise _Fault(f"{name} has {wrong}, which ROS's parameter server does not take")
+    """_Fault if ROS's parameter server would not take it; also what holds itself is none of XML-RPC's values."""
+    from xmlrpc.client import dumps  # only needed where there are parameters
+
+    try:
+        dumps((data,))
+    except (TypeError, OverflowError) as error:
+        raise _Fault(f"{name} has a value that ROS's parameter server does not take: {error}") from None
