@@ -152,7 +152,5 @@ rospy.rostime.set_rostime_initialized(True)
 for value in (genpy.Time(4, 5), rospy.Time(1)):
     show("set_rostime", rospy.rostime._set_rostime, value)
     print(rospy.rostime.is_wallclock(), rospy.rostime.is_rostime_initialized(), repr(rospy.get_rostime()))
-with rospy.rostime.get_rostime_cond():
-    rospy.rostime.get_rostime_cond().notify_all()
 rospy.rostime.switch_to_wallclock()
 print(rospy.rostime.is_wallclock())
