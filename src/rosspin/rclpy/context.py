@@ -77,7 +77,7 @@ class Context:
         self._hooks = []
 
     def end(self) -> None:
-        """What a signal does: nothing goes on, but no hook is called."""
+        """End as at a signal: no hook is called."""
         self.valid = False
         if self in self.state.contexts:
             self.state.contexts.remove(self)

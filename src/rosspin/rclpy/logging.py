@@ -4,17 +4,12 @@ from __future__ import annotations
 
 import math
 import os
-import re
 import sys
-import time
 from enum import IntEnum
-from pathlib import Path
-from types import FrameType
-from typing import TYPE_CHECKING, Any, NamedTuple
+from typing import TYPE_CHECKING, Any
 
 from ..clocks.clock import NS
 from ..clocks.frames import node_frame
-from ..world.world import NotSimulated
 from .arguments import LEVELS
 from .state import State, state
 
@@ -22,8 +17,8 @@ if TYPE_CHECKING:
     from .arguments import Arguments
 
 __all__ = [
-    *("LoggingSeverity", "RcutilsLogger", "get_logger", "get_logger_effective_level", "get_logger_level"),
-    *("get_logging_directory", "get_logging_severity_from_string", "set_logger_level"),
+    *("LoggingSeverity", "RcutilsLogger", "get_logger", "get_logger_effective_level"),
+    *("get_logging_severity_from_string", "set_logger_level"),
 ]
 
 
@@ -39,7 +34,6 @@ class LoggingSeverity(IntEnum):
 
 
 _COLOURS = {10: "\033[32m", 20: "\033[0m", 30: "\033[33m", 40: "\033[31m", 50: "\033[31m"}
-_DEFAULT_FORMAT = "[{severity}] [{time}] [{name}]: {message}"
 
 # The options of a log call, by filter, in the order in which the filters are asked.
 _FILTERS = {
@@ -135,7 +129,7 @@ class RcutilsLogger:
                 f"{severity!r}, {name!r}, {message!r}, {frame.f_code.co_name!r}, "
                 f"{os.path.abspath(where[0])!r}, {where[1]}"
             )
-        _write(self._state, severity, name, message, frame)
+        _write(self._state, severity, name, message)
         return True
 
     def debug(self, message: str, **kwargs: Any) -> bool:
@@ -192,57 +186,27 @@ def _effective(own: State, name: str) -> int:
     return own.level
 
 
-def _write(own: State, severity: LoggingSeverity, name: str, message: str, frame: FrameType) -> None:
-    """Write a line in one go, coloured on a terminal. All levels go to stderr."""
+def _write(own: State, severity: LoggingSeverity, name: str, message: str) -> None:
+    """Write a line in one go, coloured on a terminal or if the environment says so. All levels go to stderr."""
     if not own.console:
         return
+    if own.coloured is None:  # not looked up yet: rcutils does it once, at ``init`` or at the first line
+        _look_up_colours(own)
     now = own.clock.now()
-    form = own.log_form or _read_form(own)
-    if form.line == _DEFAULT_FORMAT:
-        line = f"[{severity.name}] [{now // NS}.{now % NS:09d}] [{name}]: {message}"
-    else:
-        fields = {
-            "severity": severity.name,
-            "name": name,
-            "message": message,
-            "function_name": frame.f_code.co_name,
-            "file_name": os.path.abspath(frame.f_code.co_filename),
-            "line_number": str(frame.f_lineno),
-            "time": f"{now // NS}.{now % NS:09d}",
-            "time_as_nanoseconds": str(now),
-            "date_time_with_ms": f"{time.strftime('%Y-%m-%d %H:%M:%S', time.localtime(now // NS))}"
-            f".{now // 1_000_000 % 1000:03d}",
-        }
-        line = re.sub(r"{(\w+)}", lambda match: fields.get(match[1], match[0]), form.line)
-    stream = sys.stdout if form.to_stdout else sys.stderr
-    if stream.isatty() if form.coloured is None else form.coloured:
+    line = f"[{severity.name}] [{now // NS}.{now % NS:09d}] [{name}]: {message}"
+    if own.coloured == "1" or (not own.coloured and sys.stderr.isatty()):
         line = f"{_COLOURS[severity]}{line}\033[0m"
-    stream.write(line + "\n")
+    sys.stderr.write(line + "\n")
 
 
-class LogForm(NamedTuple):
-    """What lines look like: their format, whether they go to stdout, and are coloured (None: on a terminal)."""
-
-    line: str
-    to_stdout: bool
-    coloured: bool | None
-
-
-def _read_form(own: State) -> LogForm:
-    """What the environment says of it; rcutils looks once, at ``init`` or at the first line."""
-    coloured = os.environ.get("RCUTILS_COLORIZED_OUTPUT")
-    own.log_form = form = LogForm(
-        os.environ.get("RCUTILS_CONSOLE_OUTPUT_FORMAT", _DEFAULT_FORMAT),
-        os.environ.get("RCUTILS_LOGGING_USE_STDOUT") == "1",
-        None if coloured is None else coloured == "1",
-    )
-    return form
+def _look_up_colours(own: State) -> None:
+    own.coloured = os.environ.get("RCUTILS_COLORIZED_OUTPUT", "")
 
 
 def configure(arguments: Arguments) -> None:
     """Set the log levels of a command line."""
     own = state()
-    _read_form(own)
+    _look_up_colours(own)
     own.level = own.level if arguments.level is None else arguments.level
     own.levels.update(arguments.levels)
     own.console = arguments.console
@@ -254,7 +218,10 @@ def configure(arguments: Arguments) -> None:
 
 
 def publish_on_rosout(name: str, node_name: str) -> bool:
-    """Let a node's logger publish on /rosout, where nothing goes here; whether it may. There is one of each name."""
+    """Register a node's logger for /rosout, and warn of a second one of its name; whether it may publish there.
+
+    Nothing is published there in a simulated run.
+    """
     loggers = state().rosout
     if loggers is None:
         return False
@@ -290,19 +257,8 @@ def get_logger_effective_level(name: str) -> LoggingSeverity:
     return LoggingSeverity(_effective(state(), name))
 
 
-def get_logger_level(name: str) -> LoggingSeverity:
-    """The level that was set for the logger of that name; UNSET if none was."""
-    own = state()
-    return LoggingSeverity(own.levels.get(name, 0) if name else own.level)
-
-
 def get_logging_severity_from_string(log_severity: str) -> LoggingSeverity:
     """A severity by its name. RuntimeError if there is none."""
     if log_severity.lower() not in LEVELS:
         raise RuntimeError("Failed to get severity name")
     return LoggingSeverity(LEVELS[log_severity.lower()])
-
-
-def get_logging_directory() -> Path:
-    """Nothing is written to files here: NotSimulated."""
-    raise NotSimulated("rclpy.logging.get_logging_directory")

@@ -261,13 +261,14 @@ class NamesDirective(SphinxDirective):
                 rows = [(_code(name), _code(*sorted(names, key=str.lower))) for name, names in _rclpy_names().items()]
                 text = _table("Module", "Names", rows=rows)
             case "part":
-                lacking: dict[str, list[str]] = {}
+                alike: dict[str, list[str]] = {}
                 for name, what in sorted(stand_in.IN_PART.items()):
-                    lacking.setdefault(what, []).append(name)
-                text = _table("Names", "What is different", rows=[(_code(*lacking[what]), what) for what in lacking])
+                    alike.setdefault(what, []).append(name)
+                text = _table("Names", "What is different", rows=[(_code(*alike[what]), what) for what in alike])
             case _:
                 missing = rospy.NOT_SIMULATED if module == "rospy" else _rclpy_lacks()
-                text = _code(*sorted(missing, key=str.lower))
+                lacking = {f"{where}.{name}" for where, names in stand_in.LACKING.items() for name in names}
+                text = _code(*sorted(missing | lacking, key=str.lower))
         return self.parse_text_to_nodes(text)
 
 
