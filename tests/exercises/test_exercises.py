@@ -78,13 +78,14 @@ def test_exercises_are_what_the_page_says() -> None:
     for ros, page in PAGES.items():
         parts = re.split(r"^## (.*)$", page, flags=re.MULTILINE)
         of |= {(ros, part): text for part, text in zip(parts[1::2], parts[2::2], strict=True)}
-    for number, part, title, needs, *_, ros in EXERCISES:
-        assert f"### {number}. {title}\n" in of[ros, part]
-        text = section(number)
+    for exercise in EXERCISES:
+        ros = exercise.ros
+        assert f"### {exercise.number}. {exercise.title}\n" in of[ros, exercise.part]
+        text = section(exercise.number)
         line = re.search(r"\*\*You need\*\*:(.*?)\n\n", text, re.DOTALL)
         assert line
         linked = [(NOTEBOOKS[ros].parent / path).resolve() for path in re.findall(r"\]\((.*?)\)", line[1])]
-        assert [path.relative_to(ROOT).with_suffix("").as_posix() for path in linked] == list(needs)
+        assert [path.relative_to(ROOT).with_suffix("").as_posix() for path in linked] == list(exercise.needs)
         assert all(path.exists() for path in linked)
 
 
