@@ -197,7 +197,7 @@ def _is_empty(body: Sequence[ast.stmt]) -> bool:
 
 
 def plain(text: str) -> str:
-    """Text of the reader's, or of Python's, that is to stand in Markdown."""
+    """Fit text of the reader's, or of Python's, into a line of Markdown: without backquotes, and not too long."""
     return " ".join(text.split()).replace("`", "'")[:300]
 
 
