@@ -267,11 +267,11 @@ def drives_until(seen: Seen, when: str, end: float, again: str, late: str) -> Fi
         told = f"stopped at {say(paused[0])}" if paused else f"told a speed {len(driven)} times, not about {due} times"
         hint = "Until the node ends, the loop has to drive the motor as before."
         return Finding(False, f"{when}: up to then the motor was {told}.", hint)
-    stopped = [time for time, speed in commands if not speed]
-    if not stopped:
+    stop = next((n for n, (_, speed) in enumerate(commands) if not speed), None)
+    if stop is None:
         return Finding(False, f"{when}: nobody stops the motor. It goes on at its last speed.")
-    time = stopped[0]
-    if later := [after for after, speed in commands[commands.index((time, 0)) :] if speed]:
+    time = commands[stop][0]
+    if later := [after for after, speed in commands[stop:] if speed]:
         text = f"{when}: the motor was stopped at {say(time)}, and driven again at {say(later[0])}."
         return Finding(False, text, again)
     if time > end + 0.5:
@@ -280,7 +280,8 @@ def drives_until(seen: Seen, when: str, end: float, again: str, late: str) -> Fi
     return Finding(True, f"{when}: the motor was stopped at {say(time)}.")
 
 
-def _ends_well(seen: Seen, when: str) -> Finding:
+def ends_well(seen: Seen, when: str) -> Finding:
+    """Whether a signal has ended a node of ROS 2 with status 0, without a traceback."""
     if seen.killed:
         return Finding(False, f"{when}: the node did not end: {say_kept(seen, 2)}", hint_for_kept(seen))
     if seen.errors:
@@ -296,15 +297,11 @@ def _ends_well(seen: Seen, when: str) -> Finding:
     return Finding(True, f"{when}: the node ended with status 0, without a traceback.")
 
 
-ends_well: Check = _ends_well
-"""Whether a signal has ended a node of ROS 2 with status 0, without a traceback."""
-
-
 @_check
 def ends_at_sigterm(seen: Seen, when: str, at: float) -> Finding:
     """Whether SIGTERM, and not only Ctrl-C after it, has ended a node of ROS 2 so."""
     if not seen.interrupted:
-        return _ends_well(seen, when)
+        return ends_well(seen, when)
     hint = (
         "SIGTERM raises nothing in the main part and wakes no Rate. Let the main part spin: `spin` notices it. The "
         "loop can be in a thread."
@@ -355,7 +352,7 @@ def makes_passes_until_signalled(answer: Answer) -> Iterator[Finding]:
             hint = "The work is a part of the period: shorten the pause by the time that the work takes."
         finding = on_time(counters, grid(0.5, seconds, start=0.0), when, hint)
         yield finding
-        endings.append(_ends_well(seen, f"{when}, Ctrl-C"))
+        endings.append(ends_well(seen, f"{when}, Ctrl-C"))
         if not finding.right or seen.killed:
             yield from endings
             return
