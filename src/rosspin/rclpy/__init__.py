@@ -174,7 +174,7 @@ IN_PART = {
     "``destroy_node()`` is still there.",
     "Publisher": "Fields are always checked, as with ``ROS_PYTHON_CHECK_FIELDS=1``.",
     "QoSProfile": "``history``, ``depth``, ``reliability`` and ``durability`` have an effect.",
-    "RcutilsLogger": "On stderr only, in rcutils' default format, where rcl has few lines of its own.",
+    "RcutilsLogger": "On the console only, where rcl has few lines of its own.",
     "Timer": "A period of less than 1 µs calls every 0.1 ms, about as often as a real machine can.",
     "TimerInfo": "Here it is; on a real ROS 2 from Kilted on.",
     "signals": "A handler that the node sets itself is called at once, not when the executor wakes.",

@@ -4,9 +4,12 @@ from __future__ import annotations
 
 import math
 import os
+import re
 import sys
+import time
 from enum import IntEnum
-from typing import TYPE_CHECKING, Any
+from types import FrameType
+from typing import TYPE_CHECKING, Any, NamedTuple
 
 from ..clocks.clock import NS
 from ..clocks.frames import node_frame
@@ -34,6 +37,7 @@ class LoggingSeverity(IntEnum):
 
 
 _COLOURS = {10: "\033[32m", 20: "\033[0m", 30: "\033[33m", 40: "\033[31m", 50: "\033[31m"}
+_DEFAULT_FORMAT = "[{severity}] [{time}] [{name}]: {message}"
 
 # The options of a log call, by filter, in the order in which the filters are asked.
 _FILTERS = {
@@ -129,7 +133,7 @@ class RcutilsLogger:
                 f"{severity!r}, {name!r}, {message!r}, {frame.f_code.co_name!r}, "
                 f"{os.path.abspath(where[0])!r}, {where[1]}"
             )
-        _write(self._state, severity, name, message)
+        _write(self._state, severity, name, message, frame)
         return True
 
     def debug(self, message: str, **kwargs: Any) -> bool:
@@ -186,27 +190,57 @@ def _effective(own: State, name: str) -> int:
     return own.level
 
 
-def _write(own: State, severity: LoggingSeverity, name: str, message: str) -> None:
-    """Write a line in one go, coloured on a terminal or if the environment says so. All levels go to stderr."""
+def _write(own: State, severity: LoggingSeverity, name: str, message: str, frame: FrameType) -> None:
+    """Write a line in one go, coloured on a terminal. All levels go to stderr."""
     if not own.console:
         return
-    if own.coloured is None:  # not looked up yet: rcutils does it once, at ``init`` or at the first line
-        _look_up_colours(own)
     now = own.clock.now()
-    line = f"[{severity.name}] [{now // NS}.{now % NS:09d}] [{name}]: {message}"
-    if own.coloured == "1" or (not own.coloured and sys.stderr.isatty()):
+    form = own.log_form or _read_form(own)
+    if form.line == _DEFAULT_FORMAT:
+        line = f"[{severity.name}] [{now // NS}.{now % NS:09d}] [{name}]: {message}"
+    else:
+        fields = {
+            "severity": severity.name,
+            "name": name,
+            "message": message,
+            "function_name": frame.f_code.co_name,
+            "file_name": os.path.abspath(frame.f_code.co_filename),
+            "line_number": str(frame.f_lineno),
+            "time": f"{now // NS}.{now % NS:09d}",
+            "time_as_nanoseconds": str(now),
+            "date_time_with_ms": f"{time.strftime('%Y-%m-%d %H:%M:%S', time.localtime(now // NS))}"
+            f".{now // 1_000_000 % 1000:03d}",
+        }
+        line = re.sub(r"{(\w+)}", lambda match: fields.get(match[1], match[0]), form.line)
+    stream = sys.stdout if form.to_stdout else sys.stderr
+    if stream.isatty() if form.coloured is None else form.coloured:
         line = f"{_COLOURS[severity]}{line}\033[0m"
-    sys.stderr.write(line + "\n")
+    stream.write(line + "\n")
 
 
-def _look_up_colours(own: State) -> None:
-    own.coloured = os.environ.get("RCUTILS_COLORIZED_OUTPUT", "")
+class LogForm(NamedTuple):
+    """What lines look like: their format, whether they go to stdout, and are coloured (None: on a terminal)."""
+
+    line: str
+    to_stdout: bool
+    coloured: bool | None
+
+
+def _read_form(own: State) -> LogForm:
+    """What the environment says of it; rcutils looks once, at ``init`` or at the first line."""
+    coloured = os.environ.get("RCUTILS_COLORIZED_OUTPUT")
+    own.log_form = form = LogForm(
+        os.environ.get("RCUTILS_CONSOLE_OUTPUT_FORMAT", _DEFAULT_FORMAT),
+        os.environ.get("RCUTILS_LOGGING_USE_STDOUT") == "1",
+        None if coloured is None else coloured == "1",
+    )
+    return form
 
 
 def configure(arguments: Arguments) -> None:
     """Set the log levels of a command line."""
     own = state()
-    _look_up_colours(own)
+    _read_form(own)
     own.level = own.level if arguments.level is None else arguments.level
     own.levels.update(arguments.levels)
     own.console = arguments.console

@@ -12,6 +12,7 @@ from ..world.world import World, current_world
 if TYPE_CHECKING:
     from .context import Context
     from .executors import Executor
+    from .logging import LogForm
 
 __all__ = ["Gate", "State", "state", "world_here"]
 
@@ -55,7 +56,7 @@ class State:
         self.levels: dict[str, int] = {}
         self.console = True
         self.rosout: set[str] | None = set()  # loggers that would publish on /rosout; None: none may
-        self.coloured: str | None = None  # what the environment says of colours; None: not looked up yet
+        self.log_form: LogForm | None = None  # None: not looked up yet
 
 
 def world_here() -> World | None:
