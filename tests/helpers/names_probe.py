@@ -16,7 +16,9 @@ from typing import Any
 import genpy
 import genpy.rostime
 import rospy
+import rospy.core
 import rospy.names
+from rospy.impl.validators import non_empty
 
 seed, count = int(sys.argv[1]), int(sys.argv[2])
 draw = random.Random(seed)
@@ -58,12 +60,17 @@ def truth(function: Callable[..., Any]) -> Callable[..., bool]:
     return lambda *args: bool(function(*args))
 
 
+def checked(check: Callable[..., Any], *args: Any) -> Callable[..., Any]:
+    return lambda value, caller: check("parameter", *args)(value, caller)
+
+
 UNARY = {
     "canonicalize_name": rospy.names.canonicalize_name,
     "namespace": rospy.names.namespace,
     "make_global_ns": rospy.names.make_global_ns,
     "is_global": truth(rospy.names.is_global),
     "is_private": truth(rospy.names.is_private),
+    "isstring": rospy.names.isstring,
     "resolve_name": rospy.names.resolve_name,
     "resolve_name_without_node_name": rospy.names.resolve_name_without_node_name,
     "remap_name": rospy.names.remap_name,
@@ -71,6 +78,11 @@ UNARY = {
 BINARY = {
     "resolve_name": rospy.names.resolve_name,
     "remap_name": rospy.names.remap_name,
+    "valid_name": checked(rospy.names.valid_name),
+    "valid_name unresolved": checked(rospy.names.valid_name, False),
+    "global_name": checked(rospy.names.global_name),
+    "is_topic": checked(rospy.core.is_topic),
+    "non_empty": checked(non_empty),
 }
 
 print(rospy.names.TOPIC_ANYTYPE, rospy.names.SERVICE_ANYTYPE, rospy.names.REMAP, rospy.names.SEP, rospy.names.GLOBALNS)
@@ -82,16 +94,19 @@ for _ in range(count):
     show("get_ros_namespace", rospy.names.get_ros_namespace, {"ROS_NAMESPACE": names[0] or ""}, [])
     show("get_ros_namespace", rospy.names.get_ros_namespace, {}, [f"__ns:={names[1]}"])
     rospy.names.reload_mappings(command_line)
+    show("get_mappings", rospy.names.get_mappings)
     rospy.names._set_caller_id(node)
     show("initialize_mappings", rospy.names.initialize_mappings, node)
+    show("get_resolved_mappings", rospy.names.get_resolved_mappings)
     show("get_name", rospy.names.get_name)
     show("get_namespace", rospy.names.get_namespace)
-    for name in [*names, *rospy.names.load_mappings(command_line)]:
+    for name in [*names, *rospy.names.get_mappings()]:
         for what, function in UNARY.items():
             show(what, function, name)
         for what, function in BINARY.items():
             show(what, function, name, node)
         show("ns_join", rospy.names.ns_join, node, name)
+        show("scoped_name", rospy.names.scoped_name, node, name)
 
 # --- times ------------------------------------------------------------------------------------------------------------
 
@@ -152,5 +167,7 @@ rospy.rostime.set_rostime_initialized(True)
 for value in (genpy.Time(4, 5), rospy.Time(1)):
     show("set_rostime", rospy.rostime._set_rostime, value)
     print(rospy.rostime.is_wallclock(), rospy.rostime.is_rostime_initialized(), repr(rospy.get_rostime()))
+with rospy.rostime.get_rostime_cond():
+    rospy.rostime.get_rostime_cond().notify_all()
 rospy.rostime.switch_to_wallclock()
 print(rospy.rostime.is_wallclock())

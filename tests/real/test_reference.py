@@ -21,8 +21,6 @@ def test_every_name_of_the_real_rospy_is_known(require: Callable[[str], None]) -
     unknown = [name for name in real if name not in rospy.NOT_SIMULATED and not hasattr(rospy, name)]
     assert unknown == []
     assert rospy.NOT_SIMULATED - set(real) <= {"numpy_msg"}  # a module that is imported by itself
-    code = "; ".join(f"from {module} import {', '.join(names)}" for module, names in rospy.LACKING.items())
-    subprocess.run(["/usr/bin/python3", "-c", code], check=True)
 
 
 @pytest.fixture(scope="module")

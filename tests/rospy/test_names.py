@@ -15,8 +15,8 @@ from tree import HELPERS
 
 from rosspin import rospy, simulate
 from rosspin.messages import genpy
-from rosspin.rospy import client, names, rosgraph, rostime
-from rosspin.world.world import NotSimulated
+from rosspin.rospy import client, core, names, rosgraph, rostime
+from rosspin.rospy.validators import ParameterInvalid, non_empty
 
 PROBE = HELPERS / "names_probe.py"
 COUNT = 300
@@ -34,6 +34,46 @@ def in_a_node(check: Callable[[], None], *args: str) -> None:
 def test_any_type_is_a_star() -> None:
     """test_rospy_names: test_ANYTYPE"""
     assert names.TOPIC_ANYTYPE == names.SERVICE_ANYTYPE == "*"
+
+
+@pytest.mark.parametrize(
+    ("caller", "name", "scoped"),
+    [
+        ("/", "/a", "a"),
+        ("/", "/x/a", "x/a"),
+        ("/x", "/x/a", "x/a"),  # a node's name, not a namespace
+        ("/x/node", "/x/a", "a"),
+        ("/x/y/", "/x//a/", "a"),
+    ],
+)
+def test_a_scoped_name_leaves_out_the_namespace(caller: str, name: str, scoped: str) -> None:
+    """test_rospy_names: test_scoped_name"""
+    assert names.scoped_name(caller, name) == scoped
+
+
+@pytest.mark.parametrize("caller", ["node", "~node", ""])
+def test_a_name_is_scoped_by_a_global_one_only(caller: str) -> None:
+    """test_rospy_names: test_scoped_name"""
+    with pytest.raises(rospy.ROSException, match="^caller_id must be global$"):
+        names.scoped_name(caller, "/a")
+
+
+def test_remappings_are_resolved_for_a_node() -> None:
+    """test_rospy_names: test_mappings"""
+    written = {"__name": "other", "a": "b", "/c": "d/e", "~f": "g"}
+
+    def check() -> None:
+        assert names.get_resolved_mappings() == {}
+        assert names.get_mappings() == written
+        names.initialize_mappings("/node")
+        assert names.get_mappings() == written
+        assert names.get_resolved_mappings() == {"__name": "other", "/a": "/b", "/c": "/d/e", "/node/f": "/g"}
+        names.initialize_mappings("/x/node")
+        assert names.get_resolved_mappings() == {"__name": "other", "/x/a": "/x/b", "/c": "/x/d/e", "/x/node/f": "/x/g"}
+        names.reload_mappings(["h:=i"])
+        assert names.get_mappings() == {"h": "i"}
+
+    in_a_node(check, *(f"{source}:={target}" for source, target in written.items()), "_parameter:=1")
 
 
 @pytest.mark.parametrize(
@@ -81,11 +121,24 @@ def test_a_name_is_resolved_before_the_node_has_one() -> None:
     in_a_node(check, "__ns:=/x", "b:=c")
 
 
-def test_what_only_rospy_itself_checks_is_refused_by_name() -> None:
-    for module, lacking in rospy.LACKING.items():
-        for name in lacking:
-            with pytest.raises(NotSimulated, match=f"^{module}.{name} is not simulated"):
-                getattr(rospy.MODULES[module], name)
+@pytest.mark.parametrize("wrong", [None, 1, True, "", "a:1", "http:", "a b", " "])
+def test_a_valid_name_is_a_text_without_colon_and_space(wrong: Any) -> None:
+    """test_rospy_names: test_valid_name; test_rospy_core: test_valid_name"""
+    for resolve, full in ((True, "/node/a"), (False, "~a")):
+        check = names.valid_name("parameter", resolve)
+        assert check("~a", "/node") == full
+        with pytest.raises(ParameterInvalid, match=r"^ERROR: parameter \[parameter\] (must be|contains)"):
+            check(wrong, "/node")
+    assert names.valid_name("parameter")("a", "/x/node") == "/x/a"
+
+
+@pytest.mark.parametrize("wrong", [None, 1, "", "a", "~a"])
+def test_a_global_name_begins_with_a_slash(wrong: Any) -> None:
+    """test_rospy_names: test_global_name"""
+    check = names.global_name("parameter")
+    assert [check("/", "/node"), check("/a", "/node")] == ["/", "/a"]
+    with pytest.raises(ParameterInvalid, match=r"\[parameter\] must be a"):
+        check(wrong, "/node")
 
 
 def test_a_node_can_be_given_a_name() -> None:
@@ -101,6 +154,26 @@ def test_a_node_can_be_given_a_name() -> None:
 
 
 # --- test_rospy_core, test_rospy_client, test_rospy_validators, test_rospy_exceptions ---------------------------------
+
+
+@pytest.mark.parametrize("wrong", ["/", None, 1, "", "a:1", "a b"])
+def test_a_topic_is_a_valid_name_below_the_global_namespace(wrong: Any) -> None:
+    """test_rospy_core: test_is_topic"""
+    check = core.is_topic("parameter")
+    assert [check("a", "/x/node"), check("~a", "/x/node"), check("/a/b", "/x/node")] == ["/x/a", "/x/node/a", "/a/b"]
+    with pytest.raises(ParameterInvalid):
+        check(wrong, "/node")
+
+
+def test_a_node_can_be_called_initialised() -> None:
+    """test_rospy_core: test_initialized"""
+
+    def check() -> None:
+        assert not core.is_initialized()
+        core.set_initialized(True)
+        assert core.is_initialized()
+
+    in_a_node(check)
 
 
 @pytest.mark.parametrize(
@@ -140,6 +213,15 @@ def test_a_node_needs_a_name_without_slashes(name: Any, error: type[Exception]) 
     in_a_node(check)
 
 
+def test_a_parameter_that_must_not_be_empty() -> None:
+    """test_rospy_validators: test_validators, test_ParameterInvalid"""
+    assert non_empty("parameter")([1], "/node") == [1]
+    wrongs: list[object] = ["", 0, []]
+    for wrong in wrongs:
+        with pytest.raises(ParameterInvalid, match=r"\[parameter\] must be specified and non-empty"):
+            non_empty("parameter")(wrong, "/node")
+
+
 def test_errors_are_kinds_of_each_other() -> None:
     """test_rospy_exceptions"""
     for error in (rospy.ROSInitException, rospy.ROSSerializationException, rospy.ROSInterruptException):
@@ -161,12 +243,15 @@ def test_ros_time_can_be_set_and_waited_for() -> None:
     def check() -> None:
         rostime.set_rostime_initialized(True)
         assert rostime.is_rostime_initialized() and rostime.is_wallclock()
-        rospy.Timer(rospy.Duration(1), lambda event: None)
+        condition = rostime.get_rostime_cond()
+        rospy.Timer(rospy.Duration(1), lambda event: None)  # whose thread waits on the same condition
         for time in (genpy.Time(4, 5), rospy.Time(1)):
             rostime._set_rostime(time)
             assert not rostime.is_wallclock()
             assert rospy.get_rostime() == rospy.Time(time.secs, time.nsecs)
             assert rospy.get_time() == time.to_sec()
+        with condition:
+            condition.notify_all()
         with pytest.raises(ValueError, match="^must be Time instance: <class 'float'>$"):
             rostime._set_rostime(1.0)  # type: ignore[arg-type]
         rostime.switch_to_wallclock()

@@ -11,8 +11,8 @@ from typing import Any
 
 from ..messages import MessageFinder, genpy, ros1
 from ..messages.ros1 import Message
-from ..world.world import NotSimulated, refusing
-from . import client, core, exceptions, msg, names, rostime, timer, topics
+from ..world.world import NotSimulated
+from . import client, core, exceptions, msg, names, rostime, timer, topics, validators
 from .client import *
 from .core import *
 from .exceptions import *
@@ -61,16 +61,6 @@ NOT_SIMULATED = {
     "wait_for_service",
 }
 
-# Names that are lacking in the modules that are here.
-LACKING = {
-    "rospy.core": {"is_topic", "set_initialized"},
-    "rospy.names": {
-        *("get_mappings", "get_resolved_mappings", "global_name", "isstring", "scoped_name", "valid_name"),
-        *("valid_name_validator_resolved", "valid_name_validator_unresolved"),
-    },
-    "rospy.rostime": {"get_rostime_cond"},
-}
-
 # Names that do less here than in rospy, and what is lacking.
 IN_PART = {
     **dict.fromkeys(
@@ -95,15 +85,13 @@ MODULES = {
     "rospy.client": client,
     "rospy.core": core,
     "rospy.exceptions": exceptions,
+    "rospy.impl.validators": validators,
     "rospy.msg": msg,
     "rospy.names": names,
     "rospy.rostime": rostime,
     "rospy.timer": timer,
     "rospy.topics": topics,
 }
-
-for _name, _lacking in LACKING.items():
-    MODULES[_name].__getattr__ = refusing(_name, _lacking)  # type: ignore[method-assign]
 
 
 def __getattr__(name: str) -> Any:

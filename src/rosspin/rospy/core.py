@@ -13,8 +13,11 @@ from typing import Any
 
 from ..clocks.frames import format_error, node_frame
 from ..messages.genpy import Duration
+from .names import valid_name
+from .rosgraph import SEP
 from .rostime import get_rostime, wallsleep
 from .state import State, state
+from .validators import ParameterInvalid, Validator
 
 __all__ = [
     "is_shutdown",
@@ -233,6 +236,24 @@ logdebug_once, loginfo_once, logwarn_once, logerr_once, logfatal_once = _family(
 def is_initialized() -> bool:
     """Whether ``init_node`` has been called."""
     return state().initialized
+
+
+def set_initialized(initialized: bool) -> None:
+    """Say whether the node is initialised."""
+    state().initialized = initialized
+
+
+def is_topic(param_name: str) -> Validator:
+    """A check for names of topics, which gives them back in full. It raises ParameterInvalid."""
+    check = valid_name(param_name)
+
+    def validator(param_value: Any, caller_id: str) -> str:
+        name = str(check(param_value, caller_id))
+        if param_value == SEP:
+            raise ParameterInvalid(f"ERROR: parameter [{param_name}] cannot be the global namespace")
+        return name
+
+    return validator
 
 
 # --- shutdown ---------------------------------------------------------------------------------------------------------

@@ -5,6 +5,7 @@ from __future__ import annotations
 from typing import Any
 
 from . import rosgraph
+from .exceptions import ROSException
 from .rosgraph import (
     ANYTYPE,
     GLOBALNS,
@@ -14,12 +15,14 @@ from .rosgraph import (
     get_ros_namespace,
     is_global,
     is_private,
+    isstring,
     load_mappings,
     make_global_ns,
     namespace,
     ns_join,
 )
 from .state import state
+from .validators import ParameterInvalid, Validator
 
 __all__ = ["get_caller_id", "get_name", "get_namespace", "remap_name", "resolve_name"]
 
@@ -82,7 +85,24 @@ def remap_name(name: str, caller_id: str | None = None, resolved: bool = True) -
     return rosgraph.resolve_name(node.mappings[name], caller_id or node.name) if name in node.mappings else name
 
 
+def scoped_name(caller_id: str, name: str) -> str:
+    """A global name as seen from the namespace of ``caller_id``, in which it must be. No full name: ROSException."""
+    if not is_global(caller_id):
+        raise ROSException("caller_id must be global")
+    return canonicalize_name(name)[len(namespace(caller_id)) :]
+
+
 # --- remappings -------------------------------------------------------------------------------------------------------
+
+
+def get_mappings() -> dict[str, str]:
+    """The remappings of the command line, as they are written there."""
+    return state().mappings
+
+
+def get_resolved_mappings() -> dict[str, str]:
+    """The remappings of the command line in full; there are none before ``init_node``."""
+    return state().resolved_mappings
 
 
 def reload_mappings(argv: list[str]) -> None:
@@ -99,3 +119,47 @@ def initialize_mappings(node_name: str) -> None:
         else rosgraph.resolve_name(target, node_name)
         for source, target in node.mappings.items()
     }
+
+
+# --- checks of arguments ----------------------------------------------------------------------------------------------
+
+
+def valid_name_validator_unresolved(param_name: str, param_value: Any, caller_id: str) -> str:
+    """``param_value``, if it is a text without a colon or a space, which a URI would have. Else ParameterInvalid."""
+    value = _text(param_name, param_value)
+    if ":" in value or " " in value:
+        raise ParameterInvalid(f"ERROR: parameter [{param_name}] contains illegal chars")
+    return value
+
+
+def valid_name_validator_resolved(param_name: str, param_value: Any, caller_id: str) -> str:
+    """The same, in full for the node of the full name ``caller_id``; remappings are not looked at."""
+    return rosgraph.resolve_name(valid_name_validator_unresolved(param_name, param_value, caller_id), caller_id)
+
+
+def valid_name(param_name: str, resolve: bool = True) -> Validator:
+    """A check for names, which gives them back in full (or as they are). It raises ParameterInvalid."""
+    check = valid_name_validator_resolved if resolve else valid_name_validator_unresolved
+
+    def validator(param_value: Any, caller_id: str) -> str:
+        return check(param_name, param_value, caller_id)
+
+    return validator
+
+
+def global_name(param_name: str) -> Validator:
+    """A check for names that begin with ``/``, which gives them back. It raises ParameterInvalid."""
+
+    def validator(param_value: Any, caller_id: str) -> str:
+        value = _text(param_name, param_value)
+        if not is_global(value):
+            raise ParameterInvalid(f"ERROR: parameter [{param_name}] must be a globally referenced name")
+        return value
+
+    return validator
+
+
+def _text(param_name: str, value: Any) -> str:
+    if not value or not isstring(value):
+        raise ParameterInvalid(f"ERROR: parameter [{param_name}] must be a non-empty string")
+    return str(value)

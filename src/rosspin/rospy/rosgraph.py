@@ -17,6 +17,11 @@ _NAME = re.compile(r"[~/A-Za-z][\w/]*")
 _BASE_NAME = re.compile(r"[A-Za-z]\w*")
 
 
+def isstring(s: object) -> bool:
+    """Whether a value is a text."""
+    return isinstance(s, str)
+
+
 def is_legal_remap(arg: str | None) -> bool:
     """Whether an argument is a remapping, such as ``__ns:=/mrp`` or ``_rate:=10``."""
     return arg is not None and bool(_REMAPPING.fullmatch(arg))
@@ -99,7 +104,7 @@ def namespace(name: str) -> str:
     """The namespace that holds a name, ending in ``/``. None: ValueError; anything else that is no text: TypeError."""
     if name is None:
         raise ValueError("name")
-    if not isinstance(name, str):
+    if not isstring(name):
         raise TypeError("name")
     name = name.removesuffix(SEP)
     return name[: name.rfind(SEP) + 1] or SEP

@@ -2,6 +2,8 @@
 
 from __future__ import annotations
 
+import threading
+
 from ..clocks.clock import nanoseconds
 from ..messages import genpy
 from .state import state
@@ -73,6 +75,11 @@ def _set_rostime(t: genpy.Time) -> None:
     if not isinstance(t, genpy.Time):
         raise ValueError(f"must be Time instance: {t.__class__}")
     state().set_ros_time(t.to_nsec())
+
+
+def get_rostime_cond() -> threading.Condition:
+    """What is notified whenever ROS time is set."""
+    return state().ros_time_changed
 
 
 def switch_to_wallclock() -> None:

@@ -261,14 +261,13 @@ class NamesDirective(SphinxDirective):
                 rows = [(_code(name), _code(*sorted(names, key=str.lower))) for name, names in _rclpy_names().items()]
                 text = _table("Module", "Names", rows=rows)
             case "part":
-                alike: dict[str, list[str]] = {}
+                lacking: dict[str, list[str]] = {}
                 for name, what in sorted(stand_in.IN_PART.items()):
-                    alike.setdefault(what, []).append(name)
-                text = _table("Names", "What is different", rows=[(_code(*alike[what]), what) for what in alike])
+                    lacking.setdefault(what, []).append(name)
+                text = _table("Names", "What is different", rows=[(_code(*lacking[what]), what) for what in lacking])
             case _:
                 missing = rospy.NOT_SIMULATED if module == "rospy" else _rclpy_lacks()
-                lacking = {f"{where}.{name}" for where, names in stand_in.LACKING.items() for name in names}
-                text = _code(*sorted(missing | lacking, key=str.lower))
+                text = _code(*sorted(missing, key=str.lower))
         return self.parse_text_to_nodes(text)
 
 
@@ -285,8 +284,9 @@ def _rospy_does(name: str) -> str:
 
 
 def _rclpy_lacks() -> set[str]:
-    """Its modules and the methods of its Node that are not there."""
-    return {f"rclpy.{name}" for name in rclpy.NOT_SIMULATED} | {f"Node.{name}" for name in rclpy.node.NOT_SIMULATED}
+    """Its modules, their names, and the methods of its Node that are not there."""
+    lacking = {"rclpy": rclpy.NOT_SIMULATED, "Node": rclpy.node.NOT_SIMULATED, **rclpy.LACKING}
+    return {f"{where}.{name}" for where, names in lacking.items() for name in names}
 
 
 def _rclpy_names() -> dict[str, list[str]]:

@@ -1,0 +1,31 @@
+"""Checks of arguments, made once and called with each argument (source: rospy/impl/validators.py)."""
+
+from __future__ import annotations
+
+from collections.abc import Callable
+from typing import Any
+
+__all__ = ["ParameterInvalid", "Validator", "non_empty"]
+
+Validator = Callable[[Any, Any], Any]
+
+
+class ParameterInvalid(Exception):
+    """An argument is not what it should be."""
+
+    def __init__(self, message: object) -> None:
+        self._message = message
+
+    def __str__(self) -> str:
+        return str(self._message)
+
+
+def non_empty(param_name: str) -> Validator:
+    """Check that an argument is true; it is given back. Else ParameterInvalid, which names ``param_name``."""
+
+    def validator(param: Any, context: Any) -> Any:
+        if not param:
+            raise ParameterInvalid(f"ERROR: parameter [{param_name}] must be specified and non-empty")
+        return param
+
+    return validator
