@@ -469,8 +469,8 @@ def test_the_model_knows_who_is_next() -> None:
 
 # --- the same run, the same bytes -------------------------------------------------------------------------------------
 
-NODES = 60
-SECONDS = 4.0
+NODES = 200
+SECONDS = 1.5
 
 # What a callback, a thread or the main may do; {n} is its number, {t} a time in seconds.
 _STATEMENTS = (
