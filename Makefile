@@ -40,14 +40,14 @@ export HYPOTHESIS_STORAGE_DIRECTORY := $(CURDIR)/build/hypothesis
 export PYTHONPYCACHEPREFIX := $(CURDIR)/build/pycache
 unexport PYTHONDONTWRITEBYTECODE
 
-SPHINX = $(BIN)/sphinx-build -M $@ . build -n
+SPHINX = $(BIN)/sphinx-build -M $(1) . build -n
 
 # html, doctest and outputs share their parsed pages, so one runs after the other.
 .NOTPARALLEL:
 .PHONY: html test judge doctest outputs linkcheck serve lab bench ros1 ros2 record definitions pins clean
 
 html doctest linkcheck: $(VENV)
-	$(SPHINX) -W --keep-going $(SPHINXOPTS)
+	$(call SPHINX,$@) -W --keep-going $(SPHINXOPTS)
 
 html: $(WEB)
 
@@ -67,15 +67,16 @@ $(NPM)-for-test: $(NPM)
 
 # Writes what follows from the runs (expected outputs, copies of nodes) into the pages, to be read in `git diff`.
 outputs: $(VENV)
-	$(SPHINX) -q
+	$(call SPHINX,$@) -q
 
 # The lanes of the tests: see tests/README.md. That of what is real comes with ROSSPIN_REQUIRE, which says what must be
 # there. A whole file at a time: its tests share what they have built or started.
 PYTEST := $(BIN)/pytest --numprocesses 2 --dist loadfile --no-loadscope-reorder
 
-test: $(VENV:=-for-test) $(NPM)-for-test html doctest
+# mypy works beside the doctests: each takes one processor.
+test: $(VENV:=-for-test) $(NPM)-for-test html
 	$(BIN)/ruff check
-	$(BIN)/mypy
+	$(BIN)/mypy & typed=$$!; $(call SPHINX,doctest) -W --keep-going $(SPHINXOPTS); examples=$$?; wait $$typed && exit $$examples
 	$(PYTEST)
 	$(if $(ROSSPIN_REQUIRE),$(PYTEST) tests/real)
 

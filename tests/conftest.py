@@ -103,10 +103,15 @@ def write(tmp_path: Path) -> Any:
 
 
 @pytest.fixture
-def impatient(monkeypatch: pytest.MonkeyPatch) -> None:
-    """A node that does not heed Ctrl-C is killed after a second, one that stands still is found soon."""
-    monkeypatch.setattr("rosspin.run.host.PATIENCE", 1)
+def watchful(monkeypatch: pytest.MonkeyPatch) -> None:
+    """A node that stands still is found soon: after half a second's work, not after four."""
     monkeypatch.setattr("rosspin.clocks.watchdog._INTERVAL", 0.05)
+
+
+@pytest.fixture
+def impatient(watchful: None, monkeypatch: pytest.MonkeyPatch) -> None:
+    """That, and one that does not heed Ctrl-C is killed after a second."""
+    monkeypatch.setattr("rosspin.run.host.PATIENCE", 1)
 
 
 @pytest.fixture(scope="session")

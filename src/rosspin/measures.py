@@ -79,8 +79,11 @@ def lost(ticks: Sequence[Tick], period: float) -> list[float]:
     """The times (s) that a timer or a rate skipped, on the grid of ``period`` seconds through the first expected tick.
 
     A tick stands for the last time on the grid that is not after the one at which it was expected; a time that no tick
-    stands for, though a later one has its tick, is lost. The ticks are of one source.
+    stands for, though a later one has its tick, is lost. The ticks are of one source. Raises ValueError for a period
+    that is not above 0.
     """
+    if not 0 < period < math.inf:
+        raise ValueError(f"a period is above 0 s, not {period!r}")
     if not ticks:
         return []
     origin = previous = ticks[0].expected

@@ -343,7 +343,8 @@ def test_a_node_that_stands_in_line_for_a_processor_is_not_ended(
         simulate(node, 1)
 
 
-def test_an_import_that_never_ends(impatient: None, write: Any) -> None:
+def test_an_import_that_never_ends(write: Any, monkeypatch: pytest.MonkeyPatch) -> None:
+    monkeypatch.setattr(watchdog, "_INTERVAL", 0.005)  # it is given ten times as many looks
     write("while True: pass\n", "endless.py")
     with pytest.raises(TimeStandsStill, match="endless.py:1: "):
         simulate(write("import endless\n"), 1)

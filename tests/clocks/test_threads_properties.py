@@ -444,7 +444,7 @@ def programs(draw: Any) -> Program:
     return program
 
 
-@settings(max_examples=400, deadline=None)
+@settings(max_examples=100, deadline=None)
 @given(programs())
 def test_threads_do_what_a_plain_model_does(program: Program) -> None:
     assert simulated(program) == modelled(program)
@@ -470,7 +470,7 @@ def test_the_model_knows_who_is_next() -> None:
 # --- the same run, the same bytes -------------------------------------------------------------------------------------
 
 NODES = 200
-SECONDS = 4.0
+SECONDS = 1.5
 
 # What a callback, a thread or the main may do; {n} is its number, {t} a time in seconds.
 _STATEMENTS = (

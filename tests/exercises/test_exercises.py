@@ -22,6 +22,7 @@ from rosspin.exercises import EXERCISES, check
 from rosspin.measures import periods
 from rosspin.results.console import read_ticks
 from rosspin.results.recordings import load
+from rosspin.results.roscpp import timer_ticks
 
 
 @pytest.mark.parametrize("number", NUMBERS)
@@ -55,8 +56,12 @@ def test_right_answer_passes_however_it_is_written(number: int, answer: Answer) 
 
 
 @pytest.mark.parametrize(("number", "wrong"), [(number, wrong) for number in NUMBERS for wrong in WRONG[number]])
-def test_wrong_answer_is_told_what_is_wrong_and_how_to_go_on(number: int, wrong: tuple[Answer, str, str]) -> None:
+def test_wrong_answer_is_told_what_is_wrong_and_how_to_go_on(
+    number: int, wrong: tuple[Answer, str, str], request: pytest.FixtureRequest
+) -> None:
     answer, said, hint = wrong
+    if "stands still" in said:
+        request.getfixturevalue("watchful")
     feedback = check(number, written(number, answer))
     assert not feedback.passed
     assert said.lower() in "\n".join(finding.text for finding in feedback.findings if not finding.right).lower()
@@ -78,13 +83,14 @@ def test_exercises_are_what_the_page_says() -> None:
     for ros, page in PAGES.items():
         parts = re.split(r"^## (.*)$", page, flags=re.MULTILINE)
         of |= {(ros, part): text for part, text in zip(parts[1::2], parts[2::2], strict=True)}
-    for number, part, title, needs, *_, ros in EXERCISES:
-        assert f"### {number}. {title}\n" in of[ros, part]
-        text = section(number)
+    for exercise in EXERCISES:
+        ros = exercise.ros
+        assert f"### {exercise.number}. {exercise.title}\n" in of[ros, exercise.part]
+        text = section(exercise.number)
         line = re.search(r"\*\*You need\*\*:(.*?)\n\n", text, re.DOTALL)
         assert line
         linked = [(NOTEBOOKS[ros].parent / path).resolve() for path in re.findall(r"\]\((.*?)\)", line[1])]
-        assert [path.relative_to(ROOT).with_suffix("").as_posix() for path in linked] == list(needs)
+        assert [path.relative_to(ROOT).with_suffix("").as_posix() for path in linked] == list(exercise.needs)
         assert all(path.exists() for path in linked)
 
 
@@ -108,6 +114,19 @@ def test_the_parts_come_one_after_the_other() -> None:
         assert order == sorted(order, key=["Predict", "Change", "Repair", "Diagnose", "Publish"].index)
     assert [exercise.number for exercise in EXERCISES] == NUMBERS
     assert len({exercise.title for exercise in EXERCISES}) == len(NUMBERS)
+
+
+def test_each_exercise_has_a_name_of_its_own() -> None:
+    names = [exercise.name for exercise in EXERCISES]
+    assert len(set(names)) == len(NUMBERS)
+    assert all(re.fullmatch("[a-z]+(-[a-z0-9]+)+", name) for name in names)
+
+
+def test_an_exercise_is_named_or_numbered() -> None:
+    answer = answer_in(CELLS[4][1])
+    assert check("ten-hertz", answer) == check(4, answer)
+    with pytest.raises(ValueError, match="there is no exercise 'nine-hertz'"):
+        check("nine-hertz", answer)
 
 
 @pytest.mark.parametrize("number", NUMBERS)
@@ -189,6 +208,38 @@ def test_the_node_that_publishes_at_once_does_what_the_solution_says(
     node.write_text(text.replace(old, new))
     heard = [tick.number for tick in read_ticks(simulate(node, 1.6).console)]
     assert heard[:3] == solution_of(15)[variable]
+
+
+SLOW_SUBSCRIBER = """import rospy
+from std_msgs.msg import UInt32
+
+def callback(message):
+    rospy.loginfo("[PUBSUB PY NODE] counter = " + str(message.data))
+    rospy.sleep(0.33)
+
+def publish(event, counts=iter(range(100))):
+    publisher.publish(next(counts))
+
+rospy.init_node("pubsub_py_node")
+publisher = rospy.Publisher("counter", UInt32, queue_size=10)
+rospy.Subscriber("counter", UInt32, callback, queue_size=1)
+rospy.sleep(0.5)
+rospy.Timer(rospy.Duration(0.1), publish)
+rospy.spin()
+"""
+
+
+def test_the_slow_subscriber_hears_what_the_solution_says(tmp_path: Path) -> None:
+    node = tmp_path / "node.py"
+    node.write_text(SLOW_SUBSCRIBER)
+    heard = [tick.number for tick in read_ticks(simulate(node, 2.0).console)]
+    assert heard[:3] == solution_of(15)["slow_callback"]
+
+
+@pytest.mark.parametrize(("variable", "blocks_for"), [("after_0_6_seconds", 0.6), ("after_1_0_seconds", 1.0)])
+def test_the_rule_of_roscpp_gives_what_the_solution_says(variable: str, blocks_for: float) -> None:
+    ticks = timer_ticks(0.4, lambda number: blocks_for if number == 3 else 0.0, 6.0)
+    assert [tick.real for tick in ticks[3:6]] == pytest.approx(solution_of(3)[variable])
 
 
 def test_the_reports_of_rostopic_hz_are_of_what_the_solution_says() -> None:
@@ -305,7 +356,9 @@ def test_an_error_has_a_hint_of_its_own(wrong: str, hint: str) -> None:
         ("raise KeyboardInterrupt", "died in line 1: `KeyboardInterrupt`"),
     ],
 )
-def test_node_that_cannot_be_checked(answer: str, said: str) -> None:
+def test_node_that_cannot_be_checked(answer: str, said: str, request: pytest.FixtureRequest) -> None:
+    if answer == ENDLESS:
+        request.getfixturevalue("watchful")
     feedback = check(4, answer)
     assert not feedback.passed
     assert said in repr(feedback)

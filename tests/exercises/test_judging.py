@@ -89,7 +89,7 @@ WAYS = {
 PATCHES = {
     "passed": 'modules["rosspin.exercises.feedback"].Feedback.passed = True',
     "verdict": 'modules["rosspin.page"]._verdict = lambda feedback: "solved"',
-    "find": 'modules["rosspin.exercises.questions"].on_time = lambda *_: '
+    "find": 'modules["rosspin.exercises.judges"].on_time = lambda *_: '
     'modules["rosspin.exercises.feedback"].Finding(True, "")',
     "judge": 'modules["rosspin.exercises"].judge = modules["rosspin.page"].judge = lambda *_: "solved"',
     "dumps": 'import json\njson.dumps = lambda *_, **__: \'{"verdict": "solved"}\'',

@@ -25,7 +25,7 @@ LEDGER = TESTS / "ledger.toml"
 # What renews a recording.
 RENEW = ".venv/bin/pytest tests/real/judge/test_corpus.py -k ros{0.ros}-{0.name}"
 
-# Of those that a change touches so many (of each ROS) are run each time.
+# Of those that a change touches so many (of each ROS) are run each time, with those whose turn it is.
 MOST = 12
 SHARE = 20
 
@@ -173,7 +173,9 @@ def part(scenarios: Sequence[Scenario], version: str) -> tuple[list[Scenario], i
     """
     ledger = Ledger.read()
     turn = scenarios[TURN % SHARE :: SHARE]
-    touched = [scenario for scenario in scenarios if scenario not in turn and ledger.is_touched(scenario, version)]
-    begin = TURN * MOST % (len(touched) or 1)
-    chosen = {*turn, *(touched[begin:] + touched[:begin])[:MOST]}
-    return [scenario for scenario in scenarios if scenario in chosen], max(0, len(touched) - MOST)
+    touched = [scenario for scenario in scenarios if ledger.is_touched(scenario, version)]
+    others = [scenario for scenario in touched if scenario not in turn]
+    most = max(0, MOST - (len(touched) - len(others)))
+    begin = TURN * MOST % (len(others) or 1)
+    chosen = {*turn, *(others[begin:] + others[:begin])[:most]}
+    return [scenario for scenario in scenarios if scenario in chosen], max(0, len(others) - most)

@@ -13,7 +13,7 @@ from pathlib import Path
 import pytest
 import yaml
 from attacks import SANDBOX
-from bs4 import BeautifulSoup
+from built_pages import parsed
 from figures import FIGURES
 from hand_ins import EXERCISES, TEACHERS
 from tree import ROOT
@@ -40,7 +40,7 @@ def test_snapshot_is_made_anew_only_when_its_inputs_change(site: Path, tmp_path:
         assert hashlib.sha256(data).hexdigest() in (folder / "runs.js").read_text(encoding="utf-8")
 
 
-def test_plot_of_a_listing_that_says_for_how_long() -> None:
+def test_plot_of_a_listing_that_says_for_how_long(watchful: None) -> None:
     text = (
         "import rospy\nrospy.init_node('a')\nrospy.Timer(rospy.Duration(rospy.get_param('~p')), print)\nrospy.spin()\n"
     )
@@ -81,7 +81,7 @@ def test_lock_file_has_no_addresses() -> None:
 
 @pytest.mark.parametrize("name", PAGES)
 def test_a_figure_is_small_and_brings_no_script(site: Path, name: str) -> None:
-    page = BeautifulSoup((site / name).read_text(encoding="utf-8"), "html.parser")
+    page = parsed(site / name)
     figures = page.select("figure[data-positions]")
     assert len(figures) == sum(kind.page == name for kind in FIGURES)
     for figure in figures:

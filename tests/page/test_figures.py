@@ -7,7 +7,7 @@ import re
 from pathlib import Path
 from typing import Any
 
-from bs4 import BeautifulSoup
+from built_pages import parsed
 from figures import Kind, check_rows, kinds
 from tree import ROOT
 
@@ -28,7 +28,7 @@ def shown(row: list[Any], first: float, span: float) -> dict[str, Any]:
 @kinds
 def test_rows_are_those_of_runs(site: Path, kind: Kind) -> None:
     """At the first, the last and some other positions."""
-    page = BeautifulSoup((site / kind.page).read_text(encoding="utf-8"), "html.parser")
+    page = parsed(site / kind.page)
     carried = json.loads(str(page.select("figure[data-positions]")[kind.number]["data-positions"]))
     first, span, positions = carried["first"], carried["span"], carried["positions"]
     assert len(positions) > 5
@@ -39,9 +39,7 @@ def test_rows_are_those_of_runs(site: Path, kind: Kind) -> None:
 def test_handles_go_from_their_first_number_to_their_last(site: Path) -> None:
     for source in [ROOT / "index.rst", *ROOT.glob("docs/**/*.rst")]:
         words = re.findall(r"(?m)^   :handle: .+, (\S+) to (\S+) by", source.read_text(encoding="utf-8"))
-        page = BeautifulSoup(
-            (site / source.relative_to(ROOT).with_suffix(".html")).read_text(encoding="utf-8"), "html.parser"
-        )
+        page = parsed(site / source.relative_to(ROOT).with_suffix(".html"))
         carried = [json.loads(str(figure["data-positions"])) for figure in page.select("figure[data-positions]")]
         ends = [[float(found["positions"][end][0]) for end in (0, -1)] for found in carried]
         assert ends == [[float(word) for word in each] for each in words], source

@@ -15,6 +15,9 @@ import pytest
 from names_of_rclpy import NAMES, names_of
 
 from rosspin import NotSimulated, Run, rclpy, simulate
+from rosspin.clocks.simulation import Simulation
+from rosspin.run.simulate import run_node
+from rosspin.run.source import load
 
 Error = type[BaseException]
 
@@ -405,6 +408,33 @@ def test_a_line_has_nanoseconds_and_the_loggers_name_and_goes_to_stderr() -> Non
         "[ERROR] [1.250000000] [mrp.node]: error\n[FATAL] [1.250000000] [mrp.node]: fatal\n"
         "[INFO] [1.250000000] [mrp.node.child]: a\nb\n"
     )
+
+
+FORM = "{message}|{name}|{severity}|{function_name}|{line_number}|{nonsuch}"
+
+
+@pytest.mark.parametrize(
+    ("environment", "out", "err"),
+    [
+        ({}, "", "[INFO] [0.000000000] [n]: hello\n"),
+        ({"RCUTILS_LOGGING_USE_STDOUT": "1"}, "[INFO] [0.000000000] [n]: hello\n", ""),
+        ({"RCUTILS_COLORIZED_OUTPUT": "1"}, "", "\033[0m[INFO] [0.000000000] [n]: hello\033[0m\n"),
+        ({"RCUTILS_CONSOLE_OUTPUT_FORMAT": FORM}, "", "hello|n|INFO|<module>|3|{nonsuch}\n"),
+    ],
+)
+def test_the_environment_says_what_a_line_is_like(
+    environment: dict[str, str],
+    out: str,
+    err: str,
+    write: Any,
+    monkeypatch: pytest.MonkeyPatch,
+    capsys: pytest.CaptureFixture[str],
+) -> None:
+    """As on the real Jazzy."""
+    for name, value in environment.items():
+        monkeypatch.setenv(name, value)
+    run_node(load(write(PLAIN)), 1, (), Simulation())
+    assert capsys.readouterr() == (out, err)
 
 
 def test_once_throttle_and_skip_first() -> None:

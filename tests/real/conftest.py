@@ -1,4 +1,4 @@
-"""What only the real lane has: what a machine may lack, and the site in Chromium."""
+"""What only the real lane has: what a machine may lack, the site in a browser, and what runs leave behind."""
 
 from __future__ import annotations
 
@@ -7,8 +7,11 @@ from collections.abc import Callable, Iterator
 from pathlib import Path
 
 import pytest
+from cpp_nodes import CppNodes, built
+from firefox import Tab, firefox, tab
 from in_chromium import launched, served
 from lacking import LACKS
+from leftovers import processes
 from looks import PATIENCE
 from playwright.sync_api import Browser, expect
 
@@ -37,6 +40,24 @@ def require() -> Callable[[str], None]:
     return check
 
 
+@pytest.fixture
+def leaves_nothing(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> Iterator[Path]:
+    """Every run in its own temporary folder: no file in it and no process from it is there afterwards."""
+    monkeypatch.setenv("TMPDIR", str(tmp_path))
+    monkeypatch.setattr("tempfile.tempdir", None)
+    yield tmp_path
+    assert list(tmp_path.glob("rosspin-*")) == []
+    assert processes(tmp_path) == []
+
+
+@pytest.fixture(scope="session")
+def cpp_nodes(require: Callable[[str], None], tmp_path_factory: pytest.TempPathFactory) -> CppNodes:
+    """The same for all of xdist's workers."""
+    require("ros1")
+    folder = tmp_path_factory.getbasetemp()
+    return built((folder.parent if "PYTEST_XDIST_WORKER" in os.environ else folder) / "cpp_nodes")
+
+
 @pytest.fixture(scope="session")
 def chromium(require: Callable[[str], None]) -> str:
     """The path of Chromium."""
@@ -58,3 +79,13 @@ def browser(chromium: str) -> Iterator[Browser]:
     """One browser for all pages."""
     with launched(chromium) as browser:
         yield browser
+
+
+@pytest.fixture(scope="module")
+def firefox_page(require: Callable[[str], None]) -> Iterator[Tab]:
+    """One tab of Firefox for all pages; nothing may go wrong in them."""
+    require("firefox")
+    with tab(firefox() or "") as page:
+        page.resize(1280, 800)
+        yield page
+        assert not page.wrong

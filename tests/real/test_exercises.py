@@ -2,13 +2,13 @@
 
 from __future__ import annotations
 
-import re
 from collections.abc import Callable
 from pathlib import Path
 from typing import Any
 
 import pytest
-from answers import CELLS, answer_in, section, solution_of
+from answers import CELLS, answer_in, solution_of
+from cpp_nodes import CppNodes
 from launches import NEVER, Until, launch
 from verdicts import control
 
@@ -16,21 +16,13 @@ from rosspin.real.ros1 import Workspace
 from rosspin.results.console import read_ticks
 
 
-def test_the_cpp_node_does_what_the_solution_says(require: Callable[[str], None], tmp_path: Path) -> None:
-    require("ros1")
-    [kept] = re.findall(r"```cpp\n(.*?)```", section(3), re.DOTALL)
-    nodes = tmp_path / "kept.cpp", tmp_path / "not_kept.cpp"
-    for node, text in zip(nodes, (kept, kept.replace("    timer_ =", "    ros::Timer timer_ =")), strict=True):
-        node.write_text(text)
+def test_the_cpp_node_does_what_the_solution_says(cpp_nodes: CppNodes) -> None:
     with Workspace() as workspace:
-        workspace.add_nodes("nodes", *nodes)
-        workspace.build()
         workspace.start_master()
 
         def ticks(node: str, blocks_for: str, *until: Any) -> list[float]:
             """When callbacks 3 to 6 come, as a recording of one; the third is due at 1.2 s."""
-            [program] = workspace.folder.glob(f"devel/lib/nodes/{node}")
-            output = workspace.run([str(program), f"_blocks_for:={blocks_for}"], *until)
+            output = workspace.run([cpp_nodes.program(node), f"_blocks_for:={blocks_for}"], *until)
             found = [tick.real for tick in read_ticks(output.console)][2:6]
             return [1.2 + time - found[0] for time in found]
 

@@ -11,9 +11,11 @@ import sys
 from collections.abc import Callable, Iterator
 from itertools import pairwise
 from pathlib import Path
+from typing import Any
 
 import pytest
 from bs4 import BeautifulSoup
+from cpp_nodes import CppNodes
 from launches import NEVER, Until, launch_past
 from tree import ROOT
 from verdicts import control
@@ -41,6 +43,12 @@ def test_the_example_test_passes_in_a_package_of_the_reader_s_own(site: Path, tm
             pytest.skip("pip can reach no package index")
         assert run.returncode == 0, run.stdout + run.stderr
     assert "2 passed" in run.stdout
+    # So the wheel, with what it asks for from a package index, also runs a node in a folder with nothing else.
+    shutil.copy(PACKAGE / "src" / "spinner_py_node.py", tmp_path / "test")
+    command = [tmp_path / ".venv/bin/rosspin", "run", "spinner_py_node.py", "--simulated", "--seconds", "1"]
+    run = subprocess.run(command, cwd=tmp_path / "test", env=environment, capture_output=True, text=True)
+    assert run.returncode == 0, run.stderr
+    assert [line[-11:] for line in run.stdout.splitlines()[1:]] == ["counter = 1", "counter = 2"]
 
 
 class _AsInAPipe(Workspace):
@@ -54,24 +62,22 @@ class _AsInAPipe(Workspace):
 
 @pytest.fixture(scope="module")
 def ros1(require: Callable[[str], None]) -> Iterator[Workspace]:
-    """A workspace on the real ROS with the package built, and a master."""
+    """A workspace on the real ROS, and a master."""
     require("ros1")
     with _AsInAPipe() as workspace:
-        workspace.add_package(PACKAGE)
-        workspace.build()
         workspace.start_master()
         yield workspace
 
 
 @pytest.mark.parametrize("name", ["spinner_param_py_node.py", "spinner_param_cpp_node"])
-def test_the_frequency_is_a_parameter_on_the_real_ros(ros1: Workspace, name: str) -> None:
-    node = PACKAGE / "src" / name if name.endswith(".py") else next(ros1.folder.glob(f"devel/lib/*/{name}"))
+def test_the_frequency_is_a_parameter_on_the_real_ros(ros1: Workspace, cpp_nodes: CppNodes, name: str) -> None:
+    node = str(PACKAGE / "src" / name) if name.endswith(".py") else cpp_nodes.program(name)
     with control(bears=0.1):
-        run = ros1.run([str(node), "_frequency:=5"], NEVER, Until("counter = 10"))
+        run = ros1.run([node, "_frequency:=5"], NEVER, Until("counter = 10"))
         stamps = [tick.real for tick in read_ticks(run.console)]
         assert min(later - earlier for earlier, later in pairwise(stamps)) < 0.35
     assert run.status == 0
-    refused = ros1.run([str(node), "_frequency:=0"], NEVER)
+    refused = ros1.run([node, "_frequency:=0"], NEVER)
     assert refused.status == 1
     assert "frequency must be above 0" in refused.console
 
@@ -94,17 +100,11 @@ THREADS = ROOT / "examples" / "threads"
 REPORT = "left = "
 
 
-def test_callbacks_that_share_data_on_the_real_ros(ros1: Workspace, tmp_path: Path) -> None:
+def test_callbacks_that_share_data_on_the_real_ros(ros1: Workspace, cpp_nodes: CppNodes) -> None:
     """Without the lock a report shows half a reading, with it none does, in Python and in C++."""
-    unlocked = tmp_path / "torn_cpp_node.cpp"
-    text = (THREADS / "locked_cpp_node.cpp").read_text(encoding="utf-8")
-    unlocked.write_text(re.sub(r".*\b(lock_guard|std::mutex)\b.*\n", "", text), encoding="utf-8")
-    assert unlocked.read_text(encoding="utf-8").count("\n") == text.count("\n") - 3
-    ros1.add_nodes("odometer", unlocked, THREADS / "locked_cpp_node.cpp")
-    ros1.build()
-    program = {path.name: str(path) for path in ros1.folder.glob("devel/lib/odometer/*_node")}
     nodes = {name: str(THREADS / f"{name}_py_node.py") for name in ("torn", "locked")}
-    for torn, locked in ((nodes["torn"], nodes["locked"]), (program["torn_cpp_node"], program["locked_cpp_node"])):
+    programs = {name: cpp_nodes.program(f"{name}_cpp_node") for name in nodes}
+    for torn, locked in (nodes.values(), programs.values()):
         with control(bears=0.05):  # late reports may miss all readings
             wrong = _wheels(ros1.run([torn], NEVER, Until(REPORT, times=5)).console)
             assert any(left != right for left, right in wrong)
@@ -122,14 +122,8 @@ def test_callbacks_that_share_data_on_the_real_ros_2(require: Callable[[str], No
     assert right and all(left == right for left, right in right)
 
 
-def test_a_roscpp_node_needs_no_lock_under_spin(ros1: Workspace, tmp_path: Path) -> None:
-    text = (THREADS / "locked_cpp_node.cpp").read_text(encoding="utf-8")
-    text = re.sub(r".*\b(lock_guard|std::mutex)\b.*\n", "", text)
-    text = re.sub(r"  ros::AsyncSpinner(.|\n)*waitForShutdown", "  ros::spin", text)
-    (tmp_path / "spun_cpp_node.cpp").write_text(text, encoding="utf-8")
-    ros1.add_nodes("spun", tmp_path / "spun_cpp_node.cpp")
-    ros1.build()
-    node = str(next(ros1.folder.glob("devel/lib/spun/spun_cpp_node")))
+def test_a_roscpp_node_needs_no_lock_under_spin(ros1: Workspace, cpp_nodes: CppNodes) -> None:
+    node = cpp_nodes.program("spun_cpp_node")
     found = _wheels(ros1.run([node], NEVER, Until(REPORT, times=5)).console)
     assert found and all(left == right for left, right in found)
 
@@ -150,11 +144,11 @@ class _UntilBothCount:
         pass
 
 
-def test_the_launch_file_shows_lines_at_once(ros1: Workspace) -> None:
+def test_the_launch_file_shows_lines_at_once(ros1: Workspace, cpp_nodes: CppNodes) -> None:
     """Lines that came only at the end could not end the run: it would go on until the time is up."""
-    file = PACKAGE / "launch" / "spinner_at_once.launch"
-    command = [str(ros1.folder / "devel/env.sh"), "roslaunch", "-p", str(ros1.port), str(file)]
-    run = ros1.run(command, NEVER, _UntilBothCount(ros1))  # type: ignore[arg-type]
+    command = cpp_nodes.roslaunch(ros1, "spinner_at_once.launch")
+    onward: Any = _UntilBothCount(ros1)
+    run = ros1.run(command, NEVER, onward, more=cpp_nodes.environment)
     assert max(tick.number for tick in read_ticks(run.console)) < NEVER  # when the time is up it would be twice that
 
 

@@ -1,207 +1,39 @@
-"""Random nodes do the same on the stand-in and on the real rclpy's own Python: see rclpy_oracle."""
+"""Random nodes do the same on the stand-ins and on the real ones' own Python; `make judge` draws more of them."""
 
 from __future__ import annotations
 
-import gc
-import os
-import sys
-import threading
-import time
 from collections.abc import Callable
 from pathlib import Path
 from typing import Any
 
 import pytest
+import random_rclpy_nodes
+import random_rospy_nodes
 from hypothesis import HealthCheck, given, settings
-from hypothesis import strategies as st
-from rclpy_oracle import on_the_oracle, real_rclpy
 
-from rosspin import simulate
-
-END = 6.0  # s
-
-# Lengths of time in ms: some that fall together often, some that hardly ever do.
-lengths = st.one_of(st.sampled_from([100, 200, 250, 300, 500, 700, 1000]), st.integers(50, 1500))
-works = st.one_of(st.just(0), st.just(0), lengths)
-
-# What a callback does to which timer, with which number: see ``_act``.
-acts = st.tuples(
-    st.sampled_from(
-        ["nothing"] * 4 + ["cancel", "reset", "period", "destroy", "make", "task", "guard", "set", "result"]
-    ),
-    st.integers(0, 3),
-    lengths,
-)
-timers = st.fixed_dictionaries(
-    {
-        "period": lengths,
-        "group": st.integers(0, 3),
-        "works": st.lists(works, min_size=1, max_size=4),
-        "acts": st.lists(acts, min_size=1, max_size=4),
-        "starts": st.sampled_from([True, True, True, False]),
-        "awaits": st.sampled_from([False, False, False, True]),
-    }
-)
-specs = st.fixed_dictionaries(
-    {
-        "executor": st.sampled_from(["spin", "single", "multi 2", "multi 3", "multi 4", "once", "once left", "future"]),
-        "groups": st.lists(st.sampled_from(["default", "exclusive", "reentrant"]), min_size=4, max_size=4),
-        "timers": st.lists(timers, min_size=1, max_size=4),
-        "rates": st.lists(st.tuples(lengths, st.lists(works, min_size=1, max_size=4)), max_size=2),
-        "thread": st.lists(st.tuples(lengths, acts), max_size=3),
-        "shutdown": st.sampled_from([False, False, True]),
-    }
-)
+several = settings(max_examples=50, deadline=None, suppress_health_check=list(HealthCheck))
 
 
 @pytest.fixture(scope="module")
-def folder() -> Path:
-    """The real rclpy's."""
-    found = real_rclpy()
-    if found is None:
-        required = "ros2" in os.environ.get("ROSSPIN_REQUIRE", "").split(",")
-        (pytest.fail if required else pytest.skip)("the real rclpy is not installed: make ros2")
-    assert found
-    return found
+def rospy_folder(require: Callable[[str], None]) -> Path:
+    return random_rospy_nodes.rospy_folder(require)
 
 
-def program(spec: dict[str, Any]) -> Callable[[], None]:
-    """A node as a specification has it, which prints the time (ns) of all that it does."""
-
-    def node() -> None:
-        import rclpy  # type: ignore[import-not-found]
-        from rclpy.callback_groups import MutuallyExclusiveCallbackGroup, ReentrantCallbackGroup  # type: ignore[import-not-found]
-        from rclpy.executors import MultiThreadedExecutor, SingleThreadedExecutor  # type: ignore[import-not-found]
-        from rclpy.parameter import Parameter  # type: ignore[import-not-found]
-        from rclpy.task import Future  # type: ignore[import-not-found]
-
-        def say(*words: object) -> None:
-            sys.stdout.write(" ".join([str(time.time_ns()), *map(str, words)]) + "\n")
-
-        def nap(ms: int) -> None:
-            if ms:
-                time.sleep(ms / 1000)
-
-        def make(number: int, timer: dict[str, Any]) -> None:
-            calls = 0
-
-            def begin() -> tuple[int, Any]:
-                nonlocal calls
-                calls += 1
-                say("timer", number, "begins", calls, node.get_parameter("value").value)
-                nap(timer["works"][calls % len(timer["works"])])
-                return calls, timer["acts"][calls % len(timer["acts"])]
-
-            def callback() -> None:
-                call, what = begin()
-                act(*what)
-                say("timer", number, "ends", call)
-
-            async def awaits() -> None:
-                call, what = begin()
-                say("timer", number, "has", await futures[what[1]], call)
-                act(*what)
-
-            kind = groups[timer["group"]]
-            # A loop over spin_once never waits while a coroutine does, which only takes time on a real machine.
-            called = awaits if timer["awaits"] and "once" not in spec["executor"] else callback
-            made.append(node.create_timer(timer["period"] / 1000, called, kind, autostart=timer["starts"]))
-
-        def act(what: str, which: int, ms: int) -> None:
-            timer = made[which % len(made)]
-            try:
-                if what in ("cancel", "reset"):
-                    getattr(timer, what)()
-                elif what == "period":
-                    timer.timer_period_ns = ms * 1_000_000
-                elif what == "destroy":
-                    say("destroyed", node.destroy_timer(timer))
-                elif what == "make" and len(made) < 8:
-                    make(len(made), spec["timers"][which % len(spec["timers"])])
-                elif what == "task" and executor is not None:
-                    executor.create_task(say, "task", ms)
-                elif what == "guard":
-                    guard.trigger()
-                elif what == "set":
-                    (result,) = node.set_parameters([Parameter("value", value=ms)])
-                    say("set", result.successful)
-                elif what == "result":
-                    futures[which].set_result(ms)
-            except Exception as error:
-                say("error", type(error).__name__)
-
-        def from_outside() -> None:
-            for ms, what in spec["thread"]:
-                nap(ms)
-                act(*what)
-
-        def loop(number: int, rate: Any, lengths: list[int]) -> None:
-            for count in range(20):
-                nap(lengths[count % len(lengths)])
-                try:
-                    rate.sleep()
-                except Exception as error:
-                    say("rate", number, type(error).__name__)
-                    return
-                say("rate", number)
-
-        def spin() -> None:
-            kind, _, number = spec["executor"].partition(" ")
-            if kind == "spin":
-                rclpy.spin(node)
-            elif kind == "future":
-                say("future", rclpy.spin_until_future_complete(node, futures[0], executor, 2.5))
-                rclpy.spin(node)
-            elif kind == "once":
-                while rclpy.ok():
-                    rclpy.spin_once(node, executor=executor, timeout_sec=END - time.time() + 1 if number else 0.3)
-            else:
-                rclpy.spin(node, executor)
-
-        rclpy.init()
-        node = rclpy.create_node("node")
-        node.declare_parameter("value", 0)
-        executor: Any = None
-        if spec["executor"].startswith("multi"):
-            executor = MultiThreadedExecutor(int(spec["executor"][-1]))
-        elif spec["executor"] in ("single", "once left"):
-            executor = SingleThreadedExecutor()
-        makers: dict[str, Any] = {"exclusive": MutuallyExclusiveCallbackGroup, "reentrant": ReentrantCallbackGroup}
-        groups = [makers[name]() if name in makers else None for name in spec["groups"]]
-        futures = [Future() for _ in range(4)]
-        guard = node.create_guard_condition(lambda: say("guard"))
-        made: list[Any] = []
-        for number, timer in enumerate(spec["timers"]):
-            make(number, timer)
-        for number, (ms, lengths) in enumerate(spec["rates"]):
-            rate = node.create_rate(1000 / ms)
-            threading.Thread(target=loop, args=(number, rate, lengths), daemon=True).start()
-        threading.Thread(target=from_outside, daemon=True).start()
-        if spec["shutdown"]:
-            threading.Timer(3.1234, rclpy.shutdown).start()
-        try:
-            spin()
-        except BaseException as error:
-            say("ends with", type(error).__name__)
-        os._exit(0)  # what a pool would still do is another question
-
-    return node
+@pytest.fixture(scope="module")
+def rclpy_folder(require: Callable[[str], None]) -> Path:
+    return random_rclpy_nodes.rclpy_folder(require)
 
 
-def lines(console: str) -> list[list[str]]:
-    """The lines, those of one instant sorted: which of them comes first is nobody's promise."""
-    return sorted(line.split() for line in console.splitlines())
+@pytest.mark.filterwarnings("ignore:notifyAll:DeprecationWarning")
+@several
+@given(random_rospy_nodes.specs)
+def test_nodes_of_ros1(rospy_folder: Path, spec: dict[str, Any]) -> None:
+    random_rospy_nodes.do_the_same(rospy_folder, spec)
 
 
 # Executors and methods that are gone when a run has ended are collected at some later time.
 @pytest.mark.filterwarnings("ignore::pytest.PytestUnraisableExceptionWarning")
-@given(specs)
-@settings(max_examples=200, deadline=None, suppress_health_check=list(HealthCheck))
-def test_random_nodes(folder: Path, spec: dict[str, Any]) -> None:
-    node = program(spec)
-    gc.disable()  # what Python would say of a method that it collects meanwhile does not belong on the console
-    try:
-        ours, theirs = simulate(node, END), simulate(on_the_oracle(node, folder), END)
-    finally:
-        gc.enable()
-    assert (ours.status, lines(ours.console)) == (theirs.status, lines(theirs.console))
+@several
+@given(random_rclpy_nodes.specs)
+def test_nodes_of_ros2(rclpy_folder: Path, spec: dict[str, Any]) -> None:
+    random_rclpy_nodes.do_the_same(rclpy_folder, spec)

@@ -2,10 +2,10 @@
 
 from __future__ import annotations
 
-import importlib
 import io
 import os
 import re
+import shutil
 import signal
 import subprocess
 import sys
@@ -15,17 +15,22 @@ from pathlib import Path
 
 import pytest
 from chatter import CHATTER
+from cpp_nodes import CppNodes
 from launches import NEVER, Until
+from leftovers import processes
 from tree import ROOT
 from verdicts import control
 
 from rosspin.__main__ import main
 from rosspin.measures import by_source
 from rosspin.real import ros1
+from rosspin.results.console import read_ticks
 
 EXAMPLES = ROOT / "examples"
 PACKAGE = EXAMPLES / "my_robotics_pkg"
 PROBES = EXAMPLES / "timing_probes"
+
+pytestmark = pytest.mark.usefixtures("leaves_nothing")
 
 
 @pytest.fixture(scope="module", autouse=True)
@@ -33,65 +38,23 @@ def ros(require: Callable[[str], None]) -> None:
     require("ros1")
 
 
-@pytest.fixture(autouse=True)
-def leaves_nothing(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> Iterator[Path]:
-    """Every run in its own temporary folder: no file in it and no process from it is there afterwards."""
-    monkeypatch.setenv("TMPDIR", str(tmp_path))
-    monkeypatch.setattr("tempfile.tempdir", None)
-    yield tmp_path
-    assert list(tmp_path.glob("rosspin-*")) == []
-    assert processes(tmp_path) == []
-
-
-def processes(folder: Path) -> list[str]:
-    """Processes that were started in a scratch workspace below a folder."""
-    mark, found = f"ROS_HOME={folder}/rosspin-".encode(), []
-    for entry in Path("/proc").glob("[0-9]*"):
-        try:
-            if mark in (entry / "environ").read_bytes():
-                found.append((entry / "cmdline").read_text())
-        except OSError:
-            pass
-    return found
-
-
 @pytest.fixture(scope="module")
-def strict() -> Iterator[ros1.Workspace]:
-    """All C++ listings of the tutorial and the probes, built with every warning an error; a master runs."""
+def workspace() -> Iterator[ros1.Workspace]:
+    """One with a master."""
     with ros1.Workspace() as workspace:
-        workspace.add_package(PACKAGE)
-        workspace.add_package(PROBES)
-        workspace.add_nodes("steps", *EXAMPLES.glob("steps/*.cpp"))
-        workspace.add_nodes("threads", *EXAMPLES.glob("threads/*.cpp"))
-        workspace.add_nodes("topics", *EXAMPLES.glob("topics/*.cpp"))
-        workspace.build("-DCMAKE_CXX_FLAGS=-Wall -Wextra -Werror")
         workspace.start_master()
         yield workspace
 
 
-@pytest.fixture(scope="module")
-def original(tmp_path_factory: pytest.TempPathFactory) -> Iterator[ros1.Workspace]:
-    """The listings with two lines as the original page has them; a master runs."""
-    folder = tmp_path_factory.mktemp("original")
-    rate = PACKAGE.joinpath("src/spinner_rate_cpp_node.cpp").read_text()
-    rate_original = rate.replace("while (ros::ok())", "while (ros::ok)")
-    folder.joinpath("while_ros_ok.cpp").write_text(rate_original)
-    timer = PACKAGE.joinpath("src/spinner_cpp_node.cpp").read_text()
-    timer_original = timer.replace("  ros::Timer timer_for", "  timer_for").replace(
-        '#include "ros/ros.h"\n', '#include "ros/ros.h"\n\nros::Timer timer_for_counting;\n'
-    )
-    folder.joinpath("global_timer.cpp").write_text(timer_original)
-    assert rate_original != rate and timer_original.count("ros::Timer timer_for_counting") == 1
-    with ros1.Workspace() as workspace:
-        workspace.add_nodes("original", *folder.glob("*.cpp"))
-        workspace.build()
-        workspace.start_master()
-        yield workspace
-
-
-def program(workspace: ros1.Workspace, name: str) -> str:
-    (path,) = workspace.folder.glob(f"devel/lib/*/{name}")
-    return str(path)
+@pytest.fixture
+def small(tmp_path: Path) -> Path:
+    """The tutorial's package with one node in C++, which is built soon."""
+    package = tmp_path / PACKAGE.name
+    shutil.copytree(PACKAGE, package, ignore=shutil.ignore_patterns("__pycache__"))
+    cmake = package / "CMakeLists.txt"
+    begin, *targets = re.split(r"\n(?=add_executable|# Needed)", cmake.read_text())
+    cmake.write_text(begin + "".join(target for target in targets if "(spinner_cpp_node " in target))
+    return package
 
 
 def counters(console: str) -> list[int]:
@@ -101,14 +64,16 @@ def counters(console: str) -> list[int]:
 # --- the package ------------------------------------------------------------------------------------------------------
 
 
-def test_every_listing_compiles_without_a_warning(strict: ros1.Workspace) -> None:
+def test_every_listing_compiles_without_a_warning(cpp_nodes: CppNodes) -> None:
     for listing in EXAMPLES.rglob("*.cpp"):
-        assert os.access(program(strict, listing.stem), os.X_OK)
+        assert os.access(cpp_nodes.program(listing.stem), os.X_OK)
+    assert not re.findall(rf"{re.escape(str(EXAMPLES))}.*warning: .*", cpp_nodes.said)
+    assert re.search(r"while_ros_ok\.cpp.*warning: ", cpp_nodes.said)  # where there is one, it is said
 
 
-def test_launch_runs_both_nodes() -> None:
+def test_launch_runs_both_nodes(small: Path) -> None:
     live = Until(r"SPINNER CPP NODE\] counter = 3", r"SPINNER PY NODE\] counter = 3")
-    run = ros1.launch(PACKAGE / "launch" / "spinner.launch", NEVER, onward=live)
+    run = ros1.launch(small / "launch" / "spinner.launch", NEVER, onward=live)
     assert (run.runtime, run.status) == ("ros1", 0)
     assert run.console.startswith(live.getvalue())
     assert "[SPINNER CPP NODE] namespace of nh = /mrp/spinner_cpp_node" in run.console
@@ -121,13 +86,17 @@ def test_launch_runs_both_nodes() -> None:
 
 
 @pytest.mark.parametrize("publisher", ["publisher_py_node.py", "publisher_cpp_node"])
-def test_subscribers_of_both_languages_hear_a_publisher_of_either(publisher: str) -> None:
+def test_subscribers_of_both_languages_hear_a_publisher_of_either(
+    workspace: ros1.Workspace, cpp_nodes: CppNodes, publisher: str
+) -> None:
     language = publisher.split("_")[1].upper()
     both = Until(*(rf"SUBSCRIBER {each} NODE\] counter = " for each in ("CPP", "PY")), times=3)
-    run = ros1.launch(PACKAGE / "launch" / "publish.launch", NEVER, [f"publisher:={publisher}"], both)
+    command = cpp_nodes.roslaunch(workspace, "publish.launch", f"publisher:={publisher}")
+    patience, more = ros1._LAUNCH_PATIENCE, cpp_nodes.environment
+    run = workspace.run(command, NEVER, both, patience=patience, more=more)
     assert run.status == 0
     assert re.search(rf"\[PUBLISHER {language} NODE\] namespace of \w+ = /mrp", run.console)
-    heard = by_source(run.ticks)
+    heard = by_source(read_ticks(run.console))
     assert heard.keys() == {"SUBSCRIBER CPP NODE", "SUBSCRIBER PY NODE"}
     for ticks in heard.values():  # on a busy machine one may come late, but none is lost after that
         numbers = [tick.number for tick in ticks]
@@ -135,11 +104,11 @@ def test_subscribers_of_both_languages_hear_a_publisher_of_either(publisher: str
 
 
 @pytest.mark.parametrize("language", ["py", "cpp"])
-def test_a_node_hears_itself(strict: ros1.Workspace, language: str) -> None:
-    node = program(strict, "pubsub_cpp_node")
+def test_a_node_hears_itself(workspace: ros1.Workspace, cpp_nodes: CppNodes, language: str) -> None:
+    node = cpp_nodes.program("pubsub_cpp_node")
     command = [node] if language == "cpp" else ["python3", str(PACKAGE / "src/pubsub_py_node.py")]
     with control(bears=0.1):  # a node that is slow has been connected only after the first message
-        output = strict.run(command, NEVER, Until("counter = 5"))
+        output = workspace.run(command, NEVER, Until("counter = 5"))
         seen = counters(output.console)
         assert seen[0] == 1
     assert output.status == 0
@@ -234,30 +203,6 @@ def test_launch_file_that_is_none(tmp_path: Path) -> None:
     assert re.search(r"^rosspin: roslaunch ended with status \d+$", run.console, re.MULTILINE)
 
 
-@pytest.mark.parametrize("name", ["lone.launch", "lone.txt"])
-def test_file_that_cannot_be_run(tmp_path: Path, name: str) -> None:
-    (tmp_path / name).write_text("")
-    with pytest.raises(ValueError, match=name):
-        ros1.launch(tmp_path / name, 1.0)
-
-
-@pytest.mark.parametrize("seconds", [-1, float("nan"), float("inf")])
-def test_seconds_that_are_none(seconds: float) -> None:
-    with pytest.raises(ValueError, match="at least 0"):
-        ros1.launch(PACKAGE / "launch" / "spinner.launch", seconds)
-
-
-def test_missing_file() -> None:
-    with pytest.raises(FileNotFoundError):
-        ros1.launch(PACKAGE / "launch" / "nonsuch.launch", 1.0)
-
-
-def test_ros_missing(monkeypatch: pytest.MonkeyPatch) -> None:
-    monkeypatch.setattr(ros1, "_path", lambda: "/nonexistent")
-    with pytest.raises(ros1.Ros1Missing, match="sudo apt-get install .*libroscpp-dev.*python3-rospy"):
-        ros1.launch(PACKAGE / "launch" / "spinner.launch", 1.0)
-
-
 # --- clean-up ---------------------------------------------------------------------------------------------------------
 
 
@@ -297,9 +242,11 @@ def test_a_console_that_is_closed_ends_the_run(leaves_nothing: Path) -> None:
         ("src/spinner_py_node.py", signal.SIGTERM, "running"),
     ],
 )
-def test_a_signal_ends_everything(file: str, number: signal.Signals, when: str, leaves_nothing: Path) -> None:
+def test_a_signal_ends_everything(
+    file: str, number: signal.Signals, when: str, leaves_nothing: Path, small: Path
+) -> None:
     """From the command line, as a reader does it: the nodes end as at Ctrl-C."""
-    command = [sys.executable, "-m", "rosspin", "run", "--ros1", str(PACKAGE / file)]
+    command = [sys.executable, "-m", "rosspin", "run", "--ros1", str(small / file)]
     process = subprocess.Popen(command, stdout=subprocess.PIPE, stderr=subprocess.STDOUT, text=True)
     assert process.stdout is not None
     console = ""
@@ -319,10 +266,6 @@ def test_a_signal_ends_everything(file: str, number: signal.Signals, when: str, 
     assert "Traceback" not in console
 
 
-def test_make_ros1_installs_what_the_error_names() -> None:
-    assert f"ROS1 := {ros1.APT}\n" in ROOT.joinpath("Makefile").read_text()
-
-
 def test_doctor(capsys: pytest.CaptureFixture[str]) -> None:
     assert main(["doctor"]) == 0
     *lines, _, _ = capsys.readouterr().out.splitlines()  # the last two are about recordings
@@ -338,34 +281,35 @@ def test_doctor(capsys: pytest.CaptureFixture[str]) -> None:
     "name",
     ["spinner_cpp_node", "spinner_rate_cpp_node", "3_class", "pubsub_cpp_node", "publisher_cpp_node", "plain_cpp_node"],
 )
-def test_ctrl_c_ends_a_cpp_node_cleanly(strict: ros1.Workspace, name: str) -> None:
+def test_ctrl_c_ends_a_cpp_node_cleanly(workspace: ros1.Workspace, cpp_nodes: CppNodes, name: str) -> None:
     # Not even a busy machine needs the 15 s after which SIGTERM would follow; that would give another status.
     counts = name not in ("plain_cpp_node", "publisher_cpp_node")
     begins = re.compile("counter = 1" if counts else "namespace of")
-    output = strict.run([program(strict, name)], 1.2, begins=begins)
+    output = workspace.run([cpp_nodes.program(name)], 1.2, begins=begins)
     assert output.status == 0
     seen = counters(output.console)
     assert seen == list(range(1, len(seen) + 1))
     assert bool(seen) == counts
 
 
-def test_while_ros_ok_does_not_end_at_ctrl_c(original: ros1.Workspace) -> None:
+def test_while_ros_ok_does_not_end_at_ctrl_c(workspace: ros1.Workspace, cpp_nodes: CppNodes) -> None:
     patience = ((signal.SIGINT, 2.0), (signal.SIGINT, 2.0), (signal.SIGTERM, 5.0), (signal.SIGKILL, 5.0))
-    output = original.run([program(original, "while_ros_ok")], 0.2, begins=re.compile("counter = "), patience=patience)
+    command = [cpp_nodes.program("while_ros_ok")]
+    output = workspace.run(command, 0.2, begins=re.compile("counter = "), patience=patience)
     assert output.status == 128 + signal.SIGTERM
 
 
-def test_a_global_timer_aborts_at_ctrl_c(original: ros1.Workspace) -> None:
-    output = original.run([program(original, "global_timer")], 0.2, begins=re.compile("counter = "))
+def test_a_global_timer_aborts_at_ctrl_c(workspace: ros1.Workspace, cpp_nodes: CppNodes) -> None:
+    output = workspace.run([cpp_nodes.program("global_timer")], 0.2, begins=re.compile("counter = "))
     assert output.status == 128 + signal.SIGABRT
     assert "boost" in output.console and "lock_error" in output.console
 
 
-def test_a_slow_callback_re_phases_a_cpp_timer(strict: ros1.Workspace) -> None:
+def test_a_slow_callback_re_phases_a_cpp_timer(workspace: ros1.Workspace, cpp_nodes: CppNodes) -> None:
     """After 4.4 periods the timer goes on from there, one period at a time, and says so of none of it."""
-    command = [program(strict, "timer_probe"), "_period:=0.2", "_block:=0.88", "_block_call:=2"]
+    command = [cpp_nodes.program("timer_probe"), "_period:=0.2", "_block:=0.88", "_block_call:=2"]
     with control(bears=0.1):  # a late call 3 is itself one after which the timer goes on from there
-        lines = strict.run(command, NEVER, Until("timerCallback,4,")).console.splitlines()
+        lines = workspace.run(command, NEVER, Until("timerCallback,4,")).console.splitlines()
         rows = [line.split(",") for line in lines if line.startswith("timerCallback")]
         expected = {int(row[1]): float(row[4]) for row in rows}
         real = {int(row[1]): float(row[5]) for row in rows}
@@ -373,17 +317,3 @@ def test_a_slow_callback_re_phases_a_cpp_timer(strict: ros1.Workspace) -> None:
     assert real[3] - real[2] >= 0.88
     assert expected[3] - expected[2] > 0.8  # rewritten: rospy's would be 0.2
     assert float(rows[2][6]) >= 0.88  # only profile.last_duration shows it
-
-
-# --- the benchmark ----------------------------------------------------------------------------------------------------
-
-
-def test_the_benchmark_measures_all_three(monkeypatch: pytest.MonkeyPatch, require: Callable[[str], None]) -> None:
-    """At a tiny size; what it measures is nobody's success or failure."""
-    require("ros1")
-    monkeypatch.syspath_prepend(ROOT / "benchmarks")
-    report = importlib.import_module("ros1_beside").report
-    title, *lines = report(turns=((50, 0.5),), rounds=1, loads=(1,), scenarios=(("timer_oneshot.py",),))
-    assert len(lines) == 10
-    assert sum("at most 1" in line for line in lines) == 2
-    assert sum("stand-in / roscpp" in line for line in lines) == 4

@@ -5,14 +5,12 @@ from __future__ import annotations
 import io
 import math
 import os
-import platform
 import re
 import shutil
 import signal
 import subprocess
 import sys
 from collections.abc import Callable, Iterator
-from contextlib import suppress
 from functools import partial
 from itertools import pairwise
 from pathlib import Path
@@ -23,6 +21,7 @@ from typing import Any
 import pytest
 from chatter import CHATTER
 from launches import NEVER, launch, launch_past, unspoilt
+from leftovers import processes, shared_memory
 from tree import ROOT
 from verdicts import control
 
@@ -50,42 +49,15 @@ TIMER = """
 
 
 @pytest.fixture(autouse=True)
-def leaves_nothing(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> Iterator[Path]:
-    """Every run in its own temporary folder: no file, process or shared memory of it is there afterwards."""
-    monkeypatch.setenv("TMPDIR", str(tmp_path))
-    monkeypatch.setattr("tempfile.tempdir", None)
+def leaves_no_shared_memory(leaves_nothing: Path) -> Iterator[None]:
     before = set(os.listdir("/dev/shm"))
-    yield tmp_path
-    assert list(tmp_path.glob("rosspin-*")) == []
-    assert processes(tmp_path) == []
+    yield
     assert shared_memory() <= before
 
 
 @pytest.fixture
 def ros(require: Callable[[str], None]) -> None:
     require("ros2")
-
-
-def shared_memory() -> set[str]:
-    """What Fast DDS has left; nodes of other tests that are still running have some, too."""
-    left = {name for name in os.listdir("/dev/shm") if "fast" in name}
-    for entry in Path("/proc").glob("[0-9]*"):
-        with suppress(OSError):
-            used = (entry / "maps").read_text() + " ".join(os.readlink(file) for file in (entry / "fd").iterdir())
-            left -= {name for name in left if f"/dev/shm/{name}" in used}
-    return left
-
-
-def processes(folder: Path) -> list[str]:
-    """Processes that were started in a scratch folder below this one."""
-    mark, found = f"ROS_HOME={folder}/rosspin-".encode(), []
-    for entry in Path("/proc").glob("[0-9]*"):
-        try:
-            if mark in (entry / "environ").read_bytes():
-                found.append((entry / "cmdline").read_text())
-        except OSError:
-            pass
-    return found
 
 
 # --- runs -------------------------------------------------------------------------------------------------------------
@@ -319,26 +291,8 @@ def test_a_console_that_is_closed_ends_the_run(ros: None, write: Any) -> None:
 # --- what goes wrong --------------------------------------------------------------------------------------------------
 
 
-@pytest.mark.parametrize("name", ["node.cpp", "node.launch", "node.txt"])
-def test_a_file_that_cannot_be_run(tmp_path: Path, name: str) -> None:
-    (tmp_path / name).write_text("")
-    with pytest.raises(ValueError, match=name):
-        ros2.launch(tmp_path / name, 1.0)
-
-
-@pytest.mark.parametrize("seconds", [-1, float("nan"), float("inf")])
-def test_seconds_that_are_none(seconds: float) -> None:
-    with pytest.raises(ValueError, match="at least 0"):
-        ros2.launch(TIMER_NODE, seconds)
-
-
-def test_a_missing_file() -> None:
-    with pytest.raises(FileNotFoundError):
-        ros2.launch(NODES / "nonsuch.py", 1.0)
-
-
 @pytest.fixture
-def forgetful(monkeypatch: pytest.MonkeyPatch) -> Iterator[None]:
+def forgetful() -> Iterator[None]:
     """ROS 2 is looked for anew, and again after the test."""
     caches: Any = (ros2.python, ros2.version)
     for cache in caches:
@@ -346,28 +300,6 @@ def forgetful(monkeypatch: pytest.MonkeyPatch) -> Iterator[None]:
     yield
     for cache in caches:
         cache.cache_clear()
-
-
-@pytest.mark.parametrize(
-    ("system", "machine", "version", "says"),
-    [
-        ("Linux", "x86_64", (3, 12), r"\(no rclpy\): make ros2$"),
-        ("Linux", "aarch64", (3, 12), r"for Linux on x86_64 with Python 3.10 to 3.14; this is Linux on aarch64"),
-        ("Darwin", "arm64", (3, 12), r"this is Darwin on arm64 with Python 3.12$"),
-        ("Windows", "AMD64", (3, 12), r"this is Windows on AMD64 with Python 3.12$"),
-        ("Linux", "x86_64", (3, 15), r"this is Linux on x86_64 with Python 3.15$"),
-    ],
-)
-def test_ros_missing(
-    forgetful: None, monkeypatch: pytest.MonkeyPatch, system: str, machine: str, version: tuple[int, int], says: str
-) -> None:
-    monkeypatch.setattr(ros2, "_MADE", Path("/nonexistent"))
-    monkeypatch.delenv("AMENT_PREFIX_PATH", raising=False)
-    monkeypatch.setattr(platform, "system", lambda: system)
-    monkeypatch.setattr(platform, "machine", lambda: machine)
-    monkeypatch.setattr(sys, "version_info", version)
-    with pytest.raises(ros2.Ros2Missing, match=says):
-        ros2.launch(TIMER_NODE, 1.0)
 
 
 def test_a_ros_2_that_has_been_sourced(
@@ -428,13 +360,6 @@ def test_the_tutorial_builds_its_package_and_runs_it(ros: None) -> None:
             assert output.status == 0
             assert "] [mrp.spinner_py_node]: [SPINNER PY NODE] counter = 2\n" in output.console
             assert (nodes.folder / "stdout").read_text() == ""
-
-
-def test_the_package_is_told_of_all_its_nodes() -> None:
-    setup = (PACKAGE / "setup.py").read_text().replace("'\n            '", "")
-    for node in NODES.glob("*_node.py"):
-        assert f"'{node.stem} = my_robotics_pkg.{node.stem}:main'" in setup
-        assert os.access(node, os.X_OK)
 
 
 def test_a_node_may_import_its_own_package_and_is_told_what_messages_there_are(ros: None, tmp_path: Path) -> None:

@@ -3,11 +3,12 @@
 from __future__ import annotations
 
 import re
-from collections.abc import Callable, Sequence
+from collections.abc import Sequence
 from concurrent.futures import ThreadPoolExecutor
 from pathlib import Path
 
 import pytest
+from cpp_nodes import CppNodes
 from record import PERIOD, random_blocks
 from seeds import SEED
 from tree import ROOT
@@ -52,15 +53,12 @@ def test_another_rule_would_be_noticed() -> None:
     assert differences(rospys.ticks, recorded.ticks)
 
 
-def test_the_real_roscpp_follows_the_rule(require: Callable[[str], None]) -> None:
+def test_the_real_roscpp_follows_the_rule(cpp_nodes: CppNodes) -> None:
     """Over lengths drawn anew."""
-    require("ros1")
     seconds = 12.0
     with Workspace() as workspace:
-        workspace.add_package(ROOT / "examples" / "timing_probes")
-        workspace.build()
         workspace.start_master()
-        program = str(workspace.folder / "devel/lib/timing_probes/timer_probe")
+        program = cpp_nodes.program("timer_probe")
 
         def compare(seed: int) -> list[str]:
             args = [f"_period:={PERIOD}", f"_blocks:={','.join(map(str, random_blocks(seed, 20)))}"]

@@ -72,6 +72,12 @@ def test_ticks_that_rospy_loses(reals: list[float], gone: list[float]) -> None:
     assert lost(ticks(*reals), 0.5) == gone
 
 
+@pytest.mark.parametrize("period", [0, -0.5, math.inf, math.nan])
+def test_no_tick_is_lost_of_what_is_no_period(period: float) -> None:
+    with pytest.raises(ValueError, match="^a period is above 0 s, not "):
+        lost(ticks(0.5, 1.0), period)
+
+
 @pytest.mark.parametrize(
     ("times", "gone"),
     [

@@ -62,6 +62,8 @@ def in_steps(path: Path, seconds: float, args: tuple[str, ...], name: str) -> No
         return
     while (left := round((seconds - node.time) * 1e9)) > 0:
         step = min(choose.choice([0, 20_000_000, 400_000_000, choose.randrange(10**9)]), left)
+        if node._host.processes[0].world.exit_status is not None:
+            step = left  # it has ended: nothing more can come
         try:
             node.advance(step / 1e9)
         except Exception:

@@ -137,9 +137,8 @@ def test_the_tutorials_launch_file_runs_without_its_cpp_node() -> None:
         ("<param name='a' value='$(fnd pkg)'/>", ":2: $(fnd pkg) is no substitution"),
         ("<param name='a' value='$(arg a b)'/>", ":2: $(arg a b) is no substitution"),
         ("<param name='a' value='$(find $(arg a))'/>", ":2: "),
-        ("<param name='a' value='$(eval 1 / 0)'/>", ":2: $(eval 1 / 0): ZeroDivisionError: division by zero"),
-        ("<param name='a' value='$(eval open(1))'/>", ":2: $(eval open(1)): NameError: name 'open' is not defined"),
-        ("<param name='a' value='$(eval ().__class__)'/>", ":2: $(eval) may not contain double underscores"),
+        ("<param name='a' value='$(eval 1 + 2)'/>", ":2: $(eval) is not simulated"),
+        ("<rosparam subst_value='true'/>", ':2: <rosparam subst_value="..."> is not simulated'),
         ("<include file='$(dirname)/b.launch'><param/></include>", ":2: <param> has no place in <include>"),
         ("<include file='$(dirname)/b.launch'><arg name='x'/></include>", ":2: arg x is given no value"),
         ("<include file='$(dirname)/b.launch'><arg name='x' value='1'/></include>", "b.launch has no arg x"),
@@ -149,15 +148,18 @@ def test_the_tutorials_launch_file_runs_without_its_cpp_node() -> None:
         ("<param name='a' command=''/>", ":2: param a: there is no command ''"),
         ("<param name='a' command='echo \"x'/>", ":2: command is no command line: no closing quotation in 'echo \"x'"),
         ("<node pkg='pkg' type='node.py' name='n' args='\"x'/>", ":2: args is no command line: no closing quotation"),
-        ("<param name='a' textfile='/bin/sh'/>", ":2: /bin/sh is not UTF-8: the byte 0x"),
-        ("<param name='a' value='4294967296'/>", ":2: a has an integer of more than 32 bits, which ROS's parameter"),
-        ("<rosparam>{a: {b: [1, -2147483649]}}</rosparam>", ":2: rosparam has an integer of more than 32 bits"),
-        ("<rosparam>{a: 2024-01-02}</rosparam>", ":2: rosparam has a date, 2024-01-02, which ROS's parameter server"),
+        ("<param name='a' textfile='/bin/sh'/>", ":2: /bin/sh is not UTF-8: "),
+        ("<param name='a' value='4294967296'/>", ":2: a has a value that ROS's parameter server does not take: int"),
+        (
+            "<rosparam>{a: {b: [1, -2147483649]}}</rosparam>",
+            ":2: rosparam has a value that ROS's parameter server does not take",
+        ),
+        ("<rosparam>{a: 2024-01-02}</rosparam>", ":2: rosparam has a value that ROS's parameter server does not"),
         ("<rosparam>{a: 2024-13-02}</rosparam>", ":2: rosparam has a value that YAML cannot read: month must be in"),
-        ("<rosparam>{a: null}</rosparam>", ":2: rosparam has a null, which ROS's parameter server does not take"),
-        ("<rosparam>{a: [1, ~]}</rosparam>", ":2: rosparam has a null"),
-        ("<rosparam>{a: !!set {b}}</rosparam>", ":2: rosparam has a set"),
-        ("<rosparam>{1: 2}</rosparam>", ":2: rosparam has a name that is no text, 1"),
+        ("<rosparam>{a: null}</rosparam>", ":2: rosparam has a value that ROS's parameter server does not"),
+        ("<rosparam>{a: [1, ~]}</rosparam>", "does not take: cannot marshal None"),
+        ("<rosparam>{a: !!set {b}}</rosparam>", "does not take: cannot marshal <class 'set'>"),
+        ("<rosparam>{1: 2}</rosparam>", "does not take: dictionary key must be string"),
         (XML.format("klingon"), ":1: this cannot be read: unknown encoding"),
         (XML.format("utf-7"), ":1: this cannot be read: multi-byte encodings"),
     ],
@@ -174,38 +176,18 @@ def test_what_is_wrong_is_said_with_file_and_line(launched: Launched, text: str,
 
 TENFOLD = ["x"] + [f"&{name};" * 10 for name in "abcdefg"]
 LAUGHS = "".join(f'<!ENTITY {name} "{text}">' for name, text in zip("abcdefgh", TENFOLD, strict=True))
-ALIASES = "a: &a [x]\n" + "".join(
-    f"{name}: &{name} [{', '.join([f'*{before}'] * 10)}]\n" for before, name in zip("abcdefg", "bcdefgh", strict=True)
-)
-MERGES = ALIASES.replace("[x]", "{x: 1}").replace("[*", "{<<: [*").replace("]\n", "]}\n")
-DOUBLED = "<arg name='a0' value='xxxxxxxx'/>" + "".join(
-    f"<arg name='a{number + 1}' value='$(arg a{number})$(arg a{number})'/>" for number in range(60)
-)
-AGAIN = "<include file='$(dirname)/a.launch'><arg name='n' value='$(eval n - 1)'/></include>"
-TREE = f"<arg name='n' default='40'/><group if='$(eval n > 0)'>{AGAIN}{AGAIN}</group>"
 
 
 @pytest.mark.parametrize(
     ("text", "message"),
     [
-        (f"\n<!DOCTYPE launch [{LAUGHS}]><launch><rosparam>&h;</rosparam></launch>", "with its entities, the text"),
-        (f"\n<!DOCTYPE launch [{LAUGHS}]><launch><arg name='&g;' doc='x'/></launch>", "with its entities, the text"),
-        (f"<rosparam>{ALIASES.replace('&', '&amp;')}</rosparam>", ":2: rosparam has more than 100,000 values, if each"),
-        (
-            f"<rosparam>{MERGES.replace('&', '&amp;').replace('<<', '&lt;&lt;')}</rosparam>",
-            ":2: rosparam has more than",
-        ),
-        ("<rosparam>a: &amp;a [*a]</rosparam>", ":2: rosparam has more than 100,000 values"),
-        ("<rosparam>a: &amp;a {b: *a}</rosparam>", ":2: rosparam has more than 100,000 values"),
+        (f"\n<!DOCTYPE launch [{LAUGHS}]><launch><rosparam>&h;</rosparam></launch>", ":2: this is not XML: limit on"),
+        ("<rosparam>a: &amp;a [*a]</rosparam>", "does not take: cannot marshal recursive sequences"),
+        ("<rosparam>a: &amp;a {b: *a}</rosparam>", "does not take: cannot marshal recursive dictionaries"),
         (f"<rosparam>a: {'[' * 5000}</rosparam>", ":2: rosparam is not YAML: "),
         (f"<rosparam>a: {'9' * 5000}</rosparam>", ":2: rosparam has a value that YAML cannot read: Exceeds the limit"),
-        ("<group>" * 5000 + "</group>" * 5000, ":2: more than 100 tags lie in one another here"),
-        (DOUBLED, ":2: $(arg a16): with its substitutions, this text has more than 1,000,000 characters"),
-        ("<param name='a' textfile='/dev/zero'/>", ":2: /dev/zero gives more than 1,000,000 bytes"),
-        ("<param name='a' command='yes'/>", ":2: yes gives more than 1,000,000 bytes"),
         ("<include file='$(dirname)/a.launch'/>", ":2 -> ..."),
         ("<include file='$(dirname)/d.launch'/>", "d.launch:3 -> "),
-        (TREE, ":2: with this one, more than 1,000 files are included"),
     ],
 )
 def test_what_never_ends_is_said_with_file_and_line(launched: Launched, text: str, message: str) -> None:
@@ -215,72 +197,6 @@ def test_what_never_ends_is_said_with_file_and_line(launched: Launched, text: st
         simulate(path, 1)
     assert message in str(caught.value)
     assert str(caught.value).startswith(f"{path.parent}/")
-
-
-@pytest.mark.parametrize(
-    "expression",
-    [
-        "9**9**9",
-        "1 << 10**10",
-        "10**9 * [0]",
-        "('a' * 1000).join(['a' * 1000] * 1000)",
-        "factorial(10**7)",
-        "comb(10**9, 5 * 10**8)",
-        "'a'.ljust(10**10)",
-        "str.zfill('a', 10**10)",
-        "list(map('a'.center, [10**10]))",
-        "[10**10].sort(key='a'.ljust)",
-        "(5).to_bytes(10**10, 'big')",
-        "'%1000000000d' % 1",
-        "'%*d' % (10**10, 1)",
-        "'{:>1000000000}'.format(1)",
-        "'{:{}}'.format(1, 10**10)",
-        "'{:{}}'.format(1, '10000000000')",
-        "'{:{w}}'.format(1, w=10**10)",
-        "f'{1:>{10**10}}'",
-        "'%(a)s%(a)s' % {'a': 'b' * 10**6}",
-        "'a'.translate({97: 'b' * 10**6})",
-        "'a\\t'.expandtabs(10**10)",
-        "''.join('a' * 10**4 for i in 'b' * 10**4)",
-        "[0 for a in 'a' * 1000 for b in 'a' * 1000 for c in 'a' * 1000]",
-        "[a.extend(a) for a in [[1, 2]] for i in 'a' * 100]",
-        "[[a.append(a), a * 2] for a in [[1]]]",
-        "(lambda f, n: f(f, n))(lambda f, n: f(f, n - 1) + f(f, n - 1) if n else 1, 20)",
-        "1 + " * 5000 + "1",
-    ],
-)
-def test_an_expression_is_bounded(launched: Launched, expression: str) -> None:
-    path = launched(f'<param name="a" value="$(eval {expression.replace("<", "&lt;")})"/>')
-    with pytest.raises(ValueError) as caught:
-        simulate(path, 1)
-    shown = expression if len(expression) <= 100 else f"{expression[:100]}..."
-    assert str(caught.value) == f"{path}:2: $(eval {shown}) takes more than 1,000,000 steps or characters"
-
-
-@pytest.mark.parametrize(
-    ("expression", "value"),
-    [
-        ("2 ** 10 + len", "NameError: name 'len' is not defined"),
-        ("2 ** 10", 1024),
-        ("'a' * 5 + arg('word')", "aaaaaword"),
-        ("'%d m' % 5000000", "5000000 m"),
-        ("'99999999 {}'.format(2000000)", "99999999 2000000"),
-        ("f'{pi!r:.6}|{2.5:>5.1f}'", "3.1415|  2.5"),
-        ("' '.join(map(str, [i * 2 for i in [1, 2]]))", "2 4"),
-        ("word.upper() if word else ''", "WORD"),
-        ("[*map(int, '12')][::-1]", "[2, 1]"),
-        ("10 ** 6000", "ValueError: Exceeds the limit (4300 digits) for integer string conversion"),
-        ("(" * 500, "SyntaxError: too many nested parentheses (<unknown>, line 1)"),
-    ],
-)
-def test_an_expression_is_pythons(launched: Launched, expression: str, value: Any) -> None:
-    path = launched(f'<arg name="word" default="word"/>\n<param name="a" value="$(eval {expression})"/>')
-    try:
-        found = dict(read_launch(path).parameters)["/a"]
-    except ValueError as error:
-        found = str(error).partition("): ")[2]
-        found = found if expression[0] != "(" else f"SyntaxError{found.partition('SyntaxError')[2]}"
-    assert found == value
 
 
 @pytest.mark.parametrize("several", [SPINNERS, str(SPINNERS), [lambda: None]], ids=["path", "name", "list"])

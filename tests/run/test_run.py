@@ -374,7 +374,7 @@ def test_a_timer_without_a_period_is_found_with_its_line(write: Any) -> None:
         simulate(path, 10)
 
 
-def test_a_busy_callback_is_found_in_the_end(write: Any) -> None:
+def test_a_busy_callback_is_found_in_the_end(write: Any, watchful: None) -> None:
     path = write(
         """
         import rospy

@@ -14,7 +14,7 @@ from tree import ROOT
 from rosspin.site.claims import Facts, Stale, report, sentence_near
 from rosspin.site.outputs import stale_copies, stale_picture, write
 
-# Enough for the way of the how-to; all pages go it in tests/real.
+# Enough for the way of the how-to; all pages go it in tests/real/judge.
 FEW_PAGES = [
     *("docs/tutorial.rst", "docs/reference/launch-files.rst", "docs/glossary.rst"),
     *("notebooks/timer.md", "notebooks/rate.md"),

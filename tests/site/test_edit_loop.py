@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import re
+import shutil
 import subprocess
 from pathlib import Path
 
@@ -18,10 +19,10 @@ html_sidebars = {"**": ["globaltoc.html"]}
 FACTS = "\n.. facts::\n\n   value = open('helper.txt').read()\n   assert value == 'one'\n\nIt is :fact:`value`.\n"
 
 
-@pytest.fixture
-def pages(tmp_path: Path) -> Path:
-    """A built site of three pages: the first lists the others, and one says what a helper has."""
-    folder = site(tmp_path, {})
+@pytest.fixture(scope="module")
+def built(tmp_path_factory: pytest.TempPathFactory) -> tuple[Path, Path]:
+    """A built site of three pages: the first lists the others, and one says what a helper has; and a copy of it."""
+    folder = site(tmp_path_factory.mktemp("edited") / "site", {})
     conf = folder / "conf.py"
     conf.write_text(f"{conf.read_text()}{THEME}what_pages_run = open('helper.txt').read()\n")
     (folder / "helper.txt").write_text("one")
@@ -30,7 +31,16 @@ def pages(tmp_path: Path) -> Path:
     conf.write_text(conf.read_text().replace('"notebooks/*.md"', '"notebooks/*"'))
     run = build(folder, "html")
     assert run.returncode == 0, run.stdout + run.stderr
-    return folder
+    kept = shutil.copytree(folder, folder.with_name("kept"))
+    return folder, kept
+
+
+@pytest.fixture
+def pages(built: tuple[Path, Path]) -> Path:
+    """The site as it was built, where it was built, with the times of its files."""
+    folder, kept = built
+    shutil.rmtree(folder)
+    return shutil.copytree(kept, folder)
 
 
 def touched(run: subprocess.CompletedProcess[str]) -> tuple[set[str], set[str]]:

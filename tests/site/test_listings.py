@@ -10,7 +10,7 @@ from pathlib import Path
 from typing import NamedTuple
 
 import pytest
-from bs4 import BeautifulSoup
+from built_pages import parsed
 from tree import ROOT
 
 EXAMPLES = ROOT / "examples"
@@ -109,7 +109,7 @@ def test_each_step_names_the_listing_that_it_starts_from(page: Path) -> None:
 
 @pytest.mark.parametrize("page", STARTS_FROM, ids=name_of)
 def test_marked_lines_are_the_ones_that_the_step_adds(site: Path, page: Path) -> None:
-    html = BeautifulSoup((site / f"{name_of(page)}.html").read_text(encoding="utf-8"), "html.parser")
+    html = parsed(site / f"{name_of(page)}.html")
     marked = [[line.get_text().rstrip() for line in pre.select(".hll")] for pre in html.select("pre:has(.hll)")]
     steps = [listing for listing in listings(page) if {"changed-from", "emphasize-lines"} & listing.options.keys()]
     for step, lines in zip(steps, marked, strict=True):

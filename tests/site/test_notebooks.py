@@ -11,7 +11,7 @@ from pathlib import Path
 
 import jupytext
 import pytest
-from bs4 import BeautifulSoup
+from built_pages import parsed
 from notebook_nodes import NODES
 from tree import ROOT
 
@@ -83,7 +83,7 @@ def test_the_page_offers_the_notebook_with_its_outputs(site: Path, name: str) ->
 def test_its_plots_are_matplotlibs_and_on_the_page_as_svg(site: Path, name: str) -> None:
     """What nothing else can do with them is shown once: limits, a second panel, two runs in one figure, a PDF."""
     code = "\n".join(cells(name, "code"))
-    page = BeautifulSoup((site / "notebooks" / f"{name}.html").read_text(encoding="utf-8"), "html.parser")
+    page = parsed(site / "notebooks" / f"{name}.html")
     assert not page.select(".cell_output img")
     if "plots." in code:
         assert re.search(r"set_xlim|pyplot\.subplots\(2|plots\.compare|axvline", code)

@@ -9,12 +9,14 @@ import shlex
 import subprocess
 import tomllib
 from collections.abc import Iterator
+from copy import copy
 from pathlib import Path
 from urllib.parse import unquote, urlsplit
 
 import pytest
 import yaml
 from bs4 import BeautifulSoup, Tag
+from built_pages import parsed
 from commands import COMMANDS, PAGES, SIMULATED
 from docutils import nodes
 from tree import DOCTREES, ROOT, SITE
@@ -41,7 +43,7 @@ FOREIGN_IN_JS = re.compile(
 def pages(site: Path) -> dict[Path, BeautifulSoup]:
     """Every built page, parsed, by its path."""
     files = [path for path in sorted(site.rglob("*.html")) if "_static" not in path.parts]
-    return {path: BeautifulSoup(path.read_text(encoding="utf-8"), "html.parser") for path in files}
+    return {path: parsed(path) for path in files}
 
 
 @pytest.mark.parametrize("name", sorted({"index", "docs/tutorial", "notebooks/timer", "notebooks/rate", *SOURCES}))
@@ -50,7 +52,7 @@ def test_page_is_built(site: Path, name: str) -> None:
 
 
 def _page(name: str) -> BeautifulSoup:
-    return BeautifulSoup((SITE / f"{name}.html").read_text(encoding="utf-8"), "html.parser")
+    return parsed(SITE / f"{name}.html")
 
 
 def test_links_lead_somewhere(pages: dict[Path, BeautifulSoup]) -> None:
@@ -300,7 +302,7 @@ def test_headings_on_how_timing_works_show_the_verdict(name: str, least: int) ->
 
 @pytest.mark.parametrize("name", ["docs/ros2/how-timing-works", "docs/ros2/from-ros-1"])
 def test_no_line_ends_between_a_number_and_its_unit(name: str) -> None:
-    article = _page(name).select("article")[0]
+    article = copy(_page(name).select("article")[0])
     for code in article.select("pre, code, figure, .cell"):
         code.decompose()
     text = article.get_text()

@@ -35,11 +35,50 @@ _LATEST = threading.TIMEOUT_MAX / 2
 
 @contextmanager
 def guard(until: float | None, patience: float, last_words: LastWords) -> Iterator[Callable[[], None]]:
-    """A process that kills this one if it goes on for ``patience`` seconds after a Ctrl-C, whatever it does.
+    """Start a process that kills this one if it goes on for ``patience`` seconds after a Ctrl-C, whatever it does.
 
     A thread would not do: code in C may keep all others from running. Ctrl-C comes ``until`` seconds from now, if that
-    is not None; of another one the function tells that this gives, and one from a terminal the guardian hears itself.
+    is not None. The guardian hears a Ctrl-C from a terminal itself; the function that this gives tells it of any other.
     The last words go to ``sys.stderr``.
+    """
+    deadline = time.monotonic() + (math.inf if until is None else until + patience)
+    with _guardian(lambda guarded, read: _watch(guarded, read, deadline, patience), last_words) as (write, dump):
+
+        def interrupted() -> None:
+            os.write(write, b"!")
+            faulthandler.dump_traceback_later(patience - _BEFORE, file=dump)
+
+        if until is not None and until < _LATEST:
+            faulthandler.dump_traceback_later(until + patience - _BEFORE, file=dump)
+        yield interrupted
+
+
+@contextmanager
+def guard_threads(last_words: LastWords) -> Iterator[None]:
+    """Start a process that kills this one if code in C keeps its threads from running for a minute."""
+    with _guardian(_listen, last_words) as (write, dump):
+        over = threading.Event()
+
+        def beat() -> None:
+            while not over.wait(_BEAT):
+                faulthandler.dump_traceback_later(_SILENT - _BEFORE, file=dump)
+                os.write(write, b"+")
+
+        faulthandler.dump_traceback_later(_SILENT - _BEFORE, file=dump)
+        beating = threading.Thread(target=beat, daemon=True)
+        beating.start()
+        try:
+            yield
+        finally:
+            over.set()
+            beating.join()
+
+
+@contextmanager
+def _guardian(watch: Callable[[int, int], None], last_words: LastWords) -> Iterator[tuple[int, int]]:
+    """A process in which ``watch(guarded, read)`` runs; when it returns, the process kills this one.
+
+    Gives two pipes: one to what ``watch`` reads, and one for the stacks that the last words are made of.
     """
     read, write = os.pipe()
     stacks, dump = os.pipe()
@@ -49,59 +88,15 @@ def guard(until: float | None, patience: float, last_words: LastWords) -> Iterat
     if not guardian:
         os.close(write)
         os.close(dump)
-        _watch(guarded, read, time.monotonic() + (math.inf if until is None else until + patience), patience)
+        watch(guarded, read)
         _kill(guarded, last_words(_read_stacks(stacks)))
     os.close(read)
     os.close(stacks)
-
-    def interrupted() -> None:
-        os.write(write, b"!")
-        faulthandler.dump_traceback_later(patience - _BEFORE, file=dump)
-
-    if until is not None and until < _LATEST:
-        faulthandler.dump_traceback_later(until + patience - _BEFORE, file=dump)
     try:
-        yield interrupted
+        yield write, dump
     finally:
         faulthandler.cancel_dump_traceback_later()
         os.write(write, b".")  # to close it is not enough: a child that a node has forked may hold it
-        os.close(write)
-        os.close(dump)
-        os.waitpid(guardian, 0)
-
-
-@contextmanager
-def guard_threads(last_words: LastWords) -> Iterator[None]:
-    """A process that kills this one if code in C keeps its threads from running for a minute, as it may for ever."""
-    read, write = os.pipe()
-    stacks, dump = os.pipe()
-    sys.stderr.flush()
-    guarded = os.getpid()
-    guardian = os.fork()
-    if not guardian:
-        os.close(write)
-        os.close(dump)
-        _listen(guarded, read)
-        _kill(guarded, last_words(_read_stacks(stacks)))
-    os.close(read)
-    os.close(stacks)
-    over = threading.Event()
-
-    def beat() -> None:
-        while not over.wait(_BEAT):
-            faulthandler.dump_traceback_later(_SILENT - _BEFORE, file=dump)
-            os.write(write, b"+")
-
-    faulthandler.dump_traceback_later(_SILENT - _BEFORE, file=dump)
-    beating = threading.Thread(target=beat, daemon=True)
-    beating.start()
-    try:
-        yield
-    finally:
-        over.set()
-        beating.join()
-        faulthandler.cancel_dump_traceback_later()
-        os.write(write, b".")
         os.close(write)
         os.close(dump)
         os.waitpid(guardian, 0)

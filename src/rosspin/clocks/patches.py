@@ -45,9 +45,10 @@ def patched(patches: Iterable[Patch]) -> Iterator[None]:
 
 
 class Builtins:
-    """The names that all code has, as a context: what runs within it leaves them as they were, and finds its own again.
+    """Keeps what code does to the built-in names to itself, as a context: at its end they are as they were before.
 
-    Its end needs none of these names: nothing of this package does what it should before they are as they were.
+    Within it, the names are again as the code left them when the context last ended.
+    The end uses none of these names, as the code may have replaced them.
     """
 
     def __init__(self) -> None:

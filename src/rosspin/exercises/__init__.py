@@ -12,36 +12,32 @@ from __future__ import annotations
 
 from typing import Any
 
-from . import questions, questions_ros2
-from .exercise import Exercise
 from .feedback import Feedback, Finding
 from .judging import Answer, Fails
+from .questions import EXERCISES, Exercise
 from .running import Runner
 from .traces import Misfit, Outcome, Request, Trace, read, write
 
 __all__ = ["EXERCISES", "Exercise", "Feedback", "Finding", "Misfit", "check", "judge", "trace"]
 
-EXERCISES: tuple[Exercise, ...] = (*questions.EXERCISES, *questions_ros2.EXERCISES)
-"""All exercises, in the order of their numbers."""
-
 _CUT = "the node did so much that not all of it was looked at."
 _LESS = "Let it print and publish no more than the exercise asks for."
 
 
-def check(number: int, answer: Any) -> Feedback:
+def check(which: int | str, answer: Any) -> Feedback:
     """Check the answer to an exercise, a text; one that is ``...`` is not right yet.
 
-    Raises ValueError for a number that no exercise has.
+    The exercise is given by its number or its name. Raises ValueError for one that there is not.
     """
-    return judge(number, answer, trace(number, answer))
+    return judge(which, answer, trace(which, answer))
 
 
-def trace(number: int, answer: Any) -> str:
+def trace(which: int | str, answer: Any) -> str:
     """Run an answer, and write down what it did, as JSON; what it shows is not much larger than 2 MB.
 
-    Raises ValueError for a number that no exercise has.
+    Raises ValueError for an exercise that there is not.
     """
-    exercise = _exercise(number)
+    exercise = _exercise(which)
     run = Runner(answer, exercise.ros)
     outcomes: list[Outcome] = []
 
@@ -50,17 +46,17 @@ def trace(number: int, answer: Any) -> str:
         return outcomes[-1]
 
     _find(exercise, Answer(answer, exercise.ros, ask))  # for what it asks
-    return write(Trace(number, run.console, run.cut, tuple(outcomes)))
+    return write(Trace(exercise.number, run.console, run.cut, tuple(outcomes)))
 
 
-def judge(number: int, answer: Any, traced: str) -> Feedback:
+def judge(which: int | str, answer: Any, traced: str) -> Feedback:
     """What is to be said of an answer by the trace of its runs. Nothing of it is run.
 
-    Raises ValueError for a number that no exercise has, and :class:`Misfit` for what is no trace of this exercise. A
-    trace that was forged, by an answer that took over the Python that it ran in, can describe the runs of another.
+    Raises ValueError for an exercise that there is not, and :class:`Misfit` for what is no trace of this one. A trace
+    that was forged, by an answer that took over the Python that it ran in, can describe the runs of another.
     """
-    exercise = _exercise(number)
-    console, cut, outcomes = read(traced, number)[1:]
+    exercise = _exercise(which)
+    _, console, cut, outcomes = read(traced, exercise.number)
     left = list(reversed(outcomes))
 
     def ask(request: Request) -> Outcome:
@@ -78,20 +74,21 @@ def judge(number: int, answer: Any, traced: str) -> Feedback:
     if early := given.hint_for_early_end():
         # Said first of a node that did nothing, and last of one that did something.
         hints.insert(len(hints) if console else 0, early)
-    return Feedback(number, tuple(findings), [*hints, exercise.hint][0], console, whole=not cut)
+    return Feedback(exercise.number, tuple(findings), [*hints, exercise.hint][0], console, whole=not cut)
 
 
-def _exercise(number: int) -> Exercise:
-    if number not in range(1, len(EXERCISES) + 1):
-        raise ValueError(f"there is no exercise {number!r}: they are numbered 1 to {len(EXERCISES)}")
-    return EXERCISES[number - 1]
+def _exercise(which: int | str) -> Exercise:
+    for exercise in EXERCISES:
+        if which in (exercise.number, exercise.name):
+            return exercise
+    raise ValueError(f"there is no exercise {which!r}: they are numbered 1 to {len(EXERCISES)}")
 
 
 def _find(exercise: Exercise, answer: Answer) -> list[Finding]:
     findings: list[Finding] = []
     try:
         # One by one: what was found before an answer fails is kept.
-        for finding in exercise.find(answer):
+        for finding in exercise.judge(answer):
             findings.append(finding)
     except Fails as failure:
         findings.append(failure.finding)

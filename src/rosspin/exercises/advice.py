@@ -7,12 +7,12 @@ from types import FrameType
 from ..clocks.frames import node_frames
 from ..rospy.exceptions import ROSInitException
 
-__all__ = ["advice"]
+__all__ = ["advice", "innermost"]
 
 
 def advice(error: BaseException) -> str:
     """A sentence of advice on an error in a node; an empty string if there is none."""
-    frame = _innermost(error)
+    frame = innermost(error)
     if frame is None:
         return ""
     module = str(frame.f_globals["__name__"])
@@ -66,7 +66,7 @@ def _on_rclpy(error: BaseException, module: str, frame: FrameType) -> str:
     return ""
 
 
-def _innermost(error: BaseException) -> FrameType | None:
+def innermost(error: BaseException) -> FrameType | None:
     """The frame in which an error was raised, if that was in a stand-in and not in a line of the node."""
     trace = error.__traceback__
     while trace and trace.tb_next:

@@ -7,7 +7,6 @@ from types import CodeType, FrameType
 from typing import Any
 
 from .. import rclpy
-from ..clocks.frames import node_frames
 from ..rclpy.exceptions import (
     ExternalShutdownException,
     InvalidParameterTypeException,
@@ -19,6 +18,7 @@ from ..rclpy.exceptions import (
 from ..rclpy.executors import Executor, _call
 from ..rclpy.timer import Timer
 from ..world.world import World
+from .advice import innermost
 
 __all__ = ["ENDINGS", "WAITING", "hint", "timer_of", "timers", "whose"]
 
@@ -54,10 +54,7 @@ def whose(codes: Collection[CodeType]) -> str:
 
 def hint(error: BaseException, whose: str) -> str:
     """What may be behind an error that rclpy raises."""
-    trace = error.__traceback__
-    while trace and trace.tb_next:
-        trace = trace.tb_next
-    if trace is None or node_frames(trace) is not None:
+    if innermost(error) is None:
         return ""
     if isinstance(error, NotInitializedException) or (isinstance(error, RCLError) and "rcl_init()" in str(error)):
         return "Call `rclpy.init()` before you make a node, and `rclpy.shutdown()` only at the end."

@@ -1,25 +1,38 @@
-"""Judge an answer by what its runs showed: what can be said of each, and in which words."""
+"""Have an answer run, refuse what cannot be judged, and find the words for it."""
 
 from __future__ import annotations
 
 import ast
-from collections.abc import Callable, Collection, Sequence
+from collections.abc import Callable, Collection, Iterator, Sequence
 from typing import Any
 
 from .feedback import Finding
-from .seen import Error, Printed, Seen, Value
+from .seen import Error, Seen, Value
 from .traces import Outcome, Request
 
-__all__ = ["CLOSE", "Answer", "Fails", "a_value", "grid", "not_python", "on_time", "plain", "say", "started"]
-
-# Nobody means a time difference below this (s).
-CLOSE = 1e-3
+__all__ = [
+    "Answer",
+    "Fails",
+    "Judge",
+    "a_value",
+    "hint_for_kept",
+    "not_python",
+    "plain",
+    "say",
+    "say_error",
+    "say_kept",
+    "started",
+]
 
 # What a node of each ROS imports, what its loop asks, and what its main part comes to.
 _MODULES = {1: "rospy", 2: "rclpy"}
 _GOES_ON = {1: "rospy.is_shutdown()", 2: "rclpy.ok()"}
 _SPINS = {1: "rospy.spin()", 2: "rclpy.spin(node)"}
 
+_DAEMON = (
+    "After Ctrl-C nothing wakes a Rate any more, and Python waits for the thread that is asleep. Use a Rate only in a "
+    "daemon thread: `Thread(target=..., daemon=True)`."
+)
 _NO_ANSWER = "There is no answer yet."
 _ENDS_EARLY = "The node ended by itself, before its time was over. Does its main part come to `{}`?"
 
@@ -50,27 +63,29 @@ class Answer:
     def run(
         self,
         seconds: float,
-        *args: str,
+        given: str = "",
+        *,
         seed: int | None = None,
         stalls_at: float | None = None,
         allowed: str = "",
         has_to_end: bool = True,
     ) -> Seen:
-        """Run the answer as a node in simulated time; ``args`` are its command line.
+        """Run the answer as a node in simulated time, with a parameter that is ``given`` as in ``period:=0.5``.
 
         With a ``seed`` its threads take turns at any point; from ``stalls_at`` (s) on, nothing of it runs for a while.
         A node that cannot be run, or fails of an error without the text ``allowed``, ends the check, and so does one
         that Ctrl-C does not end, if it ``has_to_end``. That Ctrl-C ends it as its ROS has it is no failure.
         """
+        args = self._args(given)
         seen = self._node(Request(seconds, args, seed=seed, stalls_at=stalls_at))
         if has_to_end or not seen.killed:
             self._refuse(seen, args, allowed)
         self._ended_early |= not seen.interrupted and not allowed and seed is None
         return seen
 
-    def ending(self, seconds: float, *args: str, terminated_at: float | None = None) -> Seen:
+    def ending(self, seconds: float, given: str = "", terminated_at: float | None = None) -> Seen:
         """Run it likewise, however it ends; SIGTERM may come before Ctrl-C. One that cannot be run ends the check."""
-        return self._node(Request(seconds, args, terminated_at))
+        return self._node(Request(seconds, self._args(given), terminated_at))
 
     def variables(self, *names: str) -> dict[str, Value]:
         """Of some variables those that the answer assigns. One that cannot be run, or fails, ends the check."""
@@ -82,6 +97,12 @@ class Answer:
     def hint_for_early_end(self) -> str:
         """How to go on with a node that was over before its time; empty for any other."""
         return _ENDS_EARLY.format(_SPINS[self._ros]) if self._ended_early else ""
+
+    def _args(self, given: str) -> tuple[str, ...]:
+        """The command line that gives a node a parameter, in its ROS."""
+        if not given:
+            return ()
+        return (given,) if self._ros == 1 else ("--ros-args", "-p", given)
 
     def _node(self, request: Request) -> Seen:
         tree = self._parse()
@@ -132,49 +153,16 @@ class Answer:
             return bool(allowed and allowed in error.said) or (may_end and error.ending)
 
         if wrong := [error for error in seen.errors if not is_well(error)]:
-            raise Fails(f"{started(args)} {self.say_error(wrong[-1])}", seen.errors[-1].hint)
+            raise Fails(f"{started(args)} {say_error(wrong[-1])}", seen.errors[-1].hint)
         if seen.killed:
-            raise Fails(f"{started(args)} node did not end at Ctrl-C: {self.say_kept(seen)}", self.hint_for_kept(seen))
+            kept = say_kept(seen, self._ros)
+            raise Fails(f"{started(args)} node did not end at Ctrl-C: {kept}", hint_for_kept(seen))
         if seen.status and not seen.errors and not may_end:
             raise Fails(f"{started(args)} node ended with status {seen.status} instead of 0.")
 
-    def say_error(self, error: Error) -> str:
-        """What an exception has ended, and where, as the rest of a sentence."""
-        where = f"in line {error.line}:" if error.line else "of"
-        return f"{error.whose} died {where} `{plain(error.said)}`."
 
-    def say_kept(self, seen: Seen) -> str:
-        """What kept a node that was killed from its end, as the rest of a sentence."""
-        if seen.kept_by_rate:
-            return "one of its threads was still asleep in a Rate's `sleep()`."
-        asks = f"Does its loop ask `{_GOES_ON[self._ros]}`?"
-        if seen.kept_at is None:
-            return asks
-        return f"it was still in line {seen.kept_at.line}, `{plain(seen.kept_at.call)}`. {asks}"
-
-    def hint_for_kept(self, seen: Seen) -> str:
-        """How to go on with a node that was killed; empty if nothing more is known."""
-        if not seen.kept_by_rate:
-            return ""
-        return (
-            "After Ctrl-C nothing wakes a Rate any more, and Python waits for the thread that is asleep. Use a Rate "
-            "only in a daemon thread: `Thread(target=..., daemon=True)`."
-        )
-
-
-def started(args: Sequence[str]) -> str:
-    """How a run with this command line begins to be told."""
-    return f"Started with `{' '.join(args)}`, the" if args else "The"
-
-
-def not_python(error: Exception, text: str) -> tuple[str, str]:
-    """What to say of a text that Python cannot read, and how to go on."""
-    read = "Python could not read the answer, so nothing ran. The error may be in the line before."
-    if not isinstance(error, SyntaxError):
-        return f"This is not Python: {plain(str(error))}.", read
-    line = error.lineno or text.partition("\0")[0].count("\n") + 1  # of null bytes Python does not say where
-    said = plain(error.msg)  # may end in a question
-    return f"Line {line} is not Python: {said}{'' if said.endswith('?') else '.'}", read
+Judge = Callable[[Answer], Iterator[Finding]]
+"""What looks at an answer, runs it as often as it needs, and says what it finds."""
 
 
 def _imported(tree: ast.Module) -> set[str]:
@@ -209,7 +197,7 @@ def _is_empty(body: Sequence[ast.stmt]) -> bool:
 
 
 def plain(text: str) -> str:
-    """Text of the reader's, or of Python's, that is to stand in Markdown."""
+    """Fit text of the reader's, or of Python's, into a line of Markdown: without backquotes, and not too long."""
     return " ".join(text.split()).replace("`", "'")[:300]
 
 
@@ -223,34 +211,35 @@ def say(seconds: float) -> str:
     return f"{round(seconds, 3):.10g} s"
 
 
-# --- counters ---------------------------------------------------------------------------------------------------------
+def started(args: Sequence[str]) -> str:
+    """How a run with this command line begins to be told."""
+    return f"Started with `{' '.join(args)}`, the" if args else "The"
 
 
-def grid(period: float, seconds: float, start: float | None = None) -> list[float]:
-    """Times ``period`` apart, from ``start`` (one period, if none) up to ``seconds``, both included."""
-    first = period if start is None else start
-    return [first + n * period for n in range(int((seconds - first) / period + 1e-6) + 1)]
+def say_error(error: Error) -> str:
+    """What an exception has ended, and where, as the rest of a sentence."""
+    where = f"in line {error.line}:" if error.line else "of"
+    return f"{error.whose} died {where} `{plain(error.said)}`."
 
 
-def on_time(found: Sequence[Printed], wanted: Sequence[float], what: str = "", hint: str = "") -> Finding:
-    """Whether counters 1, 2, ... came at the times that are wanted, and no others; ``what`` begins the sentence."""
-    start = f"{what}: " if what else ""
-    if not found:
-        return Finding(False, f"{start}no counter was printed.", hint)
-    for number, (line, time) in enumerate(zip(found, wanted, strict=False), 1):
-        if line.text != str(number):
-            text = f"{start}where counter {number} was due, counter {plain(line.text)} came."
-            return Finding(False, text, hint)
-        if abs(line.time - time) > CLOSE:
-            return Finding(False, f"{start}counter {number} came at {say(line.time)}, not at {say(time)}.", hint)
-    if len(found) > len(wanted):
-        extra = found[len(wanted)]
-        text = f"{start}counter {plain(extra.text)} came at {say(extra.time)}; it should not have come."
-        return Finding(False, text, hint)
-    if len(found) < len(wanted):
-        text = f"{start}counter {len(found) + 1}, due at {say(wanted[len(found)])}, did not come."
-        return Finding(False, text, hint)
-    if len(wanted) == 1:
-        return Finding(True, f"{start}counter 1 came at {say(wanted[0])}, and no other.")
-    text = f"{start}counters 1 to {len(wanted)} came from {say(wanted[0])} to {say(wanted[-1])}, each at its time."
-    return Finding(True, text)
+def say_kept(seen: Seen, ros: int) -> str:
+    """What kept a node that was killed from its end, as the rest of a sentence."""
+    if seen.kept_by_rate:
+        return "one of its threads was still asleep in a Rate's `sleep()`."
+    asks = f"Does its loop ask `{_GOES_ON[ros]}`?"
+    return f"it was still in line {seen.kept_at.line}, `{plain(seen.kept_at.call)}`. {asks}" if seen.kept_at else asks
+
+
+def hint_for_kept(seen: Seen) -> str:
+    """How to go on with a node that was killed; empty if nothing more is known."""
+    return _DAEMON if seen.kept_by_rate else ""
+
+
+def not_python(error: Exception, text: str) -> tuple[str, str]:
+    """What to say of a text that Python cannot read, and how to go on."""
+    read = "Python could not read the answer, so nothing ran. The error may be in the line before."
+    if not isinstance(error, SyntaxError):
+        return f"This is not Python: {plain(str(error))}.", read
+    line = error.lineno or text.partition("\0")[0].count("\n") + 1  # of null bytes Python does not say where
+    said = plain(error.msg)  # may end in a question
+    return f"Line {line} is not Python: {said}{'' if said.endswith('?') else '.'}", read

@@ -37,7 +37,7 @@ _COMMON = {
 
 
 def reaches_for(answer: str) -> str:
-    """The first name in an answer, a text, that no exercise needs; empty if there is none, or if it is not Python."""
+    """Find the first name in an answer that no exercise needs; empty if there is none, or the text is not Python."""
     try:
         nodes = list(ast.walk(ast.parse(answer)))
     except (SyntaxError, ValueError, RecursionError, MemoryError):
@@ -47,7 +47,7 @@ def reaches_for(answer: str) -> str:
 
 
 def _defined(node: ast.AST) -> Iterator[str]:
-    """The names that a node of the answer gives to something."""
+    """Yield the names that the answer itself gives: to functions, classes, parameters, variables and attributes."""
     match node:
         case ast.FunctionDef(name) | ast.AsyncFunctionDef(name) | ast.ClassDef(name) | ast.arg(name):
             yield name
@@ -56,7 +56,7 @@ def _defined(node: ast.AST) -> Iterator[str]:
 
 
 def _foreign(node: ast.AST, own: Collection[str]) -> Iterator[str]:
-    """What of a node no exercise needs."""
+    """Yield the names in a part of the answer, ``node``, that no exercise needs; ``own`` are the answer's."""
     match node:
         case ast.Import(names):
             yield from (each.name for each in names if not _may_import(each.name))

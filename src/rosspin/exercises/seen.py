@@ -56,7 +56,7 @@ class Sent(NamedTuple):
 
 
 class Kept(NamedTuple):
-    """A line of the answer that kept it from its end, and the call in it that had not returned."""
+    """Where a node was when it had to be killed: the line of the answer, and the call there that had not returned."""
 
     line: int
     call: str
@@ -80,10 +80,10 @@ class Seen(NamedTuple):
 
     ``printed`` are the lines that it printed, also after Ctrl-C; ``timers`` are those that it had started by then;
     ``loops`` are the lines of the answer in which something other than a timer's callback slept again and again;
-    ``sent`` is what it published. ``status`` is how it ended, ``errors`` are the exceptions whose tracebacks were
-    printed, and ``interrupted`` says whether it ran until Ctrl-C. Of one that had to be killed, ``kept_at`` is what
-    kept it from its end, and ``kept_by_rate`` says that nothing but a Rate of ROS 2 did. ``variables`` are those that
-    were asked for, by their names, as far as there are any.
+    ``sent`` is what it published. ``status`` is its exit status, ``errors`` are the exceptions whose tracebacks were
+    printed, and ``interrupted`` says whether it ran until Ctrl-C. If it had to be killed, ``kept_at`` is where it was
+    then, and ``kept_by_rate`` says that all it waited for was a Rate of ROS 2. ``variables`` are the variables that
+    were asked for and that it has, with their names.
     """
 
     seconds: float

@@ -22,8 +22,8 @@ class MessageFinder(MetaPathFinder, Loader):
     ``ros`` is 1 or 2, ``folder`` the node file's, whose package and workspace are looked at, too. Found are
     ``std_msgs``, ``std_msgs.msg`` and the modules of one class each as they are generated, ``std_msgs.msg._UInt32``
     (ROS 2: ``std_msgs.msg._u_int32``). A package's own Python modules are found beside its messages. At the end, what
-    was imported through this finder is taken out of ``sys.modules``, and what was there before is put back. The context
-    may be entered again; then it is the other way round.
+    was imported through this finder is taken out of ``sys.modules``, and what was there before is put back. When the
+    context is entered again, these modules change places once more.
 
     ``messages`` makes and holds the classes: ``finder.messages["std_msgs/UInt32"]``; ``found`` are the packages that
     were imported through this finder.

@@ -9,7 +9,7 @@ import sys
 from types import ModuleType
 from typing import Any
 
-from ..world.world import NotSimulated
+from ..world.world import NotSimulated, refusing
 from . import (
     callback_groups,
     clock,
@@ -158,6 +158,13 @@ NOT_SIMULATED = {
     *("topic_or_service_is_hidden", "type_description_service", "type_hash", "type_support", "waitable"),
 }
 
+# Names that are lacking in the modules that are here.
+LACKING = {
+    "rclpy.clock": {"ClockChange", "JumpHandle", "JumpThreshold", "TimeJump"},
+    "rclpy.logging": {"get_logger_level", "get_logging_directory"},
+    "rclpy.signals": {"get_current_signal_handlers_options"},
+}
+
 # Names that do less here than in rclpy, or otherwise, and what that is.
 IN_PART = {
     "Context": "There is no network: ``domain_id`` has no effect.",
@@ -206,6 +213,9 @@ MODULES: dict[str, ModuleType] = {
     "rclpy.validate_topic_name": names,
     "rclpy.wait_for_message": topics,
 }
+
+for _name, _lacking in LACKING.items():
+    MODULES[_name].__getattr__ = refusing(_name, _lacking)  # type: ignore[method-assign]
 
 # What importing it registers with atexit.
 AT_EXIT: list[Any] = []

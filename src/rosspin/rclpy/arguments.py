@@ -28,10 +28,10 @@ class _Remapping(NamedTuple):
 
 
 class Arguments:
-    """The remappings, parameters and log levels of a command line. ``rest`` is all that is not ROS's.
+    """Reads the remappings, parameters and log levels of a command line; ``rest`` is what is not ROS's.
 
-    Raises RCLError for a faulty one, UnknownROSArgsError for an unknown one. As to nodes: "name:source:=target" is for
-    those of that name only.
+    A rule "name:source:=target" is for nodes of that name only. Raises RCLError for a faulty option,
+    UnknownROSArgsError for an unknown one.
     """
 
     def __init__(self, argv: list[str]) -> None:

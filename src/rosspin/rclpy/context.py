@@ -79,7 +79,7 @@ class Context:
         self._hooks = []
 
     def end(self) -> None:
-        """What a signal does: nothing goes on, but no hook is called."""
+        """End as at a signal: no hook is called."""
         self.valid = False
         self.state.participants.leave(self)
         if self in self.state.contexts:

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from functools import total_ordering
 from importlib import import_module
 from typing import Any
 
@@ -10,6 +11,7 @@ from ..clocks.clock import NS
 __all__ = ["Duration", "Infinite"]
 
 
+@total_ordering
 class Ordered:
     """What is compared by its ``nanoseconds``, and only with its own kind."""
 
@@ -26,18 +28,6 @@ class Ordered:
     def __lt__(self, other: object) -> bool:
         ns = self._other(other)
         return NotImplemented if ns is None else self.nanoseconds < ns
-
-    def __le__(self, other: object) -> bool:
-        ns = self._other(other)
-        return NotImplemented if ns is None else self.nanoseconds <= ns
-
-    def __gt__(self, other: object) -> bool:
-        ns = self._other(other)
-        return NotImplemented if ns is None else self.nanoseconds > ns
-
-    def __ge__(self, other: object) -> bool:
-        ns = self._other(other)
-        return NotImplemented if ns is None else self.nanoseconds >= ns
 
     __hash__ = None  # type: ignore[assignment]
 

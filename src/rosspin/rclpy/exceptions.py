@@ -18,7 +18,7 @@ __all__ = [
 
 
 class RCLError(RuntimeError):
-    """The C part of rclpy refuses something. On a real ROS the text ends in the place in its source."""
+    """Raised where the C part of rclpy refuses a call. On a real ROS the text also names the line of the C source."""
 
 
 class InvalidHandle(RuntimeError):
@@ -29,19 +29,20 @@ class InvalidHandle(RuntimeError):
 
 
 class UnknownROSArgsError(RuntimeError):
-    """There are words after ``--ros-args`` that no ROS knows."""
+    """Raised for words after ``--ros-args`` that ROS does not know."""
 
 
 def invalid_context(failed: str) -> RCLError:
-    """What the C part says where something cannot be made before init, or after shutdown."""
+    """Make the error of what cannot be made before ``init``, or after ``shutdown``, in the words of the C part."""
     reason = "either rcl_init() was not called or rcl_shutdown() was called."
     return RCLError(f"failed to {failed}: the given context is not valid, {reason}")
 
 
 def not_accepted(signature: str, *args: object, function: str = "") -> TypeError:
-    """What the C part says of arguments of the wrong type; those that are its own objects are given by their names.
+    """Make the error of arguments of the wrong type, in the words of the C part.
 
-    Without a ``function`` they are those of a class.
+    ``args`` that are objects of the C part are given by the names of their classes. Without a ``function``, the
+    arguments were those of a constructor.
     """
     words = ", ".join(
         f"<rclpy._rclpy_pybind11.{arg} object at {id(arg):#x}>" if arg in _OBJECTS else repr(arg) for arg in args

@@ -45,8 +45,8 @@ _LOOK = 1_000
 _FREE_CALLS = 1_000
 _CALL = 100_000
 
-# So many threads has a MultiThreadedExecutor that is not told: not as many as there are processors, but the same
-# everywhere.
+# A MultiThreadedExecutor that is given no number has so many threads: the same everywhere. In rclpy it has as many as
+# there are processors.
 _THREADS = 4
 
 Entry = tuple[Task, Any, "Node | None"]  # a task, and what of which node it runs

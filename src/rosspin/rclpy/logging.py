@@ -8,13 +8,11 @@ import re
 import sys
 import time
 from enum import IntEnum
-from pathlib import Path
 from types import FrameType
 from typing import TYPE_CHECKING, Any, NamedTuple
 
 from ..clocks.clock import NS
 from ..clocks.frames import node_frame
-from ..world.world import NotSimulated
 from .arguments import LEVELS
 from .state import State, state
 
@@ -22,8 +20,8 @@ if TYPE_CHECKING:
     from .arguments import Arguments
 
 __all__ = [
-    *("LoggingSeverity", "RcutilsLogger", "get_logger", "get_logger_effective_level", "get_logger_level"),
-    *("get_logging_directory", "get_logging_severity_from_string", "set_logger_level"),
+    *("LoggingSeverity", "RcutilsLogger", "get_logger", "get_logger_effective_level"),
+    *("get_logging_severity_from_string", "set_logger_level"),
 ]
 
 
@@ -254,7 +252,10 @@ def configure(arguments: Arguments) -> None:
 
 
 def publish_on_rosout(name: str, node_name: str) -> bool:
-    """Let a node's logger publish on /rosout, where nothing goes here; whether it may. There is one of each name."""
+    """Register a node's logger for /rosout, and warn of a second one of its name; whether it may publish there.
+
+    Nothing is published there in a simulated run.
+    """
     loggers = state().rosout
     if loggers is None:
         return False
@@ -290,19 +291,8 @@ def get_logger_effective_level(name: str) -> LoggingSeverity:
     return LoggingSeverity(_effective(state(), name))
 
 
-def get_logger_level(name: str) -> LoggingSeverity:
-    """The level that was set for the logger of that name; UNSET if none was."""
-    own = state()
-    return LoggingSeverity(own.levels.get(name, 0) if name else own.level)
-
-
 def get_logging_severity_from_string(log_severity: str) -> LoggingSeverity:
     """A severity by its name. RuntimeError if there is none."""
     if log_severity.lower() not in LEVELS:
         raise RuntimeError("Failed to get severity name")
     return LoggingSeverity(LEVELS[log_severity.lower()])
-
-
-def get_logging_directory() -> Path:
-    """Nothing is written to files here: NotSimulated."""
-    raise NotSimulated("rclpy.logging.get_logging_directory")

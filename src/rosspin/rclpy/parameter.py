@@ -137,10 +137,11 @@ def parameter_value_to_python(parameter_value: Any) -> Any:
 
 
 class Parameters:
-    """The parameters of a node: the part of Node that has to do with them. Nothing goes to ``/parameter_events``.
+    """Declares, reads and sets the parameters of a node, of which this is a part.
 
-    A parameter has the type of the value with which it is declared; values of other types are refused, an int for a
-    float, too. What stands on the command line goes before the value in the code.
+    A parameter keeps the type of the value with which it is declared: values of other types are refused, an int for a
+    float, too. A value on the command line goes before the one in the code. Nothing is published on
+    ``/parameter_events``.
     """
 
     PARAM_REL_TOL = 1e-6

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Sequence
+from collections.abc import Mapping, Sequence
 from enum import Enum, IntEnum
 from typing import Any, NamedTuple
 
@@ -25,8 +25,10 @@ class InvalidQoSProfileException(Exception):
         super().__init__("Invalid QoSProfile", *args)
 
 
-class QoSPolicyEnum(IntEnum):
-    """Base of the policies, which have short names, too: ``keep_last``."""
+class _ShortKeys:
+    """Gives the members of an enumeration short names: ``keep_last``, ``sensor_data``."""
+
+    __members__: Mapping[str, Any]
 
     @classmethod
     def short_keys(cls) -> list[str]:
@@ -34,14 +36,13 @@ class QoSPolicyEnum(IntEnum):
         return [name.lower() for name in cls.__members__]
 
     @classmethod
-    def get_from_short_key(cls, name: str) -> int:
-        """The number of the policy of a short name. KeyError."""
-        return int(cls[name.upper()].value)
+    def get_from_short_key(cls, name: str) -> Any:
+        """The value that has a short name. KeyError."""
+        return cls.__members__[name.upper()].value
 
-    @property
-    def short_key(self) -> str:
-        """Its short name."""
-        return self.name.lower()
+
+class QoSPolicyEnum(_ShortKeys, IntEnum):
+    """Base of the policies."""
 
 
 class HistoryPolicy(QoSPolicyEnum):
@@ -207,7 +208,7 @@ qos_profile_best_available = QoSProfile(
 qos_profile_action_status_default = QoSProfile(depth=1, durability=DurabilityPolicy.TRANSIENT_LOCAL)
 
 
-class QoSPresetProfiles(Enum):
+class QoSPresetProfiles(_ShortKeys, Enum):
     """The profiles that ROS has names for."""
 
     UNKNOWN = qos_profile_unknown
@@ -219,14 +220,3 @@ class QoSPresetProfiles(Enum):
     PARAMETER_EVENTS = qos_profile_parameter_events
     ACTION_STATUS_DEFAULT = qos_profile_action_status_default
     BEST_AVAILABLE = qos_profile_best_available
-
-    @classmethod
-    def short_keys(cls) -> list[str]:
-        """Their short names."""
-        return [name.lower() for name in cls.__members__]
-
-    @classmethod
-    def get_from_short_key(cls, name: str) -> QoSProfile:
-        """The profile of a short name. KeyError."""
-        profile: QoSProfile = cls[name.upper()].value
-        return profile

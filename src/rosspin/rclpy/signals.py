@@ -8,12 +8,7 @@ from typing import Any
 
 from .state import state
 
-__all__ = [
-    "SignalHandlerOptions",
-    "get_current_signal_handlers_options",
-    "install_signal_handlers",
-    "uninstall_signal_handlers",
-]
+__all__ = ["SignalHandlerOptions", "install_signal_handlers", "uninstall_signal_handlers"]
 
 
 class SignalHandlerOptions(Enum):
@@ -46,12 +41,6 @@ def install_signal_handlers(options: SignalHandlerOptions = SignalHandlerOptions
             except ValueError:
                 return
         own.handled.add(number)
-
-
-def get_current_signal_handlers_options() -> SignalHandlerOptions:
-    """Which signals shut the contexts down."""
-    numbers = tuple(sorted(state().handled))
-    return next(options for options, handled in _NUMBERS.items() if handled == numbers)
 
 
 def uninstall_signal_handlers() -> None:

@@ -22,12 +22,8 @@ _LEAST_PERIOD = 1_000
 _CALL = 100_000
 
 
-class Call(NamedTuple):
-    """What an executor is to call; ``tick`` is its place in the log and when it began (ns), if it is one."""
-
-    callback: Any
-    args: tuple[Any, ...]
-    tick: tuple[int, int] | None
+# What an executor is to call, with which arguments, and for a tick its place in the log and when it began (ns).
+Call = tuple[Any, tuple[Any, ...], tuple[int, int] | None]
 
 
 class TimerInfo(NamedTuple):
@@ -178,7 +174,7 @@ class Timer:
             self._count += 1
             began = self.stamp(now)
             tick = self._ticks.add(self._source, self._count, expected + began - now, began), began
-        return Call(self._callback, self._info(expected, now) if self._wants_info else (), tick)
+        return self._callback, self._info(expected, now) if self._wants_info else (), tick
 
     def _info(self, expected: int, now: int) -> tuple[TimerInfo]:
         kind = self.clock.clock_type
@@ -211,20 +207,23 @@ class Timer:
 
     # --- ROS time that jumps ------------------------------------------------------------------------------------------
 
-    def before_jump(self, switches: bool) -> None:
-        """The time is about to jump, perhaps because ROS time switches to another source."""
+    def before_switch(self) -> None:
+        """Keep what is left of the period: ROS time is about to switch to another source."""
         now = self.clock.ns()
-        if switches and (now or self.clock.flows):  # 0: nobody has told the time yet
+        if now or self.clock.flows:  # 0: nobody has told the time yet
             self._credit = self._next - now
 
-    def after_jump(self, switches: bool) -> None:
-        """The time has jumped. Backwards: the next call is due after a period. Another source: what is left is kept."""
+    def after_switch(self) -> None:
+        """Go on with what was left of the period, on the time of the new source."""
         now = self.clock.ns()
-        if switches:
-            if self._credit is not None and (now or self.clock.flows):
-                self._next, self._last = now - self._credit + self._period, now - self._credit
-                self._credit = None
-        elif self._next > now and now < self._last:
+        if self._credit is not None and (now or self.clock.flows):
+            self._next, self._last = now - self._credit + self._period, now - self._credit
+            self._credit = None
+
+    def after_jump(self) -> None:
+        """If ROS time was told to go back, begin anew: the next call is due after a period."""
+        now = self.clock.ns()
+        if self._next > now and now < self._last:
             self._next, self._last = now + self._period, now
 
 

@@ -79,7 +79,7 @@ class Owner:
             raise InvalidHandle()
 
     def refuse(self, policy: str) -> None:
-        """The other end does not match, as the node says when it spins."""
+        """Let the node say, when it spins, by which policy the other end does not match."""
         text = self._refusal.format(self.topic, policy)
         self.node.create_guard_condition(lambda: self.node.get_logger().warning(text)).trigger()
 

@@ -23,7 +23,7 @@ from ..results.ticks import Run, Tick
 from ..run.source import around_package
 from .children import SITECUSTOMIZE, START_PATIENCE, Children, Patience, check_seconds, say_deaths
 
-__all__ = ["Nodes", "REMEDY", "Nodes", "Ros2Missing", "launch", "missing", "python", "unavailable", "version"]
+__all__ = ["REMEDY", "Nodes", "Ros2Missing", "launch", "missing", "python", "unavailable", "version"]
 
 REMEDY = "make ros2"
 

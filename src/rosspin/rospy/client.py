@@ -126,7 +126,7 @@ def _replace(node: State) -> None:
 
 
 def _shut_down(node: State) -> None:
-    node.clock.sleep(LATER_PUBLISHER)  # the same workers of the master tell it
+    node.clock.sleep(LATER_PUBLISHER)  # the master's workers tell it, as they tell subscribers of a new publisher
     sys.stdout.write(f"shutdown request: [{node.name}] Reason: new node registered with same name\n")
     signal_shutdown("external shutdown request")
 
@@ -144,7 +144,7 @@ def load_command_line_node_params(argv: list[str]) -> dict[str, Any]:
         pairs = [(name[1:], text) for name, text in rosgraph.split_remappings(argv) if rosgraph.is_parameter(name)]
         if not pairs:
             return {}
-        import yaml  # only needed node, and many nodes do without
+        import yaml  # slow to import, and most command lines set no parameter
 
         return {name: yaml.safe_load(text) for name, text in pairs}
     except Exception as error:

@@ -56,10 +56,6 @@ class Publication:
         self._sequence = 0
         self._lock = threading.RLock()  # a signal handler may publish while its thread does
 
-    def get_num_connections(self) -> int:
-        """How many nodes are connected."""
-        return len(self.connections)
-
     def register(self) -> None:
         """Tell the other nodes of it."""
         for subscription in self.node.world.graph.advertise(self):
@@ -174,10 +170,6 @@ class Subscription:
         self.queue_size: int | None = None
         self.closed = False
         self.lock = threading.RLock()
-
-    def get_num_connections(self) -> int:
-        """How many publishing nodes are connected."""
-        return len(self.connections)
 
     def register(self) -> None:
         """Tell the other nodes of it."""
@@ -467,7 +459,7 @@ class Topic:
 
     def get_num_connections(self) -> int:
         """To how many nodes this one is connected by the topic."""
-        return int(self.impl.get_num_connections())
+        return len(self.impl.connections)
 
     def _forget(self) -> None:
         self.impl = self.resolved_name = self.type = self.md5sum = self.data_class = None

@@ -144,14 +144,14 @@ def _in_the_way(node: Node) -> Iterator[str]:
         return
     for entry in sorted(os.listdir(node.folder)):
         name = entry.removesuffix(".py")
-        file = _neighbour(node.folder, name)
-        if not file or not name.isidentifier():
-            continue
         if node.hint and (name in ROSES[node.hint].needed or (name.endswith("_msgs") and name in _imports(node))):
             whose = f"ROS {node.hint}'s"
         elif name in sys.stdlib_module_names and not any(map(_finds(name), (BuiltinImporter, FrozenImporter))):
             whose = "Python's"
         else:
+            continue
+        file = _neighbour(node.folder, name)  # looked for last: a folder may hold hundreds
+        if not file:
             continue
         shown = os.path.relpath(file) if working_folder() else file
         hidden = f"{shown} is in the way of {whose} module {name}"

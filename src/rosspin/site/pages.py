@@ -285,8 +285,9 @@ def _rospy_does(name: str) -> str:
 
 
 def _rclpy_lacks() -> set[str]:
-    """Its modules and the methods of its Node that are not there."""
-    return {f"rclpy.{name}" for name in rclpy.NOT_SIMULATED} | {f"Node.{name}" for name in rclpy.node.NOT_SIMULATED}
+    """Its modules, their names, and the methods of its Node that are not there."""
+    lacking = {"rclpy": rclpy.NOT_SIMULATED, "Node": rclpy.node.NOT_SIMULATED, **rclpy.LACKING}
+    return {f"{where}.{name}" for where, names in lacking.items() for name in names}
 
 
 def _rclpy_names() -> dict[str, list[str]]:

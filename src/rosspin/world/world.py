@@ -5,7 +5,7 @@ from __future__ import annotations
 import os
 import sys
 import threading
-from collections.abc import Callable
+from collections.abc import Callable, Set
 from contextlib import AbstractContextManager
 from typing import Any, TypeVar
 
@@ -15,7 +15,7 @@ from ..clocks.simulation import Simulation
 from ..clocks.stacks import Program, acting_for, whose
 from .graph import Graph, Recording
 
-__all__ = ["NotSimulated", "World", "current_world", "not_simulated"]
+__all__ = ["NotSimulated", "World", "current_world", "not_simulated", "refusing"]
 
 Part = TypeVar("Part")
 
@@ -50,6 +50,17 @@ def not_simulated(error: BaseException) -> NotSimulated | None:
         or rest.partition(".")[0] in getattr(sys.modules.get(root), "NOT_SIMULATED", ())
     )
     return NotSimulated(name).with_traceback(error.__traceback__) if lacking else None
+
+
+def refusing(module: str, names: Set[str]) -> Callable[[str], Any]:
+    """The ``__getattr__`` of a module of a stand-in that lacks these names of the real one."""
+
+    def find(name: str) -> Any:
+        if name in names:
+            raise NotSimulated(f"{module}.{name}")
+        raise AttributeError(f"module {module!r} has no attribute {name!r}", name=name)
+
+    return find
 
 
 class World(Program):

@@ -2,23 +2,11 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable, Iterator
-
-import pytest
 from figures import Kind, kinds
 from figures_in_firefox import moves
-from firefox import Tab, firefox, tab
-
-
-@pytest.fixture(scope="module")
-def page(require: Callable[[str], None]) -> Iterator[Tab]:
-    require("firefox")
-    with tab(firefox() or "") as page:
-        page.resize(1280, 800)
-        yield page
-        assert not page.wrong
+from firefox import Tab
 
 
 @kinds
-def test_a_figure_moves(page: Tab, address: str, kind: Kind) -> None:
-    moves(page, address, kind)
+def test_a_figure_moves(firefox_page: Tab, address: str, kind: Kind) -> None:
+    moves(firefox_page, address, kind)

@@ -18,11 +18,10 @@ from listings_in_page import (
 from playwright.sync_api import BrowserContext, Page, expect
 
 
-@pytest.mark.parametrize("line", ["while True:\n    print('flood')", "while True:\n    rospy.loginfo('flood')"])
-def test_flood(tutorial: Page, line: str) -> None:
+def test_flood(tutorial: Page) -> None:
     """The page answers all the while, keeps the last lines only, and the run comes to its end."""
     cell = Cell(tutorial, TIMER)
-    cell.write(node(line))
+    cell.write(node("while True:\n    print('flood')\n    rospy.loginfo('flood')"))
     cell.run(2)
     expect(cell.console).to_contain_text("earlier lines are left out")
     assert tutorial.evaluate("1 + 1") == 2
@@ -33,16 +32,9 @@ def test_flood(tutorial: Page, line: str) -> None:
 @pytest.mark.parametrize(
     ("code", "status", "sentence"),
     [
-        (
-            node("rospy.Timer(rospy.Duration(0), print)\nrospy.spin()"),
-            "done, but with an error",
-            "Nothing can have a frequency of 0 Hz",
-        ),
         ("import rospy\nprint('a'\n", "error", "SyntaxError: '(' was never closed\nPython could not read"),
-        ("import numpy\n", "error", "but no numpy. Run the node on your own computer"),
-        ("import std_srvs.srv\n", "error", "std_srvs is not simulated; run this node on a real ROS"),
+        ("import numpy\n", "error", "and Python's standard library, but no numpy. Run the node on your own computer"),
         (node("while True: pass"), "error", "node.py:4: simulated time stands still at 0.0 s"),
-        (node("while not rospy.is_shutdown(): rospy.sleep(0)"), "error", "node.py:4: simulated time stands still"),
         (
             node("import threading\nwhile True: threading.Thread(target=rospy.sleep, args=[1]).start()"),
             "error",
@@ -53,7 +45,6 @@ def test_flood(tutorial: Page, line: str) -> None:
             "error",
             "node.py:5: multiprocessing.Process is not simulated; run this node on the wall clock or on a real ROS",
         ),
-        (node("1 / 0"), "error", "ZeroDivisionError"),
         (node("input()"), "error", "EOFError"),
     ],
 )
@@ -71,14 +62,7 @@ def test_errors_end_in_a_sentence_that_helps(tutorial: Page, code: str, status: 
     ("body", "status", "sentence"),
     [
         ("import curses", "error", "Python has no curses in a page"),
-        ("import numpy", "error", "stand-ins for rospy and rclpy, and Python's standard library, but no numpy"),
         ("node.create_timer(0.5, print)\nrclpy.spin(node)", "done: 4 ticks, ended by Ctrl-C", "KeyboardInterrupt"),
-        ("while rclpy.ok(): pass", "error", "Sleep in every loop (rate.sleep(), time.sleep(0.1))"),
-        (
-            "import threading, time\nwhile True: threading.Thread(target=time.sleep, args=[1]).start()",
-            "error",
-            "node.py:5: simulated time stands still at 0.0 s, because 1,000 threads have not ended",
-        ),
     ],
 )
 def test_errors_of_ros2_end_in_a_sentence_that_helps(tutorial: Page, body: str, status: str, sentence: str) -> None:

@@ -23,9 +23,8 @@ def test_by_keyboard(context: BrowserContext, address: str, kind: Kind) -> None:
     moves_by_keyboard(context, address, kind)
 
 
-@some_kinds
-def test_by_pointer(context: BrowserContext, address: str, kind: Kind) -> None:
-    moves_by_pointer(context, address, kind)
+def test_by_pointer(context: BrowserContext, address: str) -> None:
+    moves_by_pointer(context, address, FIGURES[3])
 
 
 def test_by_touch(browser: Browser, address: str) -> None:
@@ -94,9 +93,6 @@ def test_one_figure_moves_alone(context: BrowserContext, address: str) -> None:
     before = beside.markup()
     figure.handle.press("End")
     assert beside.markup() == before and beside.handle.input_value() != beside.handle.get_attribute("max")
-
-
-# --- where nothing moves ----------------------------------------------------------------------------------------------
 
 
 # --- what it costs ----------------------------------------------------------------------------------------------------

@@ -54,19 +54,17 @@ def test_code_reaches_nothing(context: BrowserContext, address: str) -> None:
     assert "next" in run(page, RATE, "print('next')", "done")
 
 
-def test_two_runs_do_not_hear_each_other(context: BrowserContext, address: str) -> None:
-    page = context.new_page()
-    open_tutorial(page, address)
+def test_two_runs_do_not_hear_each_other(tutorial: Page) -> None:
     listens = (
         "import js, time\nfrom pyodide.ffi import create_proxy\nchannel = js.BroadcastChannel.new('a')\n"
         "channel.onmessage = create_proxy(lambda event: print('heard'))\nprint('listens')\ntime.sleep(20)"
     )
-    cell = Cell(page, RATE)
+    cell = Cell(tutorial, RATE)
     cell.write(listens)
     cell.run(20, "real time")
     expect(cell.console).to_contain_text("listens")
     for _ in range(2):
-        run(page, TIMER, "import js\njs.BroadcastChannel.new('a').postMessage(1)", "done")
+        run(tutorial, TIMER, "import js\njs.BroadcastChannel.new('a').postMessage(1)", "done")
     assert cell.text() == "listens\n"
     cell.button("Stop").click()
 
@@ -251,25 +249,21 @@ def test_no_message_solves_an_exercise_in_the_table(table: Table) -> None:
     solves_nothing(table, ["a verdict for a trace", "feedback"])
 
 
-def test_what_is_said_too_much_ends_a_run(context: BrowserContext, address: str) -> None:
-    page = context.new_page()
-    open_tutorial(page, address)
+def test_what_is_said_too_much_ends_a_run(tutorial: Page) -> None:
     for name in ("flood", "huge"):
-        assert "it sent more than this page takes" in run(page, TIMER, FORGERIES[name], "error: Python stopped")
+        assert "it sent more than this page takes" in run(tutorial, TIMER, FORGERIES[name], "error: Python stopped")
     for text in ("[]", '{"kind": "end", "result": {"status": "0"}}', '{"kind": "toString"}', '{"kind": "batch"}'):
-        said = run(page, TIMER, f"import js\njs.postMessage({text!r})", "error: Python stopped")
+        said = run(tutorial, TIMER, f"import js\njs.postMessage({text!r})", "error: Python stopped")
         assert "said what this page does not understand" in said
-    printed = run(page, TIMER, "print('x' * 30_000_000)", "done")
+    printed = run(tutorial, TIMER, "print('x' * 30_000_000)", "done")
     assert len(printed) <= 50_001
 
 
-def test_memory_of_a_run_is_bounded(context: BrowserContext, address: str) -> None:
-    page = context.new_page()
-    open_tutorial(page, address)
-    assert run(page, TIMER, "print(len(bytearray(300_000_000)))", "done") == "300000000\n"
+def test_memory_of_a_run_is_bounded(tutorial: Page) -> None:
+    assert run(tutorial, TIMER, "print(len(bytearray(300_000_000)))", "done") == "300000000\n"
     grows = "kept = []\nwhile True: kept.append(bytearray(10_000_000))"
-    assert run(page, TIMER, grows, "error").endswith("MemoryError\n")
-    assert run(page, TIMER, "print('next')", "done") == "next\n"
+    assert run(tutorial, TIMER, grows, "error").endswith("MemoryError\n")
+    assert run(tutorial, TIMER, "print('next')", "done") == "next\n"
 
 
 # --- code that was received -------------------------------------------------------------------------------------------

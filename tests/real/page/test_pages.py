@@ -5,10 +5,9 @@ from __future__ import annotations
 from pathlib import Path
 from typing import Any
 
-import pytest
 from axe import COLOURS, violations
 from looks import FAINT, TOO_WIDE, faults, look
-from playwright.sync_api import Browser, Page
+from playwright.sync_api import Browser, Page, ViewportSize
 
 # The pictures that leave more than a little of the place that they have beside them.
 NARROW = """() => [...document.querySelectorAll("article svg[role=img]")].filter(picture => {
@@ -25,49 +24,44 @@ SMALL = """() => [...document.querySelectorAll("figure.rosspin-plot svg[role=img
     .filter(size => size < 11).map(size => `small lettering: ${size} px`).slice(0, 5)"""
 
 
-def _open(page: Page, address: str, name: str) -> list[str]:
-    """Open a page and scroll to its end; what goes wrong in it is added to the list, now and later."""
-    wrong = faults(page, address)
-    page.goto(address + name)
+LARGE = ViewportSize(width=1280, height=844)
+
+
+def _open(page: Page, address: str) -> None:
+    """Open a page and scroll to its end, so that all of it is loaded."""
+    page.goto(address)
     page.evaluate("window.scrollTo(0, document.body.scrollHeight)")
-    return wrong
 
 
 def _seen(page: Page, *looks: str) -> list[Any]:
     return [found for script in looks for found in page.evaluate(script)]
 
 
-@pytest.fixture(scope="module")
-def names(site: Path) -> list[str]:
-    """The pages, by their addresses."""
-    return [path.relative_to(site).as_posix() for path in sorted(site.rglob("*.html")) if "_static" not in path.parts]
+def test_every_page(site: Path, address: str, browser: Browser) -> None:
+    """Nothing from another host, no error, no sideways scrolling, plots that can be read, in light and in dark.
 
-
-def test_in_dark_on_a_phone(names: list[str], address: str, browser: Browser) -> None:
-    """Nothing from another host, no error, no sideways scrolling, plots that can be read; colours on a large screen."""
-    with browser.new_context(viewport={"width": 390, "height": 844}, color_scheme="dark") as context:
-        pages = {name: context.new_page() for name in names}
-        wrong = {name: _open(page, address, name) for name, page in pages.items()}
-        for name, page in pages.items():
-            page.wait_for_load_state("networkidle")
-            look(page, "dark")
-            wrong[name] += _seen(page, TOO_WIDE, FAINT, SMALL)
-            page.set_viewport_size({"width": 1280, "height": 844})
-            wrong[name] += violations(page, COLOURS)
-            page.close()
-    assert not {name: found for name, found in wrong.items() if found}
-
-
-def test_in_light_on_large_screens(names: list[str], address: str, browser: Browser) -> None:
-    """Likewise; nothing that axe-core objects to, and figures as wide as the text."""
-    with browser.new_context(viewport={"width": 1280, "height": 844}, color_scheme="light") as context:
-        pages = {name: context.new_page() for name in names}
-        wrong = {name: _open(page, address, name) for name, page in pages.items()}
-        for name, page in pages.items():
+    axe-core objects to nothing, on large screens figures are as wide as the text. Opened once each, in two tabs: one
+    page settles as the other is looked at.
+    """
+    names = [path.relative_to(site).as_posix() for path in sorted(site.rglob("*.html")) if "_static" not in path.parts]
+    found = {}
+    with browser.new_context(viewport=LARGE, color_scheme="light") as context:
+        pages = [context.new_page() for _ in range(2)]
+        wrong = [faults(page, address) for page in pages]
+        _open(pages[0], address + names[0])
+        for number, name in enumerate(names):
+            page, faulty = pages[number % 2], wrong[number % 2]
+            if number + 1 < len(names):
+                _open(pages[(number + 1) % 2], address + names[number + 1])
             page.wait_for_load_state("networkidle")
             look(page, "light")
-            wrong[name] += _seen(page, TOO_WIDE, FAINT, SMALL, NARROW) + violations(page)
+            seen = _seen(page, TOO_WIDE, FAINT, SMALL, NARROW) + violations(page)
             page.set_viewport_size({"width": 1920, "height": 800})
-            wrong[name] += _seen(page, NARROW)
-            page.close()
-    assert not {name: found for name, found in wrong.items() if found}
+            seen += _seen(page, NARROW)
+            page.set_viewport_size({"width": 390, "height": 844})
+            look(page, "dark")
+            seen += _seen(page, TOO_WIDE, FAINT, SMALL)
+            page.set_viewport_size(LARGE)
+            found[name] = seen + violations(page, COLOURS) + faulty
+            faulty.clear()
+    assert not {name: what for name, what in found.items() if what}

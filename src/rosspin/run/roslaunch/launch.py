@@ -2,30 +2,24 @@
 
 from __future__ import annotations
 
-import math
 import os
 import re
 import shlex
 from collections import Counter
-from collections.abc import Callable, Iterable, Iterator, Mapping, Sequence
+from collections.abc import Mapping, Sequence
+from copy import deepcopy
 from dataclasses import dataclass, field, replace
-from datetime import date
 from pathlib import Path
 from typing import Any
 
 from ...messages.library import Library
 from ...rospy.rosgraph import PRIV_NAME, canonicalize_name, load_mappings, make_global_ns, ns_join
 from ..source import NodeLike
-from .expressions import Unbounded, evaluate
 
 __all__ = ["Launch", "Node", "read_launch"]
 
-# A file that never ends, or that makes far more of itself than stands in it, is faulty: so many characters a text may
-# have, so many values one of YAML, so deep tags may lie in one another and files include one another, so many in all.
-_LONGEST = 1_000_000
-_MOST_VALUES = 100_000
+# Nobody means more: so deep files may include one another.
 _DEEPEST = 100
-_MOST_FILES = 1_000
 
 
 @dataclass(frozen=True)
@@ -54,7 +48,7 @@ class Node:
 
 @dataclass(frozen=True)
 class Launch:
-    """The nodes of a run, in the order in which they start; the parameters that are set before; who is left out."""
+    """The nodes of a run, in the order of their start, the parameters that are set before, and what is left out."""
 
     nodes: Sequence[Node]
     parameters: Sequence[tuple[str, Any]] = ()
@@ -106,36 +100,20 @@ def _parse(path: str) -> _Tag:
     parser.buffer_text = True
     root = _Tag("", {}, path, 1)
     open_tags = [root]
-    length = 0
-
-    def count(texts: Iterable[str]) -> None:
-        nonlocal length
-        length += sum(map(len, texts))
-        if length > _LONGEST:
-            raise open_tags[-1].fault(f"with its entities, the text up to here has more than {_LONGEST:,} characters")
 
     def start(name: str, attributes: dict[str, str]) -> None:
         tag = _Tag(name, attributes, path, parser.CurrentLineNumber)
         open_tags[-1].children.append(tag)
         open_tags.append(tag)
-        count(attributes.values())
-        if len(open_tags) > _DEEPEST:
-            raise tag.fault(f"more than {_DEEPEST} tags lie in one another here")
-
-    def add_text(text: str) -> None:
-        open_tags[-1].texts.append(text)
-        count([text])
 
     parser.StartElementHandler, parser.EndElementHandler = start, lambda name: open_tags.pop()
-    parser.CharacterDataHandler = add_text
+    parser.CharacterDataHandler = lambda text: open_tags[-1].texts.append(text)
     with open(path, "rb") as file:
         try:
             parser.ParseFile(file)
         except expat.ExpatError as error:
             raise ValueError(f"{path}:{error.lineno}: this is not XML: {expat.ErrorString(error.code)}") from None
         except (LookupError, ValueError) as error:
-            if str(error).startswith(f"{path}:"):
-                raise
             raise ValueError(f"{path}:1: this cannot be read: {error}") from None  # its encoding
     (launch,) = root.children
     if launch.name != "launch":
@@ -153,27 +131,21 @@ class _Scope:
     file: str
     namespace: str = "/"
     args: dict[str, str] = field(default_factory=dict)
-    declared: set[str] = field(default_factory=set)  # args
-    takes_all: bool = False  # args of the file that includes this one
-    anonymous: dict[str, str] = field(default_factory=dict)
+    declared: set[str] = field(default_factory=set)  # names of args that have a tag in this file
+    takes_all: bool = False  # whether the file is given all args of the one that includes it
     remaps: dict[str, str] = field(default_factory=dict)
     env: dict[str, str] = field(default_factory=dict)
     private: dict[str, Any] = field(default_factory=dict)  # parameters of the nodes to come
 
     def inner(self, namespace: str | None) -> _Scope:
         """A scope of its own inside of this one."""
-        return replace(
-            self,
-            namespace=make_global_ns(ns_join(self.namespace, namespace)) if namespace else self.namespace,
-            args=dict(self.args),
-            declared=set(self.declared),
-            remaps=dict(self.remaps),
-            env=dict(self.env),
-            private=dict(self.private),
-        )
+        inner = deepcopy(self)
+        if namespace:
+            inner.namespace = make_global_ns(ns_join(self.namespace, namespace))
+        return inner
 
 
-# The attributes that tags may have, those that they must have first; all may have "if" and "unless".
+# How many attributes each tag must have, and their names, those first. Every tag may have "if" and "unless".
 _ATTRIBUTES = {
     "arg": (1, "name value default doc"),
     "env": (2, "name value"),
@@ -182,11 +154,12 @@ _ATTRIBUTES = {
     "node": (3, "pkg type name args output respawn respawn_delay cwd ns clear_params required"),
     "param": (1, "name value type textfile command"),
     "remap": (2, "from to"),
-    "rosparam": (0, "command file ns param subst_value"),
+    "rosparam": (0, "command file ns param"),
 }
 
-# What is part of the language and not of a simulation, and why a run can do without.
+# Tags that are passed over, as roslaunch does, and attributes that say nothing of a run.
 _IGNORED = {"test", "master"}
+_IDLE = {"doc", "clear_params"}
 
 _TRUTHS = {"true": True, "1": True, "false": False, "0": False}
 
@@ -200,14 +173,10 @@ class _Reader:
         self.left_out: list[str] = []
         self._library = Library(1, path.absolute().parent)
         self._skip_cpp = skip_cpp
-        self._files = 0  # that were read
         self._includes: list[str] = []  # those that lead to the file that is being read
 
     def read(self, path: str, scope: _Scope) -> None:
         """Read a file in a scope."""
-        self._files += 1
-        if self._files > _MOST_FILES:
-            raise _Fault(f"with this one, more than {_MOST_FILES:,} files are included")
         self._read_all(_parse(path).children, scope)
 
     def _read_all(self, tags: Sequence[_Tag], scope: _Scope, known: Sequence[str] = (*_ATTRIBUTES, *_IGNORED)) -> None:
@@ -244,19 +213,14 @@ class _Reader:
         for name in names[:needed]:
             if name not in tag.attributes:
                 raise _Fault(f"<{tag.name}> lacks {name}")
-        return {name: self._resolve(value, scope) for name, value in tag.attributes.items() if name not in found}
+        passed_over = _IDLE | found.keys()
+        return {name: self._resolve(text, scope) for name, text in tag.attributes.items() if name not in passed_over}
 
-    def _read_group(self, tag: _Tag, scope: _Scope, ns: str | None = None, clear_params: str = "") -> None:
+    def _read_group(self, tag: _Tag, scope: _Scope, ns: str | None = None) -> None:
         self._read_all(tag.children, scope.inner(ns))
 
     def _read_arg(
-        self,
-        tag: _Tag,
-        scope: _Scope,
-        name: str,
-        value: str | None = None,
-        default: str | None = None,
-        doc: str = "",
+        self, tag: _Tag, scope: _Scope, name: str, value: str | None = None, default: str | None = None
     ) -> None:
         if value is not None and default is not None:
             raise _Fault(f"arg {name} has both value and default")
@@ -271,13 +235,7 @@ class _Reader:
             scope.args.setdefault(name, default)
 
     def _read_include(
-        self,
-        tag: _Tag,
-        scope: _Scope,
-        file: str,
-        ns: str | None = None,
-        clear_params: str = "",
-        pass_all_args: str = "false",
+        self, tag: _Tag, scope: _Scope, file: str, ns: str | None = None, pass_all_args: str = "false"
     ) -> None:
         inner = scope.inner(ns)
         takes_all = _truth(pass_all_args, "pass_all_args")
@@ -299,7 +257,7 @@ class _Reader:
         if lacking := passed.declared - passed.args.keys():
             raise _Fault(f"arg {lacking.pop()} is given no value")
         given = passed.declared
-        passed = replace(passed, file=file, declared=set(), anonymous={})
+        passed = replace(passed, file=file, declared=set())
         self._includes.append(f"{tag.file}:{tag.line}")
         if len(self._includes) > _DEEPEST:
             chain = " -> ".join(self._includes[-3:])
@@ -354,20 +312,11 @@ class _Reader:
             self.parameters[name] = value
 
     def _read_rosparam(
-        self,
-        tag: _Tag,
-        scope: _Scope,
-        command: str = "load",
-        file: str | None = None,
-        ns: str = "",
-        param: str = "",
-        subst_value: str = "false",
+        self, tag: _Tag, scope: _Scope, command: str = "load", file: str | None = None, ns: str = "", param: str = ""
     ) -> None:
         if command != "load":
             raise _Fault(f'<rosparam command="{command}"> is not simulated')
         text = tag.text if file is None else _read(file)
-        if _truth(subst_value, "subst_value"):
-            text = self._resolve(text, scope)
         data = _yaml(text, file or "rosparam")
         _check_values(data, file or "rosparam")
         name = ns_join(ns, param)
@@ -388,7 +337,6 @@ class _Reader:
         respawn_delay: str = "0",
         cwd: str = "ROS_HOME",
         ns: str | None = None,
-        clear_params: str = "",
         required: str = "false",
     ) -> None:
         if "/" in name:
@@ -438,12 +386,11 @@ class _Reader:
 
     def _find_node(self, package: str, kind: str) -> Path | None:
         """The file of a node; None if it is to be left out."""
-        if self._skip_cpp and self._library.package(package) is None:
-            return None
-        try:
-            folder = self._package(package)
-        except _Fault as fault:
-            raise _Fault(f"{fault}; --skip-cpp leaves its node {kind} out") from None
+        folder = self._library.package(package)
+        if folder is None:
+            if self._skip_cpp:
+                return None
+            raise _Fault(f"there is no package {package} around this file; --skip-cpp leaves its node {kind} out")
         for place, folders, files in os.walk(folder):
             folders[:] = sorted(name for name in folders if not name.startswith("."))
             if kind in files and _is_python(Path(place, kind)):
@@ -460,96 +407,44 @@ class _Reader:
 
     def _resolve(self, text: str, scope: _Scope) -> str:
         """Replace $(find PKG) and the like. Raises _Fault."""
-        if text.startswith("$(eval ") and text.endswith(")"):
-            return self._eval(text[7:-1], scope)
-        length = len(text)
-
-        def substitute(found: re.Match[str]) -> str:
-            nonlocal length
-            made = self._substitute(found[0], found[1].split(), scope)
-            length += len(made)
-            if length > _LONGEST:
-                raise _Fault(f"{found[0]}: with its substitutions, this text has more than {_LONGEST:,} characters")
-            return made
-
-        text = re.sub(r"\$\(([^()$]*)\)", substitute, text)
+        if text.startswith("$(eval "):
+            raise _Fault("$(eval) is not simulated")
+        text = re.sub(r"\$\(([^()$]*)\)", lambda found: self._substitute(found[0], found[1].split(), scope), text)
         if "$(" in text:
             raise _Fault(f"{text}: a substitution in another one, or one that is not closed")
         return text
 
     def _substitute(self, whole: str, words: list[str], scope: _Scope) -> str:
-        command, *args = words or [""]
-        functions: dict[str, Callable[..., str]] = self._functions(scope)
-        if command not in functions or (len(args) != 1 and command not in ("optenv", "dirname")):
-            raise _Fault(f"{whole} is no substitution")
-        return functions[command](args[0], " ".join(args[1:])) if command == "optenv" else functions[command](*args)
-
-    def _functions(self, scope: _Scope) -> dict[str, Callable[..., str]]:
-        def env(name: str) -> str:
-            if name not in os.environ:
-                raise _Fault(f"the environment variable {name} is not set")
-            return os.environ[name]
-
-        def optenv(name: str, default: str = "") -> str:
-            return os.environ.get(name, default)
-
-        def arg(name: str) -> str:
-            if name not in scope.args:
-                raise _Fault(f"arg {name} has no value; give it one: {name}:=...")
-            return scope.args[name]
-
-        return {
-            "env": env,
-            "optenv": optenv,
-            "find": lambda name: str(self._package(name)),
-            "arg": arg,
-            # Elsewhere it is different each time. Here runs are the same each time.
-            "anon": lambda name: scope.anonymous.setdefault(name, f"{name}_anonymous"),
-            "dirname": lambda: os.path.dirname(os.path.abspath(scope.file)),
-        }
-
-    def _eval(self, expression: str, scope: _Scope) -> str:
-        if "__" in expression:
-            raise _Fault("$(eval) may not contain double underscores")
-        functions: dict[str, Any] = self._functions(scope)
-        names = {name: _convert(value, "auto", name) for name, value in scope.args.items()}
-        names |= {name: value for name, value in vars(math).items() if not name.startswith("_")}
-        names |= functions | {"arg": lambda name: _convert(functions["arg"](name), "auto", name)}
-        names |= {"true": True, "false": False, "list": list, "dict": dict, "map": map, "str": str}
-        try:
-            return str(evaluate(expression, names | {"float": float, "int": int}))
-        except _Fault:
-            raise
-        except Unbounded as error:
-            raise _Fault(f"$(eval {_short(expression)}) {error}") from None
-        except (Exception, MemoryError) as error:
-            what = str(error).partition(";")[0]  # then comes what to set in Python
-            raise _Fault(f"$(eval {_short(expression)}): {type(error).__name__}: {what}") from None
+        match words:
+            case ["env", name]:
+                if name not in os.environ:
+                    raise _Fault(f"the environment variable {name} is not set")
+                return os.environ[name]
+            case ["optenv", name, *default]:
+                return os.environ.get(name, " ".join(default))
+            case ["arg", name]:
+                if name not in scope.args:
+                    raise _Fault(f"arg {name} has no value; give it one: {name}:=...")
+                return scope.args[name]
+            case ["find", name]:
+                return str(self._package(name))
+            case ["anon", name]:
+                return f"{name}_anonymous"  # elsewhere it is different each time; here runs are the same each time
+            case ["dirname"]:
+                return os.path.dirname(os.path.abspath(scope.file))
+        raise _Fault(f"{whole} is no substitution")
 
 
 class _Fault(ValueError):
     """What is wrong with the tag that is being read."""
 
 
-def _short(text: str) -> str:
-    return text if len(text) <= 100 else f"{text[:100]}..."
-
-
 def _read(path: str) -> str:
     """The text of a file. Raises OSError and _Fault."""
-    with open(path, "rb") as file:
-        data = file.read(_LONGEST + 1)
-    return _text(data, path)
-
-
-def _text(data: bytes, source: str) -> str:
-    if len(data) > _LONGEST:
-        raise _Fault(f"{source} gives more than {_LONGEST:,} bytes")
     try:
-        return data.decode().replace("\r\n", "\n").replace("\r", "\n")
+        return Path(path).read_text(encoding="utf-8")
     except UnicodeDecodeError as error:
-        line = data.count(b"\n", 0, error.start) + 1
-        raise _Fault(f"{source} is not UTF-8: the byte 0x{data[error.start]:02x} in line {line}") from None
+        raise _Fault(f"{path} is not UTF-8: {error}") from None
 
 
 def _output(command: str, name: str) -> str:
@@ -557,17 +452,14 @@ def _output(command: str, name: str) -> str:
     import subprocess
 
     try:
-        with subprocess.Popen(_words(command, "command"), stdout=subprocess.PIPE) as process:
-            assert process.stdout
-            data = process.stdout.read(_LONGEST + 1)
-            if len(data) > _LONGEST:
-                process.kill()
+        process = subprocess.run(_words(command, "command"), stdout=subprocess.PIPE, encoding="utf-8")
     except (OSError, IndexError):
         raise _Fault(f"param {name}: there is no command {command!r}") from None
-    text = _text(data, command)
+    except UnicodeDecodeError as error:
+        raise _Fault(f"param {name}: what {command!r} prints is not UTF-8: {error}") from None
     if process.returncode:
         raise _Fault(f"param {name}: the command {command!r} ended with status {process.returncode}")
-    return text
+    return process.stdout
 
 
 def _words(text: str, name: str) -> list[str]:
@@ -575,7 +467,7 @@ def _words(text: str, name: str) -> list[str]:
     try:
         return shlex.split(text)
     except ValueError as error:
-        raise _Fault(f"{name} is no command line: {str(error).lower()} in {_short(text)!r}") from None
+        raise _Fault(f"{name} is no command line: {str(error).lower()} in {text!r}") from None
 
 
 def _is_python(file: Path) -> bool:
@@ -589,11 +481,8 @@ def _is_cpp(package: Path, kind: str) -> bool:
     """Whether a package builds, or seems to build, a program of that name."""
     cmake = package / "CMakeLists.txt"
     text = cmake.read_text(encoding="utf-8", errors="replace") if cmake.is_file() else ""
-    return bool(re.search(rf"add_executable\s*\(\s*{re.escape(kind)}\s", text)) or any(_sources(package, kind))
-
-
-def _sources(package: Path, kind: str) -> Iterator[Path]:
-    return (path for path in package.rglob(f"{kind}.*") if path.suffix in (".cpp", ".cc", ".cxx", ".c"))
+    is_built = re.search(rf"add_executable\s*\(\s*{re.escape(kind)}\s", text)
+    return bool(is_built) or any(path.suffix in (".cpp", ".cc", ".cxx", ".c") for path in package.rglob(f"{kind}.*"))
 
 
 def _truth(text: str, name: str) -> bool:
@@ -613,12 +502,12 @@ def _number(text: str, name: str) -> float:
 def _convert(text: str, kind: str, name: str) -> Any:
     """A parameter's value, of a type, or of the one that it looks like: int, float, bool or str."""
     if kind == "auto":
-        for convert in (float if "." in text else int if "_" not in text else str, _truth_of_a_word):
-            try:
-                return convert(text)
-            except ValueError:
-                pass
-        return text
+        if text.lower() in ("true", "false"):
+            return text.lower() == "true"
+        try:
+            return float(text) if "." in text else text if "_" in text else int(text)
+        except ValueError:
+            return text
     if kind in ("str", "string"):
         return text
     if kind in ("bool", "boolean"):
@@ -633,68 +522,23 @@ def _convert(text: str, kind: str, name: str) -> Any:
         raise _Fault(f"{name} is of type {kind}, and cannot be {text!r}") from None
 
 
-def _truth_of_a_word(text: str) -> bool:
-    if text.lower() not in ("true", "false"):
-        raise ValueError
-    return text.lower() == "true"
-
-
 def _yaml(text: str, name: str) -> Any:
     import yaml  # only needed where there is some
 
-    class Loader(yaml.SafeLoader):
-        """As of safe_load, but mappings that are merged into others cannot grow without end."""
-
-        merged = 0
-
-        def flatten_mapping(self, node: Any) -> None:
-            for key, value in node.value:
-                if key.tag != "tag:yaml.org,2002:merge":
-                    continue
-                for part in value.value if isinstance(value, yaml.SequenceNode) else [value]:
-                    if isinstance(part, yaml.MappingNode):
-                        self.flatten_mapping(part)
-                        self.merged += len(part.value)
-                        if self.merged > _MOST_VALUES:
-                            raise _too_many(name)
-            super().flatten_mapping(node)
-
     try:
-        data = yaml.load(text, Loader)
+        data = yaml.safe_load(text)
     except (yaml.YAMLError, RecursionError) as error:
         raise _Fault(f"{name} is not YAML: {error}") from None
-    except _Fault:
-        raise
     except ValueError as error:  # a date such as 2024-13-01
         raise _Fault(f"{name} has a value that YAML cannot read: {str(error).partition(';')[0]}") from None
     return {} if data is None else data
 
 
 def _check_values(data: Any, name: str) -> None:
-    """_Fault if ROS's parameter server would not take it (source: xmlrpc.client's Marshaller), or if it is endless."""
-    count, waiting = 0, [data]
-    while waiting:
-        value = waiting.pop()
-        count += 1
-        if count > _MOST_VALUES:
-            raise _too_many(name)
-        wrong = ""
-        if isinstance(value, dict):
-            wrong = next((f"a name that is no text, {key!r}" for key in value if not isinstance(key, str)), "")
-            waiting += value.values()
-        elif isinstance(value, (list, tuple)):
-            waiting += value
-        elif value is None:
-            wrong = "a null"
-        elif isinstance(value, int) and not -(2**31) <= value < 2**31:
-            wrong = "an integer of more than 32 bits"
-        elif type(value) is date:
-            wrong = f"a date, {value}"
-        elif isinstance(value, set):
-            wrong = "a set"
-        if wrong:
-            raise _Fault(f"{name} has {wrong}, which ROS's parameter server does not take")
+    """_Fault if ROS's parameter server would not take it; also what holds itself is none of XML-RPC's values."""
+    from xmlrpc.client import dumps  # only needed where there are parameters
 
-
-def _too_many(name: str) -> _Fault:
-    return _Fault(f"{name} has more than {_MOST_VALUES:,} values, if each alias counts as what it stands for")
+    try:
+        dumps((data,))
+    except (TypeError, OverflowError) as error:
+        raise _Fault(f"{name} has a value that ROS's parameter server does not take: {error}") from None

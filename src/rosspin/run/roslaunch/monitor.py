@@ -1,6 +1,6 @@
 """Start the nodes of one simulated run, watch over them, start them anew and end them, as roslaunch does.
 
-How roslaunch does it is in its pmon.py and nodeprocess.py. It is told of here as one that finds a master running.
+The rules are those of roslaunch's pmon.py and nodeprocess.py, where a master is running before roslaunch starts.
 """
 
 from __future__ import annotations

@@ -1,4 +1,4 @@
-"""The parts of the benchmark that need a real clock run, at tiny sizes."""
+"""The parts of the benchmark that need a real clock run, at tiny sizes; what they measure is nobody's success."""
 
 from __future__ import annotations
 
@@ -8,6 +8,7 @@ from pathlib import Path
 
 import lateness
 import live
+import ros1_beside
 import ros2_beside
 
 
@@ -15,6 +16,14 @@ def test_lateness_is_compared_with_the_real_rclpy(require: Callable[[str], None]
     require("ros2")
     title, *lines = ros2_beside.report(turns=[(50, 0.2)], rounds=1)
     assert ["p50 of 10 ticks" in line and "at most 1" in line for line in lines] == [True, False]
+
+
+def test_the_stand_in_is_compared_with_the_real_ros_1(require: Callable[[str], None]) -> None:
+    require("ros1")
+    title, *lines = ros1_beside.report(turns=((50, 0.5),), rounds=1, loads=(1,), scenarios=(("timer_oneshot.py",),))
+    assert len(lines) == 10
+    assert sum("at most 1" in line for line in lines) == 2
+    assert sum("stand-in / roscpp" in line for line in lines) == 4
 
 
 def test_lateness_is_compared_with_deadlines() -> None:

@@ -1,0 +1,523 @@
+"""Judge what a node did: the judges of answers that are run.
+
+A question says how long an answer runs, and what is looked at in each run: ``run(1.0, ticks(0.1))``.
+"""
+
+from __future__ import annotations
+
+import math
+from collections.abc import Callable, Iterator, Sequence
+from itertools import pairwise
+from typing import Concatenate, ParamSpec
+
+from .feedback import Finding
+from .judging import Answer, Judge, hint_for_kept, plain, say, say_error, say_kept
+from .predictions import same
+from .seen import Printed, Seen
+
+Check = Callable[[Seen, str], Finding | None]
+"""What looks at one run of an answer, and is told in words which one; empty for the only one."""
+
+P = ParamSpec("P")
+
+# Nobody means a time difference below this (s).
+_CLOSE = 1e-3
+
+_TURNS = "when the threads take turns at every line"
+
+
+def _check(look: Callable[Concatenate[Seen, str, P], Finding | None]) -> Callable[P, Check]:
+    """Let a question say the rest of what a judge of one run is to know."""
+    return lambda *args, **kwargs: lambda seen, when: look(seen, when, *args, **kwargs)
+
+
+# --- how an answer is run ---------------------------------------------------------------------------------------------
+
+
+def run(
+    seconds: float,
+    *checks: Check,
+    given: str = "",
+    when: str = "",
+    allowed: str = "",
+    stalls_at: float | None = None,
+) -> Judge:
+    """Run an answer, which has to end well, and look at it; ``when`` begins what is said, and has a default."""
+
+    def judge(answer: Answer) -> Iterator[Finding]:
+        seen = answer.run(seconds, given, allowed=allowed, stalls_at=stalls_at)
+        yield from _found(seen, when or _with(given), checks)
+
+    return judge
+
+
+def ending(
+    seconds: float, *checks: Check, given: str = "", when: str = "", terminated_at: float | None = None
+) -> Judge:
+    """Run an answer likewise, however it ends; SIGTERM may come before Ctrl-C."""
+
+    def judge(answer: Answer) -> Iterator[Finding]:
+        yield from _found(answer.ending(seconds, given, terminated_at), when or _with(given), checks)
+
+    return judge
+
+
+def shaken(seeds: int, seconds: float, *checks: Check, given: str = "", right: str = "") -> Judge:
+    """Run an answer whose threads take turns at any point, once for each seed, and say what is wrong first.
+
+    If nothing is, it is said that what is ``right`` is so here as well.
+    """
+
+    def judge(answer: Answer) -> Iterator[Finding]:
+        for seed in range(seeds):
+            for finding in _found(answer.run(seconds, given, seed=seed), _TURNS, checks):
+                if not finding.right:
+                    yield finding
+                    return
+        if right:
+            yield Finding(True, f"{right} {_TURNS}.")
+
+    return judge
+
+
+def every(*judges: Judge) -> Judge:
+    """Ask one judge after the other."""
+    return lambda answer: (finding for judge in judges for finding in judge(answer))
+
+
+def until_wrong(*judges: Judge) -> Judge:
+    """Ask one judge after the other, up to the first who finds something wrong."""
+
+    def judge(answer: Answer) -> Iterator[Finding]:
+        for each in judges:
+            findings = list(each(answer))
+            yield from findings
+            if not all(finding.right for finding in findings):
+                return
+
+    return judge
+
+
+def _found(seen: Seen, when: str, checks: Sequence[Check]) -> Iterator[Finding]:
+    return (finding for check in checks if (finding := check(seen, when)))
+
+
+def _with(given: str) -> str:
+    return f"With `{given}`" if given else ""
+
+
+# --- when it ticks ----------------------------------------------------------------------------------------------------
+
+
+def grid(period: float, seconds: float, start: float | None = None) -> list[float]:
+    """Times ``period`` apart, from ``start`` (one period, if none) up to ``seconds``, both included."""
+    first = period if start is None else start
+    return [first + n * period for n in range(int((seconds - first) / period + 1e-6) + 1)]
+
+
+def on_time(found: Sequence[Printed], wanted: Sequence[float], what: str = "", hint: str = "") -> Finding:
+    """Whether counters 1, 2, ... came at the times that are wanted, and no others; ``what`` begins the sentence."""
+    start = f"{what}: " if what else ""
+    if not found:
+        return Finding(False, f"{start}no counter was printed.", hint)
+    for number, (line, time) in enumerate(zip(found, wanted, strict=False), 1):
+        if line.text != str(number):
+            text = f"{start}where counter {number} was due, counter {plain(line.text)} came."
+            return Finding(False, text, hint)
+        if abs(line.time - time) > _CLOSE:
+            return Finding(False, f"{start}counter {number} came at {say(line.time)}, not at {say(time)}.", hint)
+    if len(found) > len(wanted):
+        extra = found[len(wanted)]
+        text = f"{start}counter {plain(extra.text)} came at {say(extra.time)}; it should not have come."
+        return Finding(False, text, hint)
+    if len(found) < len(wanted):
+        text = f"{start}counter {len(found) + 1}, due at {say(wanted[len(found)])}, did not come."
+        return Finding(False, text, hint)
+    if len(wanted) == 1:
+        return Finding(True, f"{start}counter 1 came at {say(wanted[0])}, and no other.")
+    text = f"{start}counters 1 to {len(wanted)} came from {say(wanted[0])} to {say(wanted[-1])}, each at its time."
+    return Finding(True, text)
+
+
+Hint = Callable[[Sequence[Printed], Sequence[float]], str]
+"""How to go on, by the counters that came and the times at which they should have come; empty if they don't tell."""
+
+
+@_check
+def ticks(
+    seen: Seen,
+    when: str,
+    period: float = 0.0,
+    name: str = "",
+    tag: str = "SPINNER PY NODE",
+    hint: str | Hint = "",
+    *,
+    start: float | None = None,
+    until: float | None = None,
+    at: Sequence[float] = (),
+) -> Finding:
+    """Whether counters came at their times (s): first ``at`` those given, then each period.
+
+    They do so from ``start`` (by default after one period) ``until`` a time (by default the end of the run). ``tag`` is
+    what is printed before a counter, ``name`` says whose they are.
+    """
+    found, wanted = seen.counters(tag), [*at, *(grid(period, until or seen.seconds, start) if period else ())]
+    what = ", ".join(filter(None, (when, name)))
+    return on_time(found, wanted, what, hint if isinstance(hint, str) else hint(found, wanted))
+
+
+def shared_counter(found: Sequence[Printed], wanted: Sequence[float]) -> str:
+    """What to say of counters that come in time, and are wrong."""
+    return "Give each timer a counter of its own." if same([line.time for line in found], wanted) else ""
+
+
+def overrun(found: Sequence[Printed], wanted: Sequence[float]) -> str:
+    """What to say of a loop of 2 Hz whose third pass takes too long."""
+    if found and abs(found[-1].time / 0.5 - round(found[-1].time / 0.5)) > _CLOSE:
+        return "The loop has left its grid of 0.5 s: count deadlines on from the old one, not from now."
+    if any(after.time - line.time < 0.5 - _CLOSE for line, after in pairwise(found[2:])):
+        return "A lost pass is not to be made up for: two passes in a row would send two commands at once."
+    return ""
+
+
+@_check
+def missing(seen: Seen, when: str, wanted: Sequence[int]) -> Finding:
+    """Whether each callback printed how many ticks were missing."""
+    found = [line for line in seen.values("[^]]*", "missing") if line.time <= seen.seconds]
+    if not found:
+        return Finding(False, f"{when}: no line with `missing = ` was printed.")
+    if len(found) != len(wanted):
+        return Finding(False, f"{when}: {len(wanted)} callbacks printed {len(found)} lines with `missing = `.")
+    for number, (line, due) in enumerate(zip(found, wanted, strict=True), 1):
+        said = _as_number(line.text)
+        if said != due:
+            whole = said is not None and said == int(said)
+            hint = "" if whole else "A tick is missing or not: the number is a whole one."
+            text = f"{when}: callback {number} printed `missing = {plain(line.text)}`, but {due} were missing."
+            return Finding(False, text, hint)
+    return Finding(True, f"{when}: the callbacks printed {', '.join(line.text for line in found)}.")
+
+
+# --- who ticks --------------------------------------------------------------------------------------------------------
+
+
+@_check
+def stops(seen: Seen, when: str, calls: int, timer: str = "a `rospy.Timer`") -> Finding | None:
+    """Whether the timers that printed the counters have stopped, after so many calls; ``timer`` is what they are."""
+    counters = seen.counters()
+    if not counters:
+        return None
+    timers, others = seen.printers(counters)
+    if others:
+        text = f"counter {plain(others[0].text)} was not printed by the callback of {timer}."
+        return Finding(False, text, "Let a timer call back, and stop it.")
+    states = {timer.state for timer in timers}
+    count = sum(len(timer.calls) for timer in timers)
+    if "gone" in states:
+        hint = "`sys.exit()` in a callback ends the thread that the callback runs in. Ask the timer to stop instead."
+        return Finding(False, "the timer was not stopped: its thread was ended.", hint)
+    if "blocked" in states:
+        text = "the timer was not stopped: a call of its callback had not returned in the end."
+        return Finding(False, text, "A callback that never returns keeps a thread for ever. Stop the timer and return.")
+    if count > calls:
+        text = f"the callback was called {count} times in {say(seen.seconds)}, where {calls} would do."
+        silent = "A callback that returns at once is still called. Stop the timer itself."
+        return Finding(False, text, silent if count > len(counters) else "")
+    if "running" in states:
+        return Finding(False, "the timer still runs.", "Stop the timer itself.")
+    return Finding(True, "the timer has stopped.")
+
+
+@_check
+def moved_to_a_timer(seen: Seen, when: str) -> Finding | None:
+    """Whether one timer printed all counters, one in each call, and nothing else goes round in the node."""
+    counters = seen.counters()
+    timers, others = seen.printers(counters)
+    if not seen.timers:
+        return Finding(False, "no timer calls back.")
+    if others:
+        return Finding(False, f"counter {plain(others[0].text)} was printed by a loop, not by a timer's callback.")
+    if len(timers) > 1:
+        text = f"{len(timers)} timers printed the counters."
+        return Finding(False, text, "A timer that is not one-shot calls back again by itself: one is enough.")
+    if timers and len(timers[0].calls) < len(counters):
+        text = "one call of the callback printed several counters: the loop is now in the callback."
+        return Finding(False, text, "A callback does one pass and returns. The timer calls it again.")
+    if seen.loops:
+        text = f"there still is a loop, at line {seen.loops[0]}."
+        return Finding(False, text, "`rospy.spin()` waits for the node to be shut down; it needs no loop around it.")
+    return Finding(True, "a timer calls back, and no loop is left.") if timers else None
+
+
+# --- how it ends ------------------------------------------------------------------------------------------------------
+
+
+@_check
+def drives_until(seen: Seen, when: str, end: float, again: str, late: str) -> Finding:
+    """Whether the motor is driven until the time ``end`` (s), and stands from then on.
+
+    ``again`` is a hint for those who then drive it again, ``late`` for those who do not stop it at once.
+    """
+    printed = [(line.time, _as_number(line.text)) for line in seen.values("MOTOR", "speed")]
+    commands = [(time, speed) for time, speed in printed if speed is not None]
+    driven = [time for time, speed in commands if speed and time < end]
+    paused = [time for time, speed in commands if not speed and time < end - _CLOSE]
+    due = int(end / 0.1)
+    if paused or abs(len(driven) - due) > 1:
+        told = f"stopped at {say(paused[0])}" if paused else f"told a speed {len(driven)} times, not about {due} times"
+        hint = "Until the node ends, the loop has to drive the motor as before."
+        return Finding(False, f"{when}: up to then the motor was {told}.", hint)
+    stop = next((n for n, (_, speed) in enumerate(commands) if not speed), None)
+    if stop is None:
+        return Finding(False, f"{when}: nobody stops the motor. It goes on at its last speed.")
+    time = commands[stop][0]
+    if later := [after for after, speed in commands[stop:] if speed]:
+        text = f"{when}: the motor was stopped at {say(time)}, and driven again at {say(later[0])}."
+        return Finding(False, text, again)
+    if time > end + 0.5:
+        text = f"{when} at {say(end)}: the motor was not stopped before {say(time)}."
+        return Finding(False, text, late)
+    return Finding(True, f"{when}: the motor was stopped at {say(time)}.")
+
+
+def ends_well(seen: Seen, when: str) -> Finding:
+    """Whether a signal has ended a node of ROS 2 with status 0, without a traceback."""
+    if seen.killed:
+        return Finding(False, f"{when}: the node did not end: {say_kept(seen, 2)}", hint_for_kept(seen))
+    if seen.errors:
+        error = seen.errors[-1]
+        caught = (
+            "In the main part, Ctrl-C raises `KeyboardInterrupt`. SIGTERM ends what spins with "
+            "`ExternalShutdownException`. Catch both around `spin`, in whichever thread it is."
+        )
+        again = "After a signal `rclpy.shutdown()` raises an error; `rclpy.try_shutdown()` does not."
+        return Finding(False, f"{when}: the {say_error(error)}", again if error.type == "RCLError" else caught)
+    if seen.status:
+        return Finding(False, f"{when}: the node ended with status {seen.status} instead of 0.")
+    return Finding(True, f"{when}: the node ended with status 0, without a traceback.")
+
+
+@_check
+def ends_at_sigterm(seen: Seen, when: str, at: float) -> Finding:
+    """Whether SIGTERM, and not only Ctrl-C after it, has ended a node of ROS 2 so."""
+    if not seen.interrupted:
+        return ends_well(seen, when)
+    hint = (
+        "SIGTERM raises nothing in the main part and wakes no Rate. Let the main part spin: `spin` notices it. The "
+        "loop can be in a thread."
+    )
+    return Finding(False, f"{when} at {say(at)}: the node did not end.", hint)
+
+
+@_check
+def fails(seen: Seen, when: str, hint: str) -> Finding:
+    """Whether an error has ended the node with a status other than 0."""
+    if seen.status:
+        return Finding(True, f"{when}: the node ended with status {seen.status}.")
+    went_on = "went on" if seen.interrupted else "ended with status 0, as if all were well"
+    return Finding(False, f"{when}: the node {went_on}.", hint)
+
+
+@_check
+def refuses(seen: Seen, when: str, name: str) -> Finding:
+    """Whether a node has refused a parameter: in words, with a status other than 0, without a traceback."""
+    look = f"Look at the {name} before you make the timer: write an error line, and end with `sys.exit(1)`."
+    if counters := seen.counters():
+        text = f"{when}: the node ticked all the same, {len(counters)} times in {say(seen.seconds)}."
+        return Finding(False, text, f"A timer takes a {name} of 0, and then calls back without a pause. {look}")
+    if seen.errors:
+        return Finding(False, f"{when}: the {say_error(seen.errors[-1])}", look)
+    if seen.interrupted:
+        return Finding(False, f"{when}: the node neither ticked nor ended.", look)
+    if not seen.status:
+        ends = "What started the node learns from its status whether all is well: end it with `sys.exit(1)`."
+        return Finding(False, f"{when}: the node ended with status 0, as if all were well.", ends)
+    said = [line.text.strip() for line in seen.printed if name in line.text.lower()]
+    if not said:
+        return Finding(False, f"{when}: no line says that it is the {name} that is wrong.", look)
+    return Finding(True, f"{when}: the node said `{plain(said[0])}`, and ended with status {seen.status}.")
+
+
+def makes_passes_until_signalled(answer: Answer) -> Iterator[Finding]:
+    """Whether a loop of 2 Hz in ROS 2 makes its passes, and the node ends well by either signal."""
+    endings = []
+    for work, seconds in ((0.1, 3.3), (0.4, 3.05)):
+        when = f"With `work:={work}`"
+        seen = answer.run(seconds, f"work:={work}", has_to_end=False)
+        counters = seen.counters()
+        hint = ""
+        if len(counters) == 1 and seen.interrupted:
+            hint = "The first `sleep()` never returned. A Rate is a timer: who calls it back while the loop sleeps?"
+        elif len(counters) > 1 and abs(counters[1].time - 0.5 - work) < _CLOSE:
+            hint = "The work is a part of the period: shorten the pause by the time that the work takes."
+        finding = on_time(counters, grid(0.5, seconds, start=0.0), when, hint)
+        yield finding
+        endings.append(ends_well(seen, f"{when}, Ctrl-C"))
+        if not finding.right or seen.killed:
+            yield from endings
+            return
+    # SIGTERM first: where the loop is in the main part, nothing that is caught there helps.
+    yield from ending(6.3, ends_at_sigterm(3.3), when="SIGTERM", terminated_at=3.3)(answer)
+    yield from endings
+    yield from shaken(2, 3.3, ticks(0.5, start=0.0))(answer)
+
+
+# --- what it shares ---------------------------------------------------------------------------------------------------
+
+
+@_check
+def parts_add_up(seen: Seen, when: str, lock: str) -> Finding:
+    """Whether reports every 0.5 s add up to the parts, one every 0.1 s: the newest may miss the report."""
+    start = f"{when}: " if when else ""
+    reports = seen.values("SPINNER PY NODE", "parts")
+    stuck = "Does a callback wait for a lock that nobody releases, or that it has already?"
+    total = 0
+    for number in range(1, 11):
+        due = 0.5 * number
+        if len(reports) < number or reports[number - 1].time > due + 0.1:
+            return Finding(False, f"{start}the report due at {say(due)} did not come.", stuck)
+        time, text, _ = reports[number - 1]
+        reported = _as_whole(text)
+        if reported is None:
+            return Finding(False, f"{start}`parts = {plain(text)}` is no number of parts.")
+        total += reported
+        passed = 5 * number
+        if total not in (passed - 1, passed):
+            wrong = "some are reported twice" if total > passed else "some are lost"
+            sums = f"the reports up to {say(time)} add up to {total}, but {passed} parts have passed"
+            return Finding(False, f"{start}{sums}: {wrong}.", lock)
+    if len(reports) > 10:
+        return Finding(False, f"{start}a report came at {say(reports[10].time)}; it should not have come.")
+    return Finding(True, "10 reports came, and they add up to the parts that have passed.")
+
+
+@_check
+def calls_add_up(seen: Seen, when: str) -> Finding:
+    """Whether the reports of a node that was held up, and has lost ticks, add up to the calls that it had.
+
+    The callback that counts is the one that is called most often. Its newest call may miss the report.
+    """
+    calls = max((timer.calls for timer in seen.timers), key=len, default=())
+    begun = {timer.number: timer.calls for timer in seen.timers}
+    total = 0
+    for time, text, timer in seen.values("SPINNER PY NODE", "parts"):
+        total += _as_whole(text) or 0
+        began = max((call for call in begun.get(timer, ()) if call <= time), default=time)
+        least = sum(call < began - _CLOSE for call in calls) - 1
+        most = sum(call <= time for call in calls)
+        if not least <= total <= most:
+            text = f"{when}: the reports up to {say(time)} add up to {total}, but the parts were counted {most} times."
+            return Finding(False, text, "Report what the callback has counted: a tick that is lost counts no part.")
+    return Finding(True, f"the reports are right as well {when}.")
+
+
+@_check
+def one_image_at_a_time(seen: Seen, when: str, takes: float) -> Finding:
+    """Whether the camera takes its images one after the other, each in its time, as often as that allows."""
+    begun = [line for line in seen.values("CAMERA", "image") if line.time <= seen.seconds]
+    done = seen.values("CAMERA", "done")
+    what = f"{when}, the camera"
+    least = 5 if takes < 1 else 3
+    if len(begun) < least:
+        text = f"{what} took {len(begun)} images in {say(seen.seconds)}; it can take {least}."
+        return Finding(False, text, "The camera is to work as before: each second, as far as its work allows.")
+    for image, later in pairwise(begun):
+        if not any(image.time <= line.time <= later.time for line in done):
+            text = f"{what} began image {later.text} at {say(later.time)}, while it still took image {image.text}."
+            reentrant = "In a `ReentrantCallbackGroup` calls of one timer may overlap; in the other kind they may not."
+            return Finding(False, text, reentrant)
+    for number, image in enumerate(begun, 1):
+        end = next((line for line in done if line.text == image.text), None)
+        if image.text != str(number):
+            return Finding(False, f"{what}: where image {number} was due, image {plain(image.text)} began.")
+        if image.time + takes > seen.seconds:
+            continue
+        if end is None or abs(end.time - image.time - takes) > _CLOSE:
+            after = f"done after {say(end.time - image.time)}" if end else "never done"
+            text = f"{what}: image {number} was {after}, not after {say(takes)}."
+            return Finding(False, text, "An image takes its time, and nothing can be done about that.")
+    if takes < 1 and (late := [line for n, line in enumerate(begun, 1) if abs(line.time - n) > _CLOSE]):
+        text = f"{what} began image {late[0].text} at {say(late[0].time)}, not at {say(float(late[0].text))}."
+        return Finding(False, text, "The camera is to work as before: each second.")
+    return Finding(True, f"{what} took {len(begun)} images, one after the other.")
+
+
+# --- what it publishes ------------------------------------------------------------------------------------------------
+
+
+def published_and_heard(answer: Answer) -> Iterator[Finding]:
+    """Whether a counter is published every 0.2 s, with the right type, and heard at once."""
+    seen = answer.run(2.0)
+    wanted = grid(0.2, 2.0)
+    sent = [message for message in seen.sent if message.topic == "/counter"]
+    if not sent:
+        others = dict.fromkeys(f"`{plain(message.topic)}`" for message in seen.sent)
+        text = f"it was published on {', '.join(others)}" if others else "the node published nothing"
+        yield Finding(False, f"nothing was published on `/counter`: {text}.")
+        return
+    if wrong := {message.type for message in sent} - {"std_msgs/UInt32"}:
+        text = f"the messages on `/counter` are of the type {plain(', '.join(sorted(wrong)))}, not std_msgs/UInt32."
+        yield Finding(False, text, "Both ends of a topic have to name the same type: otherwise they do not connect.")
+        return
+    on_topic = on_time([Printed(message.time, message.data) for message in sent], wanted, "On `/counter`")
+    yield on_topic
+    once = "A publisher that was made just now is not connected to anyone. Make it once, before the timer."
+    yield on_time(seen.values("LISTENER", "counter"), wanted, "The listener", once if on_topic.right else "")
+
+
+@_check
+def arrives_once(seen: Seen, when: str, goal: str, at: float) -> Finding:
+    """Whether the listener, which subscribes at a time (s), hears the goal once, soon after."""
+    heard = seen.values("LISTENER", "goal")
+    if not heard:
+        return Finding(False, f"{when}: the goal did not arrive.")
+    if wrong := [line.text for line in heard if line.text != goal]:
+        return Finding(False, f"{when}: the goal {plain(wrong[0])} arrived, not {goal}.")
+    if len(heard) > 1:
+        text = f"{when}: the goal arrived {len(heard)} times; a robot would start anew each time."
+        return Finding(False, text, "Publish once, and let the publisher keep the message.")
+    if not at <= heard[0].time <= at + 0.5:
+        return Finding(False, f"{when}: the goal arrived only at {say(heard[0].time)}.")
+    return Finding(True, f"{when}: the goal arrived once, at {say(heard[0].time)}.")
+
+
+@_check
+def steers_by_the_newest(seen: Seen, when: str) -> Finding:
+    """Whether the controller, whose computation takes 0.33 s, uses the newest of the positions, one every 0.1 s."""
+    sent = {_as_whole(message.data): message.time for message in seen.sent if message.topic == "/position"}
+    steps = [line for line in seen.values("CONTROLLER", "position") if line.time <= seen.seconds]
+    if len(sent) < 99:
+        text = f"the sensor published {len(sent)} positions in {say(seen.seconds)}, not one every 0.1 s."
+        return Finding(False, text, "The sensor is as it is: change how the controller listens to it.")
+    steered = f"the controller steered {len(steps)} times"
+    if len(steps) < 20:
+        return Finding(False, f"{steered} in {say(seen.seconds)}; it can do so 20 times.")
+    if short := [after for line, after in pairwise(steps) if after.time - line.time < 0.33 - _CLOSE]:
+        text = f"the controller steered again at {say(short[0].time)}, less than 0.33 s after the last time."
+        return Finding(False, text, "Its computation takes 0.33 s, and nothing else can be done about that.")
+    for time, text, _ in steps:
+        number = _as_whole(text)
+        made = None if number is None else sent.get(number)
+        if made is None:
+            return Finding(False, f"`position = {plain(text)}` is no position that the sensor has published.")
+        if time - made > 0.1 + _CLOSE:
+            said = f"at {say(time)} the controller steered by position {text}, which was {say(time - made)} old."
+            return Finding(False, f"{said} A newer one had arrived.")
+    return Finding(True, f"{steered}, by the newest position each time.")
+
+
+# --- numbers ----------------------------------------------------------------------------------------------------------
+
+
+def _as_number(text: str) -> float | None:
+    """A text as a number; None if it is none, or not finite."""
+    try:
+        number = float(text)
+    except ValueError:
+        return None
+    return number if math.isfinite(number) else None
+
+
+def _as_whole(text: str) -> int | None:
+    """A text of digits as a number; None if it is none."""
+    return int(text) if text.isascii() and text.isdigit() and len(text) < 20 else None

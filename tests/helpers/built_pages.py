@@ -1,0 +1,14 @@
+"""The pages of the built site, each parsed once for all tests of a process. They are to be read, not to be changed."""
+
+from __future__ import annotations
+
+from functools import cache
+from pathlib import Path
+
+from bs4 import BeautifulSoup
+
+
+@cache
+def parsed(path: Path) -> BeautifulSoup:
+    """A page, by its path."""
+    return BeautifulSoup(path.read_text(encoding="utf-8"), "html.parser")
