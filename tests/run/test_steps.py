@@ -183,13 +183,14 @@ def test_a_subscriber_of_any_type_takes_whole_messages() -> None:
         assert node.advance(0).console == "std_msgs/UInt8 b'\\x07'\n"
 
 
-def test_a_topic_that_is_subscribed_to_later_is_connected_at_once() -> None:
+def test_a_topic_that_is_subscribed_to_for_a_while_is_connected_as_long() -> None:
     def node_function() -> None:
         from std_msgs.msg import UInt32
 
         rospy.init_node("n")
         rospy.sleep(1)
         print(rospy.wait_for_message("a", UInt32))
+        rospy.spin()
 
     with start(node_function) as node:
         with pytest.raises(LookupError, match="subscribed to are: none"):
@@ -197,6 +198,8 @@ def test_a_topic_that_is_subscribed_to_later_is_connected_at_once() -> None:
         node.advance(1)
         node.publish("a", 1)
         assert node.advance(1).console == "data: 1\n"
+        with pytest.raises(LookupError, match="subscribed to are: none"):
+            node.publish("a", 2)
 
 
 def test_the_test_is_connected_to_every_topic_from_the_start() -> None:
