@@ -35,6 +35,7 @@ def main(argv: Sequence[str] | None = None) -> int:
     """Run the command line ``argv`` (default: that of the process) and return the exit status."""
     own, node_args = split_words(sys.argv[1:] if argv is None else argv)
     options, unknown = _parser().parse_known_args(own)
+    unknown += [word for word in getattr(options, "files", [])[1:] if not word.endswith(".py")]
     if unknown:
         options.parser.error(f"unknown arguments: {' '.join(unknown)} (put the node's own arguments after --)")
     options.alone = argv is None  # this process is there for the command alone
@@ -57,7 +58,8 @@ def _parser() -> argparse.ArgumentParser:
         "run",
         help="run a node file",
         description="Run a node file on the wall clock until Ctrl-C, in simulated time, or on the real ROS 1 or 2.",
-        usage="%(prog)s FILE... [--seconds S] [--simulated [--skip-cpp] | --ros1 | --ros2] [--plot FILE] [-- ARGS]",
+        usage="%(prog)s FILE... [--seconds S] [--simulated [--skip-cpp] | --ros1 | --ros2] [--plot FILE] "
+        "[-- NODE ARGS]",
         epilog="Everything after -- is passed to the node: __ns:=/mrp _rate:=10, or on ROS 2 --ros-args -r __ns:=/mrp.",
         allow_abbrev=False,
     )

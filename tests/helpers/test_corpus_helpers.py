@@ -16,6 +16,7 @@ import pytest
 import runs
 import sandboxes
 from corpus import Scenario, recorded, scenarios, simulated
+from corpus_pairs import PAIR_LIST
 from ledger import Ledger, key, part, stand_in
 from verdicts import Inconclusive
 
@@ -130,9 +131,18 @@ def test_a_key_tells_the_version(scenario: Scenario) -> None:
 def test_each_expectation_says_why_and_is_of_scenarios_that_there_are() -> None:
     entries = [entry for kind in expectations.ALL.values() for entry in kind]
     assert all(entry.outcomes and entry.reason and entry.link.startswith("https://") for entry in entries)
-    assert {name for entry in entries for name in entry.scenarios} <= BY_NAME.keys()
-    where = {"ros1", "ros2", "kilted", "wall", "page", "roslaunch", *corpus_checks.STAND_INS.values()}
-    assert {entry.where for entry in entries} <= where
+    assert {name for entry in entries for name in entry.scenarios} <= {*BY_NAME, *(pair.name for pair in PAIR_LIST)}
+    where = {
+        "ros1",
+        "ros2",
+        "kilted",
+        "wall",
+        "page",
+        "roslaunch",
+        "several processes in one run",
+        *corpus_checks.STAND_INS.values(),
+    }
+    assert {entry.where for entry in entries} <= where | {*corpus_checks.STAND_INS.values()}
 
 
 # --- verdicts on runs -------------------------------------------------------------------------------------------------

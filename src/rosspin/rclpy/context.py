@@ -5,7 +5,7 @@ from __future__ import annotations
 from collections.abc import Callable
 from inspect import ismethod
 from typing import TYPE_CHECKING, Any
-from weakref import WeakMethod
+from weakref import WeakKeyDictionary, WeakMethod
 
 from . import logging
 from .arguments import Arguments
@@ -28,6 +28,7 @@ class Context:
         self._hooks: list[Callable[[], Any]] = []
         self._domain_id = 0
         self.nodes: list[Node] = []
+        self.born: WeakKeyDictionary[Node, int] = WeakKeyDictionary()  # when (ns) each was made
         self.joined: int | None = None  # when (ns) other processes could begin to see it
         self.left: int | None = None  # and from when they miss it
 
@@ -104,6 +105,7 @@ class Context:
     def add_node(self, node: Node) -> None:
         """A node was made in it."""
         self.nodes.append(node)
+        self.born[node] = self.state.clock.now()
         self.state.world.name = self.state.world.name or node.get_fully_qualified_name()
         if self.joined is None:
             self.state.participants.join(self)

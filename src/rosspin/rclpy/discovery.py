@@ -56,7 +56,7 @@ class Participants:
                 and _met(context, other) <= now
                 and (other.left is None or now < other.left)
             ):
-                yield from (node for node in other.nodes if node.made + ENDPOINT <= now)
+                yield from (node for node in other.nodes if other.born[node] + ENDPOINT <= now)
 
 
 def _met(one: Context, other: Context) -> int:

@@ -501,7 +501,6 @@ class Node(Parameters):
         self.__clock_subscription: Subscription | None = None
         if not self.has_parameter("use_sim_time"):
             self.declare_parameter("use_sim_time", False)
-        self.made = self._context.state.clock.now()
         self._context.add_node(self)
         given = self.get_parameter("use_sim_time")
         if given.type_ is Parameter.Type.BOOL:
