@@ -130,7 +130,7 @@ ros1:
 ros2: build/ros2$(OTHER)/made
 
 build/ros2$(OTHER)/made: constraints-ros2$(OTHER).txt | $(VENV)
-	@$(BIN)/python -c 'import sys; from rosspin import ros2; sys.exit(ros2.unavailable() or None)'
+	@$(BIN)/python -c 'import sys; from rosspin.real import ros2; sys.exit(ros2.unavailable() or None)'
 	$(PYTHON) -m venv --clear $(@D)
 	$(@D)/bin/pip install --quiet --disable-pip-version-check -c $< $(ROS2) $(COLCON)
 	@touch $@

@@ -231,7 +231,7 @@ class Host:
         self._count += len(sys.modules) - before
 
     def _is_own(self, name: str, process: Slots) -> bool:
-        if name in self._shared:
+        if name in self._shared or name in process.stand_in:
             return name in self._own
         package = name.partition(".")[0]
         if package in _ROOTS:
