@@ -17,7 +17,7 @@ import pytest
 from jupyter_client.manager import start_new_kernel
 from verdicts import control
 
-import rosspin.run.simulate
+import rosspin.run.host
 from rosspin import NotSimulated, Tick, measure, simulate
 
 NEVER = 60  # s; only so that a test that hangs ends at all
@@ -59,7 +59,7 @@ PATIENCE = 0.5
 @pytest.fixture
 def impatient(monkeypatch: pytest.MonkeyPatch) -> None:
     """A node that does not heed Ctrl-C is killed soon."""
-    monkeypatch.setattr(rosspin.run.simulate, "PATIENCE", PATIENCE)
+    monkeypatch.setattr(rosspin.run.host, "PATIENCE", PATIENCE)
 
 
 class Life:
