@@ -7,6 +7,10 @@ from collections.abc import Iterator
 from contextlib import contextmanager
 from types import ModuleType
 from typing import Any
+from unittest.mock import patch
+
+from rosspin.messages import MessageFinder
+from rosspin.run.imports import Imports
 
 
 def stub(name: str, **contents: Any) -> ModuleType:
@@ -17,9 +21,11 @@ def stub(name: str, **contents: Any) -> ModuleType:
 
 
 @contextmanager
-def without(*packages: str) -> Iterator[None]:
-    """Within this context nothing of these packages has been imported; what is imported meanwhile is forgotten."""
+def without(ros: int, *packages: str) -> Iterator[None]:
+    """Within this context nothing of these packages has been imported; what is imported meanwhile is forgotten.
 
+    Of the stand-in for ROS 1 or 2 only the messages are found.
+    """
     beginnings = tuple(f"{package}." for package in packages)
 
     def take() -> dict[str, ModuleType]:
@@ -27,8 +33,10 @@ def without(*packages: str) -> Iterator[None]:
         return {name: sys.modules.pop(name) for name in names}
 
     before = take()
+    finders = [MessageFinder(ros) if isinstance(each, Imports) else each for each in sys.meta_path]
     try:
-        yield
+        with patch.object(sys, "meta_path", finders):
+            yield
     finally:
         take()
         sys.modules.update(before)

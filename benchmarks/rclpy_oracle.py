@@ -386,7 +386,7 @@ def oracle(folder: Path) -> Iterator[None]:
     """Within this context ``import rclpy`` imports the real one's Python from its folder, over the C module above."""
     _contexts.clear()
     _sigint.clear()
-    with without("rclpy", "ament_index_python", "rcl_interfaces.srv"):
+    with without(2, "rclpy", "ament_index_python", "rcl_interfaces.srv"):
         spec = spec_from_file_location("rclpy", folder / "__init__.py", submodule_search_locations=[str(folder)])
         assert spec and spec.loader
         package = sys.modules["rclpy"] = module_from_spec(spec)

@@ -37,7 +37,7 @@ def _public(module: str) -> dict[str, Any]:
 @contextmanager
 def oracle(folder: Path) -> Iterator[None]:
     """Within this context ``import rospy`` imports the parts of the real one that have to do with time."""
-    with without("genpy", "rosgraph", "rosgraph_msgs", "rospkg", "rospy"):
+    with without(1, "genpy", "rosgraph", "rosgraph_msgs", "rospkg", "rospy"):
         stub("rospkg")
         stub("rosgraph")
         stub("rosgraph.roslogging")
