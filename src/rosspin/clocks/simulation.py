@@ -30,8 +30,9 @@ STANDSTILL = 1_000_000
 _LAST = 1 << 61
 _PAUSE = 1 << 62
 
-# A run may have so many stacks, each of some 13 KB; a page has less room. A computer has it for some 30,000 threads.
-MOST_STACKS = 1_000 if sys.platform == "emscripten" else 20_000
+# A run may have so many stacks, each of some 13 KB; a page has less room, and needs some seconds to begin 1,000. A
+# computer has room for some 30,000 threads.
+MOST_STACKS = 400 if sys.platform == "emscripten" else 20_000
 
 # Of so many stacks, the newest, it is told where they were when an exception ended a simulation.
 _SHOWN = 10
