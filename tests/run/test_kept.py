@@ -180,6 +180,7 @@ def test_what_a_node_changes_is_gone_with_its_run(ros: int, change: str, referen
     assert of_sys == (sys.getswitchinterval(), sys.getrecursionlimit(), sys.gettrace(), sys.getprofile(), sys.path[:])
     assert (environment, folder, state) == (dict(os.environ), os.getcwd(), random.getstate())
     assert "unheard_of" not in sys.modules and sys.modules["threading"] is threading
+    assert not {"rospy", "rclpy", "std_msgs.msg"} & sys.modules.keys()
     assert _told(simulate(path, 2)) == expected
 
 
@@ -191,6 +192,16 @@ def test_so_is_all_of_it_together(ros: int, references: Any, tmp_path_factory: A
     changes = data.draw(st.lists(st.sampled_from(_OF[ros]), min_size=1, max_size=6))
     spoil(tmp_path_factory.mktemp("spoilers"), ros, *changes)
     assert _told(simulate(path, 2)) == expected
+
+
+@pytest.mark.parametrize("ros", [1, 2])
+def test_a_node_can_import_what_it_has_made_up(ros: int, tmp_path: Path) -> None:
+    path = tmp_path / "node.py"
+    made_up = "import sys\nfrom unittest.mock import MagicMock\nsys.modules['cv2'] = MagicMock()\n"
+    path.write_text(f"{_BEGIN[ros]}{made_up}import cv2\nprint(cv2 is sys.modules['cv2'])\n")
+    run = simulate(str(path), 1)
+    assert (run.status, run.console) == (0, "True\n")
+    assert "cv2" not in sys.modules
 
 
 def test_during_the_run_the_node_sees_its_own_changes() -> None:

@@ -126,8 +126,10 @@ class Process(Slots):
         self.root_logger = {**root, "handlers": root["handlers"][:], "filters": root["filters"][:], "_cache": {}}
         self.loggers = dict(self.loggers)
 
-    def owns(self, module: ModuleType) -> bool:
+    def owns(self, module: object) -> bool:
         """Whether a module is, or belongs to, a neighbour of the node or its package; a virtual environment is none."""
+        if not isinstance(module, ModuleType):  # a node can put anything into sys.modules
+            return False
         root = module.__name__.partition(".")[0]
         file = os.path.abspath(getattr(module, "__file__", None) or "")
         return file.startswith(tuple(f"{folder}{root}{end}" for folder in self._own for end in (".", os.sep)))
