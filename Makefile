@@ -83,7 +83,7 @@ test: $(VENV:=-for-test) $(NPM)-for-test html
 # The whole corpus of scenarios on all that is real and installed, one after another: it takes hours. What is recorded,
 # and the ledger of it, is written anew; commit that.
 judge: $(VENV:=-for-test) html
-	$(BIN)/pytest tests/real/judge --conclusive $(ARGS)
+	$(BIN)/pytest tests/real/judge tests/real/test_oracle.py --hypothesis-profile judge --conclusive $(ARGS)
 
 serve: html
 	$(BIN)/python -m http.server --bind 127.0.0.1 --directory build/html $(PORT)

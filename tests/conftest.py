@@ -30,6 +30,9 @@ def pytest_report_header() -> str:
     return f"random tests: ROSSPIN_SEED={SEED}; scenarios on real clocks: ROSSPIN_TURN={TURN}"
 
 
+settings.register_profile("judge", max_examples=1000)
+
+
 @pytest.hookimpl(tryfirst=True)
 def pytest_configure(config: pytest.Config) -> None:
     if "ROSSPIN_SEED" in os.environ:

@@ -24,9 +24,9 @@ from collections import defaultdict, deque
 from collections.abc import Callable, Iterable, Iterator, Sequence
 from contextlib import contextmanager, redirect_stderr, redirect_stdout, suppress
 from functools import wraps
-from json import dumps
+from json import dumps, loads
 from traceback import walk_tb
-from typing import Any, cast
+from typing import Any
 
 from js import performance
 from pyodide.ffi import can_run_sync, run_sync
@@ -44,8 +44,10 @@ from .results.pinned import as_test
 from .run.explain import TimeStandsStill, say_error
 from .run.process import starter
 from .run.roses import ROSES
-from .run.simulate import run_node
-from .run.source import load_source, split_words
+from .run.roslaunch.launch import Launch
+from .run.roslaunch.launch import Node as LaunchNode
+from .run.simulate import run_node, run_nodes
+from .run.source import Node, load_source, split_words
 from .world.graph import TickLog
 from .world.world import NotSimulated, World
 
@@ -125,11 +127,12 @@ class _Supplied:
         return io.open_code(path)
 
 
-def run(source: str, filename: str, seconds: float, args: str, speed: float, page: Any) -> str:
+def run(source: str, filename: str, seconds: float, args: str, speed: float, beside: str, page: Any) -> str:
     """Run the node in the text ``source`` for ``seconds``, ``speed`` times as fast as real time; 0: at once.
 
     ``args`` are its command line, split into words as a shell does. A text that begins with ``%%simulate SECONDS --
-    ARGS`` brings its own; one that begins with ``%%answer NUMBER`` is not for here, but for :func:`trace`.
+    ARGS`` brings its own; one that begins with ``%%answer NUMBER`` is not for here, but for :func:`trace`. Other nodes
+    run together with it: ``beside`` is a list, as JSON, of their texts, file names and arguments.
 
     ``page`` is a JavaScript object: its ``print(text, isError, line)`` is given what the node prints, with the line of
     the node that logged it if it is a warning or worse, else 0; its ``tick(source, number, expected, real)`` each tick
@@ -147,7 +150,8 @@ def run(source: str, filename: str, seconds: float, args: str, speed: float, pag
                 seconds, node_args = _magic(source)
             else:
                 node_args = _split(args, "arguments")
-            return dumps(_run(source, filename, seconds, node_args, speed, page, printed))
+            others = [(load_source(*code), _split(words, "arguments")) for *code, words in loads(beside)]
+            return dumps(_run(source, filename, seconds, node_args, others, _Pacer(page, speed, printed), printed))
         except (ValueError, SyntaxError, NotSimulated, TimeStandsStill) as error:
             print(say_error(error), file=sys.stderr)
             if isinstance(error, SyntaxError):
@@ -237,14 +241,25 @@ def _node(text: str) -> str:
 
 
 def _run(
-    source: str, filename: str, seconds: float, args: Sequence[str], speed: float, page: Any, printed: _Printed
+    source: str,
+    filename: str,
+    seconds: float,
+    args: Sequence[str],
+    others: Sequence[tuple[Node, Sequence[str]]],
+    pacer: _Pacer,
+    printed: _Printed,
 ) -> dict[str, Any]:
-    pacer = _Pacer(page, speed)
     node = load_source(_node(source), filename)
     rates = [ROSES[1].stand_in.Rate, ROSES[2].stand_in.timer.Rate]
     with patched((rate, "__init__", printed.forget_before) for rate in rates):
-        result = run_node(node, seconds, args, pacer.simulation, printed)
-    hints = [_hint(error) for error in result.world.errors]
+        if others:
+            nodes = [(node, args), *others]
+            launch = Launch([LaunchNode(each.filename, words) for each, words in nodes])
+            result = run_nodes(launch, seconds, pacer.simulation, printed, [each for each, _ in nodes])
+        else:
+            result = run_node(node, seconds, args, pacer.simulation, printed)
+    errors = [error for process in result.host.processes for error in process.world.errors]
+    hints = [_hint(error) for error in errors]
     ended_early = result.status == 0 and pacer.simulation.now() < seconds * NS
     if ended_early and not result.ticks and result.world.has_sources:
         hints.append(_NOBODY_SPINS[result.world.ros])
@@ -254,10 +269,10 @@ def _run(
         print(hint, file=sys.stderr)
     groups = by_source(result.ticks)
     console = "".join(printed.texts)
-    pins = not (result.status or result.world.errors or printed.size > _LONGEST or len(result.ticks) > _MOST_TICKS)
+    pins = not (others or result.status or errors or printed.size > _LONGEST or len(result.ticks) > _MOST_TICKS)
     return {
         "status": result.status,
-        "errors": len(result.world.errors),
+        "errors": len(errors),
         "count": len(result.ticks),
         "ticks": [[*tick[:4], tick.duration if tick.duration >= 0 else 0] for tick in result.ticks[-_MOST_TICKS:]],
         "chunks": [list(chunks) for chunks in printed.chunks[-_MOST_TICKS:]],
@@ -322,10 +337,11 @@ def _deque(items: Iterable[Any] = ()) -> deque[Any]:
 class _Pacer:
     """Makes a simulation keep pace with the page's clock, and shows the page each tick as it begins."""
 
-    def __init__(self, page: Any, speed: float) -> None:
+    def __init__(self, page: Any, speed: float, ticks: TickLog) -> None:
         self.simulation: Simulation = PacedSimulation(self._wait) if speed else Simulation()
         self._page = page
         self._speed = speed
+        self._ticks = ticks
         self._start = performance.now()
         self._shown = 0
 
@@ -336,9 +352,7 @@ class _Pacer:
             run_sync(self._page.wait(ahead))
 
     def _show_ticks(self) -> None:
-        ticks = cast(World, self.simulation.main.program).recording.log
-        assert ticks is not None
-        for source, number, expected, real, _ in zip(*ticks.columns(self._shown)):
+        for source, number, expected, real, _ in zip(*self._ticks.columns(self._shown)):
             self._page.tick(source, number, expected / NS, real / NS)
             self._shown += 1
 

@@ -45,7 +45,7 @@ class Cell:
         self.editor = self.element.get_by_role("textbox", name="Code of")
 
     def button(self, name: str) -> Locator:
-        return self.element.get_by_role("button", name=re.compile(f"^{name} "))
+        return self.element.get_by_role("button", name=re.compile(f"^{name} (?!both )"))
 
     def run(self, seconds: float = 2, speed: str = "instantly") -> None:
         self.element.get_by_role("spinbutton").fill(str(seconds))

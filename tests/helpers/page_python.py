@@ -35,9 +35,10 @@ sys.__stdout__.write("\\n".join(map(json.dumps, said)))
 Message = dict[str, Any]
 
 
-def run_job(source: str, args: str = "") -> Message:
-    """A text that is to be run for two seconds, at once."""
-    return {"kind": "run", "source": source, "filename": "node.py", "seconds": 2, "args": args, "speed": 0}
+def run_job(source: str, args: str = "", *beside: tuple[str, str, str]) -> Message:
+    """A text that is to be run for two seconds, at once, maybe with others: text, file name, arguments."""
+    node = {"source": source, "filename": "node.py", "seconds": 2, "args": args, "speed": 0}
+    return {"kind": "run"} | node | {"beside": json.dumps(beside)}
 
 
 def said(jobs: list[Message]) -> list[tuple[Message, Message]]:

@@ -9,6 +9,7 @@ from pathlib import Path
 from typing import Any
 from unittest import mock
 
+import corpus_pairs
 import corpus_ros1
 import corpus_ros2
 import expectations
@@ -42,8 +43,15 @@ for name, text in {files}.items():
     path.write_text(text)
 """
 
-# Beside the scenarios of ROS 1 and 2, by their folders.
-BESIDE = {corpus_ros1.SCENARIOS: ("scenario.py", "robot/*.py"), corpus_ros2.SCENARIOS: ("scenario.py", "*.yaml")}
+# Beside the scenarios, by their folders.
+BESIDE = {
+    corpus_ros1.SCENARIOS: ("scenario.py", "robot/*.py"),
+    corpus_ros2.SCENARIOS: ("scenario.py", "*.yaml"),
+    corpus_pairs.PAIRS: ("*.py", "robot/*.py"),
+}
+
+# A node that runs together with another one: its text, the name of its file, its arguments.
+Beside = tuple[str, str, Sequence[str]]
 
 # What a browser's page returns of a JavaScript function that is called with an argument.
 Evaluate = Callable[[str, Any], Any]
@@ -64,9 +72,13 @@ class Sandbox:
         self._evaluate(RUN_JOBS, [f"{self._address}_static/live/runs.js", self._name])
         self.run(PRELUDE.format(files=self._files), "prelude.py", 1, ())
 
-    def run(self, source: str, name: str, seconds: float, args: Sequence[str]) -> tuple[str, dict[str, Any]]:
-        """The console and the result of a text that is run as a node."""
-        job = {"source": source, "filename": name, "seconds": seconds, "args": shlex.join(args), "speed": 0}
+    def run(
+        self, source: str, name: str, seconds: float, args: Sequence[str], beside: Sequence[Beside] = ()
+    ) -> tuple[str, dict[str, Any]]:
+        """The console and the result of a text that is run as a node, maybe with others."""
+        others = [[text, file, shlex.join(words)] for text, file, words in beside]
+        node = {"source": source, "filename": name, "args": shlex.join(args)}
+        job = node | {"seconds": seconds, "speed": 0, "beside": others}
         console, result = self._evaluate("([name, job]) => window[name](job)", [self._name, job])
         if result is None:  # Python broke down; the next run needs another
             self._begin()

@@ -21,6 +21,10 @@ for (const line of readFileSync(0, "utf8").split("\\n")) {{
 }}
 """
 
+PUBLISHER, SUBSCRIBER = (
+    (EXAMPLES / f"my_robotics_pkg/src/{name}_py_node.py").read_text(encoding="utf-8")
+    for name in ("publisher", "subscriber")
+)
 SPINNER = (EXAMPLES / "my_robotics_pkg/src/spinner_py_node.py").read_text(encoding="utf-8")
 JOBS = {
     "ticks": run_job(SPINNER),
@@ -31,6 +35,9 @@ JOBS = {
     "no Python": run_job("print("),
     "bad arguments": run_job("print(1)", "'"),
     "a first line": run_job(f"%%simulate 1\n{SPINNER}"),
+    "two nodes": run_job(PUBLISHER, "", (SUBSCRIBER, "subscriber.py", "__ns:=/")),
+    "an error in the other one": run_job(PUBLISHER, "", ("import rospy\n1 / 0", "subscriber.py", "")),
+    "no Python in the other one": run_job(PUBLISHER, "", ("print(", "subscriber.py", "")),
     "an answer to nothing": {"kind": "trace", "number": 99, "text": ""},
     "a verdict on no trace": {"kind": "judge", "number": 1, "text": "", "trace": "{"},
 }

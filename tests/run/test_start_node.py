@@ -5,7 +5,6 @@ from __future__ import annotations
 import subprocess
 import sys
 from collections.abc import Callable
-from pathlib import Path
 from typing import Any
 
 import pytest
@@ -24,16 +23,18 @@ rospy.spin()
 """
 
 
+pytest_plugins = ["pytester"]
+
+
 @pytest.fixture
-def run_tests(tmp_path: Path) -> Callable[..., subprocess.CompletedProcess[str]]:
+def run_tests(pytester: pytest.Pytester) -> Callable[..., pytest.RunResult]:
     """Runs pytest in a package with the node src/echo.py and a test of this text."""
 
-    def run(text: str, *options: str, node: str = NODE) -> subprocess.CompletedProcess[str]:
+    def run(text: str, *options: str, node: str = NODE) -> pytest.RunResult:
         for name, content in (("src/echo.py", node), ("test/test_echo.py", text)):
-            (tmp_path / name).parent.mkdir(exist_ok=True)
-            (tmp_path / name).write_text(content)
-        command = [sys.executable, "-m", "pytest", "-q", "-p", "no:cacheprovider", *options, "test"]
-        return subprocess.run(command, cwd=tmp_path, capture_output=True, text=True)
+            (pytester.path / name).parent.mkdir(exist_ok=True)
+            (pytester.path / name).write_text(content)
+        return pytester.runpytest_inprocess("-q", "-p", "no:cacheprovider", *options, "test")
 
     return run
 
@@ -52,24 +53,24 @@ def test_of_a_function(start_node):
         print("hello")
     assert start_node(function).run.console == "hello\\n"
 """)
-    assert (run.returncode, run.stdout.splitlines()[-1].partition(" in ")[0]) == (0, "2 passed"), run.stdout
+    assert (run.ret, run.outlines[-1].partition(" in ")[0]) == (0, "2 passed")
 
 
 def test_a_test_that_fails_shows_the_console_and_one_error(run_tests: Callable[..., Any]) -> None:
     text = "def test_echo(start_node):\n    node = start_node('../src/echo.py')\n    assert node.time == 2"
     run = run_tests(text, node=NODE + "1 / 0\n")
-    assert run.stdout.splitlines()[-1].startswith("1 failed in"), run.stdout
-    assert "- Console of echo.py -" in run.stdout
-    assert "[INFO] [0.000000]: here I am" in run.stdout
-    assert "ZeroDivisionError" not in run.stdout
+    assert run.outlines[-1].startswith("1 failed in")
+    assert "- Console of echo.py -" in run.stdout.str()
+    assert "[INFO] [0.000000]: here I am" in run.stdout.str()
+    assert "ZeroDivisionError" not in run.stdout.str()
 
 
 def test_the_end_is_checked_after_a_test_that_has_passed(run_tests: Callable[..., Any]) -> None:
     text = "def test_echo(start_node):\n    start_node('../src/echo.py')\n"
     run = run_tests(text, node=NODE + "1 / 0\n")
-    assert run.stdout.splitlines()[-1].startswith("1 passed, 1 error in"), run.stdout
-    assert "src/echo.py:10: ZeroDivisionError" in run.stdout
-    assert "rosspin/steps.py" not in run.stdout
+    assert run.outlines[-1].startswith("1 passed, 1 error in")
+    assert "src/echo.py:10: ZeroDivisionError" in run.stdout.str()
+    assert "run/steps.py" not in run.stdout.str()
 
 
 def test_an_exception_of_the_node_is_shown_with_its_line(run_tests: Callable[..., Any]) -> None:
@@ -79,11 +80,11 @@ def test_an_exception_of_the_node_is_shown_with_its_line(run_tests: Callable[...
     node.advance(1)
 """
     run = run_tests(text, node=NODE.replace("publisher.publish(heard.data)", "heard.dta"))
-    assert run.stdout.splitlines()[-1].startswith("1 failed in"), run.stdout
-    assert "test/test_echo.py:4" in run.stdout
-    assert "src/echo.py:7: AttributeError" in run.stdout
-    assert "raised in echo.py at 0.0 s" in run.stdout
-    assert "rosspin/steps.py" not in run.stdout
+    assert run.outlines[-1].startswith("1 failed in")
+    assert "test/test_echo.py:4" in run.stdout.str()
+    assert "src/echo.py:7: AttributeError" in run.stdout.str()
+    assert "raised in echo.py at 0.0 s" in run.stdout.str()
+    assert "run/steps.py" not in run.stdout.str()
 
 
 @pytest.mark.parametrize("option", ["-s", "--capture=sys", "--capture=fd", "-W error"])
@@ -96,7 +97,7 @@ def test_echo(start_node, capfd, caplog):
     assert capfd.readouterr().out == "mine\\n"
     assert node.run.console == "[INFO] [0.000000]: here I am\\n"
 """, *option.split())  # fmt: skip
-    assert run.returncode == 0, run.stdout
+    assert run.ret == 0
 
 
 def test_the_plugin_loads_next_to_nothing() -> None:

@@ -98,6 +98,8 @@ export class Cell {
   #editor = null
   /** @type {import("./runs.js").Run | null} */
   #worker = null
+  /** @type {Cell[]} those whose nodes can run together with this one's */
+  others = []
   #runs = 0
 
   /**
@@ -109,6 +111,7 @@ export class Cell {
     this.#base = base
     this.#index = index
     this.#pre = find("pre", listing)
+    this.together = listing.matches(".together")
     this.#original = /** @type {string} */ (this.#pre.textContent)
     this.#highlighted = [...this.#pre.childNodes]
     const caption = listing.parentElement?.querySelector(".code-block-caption .caption-text")
@@ -128,7 +131,10 @@ export class Cell {
       return element
     }
     this.run = button("Run", () => this.#run())
-    for (const sign of ["pointerenter", "focus"]) this.run.addEventListener(sign, () => this.#warmUp())
+    this.both = button("Run both", () => this.#run(this.others))
+    for (const run of [this.run, this.both]) {
+      for (const sign of ["pointerenter", "focus"]) run.addEventListener(sign, () => this.#warmUp())
+    }
     this.stop = button("Stop", () => this.#stop())
     this.edit = button("Edit", () => this.#edit())
     this.reset = button("Reset", () => this.#reset())
@@ -161,7 +167,7 @@ export class Cell {
   /** All that the reader can press and see, below the listing. */
   #arranged() {
     const bar = make("div", { className: "live-bar", role: "group", ariaLabel: `Run ${this.#name} in this page` })
-    bar.append(this.run, this.stop, this.edit, this.reset, this.earlier, this.share, this.copy, this.pin)
+    bar.append(this.run, this.together ? this.both : "", this.stop, this.edit, this.reset, this.earlier, this.share, this.copy, this.pin)
     const isNode = !this.#answers && !this.#simulates
     if (isNode) bar.append(make("label", {}, this.seconds, " s"))
     if (!this.#answers) bar.append(this.speed)
@@ -388,7 +394,13 @@ export class Cell {
     warmUp(this.#base, this.#answers)
   }
 
-  async #run() {
+  /** @type {import("./protocol.js").Beside} */
+  get #beside() {
+    return [this.#text, this.#name, this.args.value]
+  }
+
+  /** @param {Cell[]} [others] whose nodes run beside this one's */
+  async #run(others = []) {
     this.#end()
     const number = ++this.#runs
     const seconds = this.seconds.valueAsNumber
@@ -401,9 +413,10 @@ export class Cell {
       this.#say("error: seconds must be a number from 0 to 3600")
       return
     }
-    const args = this.args.value
-    this.#ran = this.#text
-    const job = { source: this.#ran, filename: this.#name, seconds, args, speed: Number(this.speed.value) }
+    const [source, filename, args] = this.#beside
+    this.#ran = source
+    const beside = others.map((other) => other.#beside)
+    const job = { source, filename, seconds, args, speed: Number(this.speed.value), beside }
     this.#worker = start(this.#base, job, (message) => number === this.#runs && this.#hear(message))
     this.#say("starting Python")
   }

@@ -3,7 +3,9 @@
 
 /**
  * What the page sends:
- * @typedef {{kind: "run", source: string, filename: string, seconds: number, args: string, speed: number}} RunJob
+ * @typedef {[source: string, filename: string, args: string]} Beside a node that runs together with the one of the job
+ * @typedef {{kind: "run", source: string, filename: string, seconds: number, args: string, speed: number,
+ *   beside: Beside[]}} RunJob
  * @typedef {{kind: "trace", number: number, text: string}} TraceJob
  * @typedef {{kind: "judge", number: number, text: string, trace: string}} JudgeJob
  * @typedef {RunJob | TraceJob | JudgeJob} Job
@@ -47,7 +49,7 @@
  *   wait(ms: number): Promise<void>,
  * }} Shown of a run, as it happens
  * @typedef {{
- *   run: Python<[source: string, filename: string, seconds: number, args: string, speed: number, page: Shown]>,
+ *   run: Python<[source: string, filename: string, seconds: number, args: string, speed: number, beside: string, page: Shown]>,
  *   trace: Python<[number: number, text: string]>,
  *   judge: Python<[number: number, text: string, trace: string]>,
  *   wake(supply: (path: string) => Promise<void> | undefined): void,

@@ -272,8 +272,8 @@ async function boot() {
  */
 async function act({ run, trace, judge }, job, page) {
   if (job.kind === "run") {
-    const { source, filename, seconds, args, speed } = job
-    return JSON.parse(await run.callPromising(source, filename, seconds, args, speed, page))
+    const { source, filename, seconds, args, speed, beside } = job
+    return JSON.parse(await run.callPromising(source, filename, seconds, args, speed, JSON.stringify(beside), page))
   }
   if (job.kind === "trace") return { trace: await trace.callPromising(job.number, job.text) }
   return JSON.parse(await judge.callPromising(job.number, job.text, job.trace))

@@ -18,7 +18,7 @@ from pyodide.ffi import run_sync
 
 from .frames import Trail, trail
 
-__all__ = ["Switched", "current", "can_raise"]
+__all__ = ["Switched", "can_raise", "current", "settrace"]
 
 
 class Switched:
@@ -48,7 +48,7 @@ class Switched:
     async def _run_stack(self) -> None:
         error = None
         try:
-            self._raise()
+            self._go_on_here()
             self._function()
         except BaseException as raised:
             error = raised
@@ -67,7 +67,9 @@ class Switched:
             self._started = True
             asyncio.get_running_loop().create_task(self._run_stack(), context=self._context)
 
-    def _raise(self) -> None:
+    def _go_on_here(self) -> None:
+        if _trace:
+            _trace("switch", (self, self))
         error, self._error = self._error, None
         if error is not None:
             raise error
@@ -76,6 +78,17 @@ class Switched:
 # What runs before any stack was made: the code that the page calls.
 _running = Switched(lambda: None, None)
 _running._started = True
+
+Trace = Callable[[str, tuple["Switched", "Switched"]], None]
+
+_trace: Trace | None = None
+
+
+def settrace(trace: Trace | None) -> Trace | None:
+    """Call ``trace("switch", (_, stack))`` whenever a stack goes on, within it; what was called until now."""
+    global _trace
+    before, _trace = _trace, trace
+    return before
 
 
 def _switch(stack: Switched, error: BaseException | None) -> None:
@@ -88,7 +101,7 @@ def _switch(stack: Switched, error: BaseException | None) -> None:
     stack._go_on(error)
     run_sync(turn.promise)
     me._resume = None
-    me._raise()
+    me._go_on_here()
 
 
 def current() -> Switched:

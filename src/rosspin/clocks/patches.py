@@ -5,7 +5,7 @@ from __future__ import annotations
 import builtins
 from collections.abc import Callable, Iterable, Iterator
 from contextlib import contextmanager
-from functools import wraps
+from functools import lru_cache, wraps
 from operator import is_
 from typing import Any
 
@@ -20,6 +20,7 @@ Patch = tuple[Any, str, Callable[[Any], Any]]
 def either(virtual: Callable[..., Any]) -> Callable[[Callable[..., Any]], Callable[..., Any]]:
     """A replacement that calls ``virtual(stack, *args)`` from a stack of a simulation, the real one from elsewhere."""
 
+    @lru_cache(maxsize=2)
     def replace(real: Callable[..., Any]) -> Callable[..., Any]:
         @wraps(real)
         def dispatch(*args: Any, **kwargs: Any) -> Any:

@@ -35,7 +35,6 @@ __all__ = [
     "end_run",
     "press_ctrl_c",
     "run_on_the_wall",
-    "run_simulated",
     "send",
     "where_it_waits",
 ]
@@ -86,12 +85,23 @@ class SimulatedProgram:
         self._builtins = Builtins()
         simulation.begin(main, program, _main_ident())
 
+    def run(self, until: int, patience: int | None) -> None:
+        """Go on until the time is ``until``, and then to the end: both as one step."""
+        with self._step():
+            self._simulation.advance(until)
+            self._end(patience)
+
     def advance(self, until: int) -> None:
         """Go on until the time is ``until`` (ns), what is due exactly then included, or ``main`` has returned."""
-        self._step(until)
+        with self._step():
+            self._simulation.advance(until)
 
     def end(self, patience: int | None) -> None:
         """Press Ctrl-C, and go on to the end. Raises :class:`Killed` if it has not come after ``patience`` ns."""
+        with self._step():
+            self._end(patience)
+
+    def _end(self, patience: int | None) -> None:
         simulation = self._simulation
         if simulation.is_over:
             return
@@ -102,26 +112,15 @@ class SimulatedProgram:
         press_ctrl_c(self._program)
         if patience is not None:
             simulation.at(simulation.now() + patience, kill)
-        self._step(None)
+        simulation.advance(None)
 
-    def _step(self, until: int | None) -> None:
+    @contextmanager
+    def _step(self) -> Iterator[None]:
         simulation = self._simulation
         with watch(lambda: simulation.now() // _LEAST_STEP) as watchdog:
             simulation.taking_down = watchdog.taking_down
             with simulated_threads(self._program), virtual_time(), simulated_signals(), self._builtins:
-                simulation.advance(until)
-
-
-def run_simulated(
-    main: Callable[[], object], program: Program, simulation: Simulation, until: int, patience: int
-) -> None:
-    """Run ``main`` as a program on a simulated clock. Ctrl-C comes at ``until``, and ``patience`` later Killed (ns).
-
-    Also raises :class:`Died`, and what :class:`Simulation` and :class:`Watchdog` raise.
-    """
-    simulated = SimulatedProgram(main, program, simulation)
-    simulated.advance(until)
-    simulated.end(patience)
+                yield
 
 
 def begin_beside(main: Callable[[], object], program: Program, simulation: Simulation) -> None:

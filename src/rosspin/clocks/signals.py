@@ -83,8 +83,11 @@ def _interrupt_main(stack: Stack, number: int = signal.SIGINT) -> None:
         stack.clock.interrupt_later(program.main, lambda: _handle(program, number))
 
 
+_VALID = {0, *signal.valid_signals()}
+
+
 def _check(number: int) -> None:
-    if number != 0 and number not in signal.valid_signals():
+    if number not in _VALID:
         raise OSError(errno.EINVAL, os.strerror(errno.EINVAL))
 
 

@@ -56,11 +56,7 @@ class Program:
 
 
 if sys.platform == "emscripten":
-    from .jspi import Switched, current
-
-    def settrace(trace: Any) -> Any:
-        """What greenlet has and JSPI lacks."""
-        raise NotImplementedError("a web page runs one node at a time")
+    from .jspi import Switched, current, settrace
 else:
     from greenlet import getcurrent, greenlet, settrace
 

@@ -117,5 +117,5 @@ class MessageFinder(MetaPathFinder, Loader):
 
 def _take(packages: set[str]) -> dict[str, ModuleType]:
     """The modules of packages, which are no longer in ``sys.modules``."""
-    names = [name for name in sys.modules if name.partition(".")[0] in packages]
+    names = [name for name in sys.modules if name.partition(".")[0] in packages] if packages else []
     return {name: sys.modules.pop(name) for name in names}

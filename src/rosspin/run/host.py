@@ -8,6 +8,7 @@ import signal
 import sys
 from collections.abc import Callable, Iterator, Mapping, Sequence
 from contextlib import ExitStack, contextmanager
+from functools import cached_property
 from types import ModuleType
 from typing import Any, NamedTuple, Protocol
 
@@ -68,7 +69,6 @@ class Host:
         self.recording = Recording(clock, ticks, several, 0 if isinstance(clock, Simulation) else clock.now())
         self.processes: list[Process] = []
         self.at_graph: list[Callable[[int, Graph], None]] = []  # called when a ROS is used for the first time
-        self._program: SimulatedProgram | None = None
         self._graphs: dict[int, Graph] = {}
         self._stand_ins: dict[int, Mapping[str, ModuleType]] = {}
         self._of: dict[Program, Process] = {}
@@ -263,22 +263,35 @@ class Host:
 
     # --- the run ---
 
-    def advance(self, until: int) -> None:
-        """Let the simulated time go on to ``until`` (ns), what is due then included. To be called inside."""
+    @cached_property
+    def _program(self) -> SimulatedProgram:
         assert isinstance(self.clock, Simulation)
-        if self._program is None:
-            if self.supervisor:
-                self._program = SimulatedProgram(self.supervisor.run, Program(), self.clock)
-            else:
-                self._program = SimulatedProgram(self.processes[0].run, self.processes[0].world, self.clock)
+        if self.supervisor:
+            return SimulatedProgram(self.supervisor.run, Program(), self.clock)
+        return SimulatedProgram(self.processes[0].run, self.processes[0].world, self.clock)
+
+    @property
+    def _patience(self) -> int | None:
+        return None if self.supervisor else PATIENCE * NS
+
+    def run(self, until: int) -> None:
+        """Let the simulated time go on to ``until`` (ns), press Ctrl-C, and let the processes end.
+
+        This does what :meth:`advance` and :meth:`interrupt` do. To be called inside, as these.
+        """
+        with self._explained(until / NS):
+            self._program.run(until, self._patience)
+
+    def advance(self, until: int) -> None:
+        """Let the simulated time go on to ``until`` (ns), what is due then included."""
         with self._explained(until / NS):
             self._program.advance(until)
 
     def interrupt(self) -> None:
-        """Press Ctrl-C, and let the processes end. To be called inside."""
-        assert isinstance(self.clock, Simulation) and self._program
+        """Press Ctrl-C, and let the processes end."""
+        assert isinstance(self.clock, Simulation)
         with self._explained(self.clock.seconds()):
-            self._program.end(None if self.supervisor else PATIENCE * NS)
+            self._program.end(self._patience)
 
     def run_on_the_wall(self, seconds: float | None, give_up: Callable[[Result], object] | None) -> None:
         """Run the only process on the wall clock, until Ctrl-C if ``seconds`` is None. To be called inside.

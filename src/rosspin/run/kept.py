@@ -291,7 +291,10 @@ def _hooks() -> Put:
         if sys.gettrace() is not trace:
             sys.settrace(trace)
         if sys.getprofile() is not profile:
-            sys.setprofile(profile)
+            if profile is None or callable(profile):
+                sys.setprofile(profile)
+            else:  # cProfile's, written in C
+                profile.enable()
 
     return put
 

@@ -100,27 +100,34 @@ def run_node(
         host.add(node, args)
         if isinstance(clock, Simulation):
             assert until is not None
-            host.advance(until)
-            host.interrupt()
+            host.run(until)
         else:
             host.run_on_the_wall(seconds, give_up)
     return host.result()
 
 
-def run_nodes(nodes: launch.Launch, seconds: float, clock: Simulation, ticks: TickLog | None = None) -> Result:
-    """Run several nodes on one simulated clock; otherwise as :func:`run_node`."""
+def run_nodes(
+    nodes: launch.Launch,
+    seconds: float,
+    clock: Simulation,
+    ticks: TickLog | None = None,
+    codes: Sequence[Node] | None = None,
+) -> Result:
+    """Run several nodes on one simulated clock; otherwise as :func:`run_node`.
+
+    ``codes`` is their code, if it is loaded already.
+    """
     until = duration(seconds)
     host = Host(clock, ticks, several=True)
-    host.supervisor = supervisor(nodes, host)
+    host.supervisor = supervisor(nodes, host, codes)
     with host.inside():
-        host.advance(until)
-        host.interrupt()
+        host.run(until)
     return host.result()
 
 
-def supervisor(nodes: launch.Launch, host: Host) -> Supervisor:
+def supervisor(nodes: launch.Launch, host: Host, codes: Sequence[Node] | None = None) -> Supervisor:
     """Who starts nodes, waits for their end and ends them: roslaunch, or nobody in particular."""
-    codes = [load(node.node) for node in nodes.nodes]
+    codes = codes or [load(node.node) for node in nodes.nodes]
     for line in nodes.left_out:
         sys.stderr.write(f"rosspin: {line}\n")
     warn_of_files(codes)

@@ -81,7 +81,7 @@ RUN_TEXT = """async (address, source, longest) => {
     let text = ""
     await new Promise(resolve => {
         if (longest) setTimeout(resolve, longest)
-        const job = { kind: "run", source, filename: "node.py", seconds: 1, args: "", speed: 0 }
+        const job = { kind: "run", source, filename: "node.py", seconds: 1, args: "", speed: 0, beside: [] }
         sandbox.do(job, message => {
             if (message.kind === "batch") text += message.chunks.map(([, text]) => text).join("")
             if (message.kind === "failed") text += message.reason

@@ -8,18 +8,21 @@ from __future__ import annotations
 from collections.abc import Iterator
 from typing import Any
 
+import corpus_pairs
 import corpus_ros1
 import corpus_ros2
 import pytest
 from corpus import Scenario
 from corpus_checks import each
+from corpus_pairs import PAIR_LIST, Pair
 from ledger import SHARE, TURN
+from listings_in_page import lines_of
 from looks import faults
 from playwright.sync_api import Browser, Page
 from sandboxes import Sandbox, check
 from tree import ROOT
 
-from rosspin import simulate
+from rosspin import Node, simulate
 
 
 @pytest.fixture(scope="module")
@@ -50,6 +53,21 @@ def test_scenario(in_page: Sandbox, scenario: Scenario) -> None:
 @each(corpus_ros2.SCENARIO_LIST[TURN % SHARE :: SHARE])
 def test_scenario_of_ros2(ros2_in_page: Sandbox, scenario: Scenario) -> None:
     check(ros2_in_page, scenario)
+
+
+@pytest.fixture(scope="module")
+def pairs_in_page(page: Page, address: str) -> Sandbox:
+    return Sandbox(page.evaluate, address, corpus_pairs.PAIRS)
+
+
+@pytest.mark.parametrize("pair", PAIR_LIST, ids=lambda pair: pair.name)
+def test_scenario_of_several_processes(pairs_in_page: Sandbox, pair: Pair) -> None:
+    files = list(zip(pair.sources, pair.args, strict=True))
+    run = simulate([Node(file, args) for file, args in files], 20)
+    (text, name, args), *beside = [(file.read_text(encoding="utf-8"), file.name, args) for file, args in files]
+    console, result = pairs_in_page.run(text, name, 20, args, beside)
+    assert (lines_of(console), result["status"]) == (lines_of(run.console), run.status)
+    assert result["ticks"] == [list(tick) for tick in run.ticks]
 
 
 # Suspended threads, each deep in calls from C and back, and cyclic garbage that Python would collect meanwhile.

@@ -179,6 +179,50 @@ def test_nobody_is_told_to_spin_who_does(tutorial: Page, seconds: float) -> None
     assert "missing" not in cell.ends("done")
 
 
+# --- two listings that run together -----------------------------------------------------------------------------------
+
+PUBLISHER, SUBSCRIBER = (EXAMPLES / f"my_robotics_pkg/src/{name}_py_node.py" for name in ("publisher", "subscriber"))
+
+
+@pytest.fixture
+def both(context: BrowserContext, address: str) -> tuple[Cell, Cell]:
+    """The publisher and the subscriber of the tutorial on topics."""
+    page = context.new_page()
+    page.goto(f"{address}docs/publish.html?lang=python")
+    publisher, _, subscriber, *_ = (Cell(page, index) for index in range(page.locator("div.live").count()))
+    return publisher, subscriber
+
+
+def test_two_listings_run_together(both: tuple[Cell, Cell]) -> None:
+    for cell, paths in zip(both, ([PUBLISHER, SUBSCRIBER], [SUBSCRIBER, PUBLISHER]), strict=True):
+        run = simulate(paths, 2)
+        cell.run(2)
+        assert "counter" not in cell.ends("done")  # alone
+        cell.button("Run both").click()
+        assert cell.ends(f"done: {len(run.ticks)} ticks") == run.console
+        assert "counter = 4" in run.console
+        expect(cell.button("Copy as test")).to_be_hidden()
+    expect(both[0].element.page.get_by_role("button", name=re.compile("^Run both"))).to_have_count(2)
+
+
+def test_they_run_as_they_stand_there(both: tuple[Cell, Cell]) -> None:
+    publisher, subscriber = both
+    publisher.write(
+        node(
+            "publisher = rospy.Publisher('counter', UInt32, queue_size=1)\nrospy.sleep(1)\n"
+            "publisher.publish(42)\nrospy.spin()"
+        ).replace("import rospy", "import rospy\nfrom std_msgs.msg import UInt32", 1)
+    )
+    subscriber.button("Run both").click()
+    assert "counter = 42" in subscriber.ends("done")
+    publisher.write("print(")
+    subscriber.button("Run both").click()
+    assert "publisher_py_node.py" in subscriber.ends("error")
+    publisher.write("import rospy\nrospy.init_node('faulty')\n1 / 0\n")
+    subscriber.button("Run both").click()
+    assert "ZeroDivisionError" in subscriber.ends("done, but with an error")
+
+
 # --- cells of notebooks -----------------------------------------------------------------------------------------------
 
 
