@@ -11,9 +11,9 @@ import random_rclpy_nodes
 import random_rospy_nodes
 from hypothesis import HealthCheck, given, settings
 
-several = settings(
-    max_examples=settings.default.max_examples // 2, deadline=None, suppress_health_check=list(HealthCheck)
-)
+FEW = settings().max_examples // 2
+
+several = settings(max_examples=FEW, deadline=None, suppress_health_check=list(HealthCheck))
 
 
 @pytest.fixture(scope="module")
