@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import gc
 import os
+import re
 import sys
 import threading
 import time
@@ -18,6 +19,9 @@ from rclpy_oracle import on_the_oracle, real_rclpy
 from rosspin import simulate
 
 END = 6.0  # s
+
+# What Python says of the real Executor.__del__ when its __init__ has raised, of which rclpy tells its caller, too.
+_HALF_MADE = re.compile(r"Exception ignored in: <function Executor\.__del__ .*\n(?:.*\n)*?AttributeError: .*\n")
 
 # Lengths of time in ms: some that fall together often, some that hardly ever do.
 lengths = st.one_of(st.sampled_from([100, 200, 250, 300, 500, 700, 1000]), st.integers(50, 1500))
@@ -198,4 +202,5 @@ def do_the_same(folder: Path, spec: dict[str, Any]) -> None:
         ours, theirs = simulate(node, END), simulate(on_the_oracle(node, folder), END)
     finally:
         gc.enable()
-    assert (ours.status, lines(ours.console)) == (theirs.status, lines(theirs.console))
+    theirs_said = _HALF_MADE.sub("", theirs.console)
+    assert (ours.status, lines(ours.console)) == (theirs.status, lines(theirs_said))

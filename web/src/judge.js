@@ -113,6 +113,7 @@ const exercise = (/** @type {number} */ number, word = "exercise") =>
  * @param {Answer} answer
  */
 function show(answer, go = true) {
+  const focused = [...detail.children].indexOf(/** @type {Element} */ (document.activeElement))
   shown = answer
   const { row, number, verdict, said } = answer
   const text = reveal(answer.text.slice(0, 50_000))
@@ -125,6 +126,7 @@ function show(answer, go = true) {
   )
   detail.hidden = false
   if (go) detail.focus()
+  else /** @type {HTMLElement | undefined} */ (detail.children[focused])?.focus()
 }
 
 // --- the elements ---

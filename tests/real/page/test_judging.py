@@ -186,11 +186,21 @@ def test_keyboard_alone(quick: Table) -> None:
         expect(element).to_be_focused()
     page.keyboard.press("Enter")
     expect(quick.detail).to_be_focused()
-    page.keyboard.press("Tab")
-    page.keyboard.press("Tab")
-    expect(page.get_by_role("button", name="Back to the table")).to_be_focused()
+    for element in (quick.detail.locator("pre").last, page.get_by_role("button", name="Back to the table")):
+        page.keyboard.press("Tab")
+        expect(element).to_be_focused()
     page.keyboard.press("Enter")
     expect(sign).to_be_focused()
+
+
+def test_the_focus_stays_where_it_is_when_the_verdict_comes(table: Table) -> None:
+    table.drop(ada=handed_in("Ada", answers={"1": RIGHT}))
+    table.sign("Ada, exercise 1: being judged").click()
+    back = table.page.get_by_role("button", name="Back to the table")
+    back.focus()
+    table.done()
+    expect(table.detail).to_contain_text("Ada, exercise 1: The first ticks: solved")
+    expect(back).to_be_focused()
 
 
 # --- how it looks -----------------------------------------------------------------------------------------------------
