@@ -15,8 +15,8 @@ __all__ = ["Library"]
 
 CARRIED = {1: "noetic.txt", 2: "jazzy.txt"}
 HEADING = re.compile(r"^=+\nMSG: (\w+/\w+)\n", re.MULTILINE)
-IGNORED = {"CATKIN_IGNORE", "COLCON_IGNORE", "AMENT_IGNORE"}  # a folder with one of them is not looked at
-DEEPEST = 4  # so many folders below src packages are looked for: a node may lie in a big tree by chance
+IGNORED = {"CATKIN_IGNORE", "COLCON_IGNORE", "AMENT_IGNORE"}  # a folder with one of these files is skipped
+DEEPEST = 4  # how many folders below src packages are looked for: a node may lie in a big tree by chance
 
 
 class Library:
