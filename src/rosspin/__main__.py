@@ -138,7 +138,7 @@ def _result(options: argparse.Namespace, args: Sequence[str], record: bool) -> R
     clock: Clock = Simulation() if options.simulated else WallClock()
     if options.alone:
         adopt_orphans()
-    before = descendants(os.getpid())  # those of the shell that this process may have been
+    before = descendants(os.getpid())  # the children of a shell that this process replaced
 
     def end_others() -> None:
         if options.alone:

@@ -53,7 +53,7 @@ from .world.world import NotSimulated, World
 
 __all__ = ["judge", "run", "trace", "wake"]
 
-# The page interrupts code that does not give way, so that a run's watchdog can look at it. Outside of runs, go on.
+# The page interrupts code that does not give way, so that a run's watchdog can look at it. Outside of runs, ignore it.
 signal.signal(signal.SIGINT, signal.SIG_IGN)
 
 # An automatic collection walks the frames of suspended stacks. In a page their memory is reused, so it breaks Python

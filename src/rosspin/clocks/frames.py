@@ -60,7 +60,7 @@ def is_installed(frame: FrameType) -> bool:
 
 
 def warn(text: str) -> None:
-    """Issue a UserWarning that names the line of the node that is being run, however deep in this package we are."""
+    """Issue a UserWarning that names the line of the node that is being run, however deep in this package it arises."""
     frame = node_frame(sys._getframe())
     registry = frame.f_globals.setdefault("__warningregistry__", {})
     warnings.warn_explicit(text, UserWarning, frame.f_code.co_filename, frame.f_lineno, registry=registry)

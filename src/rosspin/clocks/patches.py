@@ -13,7 +13,7 @@ from .stacks import Stack, current
 
 __all__ = ["Builtins", "Patch", "either", "patched"]
 
-# A module or class, a name in it, and what makes the replacement out of what is there.
+# A module or class, a name in it, and a function that makes the replacement from what is there.
 Patch = tuple[Any, str, Callable[[Any], Any]]
 
 

@@ -45,9 +45,9 @@ _abandoned: list[Stack] = []
 
 
 class Standstill(Exception):
-    """The time does not move on. ``places`` is where the running stack was, innermost first; ``place`` started it.
+    """The time does not move on. ``places`` is where the running stack was, innermost first.
 
-    ``threads`` is how many threads there were, if they were too many.
+    ``place`` is the line that started that stack. ``threads`` is how many threads there were, if they were too many.
     """
 
     def __init__(self, places: list[Place], place: str, threads: int = 0) -> None:

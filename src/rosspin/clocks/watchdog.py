@@ -20,8 +20,8 @@ from .stacks import Stack, current
 
 __all__ = ["Stuck", "Watchdog", "watch"]
 
-# How far apart (s) the looks at a run are, and how many find it stuck: under 5 s in all. A machine that stands still
-# itself counts as one look, and a look at code that was waiting for a processor as a part of one.
+# How far apart (s) the looks at a run are, and how many find it stuck: under 5 s in all. A standstill of the machine
+# itself is one look, and a look at code that was waiting for a processor is a part of one.
 _INTERVAL = 0.4
 _LOOKS = 9
 
@@ -83,7 +83,7 @@ class Watchdog:
 
     @contextmanager
     def taking_down(self) -> Iterator[Callable[[], bool]]:
-        """Within this context stacks are ended, in as much time again. Yields a function: whether that time is over.
+        """Within this context stacks are ended, in as much time again. Yields a function that says if it is over.
 
         Until then nothing is raised in them; after that, only in a stack that keeps the others from being ended.
         """
@@ -258,7 +258,7 @@ def _end_process(frame: FrameType | None) -> None:
     """End the process: code in C holds the thread that everything else needs, and nothing can be raised in it."""
     at = called_from(frame) if frame else None
     where = f"{at.f_code.co_filename}:{at.f_lineno}: " if at else ""
-    text = f"rosspin: {where}the run is over, but this does not end; to end the whole process is all that is left\n"
+    text = f"rosspin: {where}the run is over, but this does not end, so the whole process is ended\n"
     os.write(2, text.encode(errors="replace"))
     os._exit(1)
 

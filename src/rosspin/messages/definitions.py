@@ -208,7 +208,7 @@ def _default(kind: Kind, text: str) -> Value | list[Value]:
 
 
 def _value(type_: str, text: str, ros: int) -> Value:
-    """Read a value from its text; constants may be of its type. Raises ValueError if the text is no such value."""
+    """Read a value of a type that constants may have. Raises ValueError if the text is no such value."""
     if type_ in ("string", "wstring"):
         quoted = ros == 2 and text[:1] in ('"', "'") and text.endswith(text[:1])
         return text[1:-1].replace("\\" + text[0], text[0]) if quoted else text

@@ -44,7 +44,7 @@ class Library:
         return self._names[package]
 
     def definition(self, name: str) -> Definition:
-        """The definition of a message as in std_msgs/Header. KeyError: there is none; DefinitionError: it is faulty."""
+        """The definition of a message as in std_msgs/Header. Raises KeyError if unknown, DefinitionError if faulty."""
         if name not in self._definitions:
             package, _, short = name.partition("/")
             if name in _carried(self.ros):

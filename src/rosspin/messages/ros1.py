@@ -295,7 +295,7 @@ def _is_numpy_number(kind: type) -> bool:
 
 
 def strify_message(val: Any, indent: str = "") -> str:
-    """Write a message, or a field's value, as YAML; with an indent, several lines begin on a new one."""
+    """Write a message, or a field's value, as YAML; with an indent, a text of several lines begins on a new one."""
     kind = type(val)
     if kind in (int, float, bool):
         return str(val)

@@ -234,7 +234,7 @@ def check_seconds(seconds: float | None) -> None:
 
 
 def say_deaths(deaths: Mapping[str, int], onward: TextIO | None) -> str:
-    """Write the last lines of a console, which name the nodes that did not end with 0; to ``onward``, too."""
+    """Name the nodes that did not end with 0, in the last lines of a console; also write these to ``onward``."""
     words = "".join(f"rosspin: {name} ended with status {_named(status)}\n" for name, status in deaths.items())
     if onward is not None and words:
         onward.write(words)

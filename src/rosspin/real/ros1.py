@@ -104,7 +104,7 @@ def launch(
     """Run a launch file of a catkin package, or one node file (``.py`` or ``.cpp``), on the real ROS 1.
 
     Ctrl-C is pressed ``seconds`` after the first node has started; without ``seconds``, the run ends at a real Ctrl-C
-    or when its nodes end. A node that does not end is killed as by roslaunch. ``args`` are the launch file's
+    or when its nodes end. A node that does not end is killed when roslaunch would. ``args`` are the launch file's
     (``"name:=value"``) or the node's (``"__ns:=/mrp"``). The console is also written to ``onward``, as it comes. If a
     node dies or is killed, the last lines of the console name it, and the run has its exit status.
 

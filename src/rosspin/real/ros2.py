@@ -113,7 +113,7 @@ def launch(
     """Run a node file on the real ROS 2, where it meets no other node.
 
     Time counts from the moment at which its first node has been made. Ctrl-C is pressed at ``seconds``; without them,
-    the run ends at a real Ctrl-C or when the node does. A node that does not end is killed as by ``ros2 launch``.
+    the run ends at a real Ctrl-C or when the node does. A node that does not end is killed when ``ros2 launch`` would.
     ``args`` are the node's, such as ``("--ros-args", "-r", "__ns:=/mrp")``. The console is also written to
     ``onward``, as it comes. The ticks are those of timers, from call to return, and of each Rate from pass to pass.
 

@@ -1,4 +1,4 @@
-"""Compute when roscpp's timer calls back, where no roscpp can run.
+"""Compute when roscpp's timer calls back, by its rule alone, where no roscpp can run.
 
 The rule is compared with recordings of the real one, and with the real one where ROS 1 is installed.
 """

@@ -46,7 +46,7 @@ class Supervisor(Protocol):
     """Starts the nodes of a run, waits for them and ends them. It is a program of its own, and gets the Ctrl-C."""
 
     def run(self) -> None:
-        """Do all that. The host calls this within the run."""
+        """Run the nodes to their end. The host calls this within the run."""
 
     @property
     def status(self) -> int:
@@ -348,7 +348,7 @@ class Host:
             )
         process.world.exit_status = 128 + signal.SIGKILL
 
-    # --- what it gave ---
+    # --- its result ---
 
     @property
     def ros(self) -> int:

@@ -124,7 +124,7 @@ def _set(owner: Any, name: str, value: Any) -> None:
 
 
 class _Content:
-    """The content of a list, a dictionary or a set of a stand-in, with the same methods."""
+    """The content of a list, a dictionary or a set of a stand-in, with the methods of :class:`_Names`."""
 
     def __init__(self, owner: Any) -> None:
         self._owner = owner
@@ -249,7 +249,7 @@ def _command_line() -> Put:
 
 
 def _modules() -> Put:
-    """Leave new modules for the next run, which finds them quickly, but not those that were put there by hand."""
+    """Leave new modules for the next run, which finds them quickly, but remove those that were put there by hand."""
     before = dict(sys.modules)
     modules = sys.modules
 
@@ -485,7 +485,7 @@ KEPT: tuple[Kept, ...] = (
 
 
 def state_of_process() -> Undo:
-    """Note all that is kept. Returns a function that puts it back, and then returns what puts the run's names back."""
+    """Note all that is kept. Returns a function that puts it back, and that returns one to restore the run's names."""
     puts, put_names = [each.state() for each in KEPT], _names.state()
 
     def put() -> Put:
@@ -496,7 +496,7 @@ def state_of_process() -> Undo:
 
 
 def state_of_names() -> Undo:
-    """Note names alone: for modules that were imported only after the state of the process was noted."""
+    """Note names alone, for modules that were imported only after the state of the process was noted."""
     return _names.state()
 
 

@@ -33,7 +33,7 @@ def simulate(
     node does. As on a real ROS, an exception in the node is printed and gives status 1.
 
     What the node changes in modules or in the process is undone afterwards. From ``random`` it draws the numbers that
-    the caller would have drawn next, and still will: two runs draw the same unless a seed is set between them.
+    the caller would have drawn next, and still will: two runs in a row draw the same unless you set a seed in between.
 
     Several nodes run together if ``node`` is a list of them, or the path of a launch file of ROS 1, which is then given
     the ``args``. They are started in this order, all at time 0, each as a process of its own. In a list, :class:`Node`

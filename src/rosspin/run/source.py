@@ -216,5 +216,5 @@ def around_package(folder: str) -> str:
 
 
 def folder_of(node: Node) -> Path | None:
-    """The folder of a node's code, a function's, too: from there on its package is looked for."""
+    """The folder of a node's code, even a function's: the search for its package begins there."""
     return Path(node.filename).parent if os.path.exists(node.filename) else None

@@ -58,8 +58,8 @@ def start(
 class StartedNode:
     """A node that :func:`start` has started. Use it as a context: at the end it presses Ctrl-C, see :meth:`close`.
 
-    The node runs, and time passes, only within these methods. The node has its own command line, environment, working
-    directory, modules and loggers, none of which can be seen outside of these methods.
+    The node runs, and time passes, only within the methods below. The node has its own command line, environment,
+    working directory, modules and loggers, none of which can be seen outside of these methods.
 
     A second node in the graph, ``/tester``, is connected to every topic of the node as soon as the node has it, and
     publishes what the test publishes. If several nodes were started, "the node" below means each of them, and ``name``
@@ -244,7 +244,7 @@ class StartedNode:
         self._messages += recording.messages(len(self._messages))
         failed = [(process, error) for process in self._host.processes for error in process.world.errors]
         failed = [each for each in failed if id(each[1]) not in self._raised]
-        self._raised |= {id(error) for _, error in failed}  # the worlds keep these errors
+        self._raised |= {id(error) for _, error in failed}  # unique: the worlds keep these errors
         if self._closed:
             failed = [each for each in failed if not self._is_end(*each)]
         deaths = list(filter(self._failed, self._host.processes))

@@ -1,6 +1,6 @@
 """The node that a test plays. It is connected to every topic of the other nodes as soon as they have it.
 
-Only what every ROS has in common is here: how topics and messages are named and filled in. Each has its own ends.
+Every ROS has in common how topics and messages are named and filled in. Each has its own ends of topics.
 """
 
 from __future__ import annotations

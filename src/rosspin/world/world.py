@@ -66,7 +66,7 @@ def refusing(module: str, names: Set[str]) -> Callable[[str], Any]:
 class World(Program):
     """A node's world: the clock that it runs on, its command line ``argv``, and what is recorded of it.
 
-    ``graph_of(ros)`` gives the graph of a ROS; it is asked once the node uses one. ``number`` tells the process from
+    ``graph_of(ros)`` gives the graph of a ROS; it is called once the node uses one. ``number`` tells the process from
     the others of its run.
     """
 

@@ -535,7 +535,7 @@ def _yaml(text: str, name: str) -> Any:
 
 
 def _check_values(data: Any, name: str) -> None:
-    """Raise _Fault if ROS's parameter server would not take a value: XML-RPC has none that contains itself, either."""
+    """Raise _Fault if ROS's parameter server would not take a value, such as one that contains itself."""
     from xmlrpc.client import dumps  # only needed where there are parameters
 
     try:
