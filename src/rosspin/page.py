@@ -166,8 +166,8 @@ def run(source: str, filename: str, seconds: float, args: str, speed: float, bes
 def trace(number: int, text: str) -> str:
     """Run the answer ``text`` to an exercise, with an empty line in place of its magic, and write down what it did.
 
-    The trace, JSON of little more than 2 MB at most, is for :func:`judge` in another Python; empty if there is no such
-    exercise.
+    Returns the trace for :func:`judge` in another Python: JSON of little more than 2 MB at most, empty if there is no
+    such exercise.
     """
     with _left_as_found():
         try:
@@ -180,8 +180,8 @@ def judge(number: int, text: str, trace: str) -> str:
     """Judge an answer by its trace, in a Python that has run nobody's code; nothing of the answer is run here.
 
     The result, as JSON: the ``verdict``, which is "solved", "not yet", "open" (not answered yet), "to read" (by the
-    teacher, as not all of it was looked at) or "not judged", and whether it is ``solved``; the same in a line, the
-    ``status``; what the answer printed, the ``console``; and what is ``said`` of it.
+    teacher, as not all of it was looked at) or "not judged"; whether the exercise is ``solved``; the ``status``, which
+    is the verdict in a line; the ``console`` of the answer; and the feedback that is ``said``.
     """
     try:
         feedback, found = exercises.judge(number, text, trace), reaches_for(text)

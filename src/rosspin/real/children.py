@@ -177,7 +177,7 @@ class _Reader:
         self._thread.start()
 
     def text(self) -> str:
-        """All that has come; waits a little for what is still on its way."""
+        """All that was printed so far. Waits a little for what is still on its way."""
         self._thread.join(1.0)
         return "".join(self._lines)
 

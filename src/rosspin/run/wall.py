@@ -107,7 +107,7 @@ class _Apart:
             self._signal(signal.SIGINT)
 
     def listen(self, read: int, job: bytes) -> None:
-        """Tell the process its job, and take what comes from it, until its end."""
+        """Send the process its job, and take all that it sends, until its end."""
         assert self._child.stdin
         with suppress(BrokenPipeError):
             self._child.stdin.write(job)

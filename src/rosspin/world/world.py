@@ -1,4 +1,4 @@
-"""A node in one run: what is kept of it for every ROS, and what each ROS keeps for itself."""
+"""The world of a node in one run: what is kept in either ROS, and what each ROS adds."""
 
 from __future__ import annotations
 
@@ -28,7 +28,7 @@ _ROS_PACKAGES = {
 
 
 class NotSimulated(NotImplementedError):
-    """The node asks for something that only a real ROS has, or whatever else ``where`` names."""
+    """The node needs something that only a real ROS has, or only the place that ``where`` names."""
 
     def __init__(self, name: str, where: str = "a real ROS") -> None:
         super().__init__(f"{name} is not simulated; run this node on {where}")
