@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import sys
 
-# Of python -m the folder that it is called in is first on the path: a queue.py there would take the place of Python's.
+# With python -m, the current folder is first on the path: a queue.py there would take the place of Python's.
 if sys.argv[:1] == ["-m"] and not __file__.startswith(sys.path[0]):
     del sys.path[0]
 
@@ -20,7 +20,7 @@ if TYPE_CHECKING:
     from .run.wall import measure
     from .world.world import NotSimulated
 
-# Where the names come from that are imported when they are asked for: pytest loads this package in every run.
+# Where each name is imported from when it is first asked for: pytest loads this package in every run.
 _MODULES = {
     "run.roslaunch.launch": ("Node",),
     "run.explain": ("TimeStandsStill",),

@@ -125,7 +125,7 @@ def _run(options: argparse.Namespace, args: Sequence[str]) -> int:
 
 def _result(options: argparse.Namespace, args: Sequence[str], record: bool) -> Result | Run:
     if options.ros1 or options.ros2:
-        # Whatever asks this process to end asks the nodes to.
+        # These signals, which ask this process to end, are to end the nodes, too.
         for number in (signal.SIGTERM, signal.SIGHUP):
             signal.signal(number, signal.default_int_handler)
         _warn_of_files(options.file, args)
@@ -138,7 +138,7 @@ def _result(options: argparse.Namespace, args: Sequence[str], record: bool) -> R
     clock: Clock = Simulation() if options.simulated else WallClock()
     if options.alone:
         adopt_orphans()
-    before = descendants(os.getpid())  # of a shell that this process was before
+    before = descendants(os.getpid())  # the children of a shell that this process replaced
 
     def end_others() -> None:
         if options.alone:
@@ -155,7 +155,7 @@ def _result(options: argparse.Namespace, args: Sequence[str], record: bool) -> R
 
 
 def _warn_of_files(file: str, args: Sequence[str]) -> None:
-    # Its run will show what is wrong with it.
+    # The run will show what is wrong with the file.
     with suppress(OSError, SyntaxError, ValueError), warnings.catch_warnings(action="ignore"):
         nodes = [each.node for each in read_launch(file, args, True).nodes] if file.endswith(".launch") else [file]
         warn_of_files([load(node) for node in nodes if str(node).endswith(".py")])
@@ -180,7 +180,7 @@ def _check_plot(path: str) -> None:
 
 
 def _plot(ticks: Sequence[Tick], path: str) -> int:
-    """Save the plot and describe it, or say why not: the run has been, and keeps its end. The status of that."""
+    """Save and describe the plot, or say why not: the run is over and counts all the same. Returns an exit status."""
     try:
         if not ticks:
             raise ValueError("the node did not tick")

@@ -29,7 +29,7 @@ __all__ = [
 # Fewer values have no hundredth part to speak of.
 _MANY = 100
 
-# Nobody means a difference below this part of a period: on a real clock, ROS 2 rounds when a tick was expected.
+# A difference below this part of a period does not count: on a real clock, ROS 2 rounds when a tick was expected.
 _CLOSE = 0.02
 
 
@@ -42,10 +42,10 @@ def by_source(ticks: Sequence[Tick]) -> dict[str, list[Tick]]:
 
 
 def topic_ticks(messages: Sequence[Message], topic: str, period: float | None = None) -> list[Tick]:
-    """The messages of a topic as ticks, which all that measures or plots ticks can take: they have no duration.
+    """Turn the messages of a topic into ticks without a duration, to be measured or plotted as ticks are.
 
-    ``topic`` is the full name, ``period`` (s) the one at which the messages should come, counted from the first; if it
-    is None, it is the median of those at which they came.
+    ``topic`` is the full name. ``period`` (s) is how far apart the messages should come, counted from the first; None
+    stands for the median of how far apart they came.
     """
     times = [message.time for message in messages if message.topic == topic]
     if period is None:
@@ -78,9 +78,9 @@ def periods(ticks: Sequence[Tick]) -> list[float]:
 def lost(ticks: Sequence[Tick], period: float) -> list[float]:
     """The times (s) that a timer or a rate skipped, on the grid of ``period`` seconds through the first expected tick.
 
-    A tick stands for the last time on the grid that is not after the one at which it was expected; a time that no tick
-    stands for, though a later one has its tick, is lost. The ticks are of one source. Raises ValueError for a period
-    that is not above 0.
+    Each tick stands for the last time on the grid that is not after its expected time. A time is lost if no tick stands
+    for it, although one stands for a later time. The ticks are of one source. Raises ValueError for a period that is
+    not above 0.
     """
     if not 0 < period < math.inf:
         raise ValueError(f"a period is above 0 s, not {period!r}")
@@ -113,7 +113,7 @@ def quantile(values: Sequence[float], share: float) -> float:
     """The smallest value that at least the fraction ``share`` (0 to 1) of the values do not exceed.
 
     ``share`` counts as it is written in decimals: 0.07 of a hundred values are seven of them, although the float is a
-    little more. Raises ValueError if there are no values, or for another share.
+    little more. Raises ValueError if there are no values, or if ``share`` is not between 0 and 1.
     """
     if not values:
         raise ValueError("no values")
@@ -161,9 +161,9 @@ def describe_pace(ticks: Sequence[Tick]) -> str:
 def verdict(ticks: Sequence[Tick], period: float, due: int = 0) -> str:
     """Say in a few words whether the grid of ``period`` seconds was kept in the end, and how many ticks were lost.
 
-    Also whether calls still come late then, and whether they overlap. The ticks are of one source, in a simulated run:
-    they are at their times exactly. ``due`` is how many ticks were due in that run, if that is known: of a source that
-    was not called any more before its end, it is said how many of them came.
+    Also say whether calls still came late in the end, and whether they overlapped. The ticks are of one source, in a
+    simulated run, where times are exact. ``due`` is how many ticks were due in that run, if that is known: if the calls
+    stopped before the end, the verdict says how many came.
     """
     if not ticks:
         return f"never called (0 of {due})" if due else "no ticks"
@@ -176,7 +176,7 @@ def verdict(ticks: Sequence[Tick], period: float, due: int = 0) -> str:
         return f"back to back, every {say_time(pause[0])}, {losses}"
     if len(ticks) + count < due - 1:
         losses = f"{len(ticks)} of {due} ticks came"
-    # On a new grid ticks are even, but rospy goes on to expect them on the old one.
+    # On a new grid ticks are even, but rospy still expects them on the old one.
     if _is_on_grid(last.expected, ticks, period) and 1e-6 < last.lateness and not (is_even and last.lateness > period):
         latest = max(tick.lateness for tick in ticks)
         always = all(abs(tick.lateness - latest) < 1e-6 for tick in ticks)

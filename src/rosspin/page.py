@@ -53,38 +53,38 @@ from .world.world import NotSimulated, World
 
 __all__ = ["judge", "run", "trace", "wake"]
 
-# The page interrupts whatever does not give way, for the watchdog of a run to look at it; the rest is to go on.
+# The page interrupts code that does not give way, so that a run's watchdog can look at it. Outside of runs, ignore it.
 signal.signal(signal.SIGINT, signal.SIG_IGN)
 
-# An automatic collection walks the frames of suspended stacks, whose memory is reused in a page, and Python breaks down
-# (Pyodide's issue 6464). A full one does not; it comes after each run, and leaves out what is there by now.
+# An automatic collection walks the frames of suspended stacks. In a page their memory is reused, so it breaks Python
+# (Pyodide's issue 6464). A full collection does not: it comes after each run, and leaves out what exists by now.
 gc.disable()
 gc.freeze()
 
-# An argument that sets something in a node: a parameter by ROS 1's rules, or what stands for one in ROS 2.
+# An argument that sets something in a node: an option of ROS 2, or a parameter or name as ROS 1 has them.
 _FOR_ROS = re.compile(r"-p$|--param$|-r$|--remap$|_\w+:=")
 
-# A node that has a timer and ends before it is due, by its ROS.
+# What to say of a node that has a timer and ends before it is due, by its ROS.
 _NOBODY_SPINS = {
     ros: f"The node had a timer, which was never called. Is {spin} missing at its end?"
     for ros, spin in {1: "rospy.spin()", 2: "rclpy.spin(node)"}.items()
 }
 
-# A plot shows no more ticks than this, the last ones.
+# How many ticks, the last ones, a plot shows at most.
 _MOST_TICKS = 2000
 
-# A console (characters) that is worth pinning in a test.
+# The longest console (characters) that is worth pinning in a test.
 _LONGEST = 50_000
 
-# How the lines of both ROSes begin that a reader may want to trace.
+# How those lines of both ROSes begin that a reader may want to trace.
 _SERIOUS = ("[WARN]", "[ERROR]", "[FATAL]")
 
-# Of what a tick prints so much is kept in mind; the page's console holds no more lines.
+# How many chunks of what a tick prints are remembered; the page's console holds no more lines.
 _MOST_CHUNKS = 1000
 
 
 class _NoProcesses:
-    """Finds what ``multiprocessing`` imports only when it is asked for a process, or for what processes can share."""
+    """Refuses the modules that ``multiprocessing`` imports only for a process, or for what processes share."""
 
     @staticmethod
     def find_spec(name: str, path: Any = None, target: Any = None) -> None:
@@ -99,7 +99,7 @@ def _refusing(name: str) -> Any:
     return refuse
 
 
-# A page has no processes; what would start one is named.
+# A page has no processes: whatever would start one is refused by its name.
 _ON_A_COMPUTER = "the wall clock or on a real ROS"
 sys.meta_path.insert(0, _NoProcesses)
 os.fork = _refusing("os.fork")
@@ -107,10 +107,10 @@ subprocess.Popen.__init__ = _refusing("subprocess")  # type: ignore[method-assig
 
 
 def wake(supply: Callable[[str], Any]) -> None:
-    """To be called when Python has started, maybe from a memory snapshot: what is drawn at random differs again.
+    """Wake Python after its start, maybe from a memory snapshot: its random numbers differ again from other starts'.
 
-    ``supply(path)`` is a promise until the file at ``path``, from which Python is about to import, is there; None if it
-    is there, or is none that the page has.
+    ``supply(path)`` is called before Python imports from the file at ``path``. It returns a promise that is kept when
+    the file is there, or None if the file is there already or is none of the page's.
     """
     zipimport._io = _Supplied(supply)  # type: ignore[attr-defined]  # all that it needs of io is open_code
     random.seed()
@@ -128,19 +128,19 @@ class _Supplied:
 
 
 def run(source: str, filename: str, seconds: float, args: str, speed: float, beside: str, page: Any) -> str:
-    """Run the node in the text ``source`` for ``seconds``, ``speed`` times as fast as real time; 0: at once.
+    """Run the node in the text ``source`` for ``seconds``, ``speed`` times as fast as real time (0: at once).
 
     ``args`` are its command line, split into words as a shell does. A text that begins with ``%%simulate SECONDS --
-    ARGS`` brings its own; one that begins with ``%%answer NUMBER`` is not for here, but for :func:`trace`. Other nodes
-    run together with it: ``beside`` is a list, as JSON, of their texts, file names and arguments.
+    ARGS`` brings its own; one that begins with ``%%answer NUMBER`` belongs to :func:`trace`. ``beside`` lists, as JSON,
+    the texts, file names and arguments of other nodes that run together with it.
 
-    ``page`` is a JavaScript object: its ``print(text, isError, line)`` is given what the node prints, with the line of
-    the node that logged it if it is a warning or worse, else 0; its ``tick(source, number, expected, real)`` each tick
-    that begins (s), both as they happen; ``wait(ms)`` is a promise that is kept after so long. The result, as JSON: the
-    exit ``status``, the number of ``errors`` in its threads, the last ``ticks`` with their durations, their ``count``,
-    the ``chunks`` that each printed (a call of ``print`` is one, counted from 0), the ``end`` of the run (s), a text
-    ``alternative`` to their plot, and a ``test`` that pins it all, empty where that would be long or where there was an
-    error. Errors end on the console and give status 1.
+    ``page`` is a JavaScript object. Its ``print(text, isError, line)`` is called with what the node prints, and with
+    the line that logged it if that is a warning or worse, else 0; its ``tick(source, number, expected, real)`` is
+    called with each tick that begins (s). ``wait(ms)`` returns a promise that is kept after that time. The result, as
+    JSON: the exit ``status``, the number of ``errors`` in its threads, the last ``ticks`` with their durations, their
+    ``count``, the ``chunks`` that each printed (a call of ``print`` is one, counted from 0), the ``end`` of the run
+    (s), a text ``alternative`` to their plot, and a ``test`` that pins it all, empty if that would be long or if there
+    was an error. Errors are printed and give status 1.
     """
     printed = _Printed()
     streams = [_Stream(page, is_error, printed, filename) for is_error in (False, True)]
@@ -166,8 +166,8 @@ def run(source: str, filename: str, seconds: float, args: str, speed: float, bes
 def trace(number: int, text: str) -> str:
     """Run the answer ``text`` to an exercise, with an empty line in place of its magic, and write down what it did.
 
-    The trace, JSON of little more than 2 MB at most, is for :func:`judge` in another Python; empty if there is no such
-    exercise.
+    Returns the trace for :func:`judge` in another Python: JSON of little more than 2 MB at most, empty if there is no
+    such exercise.
     """
     with _left_as_found():
         try:
@@ -180,16 +180,16 @@ def judge(number: int, text: str, trace: str) -> str:
     """Judge an answer by its trace, in a Python that has run nobody's code; nothing of the answer is run here.
 
     The result, as JSON: the ``verdict``, which is "solved", "not yet", "open" (not answered yet), "to read" (by the
-    teacher, as not all of it was looked at) or "not judged", and whether it is ``solved``; the same in a line, the
-    ``status``; what the answer printed, the ``console``; and what is ``said`` of it.
+    teacher, as not all of it was looked at) or "not judged"; whether the exercise is ``solved``; the ``status``, which
+    is the verdict in a line; the ``console`` of the answer; and the feedback that is ``said``.
     """
     try:
         feedback, found = exercises.judge(number, text, trace), reaches_for(text)
-    except Exception as error:  # whatever a trace is made of
+    except Exception as error:  # a trace may be made of anything
         said = str(error if isinstance(error, ValueError) else exercises.Misfit("it is damaged"))
         status = f"Exercise {number}: not judged."
         return dumps({"verdict": "not judged", "solved": False, "status": status, "console": "", "said": said})
-    said = str(feedback).replace("`", "")  # it is no Markdown there
+    said = str(feedback).replace("`", "")  # the page does not read it as Markdown
     if found:
         said += f"\n\nThe answer uses {found}, which no exercise needs."
     made = {"verdict": _verdict(feedback), "solved": feedback.passed, "status": feedback.verdict}
@@ -307,7 +307,7 @@ class _Printed(TickLog):
         return place
 
     def forget_before(self, make: Callable[..., None]) -> Callable[..., None]:
-        """``Rate.__init__`` of either ROS, for which what its thread has printed belongs to no pass of its loop."""
+        """Wrap ``Rate.__init__`` of either ROS: what its thread has printed before belongs to no pass of its loop."""
 
         @wraps(make)
         def make_after(*args: Any, **kwargs: Any) -> None:
@@ -317,7 +317,7 @@ class _Printed(TickLog):
         return make_after
 
     def note(self, text: str) -> None:
-        """A chunk is printed."""
+        """Note that a chunk is printed."""
         self.size += len(text)
         if self.size <= _LONGEST:
             self.texts.append(text)

@@ -41,7 +41,7 @@ def start_node(request: pytest.FixtureRequest) -> Iterator[Callable[..., Started
 
 @pytest.hookimpl(hookwrapper=True)
 def pytest_runtest_makereport(item: pytest.Item, call: pytest.CallInfo[None]) -> Generator[None, Any, None]:
-    """The nodes of a test that has failed end without a word of their own: the fixture would report a second error."""
+    """Report the consoles of a failed test's nodes, and end them silently: the fixture would report a second error."""
     report = (yield).get_result()
     if call.when == "call" and call.excinfo:
         for node in item.stash.get(_started, []):

@@ -126,7 +126,7 @@ def test_the_tutorials_launch_file_runs_without_its_cpp_node() -> None:
         ("<param name='a' value='b' type='list'/>", ":2: type is auto, str, int, double, bool or yaml, not list"),
         ("<param name='a' value='[' type='yaml'/>", ":2: a is not YAML: "),
         ("<rosparam>{</rosparam>", ":2: rosparam is not YAML: "),
-        ("<rosparam>5</rosparam>", ":2: rosparam needs a param for what is no dictionary"),
+        ("<rosparam>5</rosparam>", ":2: rosparam needs a param for a value that is not a dictionary"),
         ("<rosparam command='dump' file='a'/>", ':2: <rosparam command="dump"> is not simulated'),
         ("<arg name='a'/><group if='$(arg a)'/>", ":2: arg a has no value; give it one: a:=..."),
         ("<arg name='a'/>\n<arg name='a'/>", ":3: arg a is declared a second time"),

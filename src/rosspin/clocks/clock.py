@@ -16,8 +16,8 @@ NS = 1_000_000_000
 def nanoseconds(seconds: float) -> int:
     """Convert a length of time from seconds to integer nanoseconds.
 
-    Raises, in the words of ``time.sleep``, ValueError for NaN, OverflowError for what no clock can hold, and TypeError
-    for what is not a number.
+    Raises, in the words of ``time.sleep``, ValueError for NaN, OverflowError for a time that no clock can hold, and
+    TypeError for anything that is not a number.
     """
     if isinstance(seconds, int):
         ns = seconds * NS

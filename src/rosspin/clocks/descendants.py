@@ -1,4 +1,4 @@
-"""The processes that this one has started, and those that they have: on Linux they can be found and ended."""
+"""Find and end the processes that descend from this one. Only Linux shows them."""
 
 from __future__ import annotations
 
@@ -14,19 +14,19 @@ __all__ = ["adopt_orphans", "descendants", "kill_descendants"]
 
 _PR_SET_CHILD_SUBREAPER = 36
 
-# One that starts others all the time is stopped before they are looked for; so often is looked.
+# A process may keep starting others, so all are stopped before any is killed; each takes at most this many looks.
 _LOOKS = 100
 
 
 def adopt_orphans() -> None:
-    """From now on, what a descendant of this process leaves behind becomes its child, whatever session it is in."""
+    """Make this process the parent of whatever its descendants leave behind, in any session (Linux only)."""
     if sys.platform == "linux":
         with suppress(OSError, AttributeError):
             ctypes.CDLL(None).prctl(_PR_SET_CHILD_SUBREAPER, 1, 0, 0, 0)
 
 
 def kill_descendants(ancestor: int | None = None, but: Set[int] = frozenset()) -> None:
-    """Kill all descendants of a process (default: this one) but some; elsewhere than on Linux none is found."""
+    """Kill all descendants of a process (default: this one) except ``but``. Does nothing elsewhere than on Linux."""
     for number in (signal.SIGSTOP, signal.SIGKILL):
         known: set[int] = set()
         for _ in range(_LOOKS):
@@ -40,7 +40,7 @@ def kill_descendants(ancestor: int | None = None, but: Set[int] = frozenset()) -
 
 
 def descendants(ancestor: int) -> set[int]:
-    """The processes that a process has started, and those that these have, as far as they can be found."""
+    """Find all processes that descend from a process, as far as ``/proc`` shows them."""
     children: dict[int, list[int]] = {}
     for path in Path("/proc").glob("[0-9]*/stat"):
         with suppress(OSError):

@@ -13,8 +13,8 @@ from typing import Any
 
 __all__ = ["Ended", "end_thread", "ending_here", "spare_me"]
 
-# Modules whose frames are left to come to their own end: they put in order what others rely on. What the garbage
-# collector or a weak reference calls may come at any time, and Python prints what is raised in it.
+# Frames of these modules run to their own end, because other code relies on what they tidy up. So do callbacks of the
+# garbage collector and of weak references: they may run at any time, and Python only prints what is raised in them.
 _SPARED = (__name__.partition(".")[0], "threading", "concurrent", "contextlib", "weakref", "_weakrefset")
 
 # Threads in which code is being ended.
@@ -22,11 +22,11 @@ _ending: set[int] = set()
 
 
 class Ended(BaseException):
-    """Raised in code that is to end now. If it is caught there, it is raised again on the next line.
+    """Raised in code that is to end now. If the code catches it, it is raised again on the next line.
 
-    For that the thread is traced from the moment in which the exception is made. A trace function that raises is
-    dropped by Python, so a caught exception sets it once more when it goes. In a web page, where the frames of other
-    stacks cannot be touched, nothing is traced: there the watchdog raises it anew.
+    The thread is traced for this from the moment the exception is made. Python drops a trace function that raises, so
+    a caught exception sets it again when it is deleted. In a web page nothing is traced, since the frames of other
+    stacks cannot be touched there: the watchdog raises the exception again.
     """
 
     def __init__(self) -> None:
@@ -64,7 +64,7 @@ def _is_spared(frame: FrameType) -> bool:
 
 @contextmanager
 def ending_here() -> Iterator[None]:
-    """Where this context ends, an :class:`Ended` that leaves it has done its work: its thread goes on as before."""
+    """Confine an ending to this context: once :class:`Ended` has left it, the thread goes on as before."""
     trace = sys.gettrace()
     try:
         yield
@@ -84,10 +84,10 @@ class _Nothing(BaseException):
 
 
 def spare_me() -> None:
-    """Take that back, if it was for the calling thread and has not been raised yet."""
+    """Withdraw an :class:`Ended` that ``end_thread`` has sent to the calling thread, if it has not been raised yet."""
     try:
         with ending_here():
-            # To set none would leave CPython 3.11 looking for one at every step.
+            # Given None instead, CPython 3.11 would go on looking for an exception at every step.
             ctypes.pythonapi.PyThreadState_SetAsyncExc(ctypes.c_ulong(get_ident()), ctypes.py_object(_Nothing))
             while True:
                 pass  # it comes at once

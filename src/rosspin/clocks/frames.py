@@ -17,7 +17,7 @@ __all__ = [
     *("node_place", "places", "trail", "trail_of", "warn"),
 ]
 
-# What is here: frames of it are none of the node's.
+# This package, whose frames are not the node's.
 _PACKAGE = __name__.partition(".")[0]
 _FOLDER = os.path.dirname(os.path.dirname(__file__)) + os.sep
 
@@ -25,7 +25,7 @@ _FOLDER = os.path.dirname(os.path.dirname(__file__)) + os.sep
 _BASE = "_run_stack"
 _LIBRARY = os.path.dirname(traceback.__file__) + os.sep
 
-# What starts a thread stands above the node's frames there.
+# The modules that start threads. In a thread's traceback their frames stand above the node's.
 _STARTERS = {"threading", "concurrent.futures.thread"}
 
 
@@ -60,14 +60,14 @@ def is_installed(frame: FrameType) -> bool:
 
 
 def warn(text: str) -> None:
-    """A UserWarning that names the line of the node that is being run, however deep in this package it arises."""
+    """Issue a UserWarning that names the line of the node that is being run, however deep in this package it arises."""
     frame = node_frame(sys._getframe())
     registry = frame.f_globals.setdefault("__warningregistry__", {})
     warnings.warn_explicit(text, UserWarning, frame.f_code.co_filename, frame.f_lineno, registry=registry)
 
 
 def node_frames(trace: TracebackType | None) -> TracebackType | None:
-    """A traceback without the frames of this package, and without those above the node's that started its thread."""
+    """Drop from a traceback the frames of this package, and those above the node's that started its thread."""
     while trace and (_is_ours(trace.tb_frame) or _starts_threads(trace.tb_frame)):
         trace = trace.tb_next
     frames = []
@@ -82,20 +82,20 @@ def node_frames(trace: TracebackType | None) -> TracebackType | None:
 
 
 def format_error(error: BaseException, made: traceback.FrameSummary | None = None) -> str:
-    """An exception as Python prints it, with the node's frames.
+    """Format an exception as Python prints it, but with the node's frames only.
 
-    If it has none, as when a callback cannot be called, the frame ``made`` is shown, in which its thread was started.
+    If there are none, as when a callback cannot be called, show ``made``: the frame that started the thread.
     """
     printed = traceback.TracebackException(type(error), error, node_frames(error.__traceback__))
-    # The heading is there even if no frame is.
+    # The heading is printed even above no frames.
     printed.stack = printed.stack or traceback.StackSummary.from_list([made] if made else [])
     return "".join(printed.format())
 
 
 class Place(NamedTuple):
-    """A line of code that is being run, and the ``call`` in it that has not returned, as it is written there.
+    """A line of code that is being run. ``call`` is the text of the call in it that has not returned.
 
-    ``function`` is the qualified name of the function that it belongs to. What is not known is empty.
+    ``function`` is the qualified name of the function around it. What is not known is empty.
     """
 
     filename: str
@@ -105,29 +105,29 @@ class Place(NamedTuple):
 
 
 class Whereabouts(NamedTuple):
-    """Where a thread is: its name, the places innermost first, and whether it is one that Python does not wait for."""
+    """Where a thread is: its name, its places (innermost first), and whether Python will end without waiting for it."""
 
     thread: str
     places: list[Place]
     daemon: bool = False
 
 
-# The codes of a stack of frames and where they are in them, innermost first: instruction and line.
+# A stack of frames, innermost first: the code of each, and the instruction and the line at which it is.
 Trail = list[tuple[CodeType, int, int]]
 
 
 def trail(frame: FrameType | None) -> Trail:
-    """Where a stack of frames is, in a form that can be kept while it goes on."""
+    """Note where a stack of frames is, in a form that stays true while the stack goes on."""
     found = []
     while frame:
         found.append((frame.f_code, frame.f_lasti, frame.f_lineno or 0))
-        # Below this frame begins another stack, suspended in a web page, whose frames cannot be looked at.
+        # In a web page another stack, a suspended one, lies below this frame: its frames cannot be looked at.
         frame = None if frame.f_code.co_name == _BASE else frame.f_back
     return found
 
 
 def trail_of(trace: TracebackType | None) -> Trail:
-    """Where an exception was raised, likewise."""
+    """Note where an exception was raised, in the same form."""
     found: Trail = []
     while trace:
         found.insert(0, (trace.tb_frame.f_code, trace.tb_lasti, trace.tb_lineno))
@@ -136,7 +136,7 @@ def trail_of(trace: TracebackType | None) -> Trail:
 
 
 def places(trail: Trail) -> list[Place]:
-    """A trail in places of source files, innermost first."""
+    """Turn a trail into places in source files, innermost first."""
     return [Place(code.co_filename, line, _call(code, at), code.co_qualname) for code, at, line in trail]
 
 

@@ -1,4 +1,4 @@
-"""A process that kills the one it guards, if nothing within it can."""
+"""Guard this process by another one, which kills it if nothing within can end it."""
 
 from __future__ import annotations
 
@@ -19,17 +19,17 @@ from .frames import Place, Whereabouts
 
 __all__ = ["LastWords", "guard", "guard_threads"]
 
-# Where the threads of the guarded process are, to what is said before it is killed.
+# Turns the whereabouts of the guarded process's threads into the text that is printed before it is killed.
 LastWords = Callable[[list[Whereabouts]], str]
 
-# The stacks are looked at so long (s) before the end.
+# How long before the end the stacks are looked at (s).
 _BEFORE = 0.2
 
-# Code in C may keep all other threads from running for so long (s); a thread tells of itself so often (s).
+# How long code in C may keep all other threads from running, and how often a thread shows that it can run (s).
 _SILENT = 60.0
 _BEAT = 0.5
 
-# A timer of faulthandler cannot be set for later (s).
+# The latest time for which a timer of faulthandler can be set (s).
 _LATEST = threading.TIMEOUT_MAX / 2
 
 
@@ -37,9 +37,9 @@ _LATEST = threading.TIMEOUT_MAX / 2
 def guard(until: float | None, patience: float, last_words: LastWords) -> Iterator[Callable[[], None]]:
     """Start a process that kills this one if it goes on for ``patience`` seconds after a Ctrl-C, whatever it does.
 
-    A thread would not do: code in C may keep all others from running. Ctrl-C comes ``until`` seconds from now, if that
-    is not None. The guardian hears a Ctrl-C from a terminal itself; the function that this gives tells it of any other.
-    The last words go to ``sys.stderr``.
+    A thread would not do: code in C may keep all others from running. ``until`` is in how many seconds Ctrl-C will
+    come, if that is known. The guardian hears a Ctrl-C from a terminal by itself; the function that this context yields
+    tells it of any other. The last words go to ``sys.stderr``.
     """
     deadline = time.monotonic() + (math.inf if until is None else until + patience)
     with _guardian(lambda guarded, read: _watch(guarded, read, deadline, patience), last_words) as (write, dump):
@@ -76,9 +76,9 @@ def guard_threads(last_words: LastWords) -> Iterator[None]:
 
 @contextmanager
 def _guardian(watch: Callable[[int, int], None], last_words: LastWords) -> Iterator[tuple[int, int]]:
-    """A process in which ``watch(guarded, read)`` runs; when it returns, the process kills this one.
+    """Start a process that calls ``watch(guarded, read)`` and then kills this one.
 
-    Gives two pipes: one to what ``watch`` reads, and one for the stacks that the last words are made of.
+    Yields the ends of two pipes to write to: ``watch`` reads the first; stacks for the last words go into the second.
     """
     read, write = os.pipe()
     stacks, dump = os.pipe()
@@ -96,7 +96,7 @@ def _guardian(watch: Callable[[int, int], None], last_words: LastWords) -> Itera
         yield write, dump
     finally:
         faulthandler.cancel_dump_traceback_later()
-        os.write(write, b".")  # to close it is not enough: a child that a node has forked may hold it
+        os.write(write, b".")  # closing it is not enough: a child that a node has forked may hold it open
         os.close(write)
         os.close(dump)
         os.waitpid(guardian, 0)
@@ -105,7 +105,7 @@ def _guardian(watch: Callable[[int, int], None], last_words: LastWords) -> Itera
 def _listen(guarded: int, read: int) -> None:
     """Return when nothing has come for too long; exit if the guarded process ends first."""
     signal.signal(signal.SIGINT, signal.SIG_IGN)
-    silent = 0.0  # not by a clock: both processes may have been stopped
+    silent = 0.0  # counted, not read from a clock: both processes may have been stopped
     while os.getppid() == guarded and silent < _SILENT:
         if not select.select([read], [], [], _BEFORE)[0]:
             silent += _BEFORE
@@ -136,7 +136,7 @@ def _watch(guarded: int, read: int, deadline: float, patience: float) -> None:
     while os.getppid() == guarded:
         if select.select([read], [], [], 0.2)[0]:
             if os.read(read, 1) != b"!":
-                break  # it has come to its end
+                break  # the guarded process has come to its end
             interrupted(0, None)
         if time.monotonic() > deadline:
             return
@@ -144,7 +144,7 @@ def _watch(guarded: int, read: int, deadline: float, patience: float) -> None:
 
 
 def _read_stacks(stacks: int) -> list[Whereabouts]:
-    """What :mod:`faulthandler`, which needs no Python to run for that, has written of the guarded process."""
+    """Read the stacks that :mod:`faulthandler` has written, which it can even where no Python code can run."""
     os.set_blocking(stacks, False)
     try:
         text = os.read(stacks, 1 << 16).decode(errors="replace")

@@ -75,7 +75,7 @@ class Switched:
             raise error
 
 
-# What runs before any stack was made: the code that the page calls.
+# The stack that runs before any is made: the code that the page calls.
 _running = Switched(lambda: None, None)
 _running._started = True
 
@@ -85,7 +85,7 @@ _trace: Trace | None = None
 
 
 def settrace(trace: Trace | None) -> Trace | None:
-    """Call ``trace("switch", (_, stack))`` whenever a stack goes on, within it; what was called until now."""
+    """Call ``trace("switch", (_, stack))`` on each stack that goes on. Returns what was called until now."""
     global _trace
     before, _trace = _trace, trace
     return before
@@ -112,7 +112,7 @@ def current() -> Switched:
 def can_raise(frame: FrameType | None) -> bool:
     """Whether an exception that is raised at ``frame`` ends the stack that runs there.
 
-    Between two stacks it would break the event loop, and with it all of Python.
+    Raised between two stacks, it would break the event loop, and with it all of Python.
     """
     codes = [code for code, _, _ in trail(frame)]
     return codes[-1:] == [Switched._run_stack.__code__] and _SWITCHING.isdisjoint(codes) and len(codes) > 1

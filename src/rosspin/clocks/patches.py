@@ -1,4 +1,4 @@
-"""Replace what modules hold, for a while: for the stacks of simulations, with the real thing for everybody else."""
+"""Replace names in modules for a while: stacks of simulations get the replacement, all other code the real thing."""
 
 from __future__ import annotations
 
@@ -13,12 +13,12 @@ from .stacks import Stack, current
 
 __all__ = ["Builtins", "Patch", "either", "patched"]
 
-# A module or class, a name in it, and what makes the replacement out of what is there.
+# A module or class, a name in it, and a function that makes the replacement from what is there.
 Patch = tuple[Any, str, Callable[[Any], Any]]
 
 
 def either(virtual: Callable[..., Any]) -> Callable[[Callable[..., Any]], Callable[..., Any]]:
-    """A replacement that calls ``virtual(stack, *args)`` from a stack of a simulation, the real one from elsewhere."""
+    """Make a replacement that calls ``virtual(stack, *args)`` on a stack of a simulation, the real thing elsewhere."""
 
     @lru_cache(maxsize=2)
     def replace(real: Callable[..., Any]) -> Callable[..., Any]:
@@ -34,7 +34,7 @@ def either(virtual: Callable[..., Any]) -> Callable[[Callable[..., Any]], Callab
 
 @contextmanager
 def patched(patches: Iterable[Patch]) -> Iterator[None]:
-    """Within this context the patches are in place; names that this version of Python has not are passed over."""
+    """Within this context the patches are in place; names that this version of Python lacks are skipped."""
     before = [(place, name, vars(place)[name], replace) for place, name, replace in patches if name in vars(place)]
     for place, name, real, replace in before:
         setattr(place, name, replace(real))
@@ -46,10 +46,9 @@ def patched(patches: Iterable[Patch]) -> Iterator[None]:
 
 
 class Builtins:
-    """Keeps what code does to the built-in names to itself, as a context: at its end they are as they were before.
+    """A context that confines what code does to the built-in names: at its end they are as they were before.
 
-    Within it, the names are again as the code left them when the context last ended.
-    The end uses none of these names, as the code may have replaced them.
+    When it is entered again, the names are as the code left them. Its end uses none of them: they may be replaced.
     """
 
     def __init__(self) -> None:

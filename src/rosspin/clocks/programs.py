@@ -39,18 +39,18 @@ __all__ = [
     "where_it_waits",
 ]
 
-# A run that does not get on by so much (ns) in seconds of real time will not end.
+# A run whose time does not move on by this much (ns) within seconds of real time will not end.
 _LEAST_STEP = 1_000_000
 
-# Ends what blocks in the main thread. Programs leave it alone.
+# The signal that ends a blocking call in the main thread. Programs leave it alone.
 _END: int = getattr(signal, "SIGRTMAX", 0) or getattr(signal, "SIGUSR2", signal.SIGINT)
 
-# After a program was killed, calls that heed no signal are given so long (s); then what is left has as long again.
+# How long (s) a killed program may stay in a call that heeds no signal. As long again, and the guard kills the process.
 _DEAF = 1.0
 
 
 def end_program() -> None:
-    """End the program that the caller belongs to, at once, and the run if it is the only one."""
+    """End the caller's program at once, or the whole run if that is its main program."""
     stack = current()
     if isinstance(stack, Stack) and stack.program.main is not stack.clock.main:
         stack.clock.end(stack.program, spare_me=False)
@@ -58,7 +58,7 @@ def end_program() -> None:
 
 
 def end_run() -> None:
-    """End the run that the caller belongs to, at once: it is left by :class:`Ended`."""
+    """End the caller's run at once: :class:`Ended` leaves it."""
     if isinstance(current(), Stack):
         raise Ended
     signal.pthread_kill(threading.main_thread().ident or 0, _END)
@@ -74,7 +74,7 @@ class Killed(Exception):
 
 
 class SimulatedProgram:
-    """``main`` as a program on a simulated clock, run in steps. Between them nothing of it is in the way of others.
+    """Runs ``main`` as a program on a simulated clock, in steps. Between steps it is in nobody's way.
 
     A step raises :class:`Died`, and what :class:`Simulation` and :class:`Watchdog` raise.
     """
@@ -86,18 +86,18 @@ class SimulatedProgram:
         simulation.begin(main, program, _main_ident())
 
     def run(self, until: int, patience: int | None) -> None:
-        """Go on until the time is ``until``, and then to the end: both as one step."""
+        """Do what ``advance`` and ``end`` do, in one step."""
         with self._step():
             self._simulation.advance(until)
             self._end(patience)
 
     def advance(self, until: int) -> None:
-        """Go on until the time is ``until`` (ns), what is due exactly then included, or ``main`` has returned."""
+        """Go on until all that is due by ``until`` (ns) has run, or until ``main`` has returned."""
         with self._step():
             self._simulation.advance(until)
 
     def end(self, patience: int | None) -> None:
-        """Press Ctrl-C, and go on to the end. Raises :class:`Killed` if it has not come after ``patience`` ns."""
+        """Press Ctrl-C and go on to the end. Raises :class:`Killed` if that takes longer than ``patience`` ns."""
         with self._step():
             self._end(patience)
 
@@ -129,7 +129,7 @@ def begin_beside(main: Callable[[], object], program: Program, simulation: Simul
 
 
 def press_ctrl_c(program: Program) -> None:
-    """Send SIGINT to a simulated program, for which it is the end of its time."""
+    """Send SIGINT to a simulated program: its time is up."""
     program.interrupted = True
     send(program, signal.SIGINT)
 
@@ -146,15 +146,15 @@ def _main_ident() -> int:
 
 def _whereabouts(ident: int, trail: Trail) -> Whereabouts:
     thread = threading._active.get(ident)  # type: ignore[attr-defined]
-    # One that no Thread was made for is none that Python waits for.
+    # Python does not wait for a thread without a Thread object.
     name, daemon = (thread.name, thread.daemon) if thread else (f"thread {ident}", True)
     return Whereabouts(name, places(trail), daemon)
 
 
 class LastResort(NamedTuple):
-    """What is done if nothing but the end of the process ends a program: one of these is called, then it is killed.
+    """What to call before the process is killed, if nothing else can end a program.
 
-    ``give_up`` is called in a thread of the process; ``last_words`` if code in C lets none of them run.
+    ``give_up`` is called in a thread of the process; ``last_words`` outside of it, if code in C lets no thread run.
     """
 
     give_up: Callable[[Killed], object]
@@ -168,10 +168,10 @@ def run_on_the_wall(
     patience: int,
     last_resort: LastResort | None = None,
 ) -> None:
-    """Run ``main`` as a program on the wall clock, in the main thread (else RuntimeError); otherwise as run_simulated.
+    """Run ``main`` as a program on the wall clock. Raises RuntimeError outside of the main thread.
 
-    Ctrl-C comes ``until`` ns after the start, if that is not None, or from whoever runs this process. If even then the
-    main thread stays in a call that heeds no signal, it is waited for, unless there is a ``last_resort``.
+    Ctrl-C comes ``until`` ns after the start, if that is not None, or from the user. Raises :class:`Killed` if the end
+    takes ``patience`` ns more. A last call that heeds no signal is waited for, unless there is a ``last_resort``.
     """
     if threading.current_thread() is not threading.main_thread():
         raise RuntimeError("on the wall clock a node can run only in the main thread, which handles its signals")
@@ -213,7 +213,7 @@ def _own_signals() -> Iterator[None]:
         signal.setitimer(signal.ITIMER_REAL, 0)
         if signal.pthread_sigmask(signal.SIG_BLOCK, ()) != mask:
             signal.signal(signal.SIGINT, on_signal)
-            signal.pthread_sigmask(signal.SIG_SETMASK, mask)  # a Ctrl-C that comes only now was the program's
+            signal.pthread_sigmask(signal.SIG_SETMASK, mask)  # a Ctrl-C that arrives only now was for the program
         for number, handler in before.items():
             if signal.getsignal(number) != handler:
                 signal.signal(number, handler)
@@ -224,7 +224,7 @@ def _end(number: int, frame: Any) -> None:
 
 
 def _blocks_sigint() -> bool:
-    """Whether the main thread does; only Linux tells."""
+    """Whether the main thread blocks SIGINT; only Linux tells."""
     try:
         with open("/proc/self/status") as file:
             masks = [line.split()[1] for line in file if line.startswith("SigBlk:")]
@@ -294,7 +294,7 @@ class _Alarm:
             signal.pthread_kill(self._ident, _END)
 
     def _wait_for_ctrl_c(self, timeout: float | None) -> bool | None:
-        """Whether somebody pressed Ctrl-C within so many seconds; None if the program has ended."""
+        """Wait ``timeout`` seconds: True if somebody presses Ctrl-C, False if nobody does, None if the program ends."""
         deadline = None if timeout is None else time.monotonic() + timeout
         while select.select([self._read], [], [], None if deadline is None else max(deadline - time.monotonic(), 0))[0]:
             received = os.read(self._read, 4096)
@@ -305,7 +305,7 @@ class _Alarm:
         return False
 
     def _is_over(self, timeout: float) -> bool:
-        """Whether the program ends within so many seconds."""
+        """Wait ``timeout`` seconds, and say whether the program ends within them."""
         deadline = time.monotonic() + timeout
         while select.select([self._read], [], [], max(deadline - time.monotonic(), 0))[0]:
             if b"\0" in os.read(self._read, 4096):

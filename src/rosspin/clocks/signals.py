@@ -19,7 +19,7 @@ from .stacks import Program, Stack
 
 __all__ = ["PATCHES", "Died", "send", "simulated_signals"]
 
-# What has no effect on a program that does not handle it; Python itself ignores the last two.
+# Signals without effect on a program that does not handle them; Python itself ignores the last two.
 _IGNORED = {getattr(signal, name, None) for name in ("SIGCHLD", "SIGCONT", "SIGWINCH", "SIGURG", "SIGPIPE", "SIGXFSZ")}
 
 Handler = Callable[[int, Any], Any] | int | None
@@ -75,7 +75,7 @@ def _raise_signal(stack: Stack, number: int) -> None:
 
 
 def _interrupt_main(stack: Stack, number: int = signal.SIGINT) -> None:
-    """As a signal, but it wakes nobody: it is handled when the main stack goes on."""
+    """Send a signal that wakes nobody: the main stack handles it when it next goes on by itself."""
     program = stack.program
     if stack is program.main:
         _handle(program, number)

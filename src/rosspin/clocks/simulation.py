@@ -22,19 +22,19 @@ from .stacks import Program, Stack, StackExit, Switched, current, telling_no_tur
 
 __all__ = ["PacedSimulation", "Simulation", "Standstill"]
 
-# So many wake-ups in a row without the time moving are a loop that never sleeps: ten thousand threads that begin, meet
-# and end at one time take a tenth of it.
+# This many wake-ups in a row without the time moving mean a loop that never sleeps: ten thousand threads that begin,
+# meet and end at one time take a tenth of them.
 STANDSTILL = 1_000_000
 
-# Added to its order, this makes a wake-up the last at its time; and the pause comes after these.
+# Added to a wake-up's order, the first makes it the last at its time; the second marks a pause, which comes even later.
 _LAST = 1 << 61
 _PAUSE = 1 << 62
 
-# A run may have so many stacks, each of some 13 KB; a page has less room, and needs some seconds to begin 1,000. A
-# computer has room for some 30,000 threads.
+# How many stacks a run may have, at some 13 KB each. A page has less room, and needs seconds to begin 1,000. A computer
+# has room for some 30,000 threads.
 MOST_STACKS = 400 if sys.platform == "emscripten" else 20_000
 
-# Of so many stacks, the newest, it is told where they were when an exception ended a simulation.
+# For how many stacks, the newest, a simulation notes where they were when an exception ended it.
 _SHOWN = 10
 
 # The first thread's ident; the operating system gives none like it.
@@ -45,9 +45,9 @@ _abandoned: list[Stack] = []
 
 
 class Standstill(Exception):
-    """The time does not move on. ``places`` is what was running, innermost first, ``place`` what had started it.
+    """The time does not move on. ``places`` is where the running stack was, innermost first.
 
-    ``threads`` is how many there were, if that is why.
+    ``place`` is the line that started that stack. ``threads`` is how many threads there were, if they were too many.
     """
 
     def __init__(self, places: list[Place], place: str, threads: int = 0) -> None:
@@ -65,28 +65,28 @@ def _unlimited() -> Iterator[Callable[[], bool]]:
 class Simulation:
     """A clock on which sleeping takes no time. ``now`` and ``sleep`` are those of :class:`rosspin.clocks.clock.Clock`.
 
-    Whoever runs it may ``run`` it, or ``begin`` and ``advance`` it in steps until it ``is_over``, or ``close`` it; and
-    use ``now``, ``at``, ``pause``, ``wake`` and ``interrupt``. The rest is for its stacks.
+    From outside, ``run`` it; or ``begin`` it and ``advance`` it in steps, until it ``is_over`` or you ``close`` it.
+    ``now``, ``at``, ``pause``, ``wake`` and ``interrupt`` also work from outside. The rest is for its stacks.
     """
 
     def __init__(self) -> None:
         self._now = 0
         self._heap: list[tuple[int, int, Stack]] = []
-        self._order = 0  # of the newest wake-up: the smaller goes first
+        self._order = 0  # the number of the newest wake-up; of two at one time, the smaller goes first
         self._cancelled: set[int] = set()  # wake-ups in the heap that are not to happen
         self._last_move = 0
         self._home: Switched = current()
         self._stacks: dict[Stack, None] = {}  # those that have not ended, in the order of their beginning
         self._idents = count(_FIRST_IDENT)
-        self._pauses = 0  # the newest of them ends a step
+        self._pauses = 0  # how many were asked for; only the newest ends a step
         self._paused = False
         self._closed = False
-        self._to_end: list[tuple[Program, Stack | None]] = []  # and who goes on
-        # A context in which stacks are ended; it gives a function that says whether there is no more time for that.
+        self._to_end: list[tuple[Program, Stack | None]] = []  # what end() was asked for, and the stack that goes on
+        # Makes a context in which stacks are ended; it yields a function that says whether the time for that is up.
         self.taking_down: Callable[[], AbstractContextManager[Callable[[], bool]]] = _unlimited
         self.main: Stack
-        self.failed = ""  # the place of the stack that an exception ended
-        self.left: list[Place] = []  # where some stacks were that an exception has left, the newest first
+        self.failed = ""  # the line that started the stack that an exception ended
+        self.left: list[Place] = []  # where some stacks were when an exception ended the run, the newest first
 
     def now(self) -> int:
         """The time, in ns."""
@@ -113,7 +113,7 @@ class Simulation:
             self._stand_still(me)
         if stack is not me:
             if not stack:
-                # A stack begins as deep in calls as what starts it. Only run() is never deeper than before.
+                # A stack begins as deep in calls as whatever starts it. Home starts them all, as it never gets deeper.
                 heappush(self._heap, due)
                 self._home.switch()
             else:
@@ -125,7 +125,7 @@ class Simulation:
                 self.sleep(wake - self._now)
 
     def wait(self, ns: int | None = None) -> bool:
-        """Suspend the caller until another one wakes it, for at most ``ns`` nanoseconds; whether it was woken."""
+        """Suspend the caller until another stack wakes it, for at most ``ns`` nanoseconds. Returns whether one did."""
         me = current()
         assert isinstance(me, Stack)
         until = None if ns is None else self._now + ns
@@ -150,14 +150,14 @@ class Simulation:
         """Let a waiting stack go on."""
         if stack.waits:
             stack.waits = False
-            # One that is running, in a signal handler, goes on by itself.
+            # A stack that is running, in a signal handler, goes on by itself.
             if not stack.resumed and stack is not current():
                 self._resume(stack)
 
     def start(self, function: Callable[[], object], program: Program, place: str) -> Stack:
         """Run ``function`` on a stack of its own, beginning when the caller gives way."""
         if self._closed:
-            self._home.switch()  # what is being ended starts nothing
+            self._home.switch()  # a stack that is being ended starts nothing
         if len(self._stacks) >= MOST_STACKS:
             self._stand_still(current(), threads=len(self._stacks))
         stack = self._stack(function, program, next(self._idents), place)
@@ -165,7 +165,7 @@ class Simulation:
         return stack
 
     def end(self, program: Program, spare_me: bool = True) -> None:
-        """End the stacks of a program at once, wherever they are; the caller's only if it is not to be spared."""
+        """End all stacks of a program at once, wherever they are; the caller's, too, unless ``spare_me``."""
         me = current()
         assert isinstance(me, Stack)
         self._to_end.append((program, me if spare_me or me.owner is not program else None))
@@ -188,7 +188,7 @@ class Simulation:
         stack.resumed = True
 
     def interrupt_later(self, stack: Stack, handler: Callable[[], None]) -> None:
-        """The same, but do not wake the stack: ``handler`` is called when it goes on by itself."""
+        """Do the same without waking the stack: ``handler`` is called when it goes on by itself."""
         earlier = stack.interrupt
 
         def both() -> None:
@@ -205,7 +205,7 @@ class Simulation:
         self.advance()
 
     def begin(self, main: Callable[[], object], program: Program, ident: int) -> None:
-        """Have ``main`` run on a stack, ``main``, in the steps to come; ``ident`` is the thread's."""
+        """Let ``main`` run in the steps to come, on a stack of its own; ``ident`` is the thread's."""
         self.begin_beside(main, program, ident)
         self.main = program.main
 
@@ -215,10 +215,10 @@ class Simulation:
         self._schedule(self._now, program.main)
 
     def advance(self, until: int | None = None) -> None:
-        """Go on until the time is ``until`` (ns), and all that is due then has run; or until ``main`` has returned.
+        """Go on until all that is due by ``until`` (ns) has run, or until ``main`` has returned.
 
-        Then, and if anything is raised, the simulation is over: what is left is ended. Raises what ``main`` raises,
-        :class:`Standstill`, and RuntimeError if no stack is left that could go on, or in another thread than before.
+        If ``main`` has returned, or anything is raised, the simulation is over, and all other stacks are ended. Raises
+        what ``main`` raises, :class:`Standstill`, and RuntimeError if no stack can go on, or in another thread.
         """
         if current() is not self._home:
             raise RuntimeError("a node can go on only in the thread that started it")
@@ -271,7 +271,7 @@ class Simulation:
         handler()
 
     def _resume(self, stack: Stack) -> None:
-        """Schedule a stack for now that may be in the heap for later."""
+        """Schedule a stack for now, even if it is in the heap for later."""
         if stack.ticket:
             self._cancelled.add(stack.ticket)
             stack.ticket = 0
@@ -280,14 +280,14 @@ class Simulation:
         self._schedule(self._now, stack)
 
     def _keep(self, is_wanted: Callable[[Stack], bool]) -> None:
-        """Keep, of the wake-ups that are not cancelled, those of stacks that are wanted."""
+        """Drop the wake-ups that are cancelled, and those of stacks that are not wanted."""
         cancelled = self._cancelled
         self._heap[:] = [entry for entry in self._heap if entry[1] not in cancelled and is_wanted(entry[2])]
         heapify(self._heap)
         cancelled.clear()
 
     def _drop_cancelled(self) -> None:
-        """Leave in front of the heap what is to happen next; when all is over, nothing."""
+        """Drop cancelled wake-ups from the front of the heap. When all is over, go home for good."""
         if self._closed and current() is not self._home:
             self._home.switch()
         heap, cancelled = self._heap, self._cancelled
@@ -295,7 +295,7 @@ class Simulation:
             cancelled.remove(heappop(heap)[1])
 
     def _next(self) -> tuple[int, int, Stack] | None:
-        """The next wake-up, taken off the heap, with the time moved on to it; None if there is none."""
+        """Take the next wake-up off the heap and move the time on to it; None if there is none."""
         self._drop_cancelled()
         if not self._heap:
             return None
@@ -361,9 +361,9 @@ class Simulation:
         self._heap.clear()
 
     def _throw_exit(self, stacks: list[Stack]) -> None:
-        """End stacks, of which nothing goes on any more.
+        """End stacks for good.
 
-        What they still print is for nobody: Python's daemon threads just stop.
+        What they print meanwhile is dropped: Python's daemon threads would just stop.
         """
         self._closed = True
         nowhere = io.StringIO()

@@ -63,9 +63,9 @@ else:
     class Switched(greenlet):
         """A call stack that can be suspended; it begins at its first ``switch()``.
 
-        ``switch()`` suspends the caller and goes on with this stack; ``throw(exception)`` likewise, but raises there.
-        When ``function`` has returned, or raised, the stack ``home`` goes on (or raises). ``dead`` says that it has. A
-        stack is true from its beginning to its end.
+        ``switch()`` suspends the caller and goes on with this stack; ``throw(exception)`` also raises in it. When
+        ``function`` returns (or raises), this stack is ``dead`` and the stack ``home`` goes on (or raises). A stack is
+        true from its beginning to its end.
         """
 
         __slots__ = ()
@@ -80,14 +80,14 @@ else:
             return trail(self.gr_frame)
 
     current = cast(Callable[[], Switched], getcurrent)
-    """The stack that is running; what was not made as a Stack can at least be switched to."""
+    """The stack that is running. One that was not made as a Stack can at least be switched to."""
 
 
 class Stack(Switched):
     """A stack of a program on a simulated clock.
 
-    It belongs to ``owner``, and what it does is done for ``program``, which is the same except for a while.
-    ``ident`` is what ``threading.get_ident()`` is there; ``place`` is the line that started it, as ``file:line``.
+    It belongs to ``owner`` and acts for ``program``, which is another program only within :func:`acting_for`.
+    ``ident`` is its ``threading.get_ident()``; ``place`` is the line that started it, as ``file:line``.
     """
 
     __slots__ = (
@@ -118,7 +118,7 @@ class Stack(Switched):
         self.polled = -1  # when (ns) it last looked in vain for something
         self.polls = 0  # how often it did so at that time
         self.interrupt: Callable[[], None] | None = None  # what it is to call as soon as it goes on
-        self.resumed = False  # whether it was scheduled to go on for that
+        self.resumed = False  # whether it was scheduled to go on for its interrupt
         self.ended: Any = None  # a lock that is released when it has ended
 
 
@@ -126,7 +126,7 @@ class _Here(threading.local):
     program: Program | None = None
 
 
-# Of a thread of the operating system, whatever is on it.
+# Each thread of the operating system has its own, whatever stack is on it.
 _here = _Here()
 
 
@@ -137,7 +137,7 @@ def whose() -> Program | None:
 
 
 def enter(program: Program | None) -> Program | None:
-    """Let the calling thread of the operating system belong to ``program``; what it belonged to before."""
+    """Make the calling thread of the operating system belong to ``program``. Returns what it belonged to before."""
     before, _here.program = _here.program, program
     return before
 
@@ -151,9 +151,9 @@ _tell_turn: Callable[[Program], None] = _tell_nobody
 
 @contextmanager
 def telling_turns(tell: Callable[[Program], None]) -> Iterator[None]:
-    """Within this context ``tell(program)`` is called whenever code of a program goes on, also if it was on before.
+    """Within this context ``tell(program)`` is called whenever code of a program goes on, even if it ran last.
 
-    For runs of several programs: where there is one, switching from stack to stack costs nothing for this.
+    Only runs of several programs need this: the switches of all others cost nothing more for it.
     """
     global _tell_turn
 
@@ -173,7 +173,7 @@ def telling_turns(tell: Callable[[Program], None]) -> Iterator[None]:
 
 @contextmanager
 def telling_no_turns() -> Iterator[None]:
-    """Within this context nobody is told."""
+    """Within this context ``tell`` is not called."""
     global _tell_turn
     before, _tell_turn = _tell_turn, _tell_nobody
     trace = None if before is _tell_nobody else settrace(None)

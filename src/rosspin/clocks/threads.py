@@ -41,8 +41,8 @@ _real_lock = _thread.allocate_lock
 _real_rlock = _thread.RLock
 _real_ident = _thread.get_ident
 
-# What a look costs (ns) in a loop that only looks: about as much as on a real machine. No node that does not loop looks
-# so often at one time.
+# What a look in vain costs (ns) in a loop of nothing but looks: about as much as on a real machine. The first looks at
+# one time are free, more than a node without such a loop needs.
 _POLL = 1_000
 _FREE_POLLS = 1_000
 
@@ -92,7 +92,7 @@ class Lock:
                 if stack in self._waiting:
                     self._waiting.remove(stack)
                 elif not self._lock.locked():
-                    self._wake()  # it was this one's turn
+                    self._wake()  # this stack had its turn: pass it on
                 raise
             if not woken:
                 self._waiting.remove(stack)
@@ -130,7 +130,7 @@ class Lock:
 
 
 def _poll() -> None:
-    """Somebody looked in vain. Some looks at one time are free; more of them are a loop, and have to cost time."""
+    """Count a look in vain. The first looks at one time are free; more of them are a loop, and have to cost time."""
     stack = current()
     if isinstance(stack, Stack):
         now = stack.clock.now()
@@ -150,7 +150,7 @@ def _check_timeout(blocking: bool, timeout: float) -> None:
 
 
 class RLock(threading._PyRLock):  # type: ignore[name-defined,misc]
-    """The standard library's own in Python, over :class:`Lock`."""
+    """The RLock that the standard library has in Python, over :class:`Lock`."""
 
     def __new__(cls) -> Any:
         return object.__new__(cls) if isinstance(current(), Stack) else _real_rlock()
@@ -192,7 +192,7 @@ _real_handle: Callable[[], Any] = getattr(_thread, "_ThreadHandle", _Handle)
 
 
 def _start(real: Callable[..., Any]) -> Callable[..., Any]:
-    """``_thread.start_new_thread``: a stack for a stack; else a thread, of the program that its starter belongs to."""
+    """``_thread.start_new_thread``: a stack starts a stack; a thread starts a thread of the program it belongs to."""
 
     def start_new_thread(function: Callable[..., Any], args: Any, kwargs: Any = {}) -> int:
         stack = current()
@@ -209,7 +209,7 @@ def _start(real: Callable[..., Any]) -> Callable[..., Any]:
 
 
 def _start_joinable(real: Callable[..., Any]) -> Callable[..., Any]:
-    """``_thread.start_joinable_thread`` (Python 3.13 and newer), likewise."""
+    """``_thread.start_joinable_thread`` (Python 3.13 and newer): does the same."""
 
     def start_joinable_thread(function: Callable[[], Any], handle: Any = None, daemon: bool = True) -> Any:
         stack = current()
@@ -235,7 +235,7 @@ def _start_joinable(real: Callable[..., Any]) -> Callable[..., Any]:
 def _set_tstate_lock(thread: Any) -> None:
     """``Thread._set_tstate_lock`` (Python 3.12 and older): the lock that is released when the thread has ended.
 
-    Unlike the real one it is in no list that all threads share: the list is gone through whenever a thread starts.
+    Unlike the real one, it is in no list that all threads share: that list is searched whenever a thread starts.
     """
     stack = current()
     assert isinstance(stack, Stack)
@@ -261,12 +261,12 @@ def _start_stack(starter: Stack, function: Callable[[], None]) -> Stack:
 
 
 def _run(function: Callable[..., Any], args: Any, kwargs: Any) -> None:
-    """What the interpreter does with the function of a thread."""
+    """Do what the interpreter does with the function of a thread."""
     try:
         if args or kwargs:
             function(*args, **kwargs)
         else:
-            function()  # which takes less of the C stack, a copy of which is made at every switch
+            function()  # this takes less of the C stack, which is copied at every switch
     except (SystemExit, StackExit):
         pass
     except Ended:
@@ -281,11 +281,11 @@ def _run(function: Callable[..., Any], args: Any, kwargs: Any) -> None:
 
 
 def _follow(program: Program, function: Callable[..., Any]) -> Callable[..., Any]:
-    """A function for a thread on the wall clock, which is to belong to a program and to end with it."""
+    """Wrap the function of a thread on the wall clock, so that the thread belongs to a program and ends with it."""
     thread = getattr(function, "__self__", None)
     if isinstance(thread, threading.Thread):
         report = thread._invoke_excepthook  # type: ignore[attr-defined]
-        # That it was ended is no news.
+        # A thread that was ended has nothing to report.
         thread._invoke_excepthook = lambda *args: isinstance(sys.exception(), Ended) or report(*args)  # type: ignore[attr-defined]
 
     @wraps(function)
@@ -305,13 +305,13 @@ def _follow(program: Program, function: Callable[..., Any]) -> Callable[..., Any
 
 
 def begin_main(program: Program) -> None:
-    """Call this in the main thread of a program before its own code."""
+    """Begin a program: to be called in its main thread, before its own code."""
     program.main_ended = threading.Lock()
     program.main_ended.acquire()
 
 
 def end_main(program: Program) -> None:
-    """What Python does at the end of a program: wait for its pools, then for its threads that are no daemons."""
+    """Do what Python does at the end of a program: wait for its pools, then for its threads that are not daemons."""
     program.ending = True
     program.main_ended.release()
     workers = [entry for entry in pools._threads_queues.items() if entry[0].ident in program.idents]
@@ -332,7 +332,7 @@ def end_main(program: Program) -> None:
 def _listed(program: Program) -> Iterator[None]:
     """Within this context a simulated program's threads are on the lists that all threads of the process share.
 
-    Outside of it they are not: at its exit Python waits for those on the lists.
+    Outside of it they are not, because Python waits at its exit for the threads on these lists.
     """
     list_threads(program)
     try:
@@ -358,13 +358,13 @@ def unlist_threads(program: Program) -> None:
 
 
 class SimpleQueue(queue._PySimpleQueue):  # type: ignore[name-defined,misc]
-    """The standard library's own in Python."""
+    """The SimpleQueue that the standard library has in Python."""
 
 
 class _NoLock:
     """In place of ``concurrent.futures.thread._global_shutdown_lock``, which is held while a thread is started.
 
-    Stacks do without: they take turns, and would wait for it while another one has it.
+    Stacks take turns and do without it: to wait for one that another stack holds would block them all.
     """
 
     def __init__(self, real: Any) -> None:

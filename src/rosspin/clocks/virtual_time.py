@@ -1,7 +1,7 @@
 """While a simulation runs, the module ``time`` tells its stacks the simulation's time.
 
-What tells how much work was done (``process_time``, ``thread_time``) is left alone; so is ``datetime``, whose classes
-cannot be replaced for some without harm to others.
+``process_time`` and ``thread_time`` are left alone, since they tell how much work was done. So is ``datetime``: its
+classes cannot be replaced for stacks alone.
 """
 
 from __future__ import annotations
@@ -26,7 +26,7 @@ _real_sleep = time.sleep
 def _sleep(stack: Stack, seconds: float) -> None:
     if seconds < 0:
         raise ValueError("sleep length must be non-negative")
-    # A process is waited for in real time, with naps between the looks at it.
+    # ``subprocess`` waits for a process in real time, and naps between its looks at it.
     if sys._getframe(2).f_globals.get("__name__") == "subprocess":
         _real_sleep(seconds)
     else:
@@ -42,7 +42,7 @@ def _nanoseconds(stack: Stack) -> int:
 
 
 def _now_by_default(real: Callable[..., Any]) -> Callable[..., Any]:
-    """A function of ``time`` that takes seconds, or now: now is the simulation's."""
+    """Wrap a function of ``time`` that takes seconds, by default now: on a stack, now is the simulation's."""
 
     def virtual(stack: Stack, seconds: float | None = None) -> Any:
         return real(stack.clock.seconds() if seconds is None else seconds)
@@ -51,7 +51,7 @@ def _now_by_default(real: Callable[..., Any]) -> Callable[..., Any]:
 
 
 def _local_by_default(real: Callable[..., Any]) -> Callable[..., Any]:
-    """A function of ``time`` whose last argument is a date, or now: now is the simulation's."""
+    """Wrap a function of ``time`` that takes a date last, by default now: on a stack, now is the simulation's."""
     count = 1 if real is time.strftime else 0
 
     def virtual(stack: Stack, *args: Any) -> Any:
@@ -61,7 +61,7 @@ def _local_by_default(real: Callable[..., Any]) -> Callable[..., Any]:
 
 
 class _LoggingSince:
-    """In place of ``logging._startTime``, which it takes from the present: a simulated process begins at time 0."""
+    """In place of ``logging._startTime``, which logging takes off the present: a simulated process begins at time 0."""
 
     def __init__(self, real: float) -> None:
         self._real = real

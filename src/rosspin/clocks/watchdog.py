@@ -20,20 +20,20 @@ from .stacks import Stack, current
 
 __all__ = ["Stuck", "Watchdog", "watch"]
 
-# Looked at so often (s), so many times: under 5 s in all. A machine that stands still itself counts as one look, and a
-# look at code that stood in line for a processor as a part of one.
+# How far apart (s) the looks at a run are, and how many find it stuck: under 5 s in all. A standstill of the machine
+# itself is one look, and a look at code that was waiting for a processor is a part of one.
 _INTERVAL = 0.4
 _LOOKS = 9
 
-# An import may take so many times as long: a large library on a slow machine does. So may what is being taken down and
-# does not even heed that its time is over, before the process ends.
+# How many times as long an import may take: a large library on a slow machine does. A stack that is being taken down,
+# and does not even heed that its time is over, has as long before the process ends.
 _PATIENT = 10
 
 # A thread that has a processor, or wants one, for less than this share of the time waits for something else.
 _BUSY = 0.2
 
-# As they were before any node, which may put others in their place. The timer tells the time that the process works:
-# the one that tells real time may be in use, and this one hardly ever is.
+# Taken before any node can replace them. The timer counts the time for which the process works: the timer of real time
+# may be in use, and this one hardly ever is.
 _pthread_kill: Any = getattr(signal, "pthread_kill", None)
 _setitimer: Any = getattr(signal, "setitimer", None)
 _getitimer: Any = getattr(signal, "getitimer", None)
@@ -41,10 +41,10 @@ _ITIMER: Any = getattr(signal, "ITIMER_VIRTUAL", None)
 
 
 class Stuck(Exception):
-    """A run was found stuck at ``places``, innermost first; ``waits``: it did not work there, but wait.
+    """A run was found stuck at ``places``, innermost first. ``waits`` says that it was waiting there, not working.
 
     After these come the places at which it was then ended: when it was found, it may have been between two stacks.
-    ``computed`` is for how long (s) code in C had let nothing else run, if that is why.
+    ``computed`` is how long (s) code in C had let nothing else run, if that is why.
     """
 
     def __init__(self, places: list[Place], waits: bool, computed: float = 0.0) -> None:
@@ -83,9 +83,9 @@ class Watchdog:
 
     @contextmanager
     def taking_down(self) -> Iterator[Callable[[], bool]]:
-        """Within this context stacks are being ended, for which there is so much time again; whether it is over.
+        """Within this context stacks are ended, in as much time again. Yields a function that says if it is over.
 
-        Nothing is raised in them meanwhile; after that only in one that keeps the others from being ended.
+        Until then nothing is raised in them; after that, only in a stack that keeps the others from being ended.
         """
         self._begin(taking_down=True)
         try:
@@ -101,16 +101,16 @@ class Watchdog:
         return perf_counter()
 
     def _look(self) -> float:
-        """What a look counts: less than 1 if the thread stood in line for a processor since the last one."""
+        """How much a look counts: less than 1 if the thread has waited for a processor since the last one."""
         return 1.0
 
     def _is_due(self, frame: FrameType | None) -> bool:
-        """Look at the code, which is at ``frame``: whether it is to be ended."""
+        """Look at the code, which is at ``frame``, and decide whether to end it."""
         self._due = self._due or (self._is_over() if self._taking_down else self._is_stuck(frame))
         return self._due
 
     def _is_over(self) -> bool:
-        """Whether the time to take a run down is."""
+        """Whether the time to take a run down is over."""
         self._looks += self._look()
         return round(self._looks) > _LOOKS
 
@@ -132,10 +132,10 @@ class Watchdog:
 
 
 class _FromAThread(Watchdog):
-    """Looks at the thread that made it from another one.
+    """Looks, from a thread of its own, at the thread that made it.
 
-    Code in C may let no other thread run. In the main thread a timer of the process is set anew at each look; when it
-    rings, there has been none for long, and such code is asked to end: most of what can go on for ever heeds signals.
+    Code in C may let no other thread run. For the main thread, each look therefore sets a timer of the process anew. It
+    rings if there is no look for long, and its signal asks the code to end. Most calls that can last for ever heed it.
     """
 
     def __init__(self, sign_of_life: Callable[[], int]) -> None:
@@ -147,7 +147,7 @@ class _FromAThread(Watchdog):
         self._in_line = self._scheduled_until_now()[1]
         super().__init__(sign_of_life)
         self._done = threading.Event()
-        self._turn = threading.Lock()  # of looking, and of beginning something else
+        self._turn = threading.Lock()  # held while looking, and while something else begins
         self._sent = self._received = 0  # signals of its own, or exceptions
         self._watcher = threading.Thread(target=self._watch, daemon=True)
         self._has_timer = self._is_main and _ITIMER is not None
@@ -189,7 +189,7 @@ class _FromAThread(Watchdog):
         return sum(self._scheduled_until_now())
 
     def _scheduled_until_now(self) -> tuple[float, float]:
-        """For how long (s) the thread has had a processor, and has stood in line for one, which only Linux tells."""
+        """For how long (s) the thread has had a processor, and has waited for one, which only Linux tells."""
         try:
             with open(self._scheduled) as file:
                 worked, in_line, _ = map(int, file.read().split())
@@ -217,15 +217,15 @@ class _FromAThread(Watchdog):
             _setitimer(_ITIMER, _INTERVAL * _LOOKS * _PATIENT)
 
     def _has_rung(self) -> bool:
-        """Whether the timer has; before it is answered, the watcher may have a look again."""
+        """Whether the timer has rung. Before its signal is handled, the watcher may get to look again."""
         return self._has_timer and not any(_getitimer(_ITIMER))
 
     def _on_timer(self, number: int, frame: FrameType | None) -> None:
-        """Code in C heeds signals, or has returned, after the process has worked for long without a look."""
+        """Handle the timer's signal: the process has worked for long without a look, and code in C lets this run."""
         computed = perf_counter() - self._set_at
         if self._done.is_set():
             return
-        if computed < _INTERVAL * _LOOKS * _PATIENT:  # many threads have worked at a time
+        if computed < _INTERVAL * _LOOKS * _PATIENT:  # several threads have worked at once
             self._set_timer()
             return
         if self._stuck is None and not self._taking_down:
@@ -255,16 +255,16 @@ class _FromAThread(Watchdog):
 
 
 def _end_process(frame: FrameType | None) -> None:
-    """Code in C holds the thread that everything else here needs, and nothing can be raised in it."""
+    """End the process: code in C holds the thread that everything else needs, and nothing can be raised in it."""
     at = called_from(frame) if frame else None
     where = f"{at.f_code.co_filename}:{at.f_lineno}: " if at else ""
-    text = f"rosspin: {where}the run is over, but this does not end; to end the whole process is all that is left\n"
+    text = f"rosspin: {where}the run is over, but this does not end, so the whole process is ended\n"
     os.write(2, text.encode(errors="replace"))
     os._exit(1)
 
 
 class _FromInterrupts(Watchdog):
-    """Looks when it is interrupted; a web page has no threads, there ``web/worker.js`` interrupts every 0.4 s."""
+    """Looks when it is interrupted: in a web page, without threads, ``web/src/worker.js`` interrupts every 0.4 s."""
 
     def __enter__(self) -> Watchdog:
         self._previous = signal.signal(signal.SIGINT, self._on_interrupt)
@@ -282,7 +282,7 @@ class _FromInterrupts(Watchdog):
 
 
 def watch(sign_of_life: Callable[[], int]) -> Watchdog:
-    """The :class:`Watchdog` for where this runs."""
+    """Make the :class:`Watchdog` for this platform."""
     return _FromInterrupts(sign_of_life) if sys.platform == "emscripten" else _FromAThread(sign_of_life)
 
 

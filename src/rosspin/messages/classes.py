@@ -1,4 +1,4 @@
-"""The message classes of one library, each made when it is first asked for: what both ROSes' have in common."""
+"""Make the message classes of a library, each when it is first asked for: what both ROSes have in common."""
 
 from __future__ import annotations
 
@@ -47,4 +47,4 @@ class Messages(ABC, Generic[T]):
 
     @abstractmethod
     def _make(self, definition: Definition) -> type[T]:
-        """The class of a definition; those of its fields are there."""
+        """Make the class of a definition; the classes of its fields exist already."""

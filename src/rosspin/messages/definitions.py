@@ -50,8 +50,8 @@ class DefinitionError(SyntaxError):
 class Kind:
     """The type of a field.
 
-    ``base`` is a built-in type or a message with its package; ``length`` of a fixed array, else None; ``bound`` is the
-    greatest length of an array and ``size`` of a string, if there is one.
+    ``base`` is a built-in type or a message with its package. ``length`` is that of a fixed array, else None; ``bound``
+    and ``size`` are the greatest length of an array and of a string, if there is one.
     """
 
     base: str
@@ -67,7 +67,7 @@ class Kind:
 
     @property
     def bounds(self) -> str:
-        """What follows the base: [], [9] or [<=9] of an array, else nothing."""
+        """What follows the base: [], [9] or [<=9] for an array, else nothing."""
         if not self.array:
             return ""
         return f"[<={self.bound}]" if self.bound is not None else f"[{'' if self.length is None else self.length}]"
@@ -107,14 +107,14 @@ class Definition:
     file: str
 
     def fault(self, line: int, what: str) -> NoReturn:
-        """Raise DefinitionError: what is wrong in a line, counted from 1."""
+        """Raise DefinitionError, which says ``what`` is wrong in a line, counted from 1."""
         raise DefinitionError(what, (self.file, line, None, self.text.split("\n")[line - 1]))
 
 
 def parse(text: str, name: str, file: str, ros: int) -> Definition:
-    """The definition of the message ``name``, as in std_msgs/Header, read by the rules of ROS 1 or 2.
+    """Read the definition of the message ``name``, as in std_msgs/Header, by the rules of ROS 1 or 2.
 
-    ``file`` is for the errors: DefinitionError for a line that those rules do not allow.
+    Raises DefinitionError, which names ``file``, for a line that those rules do not allow.
     """
     fields: list[Field] = []
     constants: list[Constant] = []
@@ -138,7 +138,7 @@ def parse(text: str, name: str, file: str, ros: int) -> Definition:
 
 
 def unknown(base: str, ros: int) -> str:
-    """What to say of a type that is neither built in nor a message that could be found."""
+    """Say what is wrong with a type that is neither built in nor a message that could be found."""
     short = base.rpartition("/")[2]
     if ros == 2 and short in ("time", "duration"):
         return f"ROS 2 has no type {short}: write builtin_interfaces/{short.title()}"
@@ -158,7 +158,7 @@ def limits(type_: str, ros: int) -> tuple[int, int]:
 
 
 def _line(code: str, line: str, number: int, package: str, ros: int) -> Field | Constant:
-    """What a line says, ``code`` being what is left without its comment. ValueError: what is wrong with it."""
+    """Read a line, of which ``code`` is the part before the comment. Raises ValueError, which says what is wrong."""
     match = LINE.fullmatch(code.replace("\t", " ") if ros == 2 else code)
     if not match:
         raise ValueError("expected a type, a space and a name, as in: uint32 counter")
@@ -208,7 +208,7 @@ def _default(kind: Kind, text: str) -> Value | list[Value]:
 
 
 def _value(type_: str, text: str, ros: int) -> Value:
-    """A value of a type that constants may be, from its text. ValueError if it is none."""
+    """Read a value of a type that constants may have. Raises ValueError if the text is no such value."""
     if type_ in ("string", "wstring"):
         quoted = ros == 2 and text[:1] in ('"', "'") and text.endswith(text[:1])
         return text[1:-1].replace("\\" + text[0], text[0]) if quoted else text

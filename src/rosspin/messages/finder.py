@@ -19,8 +19,8 @@ __all__ = ["MessageFinder"]
 class MessageFinder(MetaPathFinder, Loader):
     """An entry of ``sys.meta_path``, as a context: inside of it a node can import messages.
 
-    ``ros`` is 1 or 2, ``folder`` the node file's, whose package and workspace are looked at, too. Found are
-    ``std_msgs``, ``std_msgs.msg`` and the modules of one class each as they are generated, ``std_msgs.msg._UInt32``
+    ``ros`` is 1 or 2; ``folder`` is the node file's, whose package and workspace are searched, too. It finds
+    ``std_msgs``, ``std_msgs.msg`` and a module for each class, named as a generated one: ``std_msgs.msg._UInt32``
     (ROS 2: ``std_msgs.msg._u_int32``). A package's own Python modules are found beside its messages. At the end, what
     was imported through this finder is taken out of ``sys.modules``, and what was there before is put back. When the
     context is entered again, these modules change places once more.
@@ -41,7 +41,7 @@ class MessageFinder(MetaPathFinder, Loader):
             self.messages = ros2.Messages(self.library)
         self._hidden: dict[str, ModuleType] = {}
         self.found: set[str] = set()
-        self._modules: dict[str, ModuleType] = {}  # what they consist of
+        self._modules: dict[str, ModuleType] = {}  # what those packages consist of
 
     def __enter__(self) -> MessageFinder:
         self._hidden = self.hide()
@@ -50,9 +50,9 @@ class MessageFinder(MetaPathFinder, Loader):
         return self
 
     def hide(self) -> dict[str, ModuleType]:
-        """Take out of ``sys.modules`` what stands in the way of what is found here, and give it back."""
-        # What is imported already may be the real one, or another node's. Packages without a module msg are not asked
-        # for: a run that imports no message does not need the library.
+        """Take out of ``sys.modules`` what stands in the way of this finder, and return it."""
+        # A package that is imported already may be the real one, or another node's. Those without a module msg are not
+        # looked up: a run that imports no message does not need the library.
         names = [name.split(".") for name in list(sys.modules) if ".msg" in name]
         packages = {package for package, module, *_ in names if module == "msg"}
         return _take({package for package in packages if self._is_ours(package)} | self.found)
@@ -67,7 +67,7 @@ class MessageFinder(MetaPathFinder, Loader):
         return package not in sys.stdlib_module_names and bool(self.library.names(package))
 
     def find_spec(self, fullname: str, path: Sequence[str] | None = None, target: Any = None) -> ModuleSpec | None:
-        """Part of the import system; None for what is not a message's."""
+        """Part of the import system; None for a module that is not a message's."""
         package, *rest = fullname.split(".")
         if not self._is_ours(fullname):
             return None
@@ -97,7 +97,7 @@ class MessageFinder(MetaPathFinder, Loader):
         """Part of the import system: an ordinary module will do."""
 
     def exec_module(self, module: ModuleType) -> None:
-        """Part of the import system: what such a module has in it."""
+        """Part of the import system: fill such a module."""
         package, _, rest = module.__name__.partition(".")
         if not rest:
             return
@@ -116,6 +116,6 @@ class MessageFinder(MetaPathFinder, Loader):
 
 
 def _take(packages: set[str]) -> dict[str, ModuleType]:
-    """The modules of packages, which are no longer in ``sys.modules``."""
+    """Take the modules of packages out of ``sys.modules``, and return them."""
     names = [name for name in sys.modules if name.partition(".")[0] in packages] if packages else []
     return {name: sys.modules.pop(name) for name in names}

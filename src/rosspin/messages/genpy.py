@@ -24,7 +24,7 @@ class TVal:
     """
 
     __slots__ = ["secs", "nsecs"]
-    _slot_types = ["int32", "int32"]  # what a message says of its fields, too
+    _slot_types = ["int32", "int32"]  # as a message has them
     _comparable: ClassVar[type[TVal]]
 
     def __init__(self, secs: float = 0, nsecs: float = 0) -> None:
@@ -37,7 +37,7 @@ class TVal:
 
     @classmethod
     def from_sec(cls: type[T], float_secs: float) -> T:
-        """The value of so many seconds."""
+        """Make a value from seconds, cut off to nanoseconds."""
         return cls(*_split(float_secs))
 
     @classmethod

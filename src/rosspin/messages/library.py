@@ -15,8 +15,8 @@ __all__ = ["Library"]
 
 CARRIED = {1: "noetic.txt", 2: "jazzy.txt"}
 HEADING = re.compile(r"^=+\nMSG: (\w+/\w+)\n", re.MULTILINE)
-IGNORED = {"CATKIN_IGNORE", "COLCON_IGNORE", "AMENT_IGNORE"}  # a folder with one of them is not looked at
-DEEPEST = 4  # so many folders below src packages are looked for: a node may lie in a big tree by chance
+IGNORED = {"CATKIN_IGNORE", "COLCON_IGNORE", "AMENT_IGNORE"}  # a folder with one of these files is skipped
+DEEPEST = 4  # how many folders below src packages are looked for: a node may lie in a big tree by chance
 
 
 class Library:
@@ -44,7 +44,7 @@ class Library:
         return self._names[package]
 
     def definition(self, name: str) -> Definition:
-        """The definition of a message as in std_msgs/Header. KeyError: there is none; DefinitionError: it is faulty."""
+        """The definition of a message as in std_msgs/Header. Raises KeyError if unknown, DefinitionError if faulty."""
         if name not in self._definitions:
             package, _, short = name.partition("/")
             if name in _carried(self.ros):

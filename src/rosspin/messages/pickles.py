@@ -15,17 +15,17 @@ from .finder import MessageFinder
 
 __all__ = ["Packed", "pack", "unpack"]
 
-# A Message whose message is in bytes: None if it holds what cannot be taken elsewhere, an object of the node's own say.
+# A Message whose message is in bytes; None if it cannot leave its process, as with an object of the node's own in it.
 Packed = tuple[str, str, float, bytes | None]
 
 
 def pack(messages: Sequence[Message]) -> list[Packed]:
-    """What can be given to another process."""
+    """Turn messages into data that another process can read."""
     return [(topic, node, time, _pickled(message)) for topic, node, time, message in messages]
 
 
 def unpack(packed: Sequence[Packed], folder: Path | None) -> tuple[Message, ...]:
-    """The messages of a node whose file is in ``folder``; None for each that could not be packed."""
+    """Make anew the messages of a node whose file is in ``folder``; None for each that could not be packed."""
     find = cache(lambda ros: MessageFinder(ros, folder).messages)
 
     class Unpickler(pickle.Unpickler):
@@ -50,7 +50,7 @@ def _pickled(message: Any) -> bytes | None:
 
 class _Pickler(pickle.Pickler):
     def persistent_id(self, thing: Any) -> tuple[int, str] | None:
-        """Of a message class: its ROS and the message's name. A class of the node's own is what it is derived from."""
+        """For a message class, its ROS and the message's name. A node's own subclass counts as the class it extends."""
         for kind in thing.__mro__ if isinstance(thing, type) else ():
             if re.fullmatch(r"\w+\.msg\._\w+", kind.__module__):
                 return 1 if hasattr(kind, "_md5sum") else 2, f"{kind.__module__.partition('.')[0]}/{kind.__name__}"

@@ -51,14 +51,14 @@ class DeserializationError(MessageException):
 
 
 for _error in (MessageException, SerializationError, DeserializationError):
-    _error.__module__ = "genpy.message"  # tracebacks call them as on a real ROS
+    _error.__module__ = "genpy.message"  # so that tracebacks name them as on a real ROS
 
 
 class Message:
     """Base of all messages.
 
-    The arguments are all fields in their order, or some by keyword; None is the default. TypeError, AttributeError:
-    other ones. What they are is checked in serialising only.
+    The arguments are all fields in their order, or some by keyword; None stands for the default. Raises TypeError for
+    too many or too few, AttributeError for an unknown name. Values are checked only when the message is serialised.
     """
 
     __slots__: list[str] = ["_connection_header"]
@@ -96,7 +96,7 @@ class Message:
         return self._slot_types
 
     def _check_types(self, exc: Exception | None = None) -> None:
-        """Raise SerializationError for the first field that has a wrong value, or else for what ``exc`` says."""
+        """Raise SerializationError for the first field that has a wrong value, or else with the text of ``exc``."""
         for name, type_ in zip(self.__slots__, self._get_types(), strict=True):
             check_type(name, type_, getattr(self, name))
         if exc:
@@ -105,8 +105,8 @@ class Message:
     def serialize(self, buff: Any) -> None:
         """Write the message into a binary file or buffer, in pieces. SerializationError for a wrong value.
 
-        As in genpy, a value without the needed attributes is an AttributeError, and what an error leaves in the buffer
-        is half a message.
+        As in genpy, a value without the needed attributes raises AttributeError, and an error leaves half a message in
+        the buffer.
         """
         at: list[Any] = [self]
         try:
@@ -150,10 +150,10 @@ class Message:
 
 
 def transfer(message: Message, data_class: type[M]) -> M:
-    """What a subscriber with this class gets of a message that is sent: a new one, as it comes off the wire.
+    """Make the message that a subscriber with this class receives: a new one, as it comes off the wire.
 
-    Floats of 32 bits are rounded, arrays of numbers are tuples, those of uint8 bytes. SerializationError (or what else
-    ``serialize`` raises) for a message that cannot be sent.
+    Floats of 32 bits are rounded, arrays of numbers are tuples, those of uint8 bytes. Raises SerializationError, or
+    whatever else ``serialize`` raises, for a message that cannot be sent.
     """
     buffer = io.BytesIO()
     message.serialize(buffer)
@@ -201,7 +201,7 @@ class Messages(classes.Messages[Message]):
         return None if base in BUILTIN[1] else (self.library.definition(base).fields, self[base])
 
     def _default(self, kind: Kind) -> Callable[[], Any]:
-        """What makes a type's default value."""
+        """A function that makes a type's default value."""
         if kind.array:
             length = kind.length or 0
             if kind.base in ("uint8", "char"):
@@ -223,7 +223,7 @@ class Messages(classes.Messages[Message]):
         return list(found.values())
 
     def _md5sum(self, definition: Definition) -> str:
-        """The sum of a message's constants and fields (source: genmsg/gentools.py); a nested one by its sum."""
+        """The sum of a message's constants and fields; nested ones count by theirs (source: genmsg/gentools.py)."""
         lines = [f"{each.type} {each.name}={each.text}" for each in definition.constants]
         for field in definition.fields:
             base = field.kind.base
@@ -232,7 +232,7 @@ class Messages(classes.Messages[Message]):
 
 
 def check_type(name: str, type_: str, value: Any) -> None:
-    """Raise SerializationError if a value cannot be a field's, with genpy's words.
+    """Raise SerializationError, in genpy's words, if a field cannot have this value.
 
     ``name`` is the field's, ``type_`` its type as in float64[9].
     """
@@ -289,13 +289,13 @@ def _check_message(name: str, type_: str, value: Any) -> None:
 
 
 def _is_numpy_number(kind: type) -> bool:
-    # Not imported for this: a value of numpy's is there only where numpy is.
+    # Without an import: where numpy is not loaded, no value is numpy's.
     numpy = sys.modules.get("numpy")
     return numpy is not None and kind in {getattr(numpy, name) for name in NUMPY_NUMBERS}
 
 
 def strify_message(val: Any, indent: str = "") -> str:
-    """A message, or a field's value, as YAML; with an indent, what is longer than a line begins on the next one."""
+    """Write a message, or a field's value, as YAML; with an indent, a text of several lines begins on a new one."""
     kind = type(val)
     if kind in (int, float, bool):
         return str(val)
@@ -324,7 +324,7 @@ def _strify_array(val: Sequence[Any], indent: str) -> str:
 
 
 def _items(message: Message) -> Iterator[tuple[str, Any]]:
-    """Names and values of a message's fields; bytes and strings that stand for numbers are numbers."""
+    """Names and values of a message's fields; a uint8 array in bytes or a string is turned into numbers."""
     for name, type_ in zip(message.__slots__, message._slot_types, strict=True):
         value = getattr(message, name)
         if "uint8[" in type_ and isinstance(value, str):

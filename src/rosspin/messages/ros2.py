@@ -4,7 +4,7 @@ Fields are always checked when they are set, as with ROS_PYTHON_CHECK_FIELDS=1: 
 wrong value arrives as garbage. Arrays of numbers are ``array.array``; those of a fixed length are numpy's where numpy
 can be imported, as in ROS 2, and ``array.array`` elsewhere. ``SLOT_TYPES`` is not there.
 
-PYTEST_DONT_REWRITE: what the assertions say is what they say on a real ROS.
+PYTEST_DONT_REWRITE: the assertions say what they say on a real ROS.
 """
 
 from __future__ import annotations
@@ -80,9 +80,9 @@ class Message:
 
 
 def transfer(message: Message, data_class: type[M]) -> M:
-    """What a subscription with this class gets of a message that is published: a new one.
+    """Make the message that a subscription with this class receives: a new one.
 
-    Floats of 32 bits are rounded. AssertionError for a value that came in by the back door, such as ``data.append``.
+    Floats of 32 bits are rounded. Raises AssertionError for a wrong value that was never checked: ``data.append``.
     """
     received = data_class.__new__(data_class)
     for name, field in data_class._rosspin_fields.items():
@@ -133,11 +133,11 @@ class _Field:
         return self.type()
 
     def construct(self, value: Any) -> Any:
-        """A constructor's argument, on its way to the check: what can become an array of numbers becomes one."""
+        """Turn a constructor's argument into an array of numbers, if the field is one; the check comes later."""
         return array(self.code, value) if self.code and self.kind.length is None else value
 
     def check(self, value: Any) -> Any:
-        """The value as the field takes it. AssertionError with rosidl's words if it cannot."""
+        """The value as the field takes it. Raises AssertionError, in rosidl's words, if it does not."""
         if self.kind.array:
             return self._check_array(value)
         what, kind = f"The '{self.name}' field must be", self.kind
@@ -207,7 +207,7 @@ class _Field:
         return bool(ours == theirs)
 
     def copy(self, value: Any) -> Any:
-        """A value as it arrives."""
+        """Copy a value, as it arrives at a subscription."""
         if self.code:
             return value[:] if self.kind.length is None else _fixed(self.code, value)
         return [self._copy_one(item) for item in value] if self.kind.array else self._copy_one(value)
@@ -282,7 +282,7 @@ def _in_range(value: Any, kind: Kind) -> bool:
 
 
 def _range(kind: Kind) -> str:
-    """What is said of the range of an array's values."""
+    """Say in which range an array's values must be."""
     if kind.base in GREATEST:
         greatest, name = GREATEST[kind.base]
         return f" and each {name} in [{-float(greatest):f}, {float(greatest):f}]"

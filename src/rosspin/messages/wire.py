@@ -2,7 +2,7 @@
 
 A message is written in steps: numbers in a row at once, strings, arrays. Nested messages are flattened into their
 parent's steps, except inside of an array. The order of the steps and the value that each has at hand (genpy's ``_x``)
-are part of an error's text, and are therefore kept.
+are kept, because the texts of errors show them.
 """
 
 from __future__ import annotations
@@ -39,7 +39,7 @@ Write = Callable[[bytes], object]
 
 
 class LengthError(Exception):
-    """A fixed array of messages or strings has another length."""
+    """A fixed array of messages or strings has the wrong length."""
 
 
 class Step(NamedTuple):
@@ -62,7 +62,7 @@ def safe(name: str) -> str:
 
 
 def plan(fields: Sequence[Field], nested: Nested, path: str = "self", flat: bool = True) -> list[Step]:
-    """The steps of a message of these fields; ``path`` is what genpy would call it, ``flat`` flattens nested ones."""
+    """Plan the steps of a message with these fields; ``path`` is genpy's name for it, ``flat`` flattens nested ones."""
     parts = list(_flatten(fields, nested)) if flat else [(safe(field.name), field.kind) for field in fields]
     steps: list[Step] = []
     for simple, group in groupby(parts, key=lambda part: not part[1].array and part[1].base in SIMPLE):
@@ -192,7 +192,7 @@ def _bytes(name: str, length: int | None) -> Step:
 
 
 def _size(data: bytes, start: int, length: int | None) -> tuple[int, int]:
-    """An array's length, which is there if it is not fixed, and where its elements begin."""
+    """An array's length, read from ``data`` unless it is fixed, and where its elements begin."""
     if length is not None:
         return length, start
     (size,) = LENGTH.unpack(data[start : start + 4])
@@ -221,7 +221,7 @@ def _array(name: str, kind: Kind) -> Step:
 
 
 def _elements(value: Any, kind: Kind, out: Write, name: str) -> Any:
-    """An array's elements, its length being written or checked."""
+    """Write or check an array's length, and return its elements."""
     if kind.length is None:
         out(LENGTH.pack(len(value)))
     elif len(value) != kind.length:

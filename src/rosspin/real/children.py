@@ -29,11 +29,11 @@ __all__ = [
 # Signals that ask a process to end, and how long (s) each is given to be heeded.
 Patience = Sequence[tuple[signal.Signals, float]]
 
-# So long (s) may a process take to get going on a busy machine.
+# How long (s) a process may take to get going on a busy machine.
 START_PATIENCE = 60.0
 
-# What Python runs first if this is in the file of that name, in a folder on PYTHONPATH. Unbuffered, print writes a line
-# and its end apart, and what another process or thread writes can come in between; on a terminal it can't.
+# The text of sitecustomize.py, which Python runs first if its folder is on PYTHONPATH. Unbuffered, print writes a line
+# and its end apart, so that other processes or threads can write in between; on a terminal they cannot.
 SITECUSTOMIZE = """import sys; sys.path.remove(__file__.rpartition("/")[0])
 for stream in filter(None, (sys.stdout, sys.stderr)): stream.reconfigure(line_buffering=True, write_through=False)
 """
@@ -51,7 +51,7 @@ class Output(NamedTuple):
 class Children:
     """A temporary folder and the processes that were started in it. Leaving it ends them and removes it."""
 
-    # What a process is sent that has to end, one after the other.
+    # The signals that end a process, sent one after the other.
     patience: Patience = ((signal.SIGINT, 15.0), (signal.SIGTERM, 2.0), (signal.SIGKILL, 5.0))
 
     def __init__(self) -> None:
@@ -82,7 +82,7 @@ class Children:
 
     @property
     def environment(self) -> dict[str, str]:
-        """The environment of whatever runs here. ROS, 1 or 2, writes into the folder; that also marks what is ours."""
+        """The environment of whatever runs here. ROS writes into the folder, whose name also marks our processes."""
         return {
             **os.environ,
             "ROS_HOME": str(self.folder),
@@ -104,8 +104,8 @@ class Children:
         """Run a command until it ends or ``seconds`` are over, then press Ctrl-C; ``patience`` says what comes after.
 
         The seconds count from the first line of the console that matches ``begins``, or else from the start. A real
-        Ctrl-C ends the command in the same way; one that cuts ``seconds`` short goes on to the caller after that.
-        ``clean`` makes of each line what the console is to have of it; ``more`` is added to the environment.
+        Ctrl-C ends the command in the same way; one that cuts ``seconds`` short is then raised in the caller.
+        ``clean`` turns each line into what the console keeps of it; ``more`` is added to the environment.
         """
         patience = patience or self.patience
         process = self.start(command, subprocess.PIPE, subprocess.STDOUT, more)
@@ -141,7 +141,7 @@ class Children:
         return process
 
     def _processes(self) -> Iterator[int]:
-        """All that was started here, by whomever: roslaunch gives its nodes sessions of their own."""
+        """Find all processes that were started here, by whomever: roslaunch gives its nodes sessions of their own."""
         for entry in Path("/proc").glob("[0-9]*/environ"):
             try:
                 if self._mark in entry.read_bytes().split(b"\0"):
@@ -177,7 +177,7 @@ class _Reader:
         self._thread.start()
 
     def text(self) -> str:
-        """All that has come; waits a little for what is still on its way."""
+        """All that was printed so far. Waits a little for what is still on its way."""
         self._thread.join(1.0)
         return "".join(self._lines)
 
@@ -234,7 +234,7 @@ def check_seconds(seconds: float | None) -> None:
 
 
 def say_deaths(deaths: Mapping[str, int], onward: TextIO | None) -> str:
-    """The last lines of a console, which name the nodes that did not end with 0; also written to ``onward``."""
+    """Name the nodes that did not end with 0, in the last lines of a console; also write these to ``onward``."""
     words = "".join(f"rosspin: {name} ended with status {_named(status)}\n" for name, status in deaths.items())
     if onward is not None and words:
         onward.write(words)

@@ -27,7 +27,7 @@ __all__ = ["APT", "BuildFailed", "Ros1Missing", "Workspace", "launch", "missing"
 # What to install on Debian and Ubuntu.
 APT = "build-essential catkin libroscpp-dev python3-roslaunch python3-rosmaster python3-rospy rosbash"
 
-# roslaunch itself may take that long and a little more, for the nodes and then for its master.
+# roslaunch gives its nodes the usual time to end, and then its master a little more.
 _LAUNCH_PATIENCE = ((signal.SIGINT, 25.0), (signal.SIGTERM, 2.0), (signal.SIGKILL, 5.0))
 
 # What in the caller's environment would change the run or its console.
@@ -41,7 +41,7 @@ _DIED = re.compile(r"\[([^][]+)\] process has died \[pid \d+, exit code (-?\d+)"
 _STOPPED = re.compile(r"process\[([^]]+)\]: SIG\w+ killed with return value (-?\d+)")
 _KILLED = re.compile(r"process\[([^]]+)\]: sent SIGKILL")
 
-# A package of loose node files; what the tutorial adds for a node, for each.
+# A package of loose node files, with the lines that the tutorial adds for each node.
 _PACKAGE_XML = """<package format="2">
   <name>{name}</name>
   <version>0.0.0</version>
@@ -104,7 +104,7 @@ def launch(
     """Run a launch file of a catkin package, or one node file (``.py`` or ``.cpp``), on the real ROS 1.
 
     Ctrl-C is pressed ``seconds`` after the first node has started; without ``seconds``, the run ends at a real Ctrl-C
-    or when its nodes end. What does not end is killed, when roslaunch would do so. ``args`` are the launch file's
+    or when its nodes end. A node that does not end is killed when roslaunch would. ``args`` are the launch file's
     (``"name:=value"``) or the node's (``"__ns:=/mrp"``). The console is also written to ``onward``, as it comes. If a
     node dies or is killed, the last lines of the console name it, and the run has its exit status.
 
@@ -149,7 +149,7 @@ class Workspace(Children):
         self.source.mkdir()
         (self.folder / "sitecustomize.py").write_text(SITECUSTOMIZE)
         self.port = _free_port()
-        self._sources: dict[Path, Path] = {}  # what was copied here, by its copy
+        self._sources: dict[Path, Path] = {}  # the original of each copy here
 
     @property
     def environment(self) -> dict[str, str]:
@@ -193,7 +193,7 @@ class Workspace(Children):
         return out + err
 
     def executable(self, source: Path) -> Path:
-        """The program that comes of a C++ node file: built with its package, or with one made for it alone."""
+        """Build the program of a C++ node file, with its package or with one made for it alone, and return its path."""
         package = _package_of(source)
         if package is None:
             self.add_nodes("loose_nodes", source)
@@ -218,7 +218,7 @@ class Workspace(Children):
     def roslaunch(
         self, file: Path, seconds: float | None, args: Sequence[str] = (), onward: TextIO | None = None
     ) -> tuple[Output, dict[str, int]]:
-        """Build the package of a launch file and launch it; also the statuses of nodes that did not end with 0."""
+        """Build and launch the package of a launch file. Also returns the statuses of nodes that did not end with 0."""
         package = _package_of(file)
         assert package is not None
         self.add_package(package)
@@ -251,7 +251,7 @@ def _ros_environment(environment: Mapping[str, str]) -> dict[str, str]:
 
 
 def _free_port() -> int:
-    """A free port of the loopback interface. None that Linux would give to whoever asks for any, as each node does."""
+    """Find a free port of the loopback interface, but none that Linux would give to a node that asks for any port."""
     draw = random.SystemRandom()  # whose numbers no seed repeats in another process
     while True:
         port = draw.randrange(20_000, 32_768)

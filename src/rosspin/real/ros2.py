@@ -29,21 +29,21 @@ REMEDY = "make ros2"
 
 NS = 10**9
 
-# Where `make ros2` puts it: an environment of its own, as its packages start every Python beside them anew.
+# Where `make ros2` puts it: in an environment of its own, because its packages restart every Python beside them.
 _MADE = Path(__file__).parents[3] / "build" / "ros2" / "bin" / "python"
 
-# The Python that a ROS 2 of the system's is made for.
+# Where the Python is for which a ROS 2 of the system's is made.
 _SYSTEM = "/usr/bin:/bin"
 
 _PROBE = Path(__file__).with_name("ros2_probe.py")
 
-# Of a name of its own, without the source: so its frames in a traceback are lines that can be told apart.
+# Compiled under a name without a source: in a traceback, each of its frames is then one line that can be recognised.
 _PROBING = f"""exec(compile(open({str(_PROBE)!r}).read(), "<rosspin>", "exec"), {{}})
 """
 
 _MESSAGES = re.compile(r"\w+_(msgs|srvs|interfaces)").fullmatch
 
-# What the probe says, see there; and its frames, which a node without it would not have.
+# What the probe writes (see there), and its frames in tracebacks, which a node without it would not have.
 _TOLD = re.compile(r"\x1b]rosspin;(\w+) ([^\x07]*)\x07\n?")
 _FRAME = re.compile(r'^ +File "<rosspin>", line .*\n')
 _BEGIN = re.compile(r"\x1b]rosspin;begin ")
@@ -53,7 +53,7 @@ _UNWANTED = re.compile(
     "PYTHONHOME|RCUTILS_.*|RMW_.*|ROS_(DOMAIN_ID|LOCALHOST_ONLY|STATIC_PEERS|DISABLE_LOANED_MESSAGES|SECURITY_.*)|FAST.*"
 )
 
-# Also what another such environment leaves in that of its children: with it, the wheels would not find their libraries.
+# Also what other wheels leave in the environment of their children: with it, these would not find their libraries.
 _UNWANTED_BY_WHEELS = re.compile(f"{_UNWANTED.pattern}|_ROS_WHEELS_BOOTSTRAP_COMPLETE|LD_LIBRARY_PATH|PYTHONPATH")
 
 
@@ -66,7 +66,7 @@ class Ros2Missing(RuntimeError):
 
 @cache
 def python() -> str:
-    """The Python that has rclpy: of ``make ros2``, or that of a ROS 2 whose set-up has been sourced; "" if none is."""
+    """The Python that has rclpy: that of ``make ros2``, or of a ROS 2 whose set-up has been sourced; "" if none has."""
     if _MADE.exists():
         return str(_MADE)
     if "AMENT_PREFIX_PATH" in os.environ:
@@ -112,8 +112,8 @@ def launch(
 ) -> Run:
     """Run a node file on the real ROS 2, where it meets no other node.
 
-    Time counts from the moment in which its first node has been made. Ctrl-C is pressed at ``seconds``; without them,
-    the run ends at a real Ctrl-C or when the node does. What does not end is killed, when ``ros2 launch`` would do so.
+    Time counts from the moment at which its first node has been made. Ctrl-C is pressed at ``seconds``; without them,
+    the run ends at a real Ctrl-C or when the node does. A node that does not end is killed when ``ros2 launch`` would.
     ``args`` are the node's, such as ``("--ros-args", "-r", "__ns:=/mrp")``. The console is also written to
     ``onward``, as it comes. The ticks are those of timers, from call to return, and of each Rate from pass to pass.
 
@@ -134,9 +134,9 @@ def launch(
 
 
 class Nodes(Children):
-    """A temporary folder for what nodes write, and the nodes. Leaving it ends what was started and removes it.
+    """A temporary folder for what nodes write, and the nodes. Leaving it ends the nodes and removes the folder.
 
-    Its nodes see no others; with ``meet`` they see each other.
+    The nodes see no others; with ``meet`` they see each other.
     """
 
     # As `ros2 launch` does it.
@@ -146,7 +146,7 @@ class Nodes(Children):
         super().__init__()
         self._discovery = {"ROS_AUTOMATIC_DISCOVERY_RANGE": "LOCALHOST" if meet else "OFF"}
         if meet:
-            # Any up to 101 is free of the ports that Linux gives out by itself; a node of somebody else's is in 0.
+            # Domains up to 101 avoid the ports that Linux gives out by itself; other people's nodes are in domain 0.
             self._discovery["ROS_DOMAIN_ID"] = str(random.randint(1, 101))
         (self.folder / "sitecustomize.py").write_text(SITECUSTOMIZE + _PROBING)
 
@@ -157,7 +157,7 @@ class Nodes(Children):
         return {
             **{name: value for name, value in super().environment.items() if not unwanted.fullmatch(name)},
             **self._discovery,
-            # By shared memory Fast DDS would leave half a megabyte of it for every node that is killed.
+            # With shared memory, Fast DDS would leave half a megabyte behind for every node that is killed.
             "FASTDDS_BUILTIN_TRANSPORTS": "UDPv4",
         }
 
@@ -176,7 +176,7 @@ class Nodes(Children):
         command = [python(), str(file), *args]
         begins = None if seconds is None else _BEGIN
         output = self.run(command, seconds, onward, begins, patience, told, {"PYTHONPATH": path})
-        # Python has told of an interrupt itself; of an abort or a kill nobody has.
+        # Python itself has reported an interrupt; nobody has reported an abort or a kill.
         silent = output.status > 128 and output.status != 128 + signal.SIGINT
         said = say_deaths({file.name: output.status} if silent else {}, onward) + _say_lacking(output.console, onward)
         return Run(
@@ -190,7 +190,7 @@ class Nodes(Children):
 
 
 def _say_lacking(console: str, onward: TextIO | None) -> str:
-    """What to say if a node ended because ROS 2's wheels, which are few, lack a package of messages."""
+    """Say so if a node ended because ROS 2's wheels, which are few, lack a package of messages."""
     found = re.search(r"^ModuleNotFoundError: No module named '(\w+)\b.*\n\Z", console, re.M)
     if not found or not _MESSAGES(found[1]) or python() != str(_MADE):
         return ""
@@ -204,7 +204,7 @@ def _say_lacking(console: str, onward: TextIO | None) -> str:
 
 
 class _Told:
-    """Takes what the probe says out of the lines of a console, and keeps it."""
+    """Takes what the probe writes out of the lines of a console, and keeps it."""
 
     def __init__(self) -> None:
         self.start = 0.0

@@ -1,12 +1,12 @@
 """Runs in the process of a node on the real rclpy, before the node's file, and tells of its ticks.
 
-``ros2`` starts it by way of ``sitecustomize``. It writes to the console, in one go each, and ``ros2`` takes out again:
+``ros2`` starts it through ``sitecustomize``. It writes these lines, each in one go, and ``ros2`` takes them out again:
 
     ESC ]rosspin;begin NANOSECONDS BEL \n
     ESC ]rosspin;tick SOURCE TAB NUMBER TAB EXPECTED TAB REAL BEL \n
     ESC ]rosspin;done SOURCE TAB NUMBER TAB DURATION BEL \n
 
-A callback is called by no function of ours, so its traceback is the one that it would have. The probe notices when an
+No function of ours calls a callback, so its traceback is what it would be without the probe. The probe notices when an
 executor takes a timer, which is right before the callback, and when the timer's group is told that the callback is
 over.
 """
@@ -31,7 +31,7 @@ def _tell(word, *fields):
 
 
 def _source(name):
-    """A name for something that ticks, made different from those given before."""
+    """Make a new name for something that ticks."""
     _names[name] = number = _names.get(name, 0) + 1
     return name if number == 1 else f"{name} {number}"
 
@@ -54,7 +54,7 @@ def _tell_done(source, number, real):
 
 
 def _after(owner, name, then):
-    """Replace a method by one that also does ``then``, which is given what the method was given."""
+    """Replace a method by one that then also calls ``then``, with the same arguments."""
     real = getattr(owner, name)
 
     def method(*args, **kwargs):
@@ -98,7 +98,7 @@ def _taking(real):
                 tick = timer._rosspin_ticks.tell(expected, time.time_ns())
                 timer._rosspin_running[threading.get_ident()] = tick
             elif timer._rosspin_rate and not timer._rosspin_rate._event.is_set():
-                # Of the calls during a long pass, the first one ends the sleep.
+                # If the timer is called more than once during a long pass, the first call ends the sleep.
                 timer._rosspin_rate._rosspin_due = expected
         return taken
 
@@ -108,7 +108,7 @@ def _taking(real):
 def _ended(group, entity):
     running = getattr(entity, "_rosspin_running", None)
     if running:
-        # What has awaited something may end in another thread than it began in.
+        # A callback that awaits something may end in another thread than it began in.
         thread = threading.get_ident()
         _tell_done(*running.pop(thread if thread in running else next(iter(running))))
 

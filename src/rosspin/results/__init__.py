@@ -1,1 +1,1 @@
-"""What runs give, and what is made of it."""
+"""The results of runs, and what is made of them."""

@@ -10,14 +10,14 @@ from .ticks import Tick
 
 __all__ = ["as_test"]
 
-# What a comment in the first two lines says of the encoding. The source is a text, of which the file is made as UTF-8.
+# The encoding, if a comment in the first two lines names it. The test writes the source to a file as UTF-8.
 _COOKIE = re.compile(r"\A((?:[ \t\f]*(?:#.*)?\n)??[ \t\f]*#.*?coding[:=][ \t]*)[-\w.]+")
 
 
 def as_test(
     source: str, filename: str, seconds: float, args: Sequence[str], console: str, ticks: Sequence[Tick]
 ) -> str:
-    """A test that a node still does what it did in a simulated run of ``seconds``, which ended with status 0.
+    """Write a test that a node still does what it did in a simulated run of ``seconds``, which ended with status 0.
 
     It carries the node's ``source``, so it stands by itself.
     """

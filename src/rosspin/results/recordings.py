@@ -19,7 +19,7 @@ from .ticks import Run, Tick
 
 __all__ = ["COLUMNS", "Recording", "live_caption", "load"]
 
-# A row for each tick; times in seconds since the run's start, empty for what a first tick has not.
+# A row for each tick; times in seconds since the run's start, empty where a first tick has none.
 COLUMNS = [
     "source",
     "number",
@@ -52,7 +52,7 @@ class Recording(Run):
 
 
 def live_caption(run: Run, short: bool = False) -> str:
-    """When and where a run was made that is not a recording, in the words of a recording's caption."""
+    """When and where a live run was made, in the words of a recording's caption."""
     here = describe()
     version = re.search(r"/rosversion: (\S+)", run.console)  # roslaunch says so among its parameters
     ros = f" with ROS {version[1]}" if version else " with ROS 2" if run.runtime == "ros2" else ""
@@ -86,7 +86,7 @@ def _ticks(file: Path) -> Iterator[Tick]:
         if reader.fieldnames != COLUMNS:
             raise ValueError(f"{file}: the columns must be {','.join(COLUMNS)}")
         rows = list(reader)
-    # How long a tick took is what the next one of its source says.
+    # How long a tick took stands in the row of the next one of its source.
     durations = {(row["source"], int(row["number"]) - 1): float(row["last_duration"] or "nan") for row in rows}
     for row in rows:
         key = row["source"], int(row["number"])

@@ -1,4 +1,4 @@
-"""When roscpp's timer calls back: its rule by itself, where no roscpp can run.
+"""Compute when roscpp's timer calls back, by its rule alone, where no roscpp can run.
 
 The rule is compared with recordings of the real one, and with the real one where ROS 1 is installed.
 """
@@ -18,7 +18,7 @@ _NS = 1_000_000_000
 def timer_ticks(period: float, duration: Callable[[int], float], seconds: float) -> list[Tick]:
     """The ticks of the only timer of a roscpp node, up to ``seconds`` after it was made.
 
-    ``duration(number)`` is how long call ``number``, from 1, takes (s), ``period`` that of the timer (s).
+    ``period`` is the timer's (s); ``duration(number)`` is how long call ``number``, counted from 1, takes (s).
 
     A timer is armed anew only after its callback has returned. Its next call is due one period after the last one was;
     if even the call after that would have been due already, the next one is due now (source:
@@ -43,9 +43,9 @@ def timer_ticks(period: float, duration: Callable[[int], float], seconds: float)
 
 
 def timer_probe(seconds: float, args: Sequence[str]) -> list[Tick]:
-    """The ticks of ``examples/timing_probes/src/timer_probe.cpp`` with these parameters, for so many seconds.
+    """The ticks of ``examples/timing_probes/src/timer_probe.cpp`` with these parameters, up to ``seconds``.
 
-    Raises ValueError for a parameter that is not about its one timer, and for a period that is not above 0.
+    Raises ValueError for a parameter that does not concern its one timer, and for a period that is not above 0.
     """
     given = dict(word.removeprefix("_").split(":=", 1) for word in args)
     if unknown := given.keys() - {"period", "block", "block_call", "block_calls", "blocks"}:

@@ -31,7 +31,7 @@ class TimeStandsStill(RuntimeError):
 
 
 def say_killed(node: Node, ros: int, seconds: float | None, waited: Sequence[Whereabouts], patience: int) -> str:
-    """A node of ROS 1 or 2 was killed ``patience`` seconds after Ctrl-C: why, and where its threads were."""
+    """Say why a node of ROS 1 or 2 was killed ``patience`` seconds after Ctrl-C, and where its threads were."""
     at = "" if seconds is None else f" at {seconds:.10g} s"
     why = f"Does its loop check {ROSES[ros].goes_on}?"
     if waits_for_a_rate(node, ros, waited):
@@ -44,7 +44,7 @@ def say_killed(node: Node, ros: int, seconds: float | None, waited: Sequence[Whe
 
 
 def say_where(node: Node, waited: Sequence[Whereabouts]) -> str:
-    """Where the threads of a node were, a line for each."""
+    """Say where the threads of a node were, a line for each."""
     lines = []
     for thread, places, _ in waited:
         place = _of_nodes([node], places)
@@ -54,7 +54,7 @@ def say_where(node: Node, waited: Sequence[Whereabouts]) -> str:
 
 
 def waits_for_a_rate(node: Node, ros: int, waited: Sequence[Whereabouts]) -> bool:
-    """Whether what keeps a node from its end are threads that sleep on a Rate of ROS 2, and nothing else.
+    """Whether nothing but threads asleep on a Rate of ROS 2 keeps a node from its end.
 
     In ROS 1 a Rate looks at the clock by itself.
     """
@@ -63,17 +63,17 @@ def waits_for_a_rate(node: Node, ros: int, waited: Sequence[Whereabouts]) -> boo
 
 
 def keep_those_of(node: Node, stacks: Sequence[Whereabouts]) -> list[Whereabouts]:
-    """Of stacks, those that are in a node's code."""
+    """Keep the stacks that are in a node's code."""
     return [each for each in stacks if _of_nodes([node], each.places)]
 
 
 def where_it_was_kept(node: Node, waited: Sequence[Whereabouts]) -> Place | None:
-    """The place in a node's code that kept it from its end, or the first of them."""
+    """The first place in a node's code that kept it from its end."""
     return next((_of_nodes([node], places) for places in _keeping(node, waited)), None)
 
 
 def _keeping(node: Node, waited: Sequence[Whereabouts]) -> list[list[Place]]:
-    """The places of the threads that Python waits for, and that do not wait for others themselves."""
+    """The places of the threads that Python waits for and that are in the node's code, not waiting for others."""
     return [places for _, places, daemon in waited if not daemon and _of_nodes([node], places)]
 
 
@@ -115,7 +115,7 @@ def stands_still(nodes: Sequence[Node], ros: int, error: Standstill | Stuck, clo
 
 
 def say_error(error: Exception) -> str:
-    """An error that ended a run or prevented it, in words, with the line of the node's file if it has one."""
+    """Say what error ended or prevented a run, with the line of the node's file if it has one."""
     if isinstance(error, SyntaxError):
         return "".join(traceback.format_exception_only(error)).strip()
     if isinstance(error, OSError) and error.filename:

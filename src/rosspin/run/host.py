@@ -1,4 +1,4 @@
-"""A run: processes on one clock, each of which finds what is its own when it has its turn."""
+"""A run: processes on one clock. Whenever one of them goes on, it finds its own modules, streams and environment."""
 
 from __future__ import annotations
 
@@ -36,17 +36,17 @@ __all__ = ["PATIENCE", "Host", "Result", "Supervisor", "duration", "kept", "repl
 # After Ctrl-C roslaunch waits 15 s, asks once more with SIGTERM, and kills after another 2 s.
 PATIENCE = 17
 
-# How the names of modules begin that may be those of a real ROS.
+# How the names of modules begin that may belong to a real ROS.
 _ROOTS = tuple(root for ros in ROSES.values() for root in ros.roots)
 
 _chdir = os.chdir
 
 
 class Supervisor(Protocol):
-    """Who starts the nodes of a run, waits for their end and ends them: a program of its own, which is sent Ctrl-C."""
+    """Starts the nodes of a run, waits for them and ends them. It is a program of its own, and gets the Ctrl-C."""
 
     def run(self) -> None:
-        """Do so. ``host`` calls it inside of the run."""
+        """Run the nodes to their end. The host calls this within the run."""
 
     @property
     def status(self) -> int:
@@ -56,9 +56,9 @@ class Supervisor(Protocol):
 class Host:
     """Runs processes on a clock, simulated or on the wall. :meth:`add` them before the run, or while it goes on.
 
-    ``ticks`` is where they are recorded; with None nothing is. On a simulated clock the run can be gone through in
-    steps: :meth:`advance`, then :meth:`interrupt`. Of ``several`` processes each has for itself what it imports from
-    its own folder, messages, and random numbers; all other modules they share. They need a ``supervisor``.
+    ``ticks`` is the log to record in; with None nothing is recorded. On a simulated clock the run may go in steps:
+    :meth:`advance`, then :meth:`interrupt`. ``several`` processes need a ``supervisor``. Each of them has its own
+    messages, random numbers and modules from its folder; they share all other modules.
     """
 
     supervisor: Supervisor | None = None
@@ -73,9 +73,9 @@ class Host:
         self._stand_ins: dict[int, Mapping[str, ModuleType]] = {}
         self._of: dict[Program, Process] = {}
         self._own = ("__main__", "random") if several else ("__main__",)
-        self._differ = False  # whether the environments of processes may
+        self._differ = False  # whether the environments of processes may differ
         self._put_inside: Callable[[], None] = lambda: None
-        self._put_names: Callable[[], None] = lambda: None  # those that nodes have changed
+        self._put_names: Callable[[], None] = lambda: None  # puts in place the names that nodes have changed
 
     # --- processes ---
 
@@ -87,7 +87,7 @@ class Host:
         folder: str = "",
         quiet: bool = False,
     ) -> Process:
-        """Make the process of a node; see :class:`Process`. To be called inside."""
+        """Make the process of a node; see :class:`Process`. To be called within :meth:`inside`."""
         here = self._current
         self._go_on(self._outside)
         number = len(self.processes) + 1 if self.recording.several else 0
@@ -102,7 +102,7 @@ class Host:
         self._differ = self._differ or bool(environment)
         process.world.at_end.append(lambda: self._of.__delitem__(process.world))
         process.world.at_bind.append(lambda: self._bound(process))
-        for ros in [node.hint] if node.hint else ROSES:  # before it can change anything
+        for ros in [node.hint] if node.hint else ROSES:  # before the node can change anything
             self._stand_in(ros)
         self._go_on(here if self.recording.several else process)
         return process
@@ -125,7 +125,7 @@ class Host:
         return self._stand_ins[ros]
 
     def _bound(self, process: Process) -> None:
-        """A process has imported its ROS."""
+        """Give a process what belongs to the ROS that it has imported."""
         process.stand_in = self._stand_in(process.world.ros)
         process.world.at_exit += ROSES[process.world.ros].stand_in.AT_EXIT
         self._shared |= process.stand_in.keys()
@@ -133,8 +133,7 @@ class Host:
             self._put_in(process.stand_in)
 
     def begin(self, process: Process) -> None:
-        """Start a process now, beside those that run: for the supervisor. Who dies of a signal has its negative number
-        as exit status."""
+        """Start a process now, for the supervisor. If a signal kills it, its exit status is the negative number."""
 
         def live() -> None:
             try:
@@ -151,7 +150,7 @@ class Host:
 
     @contextmanager
     def inside(self) -> Iterator[None]:
-        """Within this context the processes can run: they find what they have left. Afterwards all is as before."""
+        """Within this context the processes can run, and find all as they left it. Afterwards all is as before."""
         with one_at_a_time(), ExitStack() as stack:
             put_back = state_of_process()
             stack.callback(lambda: self._keep_names(put_back()))
@@ -187,7 +186,7 @@ class Host:
         self._put_names = put
 
     def _hide(self, modules: Mapping[str, ModuleType]) -> None:
-        """Take note of modules that were taken away until the end."""
+        """Note modules that were taken out of ``sys.modules``, to put them back at the end."""
         self._replaced.update(modules)
         self._shared.difference_update(modules)
         self._count -= len(modules)
@@ -197,7 +196,7 @@ class Host:
         sys.modules.update(self._replaced)
 
     def _turn(self, program: Program) -> None:
-        """It is the program's turn. One that is no node finds what is there."""
+        """Put the program's process in place. A program that is not a node runs with whatever is in place."""
         process = self._of.get(program)
         if process is not None and process is not self._current:
             self._go_on(process)
@@ -277,13 +276,13 @@ class Host:
     def run(self, until: int) -> None:
         """Let the simulated time go on to ``until`` (ns), press Ctrl-C, and let the processes end.
 
-        This does what :meth:`advance` and :meth:`interrupt` do. To be called inside, as these.
+        This does what :meth:`advance` and :meth:`interrupt` do. All three are to be called within :meth:`inside`.
         """
         with self._explained(until / NS):
             self._program.run(until, self._patience)
 
     def advance(self, until: int) -> None:
-        """Let the simulated time go on to ``until`` (ns), what is due then included."""
+        """Let the simulated time go on until all that is due by ``until`` (ns) has run."""
         with self._explained(until / NS):
             self._program.advance(until)
 
@@ -294,10 +293,10 @@ class Host:
             self._program.end(self._patience)
 
     def run_on_the_wall(self, seconds: float | None, give_up: Callable[[Result], object] | None) -> None:
-        """Run the only process on the wall clock, until Ctrl-C if ``seconds`` is None. To be called inside.
+        """Run the only process on the wall clock, until Ctrl-C if ``seconds`` is None. Call it within :meth:`inside`.
 
-        With ``give_up`` this process is there only for the node: if nothing else ends the node, the process is killed,
-        after a call with what the run gave so far (without one if code in C lets no thread run).
+        With ``give_up`` this process is there only for the node: if nothing else ends the node, the process is killed.
+        Before that, ``give_up`` is called with the result so far, unless code in C lets no thread run.
         """
         (process,) = self.processes
         node = process.node
@@ -317,7 +316,7 @@ class Host:
 
     @contextmanager
     def _explained(self, seconds: float | None) -> Iterator[None]:
-        """Within this context processes run. What ends one from outside is its status, or an error that says why."""
+        """Within this context processes run. What ends one from outside becomes its status, or an error in words."""
         first = self.processes[0] if self.processes else None
         try:
             yield
@@ -349,11 +348,11 @@ class Host:
             )
         process.world.exit_status = 128 + signal.SIGKILL
 
-    # --- what it gave ---
+    # --- its result ---
 
     @property
     def ros(self) -> int:
-        """The ROS that the first process is for: 1 or 2, or 1 as long as it has used none and names none."""
+        """The ROS of the first process: 1 or 2. As long as it has used none and names none, it is 1."""
         return next((process.world.ros or process.node.hint for process in self.processes), 0) or 1
 
     def result(self) -> Result:
@@ -364,7 +363,7 @@ class Host:
 
 
 class Result(NamedTuple):
-    """How a run ended: its exit status, its ticks (none if not recorded), its start (s since the epoch)."""
+    """How a run ended: its exit status, its ticks (none if not recorded) and its start (s since the epoch)."""
 
     status: int
     ticks: tuple[Tick, ...]
@@ -382,7 +381,7 @@ class Result(NamedTuple):
 
 
 def _export(before: Mapping[bytes, bytes], after: Mapping[bytes, bytes]) -> None:
-    """Give the environment to the programs that are started from here, which take it from the system."""
+    """Tell the system of an environment: programs that are started from here take it from there."""
     for name in before.keys() - after.keys():
         os.unsetenv(name)
     for name, value in after.items():
@@ -391,17 +390,17 @@ def _export(before: Mapping[bytes, bytes], after: Mapping[bytes, bytes]) -> None
 
 
 def replaced() -> list[Patch]:
-    """What is replaced in modules while processes run: for their own code, with the real thing for everybody else."""
+    """List what is replaced in modules while processes run; all code but theirs still gets the real thing."""
     return [*threads.PATCHES, *virtual_time.PATCHES, *signals.PATCHES, *PATCHES, *Host(WallClock(), None)._patches()]
 
 
 def kept() -> list[str]:
-    """What is put back at the end of a run."""
+    """List what is put back at the end of a run."""
     return [each.what for each in KEPT] + ["names in rospy, rclpy, message classes and the standard library's modules"]
 
 
 def duration(seconds: float) -> int:
-    """The length of a run, or of a step, in ns. Raises ValueError if it cannot be one."""
+    """Convert the length of a run, or of a step, to ns. Raises ValueError if it cannot be one."""
     if not (isinstance(seconds, (int, float)) and math.isfinite(seconds) and seconds >= 0):
         raise ValueError(f"seconds must be a number of at least 0, not {seconds!r}")
     try:

@@ -1,4 +1,4 @@
-"""What a node's imports find: the stand-ins of both ROSes, and messages. The first of them says for which ROS it is."""
+"""Let a node import the stand-ins of both ROSes, and messages. Its first import of a stand-in decides its ROS."""
 
 from __future__ import annotations
 
@@ -21,7 +21,7 @@ class Imports(MetaPathFinder):
     """An entry of ``sys.meta_path`` for one process: ``world`` is its own, and ``node`` what runs in it.
 
     Importing ``rospy`` or ``rclpy`` binds the process to ROS 1 or 2. Importing the other one then raises ImportError,
-    as where only one ROS is installed. Messages that are imported before are those of the ROS that the code names.
+    as where only one ROS is installed. Messages that are imported earlier are those of the ROS that the code names.
     """
 
     def __init__(
@@ -34,7 +34,7 @@ class Imports(MetaPathFinder):
         self._node = node
         self._world = world
         self._stand_in = stand_in  # the modules of a ROS, by their names
-        self._hidden = hidden  # is told of the modules that messages have taken the place of
+        self._hidden = hidden  # is told of the modules that made way for messages
         self._finder = self._new_finder(node.hint or 1)
 
     @property
@@ -44,11 +44,11 @@ class Imports(MetaPathFinder):
 
     @property
     def messages(self) -> Any:
-        """What makes the classes of messages, as in ``messages["std_msgs/UInt32"]``."""
+        """The classes of messages by name, as in ``messages["std_msgs/UInt32"]``."""
         return self._finder_of(self._world.ros or self._finder.library.ros).messages
 
     def find_spec(self, fullname: str, path: Sequence[str] | None = None, target: Any = None) -> ModuleSpec | None:
-        """Part of the import system; None for what is neither of ROS nor a message's."""
+        """Part of the import system; None for a module that is neither ROS's nor a message's."""
         if ros := ros_of(fullname):
             return self._find_ros(fullname, ros.number)
         if fullname.startswith("rosspin."):
@@ -62,7 +62,7 @@ class Imports(MetaPathFinder):
         self._world.bind(ros)
         modules = self._stand_in(ros)
         if fullname in modules:
-            sys.modules.pop(fullname, None)  # else its own spec would be taken, and it would be loaded anew
+            sys.modules.pop(fullname, None)  # else it would be loaded anew, by its own spec
             return ModuleSpec(fullname, _Given(modules[fullname]), is_package=True)
         if any(name.startswith(f"{fullname}.") for name in modules):
             return ModuleSpec(fullname, None, is_package=True)
@@ -80,7 +80,7 @@ class Imports(MetaPathFinder):
 
 
 class _Given(Loader):
-    """Gives a module that is there already; it keeps its own spec."""
+    """Gives a module that exists already; the module keeps its own spec."""
 
     def __init__(self, module: ModuleType) -> None:
         self._module = module

@@ -1,7 +1,7 @@
-"""What a run may change in the process and finds there, but leaves as it was: :data:`KEPT` is the list of it.
+"""Put back what a run changes in its process: :data:`KEPT` lists what is kept.
 
-Nothing is made anew for a run: what is there when it begins is noted, and what differs at its end is put back. To see
-that nothing differs takes one look at each name, by identity; only what was changed is touched.
+Nothing is made anew for a run: its beginning notes what is there, and its end puts back what differs. To see whether
+anything differs takes one look at each name, by identity; only what was changed is touched.
 """
 
 from __future__ import annotations
@@ -36,13 +36,13 @@ __all__ = [
 
 Put = Callable[[], None]
 
-# What makes something what it was before, and gives what makes it what it was until then.
+# Puts something back as it was noted, and returns what redoes the changes.
 Undo = Callable[[], Put]
 
 # The modules that nodes are given, under other names, and what their message classes are made of.
 _STAND_INS = ("rosspin.rospy", "rosspin.rclpy", "rosspin.messages.genpy", "rosspin.messages.ros")
 
-# Of the standard library, what nodes patch and the stand-ins are built on: modules, and of some also their classes.
+# Modules of the standard library that nodes may patch and the stand-ins are built on; of some, also the classes.
 _LIBRARY = ("atexit", "copy", "functools", "json", "math", "os", "signal", "subprocess", "time", "warnings")
 _LIBRARY_WITH_CLASSES = ("concurrent.futures.thread", "logging", "queue", "random", "threading")
 
@@ -55,22 +55,22 @@ _lock = threading.RLock()
 
 @contextmanager
 def one_at_a_time() -> Iterator[None]:
-    """Within this context a run may change what the whole process shares. RuntimeError if a node asks."""
+    """Within this context a run may change what the whole process shares. Raises RuntimeError if a node asks."""
     refuse_a_run_within_a_run()
     with _lock:
         yield
 
 
 def refuse_a_run_within_a_run() -> None:
-    """RuntimeError if a node asks."""
+    """Raise RuntimeError if a node asks."""
     if whose() is not None:
         raise RuntimeError("a node cannot start a run of its own")
 
 
 class Kept(NamedTuple):
-    """Something that is kept: what it is, and a function that makes a function that makes it what it is now.
+    """Something that is kept: ``what`` names it, and ``state()`` notes it and returns a function that puts it back.
 
-    A node that runs in steps finds it as it has left it, if ``found_again``.
+    If it is ``found_again``, each step of a node finds it as the last one left it.
     """
 
     what: str
@@ -82,7 +82,7 @@ class Kept(NamedTuple):
 
 
 class _Names:
-    """The attributes of a module, a class or an object with a ``__dict__``. ``values`` are always those of now."""
+    """The attributes of a module, a class or an object with a ``__dict__``. ``values`` is a live view of them."""
 
     def __init__(self, owner: Any) -> None:
         self._owner = owner
@@ -92,7 +92,7 @@ class _Names:
         return dict(vars(self._owner))
 
     def put(self, noted: dict[str, Any]) -> Put:
-        """Make it what was noted; what makes it again what it was until now."""
+        """Put back what was noted. Returns what redoes the changes."""
         here = self.copy()
         names = [
             name for name in here.keys() | noted.keys() if here.get(name, _MISSING) is not noted.get(name, _MISSING)
@@ -124,7 +124,7 @@ def _set(owner: Any, name: str, value: Any) -> None:
 
 
 class _Content:
-    """What a list, a dictionary or a set of a stand-in holds, likewise."""
+    """The content of a list, a dictionary or a set of a stand-in, with the methods of :class:`_Names`."""
 
     def __init__(self, owner: Any) -> None:
         self._owner = owner
@@ -134,7 +134,6 @@ class _Content:
         return self._owner.copy()
 
     def put(self, noted: Any) -> Put:
-        """Likewise."""
         here = self.copy()
 
         def put(values: Any) -> None:
@@ -146,17 +145,17 @@ class _Content:
 
 
 class _AllNames:
-    """All that is kept of the modules in ``names``, as far as they have been imported."""
+    """All that is kept of the stand-ins and the standard library, as far as their modules have been imported."""
 
     def __init__(self) -> None:
-        self._loaded = 0  # so many modules were there when the owners were looked for
-        self._owners: dict[int, _Names | _Content] = {}  # by the identity of what they are of
+        self._loaded = 0  # how many modules there were when the owners were last looked for
+        self._owners: dict[int, _Names | _Content] = {}  # by the identity of the object they describe
         self._views: list[Iterable[Any]] = []
-        self._values: list[Any] = []  # of all owners, when it was last noted what they have
+        self._values: list[Any] = []  # those of all owners, as last noted
         self._noted: list[Any] = []
 
     def state(self) -> Undo:
-        """Note what there is. That costs little if it is the same as the last time."""
+        """Note what there is, at little cost if nothing has changed since the last time."""
         if self._loaded != len(sys.modules):
             self._find_owners()
         if not _are_same(self._views, self._values):
@@ -190,12 +189,12 @@ class _AllNames:
 
 
 def _are_same(views: list[Iterable[Any]], values: list[Any]) -> bool:
-    """Whether the views, of which the last is the end, give these values."""
+    """Whether the views, the last of which is ``_END``, hold exactly these values."""
     return bool(values) and all(map(is_, chain.from_iterable(views), values))
 
 
 def _owners_in(name: str, module: ModuleType) -> Iterator[tuple[Any, _Names | _Content]]:
-    """A module, the classes that it makes, and of a stand-in also its objects and containers."""
+    """Yield a module, the classes that it defines and, of a stand-in, also its objects and containers."""
     yield module, _Names(module)
     if name in _LIBRARY:
         return
@@ -215,7 +214,7 @@ def _owners_in(name: str, module: ModuleType) -> Iterator[tuple[Any, _Names | _C
                 yield value, _Names(value)
 
 
-# Containers that Python itself fills: of a module, an enumeration.
+# Containers that Python itself fills, in a module or an enumeration.
 _OF_PYTHON = {"__builtins__", "__warningregistry__", "_member_map_", "_value2member_map_", "_member_names_"}
 
 
@@ -250,7 +249,7 @@ def _command_line() -> Put:
 
 
 def _modules() -> Put:
-    """A new module stays, for the next run to find it quickly; one that nobody has imported does not."""
+    """Leave new modules for the next run, which finds them quickly, but remove those that were put there by hand."""
     before = dict(sys.modules)
     modules = sys.modules
 
@@ -267,7 +266,7 @@ def _modules() -> Put:
 
 
 def _names_in_sys() -> Undo:
-    """Apart from all other names: its streams are others in each run."""
+    """Kept apart from all other names, because the streams differ from run to run."""
     names = _Names(sys)
     before = names.copy()
     return lambda: names.put(before)
@@ -329,7 +328,7 @@ def _collector() -> Put:
 
 def _environment() -> Put:
     environ: Any = os.environ
-    data = environ._data  # to decode all of it takes time
+    data = environ._data  # decoding all of it would take time
     before = data.copy()
 
     def put() -> None:
@@ -359,7 +358,7 @@ def _folder() -> Put:
 
 
 def working_folder() -> str | None:
-    """None if it was removed."""
+    """The working directory; None if it was removed."""
     try:
         return os.getcwd()
     except FileNotFoundError:
@@ -390,14 +389,14 @@ def _warnings() -> Put:
 
 
 def _random() -> Put:
-    """A run goes on with the numbers of whoever starts it, who is given the same ones again."""
+    """Let a run draw the numbers that its caller would draw next, and the caller draw them again."""
     generator = random._inst
     before = generator.getstate()
     return lambda: generator.setstate(before)
 
 
 def _decimals() -> Put:
-    """Of decimal arithmetic, the calling thread's context; a simulated thread has its own."""
+    """Keep the calling thread's context of decimal arithmetic; a simulated thread has its own."""
     decimal = sys.modules.get("decimal")
     if decimal is None:
         return _nothing
@@ -460,10 +459,10 @@ def _loggers() -> Put:
     return put
 
 
-# In this order they are put back, and then the names in rospy, rclpy, the message classes and the standard library's
-# modules. Beside these: signal handlers, which a simulated program has for itself
-# and a run on the wall puts back, and the names in builtins (clocks/programs.py); what is registered with atexit, which
-# is called at the end of the run (process.py); and message classes, which each run makes anew (messages/finder.py).
+# These are put back in this order, and then the names in rospy, rclpy, the message classes and the standard library's
+# modules. Others see to the rest: clocks/programs.py to signal handlers and to the names in builtins, process.py to
+# what is registered with atexit, which it calls at the end of the run, and messages/finder.py to message classes, which
+# each run makes anew.
 KEPT: tuple[Kept, ...] = (
     Kept("command line, excepthooks", _command_line),
     Kept("sys.modules", _modules, found_again=False),
@@ -486,7 +485,7 @@ KEPT: tuple[Kept, ...] = (
 
 
 def state_of_process() -> Undo:
-    """A function that makes all that is kept what it is now; what that gives makes names what the run had made them."""
+    """Note all that is kept. Returns a function that puts it back, and that returns one to restore the run's names."""
     puts, put_names = [each.state() for each in KEPT], _names.state()
 
     def put() -> Put:
@@ -497,11 +496,11 @@ def state_of_process() -> Undo:
 
 
 def state_of_names() -> Undo:
-    """The same for names alone: of modules that were imported only after the state of the process was noted."""
+    """Note names alone, for modules that were imported only after the state of the process was noted."""
     return _names.state()
 
 
 def state_of_node() -> Put:
-    """A function that makes what a node finds again what it is now, beside names."""
+    """Note what the next step of a node is to find again, except for names. Returns what puts it in place."""
     puts = [each.state() for each in KEPT if each.found_again]
     return lambda: _call(puts)

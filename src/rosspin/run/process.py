@@ -39,23 +39,23 @@ __all__ = ["PATCHES", "Process", "Slots", "leave", "starter"]
 _OF_SYS = ("argv", "path", "meta_path", "excepthook", "unraisablehook", "stdin", "stdout", "stderr")
 _of_sys = attrgetter(*_OF_SYS)
 
-# Nodes may put something else in its place.
+# Taken now, because nodes may put something else in its place.
 _environ: Any = os.environ
 
 
 class Slots:
-    """What one of several processes has for itself, to be put in place when it has its turn."""
+    """What one of several processes has for itself, to be put in place whenever it goes on."""
 
     stand_in: Mapping[str, ModuleType] = MappingProxyType({})  # the modules of its ROS, by their names
 
     def __init__(self) -> None:
-        """As this process is now."""
+        """Begin with what this process has now."""
         self.folder = working_folder()
         self.modules: dict[str, ModuleType] = {}  # those that only it has
         self.keep()
 
     def keep(self) -> None:
-        """Keep what is in place now; this and the next are done at each turn, and have to be quick."""
+        """Keep what is in place now. This and ``put_in_place`` run at each change of process, and must be quick."""
         self.of_sys = _of_sys(sys)
         self.environment: dict[bytes, bytes] = _environ._data
         self.filters = warnings.filters
@@ -83,9 +83,9 @@ class Slots:
 class Process(Slots):
     """The process of one node: ``world`` is what the stand-ins know of it, ``imports`` is what it can import.
 
-    It is like the process that it is made in, but for its command line, of which ``args`` are the words after the
-    first; for ``environment``, which is added; for its ``folder``, if one is given; and with ``quiet`` for its stdout,
-    which is for nobody.
+    It begins as a copy of the process that it is made in, with another command line: ``args`` are the words after the
+    first. ``environment`` is added to the environment; ``folder``, if given, is the working directory; with ``quiet``,
+    what goes to stdout is dropped.
     """
 
     def __init__(
@@ -127,7 +127,7 @@ class Process(Slots):
         self.loggers = dict(self.loggers)
 
     def owns(self, module: object) -> bool:
-        """Whether a module is, or belongs to, a neighbour of the node or its package; a virtual environment is none."""
+        """Whether a module, or its package, lies beside the node or its package; not in a virtual environment there."""
         if not isinstance(module, ModuleType):  # a node can put anything into sys.modules
             return False
         root = module.__name__.partition(".")[0]
@@ -136,18 +136,18 @@ class Process(Slots):
 
     @property
     def messages(self) -> Any:
-        """What makes the classes of its messages, as in ``messages["std_msgs/UInt32"]``."""
+        """The classes of its messages by name, as in ``messages["std_msgs/UInt32"]``."""
         return self.imports.messages
 
     def run(self) -> None:
-        """Do with the node's code what the interpreter does with a program, and keep the exit status."""
+        """Run the node's code as the interpreter runs a program, and keep the exit status."""
         try:
             self._run()
         finally:
             self.end_if_forked()
 
     def end_if_forked(self) -> None:
-        """End this process if it is a child that the node has forked: what comes now is its parent's."""
+        """End this process if it is a child that the node has forked: what comes next is for its parent to do."""
         if os.getpid() != self.world.pid:
             for stream in filter(None, (sys.stdout, sys.stderr)):
                 stream.flush()
@@ -198,7 +198,7 @@ def _status(end: SystemExit) -> int:
 
 
 def _print_error(world: World, error: BaseException, made: traceback.FrameSummary | None = None) -> None:
-    """Print an exception that was not caught on stderr, with the node's frames, and keep it."""
+    """Print an uncaught exception on stderr, with the node's frames, and keep it."""
     if sys.stderr is None:
         world.stderr.write("rosspin: sys.stderr is None, and Python would show nothing of this:\n")
     (sys.stderr or world.stderr).write(format_error(error, made))
@@ -206,7 +206,7 @@ def _print_error(world: World, error: BaseException, made: traceback.FrameSummar
 
 
 def _run_at_exit(world: World) -> None:
-    """Call what the node registered with ``atexit``, the last first; exceptions are printed."""
+    """Call what the node registered with ``atexit``, the last first, and print exceptions."""
     while world.at_exit:
         function, args, kwargs = world.at_exit.pop()
         try:
@@ -241,7 +241,7 @@ def _excepthook(real: Callable[[Any], None]) -> Callable[[Any], None]:
 
 
 def _register(real: Callable[..., Any]) -> Callable[..., Any]:
-    """``atexit.register``: what a node registers is called at the end of its run; a library lives longer than that."""
+    """``atexit.register``: what a node registers is called at the end of its run; what a library does, as usual."""
 
     def register(function: Callable[..., Any], *args: Any, **kwargs: Any) -> Callable[..., Any]:
         world = whose()
@@ -266,7 +266,7 @@ def _unregister(real: Callable[..., Any]) -> Callable[..., Any]:
 
 
 def _exit(real: Callable[[int], Any]) -> Callable[[int], Any]:
-    """``os._exit``: of a node, not of the process that runs it."""
+    """``os._exit``: end the node, not the process that runs it."""
 
     def exit_at_once(status: int) -> None:
         world = whose()
@@ -279,7 +279,7 @@ def _exit(real: Callable[[int], Any]) -> Callable[[int], Any]:
     return exit_at_once
 
 
-# Who wants a process, by the module that asks for it.
+# What a node has used, by the module that then asks for a process.
 _STARTERS = {
     "concurrent.futures.process": "ProcessPoolExecutor",
     "multiprocessing.managers": "multiprocessing.Manager",
@@ -289,7 +289,7 @@ _STARTERS = {
 
 
 def starter(frame: FrameType) -> str:
-    """Which name of the standard library a node has used that wants a process, or what processes can share."""
+    """Name what a node has used of the standard library to ask for a process, or for something that processes share."""
     calls = [(each.f_globals.get("__name__"), each.f_code.co_name) for each, _ in traceback.walk_stack(frame)]
     for module, function in reversed(calls):
         if module in _STARTERS:
@@ -300,9 +300,9 @@ def starter(frame: FrameType) -> str:
 
 
 def _fork(real: Callable[..., Any]) -> Callable[..., Any]:
-    """What starts a process for ``multiprocessing``, and for others, which may.
+    """Start no process for ``multiprocessing`` in simulated time, and none that is not forked; others may start any.
 
-    What its processes wait for, they wait for in real time. One that is not forked is a Python without stand-ins.
+    Its processes wait for each other in real time. One that is not forked is a Python without stand-ins.
     """
 
     def fork(*args: Any) -> Any:
@@ -332,7 +332,7 @@ PATCHES: list[Patch] = [
 
 
 def leave(status: int, world: World) -> None:
-    """Exit at once, if Python would wait for threads that are left of a node: one that was killed."""
+    """Exit at once if a killed node has left threads for which Python would wait."""
     if any(thread.ident in world.idents and not thread.daemon for thread in threading.enumerate()):
         sys.stdout.flush()
         sys.stderr.flush()

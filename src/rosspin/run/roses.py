@@ -12,9 +12,9 @@ __all__ = ["ROSES", "Ros", "ros_of"]
 class Ros(NamedTuple):
     """One of the ROSes, by its number.
 
-    ``roots`` are the packages that make a process one of this ROS when it imports them, the stand-in's own first;
+    Importing one of the packages ``roots`` makes a process one of this ROS; the first root is the stand-in's own.
     ``needed`` are the modules that its nodes need beside Python's own. The rest completes sentences about a node: what
-    kills it if it does not end, what its loops should ask, what else is a thread, how they sleep.
+    kills it if it does not end, what its loops should check, what else is a thread, how its loops should sleep.
     """
 
     number: int
@@ -27,7 +27,7 @@ class Ros(NamedTuple):
 
     @property
     def stand_in(self) -> ModuleType:
-        """The package that stands in for it: rclpy is large, and loaded only for nodes that may need it."""
+        """The package that stands in for this ROS, loaded only for nodes that may need it, as rclpy is large."""
         return import_module(f"rosspin.{self.roots[0]}")
 
     @property
@@ -63,5 +63,5 @@ _OF_ROOTS = {root: ros for ros in ROSES.values() for root in ros.roots}
 
 
 def ros_of(module: str) -> Ros | None:
-    """The ROS to which a module belongs by its name, as in rclpy.node; None for any other module."""
+    """The ROS to which a module such as rclpy.node belongs by its name; None for any other module."""
     return _OF_ROOTS.get(module.partition(".")[0])

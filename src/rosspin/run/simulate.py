@@ -26,23 +26,22 @@ def simulate(
 ) -> Run:
     """Run a node for ``seconds`` of simulated time, which begins at 0 and takes almost no real time.
 
-    ``node`` is the path of a node file, or a function; the first of ``rospy`` and ``rclpy`` that it imports
-    says for which ROS it is. ``args`` are its
-    command line, such as ``"__ns:=/mrp"``, or ``"--ros-args", "-r", "__ns:=/mrp"`` in ROS 2. What is due exactly at
-    ``seconds`` still runs; then Ctrl-C is pressed, which does what it does in that ROS: rospy ends with status 0, rclpy
-    raises KeyboardInterrupt, with status 130 if nothing catches it. The run ends earlier if the node does. As on a real
-    ROS, an exception in the node is printed and gives status 1.
+    ``node`` is the path of a node file, or a function. Whichever of ``rospy`` and ``rclpy`` it imports first decides
+    its ROS. ``args`` are its command line, such as ``"__ns:=/mrp"``, or ``"--ros-args", "-r", "__ns:=/mrp"`` in ROS 2.
+    What is due exactly at ``seconds`` still runs; then Ctrl-C is pressed. Then, as on a real ROS, rospy ends with
+    status 0, and rclpy raises KeyboardInterrupt, with status 130 if nothing catches it. The run ends earlier if the
+    node does. As on a real ROS, an exception in the node is printed and gives status 1.
 
-    What the node changes in modules or in the process is gone afterwards. Its numbers from ``random`` are the ones that
-    the caller would have drawn, and still will: runs without a seed between them draw the same.
+    What the node changes in modules or in the process is undone afterwards. From ``random`` it draws the numbers that
+    the caller would have drawn next, and still will: two runs in a row draw the same unless you set a seed in between.
 
-    Several nodes run together if ``node`` is a list of them, or the path of a launch file of ROS 1, whose own arguments
-    are then the ``args``. They are started in this order, all at time 0, and each is a process to itself. In a list,
-    :class:`Node` gives one a command line of its own. The sources of ticks begin with the nodes' names. Nodes of ROS 1
-    run as under roslaunch: what it says of nodes that end is on the console, and the status is 0 whatever becomes of
-    them. With nodes of ROS 2 they run as in terminals of their own, Ctrl-C is for all of them, and the status is that
-    of the first that has failed. Nodes of ROS 1 and ROS 2 do not hear each other. With ``skip_cpp``, the nodes of a
-    launch file that are not in Python are left out.
+    Several nodes run together if ``node`` is a list of them, or the path of a launch file of ROS 1, which is then given
+    the ``args``. They are started in this order, all at time 0, each as a process of its own. In a list, :class:`Node`
+    gives one a command line of its own. The sources of ticks begin with the nodes' names. Nodes of ROS 1 run as under
+    roslaunch: what it says of nodes that end is on the console, and the status is 0 whatever becomes of them. If there
+    are nodes of ROS 2, all run as in terminals of their own: each gets the Ctrl-C, and the status is that of the first
+    that has failed. Nodes of ROS 1 and ROS 2 do not hear each other. With ``skip_cpp``, the nodes of a launch file that
+    are not in Python are left out.
 
     Raises OSError if the file cannot be read, SyntaxError if it is not Python, ValueError if ``seconds`` is negative,
     too large or not a number, :class:`TimeStandsStill` if the node never lets the time go on, and
@@ -61,7 +60,7 @@ def simulate(
 def several(
     node: NodeLike | Sequence[NodeLike | launch.Node], args: Sequence[str] = (), skip_cpp: bool = False
 ) -> launch.Launch | None:
-    """What a launch file or a list stands for; None for anything else. Raises what :func:`simulate` does for these."""
+    """Read a launch file, or a list of nodes; None for anything else. Raises what :func:`simulate` raises for these."""
     if isinstance(node, (str, os.PathLike)) and os.fspath(node).endswith(".launch"):
         return launch.read_launch(node, args, skip_cpp)
     if callable(node) or isinstance(node, (str, os.PathLike)) or not isinstance(node, Iterable):
@@ -90,7 +89,7 @@ def run_node(
 ) -> Result:
     """Run a loaded node on a clock: if ``seconds`` is None, on the wall until Ctrl-C.
 
-    Its console goes where ``sys.stdout`` and ``sys.stderr`` go; ticks and messages are kept if ``ticks`` are.
+    Its console goes where ``sys.stdout`` and ``sys.stderr`` go; ticks and messages are recorded if ``ticks`` is given.
     ``give_up`` is for the wall: see :meth:`Host.run_on_the_wall`.
     """
     until = None if seconds is None else duration(seconds)
@@ -126,7 +125,7 @@ def run_nodes(
 
 
 def supervisor(nodes: launch.Launch, host: Host, codes: Sequence[Node] | None = None) -> Supervisor:
-    """Who starts nodes, waits for their end and ends them: roslaunch, or nobody in particular."""
+    """Make the supervisor of nodes: roslaunch, or with nodes of ROS 2 one that treats them as in terminals."""
     codes = codes or [load(node.node) for node in nodes.nodes]
     for line in nodes.left_out:
         sys.stderr.write(f"rosspin: {line}\n")

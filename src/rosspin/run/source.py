@@ -33,12 +33,12 @@ class Node(NamedTuple):
     argv0: str
     filename: str
     folder: str | None  # of the node file: its neighbours can be imported
-    source: str | None = None  # the text that it was made of, if it was
-    hint: int = 0  # 1 or 2: the ROS that its code names, as far as one sees; what it imports decides
+    source: str | None = None  # the text that it was made from, if any
+    hint: int = 0  # 1 or 2: the ROS that its code seems to name, or 0; what it imports decides
 
     @property
     def name(self) -> str:
-        """What it is called where it has no other name: its file or function, without the suffix."""
+        """Its name where it has no other: that of its file, without the suffix, or of its function."""
         return os.path.basename(self.argv0).removesuffix(".py")
 
 
@@ -49,7 +49,7 @@ def load(node: NodeLike) -> Node:
     """Make a node of a file or a function.
 
     Raises OSError if it cannot be read, SyntaxError if it is not Python, ValueError for several nodes or a launch file,
-    TypeError for what is neither.
+    TypeError for anything else.
     """
     if callable(node):
         function = inspect.unwrap(node)
@@ -69,7 +69,7 @@ def load(node: NodeLike) -> Node:
 
 def load_source(source: str, filename: str) -> Node:
     """Load a node from its source text. Raises SyntaxError if it is not Python."""
-    lines = io.StringIO(source, newline=None).readlines()  # as Python counts them; it may show one when it compiles
+    lines = io.StringIO(source, newline=None).readlines()  # as Python counts lines; it may show one while it compiles
     linecache.cache[filename] = (len(source), None, lines, filename)
     code = _compile(source, filename)
     folder = str(Path(filename).resolve().parent) if os.path.exists(filename) else None
@@ -85,7 +85,7 @@ def execute(code: CodeType, filename: str) -> None:
 
 
 def _read(path: str) -> str:
-    """The text of a Python file. SyntaxError for bytes that are none."""
+    """Read the text of a Python file. Raises SyntaxError for bytes that are not in its encoding."""
     try:
         with tokenize.open(path) as file:
             return file.read()
@@ -98,7 +98,7 @@ def _read(path: str) -> str:
 def _compile(source: str, filename: str) -> CodeType:
     try:
         return compile(source, filename, "exec", dont_inherit=True)
-    except SyntaxError as error:  # of null bytes Python does not say where
+    except SyntaxError as error:  # Python does not say where null bytes are
         line = source.partition("\0")[0].count("\n") + 1
         raise error if error.filename else SyntaxError(error.msg, (filename, line, None, None)) from None
 
@@ -107,7 +107,7 @@ def _compile(source: str, filename: str) -> CodeType:
 
 
 def refuse_launch_of_ros2(path: str) -> None:
-    """ValueError for a launch file of ROS 2, by its name."""
+    """Raise ValueError for a launch file of ROS 2, by its name."""
     if re.search(r"[._]launch\.(xml|ya?ml)$|\.launch\.py$", path):
         raise ValueError(
             f"{path}: rosspin runs launch files of ROS 1 (.launch) only; run the nodes of this one one by one"
@@ -115,14 +115,14 @@ def refuse_launch_of_ros2(path: str) -> None:
 
 
 def refuse_other_ros(path: str, ros: int) -> None:
-    """ValueError if a node file is for the other ROS. What is wrong with it otherwise, its run will show."""
+    """Raise ValueError if a node file is for the other ROS. The run will show anything else that is wrong with it."""
     with suppress(SyntaxError):
         if load_source(_read(path), path).hint == 3 - ros:
             raise ValueError(f"{path}: this is a node of ROS {3 - ros}: --ros{3 - ros}")
 
 
 def refuse_text(args: Sequence[str]) -> None:
-    """TypeError for a command line that is not in words."""
+    """Raise TypeError for a command line that is a text, not a list of words."""
     if isinstance(args, str):
         raise TypeError(f"args is a list of words, not a text: {args.split()!r}, not {args!r}")
 
@@ -170,7 +170,7 @@ def _imports(node: Node) -> set[str]:
 
 
 def _hint(codes: Sequence[CodeType], folder: str | None) -> int:
-    """The ROS that code names, or else the neighbours that it imports; 0 if that is none, or both."""
+    """The ROS that code names, or else the one that the neighbours it imports name; 0 if they name none, or both."""
     seen: set[str] = set()
     while codes:
         names = {name for code in codes for name in _names(code)}
@@ -190,12 +190,12 @@ def _compiled(paths: Sequence[str]) -> Iterator[CodeType]:
 
 
 def names_a_ros(code: CodeType) -> int:
-    """The ROS that code names, without what it imports; 0 if that is none, or both."""
+    """The ROS that code names by itself, whatever it imports; 0 if it names none, or both."""
     return _hint([code], None)
 
 
 def _names(code: CodeType) -> Iterator[str]:
-    """The names in code and in the functions in it, among which are those of the modules that it imports."""
+    """The names in code and in its functions; those of the modules that it imports are among them."""
     yield from code.co_names
     for constant in code.co_consts:
         if isinstance(constant, CodeType):
@@ -208,7 +208,7 @@ def _neighbour(folder: str, name: str) -> str | None:
 
 
 def around_package(folder: str) -> str:
-    """The folder from which the package in a folder can be imported, as after ``colcon build``; "" if it is none."""
+    """The folder from which a package can be imported, as after ``colcon build``; "" if ``folder`` is not a package."""
     around = folder
     while os.path.isfile(os.path.join(around, "__init__.py")):
         around = os.path.dirname(around)
@@ -216,5 +216,5 @@ def around_package(folder: str) -> str:
 
 
 def folder_of(node: Node) -> Path | None:
-    """The folder of a node's code, from which its package is looked for: a function's, too."""
+    """The folder of a node's code, even a function's: the search for its package begins there."""
     return Path(node.filename).parent if os.path.exists(node.filename) else None

@@ -29,7 +29,7 @@ __all__ = ["NodeFailed", "StartedNode", "start"]
 
 _INTERRUPTED = 128 + signal.SIGINT
 
-# So many lines of its console, the last ones, are shown of a node that failed.
+# How many lines of a failed node's console, the last ones, are shown.
 _LINES = 10
 
 
@@ -44,9 +44,9 @@ def start(
 
     ``node`` and ``args`` are as for :func:`simulate`; ``parameters`` are set before a node runs, as by a launch file:
     in ROS 1 private ones by names such as ``"~rate"``, in ROS 2 those that it declares. What is due at 0 s has run when
-    this returns; the time then waits for :meth:`StartedNode.advance`. Raises what :func:`simulate` does, what
-    ``advance`` does, TypeError for a value that no parameter can have, and ValueError for parameters of several nodes,
-    which each have their own on their command line.
+    this returns; the time then waits for :meth:`StartedNode.advance`. Raises what :func:`simulate` and ``advance``
+    raise, TypeError for a value that no parameter can have, and ValueError for parameters of several nodes: give each
+    of them its own on its command line.
     """
     __tracebackhide__ = True  # pytest shows the lines of the test and of the node, not these
     refuse_text(args)
@@ -58,12 +58,12 @@ def start(
 class StartedNode:
     """A node that :func:`start` has started. Use it as a context: at the end it presses Ctrl-C, see :meth:`close`.
 
-    Nothing of the node runs, and no time passes, but in its methods. The node has its own command line, environment,
-    working directory, modules and loggers; outside of these methods nothing of them is to be seen.
+    The node runs, and time passes, only within the methods below. The node has its own command line, environment,
+    working directory, modules and loggers, none of which can be seen outside of these methods.
 
-    In the graph there is a second node, ``/tester``, which is connected to every topic of the node as soon as the node
-    has it, and which publishes what the test publishes. Of several nodes each is meant where these texts say "the
-    node"; ``name`` is their names.
+    A second node in the graph, ``/tester``, is connected to every topic of the node as soon as the node has it, and
+    publishes what the test publishes. If several nodes were started, "the node" below means each of them, and ``name``
+    is their names.
     """
 
     def __init__(
@@ -87,7 +87,7 @@ class StartedNode:
         self._now = 0
         self._messages: list[Message] = []  # all of the run
         self._closed = False
-        self._raised: set[int] = set()  # of the nodes' errors, those that were raised; and then their statuses
+        self._raised: set[int] = set()  # the identities of the nodes' errors that were raised
         self._status_raised = False
         with self._inside():
             if launched:
@@ -103,7 +103,7 @@ class StartedNode:
             raise
 
     def _take_part(self, ros: int, graph: Graph) -> None:
-        """A node has used a ROS for the first time: be another node there."""
+        """Join the graph of a ROS, as another node, when a node has used it for the first time."""
         world = World(self._clock, [], Recording(self._clock, None), lambda ros: graph)
         world.bind(ros)
         graph.tester = self._testers[ros] = ROSES[ros].tester.Tester(world, _Messages(self._host, ros))
@@ -124,7 +124,7 @@ class StartedNode:
         if error is None:
             self.close()
         else:
-            self._abandon()  # what has gone wrong first is what there is to be said
+            self._abandon()  # the first error is the one to report
 
     @property
     def time(self) -> float:
@@ -133,12 +133,12 @@ class StartedNode:
 
     @property
     def status(self) -> int | None:
-        """The node's exit status; None while it runs. Of several: the first that is not 0, None while one runs."""
+        """The node's exit status; None while it runs. Of several: the first that is not 0, else None while one runs."""
         statuses = [self._status_of(process) for process in self._host.processes]
         return next(filter(None, statuses), None if None in statuses else 0)
 
     def _failed(self, process: Process) -> bool:
-        """Whether it has ended with a status that says so. In ROS 2, 130 is how most nodes end at Ctrl-C."""
+        """Whether a process has ended with a status that means failure. In ROS 2, most nodes end with 130 at Ctrl-C."""
         status = self._status_of(process)
         return bool(status) and not (status == _INTERRUPTED and self._closed and process.world.ros == 2)
 
@@ -153,7 +153,7 @@ class StartedNode:
         return self._run_since(0, 0, 0, 0)
 
     def advance(self, seconds: float) -> Run:
-        """Let ``seconds`` of simulated time pass; what the node has done meanwhile.
+        """Let ``seconds`` of simulated time pass. Returns what the node has done meanwhile.
 
         What is due exactly at the end has run. If the node ends with status 0, the time passes without it.
 
@@ -193,20 +193,20 @@ class StartedNode:
     def publish(self, topic: str, /, *args: Any, **fields: Any) -> None:
         """Publish a message to the node, which receives it at once: at the present time, in the next ``advance``.
 
-        As with ``rospy.Publisher.publish`` it is given whole, by all its fields, or by some of them by name; its class
-        is that of the node's subscriber. By name a dict stands for a nested message, and a number for a time, in
-        seconds: ``node.publish("/range", range=0.5, header={"stamp": node.time})``. In ROS 2 the whole message may be
-        such a dict, too.
+        Give it as to ``rospy.Publisher.publish``: as a whole message, as all its fields, or as some of them by name.
+        Its class is that of the node's subscriber. By name, a dict stands for a nested message, and a number of seconds
+        for a time: ``node.publish("/range", range=0.5, header={"stamp": node.time})``. In ROS 2 the whole message may
+        be such a dict, too.
 
-        Raises LookupError if the node does not subscribe to the topic, and what ``rospy.Publisher.publish`` or, in
-        ROS 2, the message's class does if it has no such fields or they cannot have these values.
+        Raises LookupError if the node does not subscribe to the topic. For unknown fields or wrong values, raises what
+        ``rospy.Publisher.publish`` or, in ROS 2, the message's class raises.
         """
         self._tester(lambda tester: tester.publish(topic, args, fields))
 
     def message(self, type: str, /, **fields: Any) -> Any:
         """A message of any type that the node can import: ``node.message("geometry_msgs/Twist", linear={"x": 0.5})``.
 
-        Raises LookupError if there is none, and what the class does for wrong fields.
+        Raises LookupError if there is no such type, and what the class raises for wrong fields.
         """
         return self._tester(lambda tester: tester.message(type, fields))
 
@@ -244,7 +244,7 @@ class StartedNode:
         self._messages += recording.messages(len(self._messages))
         failed = [(process, error) for process in self._host.processes for error in process.world.errors]
         failed = [each for each in failed if id(each[1]) not in self._raised]
-        self._raised |= {id(error) for _, error in failed}  # they are kept by their worlds
+        self._raised |= {id(error) for _, error in failed}  # unique: the worlds keep these errors
         if self._closed:
             failed = [each for each in failed if not self._is_end(*each)]
         deaths = list(filter(self._failed, self._host.processes))
@@ -272,7 +272,7 @@ class StartedNode:
         return isinstance(error, KeyboardInterrupt) and process.world.ros == 2 and not self._failed(process)
 
     def _run_since(self, piece: int, tick: int, message: int, time: int) -> Run:
-        """What the node has done from these pieces of its console, ticks and messages on, since the time ``time``."""
+        """What the node has done since ``time`` (ns): its console, ticks and messages from these numbers on."""
         return Run(
             self._capture.text(piece),
             self._host.recording.ticks(tick),
@@ -285,7 +285,7 @@ class StartedNode:
 
 
 class _Messages:
-    """The classes of messages that one of the nodes can import, as in ``messages["std_msgs/UInt32"]``."""
+    """The classes of messages that any of the nodes can import, by name: ``messages["std_msgs/UInt32"]``."""
 
     def __init__(self, host: Host, ros: int) -> None:
         self._host = host

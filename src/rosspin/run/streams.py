@@ -47,7 +47,7 @@ class Capture:
 
 
 class _Sink(io.BufferedIOBase):
-    """The bytes of a stream, for nodes that write some: ``sys.stdout.buffer``."""
+    """What a stream writes its bytes to; nodes that print bytes know it as ``sys.stdout.buffer``."""
 
     def __init__(self, take: Callable[[bytes], None]) -> None:
         self._take = take

@@ -22,9 +22,9 @@ _INTERRUPTED = 128 + signal.SIGINT
 
 
 class Together:
-    """Runs ``nodes``, whose code is ``codes``, in a host. Raises ValueError for what only roslaunch does.
+    """Runs ``nodes``, whose code is ``codes``, in a host. Raises ValueError for attributes that need roslaunch.
 
-    The status is that of the first node that fails: 0 is none, and in ROS 2 neither is 130 after Ctrl-C.
+    The status is that of the first node that fails, or 0. In ROS 2, ending with 130 after Ctrl-C is no failure.
     """
 
     def __init__(self, host: Host, nodes: Sequence[Node], codes: Sequence[Code]) -> None:
@@ -48,7 +48,7 @@ class Together:
             self._wait(processes)
         except KeyboardInterrupt:
             pass
-        signal.signal(signal.SIGINT, signal.SIG_IGN)  # this program's own: Ctrl-C may come only now
+        signal.signal(signal.SIGINT, signal.SIG_IGN)  # for this program only: its Ctrl-C may still come
         self._interrupted = True
         for process in processes:
             if not process.world.over:
@@ -93,7 +93,7 @@ class Together:
 
 
 def _give_names(process: Process, node: Node) -> None:
-    """Give the node the name and the namespace that it is to have, as its ROS takes them on a command line."""
+    """Add the node's name and namespace to its command line, as its ROS takes them there."""
     names = {"name" if process.world.ros == 1 else "node": node.name, "ns": node.namespace.rstrip("/")}
     words = [f"__{key}:={value}" for key, value in names.items() if value]
     if words and process.world.ros == 2:

@@ -35,13 +35,13 @@ from .streams import Capture, byte_stream
 
 __all__ = ["measure", "measured"]
 
-# What comes from the node's process is in pieces that a pipe takes as a whole, whoever else writes into it: kind and
-# length, then so many bytes.
+# The node's process sends pieces that a pipe takes as a whole, whoever else writes into it: kind and length, then that
+# many bytes.
 _HEAD = struct.Struct("=cH")
 _PIECE = 4096 - _HEAD.size
 _STARTED, _STDOUT, _STDERR, _OUTCOME, _END = b"s", b"o", b"e", b"r", b"."
 
-# What the node's process gives at its end, without the classes that only it has: status, start, ticks, messages.
+# What the node's process sends at its end, without the classes that only it has: status, start, ticks, messages.
 _Outcome = tuple[int, float, list[tuple[Any, ...]], list[pickles.Packed]]
 
 
@@ -49,14 +49,14 @@ def measure(node: NodeLike, seconds: float, args: Sequence[str] = ()) -> Run:
     """Run a node for ``seconds`` on the wall clock; its ticks show the jitter of this machine.
 
     Like :func:`simulate`, but in real time. A node file runs in a process of its own, as with ``rosspin run``: its
-    standard input is empty, and it sees nothing of what you have replaced in modules of yours. When the run is over
-    nothing of it is left, whatever the node does. You can measure several files at a time, each in a thread.
+    standard input is empty, and it sees nothing that you have replaced in your modules. When the run is over, nothing
+    of it is left, whatever the node does. You can measure several files at a time, each in a thread.
 
     A function runs in your process, so that it can fill lists of yours. It needs the main thread (else RuntimeError).
     If it is inside a call of C code that ignores signals, the run cannot end before that call returns.
 
-    A message in the result is None if it could not be taken out of the node's process: one that no subscriber could
-    have got, because it holds an object of the node's own class.
+    A message in the result is None if it could not leave the node's process, because it holds an object of the node's
+    own class. No subscriber could have received it either.
     """
     refuse_text(args)
     return measured(load(node), seconds, args)
@@ -71,7 +71,7 @@ def measured(node: Node, seconds: float, args: Sequence[str], *streams: TextIO) 
     console = Capture(*streams)
     job = pickle.dumps((node.source, node.filename, seconds, list(args), host.PATIENCE))
     read, write = os.pipe()
-    # The node's process is a fresh one: a fork of this one would have the locks that its other threads hold.
+    # The node's process is a fresh one: a fork of this one would inherit the locks that its other threads hold.
     code = f"import sys; sys.path[:] = {sys.path!r}; from rosspin.run.wall import run_apart; run_apart({write})"
     child = subprocess.Popen(
         [sys.executable, "-c", code], stdin=subprocess.PIPE, pass_fds=[write], start_new_session=True
@@ -101,17 +101,17 @@ class _Apart:
         self._interrupted = False
 
     def interrupt(self) -> None:
-        """Press Ctrl-C, or do so as soon as the node has started."""
+        """Press Ctrl-C, now or as soon as the node has started."""
         self._interrupted = True
         if self._start is not None and not self._ended:
             self._signal(signal.SIGINT)
 
     def listen(self, read: int, job: bytes) -> None:
-        """Tell the process its job, and take what comes from it, until its end."""
+        """Send the process its job, and take all that it sends, until its end."""
         assert self._child.stdin
         with suppress(BrokenPipeError):
             self._child.stdin.write(job)
-            self._child.stdin.flush()  # and it stays open: the process ends with its caller
+            self._child.stdin.flush()  # left open: it closes with the caller, and then the process ends
         received = b""
         while True:
             if select.select([read], [], [], 0.2)[0]:
@@ -120,12 +120,12 @@ class _Apart:
                     return
                 received = self._take(received + data)
             elif self._child.poll() is not None:
-                return  # what holds the pipe is a child of the node's
+                return  # only a child of the node's still holds the pipe
             elif self._ended and time.monotonic() > self._ended + host.PATIENCE:
                 return
 
     def _take(self, received: bytes) -> bytes:
-        """Take all whole pieces; the rest."""
+        """Take all whole pieces, and return the rest."""
         at = 0
         while len(received) >= at + _HEAD.size:
             kind, length = _HEAD.unpack_from(received, at)
@@ -192,7 +192,7 @@ def _ctrl_c_for(apart: _Apart) -> Iterator[None]:
 
 
 def run_apart(pipe: int) -> None:
-    """Run the node that stdin tells of, and write what comes of it into a pipe."""
+    """Run the node that stdin describes, and write into a pipe what becomes of it."""
     os.set_inheritable(pipe, False)
     adopt_orphans()
     signal.signal(signal.SIGINT, signal.SIG_IGN)  # before the run and after it

@@ -1,6 +1,6 @@
-"""What the processes of one run share: what is recorded of them, and the topics of each ROS.
+"""What the processes of one run share: a recording, and the topics of each ROS.
 
-What is the same in every ROS. Who is told of whom, when two nodes connect, and what a queue keeps, is each ROS's own.
+Only what every ROS has in common is here. Each ROS decides who is told of whom, when nodes connect, what a queue keeps.
 """
 
 from __future__ import annotations
@@ -45,7 +45,7 @@ class Tester(Protocol):
 
 E = TypeVar("E", bound=End)
 
-# A message as it is recorded: topic, node, time (ns), and what makes the message when somebody asks for it.
+# A message as it is recorded: topic, node, time (ns), and a function that makes the message when somebody asks for it.
 Published = tuple[str, str, int, Callable[[], Any]]
 
 
@@ -69,7 +69,7 @@ class TickLog:
         return len(self._fields) // self._FIELDS
 
     def add(self, source: str, number: int, expected: int, real: int, duration: int | None = None) -> int:
-        """Record a tick; its place. If it has no duration yet, ``end`` gives it one."""
+        """Record a tick (ns) and return its place. If it has no duration yet, ``end`` gives it one."""
         fields = self._fields
         fields += (source, number, expected, real, duration)  # in one go, whatever other threads and signals do
         end = len(fields)
@@ -78,7 +78,7 @@ class TickLog:
         return end // self._FIELDS - 1
 
     def end(self, place: int, duration: int) -> None:
-        """Record how long a tick took that has ended now."""
+        """Record how long a tick took, in ns, now that it has ended."""
         self._fields[place * self._FIELDS + 4] = duration
 
     def is_running(self, place: int) -> bool:
@@ -112,9 +112,9 @@ class _Ends(Generic[E]):
 
 
 class Recording:
-    """The ticks and messages of a run that began at ``start`` (ns); with ``log`` None nobody asks for them.
+    """The ticks and messages of a run that began at ``start`` (ns). If ``log`` is None, nothing is recorded.
 
-    ``several`` says whether the processes are more than one.
+    ``several`` says whether there is more than one process.
     """
 
     def __init__(self, clock: Clock, log: TickLog | None, several: bool = False, start: int = 0) -> None:
@@ -125,12 +125,12 @@ class Recording:
         self._clock = clock
 
     def add_message(self, topic: str, node: str, make: Callable[[], Any]) -> None:
-        """Keep that ``node`` has published, now, the message that ``make()`` gives."""
+        """Record that ``node`` publishes, now, the message that ``make()`` returns."""
         if self.published is not None:
             self.published.append((topic, node, self._clock.now(), make))
 
     def ticks(self, since: int = 0) -> tuple[Tick, ...]:
-        """What was recorded of ticks, from the tick ``since`` on."""
+        """The recorded ticks, from the tick ``since`` on."""
         if self.log is None:
             return ()
         start = self.start
@@ -150,7 +150,7 @@ class Recording:
             )
 
     def messages(self, since: int = 0) -> tuple[Message, ...]:
-        """What was recorded of messages, likewise."""
+        """The recorded messages, from the message ``since`` on."""
         published = self.published or ()
         return tuple(
             Message(topic, node, (time - self.start) / NS, make()) for topic, node, time, make in published[since:]
@@ -159,7 +159,7 @@ class Recording:
 
 @contextmanager
 def _no_collections() -> Iterator[None]:
-    """Within this context the garbage collector does not go through what is made, again and again as it grows."""
+    """Within this context the garbage collector is off: it would go through a growing result again and again."""
     collects = gc.isenabled()
     gc.disable()
     try:
@@ -186,12 +186,12 @@ class Graph:
         return self._parts[kind]  # type: ignore[no-any-return]
 
     def advertise(self, publication: End) -> list[Any]:
-        """Add a publication; the subscriptions that are there already."""
+        """Add a publication. Returns the subscriptions that are there already."""
         found = self._add(publication, self._publications, self._subscriptions)
         return [*found, self.tester.subscription(publication)] if self.tester else found
 
     def subscribe(self, subscription: End) -> list[Any]:
-        """Add a subscription; the publications that are there already."""
+        """Add a subscription. Returns the publications that are there already."""
         found = self._add(subscription, self._subscriptions, self._publications)
         return [*found, self.tester.publication(subscription)] if self.tester else found
 

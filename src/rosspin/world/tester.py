@@ -1,6 +1,6 @@
-"""The node of a test: it is connected to every topic of the other nodes as soon as they have it.
+"""The node that a test plays. It is connected to every topic of the other nodes as soon as they have it.
 
-What is the same in every ROS: how topics and messages are named and filled in. Each ROS has its own ends of topics.
+Every ROS has in common how topics and messages are named and filled in. Each has its own ends of topics.
 """
 
 from __future__ import annotations
@@ -17,7 +17,7 @@ NAME = "/tester"
 
 
 class Tester(ABC):
-    """``messages`` makes the classes of messages, as in ``messages["std_msgs/UInt32"]``."""
+    """``messages`` has the classes of messages by name, as in ``messages["std_msgs/UInt32"]``."""
 
     def __init__(self, graph: Graph, messages: Any) -> None:
         self._graph = graph
@@ -44,7 +44,7 @@ class Tester(ABC):
         return name
 
     def message(self, type_: str, fields: Mapping[str, Any]) -> Any:
-        """A message of a type such as std_msgs/UInt32. Raises LookupError if there is none, and what its class does."""
+        """Make a message of a type such as std_msgs/UInt32. Raises LookupError if unknown, and as its class does."""
         try:
             data_class = self._messages[type_]
         except KeyError:
@@ -63,7 +63,7 @@ class Tester(ABC):
 
     @abstractmethod
     def _publish(self, name: str, args: tuple[Any, ...], fields: Mapping[str, Any]) -> bool:
-        """Whether anybody subscribes."""
+        """Publish a message. Returns whether anybody subscribes."""
 
     def _filled(self, data_class: Any, fields: Mapping[str, Any]) -> dict[str, Any]:
         types = self._types(data_class)
@@ -75,7 +75,7 @@ class Tester(ABC):
         """The fields of a message and their types, as in ``std_msgs/Header`` and ``time[]``."""
 
     def _value(self, type_: str, value: Any) -> Any:
-        """A field's value; as for rostopic a dict stands for a message, and here a number of seconds for a time."""
+        """A field's value. As for rostopic, a dict stands for a message; here, a number of seconds also for a time."""
         base, _, array = type_.partition("[")
         if array and isinstance(value, (list, tuple)):
             return [self._value(base, item) for item in value]

@@ -1,4 +1,4 @@
-"""A node in one run: what is kept of it for every ROS, and what each ROS keeps for itself."""
+"""The world of a node in one run: what is kept in either ROS, and what each ROS adds."""
 
 from __future__ import annotations
 
@@ -19,7 +19,7 @@ __all__ = ["NotSimulated", "World", "current_world", "not_simulated", "refusing"
 
 Part = TypeVar("Part")
 
-# What a node may import beside its ROS and would not find.
+# Packages of ROS that a node may import and that have no stand-in.
 _ROS_PACKAGES = {
     *("actionlib", "cv_bridge", "dynamic_reconfigure", "message_filters", "rosbag", "rosgraph", "roslaunch", "roslib"),
     *("rosnode", "rosparam", "rospkg", "rosservice", "rostopic", "tf", "tf2_ros", "tf_conversions"),
@@ -28,7 +28,7 @@ _ROS_PACKAGES = {
 
 
 class NotSimulated(NotImplementedError):
-    """The node asks for something that only a real ROS has, or whatever else ``where`` names."""
+    """The node needs something that only a real ROS has, or only the place that ``where`` names."""
 
     def __init__(self, name: str, where: str = "a real ROS") -> None:
         super().__init__(f"{name} is not simulated; run this node on {where}")
@@ -40,7 +40,7 @@ class NotSimulated(NotImplementedError):
 
 
 def not_simulated(error: BaseException) -> NotSimulated | None:
-    """What an error means if it is that a package of ROS cannot be imported."""
+    """Turn an error into NotSimulated if it says that a package of ROS cannot be imported; else None."""
     name = error.name or "" if isinstance(error, ModuleNotFoundError) else ""
     root, _, rest = name.partition(".")
     lacking = (
@@ -53,7 +53,7 @@ def not_simulated(error: BaseException) -> NotSimulated | None:
 
 
 def refusing(module: str, names: Set[str]) -> Callable[[str], Any]:
-    """The ``__getattr__`` of a module of a stand-in that lacks these names of the real one."""
+    """Make the ``__getattr__`` for a module of a stand-in, which lacks these names of the real one."""
 
     def find(name: str) -> Any:
         if name in names:
@@ -66,8 +66,8 @@ def refusing(module: str, names: Set[str]) -> Callable[[str], Any]:
 class World(Program):
     """A node's world: the clock that it runs on, its command line ``argv``, and what is recorded of it.
 
-    ``graph_of(ros)`` is the graph that it shares with the nodes of its ROS, which is known once it uses one; ``number``
-    tells it from the other processes of its run.
+    ``graph_of(ros)`` gives the graph of a ROS; it is called once the node uses one. ``number`` tells the process from
+    the others of its run.
     """
 
     graph: Graph
@@ -83,7 +83,7 @@ class World(Program):
         super().__init__()
         self.clock = clock
         self.pid = os.getpid()
-        self.stderr = sys.stderr  # whatever the node makes of it
+        self.stderr = sys.stderr  # taken now, whatever the node puts in its place
         self.number = number
         self.name = ""  # its full name in the graph, as soon as it has one
         self.recording = recording
@@ -92,9 +92,9 @@ class World(Program):
         self._graph_of = graph_of
         self.argv = argv
         self.errors: list[BaseException] = []  # those whose tracebacks were printed
-        self.failure: Exception | None = None  # met in a thread, and the end of the run
+        self.failure: Exception | None = None  # what a thread has raised to end the run
         self.main_status: int | None = None  # with which its main program has ended
-        self.exit_status: int | None = None  # and all of it
+        self.exit_status: int | None = None  # with which the whole process has ended
         self.finished = False  # whether it has come to its own end: it was not killed, nor left by os._exit
         self.on_failure: Callable[[], None] | None = None  # called for each error, and a main status other than 0
         self.waited: list[Whereabouts] = []  # where its threads were when it was killed
@@ -103,7 +103,7 @@ class World(Program):
         self._parts: dict[type, Any] = {}
 
     def bind(self, ros: int) -> None:
-        """It is a process of ROS 1, or 2, from now on. Raises ImportError if it is one of the other."""
+        """Make it a process of ROS 1 or 2. Raises ImportError if it is one of the other already."""
         if self.ros not in (0, ros):
             raise ImportError(
                 f"this process has imported ROS {self.ros}: a process is one of ROS 1 (rospy) or of ROS 2 (rclpy)"
@@ -115,9 +115,9 @@ class World(Program):
                 function()
 
     def source(self, name: str) -> str:
-        """A name for something that ticks, made different from those given before: Rate, Rate 2, ...
+        """Make a new name for something that ticks: Rate, Rate 2, ...
 
-        With several nodes it begins with the node's: /talker Rate.
+        With several nodes it begins with the node's name: /talker Rate.
         """
         count = self._sources[name] = self._sources.get(name, 0) + 1
         numbered = name if count == 1 else f"{name} {count}"
@@ -171,7 +171,7 @@ class World(Program):
         try:
             return self._parts[kind]  # type: ignore[no-any-return]
         except KeyError:
-            self.bind(kind.ROS)  # type: ignore[attr-defined]  # what follows from that may ask for it, too
+            self.bind(kind.ROS)  # type: ignore[attr-defined]  # what binding calls may ask for the part, too
             if kind in self._parts:
                 return self._parts[kind]  # type: ignore[no-any-return]
             part = self._parts[kind] = kind(self)  # type: ignore[call-arg]

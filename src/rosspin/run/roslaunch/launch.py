@@ -1,4 +1,4 @@
-"""A launch file as the nodes of one run (source: roslaunch's xmlloader.py, loader.py and substitution_args.py)."""
+"""Read a launch file as the nodes of one run (source: roslaunch's xmlloader.py, loader.py and substitution_args.py)."""
 
 from __future__ import annotations
 
@@ -18,7 +18,7 @@ from ..source import NodeLike
 
 __all__ = ["Launch", "Node", "read_launch"]
 
-# Nobody means more: so deep files may include one another.
+# How deep files may include one another. Nobody means more.
 _DEEPEST = 100
 
 
@@ -27,10 +27,10 @@ class Node:
     """One of the nodes of a run: what a launch file says in ``<node>``.
 
     ``node`` is the path of a node file, or a function; ``args`` are its command line, where remappings and private
-    parameters are written as for ``rosrun``: ``"chatter:=talk"``, ``"_rate:=10"``. ``name`` takes the place of the name
-    that the node gives itself, and ``namespace`` is the one that it starts in. If a ``required`` node ends, all end;
-    one that is to ``respawn`` is started again, ``respawn_delay`` seconds later. ``output`` is "screen" or "log": what
-    a node prints on stdout is then not on the console. ``cwd`` is the folder that it starts in (default: that of this
+    parameters are written as for ``rosrun``: ``"chatter:=talk"``, ``"_rate:=10"``. ``name`` replaces the name that the
+    node gives itself, and ``namespace`` is the one that it starts in. If a ``required`` node ends, all nodes end; a
+    node with ``respawn`` is started again ``respawn_delay`` seconds after its end. ``output`` is "screen", or "log" to
+    keep what the node prints on stdout off the console. ``cwd`` is the folder that it starts in (default: that of this
     process), and ``env`` is added to its environment.
     """
 
@@ -48,7 +48,7 @@ class Node:
 
 @dataclass(frozen=True)
 class Launch:
-    """The nodes of a run, in the order of their start, the parameters that are set before, and what is left out."""
+    """The nodes of a run in the order of their start, the parameters that are set first, and what is left out."""
 
     nodes: Sequence[Node]
     parameters: Sequence[tuple[str, Any]] = ()
@@ -59,7 +59,7 @@ def read_launch(path: str | os.PathLike[str], args: Sequence[str] = (), skip_cpp
     """Read a launch file; ``args`` are its own, as in ``"rate:=10"``.
 
     The packages that it names are looked for around the file. With ``skip_cpp`` nodes that are not in Python are left
-    out. Raises OSError if a file cannot be read, and ValueError, with file and line, for what is faulty or not
+    out. Raises OSError if a file cannot be read, and ValueError, with file and line, for anything that is faulty or not
     simulated.
     """
     reader = _Reader(Path(path), skip_cpp)
@@ -93,7 +93,7 @@ class _Tag:
 
 
 def _parse(path: str) -> _Tag:
-    """The root element of a file. Raises OSError and ValueError."""
+    """Parse a file and return its root element. Raises OSError and ValueError."""
     from xml.parsers import expat  # only needed where there is a launch file
 
     parser = expat.ParserCreate()
@@ -126,7 +126,7 @@ def _parse(path: str) -> _Tag:
 
 @dataclass
 class _Scope:
-    """What holds where a tag is."""
+    """What applies to a tag because of its place in the files."""
 
     file: str
     namespace: str = "/"
@@ -138,14 +138,14 @@ class _Scope:
     private: dict[str, Any] = field(default_factory=dict)  # parameters of the nodes to come
 
     def inner(self, namespace: str | None) -> _Scope:
-        """A scope of its own inside of this one."""
+        """Make a scope inside of this one: what is changed there does not apply here."""
         inner = deepcopy(self)
         if namespace:
             inner.namespace = make_global_ns(ns_join(self.namespace, namespace))
         return inner
 
 
-# How many attributes each tag must have, and their names, those first. Every tag may have "if" and "unless".
+# For each tag, how many attributes it must have, and the names of all, those first. Any tag may have "if" and "unless".
 _ATTRIBUTES = {
     "arg": (1, "name value default doc"),
     "env": (2, "name value"),
@@ -157,7 +157,7 @@ _ATTRIBUTES = {
     "rosparam": (0, "command file ns param"),
 }
 
-# Tags that are passed over, as roslaunch does, and attributes that say nothing of a run.
+# Tags that are skipped, as by roslaunch, and attributes that do not affect a run.
 _IGNORED = {"test", "master"}
 _IDLE = {"doc", "clear_params"}
 
@@ -173,7 +173,7 @@ class _Reader:
         self.left_out: list[str] = []
         self._library = Library(1, path.absolute().parent)
         self._skip_cpp = skip_cpp
-        self._includes: list[str] = []  # those that lead to the file that is being read
+        self._includes: list[str] = []  # the <include> tags that lead to the file that is being read
 
     def read(self, path: str, scope: _Scope) -> None:
         """Read a file in a scope."""
@@ -197,7 +197,7 @@ class _Reader:
                     raise
 
     def _attributes(self, tag: _Tag, scope: _Scope) -> dict[str, str] | None:
-        """A tag's attributes with their substitutions; None if the tag is not for now."""
+        """A tag's attributes, with substitutions made; None if its "if" or "unless" leaves the tag out."""
         needed, names = _ATTRIBUTES[tag.name][0], _ATTRIBUTES[tag.name][1].split()
         found = {
             name: self._resolve(value, scope) for name, value in tag.attributes.items() if name in ("if", "unless")
@@ -244,7 +244,7 @@ class _Reader:
             args=dict(scope.args) if takes_all else {},
             declared=set(),
             takes_all=takes_all,
-            private=scope.private,  # what the file adds holds after it, too
+            private=scope.private,  # what the file adds also applies after it
         )
         for child in tag.children:
             values = self._attributes(child, scope) if child.name in ("arg", "env") else None
@@ -321,7 +321,7 @@ class _Reader:
         _check_values(data, file or "rosparam")
         name = ns_join(ns, param)
         if not name and not isinstance(data, dict):
-            raise _Fault("rosparam needs a param for what is no dictionary")
+            raise _Fault("rosparam needs a param for a value that is not a dictionary")
         self._set(ns_join(scope.namespace, name) if name else scope.namespace, data)
 
     def _read_node(
@@ -429,7 +429,7 @@ class _Reader:
             case ["find", name]:
                 return str(self._package(name))
             case ["anon", name]:
-                return f"{name}_anonymous"  # elsewhere it is different each time; here runs are the same each time
+                return f"{name}_anonymous"  # roslaunch makes it different each time; here runs are the same each time
             case ["dirname"]:
                 return os.path.dirname(os.path.abspath(scope.file))
         raise _Fault(f"{whole} is no substitution")
@@ -440,7 +440,7 @@ class _Fault(ValueError):
 
 
 def _read(path: str) -> str:
-    """The text of a file. Raises OSError and _Fault."""
+    """Read the text of a file. Raises OSError and _Fault."""
     try:
         return Path(path).read_text(encoding="utf-8")
     except UnicodeDecodeError as error:
@@ -448,7 +448,7 @@ def _read(path: str) -> str:
 
 
 def _output(command: str, name: str) -> str:
-    """What a command prints on stdout."""
+    """Run a command, and return what it prints on stdout. Raises _Fault."""
     import subprocess
 
     try:
@@ -463,7 +463,7 @@ def _output(command: str, name: str) -> str:
 
 
 def _words(text: str, name: str) -> list[str]:
-    """The words of a command line."""
+    """Split a command line into words. Raises _Fault."""
     try:
         return shlex.split(text)
     except ValueError as error:
@@ -500,7 +500,7 @@ def _number(text: str, name: str) -> float:
 
 
 def _convert(text: str, kind: str, name: str) -> Any:
-    """A parameter's value, of a type, or of the one that it looks like: int, float, bool or str."""
+    """Read a parameter's value as the type ``kind``; "auto" is what it looks like: int, float, bool or str."""
     if kind == "auto":
         if text.lower() in ("true", "false"):
             return text.lower() == "true"
@@ -535,7 +535,7 @@ def _yaml(text: str, name: str) -> Any:
 
 
 def _check_values(data: Any, name: str) -> None:
-    """_Fault if ROS's parameter server would not take it; also what holds itself is none of XML-RPC's values."""
+    """Raise _Fault if ROS's parameter server would not take a value, such as one that contains itself."""
     from xmlrpc.client import dumps  # only needed where there are parameters
 
     try:

@@ -1,6 +1,6 @@
-"""Start the nodes of one simulated run, watch over them, start them anew and end them, as roslaunch does.
+"""Start the nodes of one simulated run, watch over them, restart them and end them, as roslaunch does.
 
-The rules are those of roslaunch's pmon.py and nodeprocess.py, where a master is running before roslaunch starts.
+The rules are those of roslaunch's pmon.py and nodeprocess.py, for a master that is running before roslaunch starts.
 """
 
 from __future__ import annotations
@@ -24,21 +24,21 @@ from .launch import Launch, Node
 
 __all__ = ["Monitor"]
 
-# So often (ns) it looks at its processes.
+# How far apart (ns) its looks at its processes are.
 _LOOK = NS // 10
 
-# So long (s) does it wait for a process that was sent SIGINT, and then SIGTERM.
+# How long (s) it waits for a process after SIGINT, and then after SIGTERM.
 _PATIENCE = 15
 _LAST_PATIENCE = 2
 
-# So many processes are ended at a time.
+# How many processes are ended at a time.
 _WORKERS = 10
 
 _RULE = "=" * 80
 
 
 class _Member:
-    """One of the nodes: its process, and then the one that takes its place."""
+    """One of the nodes, with its process; a restart gives it a new one."""
 
     def __init__(self, node: Node, code: Code, number: int) -> None:
         self.node = node
@@ -46,17 +46,17 @@ class _Member:
         self.name = f"{node.namespace.strip('/')}/{node.name or code.name}-{number}".removeprefix("/")
         self.args = [*node.args, *([f"__name:={node.name}"] if node.name else [])]
         self.world: World  # that of the process that is running, or was
-        self.respawns_at: int | None = None  # when (ns) it is to live again
+        self.respawns_at: int | None = None  # when (ns) it is to be started again
 
     def exit_code(self) -> int:
-        """As roslaunch has it: negative for a signal."""
+        """The exit code as roslaunch has it: negative for a signal."""
         return self.world.exit_status or 0
 
 
 class Monitor:
     """Runs the nodes of a launch file, whose code is ``codes``, in a host."""
 
-    status = 0  # whatever becomes of them
+    status = 0  # whatever becomes of the nodes
 
     def __init__(self, host: Host, launch: Launch, codes: Sequence[Code]) -> None:
         self._host = host
@@ -93,7 +93,7 @@ class Monitor:
         self._host.begin(process)
 
     def _watch(self) -> bool:
-        """Look at the processes; whether there is anything left to do."""
+        """Look at the processes, and return whether anything is left to watch."""
         for member in list(self._watched):
             if member.respawns_at is None and member.world.over:
                 unlist_threads(member.world)
@@ -122,7 +122,7 @@ class Monitor:
         return f"process has died [exit code {code}, cmd {' '.join([member.code.argv0, *member.args])}]."
 
     def _end_all(self) -> None:
-        signal.signal(signal.SIGINT, signal.SIG_IGN)  # this program's own: Ctrl-C may come only now
+        signal.signal(signal.SIGINT, signal.SIG_IGN)  # for this program only: its Ctrl-C may still come
         waiting = deque(reversed(self._watched))
         errors: list[str] = []
         workers = [threading.Thread(target=self._end_some, args=(waiting, errors)) for _ in range(_WORKERS)]
@@ -141,7 +141,7 @@ class Monitor:
                 errors.append(f" * process[{member.name}]: required SIGKILL. May still be running.")
 
     def _end(self, member: _Member) -> bool:
-        """End a process; whether it had to be killed."""
+        """End a process, and return whether it had to be killed."""
         world = member.world
         if not world.over:
             press_ctrl_c(world)
