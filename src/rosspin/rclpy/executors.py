@@ -40,8 +40,8 @@ __all__ = [
 # How long (ns) a look in vain with a timeout of 0 takes. Without it, a loop that only looks would stop the time.
 _LOOK = 1_000
 
-# So many calls at one time take no time. More are a loop, such as one that waits for a coroutine to go on: then each
-# takes (ns) about what it does on a real machine.
+# So many calls at one time take no time. More are a loop, such as one that waits for a coroutine to go on: each then
+# takes about as long (ns) as on a real machine.
 _FREE_CALLS = 1_000
 _CALL = 100_000
 
@@ -49,7 +49,7 @@ _CALL = 100_000
 # the number is the same on every machine.
 _THREADS = 4
 
-Entry = tuple[Task, Any, "Node | None"]  # a task, the timer or the like that it calls, and the node of that
+Entry = tuple[Task, Any, "Node | None"]  # a task, the timer (or other entity) that it calls, and its node
 E = TypeVar("E", bound="Executor")
 
 

@@ -290,7 +290,7 @@ class Node(Parameters):
         qos_overriding_options: Any = None,
         raw: bool = False,
     ) -> Subscription:
-        """Call ``callback(message)`` with messages on a topic, while somebody spins; raise as ``create_publisher``."""
+        """Call ``callback(message)`` for messages on a topic, while somebody spins. Raises as ``create_publisher``."""
         if raw:
             raise NotSimulated("Node.create_subscription(raw=True)")
         qos = self.__prepare("subscription", msg_type, topic, qos_profile, event_callbacks, qos_overriding_options)

@@ -233,7 +233,7 @@ def _find(node: State, path: list[str]) -> Any:
 
 
 def get_param(param_name: str, default: Any = _unspecified) -> Any:
-    """Return a parameter's value, or a namespace as a dict. Raises KeyError if it is not set and has no ``default``."""
+    """Return a parameter's value, or a namespace as a dict; else ``default``. Raises KeyError if there is neither."""
     try:
         return deepcopy(_find(state(), _path(param_name)))
     except KeyError:

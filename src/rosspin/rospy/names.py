@@ -133,7 +133,7 @@ def valid_name_validator_unresolved(param_name: str, param_value: Any, caller_id
 
 
 def valid_name_validator_resolved(param_name: str, param_value: Any, caller_id: str) -> str:
-    """Check a name as above, and return its full name for the node ``caller_id``, without remapping."""
+    """Check a name as ``valid_name_validator_unresolved`` does, and return its full name in the node ``caller_id``."""
     return rosgraph.resolve_name(valid_name_validator_unresolved(param_name, param_value, caller_id), caller_id)
 
 

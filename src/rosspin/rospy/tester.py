@@ -106,7 +106,7 @@ class _Subscription:
 
 
 def give_parameters(world: World, parameters: Mapping[str, Any]) -> None:
-    """Set a node's parameters before it runs, acting for it. ``init_node`` sets the private ones, such as ``~rate``.
+    """Set a node's parameters before it runs; the caller acts for it. ``init_node`` sets private ones like ``~rate``.
 
     Raises what ``set_param`` does.
     """

@@ -142,7 +142,7 @@ class _Attributes:
 
 
 class TimerEvent(_Attributes):
-    """What a timer passes to its callback. All but ``last_duration`` are Times. The first call has None for each last.
+    """What a timer passes to its callback. All but ``last_duration`` are Times. In the first call, ``last_*`` are None.
 
     ``last_expected``, ``last_real``: when the previous call was expected and when it came; ``current_expected``,
     ``current_real``: the same for this call; ``last_duration``: how long the previous call took, in seconds.
