@@ -421,7 +421,7 @@ WRONG: dict[int, list[tuple[Answer, str, str]]] = {
         ),
         (
             {REFUSES: "        if period <= 0:\n            sys.exit(1)\n"},
-            "no line says that it is the period",
+            "no line says that the period is wrong",
             "error line",
         ),
         (

@@ -52,13 +52,13 @@ _WRONG_FIGURES = {
     f"\n:seconds: 2\n\nrospy {_NODE}": f"a row is NAME: FILE ARGS, not 'rospy {_NODE}'",
     f"\n:seconds: 2\n\nrospy: {_PROBE}.py\nrospy: {_NODE}": "two rows have the name rospy",
     "../examples/my_robotics_pkg/src/spinner_cpp_node.cpp\n:seconds: 2": (
-        "C++ cannot be run here; of timer_probe.cpp the rule is known, and of no other file"
+        "C++ cannot be run here: the only rule that is known is that of timer_probe.cpp"
     ),
     f"{_NODE}\n:seconds: 0.1": "there is no tick in 0.1 s",
     f"{_NODE}\n:seconds: 2\n:handle: Delta, 0 to 1 by 0.5 s\n{_SETS}": "there is no tick in 2 s at 0 s",
     f"{_NODE}\n:seconds: 2\n:handle: Delta{_SLIDER}": _MOVES_NOTHING,
     f"{_NODE}\n:seconds: 2\n:handle: Delta{_SLIDER}\n:at: 0.5": _MOVES_NOTHING,
-    f"{_MOVED}{_SLIDER}": "where the handle is at first is missing: :at:, or a variable with :sets:",
+    f"{_MOVED}{_SLIDER}": "the handle's first position is missing: give :at:, or a variable with :sets:",
     f"{_MOVED}, 1 to 0.1 by 0.1 s\n:at: 0.5": _RISES,
     f"{_MOVED}, 1 to 0.1 by -0.1 s\n:at: 0.5": _RISES,
     f"{_MOVED}, 0.1 to 1 by 0 s\n:at: 0.5": _RISES,

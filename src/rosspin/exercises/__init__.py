@@ -1,11 +1,11 @@
 """The checks of the exercises in ``notebooks/exercises.md`` and ``notebooks/ros2-exercises.md``.
 
 An answer is a text: a node file, or predictions as assignments. A check runs it in simulated time and says what is
-right, what is wrong, and how to go on; whatever the answer is, it raises nothing. It looks at what the node did, such
+right, what is wrong, and how to go on. It raises nothing, whatever the answer is. It looks at what the node did, such
 as which timers were still alive in the end, not at how the node is written.
 
-The two can be done in two Pythons: :func:`trace` runs the answer and writes down what it did, and :func:`judge` says
-what is to be said of that, in a Python that the answer has never run in.
+Running and judging can be done in two Pythons: :func:`trace` runs the answer and writes down what it did;
+:func:`judge` judges that, in a Python in which the answer has never run.
 """
 
 from __future__ import annotations
@@ -25,17 +25,17 @@ _LESS = "Let it print and publish no more than the exercise asks for."
 
 
 def check(which: int | str, answer: Any) -> Feedback:
-    """Check the answer to an exercise, a text; one that is ``...`` is not right yet.
+    """Check the answer to an exercise, a text. The answer ``...`` is not right yet.
 
-    The exercise is given by its number or its name. Raises ValueError for one that there is not.
+    The exercise is given by its number or its name. Raises ValueError if there is no such exercise.
     """
     return judge(which, answer, trace(which, answer))
 
 
 def trace(which: int | str, answer: Any) -> str:
-    """Run an answer, and write down what it did, as JSON; what it shows is not much larger than 2 MB.
+    """Run an answer, and write down what it did as JSON, in not much more than 2 MB.
 
-    Raises ValueError for an exercise that there is not.
+    Raises ValueError if there is no such exercise.
     """
     exercise = _exercise(which)
     run = Runner(answer, exercise.ros)
@@ -45,15 +45,15 @@ def trace(which: int | str, answer: Any) -> str:
         outcomes.append(run(request))
         return outcomes[-1]
 
-    _find(exercise, Answer(answer, exercise.ros, ask))  # for what it asks
+    _find(exercise, Answer(answer, exercise.ros, ask))  # to hear what it asks for
     return write(Trace(exercise.number, run.console, run.cut, tuple(outcomes)))
 
 
 def judge(which: int | str, answer: Any, traced: str) -> Feedback:
-    """What is to be said of an answer by the trace of its runs. Nothing of it is run.
+    """Judge an answer by the trace of its runs, without running any of it.
 
-    Raises ValueError for an exercise that there is not, and :class:`Misfit` for what is no trace of this one. A trace
-    that was forged, by an answer that took over the Python that it ran in, can describe the runs of another.
+    Raises ValueError if there is no such exercise, and :class:`Misfit` for what is no trace of this one. An answer that
+    took over the Python in which it ran can have forged its trace, which then describes the runs of another answer.
     """
     exercise = _exercise(which)
     _, console, cut, outcomes = read(traced, exercise.number)
@@ -61,18 +61,18 @@ def judge(which: int | str, answer: Any, traced: str) -> Feedback:
 
     def ask(request: Request) -> Outcome:
         if not left or left[-1].request != request:
-            raise Misfit("it is not of what this exercise asks for")
+            raise Misfit("its runs are not those that this exercise asks for")
         return left.pop()
 
     given = Answer(answer, exercise.ros, ask)
     findings = _find(exercise, given)
     if left:
-        raise Misfit("there is more in it than this exercise asks for")
+        raise Misfit("it has more runs than this exercise asks for")
     if cut:
         findings.append(Finding(False, _CUT, _LESS))
     hints = [finding.hint for finding in findings if not finding.right and finding.hint]
     if early := given.hint_for_early_end():
-        # Said first of a node that did nothing, and last of one that did something.
+        # It comes first if the node printed nothing, else last.
         hints.insert(len(hints) if console else 0, early)
     return Feedback(exercise.number, tuple(findings), [*hints, exercise.hint][0], console, whole=not cut)
 

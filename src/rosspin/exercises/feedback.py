@@ -1,4 +1,4 @@
-"""What is said of an answer."""
+"""What a check says about an answer."""
 
 from __future__ import annotations
 
@@ -11,9 +11,9 @@ _WORDS = {True: "Right", False: "Wrong", None: "Open"}
 
 
 class Finding(NamedTuple):
-    """One thing about an answer: whether it is right, and in words (Markdown) what it is. ``hint`` is how to go on.
+    """One thing about an answer: whether it is right, and what it is in words (Markdown). ``hint`` says how to go on.
 
-    Where nothing has been answered yet, ``right`` is None.
+    If nothing has been answered yet, ``right`` is None.
     """
 
     right: bool | None
@@ -23,11 +23,11 @@ class Finding(NamedTuple):
 
 @dataclass(frozen=True)
 class Feedback:
-    """What a check has found; it shows itself as Markdown in a notebook and as text elsewhere.
+    """What a check has found, shown as Markdown in a notebook and as text elsewhere.
 
-    ``number`` is that of the exercise, ``findings`` are in the order in which they were made, ``hint`` is how to go on,
-    ``console`` is what the node printed in its first run, as far as it is worth showing. If not all that the node did
-    could be looked at, the last finding says so, and ``whole`` is false. ``progress`` says what else has been solved.
+    ``number`` is the exercise's, ``findings`` are in the order in which they were made, ``hint`` says how to go on, and
+    ``console`` is what the node printed in its first run, as far as it is worth showing. If the node did more than was
+    looked at, the last finding says so, and ``whole`` is false. ``progress`` says what else has been solved.
     """
 
     number: int
@@ -49,7 +49,7 @@ class Feedback:
 
     @property
     def verdict(self) -> str:
-        """Right or not yet, in words."""
+        """The verdict in words: right, or not yet."""
         return f"Exercise {self.number}: {'right' if self.passed else 'not yet'}."
 
     def _repr_markdown_(self) -> str:

@@ -37,23 +37,23 @@ WAITING: Collection[CodeType] = (
 
 
 def timer_of(frame: FrameType) -> Any:
-    """The timer that an executor calls in a frame."""
+    """Return the timer that an executor calls in a frame, or None."""
     called = frame.f_locals["entity"] if frame.f_code is _call.__code__ else None
     return called if isinstance(called, Timer) else None
 
 
 def timers(world: World, printers: Iterable[Any]) -> list[tuple[Any, str, bool, bool]]:
-    """The timers that have printed something; the others are of no interest."""
+    """Return the timers that have printed something. The others are of no interest."""
     return [(timer, timer._source, False, timer._cancelled or timer._destroyed) for timer in printers]
 
 
 def whose(codes: Collection[CodeType]) -> str:
-    """An exception in a callback ends the node, so there is nothing else to tell apart."""
+    """Return nothing: an exception in a callback ends the whole node."""
     return ""
 
 
 def hint(error: BaseException, whose: str) -> str:
-    """What may be behind an error that rclpy raises."""
+    """Return what may be behind an error that rclpy raises."""
     if innermost(error) is None:
         return ""
     if isinstance(error, NotInitializedException) or (isinstance(error, RCLError) and "rcl_init()" in str(error)):

@@ -19,12 +19,12 @@ WAITING: Collection[CodeType] = (rospy.spin.__code__,)
 
 
 def timer_of(frame: FrameType) -> Any:
-    """The timer whose thread began in a frame."""
+    """Return the timer whose thread begins in a frame, or None."""
     return frame.f_locals["self"] if frame.f_code is Timer.run.__code__ else None
 
 
 def timers(world: World, printers: Iterable[Any]) -> list[tuple[Any, str, bool, bool]]:
-    """The timers that were started."""
+    """Return the timers that were started."""
     return [
         (timer, timer.source, not timer.is_alive(), timer._shutdown or timer._oneshot and not timer.is_alive())
         for timer in world.part(State).timers
@@ -32,14 +32,14 @@ def timers(world: World, printers: Iterable[Any]) -> list[tuple[Any, str, bool, 
 
 
 def whose(codes: Collection[CodeType]) -> str:
-    """A timer, which ends with its thread; or a shutdown hook."""
+    """Tell whether a timer was ended, with its thread, or a shutdown hook."""
     if Timer.run.__code__ in codes:
         return "timer"
     return "shutdown hook" if rospy.signal_shutdown.__code__ in codes else ""
 
 
 def hint(error: BaseException, whose: str) -> str:
-    """What rospy's advice is."""
+    """Return the advice on an error in rospy."""
     if isinstance(error, TypeError) and whose == "shutdown hook":
         return "A shutdown hook is called without arguments."
     return advice(error)

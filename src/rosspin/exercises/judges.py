@@ -1,6 +1,6 @@
 """Judge what a node did: the judges of answers that are run.
 
-A question says how long an answer runs, and what is looked at in each run: ``run(1.0, ticks(0.1))``.
+A question says how long an answer runs, and what to check in each run: ``run(1.0, ticks(0.1))``.
 """
 
 from __future__ import annotations
@@ -16,18 +16,18 @@ from .predictions import same
 from .seen import Printed, Seen
 
 Check = Callable[[Seen, str], Finding | None]
-"""What looks at one run of an answer, and is told in words which one; empty for the only one."""
+"""Looks at one run of an answer. It is told in words which run; an empty text stands for the only one."""
 
 P = ParamSpec("P")
 
-# Nobody means a time difference below this (s).
+# Times that differ by less than this (s) are meant to be the same.
 _CLOSE = 1e-3
 
 _TURNS = "when the threads take turns at every line"
 
 
 def _check(look: Callable[Concatenate[Seen, str, P], Finding | None]) -> Callable[P, Check]:
-    """Let a question say the rest of what a judge of one run is to know."""
+    """Let a question give the other arguments of a check."""
     return lambda *args, **kwargs: lambda seen, when: look(seen, when, *args, **kwargs)
 
 
@@ -42,7 +42,7 @@ def run(
     allowed: str = "",
     stalls_at: float | None = None,
 ) -> Judge:
-    """Run an answer, which has to end well, and look at it; ``when`` begins what is said, and has a default."""
+    """Run an answer, which has to end well, and check it. ``when`` begins each sentence (default: what was given)."""
 
     def judge(answer: Answer) -> Iterator[Finding]:
         seen = answer.run(seconds, given, allowed=allowed, stalls_at=stalls_at)
@@ -54,7 +54,7 @@ def run(
 def ending(
     seconds: float, *checks: Check, given: str = "", when: str = "", terminated_at: float | None = None
 ) -> Judge:
-    """Run an answer likewise, however it ends; SIGTERM may come before Ctrl-C."""
+    """Run an answer and check it, however it ends. SIGTERM may come before Ctrl-C."""
 
     def judge(answer: Answer) -> Iterator[Finding]:
         yield from _found(answer.ending(seconds, given, terminated_at), when or _with(given), checks)
@@ -63,9 +63,9 @@ def ending(
 
 
 def shaken(seeds: int, seconds: float, *checks: Check, given: str = "", right: str = "") -> Judge:
-    """Run an answer whose threads take turns at any point, once for each seed, and say what is wrong first.
+    """Run an answer once for each seed, its threads taking turns at any point, and tell the first thing that is wrong.
 
-    If nothing is, it is said that what is ``right`` is so here as well.
+    If nothing is wrong, a finding says so, in the words ``right``.
     """
 
     def judge(answer: Answer) -> Iterator[Finding]:
@@ -86,7 +86,7 @@ def every(*judges: Judge) -> Judge:
 
 
 def until_wrong(*judges: Judge) -> Judge:
-    """Ask one judge after the other, up to the first who finds something wrong."""
+    """Ask one judge after the other, up to the first that finds something wrong."""
 
     def judge(answer: Answer) -> Iterator[Finding]:
         for each in judges:
@@ -110,13 +110,13 @@ def _with(given: str) -> str:
 
 
 def grid(period: float, seconds: float, start: float | None = None) -> list[float]:
-    """Times ``period`` apart, from ``start`` (one period, if none) up to ``seconds``, both included."""
+    """Return times ``period`` apart, from ``start`` (default: one period) up to ``seconds``, both included."""
     first = period if start is None else start
     return [first + n * period for n in range(int((seconds - first) / period + 1e-6) + 1)]
 
 
 def on_time(found: Sequence[Printed], wanted: Sequence[float], what: str = "", hint: str = "") -> Finding:
-    """Whether counters 1, 2, ... came at the times that are wanted, and no others; ``what`` begins the sentence."""
+    """Whether counters 1, 2, ... came at the wanted times, and no others. ``what`` begins the sentence."""
     start = f"{what}: " if what else ""
     if not found:
         return Finding(False, f"{start}no counter was printed.", hint)
@@ -140,7 +140,7 @@ def on_time(found: Sequence[Printed], wanted: Sequence[float], what: str = "", h
 
 
 Hint = Callable[[Sequence[Printed], Sequence[float]], str]
-"""How to go on, by the counters that came and the times at which they should have come; empty if they don't tell."""
+"""Returns a hint, from the counters that came and the times at which they should have come, or an empty text."""
 
 
 @_check
@@ -156,10 +156,10 @@ def ticks(
     until: float | None = None,
     at: Sequence[float] = (),
 ) -> Finding:
-    """Whether counters came at their times (s): first ``at`` those given, then each period.
+    """Whether counters came at their times (s): first those ``at`` given times, then one each period.
 
-    They do so from ``start`` (by default after one period) ``until`` a time (by default the end of the run). ``tag`` is
-    what is printed before a counter, ``name`` says whose they are.
+    The periods go from ``start`` (default: after one period) ``until`` a time (default: the end of the run). ``tag`` is
+    what is printed before a counter, ``name`` says whose the counters are.
     """
     found, wanted = seen.counters(tag), [*at, *(grid(period, until or seen.seconds, start) if period else ())]
     what = ", ".join(filter(None, (when, name)))
@@ -167,12 +167,12 @@ def ticks(
 
 
 def shared_counter(found: Sequence[Printed], wanted: Sequence[float]) -> str:
-    """What to say of counters that come in time, and are wrong."""
+    """Return a hint on counters that come at the right times but are wrong."""
     return "Give each timer a counter of its own." if same([line.time for line in found], wanted) else ""
 
 
 def overrun(found: Sequence[Printed], wanted: Sequence[float]) -> str:
-    """What to say of a loop of 2 Hz whose third pass takes too long."""
+    """Return a hint on a loop of 2 Hz whose third pass takes too long."""
     if found and abs(found[-1].time / 0.5 - round(found[-1].time / 0.5)) > _CLOSE:
         return "The loop has left its grid of 0.5 s: count deadlines on from the old one, not from now."
     if any(after.time - line.time < 0.5 - _CLOSE for line, after in pairwise(found[2:])):
@@ -203,7 +203,7 @@ def missing(seen: Seen, when: str, wanted: Sequence[int]) -> Finding:
 
 @_check
 def stops(seen: Seen, when: str, calls: int, timer: str = "a `rospy.Timer`") -> Finding | None:
-    """Whether the timers that printed the counters have stopped, after so many calls; ``timer`` is what they are."""
+    """Whether the timers that printed the counters stopped after so many calls. ``timer`` says what a timer is."""
     counters = seen.counters()
     if not counters:
         return None
@@ -230,7 +230,7 @@ def stops(seen: Seen, when: str, calls: int, timer: str = "a `rospy.Timer`") -> 
 
 @_check
 def moved_to_a_timer(seen: Seen, when: str) -> Finding | None:
-    """Whether one timer printed all counters, one in each call, and nothing else goes round in the node."""
+    """Whether one timer printed all counters, one in each call, and the node has no loop left."""
     counters = seen.counters()
     timers, others = seen.printers(counters)
     if not seen.timers:
@@ -254,9 +254,9 @@ def moved_to_a_timer(seen: Seen, when: str) -> Finding | None:
 
 @_check
 def drives_until(seen: Seen, when: str, end: float, again: str, late: str) -> Finding:
-    """Whether the motor is driven until the time ``end`` (s), and stands from then on.
+    """Whether the motor is driven until the time ``end`` (s), and stands still from then on.
 
-    ``again`` is a hint for those who then drive it again, ``late`` for those who do not stop it at once.
+    ``again`` is the hint if it is then driven again, ``late`` the hint if it is not stopped at once.
     """
     printed = [(line.time, _as_number(line.text)) for line in seen.values("MOTOR", "speed")]
     commands = [(time, speed) for time, speed in printed if speed is not None]
@@ -299,7 +299,7 @@ def ends_well(seen: Seen, when: str) -> Finding:
 
 @_check
 def ends_at_sigterm(seen: Seen, when: str, at: float) -> Finding:
-    """Whether SIGTERM, and not only Ctrl-C after it, has ended a node of ROS 2 so."""
+    """Whether SIGTERM has ended a node of ROS 2 well, before Ctrl-C could."""
     if not seen.interrupted:
         return ends_well(seen, when)
     hint = (
@@ -320,7 +320,7 @@ def fails(seen: Seen, when: str, hint: str) -> Finding:
 
 @_check
 def refuses(seen: Seen, when: str, name: str) -> Finding:
-    """Whether a node has refused a parameter: in words, with a status other than 0, without a traceback."""
+    """Whether a node has refused a parameter in words, with a status other than 0 and without a traceback."""
     look = f"Look at the {name} before you make the timer: write an error line, and end with `sys.exit(1)`."
     if counters := seen.counters():
         text = f"{when}: the node ticked all the same, {len(counters)} times in {say(seen.seconds)}."
@@ -330,11 +330,11 @@ def refuses(seen: Seen, when: str, name: str) -> Finding:
     if seen.interrupted:
         return Finding(False, f"{when}: the node neither ticked nor ended.", look)
     if not seen.status:
-        ends = "What started the node learns from its status whether all is well: end it with `sys.exit(1)`."
+        ends = "Whatever started the node learns from its status whether all is well: end it with `sys.exit(1)`."
         return Finding(False, f"{when}: the node ended with status 0, as if all were well.", ends)
     said = [line.text.strip() for line in seen.printed if name in line.text.lower()]
     if not said:
-        return Finding(False, f"{when}: no line says that it is the {name} that is wrong.", look)
+        return Finding(False, f"{when}: no line says that the {name} is wrong.", look)
     return Finding(True, f"{when}: the node said `{plain(said[0])}`, and ended with status {seen.status}.")
 
 
@@ -356,7 +356,7 @@ def makes_passes_until_signalled(answer: Answer) -> Iterator[Finding]:
         if not finding.right or seen.killed:
             yield from endings
             return
-    # SIGTERM first: where the loop is in the main part, nothing that is caught there helps.
+    # SIGTERM first: if the loop is in the main part, catching exceptions there does not help.
     yield from ending(6.3, ends_at_sigterm(3.3), when="SIGTERM", terminated_at=3.3)(answer)
     yield from endings
     yield from shaken(2, 3.3, ticks(0.5, start=0.0))(answer)
@@ -367,7 +367,7 @@ def makes_passes_until_signalled(answer: Answer) -> Iterator[Finding]:
 
 @_check
 def parts_add_up(seen: Seen, when: str, lock: str) -> Finding:
-    """Whether reports every 0.5 s add up to the parts, one every 0.1 s: the newest may miss the report."""
+    """Whether reports every 0.5 s add up to the parts, one every 0.1 s. The newest part may miss the report."""
     start = f"{when}: " if when else ""
     reports = seen.values("SPINNER PY NODE", "parts")
     stuck = "Does a callback wait for a lock that nobody releases, or that it has already?"
@@ -393,9 +393,9 @@ def parts_add_up(seen: Seen, when: str, lock: str) -> Finding:
 
 @_check
 def calls_add_up(seen: Seen, when: str) -> Finding:
-    """Whether the reports of a node that was held up, and has lost ticks, add up to the calls that it had.
+    """Whether the reports of a node that was held up, and lost ticks, add up to the calls of its callback.
 
-    The callback that counts is the one that is called most often. Its newest call may miss the report.
+    The callback that counts is the one called most often. Its newest call may miss the report.
     """
     calls = max((timer.calls for timer in seen.timers), key=len, default=())
     begun = {timer.number: timer.calls for timer in seen.timers}
@@ -510,7 +510,7 @@ def steers_by_the_newest(seen: Seen, when: str) -> Finding:
 
 
 def _as_number(text: str) -> float | None:
-    """A text as a number; None if it is none, or not finite."""
+    """Return a text as a number; None if it is no number, or not finite."""
     try:
         number = float(text)
     except ValueError:
@@ -519,5 +519,5 @@ def _as_number(text: str) -> float | None:
 
 
 def _as_whole(text: str) -> int | None:
-    """A text of digits as a number; None if it is none."""
+    """Return a text of digits as a number; None for any other text."""
     return int(text) if text.isascii() and text.isdigit() and len(text) < 20 else None

@@ -24,7 +24,7 @@ __all__ = [
     "started",
 ]
 
-# What a node of each ROS imports, what its loop asks, and what its main part comes to.
+# For each ROS: what a node imports, what its loop asks, and what its main part ends with.
 _MODULES = {1: "rospy", 2: "rclpy"}
 _GOES_ON = {1: "rospy.is_shutdown()", 2: "rclpy.ok()"}
 _SPINS = {1: "rospy.spin()", 2: "rclpy.spin(node)"}
@@ -38,7 +38,7 @@ _ENDS_EARLY = "The node ended by itself, before its time was over. Does its main
 
 
 class Fails(Exception):
-    """Nothing more can be found out about an answer: it is wrong, or with None for ``right`` not there yet."""
+    """Nothing more can be found out about an answer: it is wrong, or, if ``right`` is None, not there yet."""
 
     def __init__(self, text: str, hint: str = "", right: bool | None = False) -> None:
         self.finding = Finding(right, text, hint)
@@ -50,7 +50,7 @@ class Fails(Exception):
 class Answer:
     """The answer to one exercise, which is on ROS 1 or 2.
 
-    ``ask`` gives what came of a run: it runs the answer, or looks up what was noted of it. Here nothing of it is run.
+    ``ask`` returns the outcome of a run: it runs the answer, or looks the outcome up in a trace. Nothing is run here.
     """
 
     def __init__(self, text: Any, ros: int, ask: Callable[[Request], Outcome]) -> None:
@@ -70,11 +70,11 @@ class Answer:
         allowed: str = "",
         has_to_end: bool = True,
     ) -> Seen:
-        """Run the answer as a node in simulated time, with a parameter that is ``given`` as in ``period:=0.5``.
+        """Run the answer as a node in simulated time, with a parameter ``given`` as in ``period:=0.5``.
 
         With a ``seed`` its threads take turns at any point; from ``stalls_at`` (s) on, nothing of it runs for a while.
-        A node that cannot be run, or fails of an error without the text ``allowed``, ends the check, and so does one
-        that Ctrl-C does not end, if it ``has_to_end``. That Ctrl-C ends it as its ROS has it is no failure.
+        The check ends if the node cannot be run, if it fails with an error whose text lacks ``allowed``, or if it
+        ``has_to_end`` and Ctrl-C does not end it. An exception with which Ctrl-C ends nodes of its ROS is no failure.
         """
         args = self._args(given)
         seen = self._node(Request(seconds, args, seed=seed, stalls_at=stalls_at))
@@ -84,22 +84,22 @@ class Answer:
         return seen
 
     def ending(self, seconds: float, given: str = "", terminated_at: float | None = None) -> Seen:
-        """Run it likewise, however it ends; SIGTERM may come before Ctrl-C. One that cannot be run ends the check."""
+        """Run it, and let it end as it will; SIGTERM may come before Ctrl-C. If it cannot be run, the check ends."""
         return self._node(Request(seconds, self._args(given), terminated_at))
 
     def variables(self, *names: str) -> dict[str, Value]:
-        """Of some variables those that the answer assigns. One that cannot be run, or fails, ends the check."""
+        """Return those of these variables that the answer assigns. If it cannot be run, or fails, the check ends."""
         self._parse()
         seen = self._look(Request(0.0, variables=names))
         self._refuse(seen, (), "")
         return dict(seen.variables)
 
     def hint_for_early_end(self) -> str:
-        """How to go on with a node that was over before its time; empty for any other."""
+        """Return a hint for a node that ended before its time; empty for any other."""
         return _ENDS_EARLY.format(_SPINS[self._ros]) if self._ended_early else ""
 
     def _args(self, given: str) -> tuple[str, ...]:
-        """The command line that gives a node a parameter, in its ROS."""
+        """Return the command line that gives a node of this ROS a parameter."""
         if not given:
             return ()
         return (given,) if self._ros == 1 else ("--ros-args", "-p", given)
@@ -121,7 +121,7 @@ class Answer:
         return seen
 
     def _parse(self) -> ast.Module:
-        """The answer as it is written. One that cannot be read ends the check."""
+        """Parse the answer. If it is not Python, the check ends."""
         if self._tree:
             return self._tree
         source = self._text
@@ -162,11 +162,11 @@ class Answer:
 
 
 Judge = Callable[[Answer], Iterator[Finding]]
-"""What looks at an answer, runs it as often as it needs, and says what it finds."""
+"""Looks at an answer, runs it as often as needed, and says what it finds."""
 
 
 def _imported(tree: ast.Module) -> set[str]:
-    """The modules that an answer imports, by the first words of their names."""
+    """Return the first words of the names of the modules that an answer imports."""
     nodes = list(ast.walk(tree))
     names = [alias.name for node in nodes if isinstance(node, ast.Import) for alias in node.names]
     names += [node.module or "" for node in nodes if isinstance(node, ast.ImportFrom)]
@@ -174,14 +174,14 @@ def _imported(tree: ast.Module) -> set[str]:
 
 
 def _gaps(tree: ast.AST) -> list[int]:
-    """The lines in which there still is a gap: an ``...`` that does not mean anything in Python."""
+    """Return the lines with a gap left: an ``...`` that has no meaning in Python."""
     meant: set[ast.AST] = set()
     for node in ast.walk(tree):
         match node:
             case ast.Subscript(slice=index):  # Tuple[int, ...], array[..., 0]
                 meant.update(ast.walk(index))
             case ast.FunctionDef(body=body) | ast.AsyncFunctionDef(body=body) if _is_empty(body):
-                meant.update(ast.walk(node))  # with its defaults
+                meant.update(ast.walk(node))  # its defaults, too
             case ast.ClassDef(body=body) if _is_empty(body):
                 meant.update(each for statement in body for each in ast.walk(statement))
     constants = [node for node in ast.walk(tree) if isinstance(node, ast.Constant) and node.value is ...]
@@ -197,33 +197,33 @@ def _is_empty(body: Sequence[ast.stmt]) -> bool:
 
 
 def plain(text: str) -> str:
-    """Fit text of the reader's, or of Python's, into a line of Markdown: without backquotes, and not too long."""
+    """Fit a text, the reader's or Python's, into a line of Markdown: without backquotes, and not too long."""
     return " ".join(text.split()).replace("`", "'")[:300]
 
 
 def a_value(kind: str) -> str:
-    """What a value is, for a reader who gave one of the wrong type."""
+    """Say what a value is to a reader who gave one of the wrong type."""
     return f"a value of type `{plain(kind)}`"
 
 
 def say(seconds: float) -> str:
-    """A time in s."""
+    """Say a time (s)."""
     return f"{round(seconds, 3):.10g} s"
 
 
 def started(args: Sequence[str]) -> str:
-    """How a run with this command line begins to be told."""
+    """Begin a sentence about a run with this command line."""
     return f"Started with `{' '.join(args)}`, the" if args else "The"
 
 
 def say_error(error: Error) -> str:
-    """What an exception has ended, and where, as the rest of a sentence."""
+    """Say what an exception has ended, and where, as the rest of a sentence."""
     where = f"in line {error.line}:" if error.line else "of"
     return f"{error.whose} died {where} `{plain(error.said)}`."
 
 
 def say_kept(seen: Seen, ros: int) -> str:
-    """What kept a node that was killed from its end, as the rest of a sentence."""
+    """Say what kept a node from ending before it was killed, as the rest of a sentence."""
     if seen.kept_by_rate:
         return "one of its threads was still asleep in a Rate's `sleep()`."
     asks = f"Does its loop ask `{_GOES_ON[ros]}`?"
@@ -231,15 +231,15 @@ def say_kept(seen: Seen, ros: int) -> str:
 
 
 def hint_for_kept(seen: Seen) -> str:
-    """How to go on with a node that was killed; empty if nothing more is known."""
+    """Return a hint for a node that was killed; empty if nothing more is known."""
     return _DAEMON if seen.kept_by_rate else ""
 
 
 def not_python(error: Exception, text: str) -> tuple[str, str]:
-    """What to say of a text that Python cannot read, and how to go on."""
+    """Return what to say about a text that Python cannot read, and how to go on."""
     read = "Python could not read the answer, so nothing ran. The error may be in the line before."
     if not isinstance(error, SyntaxError):
         return f"This is not Python: {plain(str(error))}.", read
-    line = error.lineno or text.partition("\0")[0].count("\n") + 1  # of null bytes Python does not say where
+    line = error.lineno or text.partition("\0")[0].count("\n") + 1  # Python does not say where a null byte is
     said = plain(error.msg)  # may end in a question
     return f"Line {line} is not Python: {said}{'' if said.endswith('?') else '.'}", read

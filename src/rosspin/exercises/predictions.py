@@ -1,4 +1,4 @@
-"""Judge what was predicted, or chosen: the judges of answers that are not run as nodes."""
+"""Judge predictions and choices: the judges of answers that are not run as nodes."""
 
 from __future__ import annotations
 
@@ -11,11 +11,11 @@ from .seen import Value
 __all__ = ["RIGHT", "chosen", "predicted", "same"]
 
 RIGHT = ""
-"""In place of what to say of numbers that are wrong."""
+"""Marks the right numbers, in place of what to say about wrong ones."""
 
 Meanings = Mapping[tuple[float, ...], str]
 
-# What can be asked for: how a number is said, what a list of them is, and an example.
+# What can be asked for: how to say one number, what to call a list of them, and an example.
 _ASKED = {
     "times": (say, "times in seconds", "[1.0, 2.0, 3.0]"),
     "counters": (lambda number: f"{number:g}", "counters", "[1, 2, 3]"),
@@ -24,10 +24,10 @@ _NTH = ("the first", "the second", "the third")
 
 
 def predicted(predictions: Mapping[tuple[str, str], Meanings], asked: str = "times") -> Judge:
-    """Judge whether variables are lists of the right numbers: "times" (s) or "counters", whichever are ``asked`` for.
+    """Judge whether variables are lists of the right numbers, which are "times" (s) or "counters", as ``asked``.
 
-    Of each variable, ``predictions`` has its name, in words what it is, and numbers that somebody may give: the right
-    ones, and those that follow from a wrong belief, with what to say to its holder.
+    ``predictions`` maps each variable, given by its name and in words, to numbers that somebody may give: the right
+    ones, and those that follow from a wrong belief, with what to say to whoever holds it.
     """
 
     def judge(answer: Answer) -> Iterator[Finding]:
@@ -62,12 +62,12 @@ def _compare(what: str, given: Sequence[float], meanings: Meanings, asked: str) 
 
 
 def same(one: Sequence[float], other: Sequence[float]) -> bool:
-    """Whether two lists are of the same numbers, as far as anybody means them."""
+    """Whether two lists have the same numbers, as precisely as anybody means them."""
     return len(one) == len(other) and all(abs(a - b) < 0.01 for a, b in zip(one, other, strict=True))
 
 
 def chosen(right: Mapping[str, str], choices: Mapping[str, str]) -> Judge:
-    """Judge whether variables are the right letters; ``choices`` has what would be seen if one were another."""
+    """Judge whether variables are the right letters. ``choices`` says what would be seen if a letter were right."""
 
     def judge(answer: Answer) -> Iterator[Finding]:
         variables = answer.variables(*right)

@@ -1,6 +1,6 @@
-"""The exercises of ``notebooks/exercises.md`` and ``notebooks/ros2-exercises.md``: what each asks, and who judges it.
+"""The exercises of ``notebooks/exercises.md`` and ``notebooks/ros2-exercises.md``, each with its judge.
 
-The right numbers of a prediction are those of a run of the node on its page; a test compares them.
+A test compares the right numbers of a prediction with a run of the node on its page.
 """
 
 from __future__ import annotations
@@ -19,9 +19,9 @@ class Exercise(NamedTuple):
     """An exercise of the site.
 
     ``name`` stays when exercises are added before it; ``number`` is what is shown, and ``part`` the heading below which
-    it stands, such as "Predict". ``needs`` are the pages that one should have read, by their paths without ending.
-    ``reveals`` is the misconception that a wrong answer gives away, as its holder would put it. ``hint`` is for answers
-    of which nothing more can be said. ``ros`` is 1 or 2: each has a page of exercises.
+    it stands, such as "Predict". ``needs`` are the pages to read first, as paths without a suffix. ``reveals`` is the
+    misconception that a wrong answer gives away, as its holder would put it. ``hint`` is for answers about which there
+    is nothing more to say. ``ros`` is 1 or 2: each has a page of exercises.
     """
 
     title: str

@@ -1,6 +1,6 @@
-"""What an answer uses that no exercise needs, as a hint for whoever reads it: no verdict depends on it.
+"""Find what an answer uses and no exercise needs, as a hint for whoever reads it: no verdict depends on it.
 
-It reads the text alone. Python has many ways to what this does not see.
+Only the text is read, and Python has many ways around that.
 """
 
 from __future__ import annotations
@@ -14,7 +14,7 @@ from ..messages.library import Library
 
 __all__ = ["reaches_for"]
 
-# What answers may import, beside messages: ROS, and what nodes commonly use beside it.
+# What answers may import besides messages: ROS, and what nodes commonly use with it.
 _MODULES = {
     *("rospy", "rclpy", "std_srvs", "__future__", "argparse", "array", "asyncio", "atexit", "bisect", "collections"),
     *("concurrent", "contextlib", "copy", "dataclasses", "datetime", "decimal", "enum", "fractions", "functools"),
@@ -22,13 +22,13 @@ _MODULES = {
     *("statistics", "string", "sys", "textwrap", "threading", "time", "traceback", "typing"),
 }
 
-# What a page's Python has beside them.
+# Modules that only a page's Python has.
 _OF_A_PAGE = {"js", "pyodide", "pyodide_js"}
 
-# Of Python's functions those that take code, or files.
+# Python's functions that take code, or files.
 _FUNCTIONS = {"breakpoint", "compile", "eval", "exec", "globals", "open"}
 
-# Of the names that begin with an underscore, those that any node may have.
+# Names with a leading underscore that any node may have.
 _COMMON = {
     *("_", "__name__", "__qualname__", "__file__", "__doc__", "__version__", "__author__", "__all__", "__slots__"),
     *("__init__", "__enter__", "__exit__", "__call__", "__str__", "__repr__", "__len__", "__iter__", "__next__"),
@@ -66,7 +66,7 @@ def _foreign(node: ast.AST, own: Collection[str]) -> Iterator[str]:
         case ast.Name(name) if name not in own and (name in _FUNCTIONS or _is_hidden(name)):
             yield name
         case ast.Attribute(ast.Name("self" | "cls") | ast.Call(ast.Name("super"))):
-            pass  # of a class that it has from ROS
+            pass  # it may come from a class of ROS
         case ast.Attribute(_, name) if name not in own and _is_hidden(name):
             yield name
 
@@ -79,7 +79,7 @@ def _may_import(module: str) -> bool:
 
 
 def _is_there(package: str) -> bool:
-    """Whether there is such a package; one that is missing, such as numpy in a page, is the check's to say."""
+    """Whether there is such a package. The check itself says that one is missing, such as numpy in a page."""
     if package in _OF_A_PAGE or package.startswith("_") or not package or package in sys.modules:
         return True
     return find_spec(package) is not None

@@ -1,4 +1,4 @@
-"""Run an answer, and note what it does: who prints what, which timers call back, how each of them ends."""
+"""Run an answer, and note what it does: who prints what, which timers call back, and how each ends."""
 
 from __future__ import annotations
 
@@ -37,53 +37,53 @@ from .traces import LONGEST, Failure, Outcome, Request
 
 __all__ = ["Runner"]
 
-# What the reader sees as the name of the node file: in tracebacks, and where a node never sleeps.
+# The name of the node file as the reader sees it: in tracebacks, and in the error of a node that never sleeps.
 _FILENAME = "<answer>"
 
 # A thread that has slept so often in one line of the answer runs a loop there.
 _LOOPS = 3
 
-# So many lines of a console are shown, and characters.
+# How many lines and characters of a console are shown.
 _MOST_LINES = 30
 _LONGEST_CONSOLE = 25_000
 
-# All that is kept of the runs of one answer, in characters of JSON; what is not a list is small.
+# How much is kept of the runs of one answer, in characters of JSON. Only lists count; the rest is small.
 _ROOM = LONGEST * 3 // 4
 
-# So many characters of a line are kept, and so many items of what no exercise looks at more closely.
+# How many characters of a line are kept, and how many items of what no exercise looks at closely.
 _LONGEST_LINE = 1000
-_LEAST_LINE = 20  # beside its text
+_LEAST_LINE = 20  # besides its text
 _MOST = 100
 
-# A node that stalls does so for as long (s).
+# How long (s) a node stalls.
 _STALL = 0.93
 
 Item = TypeVar("Item")
 
 
 class Ros(Protocol):
-    """What there is to know of a ROS to see what a node does.
+    """What has to be known about a ROS to see what a node does.
 
-    ``ENDINGS`` are the exceptions that Ctrl-C may end a node with; ``WAITING`` is the code that waits for its end.
+    ``ENDINGS`` are the exceptions with which Ctrl-C may end a node; ``WAITING`` is the code that waits for its end.
     """
 
     ENDINGS: tuple[type[BaseException], ...]
     WAITING: Collection[CodeType]
 
     def timer_of(self, frame: FrameType) -> Any:
-        """The timer that calls back in a frame; None if the frame is another."""
+        """Return the timer that calls back from a frame; None if no timer does."""
 
     def timers(self, world: World, printers: Iterable[Any]) -> list[tuple[Any, str, bool, bool]]:
-        """The timers that were started, each with its source, whether it has ended, and whether it was asked to.
+        """Return the started timers, each with its source, whether it has ended, and whether it was asked to.
 
         ``printers`` are those that have printed something.
         """
 
     def whose(self, codes: Collection[CodeType]) -> str:
-        """What of a node an exception has ended, by the code that it came through; empty if it is nothing of ROS's."""
+        """Return what of ROS an exception has ended in a node, by the code that it came through; empty if nothing."""
 
     def hint(self, error: BaseException, whose: str) -> str:
-        """A hint for whom an exception met; empty if there is none."""
+        """Return a hint for whoever meets an exception; empty if there is none."""
 
 
 # --- what a run shows -------------------------------------------------------------------------------------------------
@@ -98,22 +98,22 @@ class _Watched(Simulation):
         self.timers: list[SeenTimer] = []
         self.cut = False
         self._ros = ros
-        self._timers: dict[int, tuple[int, Any]] = {}  # those that were met, by their ids, and their numbers
+        self._timers: dict[int, tuple[int, Any]] = {}  # the timers met so far and their numbers, by id
         self._sleeps: Counter[tuple[int, int]] = Counter()
         self._whole = True  # whether the last line was printed to its end
         self._left = _ROOM  # so many characters may still be printed
-        self.at(nanoseconds(until), self._note_timers)  # before Ctrl-C, which is to come then, too
+        self.at(nanoseconds(until), self._note_timers)  # before Ctrl-C, which comes at the same time
 
     def terminate(self, at: float) -> None:
         """Send the node SIGTERM at a time (s)."""
         self.at(nanoseconds(at), lambda: send(self.main.program, signal.SIGTERM))
 
     def stall(self, at: float) -> None:
-        """Let the time move on at a time (s), and nothing else, as on a machine that has something else to do."""
+        """Let time pass at a time (s) while nothing runs, as on a machine that is busy with something else."""
         self.at(nanoseconds(at), lambda: self._move(self.now() + nanoseconds(_STALL)))
 
     def loops(self) -> list[int]:
-        """The lines of the answer in which something other than a timer's callback slept again and again."""
+        """Return the lines of the answer in which something other than a timer's callback slept again and again."""
         return sorted({line for (_, line), count in self._sleeps.items() if count >= _LOOPS})
 
     def sleep(self, ns: int) -> None:
@@ -137,7 +137,7 @@ class _Watched(Simulation):
             self._whole = piece.endswith("\n")
 
     def _timer(self, frame: FrameType | None) -> Any:
-        """The timer in whose call a frame is."""
+        """Return the timer whose call a frame belongs to, or None."""
         while frame:
             timer = self._ros.timer_of(frame)
             if timer is not None:
@@ -179,7 +179,7 @@ class _Watched(Simulation):
 
 
 class _Listener(io.TextIOBase):
-    """A stream whose lines a clock is told of."""
+    """A stream that tells a clock what is printed."""
 
     def __init__(self, clock: _Watched) -> None:
         self._clock = clock
@@ -193,7 +193,7 @@ class _Listener(io.TextIOBase):
 
 
 class Runner:
-    """Runs the answer to one exercise, which is on ROS 1 or 2; ``console`` and ``cut`` are those of its trace."""
+    """Runs the answer to one exercise, which is on ROS 1 or 2; ``console`` and ``cut`` go into its trace."""
 
     def __init__(self, text: str, ros: int) -> None:
         self.console = ""
@@ -212,7 +212,7 @@ class Runner:
         return in_rclpy
 
     def __call__(self, request: Request) -> Outcome:
-        """What comes of a request."""
+        """Run the answer as requested, and return the outcome."""
         try:
             seen, failure = self._run(request), None
         except _Failed as failed:
@@ -270,7 +270,7 @@ class Runner:
         )
 
     def _fitting(self, items: Iterable[Item]) -> tuple[Item, ...]:
-        """The first items, as many as half of the room is enough for: the rest is for what comes then."""
+        """Return the first items, as many as fit into half of the room. The other half is for what comes later."""
         kept, room = [], self._room // 2
         for item in items:
             size = len(dumps(item)) + 1
@@ -300,7 +300,7 @@ class Runner:
         whose = self._ros.whose(codes) or ("thread" if threading.Thread.run.__code__ in codes else "node")
         missing = ""
         if isinstance(error, (AttributeError, ImportError, NameError)):
-            missing = "Python names what it did not find. Is it spelt as it is where it was made, with its `self.`?"
+            missing = "Python names what it did not find. Is it spelt as where you defined it, with its `self.`?"
         said = plain(traceback.format_exception_only(error)[-1])
         is_ending = isinstance(error, self._ros.ENDINGS)
         return Error(_type(error), said, line, whose, is_ending, self._ros.hint(error, whose) or missing)
@@ -313,7 +313,7 @@ class _Failed(Exception):
         self.failure = Failure(text, hint)
 
 
-# By these a reader may have changed the console, or the namespace of every node.
+# A reader may have set these, which change the console or the namespace of every node.
 _VARIABLES = ("ROSCONSOLE_FORMAT", "ROS_NAMESPACE", "RCUTILS_CONSOLE_OUTPUT_FORMAT", "RCUTILS_COLORIZED_OUTPUT")
 
 
@@ -327,7 +327,7 @@ def _plain_environment() -> Iterator[None]:
 
 
 def _frames(error: BaseException) -> Iterator[tuple[CodeType, int]]:
-    """The code and the line of each frame that an exception came through, outermost first."""
+    """Yield the code and the line of each frame that an exception came through, outermost first."""
     trace = error.__traceback__
     while trace:
         yield trace.tb_frame.f_code, trace.tb_lineno
@@ -346,7 +346,7 @@ def _hint_for(error: Exception) -> str:
 
 
 def _shown(console: str) -> str:
-    """The console as far as it is worth showing: enough to see an error, not all of a node that never stops."""
+    """Cut a console to what is worth showing: enough to see an error, not all that an endless node prints."""
     lines = console.splitlines(keepends=True)
     more = f"... and {len(lines) - _MOST_LINES} more lines\n" if len(lines) > _MOST_LINES else ""
     text = "".join(lines[:_MOST_LINES])
@@ -358,7 +358,7 @@ def _cut(line: str) -> str:
 
 
 def _type(value: object) -> str:
-    name = type(value).__name__  # which a metaclass may have made anything
+    name = type(value).__name__  # a metaclass may have made it anything
     return plain(name) if type(name) is str else "object"
 
 
@@ -370,7 +370,7 @@ def _sent(message: Message) -> Sent:
 
 
 def _value(value: Any) -> Value:
-    """What can be told of a variable. To be called within the run: the types may be the answer's own."""
+    """Describe the value of a variable. Call this within the run: the type may be the answer's own."""
     with suppress(Exception):
         if type(value) is str:
             return Value("str", _cut(value))
@@ -383,12 +383,12 @@ def _value(value: Any) -> Value:
 
 
 def _unwrapped(value: Any) -> Any:
-    """An array, or a number of an array, in Python's own types; what is none as it is."""
+    """Turn an array, or a number from one, into Python's own types. Other values stay as they are."""
     return value.tolist() if hasattr(type(value), "tolist") else value
 
 
 def _number(value: Any) -> float:
-    """A number of whatever type. Raises an exception for anything else, and for one that is not finite."""
+    """Return a number of any type as a float. Raises an exception for anything else, and for one that is not finite."""
     value = _unwrapped(value)
     if type(value) is bool or not hasattr(type(value), "__float__") or not math.isfinite(number := float(value)):
         raise ValueError(value)

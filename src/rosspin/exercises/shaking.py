@@ -18,16 +18,16 @@ from ..world.world import current_world
 
 __all__ = ["shake", "turns"]
 
-# The function by which a shaken node gives way. A name that no answer has.
+# The function by which a shaken node gives way. No answer has this name.
 _GIVE_WAY = "__give_way__"
 
-# What is left as it is: annotations, which other code reads, patterns, which are no expressions, and what an exception
-# is compared with, which is also done while a run is ended.
+# Left as they are: annotations, which other code reads; patterns, which are no expressions; and the types after
+# ``except``, which are evaluated even while a run is being ended.
 _LEFT = ("annotation", "returns", "pattern", "type", "type_params")
 
 
 def shake(source: str) -> ast.Module:
-    """The code of a node, to be run within :func:`turns`."""
+    """Make the code of a node give way. Run it within :func:`turns`."""
     tree = ast.parse(source)
     _Shaker().visit(tree)
     return ast.fix_missing_locations(tree)
@@ -47,7 +47,7 @@ class _Shaker(ast.NodeTransformer):
             node.value = _give_way(node.value)
         for name in ("body", "orelse", "finalbody"):
             statements = getattr(node, name, None)
-            # What stands first in a module has to stay there.
+            # A module's docstring and its __future__ imports have to stay first.
             if isinstance(statements, list) and not isinstance(node, ast.Module):
                 shaken = [each for statement in statements for each in (ast.Expr(_give_way()), statement)]
                 setattr(node, name, shaken)
@@ -66,9 +66,9 @@ def _give_way(*value: ast.expr) -> ast.Call:
 
 @contextmanager
 def turns(seed: int | None) -> Iterator[None]:
-    """Within this context a shaken node gives way; how often at each place follows from ``seed``.
+    """Let a shaken node give way within this context; ``seed`` decides how often at each place.
 
-    Without one nothing is shaken here.
+    Without a seed nothing is shaken.
     """
     if seed is None:
         yield

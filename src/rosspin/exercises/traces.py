@@ -1,8 +1,8 @@
 """Write down what the runs of an answer showed, and read it again in another Python.
 
-What is read may come from anybody: all of it has the right types, and is finite and small, or it is refused. That it
-describes the runs of this answer, and no others, cannot be seen: an answer that takes over the Python that it runs in
-can write down whatever it likes.
+A trace may come from anybody. It is refused unless all of it has the right types, and is finite and small. Whether it
+describes the runs of this answer cannot be seen: an answer that takes over the Python in which it runs can write down
+whatever it likes.
 """
 
 from __future__ import annotations
@@ -22,11 +22,11 @@ LONGEST = 2_000_000
 """A trace has at most so many characters."""
 
 LONGEST_TEXT = 30_000
-"""And each text in it so many."""
+"""Each text in it has at most so many."""
 
 
 class Misfit(ValueError):
-    """A trace from which no verdict can be had."""
+    """A trace allows no verdict."""
 
     def __init__(self, why: str) -> None:
         super().__init__(f"The trace does not fit: {why}.")
@@ -35,8 +35,8 @@ class Misfit(ValueError):
 class Request(NamedTuple):
     """What is asked of an answer: a run of ``seconds`` with the command line ``args``.
 
-    SIGTERM may come at a time (s) before Ctrl-C. With a ``seed`` its threads take turns at any point; if it
-    ``stalls_at`` a time (s), nothing of it runs for a while; ``variables`` are the names of those to be told.
+    SIGTERM may come before Ctrl-C, at ``terminated_at`` (s). With a ``seed`` the threads take turns at any point. From
+    ``stalls_at`` (s) on, nothing of the answer runs for a while. ``variables`` are the names of variables to report.
     """
 
     seconds: float
@@ -48,14 +48,14 @@ class Request(NamedTuple):
 
 
 class Failure(NamedTuple):
-    """Why it could not be run, and how to go on."""
+    """Why an answer could not be run, and how to go on."""
 
     text: str
     hint: str
 
 
 class Outcome(NamedTuple):
-    """What was asked, and what came of it: one of the two."""
+    """A request and what came of it: either ``seen`` or ``failure``."""
 
     request: Request
     seen: Seen | None
@@ -63,9 +63,9 @@ class Outcome(NamedTuple):
 
 
 class Trace(NamedTuple):
-    """All that was asked of an answer to the exercise ``number``, in its order.
+    """The outcomes of all requests to an answer to the exercise ``number``, in their order.
 
-    ``console`` is that of the first run, as far as it is worth showing; ``cut`` says that something else did not fit.
+    ``console`` is what the first run printed, as far as it is worth showing. ``cut`` says that something else did not.
     """
 
     number: int
@@ -75,12 +75,12 @@ class Trace(NamedTuple):
 
 
 def write(trace: Trace) -> str:
-    """A trace as JSON."""
+    """Write a trace as JSON."""
     return dumps(trace, allow_nan=False, separators=(",", ":"))
 
 
 def read(text: str, number: int) -> Trace:
-    """The trace of an answer to an exercise. Raises :class:`Misfit` for anything else."""
+    """Read the trace of an answer to an exercise. Raises :class:`Misfit` for anything else."""
     if not isinstance(text, str) or len(text) > LONGEST:
         raise Misfit("it is too long")
     try:
@@ -89,7 +89,7 @@ def read(text: str, number: int) -> Trace:
         raise Misfit("it is damaged") from error
     assert isinstance(trace, Trace)
     if trace.number != number:
-        raise Misfit("it is of another exercise")
+        raise Misfit("it belongs to another exercise")
     for request, seen, failure in trace.outcomes:
         if (seen is None) is (failure is None) or (seen and seen.seconds != request.seconds):
             raise Misfit("it is damaged")
@@ -97,7 +97,7 @@ def read(text: str, number: int) -> Trace:
 
 
 def _read(kind: Any, data: Any) -> Any:
-    """Data of JSON as ``kind``, a type in an annotation. Raises ValueError or TypeError if it is none."""
+    """Turn data of JSON into ``kind``, the type of an annotation. Raises ValueError or TypeError if it does not fit."""
     if get_origin(kind) is UnionType:
         [other] = (each for each in get_args(kind) if each is not NoneType)
         return None if data is None else _read(other, data)

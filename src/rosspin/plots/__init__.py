@@ -1,12 +1,12 @@
 """Plot ticks with matplotlib: each function draws into an Axes and returns it. All else is plain matplotlib.
 
-``ax`` is where to draw; without it, a new figure of pyplot's. ``caption`` says where the data come from: a page has it
-below the plot; of a simulated :class:`~rosspin.Run` it is "simulated". The label of the Axes says what is drawn, as
-the text alternative of the picture: ``ax.set_label(words)`` replaces it. The style is one of matplotlib's, by the name
-of ``rosspin.plots.rosspin``.
+``ax`` is where to draw: by default in a new figure of pyplot's. ``caption`` says where the data come from; a page shows
+it below the plot. For a simulated :class:`~rosspin.Run` it is "simulated". The label of the Axes says what is drawn, as
+the text alternative of the picture: ``ax.set_label(words)`` replaces it. matplotlib knows the style by the name
+``rosspin.plots.rosspin``.
 
-Of a row of more than 600 ticks, those are drawn that stand out, and the axis says how many. Raises ValueError if there
-are no ticks, if a time is not finite, or for a period that is not above 0; ImportError without matplotlib, which
+If a row has more than 600 ticks, only those that stand out are drawn, and the axis says how many. Raises ValueError if
+there are no ticks, if a time is not finite, or if a period is not above 0; and ImportError without matplotlib, which
 ``pip install 'rosspin[plot]'`` installs.
 """
 
@@ -38,7 +38,7 @@ if TYPE_CHECKING:
 
 __all__ = ["Movable", "compare", "lateness", "period_histogram", "picture", "timeline", "with_handle"]
 
-# The ticks of a run, and what a plot is made of: ticks by the name that they are to have, or else by their source.
+# The ticks of a run; and what a plot shows: such ticks, named by their source, or several by the names to give them.
 One = Run | Sequence[Tick]
 Ticks = One | Mapping[str, One]
 
@@ -48,19 +48,19 @@ _COLOURS = ("#0072b2", "#d55e00", "#009e73")
 _MARKS: tuple[dict[str, Any], ...]
 _MARKS = ({"marker": "o", "mew": 0}, {"marker": "s", "mew": 0}, {"marker": "o", "mew": 2, "mfc": "none", "ms": 7})
 
-_MANY = 600  # marks in a row: more run into each other
-_COLUMNS = 120  # in which marks can be told apart
+_MANY = 600  # the most marks in a row: more would run into each other
+_COLUMNS = 120  # of a row in which not all marks are drawn
 _BINS = 40
 _MOST_LINES = 1_000_000
 
-# A timeline, in points of the size that it has in a figure of its own.
+# A timeline in a figure of its own, in points.
 _ROW = 54  # its name, and below that its ticks
 _TICKS = 34  # how far the middle of the ticks is below the top of their row
 _REACH = 13  # how far a line for an expected tick goes up and down from there
 _BAR = 10
-_ABOVE, _MOST_ABOVE = 10, 2  # a tick is so far above one that came at the same time, and so many are
+_ABOVE, _MOST_ABOVE = 10, 2  # how far a tick is above one that came at the same time, and for how many ticks
 _AXIS = 42  # with its numbers and its title
-_MARGIN = 0.0135  # of what is drawn: half a mark
+_MARGIN = 0.0135  # half a mark, as a fraction of the width
 
 
 def timeline(
@@ -75,8 +75,8 @@ def timeline(
     """Plot when each tick was expected and when it came, in seconds; a bar shows how long it took.
 
     With ``period`` (s, above 0), there is a line for every period, even where no tick came, and a cross for every lost
-    tick. The rows are of up to three ``kinds`` in turn, each of which has a mark and a colour of its own. Calls that
-    overlap have a lane each. The axis goes to the last tick, or on to the ``end`` of the run (s), which a Run knows.
+    tick. The rows take turns with up to three ``kinds``, each with its own mark and colour. Calls that overlap have a
+    lane each. The axis goes to the last tick, or to the ``end`` of the run (s), which a Run knows.
     """
     groups = _groups(ticks)
     rows = _rows(groups, period)
@@ -98,8 +98,8 @@ def compare(
 ) -> Axes:
     """Plot several runs one below the other, on one axis of time: ``{"Timer": run, "Rate": other_run}``.
 
-    Each is a row, or as many as its timers and loops are; the same source then has the same colour in all runs. The
-    rest is as in :func:`timeline`.
+    Each run has a row for each of its timers and loops. The same source has the same colour in all runs. The rest is as
+    in :func:`timeline`.
     """
     by_run = {name: by_source(_ticks(run)) for name, run in runs.items()}
     sources = list(dict.fromkeys(source for groups in by_run.values() for source in groups))
@@ -132,13 +132,13 @@ def lateness(ticks: Ticks, *, caption: str | None = None, ax: Axes | None = None
 
 
 def period_histogram(ticks: Ticks, *, caption: str | None = None, ax: Axes | None = None) -> Axes:
-    """Plot how often each period (ms) between two ticks occurred. Those of several groups stand side by side."""
+    """Plot how often each period (ms) between two ticks occurred. The bars of several groups stand side by side."""
     groups = _groups(ticks)
     words = [f"{name}: {describe_periods(group)}" for name, group in groups.items()]
     times = [[period * 1e3 for period in periods(group)] for group in groups.values()]
     found = [time for group in times for time in group]
     first, last = min(found, default=0.0), max(found, default=1.0)
-    if last - first <= 1e-6 * abs(last):  # of what is no more than rounded there are no parts
+    if last - first <= 1e-6 * abs(last):  # differences by rounding alone have no bins
         first, last = first - 0.05 * (abs(first) or 1.0), last + 0.05 * (abs(last) or 1.0)
     with pictures.drawing(ax, "Distribution of periods. " + " ".join(words), _caption(caption, ticks)) as ax:
         colours = [_COLOURS[row % _KINDS] for row in range(len(groups))]
@@ -177,10 +177,10 @@ def with_handle(
 ) -> Movable:
     """Plot a timeline that the reader of a page moves: ``runs`` are the ticks for each position of a handle.
 
-    ``label`` and ``unit`` say what the position is, and ``at`` is the one shown first, also in print and wherever the
-    page's script is missing, which draws the others from the same rows. ``period`` and ``kinds`` are those of
-    :func:`timeline`; with a period, each row says whether the grid was kept and how many ticks were lost. ``sets``
-    names the variable that the position is in code which stands beside the plot.
+    ``label`` and ``unit`` say what the position is. ``at`` is the position shown first, and the only one in print or
+    without the page's script, which draws the others. ``period`` and ``kinds`` are those of :func:`timeline`; with a
+    period, each row says whether the grid was kept and how many ticks were lost. ``sets`` names the variable that has
+    the position as its value in the code beside the plot.
 
     Raises ValueError if ``at`` is no position, or if there is one without ticks.
     """
@@ -226,7 +226,7 @@ def _groups(ticks: Ticks) -> dict[str, list[Tick]]:
 
 
 def _caption(caption: str | None, ticks: Ticks) -> str:
-    """The one given, or where all of these Runs were made if it was in simulated time."""
+    """Return the caption given; if there is none, "simulated" if all of these are simulated Runs."""
     runs = ticks.values() if isinstance(ticks, Mapping) else [ticks]
     is_simulated = all(isinstance(run, Run) and run.runtime == "simulated" for run in runs)
     return caption if caption is not None else "simulated" if is_simulated else ""
@@ -240,7 +240,7 @@ def _describe(groups: Mapping[str, Sequence[Tick]], period: float | None, positi
     return f"Timeline{position}. " + " ".join(words)
 
 
-# --- a timeline, which web/src/svg.js draws in the same way from the same rows ----------------------------------------
+# --- a timeline: web/src/svg.js draws it in the same way from the same rows -------------------------------------------
 
 
 class _Row(NamedTuple):
@@ -254,7 +254,7 @@ class _Row(NamedTuple):
 
 
 def _rows(groups: Mapping[str, Sequence[Tick]], period: float | None, worded: bool = False) -> list[_Row]:
-    """The rows of a timeline; ``worded``: with a few words on each. One without ticks has the grid of the others."""
+    """Make the rows of a timeline, ``worded`` with a few words on each. One without ticks has the others' grid."""
     if period is not None and not 0 < period < math.inf:
         raise ValueError(f"a period is above 0 s, not {period!r}")
     rows = [_row(name, group, period) for name, group in groups.items()]
@@ -299,7 +299,7 @@ def _timeline(
     ax: Axes | None,
     times: Iterable[float],
 ) -> Axes:
-    """Draw them; the axis of time begins with the run and has room for these ``times``, too."""
+    """Draw the rows. The axis of time begins with the run and has room for these ``times``, too."""
     with pictures.drawing(ax, alt, caption, _height(rows)) as ax:
         drawn = sum(_draw_row(ax, number, row, number % kinds % _KINDS) for number, row in enumerate(rows))
         ax.set_yticks(range(len(rows)), [row.name for row in rows], ha="left", va="top", weight="bold")
@@ -316,7 +316,7 @@ def _timeline(
 
 
 def _height(rows: Sequence[_Row]) -> int:
-    """How high (px) a figure of its own is."""
+    """Return the height (px) of a timeline's own figure."""
     return _ROW * len(rows) + _AXIS + (16 if any(len(row.ticks) > _MANY for row in rows) else 0)
 
 
@@ -347,7 +347,7 @@ def _draw_row(ax: Axes, number: int, row: _Row, kind: int) -> int:
 
 
 def _lanes(ticks: Sequence[tuple[float, float]]) -> tuple[list[float], float]:
-    """How far down the calls of a row are, and the height of their bars: calls that overlap get a lane each."""
+    """Return how far down each call of a row is, and how high its bar: calls that overlap get a lane each."""
     ends: list[float] = []  # of the last call in each lane
     taken = []
     for real, duration in ticks:
@@ -362,7 +362,7 @@ def _lanes(ticks: Sequence[tuple[float, float]]) -> tuple[list[float], float]:
 
 
 def _few(across: Sequence[float], up: Sequence[float]) -> list[int]:
-    """Which of these points to draw: all, or of very many the lowest and the highest in each of some columns."""
+    """Return which points to draw: all, or, if they are many, the lowest and the highest in each column."""
     if len(across) <= _MANY:
         return list(range(len(across)))
     first = min(across)

@@ -1,4 +1,4 @@
-"""Matplotlib's figures as a page shows them: as wide as the text, in its colours, light or dark, and put into words.
+"""Show matplotlib's figures in a page: as wide as the text, in its colours, light or dark, and described in words.
 
 A page has a figure twice, drawn for a wide and for a narrow place; a container query shows the one that fits.
 """
@@ -26,26 +26,26 @@ __all__ = ["SUFFIXES", "alternative", "drawing", "figure_of", "missing", "new_ax
 
 SUFFIXES = (".pdf", ".png", ".svg")
 
-# How wide a figure is drawn (px, a point of matplotlib's): as the site's text is on a screen and on a phone. In between
-# it is scaled, by no more than 1.5.
+# How wide a figure is drawn (px, matplotlib's points): as wide as the site's text on a screen and on a phone. Between
+# these it is scaled by at most 1.5.
 _WIDTHS = {"rosspin-wide": 760, "rosspin-narrow": 365}
 _CSS = (
     "<style>.rosspin-plot{container-type:inline-size}"
     "@container(max-width:530px){.rosspin-wide{display:none!important}}"
     "@container(min-width:530.01px){.rosspin-narrow{display:none!important}}</style>"
 )
-_MARGIN = 10  # px, of a file that stands alone
+_MARGIN = 10  # px, in a file of its own
 _STANDALONE = (
     "svg{color:#1b1b1b;background:#fff;font-family:system-ui,sans-serif}"
     "@media(prefers-color-scheme:dark){svg{color:#eee;background:#14181e}}"
 )
 
-# The Axes that rosspin has drawn in, with where their data come from. Their labels are what is seen in them.
+# The Axes that rosspin has drawn in, with their captions. Their labels say what is seen in them.
 _captions: WeakKeyDictionary[Axes, str] = WeakKeyDictionary()
 
 
 def missing() -> str:
-    """What to do where matplotlib is missing; empty where it is not."""
+    """Return what to do if matplotlib is missing; empty if it is not."""
     if "matplotlib" in sys.modules or find_spec("matplotlib"):
         return ""
     return "plots need matplotlib, which is not installed: pip install 'rosspin[plot]'"
@@ -53,9 +53,9 @@ def missing() -> str:
 
 @contextmanager
 def drawing(ax: Axes | None, alt: str, caption: str, height: float = 220) -> Iterator[Axes]:
-    """Draw in these Axes in matplotlib's style for plots of ticks, or in new ones of pyplot's, ``height`` px high.
+    """Draw in these Axes, or in new ones of pyplot's, ``height`` px high, in the style for plots of ticks.
 
-    They are labelled with what is seen in them, and Jupyter shows them as a page does. Raises ImportError without
+    The Axes are labelled with what is seen in them, and Jupyter shows them as a page does. Raises ImportError without
     matplotlib.
     """
     if advice := missing():
@@ -65,7 +65,7 @@ def drawing(ax: Axes | None, alt: str, caption: str, height: float = 220) -> Ite
     if ax is None:
         from matplotlib import pyplot
 
-        # Not within the style: the first figure chooses the backend, which the style would forget again.
+        # Outside the style: the first figure chooses the backend, which the end of the style would undo.
         figure = pyplot.figure(figsize=(_WIDTHS["rosspin-wide"] / 72, height / 72))
     with matplotlib.style.context("rosspin.plots.rosspin"):
         if ax is None:
@@ -78,7 +78,7 @@ def drawing(ax: Axes | None, alt: str, caption: str, height: float = 220) -> Ite
 
 
 def new_axes(height: float) -> Axes:
-    """Axes in a figure that pyplot does not know, ``height`` px high: nobody closes it, and no window opens."""
+    """Make Axes in a figure that pyplot does not know, ``height`` px high: nobody closes it, and no window opens."""
     if advice := missing():
         raise ImportError(advice)
     import matplotlib.style
@@ -89,12 +89,12 @@ def new_axes(height: float) -> Axes:
 
 
 def figure_of(ax: Axes) -> Figure:
-    """The whole figure that Axes are in."""
+    """Return the whole figure that Axes are in."""
     return cast("Figure", ax.get_figure(root=True))
 
 
 def alternative(figure: Figure) -> str:
-    """What is seen in a figure: the labels of its Axes, and which part of these data."""
+    """Say what is seen in a figure: the labels of its Axes, and which part of the data is shown."""
     words = []
     for ax in figure.axes:
         label, (first, last) = str(ax.get_label()), ax.get_xlim()
@@ -106,7 +106,7 @@ def alternative(figure: Figure) -> str:
 
 
 def page(figure: Figure, handle: str = "", data: str = "") -> str:
-    """A figure as HTML, with the captions of its Axes: a page of any width can have it, and many. No element has an id.
+    """Turn a figure into HTML, with the captions of its Axes. It fits any width; without ids, a page can have many.
 
     ``handle`` (HTML) stands above it, and ``data`` are for the page's script.
     """
@@ -119,7 +119,7 @@ def page(figure: Figure, handle: str = "", data: str = "") -> str:
 
 
 def save(figure: Figure, path: str | os.PathLike[str]) -> None:
-    """Save a figure by the suffix of the file: as PNG, PDF, or SVG, which is light or dark as its viewer prefers.
+    """Save a figure as PNG, PDF or SVG, by the suffix of the file. An SVG is light or dark as its viewer prefers.
 
     The same figure gives the same bytes.
     """
@@ -147,7 +147,7 @@ def _svg(figure: Figure, name: str, standalone: bool = False) -> str:
     box = [round(float(number)) for number in root.attrib["viewBox"].split()]
     for parent in root.iter():
         for mark in [child for child in parent if child.tag.endswith("}use") and not _is_inside(child, box)]:
-            parent.remove(mark)  # where the limits cut the data, matplotlib puts one beside the picture
+            parent.remove(mark)  # of data beyond the limits, which matplotlib puts beside the picture
     if standalone:
         box = [-_MARGIN, -_MARGIN, box[2] + 2 * _MARGIN, box[3] + 2 * _MARGIN]
     attributes = {
@@ -175,7 +175,7 @@ def _is_inside(mark: ElementTree.Element, box: Sequence[float]) -> bool:
 def _element(tag: str, attributes: dict[str, str], *children: ElementTree.Element) -> ElementTree.Element:
     element = ElementTree.Element(tag, attributes)
     for child in children:
-        # Neighbours that are clipped alike are clipped together.
+        # Neighbours with the same clip share it.
         if child.tag == "svg" and len(element) and (element[-1].tag, element[-1].attrib) == (child.tag, child.attrib):
             element[-1].extend(child)
         else:
@@ -184,15 +184,15 @@ def _element(tag: str, attributes: dict[str, str], *children: ElementTree.Elemen
 
 
 def _plain(element: ElementTree.Element, shapes: dict[str, ElementTree.Element]) -> Iterator[ElementTree.Element]:
-    """An element of matplotlib's SVG as the page's: in its font and in its colour, and without ids."""
+    """Turn an element of matplotlib's SVG into one of the page's: in its font and colour, and without ids."""
     tag = element.tag.rpartition("}")[2]
     attributes = {name.rpartition("}")[2]: value for name, value in element.attrib.items() if name != "id"}
-    if tag in ("metadata", "defs") or attributes.get("style") == "fill: none":  # the transparent ground
+    if tag in ("metadata", "defs") or attributes.get("style") == "fill: none":  # the transparent background
         return
     clip = shapes.get(attributes.pop("clip-path", "")[5:-1])
     if tag == "use":
         shape, x, y = shapes[attributes.pop("href")[1:]].attrib["d"], attributes.pop("x"), attributes.pop("y")
-        if dot := re.fullmatch(r"M 0 (\S+)\s+(?:C[^C]*){8}z\s*", shape):  # in fewer words
+        if dot := re.fullmatch(r"M 0 (\S+)\s+(?:C[^C]*){8}z\s*", shape):  # a shorter form
             tag, attributes = "circle", {"cx": x, "cy": y, "r": dot[1], **attributes}
         else:
             tag, attributes = "path", {"d": shape, "transform": f"translate({x} {y})", **attributes}
@@ -215,9 +215,9 @@ def _short(number: re.Match[str]) -> str:
 
 
 def _offer_html() -> None:
-    """Let Jupyter show the figures in which rosspin has drawn as a page does, and all others as before.
+    """Let Jupyter show the figures in which rosspin has drawn as a page does, and others as before.
 
-    What it would show of a figure is set anew by IPython whenever matplotlib's backend is.
+    IPython sets what it shows of a figure anew whenever it sets matplotlib's backend.
     """
     shell = getattr(sys.modules.get("IPython"), "get_ipython", lambda: None)()
     if shell is None or not hasattr(shell, "kernel"):
@@ -237,7 +237,7 @@ def _offer_html() -> None:
         return page(figure) if is_ours(figure) else None
 
     def shown_once(ax: Axes) -> str | None:
-        """Axes that a cell ends with: their figure, which Jupyter would show below it a second time."""
+        """Show the figure of Axes that a cell ends with, and close it, or Jupyter would show it once more."""
         from matplotlib import pyplot
 
         if ax not in _captions:

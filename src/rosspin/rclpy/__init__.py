@@ -65,7 +65,7 @@ def init(
     domain_id: int | None = None,
     signal_handler_options: SignalHandlerOptions | None = None,
 ) -> None:
-    """Begin: read the command line ``args`` (default: the process's), and let Ctrl-C and SIGTERM end the context.
+    """Begin a context: read the command line ``args`` (default: the process's), and let Ctrl-C and SIGTERM end it.
 
     Raises RuntimeError if it was called before, RCLError and UnknownROSArgsError for what follows ``--ros-args``.
     """
@@ -78,7 +78,7 @@ def init(
 
 
 def shutdown(*, context: Context | None = None, uninstall_handlers: bool | None = None) -> None:
-    """End: call the hooks, wake who waits. Signals do what they did before.
+    """End a context: call the hooks and wake whoever waits. Signals do again what they did before ``init``.
 
     Raises RuntimeError before ``init`` and after ``shutdown``, RCLError after a signal.
     """
@@ -89,14 +89,14 @@ def shutdown(*, context: Context | None = None, uninstall_handlers: bool | None 
 
 
 def create_node(node_name: str, **kwargs: Any) -> node.Node:
-    """A :class:`rclpy.node.Node`, with the same arguments."""
+    """Make a :class:`rclpy.node.Node` with these arguments."""
     for word in kwargs.keys() - (node.Node.__init__.__kwdefaults__ or {}).keys():
         raise TypeError(f"create_node() got an unexpected keyword argument '{word}'")
     return node.Node(node_name, **kwargs)
 
 
 def get_global_executor() -> Executor:
-    """The executor of ``spin``, ``spin_once`` and ``spin_until_future_complete``, if none is given."""
+    """The executor that ``spin``, ``spin_once`` and ``spin_until_future_complete`` use if they are given none."""
     own = state()
     if own.executor is None:
         own.executor = executor = SingleThreadedExecutor()
@@ -112,8 +112,8 @@ def get_global_executor() -> Executor:
 def spin(node: node.Node, executor: Executor | None = None) -> None:
     """Call what is due in a node until its context is shut down.
 
-    Raises what a callback raises, and ExternalShutdownException if it waits when a signal shuts the context down; at
-    Ctrl-C the main thread is raised KeyboardInterrupt.
+    Raises what a callback raises, and ExternalShutdownException if a signal shuts the context down while it waits.
+    Ctrl-C raises KeyboardInterrupt in the main thread.
     """
     executor = executor or get_global_executor()
     try:
@@ -125,7 +125,7 @@ def spin(node: node.Node, executor: Executor | None = None) -> None:
 
 
 def spin_once(node: node.Node, *, executor: Executor | None = None, timeout_sec: float | None = None) -> None:
-    """Wait for one call of a node, for at most ``timeout_sec`` (None: for ever), and make it."""
+    """Wait until a call of a node is due, for at most ``timeout_sec`` (None: for ever), and make it."""
     executor = executor or get_global_executor()
     added = False
     try:
@@ -150,7 +150,7 @@ def spin_until_future_complete(
             executor.remove_node(node)
 
 
-# What rclpy has beside: its modules need a real ROS.
+# The modules of rclpy that are not here: they need a real ROS.
 NOT_SIMULATED = {
     *("action", "client", "constants", "destroyable", "event_handler", "experimental", "lifecycle", "logging_service"),
     *("parameter_client", "parameter_event_handler", "parameter_service", "qos_event", "qos_overriding_options"),
@@ -158,14 +158,14 @@ NOT_SIMULATED = {
     *("topic_or_service_is_hidden", "type_description_service", "type_hash", "type_support", "waitable"),
 }
 
-# Names that are lacking in the modules that are here.
+# The names that the modules here lack.
 LACKING = {
     "rclpy.clock": {"ClockChange", "JumpHandle", "JumpThreshold", "TimeJump"},
     "rclpy.logging": {"get_logger_level", "get_logging_directory"},
     "rclpy.signals": {"get_current_signal_handlers_options"},
 }
 
-# Names that do less here than in rclpy, or otherwise, and what that is.
+# Names that differ from rclpy's, and how.
 IN_PART = {
     "Context": "There is no network: ``domain_id`` has no effect.",
     "MultiThreadedExecutor": "Without ``num_threads`` it has 4 threads, not as many as there are processors.",
@@ -174,11 +174,11 @@ IN_PART = {
     "``destroy_node()`` is still there.",
     "Publisher": "Fields are always checked, as with ``ROS_PYTHON_CHECK_FIELDS=1``.",
     "QoSProfile": "``history``, ``depth``, ``reliability`` and ``durability`` have an effect.",
-    "RcutilsLogger": "On the console only, where rcl has few lines of its own.",
+    "RcutilsLogger": "On the console only, where rcl itself says little.",
     "Timer": "A period of less than 1 µs calls every 0.1 ms, about as often as a real machine can.",
-    "TimerInfo": "Here it is; on a real ROS 2 from Kilted on.",
+    "TimerInfo": "It is there; on a real ROS 2 only from Kilted on.",
     "signals": "A handler that the node sets itself is called at once, not when the executor wakes.",
-    "wait_for_message": "It gets the message, also while another thread spins the node; on a real ROS the two race.",
+    "wait_for_message": "It gets the message even if another thread spins the node; on a real ROS the two race.",
 }
 
 # What a node may import, by its name on a real ROS.
@@ -217,10 +217,10 @@ MODULES: dict[str, ModuleType] = {
 for _name, _lacking in LACKING.items():
     MODULES[_name].__getattr__ = refusing(_name, _lacking)  # type: ignore[method-assign]
 
-# What importing it registers with atexit.
+# What importing rclpy registers with atexit.
 AT_EXIT: list[Any] = []
 
-# In tracebacks and texts, classes have the names that they have on a real ROS.
+# Tracebacks and texts show the names of a real ROS.
 _HOMES = {
     "ClockType": "rclpy.clock_type",
     "GuardCondition": "rclpy.guard_condition",

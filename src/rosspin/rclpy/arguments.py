@@ -1,4 +1,4 @@
-"""What stands after ``--ros-args`` on a command line (sources: rcl/arguments.c, rcl_yaml_param_parser/parse.c)."""
+"""Read what follows ``--ros-args`` on a command line (sources: rcl/arguments.c, rcl_yaml_param_parser/parse.c)."""
 
 from __future__ import annotations
 
@@ -22,15 +22,15 @@ _WITH_VALUE = {"-e", "--enclave", "--log-config-file"}
 
 
 class _Remapping(NamedTuple):
-    node: str | None  # of which name; None: of any
+    node: str | None  # the node's name; None: any node
     source: str
     target: str
 
 
 class Arguments:
-    """Reads the remappings, parameters and log levels of a command line; ``rest`` is what is not ROS's.
+    """Reads the remappings, parameters and log levels of a command line; ``rest`` are the other words.
 
-    A rule "name:source:=target" is for nodes of that name only. Raises RCLError for a faulty option,
+    A rule "name:source:=target" is only for nodes with that name. Raises RCLError for a faulty option,
     UnknownROSArgsError for an unknown one.
     """
 
@@ -88,7 +88,7 @@ class Arguments:
         except ValueError as error:
             raise RCLError(f"{failed} {what}: '{flag} {text}'. Error: {error}") from None
 
-    # --- what an option says ------------------------------------------------------------------------------------------
+    # --- options ------------------------------------------------------------------------------------------------------
 
     def _remap(self, text: str) -> None:
         match = _RULE.fullmatch(text)
@@ -148,10 +148,10 @@ class Arguments:
         else:
             self.level = LEVELS[level.lower()]
 
-    # --- what that means for a node -----------------------------------------------------------------------------------
+    # --- what they give a node ----------------------------------------------------------------------------------------
 
     def name(self, name: str, namespace: str) -> tuple[str, str]:
-        """A node's name and namespace, if those in its code are these."""
+        """Return the name and namespace of a node that has these in its code."""
 
         def remapped(source: str, default: str) -> str:
             rules = (rule for rule in self.remappings if rule.source == source and rule.node in (None, name))
@@ -160,7 +160,7 @@ class Arguments:
         return remapped("__node", name), remapped("__ns", namespace)
 
     def topic(self, topic: str, name: str, namespace: str) -> str:
-        """The full name that replaces a topic's full name in a node."""
+        """Return the full name that replaces a topic's full name in a node."""
         for rule in self.remappings:
             if rule.node in (None, name) and not rule.source.startswith("__"):
                 if expand_topic_name(rule.source, name, namespace) == topic:
@@ -168,7 +168,7 @@ class Arguments:
         return topic
 
     def parameters(self, full_name: str) -> dict[str, Any]:
-        """The values that it has for the parameters of a node."""
+        """Return the values for the parameters of a node."""
         found = {}
         for node, name, value in self.overrides:
             pattern = re.escape(node).replace(r"/\*\*", r"(/\w+)*").replace(r"\*", r"\w+")
@@ -178,7 +178,7 @@ class Arguments:
 
 
 def remove_ros_args(args: list[str] | None = None) -> list[str]:
-    """A command line (default: the process's) without what is ROS's."""
+    """Return a command line (default: the process's) without the words for ROS."""
     from .state import state
 
     return Arguments(state().world.argv if args is None else args).rest
@@ -210,7 +210,7 @@ def _leaves(prefix: str, tree: Any) -> Iterator[tuple[str, Any]]:
 
 
 def _value(node: Any) -> Any:
-    """A parameter's value. YAML's own types do not count: rcl has rules of its own for what is a number."""
+    """Return a parameter's value. YAML's types do not count: rcl has its own rules for what is a number."""
     if node is None or node.id == "mapping":
         raise ValueError("Unknown YAML event")
     if node.id == "scalar":

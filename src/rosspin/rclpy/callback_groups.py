@@ -9,7 +9,7 @@ __all__ = ["CallbackGroup", "MutuallyExclusiveCallbackGroup", "ReentrantCallback
 
 
 class CallbackGroup:
-    """Base of the groups: what is in it is added when it is created."""
+    """Base of the groups. A timer, subscription or guard condition joins its group when it is created."""
 
     def __init__(self) -> None:
         self.entities: set[ref[Any]] = set()
@@ -19,24 +19,24 @@ class CallbackGroup:
         self.entities.add(ref(entity))
 
     def has_entity(self, entity: Any) -> bool:
-        """Whether it is in the group."""
+        """Whether a timer, a subscription or a guard condition is in the group."""
         return ref(entity) in self.entities
 
     def can_execute(self, entity: Any) -> bool:
-        """Whether its callback might begin now."""
+        """Whether its callback could begin now."""
         raise NotImplementedError()
 
     def beginning_execution(self, entity: Any) -> bool:
-        """Whether its callback may begin now; ``ending_execution`` follows if so."""
+        """Begin its callback if possible, and return whether it begins. If so, ``ending_execution`` follows."""
         raise NotImplementedError()
 
     def ending_execution(self, entity: Any) -> None:
-        """Its callback has ended."""
+        """Note that its callback has ended."""
         raise NotImplementedError()
 
 
 class ReentrantCallbackGroup(CallbackGroup):
-    """All at the same time, even one callback with itself."""
+    """Lets all callbacks run at the same time, even two calls of one callback."""
 
     def can_execute(self, entity: Any) -> bool:
         return True
@@ -49,11 +49,11 @@ class ReentrantCallbackGroup(CallbackGroup):
 
 
 class MutuallyExclusiveCallbackGroup(CallbackGroup):
-    """One at a time."""
+    """Lets one callback run at a time."""
 
     def __init__(self) -> None:
         super().__init__()
-        self._turn = [None]  # taken by who runs: a list's pop() is atomic, and a lock's acquire() would cost more
+        self._turn = [None]  # taken by the callback that runs: a list's pop() is atomic, and cheaper than a lock
 
     def can_execute(self, entity: Any) -> bool:
         return bool(self._turn)

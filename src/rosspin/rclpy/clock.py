@@ -47,14 +47,14 @@ class Clock:
         return Time(nanoseconds=self.ns(), clock_type=self.clock_type)
 
     def create_jump_callback(self, *args: Any, **kwargs: Any) -> Any:
-        """NotSimulated."""
+        """Raises NotSimulated."""
         raise NotSimulated("Clock.create_jump_callback")
 
     def sleep_until(self, until: Time, context: Context | None = None) -> bool:
-        """Sleep until a time of this clock; whether it was reached, and not the context shut down meanwhile.
+        """Sleep until a time of this clock, or until the context is shut down. Return whether the time was reached.
 
-        A signal does not wake it: the rest of the program learns of it afterwards. Raises ValueError for the time of
-        another kind of clock, NotInitializedException if the context is not valid.
+        A signal does not wake it; its handlers run afterwards. Raises ValueError for a time of another kind of clock,
+        NotInitializedException if the context is not valid.
         """
         context = context or get_default_context()
         if not context.ok():
@@ -88,12 +88,12 @@ class Clock:
         return context.ok() and self.changes == changes and self.ns() >= until.nanoseconds
 
     def sleep_for(self, rel_time: Duration, context: Context | None = None) -> bool:
-        """``sleep_until(now() + rel_time)``."""
+        """Call ``sleep_until(now() + rel_time)``."""
         return self.sleep_until(self.now() + rel_time, context)
 
 
 class ROSClock(Clock):
-    """ROS time: the system's, unless it is told, as by /clock."""
+    """Tells ROS time: the system's, unless another is set, as by /clock."""
 
     def __new__(cls) -> ROSClock:
         return object.__new__(cls)
@@ -101,11 +101,11 @@ class ROSClock(Clock):
     def __init__(self, *, clock_type: ClockType = ClockType.ROS_TIME) -> None:
         super().__init__(clock_type=ClockType.ROS_TIME)
         self._told = 0
-        self.timers: dict[Timer, None] = {}  # those that go by it
+        self.timers: dict[Timer, None] = {}  # the timers that go by this clock
 
     @property
     def ros_time_is_active(self) -> bool:
-        """Whether it is told the time."""
+        """Whether the time is set from outside."""
         return not self.flows
 
     def _set_ros_time_is_active(self, enabled: bool) -> None:
@@ -121,7 +121,7 @@ class ROSClock(Clock):
             self._open_gates()
 
     def set_ros_time_override(self, time: Time) -> None:
-        """Tell it the time. TypeError for what is no Time."""
+        """Set the time. Raises TypeError for what is no Time."""
         if not isinstance(time, Time):
             raise TypeError(f"Time must be specified as rclpy.time.Time. Received type: {type(time)}")
         self._told = time.nanoseconds

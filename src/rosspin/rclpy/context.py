@@ -19,7 +19,7 @@ __all__ = ["Context"]
 
 
 class Context:
-    """What nodes share: the command line, and whether it goes on. As a context manager it is initialised within."""
+    """What nodes share: the command line, and whether to go on. A ``with`` block begins and ends it."""
 
     def __init__(self) -> None:
         self.state = state()
@@ -29,8 +29,8 @@ class Context:
         self._domain_id = 0
         self.nodes: list[Node] = []
         self.born: WeakKeyDictionary[Node, int] = WeakKeyDictionary()  # when (ns) each was made
-        self.joined: int | None = None  # when (ns) other processes could begin to see it
-        self.left: int | None = None  # and from when they miss it
+        self.joined: int | None = None  # when (ns) its first node was made
+        self.left: int | None = None  # from when (ns) other processes miss it
 
     def init(
         self, args: list[str] | None = None, *, initialize_logging: bool = True, domain_id: int | None = None
@@ -60,7 +60,7 @@ class Context:
         return self.valid
 
     def shutdown(self) -> None:
-        """End, and call the hooks. Raises RuntimeError if it never began, RCLError if it has ended, as by a signal."""
+        """End, and call the hooks. Raises RuntimeError before ``init``, RCLError if it has ended, as by a signal."""
         if self.arguments is None:
             raise RuntimeError("Context must be initialized before it can be shutdown")
         if not self.valid:
@@ -73,7 +73,7 @@ class Context:
             return
         self.end()
         for hook in list(self._hooks):
-            # A method is kept by a weak reference. rclpy calls any hook as if it were one, and then what it returns.
+            # Methods are kept as weak references. rclpy calls every hook as if it were one, and then what that returns.
             found = hook()
             if found is not None:
                 found()
@@ -89,7 +89,7 @@ class Context:
             self.state.rosout.clear()
 
     def on_shutdown(self, callback: Callable[[], Any]) -> None:
-        """Call ``callback`` at ``shutdown``; at once if that was. TypeError if it cannot be called.
+        """Call ``callback`` at ``shutdown``, or at once after it. Raises TypeError if it cannot be called.
 
         It is not called when a signal ends the context (rclpy issue 1148).
         """
@@ -103,7 +103,7 @@ class Context:
             self._hooks.append(callback)
 
     def add_node(self, node: Node) -> None:
-        """A node was made in it."""
+        """Add a node that was made in this context."""
         self.nodes.append(node)
         self.born[node] = self.state.clock.now()
         self.state.world.name = self.state.world.name or node.get_fully_qualified_name()
@@ -111,7 +111,7 @@ class Context:
             self.state.participants.join(self)
 
     def forget(self, callback: Callable[[], Any]) -> None:
-        """Do not call a function at shutdown."""
+        """Take back ``on_shutdown(callback)``."""
         if callback in self._hooks:
             self._hooks.remove(callback)
 
@@ -130,7 +130,7 @@ class Context:
 
 
 def get_default_context(*, shutting_down: bool = False) -> Context:
-    """The context that is used where none is given. With ``shutting_down`` the next one will be another."""
+    """Return the context that is used where none is given. With ``shutting_down``, the next call makes a new one."""
     own = state()
     if own.context is None:
         own.context = Context()

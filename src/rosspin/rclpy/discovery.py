@@ -1,7 +1,7 @@
-"""How processes of ROS 2 find each other, and how they are missed, as measured on Jazzy with Fast DDS on one machine.
+"""How processes of ROS 2 find and miss each other, as measured on Jazzy with Fast DDS on one machine.
 
-A context is known to other processes some time after its first node was made, and the end of a topic soon after it was
-made. Each side learns of the other by itself. Within a process all is known at once.
+Other processes know a context some time after its first node was made, and the end of a topic soon after it was made.
+Each side learns of the other by itself. Within a process all is known at once.
 """
 
 from __future__ import annotations
@@ -19,28 +19,27 @@ if TYPE_CHECKING:
 
 __all__ = ["KEPT", "Participants", "discover", "lose"]
 
-# How long (ns) it takes, what was measured most often: an end of a topic is known to another process, a context is,
-# messages that a publisher has kept come, a process that has ended is missed, and one that was killed.
-ENDPOINT = 1_000_000
-PARTICIPANT = 115_000_000
-KEPT = 12_000_000
-END = 35_000_000
-LEASE = 20_000_000_000
+# How long (ns) it takes until ..., as measured most often.
+ENDPOINT = 1_000_000  # another process knows an end of a topic
+PARTICIPANT = 115_000_000  # another process knows a context
+KEPT = 12_000_000  # the messages that a publisher has kept come
+END = 35_000_000  # a process that has ended is missed
+LEASE = 20_000_000_000  # a process that was killed is missed
 
 
 class Participants:
-    """The contexts of a run that have a node; one for all of its processes."""
+    """The contexts of a run that have a node. All processes of the run share one such list."""
 
     def __init__(self) -> None:
         self._contexts: list[Context] = []
 
     def join(self, context: Context) -> None:
-        """A context has its first node."""
+        """Add a context that has its first node."""
         context.joined = context.state.clock.now()
         self._contexts.append(context)
 
     def leave(self, context: Context, killed: bool = False) -> None:
-        """A context was shut down, or its process has ended: the others will miss it."""
+        """Let the others miss a context that was shut down, or whose process has ended."""
         if context.joined is not None and context.left is None:
             context.left = context.state.clock.now() + (LEASE if killed else END)
             for node in context.nodes:
@@ -48,7 +47,7 @@ class Participants:
                     lose(end, context.left)
 
     def nodes(self, context: Context) -> Iterator[Node]:
-        """The nodes of other processes that are known to a context now."""
+        """Yield the nodes of other processes that a context knows now."""
         now = context.state.clock.now()
         for other in self._contexts:
             if (
@@ -60,7 +59,7 @@ class Participants:
 
 
 def _met(one: Context, other: Context) -> int:
-    """When (ns) two contexts know each other."""
+    """Return when (ns) two contexts know each other."""
     assert one.joined is not None and other.joined is not None
     return max(one.joined, other.joined) + PARTICIPANT
 
@@ -78,7 +77,7 @@ def discover(publisher: Publisher, subscription: Subscription) -> None:
 
 
 def lose(end: Owner, when: int) -> None:
-    """An end of a topic is gone; those of other processes know it at ``when`` (ns)."""
+    """Let the ends in other processes learn at ``when`` (ns) that an end is gone."""
     for other in [*end.peers]:
         if other.world is not end.world:
             other.world.at(when, partial(other.part, end))

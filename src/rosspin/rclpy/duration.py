@@ -13,12 +13,12 @@ __all__ = ["Duration", "Infinite"]
 
 @total_ordering
 class Ordered:
-    """What is compared by its ``nanoseconds``, and only with its own kind."""
+    """A value that is compared by its ``nanoseconds``, and only with its own kind."""
 
     nanoseconds: int
 
     def _other(self, other: object) -> int | None:
-        """The nanoseconds to compare with; None if ``other`` is of another kind."""
+        """Return the nanoseconds to compare with; None if ``other`` is of another kind."""
         return other.nanoseconds if isinstance(other, type(self)) else None
 
     def __eq__(self, other: object) -> bool:
@@ -33,7 +33,7 @@ class Ordered:
 
 
 class Duration(Ordered):
-    """A length of time, in seconds (with their fraction) plus nanoseconds. OverflowError beyond 292 years."""
+    """A length of time: seconds (with their fraction) plus nanoseconds. Raises OverflowError beyond 292 years."""
 
     def __init__(self, *, seconds: float = 0, nanoseconds: int = 0) -> None:
         total = int(seconds * NS) + int(nanoseconds)
@@ -48,13 +48,13 @@ class Duration(Ordered):
         return "Infinite" if self == Infinite else f"{self.nanoseconds} nanoseconds"
 
     def to_msg(self) -> Any:
-        """The same as a message, builtin_interfaces/Duration."""
+        """Return the duration as a message, builtin_interfaces/Duration."""
         seconds, nanoseconds = divmod(self.nanoseconds, NS)
         return import_module("builtin_interfaces.msg").Duration(sec=seconds, nanosec=nanoseconds)
 
     @classmethod
     def from_msg(cls, msg: Any) -> Duration:
-        """A message as a Duration; TypeError for any other."""
+        """Make a Duration from a message. Raises TypeError for any other message."""
         if not isinstance(msg, import_module("builtin_interfaces.msg").Duration):
             raise TypeError("Must pass a builtin_interfaces.msg.Duration object")
         return cls(seconds=msg.sec, nanoseconds=msg.nanosec)

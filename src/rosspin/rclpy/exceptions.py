@@ -33,16 +33,16 @@ class UnknownROSArgsError(RuntimeError):
 
 
 def invalid_context(failed: str) -> RCLError:
-    """Make the error of what cannot be made before ``init``, or after ``shutdown``, in the words of the C part."""
+    """Make the error for what fails before ``init`` or after ``shutdown``, in the words of the C part."""
     reason = "either rcl_init() was not called or rcl_shutdown() was called."
     return RCLError(f"failed to {failed}: the given context is not valid, {reason}")
 
 
 def not_accepted(signature: str, *args: object, function: str = "") -> TypeError:
-    """Make the error of arguments of the wrong type, in the words of the C part.
+    """Make the error for arguments of the wrong type, in the words of the C part.
 
-    ``args`` that are objects of the C part are given by the names of their classes. Without a ``function``, the
-    arguments were those of a constructor.
+    In ``args``, an object of the C part is given by the name of its class. Without a ``function``, the error is about a
+    constructor.
     """
     words = ", ".join(
         f"<rclpy._rclpy_pybind11.{arg} object at {id(arg):#x}>" if arg in _OBJECTS else repr(arg) for arg in args
@@ -69,7 +69,7 @@ class NoTypeSupportImportedException(Exception):
 
 
 class NameValidationException(Exception):
-    """A name is not valid; ``invalid_index`` is where."""
+    """A name is not valid, at ``invalid_index``."""
 
     def __init__(self, name_type: str, name: str, error_msg: str, invalid_index: int) -> None:
         self.error_msg = error_msg
@@ -102,7 +102,7 @@ class InvalidServiceNameException(NameValidationException):
 
 
 class ParameterException(Exception):
-    """Base class of what is raised over parameters."""
+    """Base class of errors about parameters."""
 
     def __init__(self, error_msg: str, parameters: str | list[str]) -> None:
         super().__init__(f"{error_msg}: {parameters}")
@@ -167,11 +167,11 @@ class ROSInterruptException(Exception):
 
 
 class ExternalShutdownException(Exception):
-    """The context was shut down, as by a signal, while an executor waited."""
+    """The context was shut down while an executor waited, as by a signal."""
 
 
 class TimeoutException(Exception):
-    """An executor has waited long enough."""
+    """An executor's timeout is over."""
 
 
 class ShutdownException(Exception):
@@ -182,7 +182,7 @@ class ConditionReachedException(Exception):
     """The future that an executor waited for is done."""
 
 
-# In tracebacks they have the names that they have on a real ROS.
+# Tracebacks show the names of a real ROS.
 _ELSEWHERE = {
     **dict.fromkeys(("InvalidHandle", "RCLError", "UnknownROSArgsError"), "rclpy._rclpy_pybind11"),
     **dict.fromkeys(

@@ -37,19 +37,19 @@ __all__ = [
     "TimeoutException",
 ]
 
-# What it costs (ns) to look in vain with a timeout of 0: else a loop that only looks would keep the time from going on.
+# How long (ns) a look in vain with a timeout of 0 takes. Without it, a loop that only looks would stop the time.
 _LOOK = 1_000
 
-# So many calls at one time are free; more of them are a loop, such as one that looks whether a coroutine can go on.
-# Then each costs (ns) about what it does on a real machine.
+# So many calls at one time take no time. More are a loop, such as one that waits for a coroutine to go on: each then
+# takes about as long (ns) as on a real machine.
 _FREE_CALLS = 1_000
 _CALL = 100_000
 
-# A MultiThreadedExecutor that is given no number has so many threads: the same everywhere. In rclpy it has as many as
-# there are processors.
+# The threads of a MultiThreadedExecutor that is given no number. In rclpy it has as many as there are processors; here
+# the number is the same on every machine.
 _THREADS = 4
 
-Entry = tuple[Task, Any, "Node | None"]  # a task, and what of which node it runs
+Entry = tuple[Task, Any, "Node | None"]  # a task, the timer (or other entity) that it calls, and its node
 E = TypeVar("E", bound="Executor")
 
 
@@ -67,10 +67,10 @@ class GuardCondition:
         self.nudge: Callable[[], None] | None = None
         self._executor_event = False
         self._destroyed = False
-        self._executor_triggered = False  # an executor has seen it, and not called it yet
+        self._executor_triggered = False  # an executor has seen the trigger, and not called yet
 
     def trigger(self) -> None:
-        """Ask for a call. InvalidHandle if it was destroyed."""
+        """Ask for a call. Raises InvalidHandle if it was destroyed."""
         if self._destroyed:
             raise InvalidHandle()
         self.triggered = True
@@ -90,18 +90,18 @@ class GuardCondition:
 class Executor:
     """Base of the executors, which call what is due in the nodes that were added.
 
-    They work in rounds. A round waits until something is due, then hands out all that is: node by node the timers, then
-    the subscriptions, one message each, each in the order of their creation. ``spin_once`` takes the next call of the
-    round, and begins another round when it is used up, or when it is called with another timeout.
+    They work in rounds. A round waits until something is due, then hands out all that is due: node by node the timers,
+    then the subscriptions with one message each, in the order of their creation. ``spin_once`` takes the next call of
+    the round. It begins another round when this one is used up, or when it is called with another timeout.
     """
 
-    # Names that rclpy's class does not have are mangled or begin with _rosspin, here and in Node: a node's own classes
-    # may have them, too.
+    # Here and in Node, names that rclpy's class does not have are mangled or begin with _rosspin, so that they do not
+    # clash with those of a node's own classes.
 
     def __init__(self, *, context: Context | None = None) -> None:
         self._context = context or get_default_context()
         if self._context.arguments is None:
-            # What rclpy says of a context that was not initialised.
+            # What rclpy says about a context that was not initialised.
             raise TypeError("'NoneType' object does not support the context manager protocol")
         if not self._context.ok():
             raise invalid_context("create guard_condition")
@@ -113,9 +113,9 @@ class Executor:
         self.__round_args: tuple[Any, ...] = ()
         self.__gate = Gate()
         self.__waits = False
-        self.__triggered = False  # something has changed: wait for other things than before
+        self.__triggered = False  # something has changed: look again at what to wait for
         self.__waited_until = -1
-        self.__calls = 0  # how many were handed out one after the other, as time did not go on by itself
+        self.__calls = 0  # calls handed out since the time last went on by itself
         self.__called_at = 0
         self._context.state.waiting[self.__gate] = None
         self._context.on_shutdown(self.wake)
@@ -126,14 +126,14 @@ class Executor:
         return self._context
 
     def create_task(self, callback: Callable[..., Any], *args: Any, **kwargs: Any) -> Task:
-        """Let it call a function or a coroutine; the newest task goes first."""
+        """Let the executor call a function or a coroutine. The newest task goes first."""
         task = Task(callback, args, kwargs, executor=self)
         self._tasks.append((task, None, None))
         self.wake()
         return task
 
     def shutdown(self, timeout_sec: float | None = None) -> bool:
-        """Hand out no more calls. It does not wait for those that run, nor does rclpy's, whatever the timeout."""
+        """Hand out no more calls. As in rclpy, it does not wait for running ones, whatever the timeout."""
         self._is_shutdown = True
         self.wake()
         self._nodes = {}
@@ -142,7 +142,7 @@ class Executor:
         return True
 
     def add_node(self, node: Node) -> bool:
-        """Call what is due in a node; whether it was not there."""
+        """Call what is due in a node from now on. Return whether the node is new here."""
         if node in self._nodes:
             return False
         self._nodes[node] = None
@@ -151,7 +151,7 @@ class Executor:
         return True
 
     def remove_node(self, node: Node) -> None:
-        """Call nothing of a node any more."""
+        """Call nothing in a node any more."""
         if node in self._nodes:
             del self._nodes[node]
             self.wake()
@@ -161,13 +161,13 @@ class Executor:
         return list(self._nodes)
 
     def wake(self) -> None:
-        """Something has changed: do not go on waiting."""
+        """Stop waiting: something has changed."""
         self.__triggered = True
         if self.__waits:
             self.__gate.open()
 
     def _rosspin_nudge(self) -> None:
-        """Something may have become due."""
+        """Look again: something may have become due."""
         if self.__waits:
             self.__gate.open()
 
@@ -176,7 +176,7 @@ class Executor:
     def spin(self) -> None:
         """Call what is due until the context, or the executor, is shut down.
 
-        Raises what a callback raises, and ExternalShutdownException if it waits when a signal shuts the context down.
+        Raises what a callback raises, and ExternalShutdownException if a signal shuts the context down while it waits.
         """
         while self._context.ok() and not self._is_shutdown:
             self.spin_once()
@@ -194,7 +194,7 @@ class Executor:
         raise NotImplementedError()
 
     def spin_until_future_complete(self, future: Future, timeout_sec: float | None = None) -> None:
-        """Call what is due until a future is done or given up, for at most ``timeout_sec``."""
+        """Call what is due until a future is done or cancelled, for at most ``timeout_sec``."""
         future.add_done_callback(lambda _: self.wake())
         left = None if timeout_sec is None or timeout_sec < 0 else _Timeout(timeout_sec)
         end = 0.0 if left is None else time.monotonic() + left.seconds
@@ -208,7 +208,7 @@ class Executor:
     def wait_for_ready_callbacks(
         self, timeout_sec: Any = None, nodes: list[Node] | None = None, condition: Callable[[], bool] = _never
     ) -> Task:
-        """The next call of the round. Raises TimeoutException, ShutdownException and ExternalShutdownException, and
+        """Return the next call of the round. Raises TimeoutException, ShutdownException, ExternalShutdownException, and
         ConditionReachedException if ``condition()`` is true.
         """
         args = (timeout_sec, nodes, condition)
@@ -248,7 +248,7 @@ class Executor:
                 raise ShutdownException()
             if not self._context.ok():
                 raise ExternalShutdownException()
-            # The lists are gone through as they are: a callback that was called meanwhile may have changed them.
+            # These lists are not copied: a callback called meanwhile may change them.
             for node in spun:
                 for timer in node._timers:
                     if timer in ready and timer.is_due() and timer.callback_group.can_execute(timer):
@@ -272,11 +272,11 @@ class Executor:
             raise ConditionReachedException()
 
     def can_execute(self, entity: Any) -> bool:
-        """Whether a call may be handed out: it is not already, and its group lets it."""
+        """Whether a call may be handed out: it has not been already, and its group allows it."""
         return not entity._executor_event and bool(entity.callback_group.can_execute(entity))
 
     def __gather(self, nodes: list[Node]) -> tuple[list[Timer], list[Subscription], list[GuardCondition]]:
-        """What to wait for."""
+        """Collect what to wait for."""
         can_execute = self.can_execute
         timers = [timer for node in nodes for timer in node._timers if can_execute(timer)]
         subscriptions = [each for node in nodes for each in node._subscriptions if can_execute(each)]
@@ -293,7 +293,7 @@ class Executor:
         timeout: int,
         deadline: int | None,
     ) -> tuple[set[Any], bool]:
-        """Wait until something is due, or has changed; what is due, and whether the timeout (ns) is over."""
+        """Wait until something is due or has changed. Return what is due, and whether the timeout (ns) is over."""
         if not self._context.ok():
             raise invalid_context("initialize wait set" if deadline is None else "create timer")
         if self._clock.now() != self.__waited_until:
@@ -329,7 +329,7 @@ class Executor:
         return ready, is_over or timeout == 0
 
     def __task(self, entity: Any, node: Node) -> Task:
-        """The task of calling what is due; until it is taken, it is not handed out once more."""
+        """Make a task that calls what is due. Nothing else is handed out for the entity until the task begins."""
         entity._executor_event = True
         task = Task(_call, (entity, self), executor=self)
         self._tasks.append((task, entity, node))
@@ -366,7 +366,7 @@ async def _call(entity: Any, executor: Executor) -> None:
 
 
 class _Timeout:
-    """A timeout that gets shorter while the same round goes on."""
+    """A timeout that can get shorter within one round."""
 
     def __init__(self, seconds: float) -> None:
         self.seconds = seconds
@@ -387,7 +387,7 @@ class SingleThreadedExecutor(Executor):
 class MultiThreadedExecutor(Executor):
     """Calls in ``num_threads`` threads (default: 4), as the callback groups allow.
 
-    What a callback raises is noticed when the next call is handed out.
+    An exception of a callback is raised when the next call is handed out.
     """
 
     def __init__(self, num_threads: int | None = None, *, context: Context | None = None) -> None:

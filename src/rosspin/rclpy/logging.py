@@ -1,4 +1,4 @@
-"""Loggers, and the lines that they print (sources: rclpy/logging.py, rclpy/impl/rcutils_logger.py, rcutils)."""
+"""Loggers and the lines that they print (sources: rclpy/logging.py, rclpy/impl/rcutils_logger.py, rcutils)."""
 
 from __future__ import annotations
 
@@ -39,7 +39,7 @@ class LoggingSeverity(IntEnum):
 _COLOURS = {10: "\033[32m", 20: "\033[0m", 30: "\033[33m", 40: "\033[31m", 50: "\033[31m"}
 _DEFAULT_FORMAT = "[{severity}] [{time}] [{name}]: {message}"
 
-# The options of a log call, by filter, in the order in which the filters are asked.
+# The options of a log call, by filter, in the order in which the filters are applied.
 _FILTERS = {
     "throttle": ("throttle_duration_sec", "throttle_time_source_type"),
     "skip_first": ("skip_first",),
@@ -49,7 +49,7 @@ _OPTIONS = [option for options in _FILTERS.values() for option in options]
 
 
 class _Call:
-    """What is kept of a line of the node that logs: its settings, which must not change, and what it has done."""
+    """A log call in one line of the node: its settings, which must not change, and what it has logged so far."""
 
     def __init__(self, settings: tuple[Any, ...], options: dict[str, Any]) -> None:
         self.settings = settings
@@ -58,7 +58,7 @@ class _Call:
         self.last = -math.inf  # when it logged, in ns
 
     def is_wanted(self) -> bool:
-        """Whether the filters let this call through; each is asked only if those before it did."""
+        """Whether the filters let this call through. Each is asked only if those before it let it through."""
         if self.options.get("throttle_duration_sec"):
             clock = self.options.get("throttle_time_source_type")
             now = state().clock.now() if clock is None else clock.now().nanoseconds
@@ -72,7 +72,7 @@ class _Call:
 
 
 class RcutilsLogger:
-    """A logger. Its level is that of the nearest logger above it that has one: ``a.b``, ``a``, and at last all."""
+    """A logger. Its level is the nearest one that is set: that of ``a.b``, of ``a``, or the default."""
 
     def __init__(self, name: str = "") -> None:
         self.name = name
@@ -80,30 +80,30 @@ class RcutilsLogger:
         self._calls: dict[tuple[str, int, int], _Call] = {}
 
     def get_child(self, name: str) -> RcutilsLogger:
-        """The logger of that name below this one. ValueError if it is empty."""
+        """Return the logger with this name below this one. Raises ValueError if the name is empty."""
         if not name:
             raise ValueError("Child logger name must not be empty.")
         return RcutilsLogger(f"{self.name}.{name}" if self.name else name)
 
     def set_level(self, level: int) -> None:
-        """Print what is at least so serious. ValueError if there is no such level."""
+        """Print only what is at least so serious. Raises ValueError if there is no such level."""
         set_logger_level(self.name, level)
 
     def get_effective_level(self) -> LoggingSeverity:
-        """How serious something must be to be printed."""
+        """Return the lowest severity that is printed."""
         return LoggingSeverity(_effective(self._state, self.name))
 
     def is_enabled_for(self, severity: int) -> bool:
-        """Whether something so serious is printed."""
+        """Whether messages of a severity are printed."""
         return LoggingSeverity(severity) >= _effective(self._state, self.name)
 
     def log(self, message: str, severity: int, **kwargs: Any) -> bool:
-        """Print a message; whether no filter prevented it.
+        """Print a message. Return whether it passed the level and the filters.
 
         ``once``: only the first time that this line of the node is run; ``skip_first``: not the first time;
-        ``throttle_duration_sec``: not within so many seconds since the last time, on the clock
+        ``throttle_duration_sec``: not within so many seconds after the last time, on the clock
         ``throttle_time_source_type``. Raises TypeError for other options, or if the message is not a text, and
-        ValueError if the same line comes with other options than before.
+        ValueError if the options of a line change between calls.
         """
         severity = LoggingSeverity(severity)
         if severity < _effective(self._state, self.name):
@@ -160,7 +160,7 @@ class RcutilsLogger:
 
 
 def _filters(options: dict[str, Any]) -> list[str]:
-    """The filters that the options of a log call ask for."""
+    """Return the filters that the options of a log call ask for."""
     filters = [name for name, known in _FILTERS.items() if any(options.get(option) for option in known)]
     if "throttle" in filters and "throttle_duration_sec" not in options:
         raise TypeError(
@@ -191,7 +191,7 @@ def _effective(own: State, name: str) -> int:
 
 
 def _write(own: State, severity: LoggingSeverity, name: str, message: str, frame: FrameType) -> None:
-    """Write a line in one go, coloured on a terminal. All levels go to stderr."""
+    """Write a line in one go, coloured on a terminal. By default all levels go to stderr."""
     if not own.console:
         return
     now = own.clock.now()
@@ -219,7 +219,7 @@ def _write(own: State, severity: LoggingSeverity, name: str, message: str, frame
 
 
 class LogForm(NamedTuple):
-    """What lines look like: their format, whether they go to stdout, and are coloured (None: on a terminal)."""
+    """The format of lines, whether they go to stdout, and whether they are coloured (None: on a terminal)."""
 
     line: str
     to_stdout: bool
@@ -227,7 +227,7 @@ class LogForm(NamedTuple):
 
 
 def _read_form(own: State) -> LogForm:
-    """What the environment says of it; rcutils looks once, at ``init`` or at the first line."""
+    """Read the form of lines from the environment. rcutils looks once, at ``init`` or at the first line."""
     coloured = os.environ.get("RCUTILS_COLORIZED_OUTPUT")
     own.log_form = form = LogForm(
         os.environ.get("RCUTILS_CONSOLE_OUTPUT_FORMAT", _DEFAULT_FORMAT),
@@ -252,7 +252,7 @@ def configure(arguments: Arguments) -> None:
 
 
 def publish_on_rosout(name: str, node_name: str) -> bool:
-    """Register a node's logger for /rosout, and warn of a second one of its name; whether it may publish there.
+    """Register a node's logger for /rosout, and warn of a second one with its name. Return whether it may publish.
 
     Nothing is published there in a simulated run.
     """
@@ -271,14 +271,14 @@ def publish_on_rosout(name: str, node_name: str) -> bool:
 
 
 def get_logger(name: str) -> RcutilsLogger:
-    """The logger of that name. ValueError if it is empty."""
+    """Return the logger with this name. Raises ValueError if the name is empty."""
     if not name:
         raise ValueError("Logger name must not be empty.")
     return RcutilsLogger(name)
 
 
 def set_logger_level(name: str, level: int, detailed_error: bool = False) -> None:
-    """Let the logger of that name, and those below it, print what is at least so serious."""
+    """Let the logger with this name, and those below it, print only what is at least so serious."""
     own, severity = state(), LoggingSeverity(level)
     if name:
         own.levels[name] = severity
@@ -287,12 +287,12 @@ def set_logger_level(name: str, level: int, detailed_error: bool = False) -> Non
 
 
 def get_logger_effective_level(name: str) -> LoggingSeverity:
-    """How serious something must be for the logger of that name to print it."""
+    """Return the lowest severity that the logger with this name prints."""
     return LoggingSeverity(_effective(state(), name))
 
 
 def get_logging_severity_from_string(log_severity: str) -> LoggingSeverity:
-    """A severity by its name. RuntimeError if there is none."""
+    """Return the severity with this name. Raises RuntimeError if there is none."""
     if log_severity.lower() not in LEVELS:
         raise RuntimeError("Failed to get severity name")
     return LoggingSeverity(LEVELS[log_severity.lower()])

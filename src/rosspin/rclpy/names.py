@@ -1,4 +1,4 @@
-"""Names of the ROS 2 graph: which are valid, and what they stand for (sources: rcl and rmw, validate_*_name.c)."""
+"""Check and expand names of the ROS 2 graph (sources: rcl and rmw, validate_*_name.c)."""
 
 from __future__ import annotations
 
@@ -22,7 +22,7 @@ __all__ = [
     "validate_topic_name",
 ]
 
-# A rule: what must not be found, and what is said then. The place is that of the match, or of its group.
+# A rule: a pattern that must not be found, and what is said if it is. The fault is at the match, or at its group.
 Rule = tuple[str, str]
 
 _NODE_NAME: list[Rule] = [
@@ -61,7 +61,7 @@ _FULL_TOPIC: list[Rule] = [
 
 
 def _fault(name: str, rules: Iterable[Rule]) -> tuple[str, int] | None:
-    """What is said of a name, and of which place in it; None: it is valid."""
+    """Return what is wrong with a name, and where in it; None if it is valid."""
     for pattern, text in rules:
         if found := re.search(pattern, name, re.ASCII):
             return text, found.start(found.lastindex or 0)
@@ -75,34 +75,34 @@ def _check(name: str, rules: Iterable[Rule], error: type[Exception]) -> bool:
 
 
 def validate_node_name(node_name: str) -> bool:
-    """True, or InvalidNodeNameException."""
+    """Return True. Raises InvalidNodeNameException for a faulty name."""
     return _check(node_name, _NODE_NAME, InvalidNodeNameException)
 
 
 def validate_namespace(namespace: str) -> bool:
-    """True if it is a namespace in full, or InvalidNamespaceException."""
+    """Return True for a full namespace. Raises InvalidNamespaceException for a faulty one."""
     return _check(namespace, _NAMESPACE, InvalidNamespaceException)
 
 
 def validate_topic_name(name: str, *, is_service: bool = False) -> bool:
-    """True if a topic may be called so by a node, or InvalidTopicNameException."""
+    """Return True if a node may call a topic so. Raises InvalidTopicNameException if not."""
     return _check(name, _TOPIC, InvalidTopicNameException)
 
 
 def validate_full_topic_name(name: str, *, is_service: bool = False) -> bool:
-    """True if it is the full name of a topic, or InvalidTopicNameException."""
+    """Return True for the full name of a topic. Raises InvalidTopicNameException for a faulty one."""
     return _check(name, _FULL_TOPIC, InvalidTopicNameException)
 
 
 def validate_parameter_name(name: str) -> bool:
-    """True unless it is empty: InvalidParameterException."""
+    """Return True. Raises InvalidParameterException for an empty name."""
     if not name:
         raise InvalidParameterException(name)
     return True
 
 
 def expand_topic_name(topic_name: str, node_name: str, node_namespace: str) -> str:
-    """The full name that a topic's name stands for in a node. ValueError for a faulty one, or an unknown {word}."""
+    """Return the full name of a topic in a node. Raises ValueError for a faulty name or an unknown {word}."""
     given = {"topic name": topic_name, "node name": node_name, "node namespace": node_namespace}
     for (what, name), rules in zip(given.items(), (_TOPIC, _NODE_NAME, _NAMESPACE), strict=True):
         if not isinstance(name, str):

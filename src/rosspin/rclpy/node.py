@@ -46,7 +46,7 @@ class NodeNameNonExistentError(RCLError):
 
 
 def _by_topic(ends: Iterable[Publisher | Subscription], topics: Mapping[str, Set[str]]) -> list[tuple[str, list[str]]]:
-    """The topics of ends, and those given, with their types, sorted."""
+    """Sort the topics of these ends, and the ``topics`` given, with their types."""
     found = {topic: set(types) for topic, types in topics.items()}
     for owner in ends:
         found.setdefault(owner.end.topic, set()).add(owner.end.type)
@@ -54,9 +54,9 @@ def _by_topic(ends: Iterable[Publisher | Subscription], topics: Mapping[str, Set
 
 
 class Node(Parameters):
-    """A node: it has a name, makes timers, publishers and subscriptions, and has to be spun.
+    """A node has a name, makes timers, publishers and subscriptions, and has to be spun.
 
-    ``cli_args`` are a command line for it alone, ``use_global_arguments`` says whether that of the process counts, too.
+    ``cli_args`` is a command line for it alone; ``use_global_arguments`` says whether the process's counts, too.
     The parameters ``start_parameter_services`` and ``enable_logger_service`` have no effect.
     Raises NotInitializedException before ``init``, InvalidNodeNameException and InvalidNamespaceException.
     """
@@ -131,12 +131,12 @@ class Node(Parameters):
 
     @property
     def default_callback_group(self) -> CallbackGroup:
-        """The group of all that is made without one: one callback at a time."""
+        """The group of what is made without one: one callback at a time."""
         return self._default_callback_group
 
     @property
     def executor(self) -> Executor | None:
-        """The executor that it was added to last."""
+        """The executor to which the node was last added."""
         return self.__executor
 
     @executor.setter
@@ -170,17 +170,17 @@ class Node(Parameters):
         yield from self._guards
 
     def get_name(self) -> str:
-        """Its name. InvalidHandle if it was destroyed."""
+        """Its name. Raises InvalidHandle if the node was destroyed."""
         self.__check()
         return self.__name
 
     def get_namespace(self) -> str:
-        """Its namespace: ``/``, or without a slash at the end. InvalidHandle."""
+        """Its namespace: ``/``, or without a slash at the end. Raises InvalidHandle if the node was destroyed."""
         self.__check()
         return self.__namespace
 
     def get_fully_qualified_name(self) -> str:
-        """Namespace and name. InvalidHandle."""
+        """Its namespace and name. Raises InvalidHandle if the node was destroyed."""
         self.__check()
         return self.__full_name
 
@@ -189,7 +189,7 @@ class Node(Parameters):
         return self._clock
 
     def get_logger(self) -> logging.RcutilsLogger:
-        """Its logger, called as the node with its namespace: ``mrp.spinner``."""
+        """Its logger, named after its namespace and name: ``mrp.spinner``."""
         return self._logger
 
     def __check(self) -> None:
@@ -197,7 +197,7 @@ class Node(Parameters):
             raise InvalidHandle()
 
     def __nudge(self) -> None:
-        """Something may have become due."""
+        """Let the executor look again: something may have become due."""
         if self.__executor:
             self.__executor._rosspin_nudge()
 
@@ -229,7 +229,7 @@ class Node(Parameters):
         return timer
 
     def create_rate(self, frequency: float, clock: Clock | None = None) -> Rate:
-        """A :class:`Rate` of so many passes a second. ValueError unless the frequency is above 0."""
+        """Make a :class:`Rate` of ``frequency`` passes a second. Raises ValueError unless it is above 0."""
         if frequency <= 0:
             raise ValueError("frequency must be > 0")
         timer = self.create_timer(1.0 / frequency, None, self._rate_group, clock)
@@ -238,7 +238,7 @@ class Node(Parameters):
     def create_guard_condition(
         self, callback: Callable[[], Any], callback_group: CallbackGroup | None = None
     ) -> GuardCondition:
-        """Call ``callback()`` once after each ``trigger()``. RCLError after shutdown."""
+        """Call ``callback()`` once after each ``trigger()``. Raises RCLError after shutdown."""
         if not self._context.ok():
             raise invalid_context("create guard_condition")
         group = callback_group or self.default_callback_group
@@ -263,8 +263,8 @@ class Node(Parameters):
     ) -> Publisher:
         """Publish messages of a class on a topic; ``qos_profile`` may be the depth.
 
-        Raises InvalidTopicNameException, TypeError and ValueError for what is no QoS, AttributeError for what is no
-        message of ROS 2, RCLError if the process uses the topic with another type.
+        Raises InvalidTopicNameException, TypeError or ValueError if ``qos_profile`` is no QoS, AttributeError if
+        ``msg_type`` is no message of ROS 2, and RCLError if the process uses the topic with another type.
         """
         qos = self.__prepare("publisher", msg_type, topic, qos_profile, event_callbacks, qos_overriding_options)
         full_name = self.__resolve(topic)
@@ -290,9 +290,7 @@ class Node(Parameters):
         qos_overriding_options: Any = None,
         raw: bool = False,
     ) -> Subscription:
-        """Call ``callback(message)`` with the messages on a topic, while somebody spins. It raises what
-        ``create_publisher`` does.
-        """
+        """Call ``callback(message)`` for messages on a topic, while somebody spins. Raises as ``create_publisher``."""
         if raw:
             raise NotSimulated("Node.create_subscription(raw=True)")
         qos = self.__prepare("subscription", msg_type, topic, qos_profile, event_callbacks, qos_overriding_options)
@@ -331,7 +329,7 @@ class Node(Parameters):
         return qos
 
     def __other_type(self, full_name: str, msg_type: type[Message]) -> str | None:
-        """The type with which this process uses a topic, in DDS's words, if it is another one."""
+        """Return the type with which this process uses a topic, in DDS's words, if it is not ``msg_type``."""
         for node in self._context.nodes:
             for owner in (*node._publishers, *node._subscriptions):
                 if owner.end.topic == full_name and owner.msg_type is not msg_type:
@@ -339,7 +337,7 @@ class Node(Parameters):
         return None
 
     def resolve_topic_name(self, topic: str, *, only_expand: bool = False) -> str:
-        """The full name that a topic's name stands for in this node. RCLError if it is not valid. InvalidHandle."""
+        """Return the full name of a topic in this node. Raises RCLError if it is not valid, and InvalidHandle."""
         self.__check()
         try:
             return self.__resolve(topic, only_expand)
@@ -363,9 +361,9 @@ class Node(Parameters):
         return full_name
 
     def get_topic_names_and_types(self, no_demangle: bool = False) -> list[tuple[str, list[str]]]:
-        """The topics that are published, and their types. As on a real ROS, those of every node are among them.
+        """Return the published topics and their types. As on a real ROS, the topics of every node are among them.
 
-        InvalidHandle if the node was destroyed.
+        Raises InvalidHandle if the node was destroyed.
         """
         self.__check()
         own = [owner for context in self._context.state.contexts for node in context.nodes for owner in node.__ends()]
@@ -376,20 +374,20 @@ class Node(Parameters):
         yield from self._subscriptions
 
     def __nodes(self) -> list[Node]:
-        """The nodes that are known: those of its context, and those of other processes that were found."""
+        """The known nodes: those of its context, and those found in other processes."""
         others = self._context.state.participants.nodes(self._context)
         return [*self._context.nodes, *others]
 
     def get_publisher_names_and_types_by_node(
         self, node_name: str, node_namespace: str, no_demangle: bool = False
     ) -> list[tuple[str, list[str]]]:
-        """The topics that a known node publishes, and their types. NodeNameNonExistentError if there is none."""
+        """Return the topics that a node publishes, and their types. Raises NodeNameNonExistentError if unknown."""
         return _by_topic(self.__find("publisher", node_name, node_namespace)._publishers, _OF_EVERY_NODE)
 
     def get_subscriber_names_and_types_by_node(
         self, node_name: str, node_namespace: str, no_demangle: bool = False
     ) -> list[tuple[str, list[str]]]:
-        """The topics that a known node subscribes to, likewise."""
+        """Return the topics that a node subscribes to, and their types. Raises NodeNameNonExistentError."""
         return _by_topic(self.__find("subscriber", node_name, node_namespace)._subscriptions, {})
 
     def __find(self, what: str, name: str, namespace: str) -> Node:
@@ -400,11 +398,11 @@ class Node(Parameters):
         raise NodeNameNonExistentError(f"cannot get {what} names and types for nonexistent node: error not set")
 
     def count_publishers(self, topic_name: str) -> int:
-        """How many known publishers a topic has, whose name is not remapped. ValueError, InvalidHandle."""
+        """Count the known publishers of a topic; its name is not remapped. Raises ValueError and InvalidHandle."""
         return self.__count(topic_name, "_publishers")
 
     def count_subscribers(self, topic_name: str) -> int:
-        """How many known subscriptions a topic has, whose name is not remapped. ValueError, InvalidHandle."""
+        """Count the known subscriptions to a topic; its name is not remapped. Raises ValueError and InvalidHandle."""
         return self.__count(topic_name, "_subscriptions")
 
     def __count(self, topic_name: str, owners: str) -> int:
@@ -416,24 +414,24 @@ class Node(Parameters):
         return sum(owner.end.topic == full_name for node in self.__nodes() for owner in getattr(node, owners))
 
     def get_node_names(self) -> list[str]:
-        """The names of the nodes that are known. InvalidHandle if this one was destroyed."""
+        """The names of the known nodes. Raises InvalidHandle if this one was destroyed."""
         self.__check()
         return [node.__name for node in self.__nodes()]
 
     def get_node_names_and_namespaces(self) -> list[tuple[str, str]]:
-        """Names and namespaces of the nodes that are known. InvalidHandle if this one was destroyed."""
+        """The names and namespaces of the known nodes. Raises InvalidHandle if this one was destroyed."""
         self.__check()
         return [(node.__name, node.__namespace) for node in self.__nodes()]
 
     def get_fully_qualified_node_names(self) -> list[str]:
-        """The full names of the nodes that are known. InvalidHandle if this one was destroyed."""
+        """The full names of the known nodes. Raises InvalidHandle if this one was destroyed."""
         self.__check()
         return [node.__full_name for node in self.__nodes()]
 
     def wait_for_node(self, fully_qualified_node_name: str, timeout: float) -> bool:
-        """Look every 0.1 s for a node that is known, for so many seconds; whether it was there.
+        """Look for a node every 0.1 s, for at most ``timeout`` seconds. Return whether it is known.
 
-        Without a slash one is put before the name. A timeout that is not above 0 does not look. InvalidHandle.
+        The name's first slash may be left out. A ``timeout`` of 0 or less does not look. Raises InvalidHandle.
         """
         name = (
             fully_qualified_node_name if fully_qualified_node_name.startswith("/") else f"/{fully_qualified_node_name}"
@@ -447,25 +445,25 @@ class Node(Parameters):
     # --- the end ------------------------------------------------------------------------------------------------------
 
     def destroy_timer(self, timer: Timer) -> bool:
-        """Destroy a timer of this node; whether it was there."""
+        """Destroy a timer. Return whether this node had it."""
         return self.__destroy(timer, self._timers)
 
     def destroy_rate(self, rate: Rate) -> bool:
-        """Destroy a Rate of this node; whether it was there."""
+        """Destroy a Rate. Return whether this node had it."""
         success = self.destroy_timer(rate._timer)
         rate.destroy()
         return success
 
     def destroy_guard_condition(self, guard: GuardCondition) -> bool:
-        """Destroy a guard condition of this node; whether it was there."""
+        """Destroy a guard condition. Return whether this node had it."""
         return self.__destroy(guard, self._guards)
 
     def destroy_publisher(self, publisher: Publisher) -> bool:
-        """Destroy a publisher of this node; whether it was there."""
+        """Destroy a publisher. Return whether this node had it."""
         return self.__destroy(publisher, self._publishers)
 
     def destroy_subscription(self, subscription: Subscription) -> bool:
-        """Destroy a subscription of this node; whether it was there."""
+        """Destroy a subscription. Return whether this node had it."""
         return self.__destroy(subscription, self._subscriptions)
 
     def __destroy(self, entity: Any, entities: list[Any]) -> bool:
@@ -480,7 +478,7 @@ class Node(Parameters):
         return True
 
     def destroy_node(self) -> None:
-        """Destroy all that it has made, and itself. Its logger goes on."""
+        """Destroy the node and all that it has made, but its logger."""
         for entities in (self._publishers, self._subscriptions, self._timers, self._guards):
             while entities:
                 self.__destroy(entities[0], entities)
@@ -494,7 +492,7 @@ class Node(Parameters):
     # --- ROS time -----------------------------------------------------------------------------------------------------
 
     def __listen_to_clock(self) -> None:
-        """ROS time is what /clock says if ``use_sim_time`` is true; until it says something, it is 0.
+        """Take ROS time from /clock if ``use_sim_time`` is true; it is 0 until the first message comes.
 
         Source: rclpy/time_source.py.
         """
@@ -538,7 +536,7 @@ class Node(Parameters):
     def __getattr__(self, name: str) -> Any:
         if name in NOT_SIMULATED:
             raise NotSimulated(f"Node.{name}")
-        return object.__getattribute__(self, name)  # raises: with what a property of this name lacks, if one does
+        return object.__getattribute__(self, name)  # raises; if a property raised AttributeError, it says so
 
 
 # Methods of rclpy's Node that are not here.

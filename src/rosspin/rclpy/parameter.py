@@ -41,7 +41,7 @@ class _Type(Enum):
 
     @classmethod
     def from_parameter_value(cls, parameter_value: Any) -> _Type:
-        """The type of a value. TypeError if no parameter can have it."""
+        """Return the type of a value. Raises TypeError if no parameter can have it."""
         if parameter_value is None:
             return cls.NOT_SET
         for kind, name in _NAMES:
@@ -113,19 +113,19 @@ class Parameter:
         return message
 
     def to_parameter_msg(self) -> Any:
-        """The same as a message, rcl_interfaces/Parameter."""
+        """Return the parameter as a message, rcl_interfaces/Parameter."""
         return import_module("rcl_interfaces.msg").Parameter(name=self._name, value=self.get_parameter_value())
 
     @classmethod
     def from_parameter_msg(cls, param_msg: Any) -> Parameter:
-        """A message as a Parameter."""
+        """Make a Parameter from a message."""
         kind = _Type(param_msg.value.type)
         value = None if kind is _Type.NOT_SET else getattr(param_msg.value, f"{kind.name.lower()}_value")
         return cls(param_msg.name, kind, value)
 
 
 def parameter_value_to_python(parameter_value: Any) -> Any:
-    """The value in a message, rcl_interfaces/ParameterValue; None if it is not set. RuntimeError for another type."""
+    """Return the value in an rcl_interfaces/ParameterValue, None if not set. Raises RuntimeError for another type."""
     try:
         kind = _Type(parameter_value.type)
     except ValueError:
@@ -137,11 +137,10 @@ def parameter_value_to_python(parameter_value: Any) -> Any:
 
 
 class Parameters:
-    """Declares, reads and sets the parameters of a node, of which this is a part.
+    """Declares, reads and sets the parameters of a node; the base of Node.
 
-    A parameter keeps the type of the value with which it is declared: values of other types are refused, an int for a
-    float, too. A value on the command line goes before the one in the code. Nothing is published on
-    ``/parameter_events``.
+    A parameter keeps the type with which it is declared and refuses values of other types, even an int for a float. A
+    value on the command line takes precedence over the one in the code. Nothing is published on ``/parameter_events``.
     """
 
     PARAM_REL_TOL = 1e-6
@@ -151,7 +150,7 @@ class Parameters:
         self._descriptors: dict[str, Any] = {}
         self._parameter_overrides = overrides
         self._allow_undeclared_parameters = allow_undeclared
-        self.__check = check  # raises InvalidHandle if the node was destroyed, as is found where an event would be sent
+        self.__check = check  # raises InvalidHandle if the node was destroyed; called where an event would be sent
         self._pre_set_parameters_callbacks: list[Callable[[list[Parameter]], list[Parameter]]] = []
         self._on_set_parameters_callbacks: list[Callable[[list[Parameter]], Any]] = []
         self._post_set_parameters_callbacks: list[Callable[[list[Parameter]], Any]] = []
@@ -161,7 +160,7 @@ class Parameters:
     def declare_parameter(
         self, name: str, value: Any = None, descriptor: Any = None, ignore_override: bool = False
     ) -> Parameter:
-        """Declare a parameter with a value, or a type; the parameter with the value that it has now.
+        """Declare a parameter with a value, or a type. Return the parameter with the value that it has now.
 
         ``descriptor`` is a ParameterDescriptor. Raises ParameterAlreadyDeclaredException, InvalidParameterException for
         an empty name, InvalidParameterTypeException if the command line gives a value of another type,
@@ -221,7 +220,7 @@ class Parameters:
         return [self._parameters[parameter.name] for parameter, _ in declared]
 
     def undeclare_parameter(self, name: str) -> None:
-        """Forget a parameter. ParameterNotDeclaredException, ParameterImmutableException if it is read-only."""
+        """Forget a parameter. Raises ParameterNotDeclaredException, or ParameterImmutableException if read-only."""
         if not self.has_parameter(name):
             raise ParameterNotDeclaredException(name)
         if self._descriptors[name].read_only:
@@ -235,7 +234,7 @@ class Parameters:
     # --- reading ------------------------------------------------------------------------------------------------------
 
     def get_parameter(self, name: str) -> Parameter:
-        """A parameter. ParameterNotDeclaredException; ParameterUninitializedException if it has no value yet."""
+        """Return a parameter. Raises ParameterNotDeclaredException, or ParameterUninitializedException if not set."""
         if name in self._parameters:
             parameter = self._parameters[name]
             if parameter.type_ is _Type.NOT_SET and not self._descriptors[name].dynamic_typing:
@@ -246,20 +245,20 @@ class Parameters:
         raise ParameterNotDeclaredException(name)
 
     def get_parameters(self, names: list[str]) -> list[Parameter]:
-        """Several parameters."""
+        """Return several parameters, as ``get_parameter`` does."""
         if not all(isinstance(name, str) for name in names):
             raise TypeError("All names must be instances of type str")
         return [self.get_parameter(name) for name in names]
 
     def get_parameter_or(self, name: str, alternative_value: Parameter | None = None) -> Parameter:
-        """A parameter, or another one (default: one that is not set) if it is not declared or has no value."""
+        """Return a parameter, or the alternative (default: one not set) if it is not declared or has no value."""
         found = self._parameters.get(name)
         if found is None or found.type_ is _Type.NOT_SET:
             return Parameter(name, _Type.NOT_SET) if alternative_value is None else alternative_value
         return found
 
     def get_parameters_by_prefix(self, prefix: str) -> dict[str, Parameter]:
-        """The parameters below a prefix, by the rest of their names."""
+        """Return the parameters below a prefix, keyed by the rest of their names."""
         prefix = prefix + PARAMETER_SEPARATOR_STRING if prefix else ""
         return {name[len(prefix) :]: value for name, value in self._parameters.items() if name.startswith(prefix)}
 
@@ -276,7 +275,7 @@ class Parameters:
         return [self.get_parameter_type(name) for name in names]
 
     def describe_parameter(self, name: str) -> Any:
-        """A parameter's descriptor, a message. ParameterNotDeclaredException."""
+        """Return a parameter's descriptor, a message. Raises ParameterNotDeclaredException."""
         if name in self._descriptors:
             found = self._descriptors[name]
             return found.message() if isinstance(found, _Descriptor) else found
@@ -289,9 +288,9 @@ class Parameters:
         return [self.describe_parameter(name) for name in names]
 
     def list_parameters(self, prefixes: list[str], depth: int) -> Any:
-        """The names of the parameters below one of the prefixes (none: of all), and their own prefixes, as a message.
+        """List the names of the parameters below any of the prefixes (none: all), and their own prefixes, in a message.
 
-        A name may have fewer than ``depth`` separators below the prefix; 0: any number. TypeError, ValueError.
+        A name has fewer than ``depth`` separators below the prefix; 0: any number. Raises TypeError and ValueError.
         """
         if not isinstance(prefixes, list):
             raise TypeError("The prefixes argument must be a list")
@@ -315,11 +314,11 @@ class Parameters:
     # --- setting ------------------------------------------------------------------------------------------------------
 
     def set_parameters(self, parameter_list: list[Parameter]) -> list[Any]:
-        """Set parameters one after the other; a SetParametersResult for each. ParameterNotDeclaredException."""
+        """Set parameters one by one. Return a SetParametersResult for each. Raises ParameterNotDeclaredException."""
         return [self.set_parameters_atomically([parameter]) for parameter in parameter_list]
 
     def set_parameters_atomically(self, parameter_list: list[Parameter]) -> Any:
-        """Set all or none; a SetParametersResult. ParameterNotDeclaredException."""
+        """Set all or none. Return one SetParametersResult. Raises ParameterNotDeclaredException."""
         if self._pre_set_parameters_callbacks:
             parameter_list = [
                 each for callback in self._pre_set_parameters_callbacks for each in callback(parameter_list)
@@ -333,11 +332,11 @@ class Parameters:
             raise TypeError(f"parameter must be instance of type '{Parameter!r}'")
         undeclared = [parameter.name for parameter in parameter_list if parameter.name not in self._parameters]
         if undeclared and not self._allow_undeclared_parameters:
-            raise ParameterNotDeclaredException(undeclared[1:])  # rclpy has lost the first one when it says so
+            raise ParameterNotDeclaredException(undeclared[1:])  # rclpy's error, too, leaves out the first one
         return _result(self.__set(parameter_list, None))
 
     def __set(self, parameters: list[Parameter], descriptors: dict[str, Any] | None) -> str | None:
-        """Set parameters, declaring them if descriptors are given; why not, or None."""
+        """Set parameters, declaring them if descriptors are given. Return why that failed, or None."""
         known = self._descriptors if descriptors is None else descriptors
         for parameter in parameters:
             if parameter.name in known:
@@ -368,7 +367,7 @@ class Parameters:
         return None
 
     def __refused(self, parameter: Parameter, descriptor: Any, check_read_only: bool) -> str | None:
-        """Why a parameter may not have this value, or None."""
+        """Return why a parameter may not have this value, or None."""
         descriptor.name = parameter.name
         if check_read_only and descriptor.read_only:
             return f"Trying to set a read-only parameter: {parameter.name}."
@@ -389,7 +388,7 @@ class Parameters:
         self._pre_set_parameters_callbacks.insert(0, callback)
 
     def add_on_set_parameters_callback(self, callback: Callable[[list[Parameter]], Any]) -> None:
-        """Let a function refuse parameters, which returns a SetParametersResult; the newest goes first."""
+        """Let a function refuse parameters by the SetParametersResult that it returns; the newest goes first."""
         self._on_set_parameters_callbacks.insert(0, callback)
 
     def add_post_set_parameters_callback(self, callback: Callable[[list[Parameter]], Any]) -> None:
@@ -410,7 +409,7 @@ class Parameters:
 
 
 class _Descriptor:
-    """What a ParameterDescriptor has, for nodes that give none: most need no message."""
+    """Stands in for a ParameterDescriptor where a node gives none: making a message each time would be slow."""
 
     def __init__(self, name: str = "", dynamic_typing: bool = False) -> None:
         self.name = name

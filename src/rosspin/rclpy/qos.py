@@ -37,7 +37,7 @@ class _ShortKeys:
 
     @classmethod
     def get_from_short_key(cls, name: str) -> Any:
-        """The value that has a short name. KeyError."""
+        """Return the value with a short name. Raises KeyError."""
         return cls.__members__[name.upper()].value
 
 
@@ -55,7 +55,7 @@ class HistoryPolicy(QoSPolicyEnum):
 
 
 class ReliabilityPolicy(QoSPolicyEnum):
-    """Whether a message that was lost is sent again, and one that was sent before. Nothing is lost here."""
+    """Whether a message that was lost is sent again. Nothing is lost here."""
 
     SYSTEM_DEFAULT = 0
     RELIABLE = 1
@@ -65,7 +65,7 @@ class ReliabilityPolicy(QoSPolicyEnum):
 
 
 class DurabilityPolicy(QoSPolicyEnum):
-    """Whether who subscribes late is given the messages that are kept. For that, both ends have to be reliable."""
+    """Whether a late subscription is given the kept messages. For that, both ends have to be reliable."""
 
     SYSTEM_DEFAULT = 0
     TRANSIENT_LOCAL = 1
@@ -147,14 +147,14 @@ class QoSProfile:
 
     @property
     def kept(self) -> int | None:
-        """How many messages are kept; None: all."""
+        """How many messages are kept; None for all."""
         return None if self.history is HistoryPolicy.KEEP_ALL else max(self.depth, 1)
 
 
 class Policies(NamedTuple):
-    """What the policies of an end come to: those of the middleware (Fast DDS) stand in for the ones that are left open.
+    """The policies of an end as they take effect: the middleware (Fast DDS) settles those that are left open.
 
-    A subscription that takes the best that is available looks at the publishers that are there when it is made.
+    A subscription that asks for the best available looks at the publishers that exist when it is made.
     """
 
     reliable: bool
@@ -162,14 +162,14 @@ class Policies(NamedTuple):
 
     @classmethod
     def offered(cls, qos: QoSProfile) -> Policies:
-        """A publisher's."""
+        """Return a publisher's policies."""
         return cls(
             qos.reliability is not ReliabilityPolicy.BEST_EFFORT, qos.durability is not DurabilityPolicy.VOLATILE
         )
 
     @classmethod
     def requested(cls, qos: QoSProfile, publishers: Sequence[Policies] = ()) -> Policies:
-        """A subscription's."""
+        """Return a subscription's policies."""
         best = cls(*map(all, zip(*publishers, strict=True))) if publishers else cls(True, True)
         return cls(
             qos.reliability is ReliabilityPolicy.RELIABLE
@@ -180,7 +180,7 @@ class Policies(NamedTuple):
 
 
 def incompatible_policy(offered: Policies, requested: Policies) -> str | None:
-    """The policy by which a subscription asks for more than a publisher offers, the last of them; None: they match."""
+    """Return the last policy by which a subscription asks for more than a publisher offers; None: they match."""
     if requested.reliable and not offered.reliable:
         return "RELIABILITY"
     if requested.transient_local and not offered.transient_local:

@@ -29,9 +29,9 @@ _NUMBERS = {
 
 
 def install_signal_handlers(options: SignalHandlerOptions = SignalHandlerOptions.ALL) -> None:
-    """Let signals shut down the contexts. What handled them before is called afterwards.
+    """Let signals shut down the contexts. Their earlier handlers are called afterwards.
 
-    Only the main thread can do that: in another one nothing happens.
+    This does nothing outside the main thread.
     """
     own = state()
     for number in _NUMBERS[options]:
@@ -45,11 +45,11 @@ def install_signal_handlers(options: SignalHandlerOptions = SignalHandlerOptions
 
 def uninstall_signal_handlers() -> None:
     """Let signals do what they did before."""
-    state().handled.clear()  # the handlers stay where they are: only the main thread could take them away
+    state().handled.clear()  # the handlers stay: only the main thread could remove them
 
 
 def _handle(number: int, frame: Any) -> None:
-    """Shut down all contexts and wake the executors. What was there before follows: KeyboardInterrupt at Ctrl-C."""
+    """Shut down all contexts and wake the executors, then call the earlier handler: KeyboardInterrupt at Ctrl-C."""
     own = state()
     before = own.before[number]
     if number in own.handled:
@@ -57,7 +57,7 @@ def _handle(number: int, frame: Any) -> None:
             context.end()
         for gate in list(own.waiting):
             gate.open()
-        own.clock.sleep(0)  # those who wait in other threads go first
+        own.clock.sleep(0)  # threads that wait go first
     elif not callable(before):
         signal.signal(number, before)
         signal.raise_signal(number)

@@ -1,4 +1,4 @@
-"""What rclpy keeps of a process in module variables; here, every run of a node file has its own."""
+"""The state of a process. rclpy keeps it in module variables; here every process of a run has its own."""
 
 from __future__ import annotations
 
@@ -19,21 +19,21 @@ __all__ = ["Gate", "State", "state", "world_here"]
 
 
 class Gate:
-    """What one thread waits at until others open it; twice is once. A signal handler may open it, too."""
+    """Lets one thread wait until another, or a signal handler, opens it. Opening it twice is opening it once."""
 
     def __init__(self) -> None:
         self._lock = threading.Lock()
         self._lock.acquire()
 
     def open(self) -> None:
-        """Let the one who waits, or will, go on."""
+        """Let the thread that waits, or the next one that will, go on."""
         try:
             self._lock.release()
         except RuntimeError:
             pass  # it is open
 
     def wait(self, ns: int | None = None) -> bool:
-        """Wait until it is opened, and shut it again; for at most ``ns`` nanoseconds. Whether it was opened."""
+        """Wait until it is opened, for at most ``ns`` nanoseconds, and shut it. Return whether it was opened."""
         return self._lock.acquire(True, -1 if ns is None else min(max(ns, 0) / 1e9, threading.TIMEOUT_MAX))
 
 
@@ -51,11 +51,11 @@ class State:
         self.contexts: list[Context] = []  # those that were initialised
         self.participants = world.graph.part(Participants)
         world.at_end.append(self._be_missed)
-        self.waiting: WeakKeyDictionary[Gate, None] = WeakKeyDictionary()  # a signal opens them
+        self.waiting: WeakKeyDictionary[Gate, None] = WeakKeyDictionary()  # the gates that a signal opens
         self.handled: set[int] = set()  # signals that shut the contexts down
         self.before: dict[int, Any] = {}  # signal handlers that were there before rclpy's
-        self.asleep = False  # whether the main thread sleeps on a Clock: C code, in which no handler runs
-        self.pending: Callable[[], Any] | None = None  # the handler that waits for that
+        self.asleep = False  # whether the main thread sleeps on a Clock, in C code, where no handler runs
+        self.pending: Callable[[], Any] | None = None  # the handler that is to run after that sleep
 
         self.level = 20  # INFO
         self.levels: dict[str, int] = {}
@@ -69,7 +69,7 @@ class State:
 
 
 def world_here() -> World | None:
-    """The world of the node that asks; None outside a run."""
+    """The world of the calling node; None outside a run."""
     try:
         return current_world()
     except RuntimeError:
@@ -77,5 +77,5 @@ def world_here() -> World | None:
 
 
 def state() -> State:
-    """The state of the process that asks. Raises RuntimeError outside a run."""
+    """The state of the calling process. Raises RuntimeError outside a run."""
     return current_world().part(State)

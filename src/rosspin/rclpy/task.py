@@ -32,8 +32,8 @@ _PENDING, _CANCELLED, _FINISHED = FutureState  # looked up at each tick
 class Future:
     """A result that is still to come. ``await`` it in a callback that is a coroutine.
 
-    Nobody is woken by it: who awaits it is resumed in the executor's next round, whatever that waits for. Its done
-    callbacks are run by its executor, if it has one, else at once.
+    A result wakes nobody: a coroutine that awaits it goes on in the executor's next round, whenever that comes. Done
+    callbacks are run by the future's executor, if it has one, else at once.
     """
 
     def __init__(self, *, executor: Executor | None = None) -> None:
@@ -41,14 +41,14 @@ class Future:
         self._result: Any = None
         self._exception: BaseException | None = None
         self._fetched = False
-        self._world: object = None  # of the node whose exception it is
+        self._world: object = None  # the world of the node that raised its exception
         self._callbacks: list[Callable[[Future], Any]] = []
         self._executor: Callable[[], Executor | None] = _nobody
         if executor is not None:
             self._executor = ref(executor)
 
     def __del__(self) -> None:
-        # What is collected when its run is over has nobody to tell.
+        # A future collected after its run has nobody to tell.
         if self._exception is not None and not self._fetched and world_here() is self._world:
             sys.stderr.write(f"The following exception was never retrieved: {self._exception}\n")
 
@@ -58,12 +58,12 @@ class Future:
         return self.result()
 
     def cancel(self) -> None:
-        """Give it up, unless it is done."""
+        """Cancel it, unless it is done."""
         if self._state is _PENDING:
             self._settle(_CANCELLED)
 
     def cancelled(self) -> bool:
-        """Whether it was given up."""
+        """Whether it was cancelled."""
         return self._state is _CANCELLED
 
     def done(self) -> bool:
@@ -71,7 +71,7 @@ class Future:
         return self._state is _FINISHED
 
     def result(self) -> Any:
-        """Its result, None if there is none yet; its exception is raised."""
+        """Return its result, or None if there is none yet. Raises its exception if it has one."""
         if self._exception is not None:
             self._fetched = True
             raise self._exception
@@ -83,12 +83,12 @@ class Future:
         return self._exception
 
     def set_result(self, result: Any) -> None:
-        """Give it its result."""
+        """Set its result: the future is done."""
         self._result = result
         self._settle(_FINISHED)
 
     def set_exception(self, exception: BaseException) -> None:
-        """Give it an exception."""
+        """Set its exception: the future is done."""
         self._exception = exception
         self._world = world_here()
         self._fetched = False
@@ -107,14 +107,14 @@ class Future:
                     warn(f"Unhandled exception in done callback: {error}")
 
     def _next_callback(self) -> Callable[[Future], Any] | None:
-        """Take the next callback: each is taken once, whoever settles the future or adds to it meanwhile."""
+        """Take the next done callback. Each is taken once, even if several threads settle the future or add to it."""
         try:
             return self._callbacks.pop(0)
         except IndexError:
             return None
 
     def add_done_callback(self, callback: Callable[[Future], Any]) -> None:
-        """Call ``callback(future)`` once it is done or given up."""
+        """Call ``callback(future)`` once it is done or cancelled."""
         self._callbacks.append(callback)
         if self._state is not _PENDING and (found := self._next_callback()):
             executor = self._executor()
@@ -124,7 +124,7 @@ class Future:
                 found(self)
 
     def remove_done_callback(self, callback: Callable[[Future], Any]) -> bool:
-        """Do not call it; whether it was waiting for that."""
+        """Do not call ``callback`` any more. Return whether it was still to be called."""
         try:
             self._callbacks.remove(callback)
         except ValueError:
@@ -137,7 +137,7 @@ def _nobody() -> None:
 
 
 class Task(Future):
-    """The call of a function, or of a coroutine, which is resumed each time that the task is called."""
+    """The call of a function or a coroutine. Each call of the task resumes the coroutine."""
 
     def __init__(
         self,
@@ -156,7 +156,7 @@ class Task(Future):
         self._turn = [None]  # taken by the thread that runs it
 
     def __call__(self) -> None:
-        """Run it, or resume it; nothing if that happens already."""
+        """Run or resume it, unless another thread is doing so."""
         try:
             self._turn.pop()
         except IndexError:
@@ -184,7 +184,7 @@ class Task(Future):
             else:
                 self.set_result(result)
             self._handler = self._coroutine = None
-            # What ends the program, as SystemExit, leaves it executing for ever.
+            # An exception that ends the program, such as SystemExit, leaves the task executing for ever.
             self._executing = False
         finally:
             self._turn.append(None)
@@ -194,7 +194,7 @@ class Task(Future):
         return self._executing
 
     def cancel(self) -> None:
-        """Give it up; a coroutine is closed."""
+        """Cancel it, and close its coroutine."""
         if self._state is _PENDING and self._coroutine is not None:
             self._coroutine.close()
         super().cancel()

@@ -18,14 +18,14 @@ _TIMES = {"builtin_interfaces/Time", "builtin_interfaces/Duration"}
 
 
 class Tester(tester.Tester):
-    """``world`` is its own; ``messages`` makes the classes of messages, as in ``messages["std_msgs/UInt32"]``."""
+    """A tester on ROS 2 in its own ``world``; ``messages`` makes classes, as in ``messages["std_msgs/UInt32"]``."""
 
     def __init__(self, world: World, messages: Any) -> None:
         super().__init__(world.graph, messages)
         self._publications: list[_Counterpart] = []
 
     def publication(self, subscription: End) -> End:
-        """Its end for a subscription."""
+        """The tester's end for a subscription."""
         self._publications.append(_Counterpart(subscription.owner))
         return self._publications[-1].end
 
@@ -33,7 +33,7 @@ class Tester(tester.Tester):
         return _Counterpart(publication.owner).end
 
     def message(self, type_: str, fields: Mapping[str, Any]) -> Any:
-        """A message of a type such as std_msgs/UInt32 or std_msgs/msg/UInt32: see the base."""
+        """Make a message of a type such as std_msgs/UInt32 or std_msgs/msg/UInt32: see the base."""
         return super().message(type_.replace("/msg/", "/"), fields)
 
     def _publish(self, name: str, args: tuple[Any, ...], fields: Mapping[str, Any]) -> bool:
@@ -43,9 +43,9 @@ class Tester(tester.Tester):
         return bool(ends)
 
     def _message(self, data_class: type[Message], args: tuple[Any, ...], fields: Mapping[str, Any]) -> Message:
-        """A message from what ``publish`` is given: itself, all of its fields, or some by name, also in a dict."""
+        """Make a message from what ``publish`` is given: a message, all of its fields, or some by name or in a dict."""
         if len(args) == 1 and isinstance(args[0], Message) and not fields:
-            if repr(type(args[0])) != repr(data_class):  # another process has a class of its own of that name
+            if repr(type(args[0])) != repr(data_class):  # each process has a class of its own with that name
                 raise TypeError(f"Expected {data_class}, got {type(args[0])}")
             return args[0]
         names = data_class.get_fields_and_field_types()
@@ -68,7 +68,7 @@ class Tester(tester.Tester):
 
 
 class _Counterpart:
-    """An end of the tester's, for one of another node's, with whose quality of service it agrees."""
+    """The tester's counterpart of a node's end of a topic, with the same quality of service."""
 
     def __init__(self, other: Publisher | Subscription) -> None:
         self.world = other.world
@@ -79,7 +79,7 @@ class _Counterpart:
         self.kept: tuple[Message, ...] = ()
 
     def receive(self, publisher: Publisher, message: Message) -> None:
-        """The run has recorded it."""
+        """Do nothing: the run has recorded the message."""
 
     def send(self, message: Message) -> None:
         """Publish a message."""
@@ -88,7 +88,7 @@ class _Counterpart:
 
 
 def give_parameters(world: World, parameters: Mapping[str, Any]) -> None:
-    """Give parameters to the nodes of a process before it runs, on its command line; what stands there goes first.
+    """Give a process's nodes parameters before it runs, on its command line. What stands there takes precedence.
 
     Raises TypeError for a value that a parameter cannot have.
     """

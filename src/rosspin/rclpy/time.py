@@ -13,7 +13,7 @@ __all__ = ["ClockType", "Time"]
 
 
 class ClockType(IntEnum):
-    """Which time a clock tells: the system's, one that never jumps, or ROS's (the system's, or that of /clock)."""
+    """The time that a clock tells: the system's, one that never jumps, or ROS's (the system's, or that of /clock)."""
 
     UNINITIALIZED = 0
     ROS_TIME = 1
@@ -83,13 +83,13 @@ class Time(Ordered):
             raise ValueError("Subtraction leads to negative time.") from error
 
     def to_msg(self) -> Any:
-        """The same as a message, builtin_interfaces/Time."""
+        """Return the time as a message, builtin_interfaces/Time."""
         seconds, nanoseconds = self.seconds_nanoseconds()
         return import_module("builtin_interfaces.msg").Time(sec=seconds, nanosec=nanoseconds)
 
     @classmethod
     def from_msg(cls, msg: Any, clock_type: ClockType = ClockType.ROS_TIME) -> Time:
-        """A message as a Time on a kind of clock; TypeError for any other message."""
+        """Make a Time on a kind of clock from a message. Raises TypeError for any other message."""
         if not isinstance(msg, import_module("builtin_interfaces.msg").Time):
             raise TypeError("Must pass a builtin_interfaces.msg.Time object")
         return cls(seconds=msg.sec, nanoseconds=msg.nanosec, clock_type=clock_type)

@@ -17,9 +17,8 @@ from .time import Time
 __all__ = ["Rate", "Timer", "TimerInfo"]
 
 
-# A timer of less (ns) has no grid: it is due again as soon as it was called, which takes a real machine so long.
-_LEAST_PERIOD = 1_000
-_CALL = 100_000
+_LEAST_PERIOD = 1_000  # ns; a timer with a shorter one keeps no grid
+_CALL = 100_000  # ns from one call of such a timer to the next, about what a real machine takes
 
 
 # What an executor is to call, with which arguments, and for a tick its place in the log and when it began (ns).
@@ -27,9 +26,9 @@ Call = tuple[Any, tuple[Any, ...], tuple[int, int] | None]
 
 
 class TimerInfo(NamedTuple):
-    """When a call was due, and when it came. It is passed to a callback that has a parameter annotated so.
+    """When a call was due, and when it came. A callback with a parameter annotated as TimerInfo is passed it.
 
-    On a real ROS 2 it is there from Kilted on.
+    A real ROS 2 has it from Kilted on.
     """
 
     expected_call_time: Time
@@ -39,9 +38,9 @@ class TimerInfo(NamedTuple):
 class Timer:
     """Lets an executor call ``callback()`` every ``timer_period_ns``, for the first time after one period.
 
-    Each call counts on from when it was due. If that is over when a call begins, the next one is the next place of the
-    same grid: however long callbacks take, at most one call comes late, and the grid is kept. Without ``autostart`` it
-    begins with ``reset``. Raises RCLError if the period is negative or the context not valid.
+    The next call is due one period after this one was due. If that has passed when this call begins, the next one takes
+    the next place of the same grid: however long callbacks take, at most one call comes late, and the grid is kept.
+    Without ``autostart`` it begins with ``reset``. Raises RCLError if the period is negative or the context not valid.
     """
 
     def __init__(
@@ -72,7 +71,7 @@ class Timer:
         self._cancelled = not autostart
         self._destroyed = False
         self.expected = self._next  # when the last call was due
-        self.nudge: Callable[[], None] | None = None  # tells the executor that waits
+        self.nudge: Callable[[], None] | None = None  # tells the waiting executor
         self._executor_event = False
         world = clock._state.world
         self._ticks = world.recording.log if callback is not None else None
@@ -85,7 +84,7 @@ class Timer:
 
     @property
     def callback(self) -> Any:
-        """What is called."""
+        """The function that is called."""
         return self._callback
 
     @callback.setter
@@ -101,7 +100,7 @@ class Timer:
 
     @property
     def timer_period_ns(self) -> int:
-        """The period; a new one counts from the next call on, which stays when it was due."""
+        """The period. A new one does not move the next call: it counts from there on."""
         self._check()
         return self._period
 
@@ -126,7 +125,7 @@ class Timer:
         self._cancelled = True
 
     def reset(self) -> None:
-        """Begin anew: the next call is due after one period. A cancelled timer goes on."""
+        """Begin anew, even if cancelled: the next call is due after one period."""
         self._check()
         self._next = self.clock.ns() + self._period
         self._cancelled = False
@@ -134,12 +133,12 @@ class Timer:
             self.nudge()
 
     def time_since_last_call(self) -> int:
-        """How long ago it was called, in ns; before the first call, made."""
+        """How long ago (ns) it was called, or made if it was never called."""
         self._check()
         return self.clock.ns() - self._last
 
     def time_until_next_call(self) -> int | None:
-        """When it is due, in ns from now, negative if that is over; None if it is cancelled."""
+        """How long (ns) until it is due, negative if it is overdue; None if it is cancelled."""
         self._check()
         return None if self._cancelled else self._next - self.clock.ns()
 
@@ -155,7 +154,7 @@ class Timer:
             raise InvalidHandle()
 
     def take(self) -> Call | None:
-        """What is to be called now; None if it was destroyed. RCLError if it was cancelled after it became ready."""
+        """Return the call to make now; None if it was destroyed. Raises RCLError if it was cancelled once ready."""
         if self._destroyed:
             return None
         if self._cancelled:
@@ -181,13 +180,13 @@ class Timer:
         return (TimerInfo(Time(nanoseconds=expected, clock_type=kind), Time(nanoseconds=now, clock_type=kind)),)
 
     def stamp(self, ns: int) -> int:
-        """A time of this timer's clock as it is recorded: on the clock of the run, unless ROS time is told."""
+        """Return a time of this timer's clock as it is recorded: on the run's clock, unless /clock tells ROS time."""
         return ns + self.clock._state.clock.now() - self.clock.ns() if self.clock.flows else ns
 
-    # --- what executors ask, whether or not it was destroyed ---------------------------------------------------------
+    # --- what executors ask, even of a destroyed timer ----------------------------------------------------------------
 
     def end(self, tick: tuple[int, int]) -> None:
-        """Record that a call which was taken has ended now."""
+        """Record that a call has ended now."""
         if self._ticks is not None:
             place, began = tick
             clock = self.clock
@@ -198,11 +197,11 @@ class Timer:
         return self._next <= self.clock.ns() and not self._cancelled and not self._destroyed
 
     def is_flowing(self) -> bool:
-        """Whether it becomes due by itself, as time goes on."""
+        """Whether it becomes due just by waiting."""
         return self.clock.flows and not self._cancelled and not self._destroyed
 
     def time_left(self) -> int:
-        """When it is due, in ns from now."""
+        """How long (ns) until it is due."""
         return self._next - self.clock.ns()
 
     # --- ROS time that jumps ------------------------------------------------------------------------------------------
@@ -221,7 +220,7 @@ class Timer:
             self._credit = None
 
     def after_jump(self) -> None:
-        """If ROS time was told to go back, begin anew: the next call is due after a period."""
+        """Begin anew if ROS time went back before the last call: the next call is due after one period."""
         now = self.clock.ns()
         if self._next > now and now < self._last:
             self._next, self._last = now + self._period, now
@@ -230,7 +229,7 @@ class Timer:
 class Rate:
     """Sleeps in a loop so that its passes begin at a fixed rate. Made by ``Node.create_rate``.
 
-    It is a timer that wakes who sleeps: some other thread has to spin, or it sleeps for ever. If a pass takes too long,
+    A timer wakes whoever sleeps, so another thread has to spin, or the sleep lasts for ever. If a pass takes too long,
     one ``sleep`` returns at once; then the grid goes on.
     """
 
@@ -259,15 +258,14 @@ class Rate:
         self.destroy()
 
     def destroy(self) -> None:
-        """Wake who sleeps, and let nobody sleep any more."""
+        """Wake whoever sleeps, and let nobody sleep any more."""
         self._is_destroyed = True
         self._event.set()
 
     def sleep(self) -> None:
         """Sleep until the timer wakes it; return at once if it did since the last ``sleep``.
 
-        Raises ROSInterruptException at ``rclpy.shutdown()``, RuntimeError if it was destroyed. A signal does not wake
-        it.
+        A signal does not wake it. Raises ROSInterruptException at ``rclpy.shutdown()``, RuntimeError if destroyed.
         """
         if self._is_shutdown:
             raise ROSInterruptException()
@@ -300,5 +298,5 @@ _SLEEP = Rate.sleep.__code__
 
 
 def is_asleep_on_a_rate(places: Iterable[Place]) -> bool:
-    """Whether a thread that is at these places sleeps on a Rate."""
+    """Whether a thread whose stack is at these places sleeps on a Rate."""
     return any((place.filename, place.function) == (_SLEEP.co_filename, _SLEEP.co_qualname) for place in places)

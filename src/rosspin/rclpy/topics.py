@@ -1,7 +1,7 @@
 """Publishers and subscriptions (sources: rclpy/publisher.py, rclpy/subscription.py, rclpy/wait_for_message.py).
 
-On a real ROS a middleware brings the messages. Here a publisher puts copies of them into the queues of those who
-subscribe. Those of one process find each other at once; how others do is in :mod:`rosspin.rclpy.discovery`.
+On a real ROS a middleware carries the messages. Here a publisher puts copies of them into the subscriptions' queues.
+The ends in one process find each other at once; :mod:`rosspin.rclpy.discovery` says how others do.
 """
 
 from __future__ import annotations
@@ -27,7 +27,7 @@ __all__ = ["Publisher", "Subscription", "wait_for_message"]
 
 
 class End(NamedTuple):
-    """An end of a topic, as it is in the graph."""
+    """An end of a topic, as the graph has it."""
 
     topic: str
     type: str  # as in std_msgs/msg/String
@@ -48,7 +48,7 @@ class Owner:
     ) -> None:
         self.node = node
         self.msg_type = msg_type
-        self.topic = topic  # as its node calls it
+        self.topic = topic  # the name that the node gave
         kind = f"{msg_type.__module__.replace('.', '/').rpartition('/')[0]}/{msg_type.__name__}"
         self.end = End(full_name, kind, self)
         self.qos_profile = qos
@@ -59,7 +59,7 @@ class Owner:
 
     @property
     def world(self) -> World:
-        """The process that it is in."""
+        """The world of its process."""
         return self.node.context.state.world
 
     @property
@@ -79,14 +79,14 @@ class Owner:
             raise InvalidHandle()
 
     def refuse(self, policy: str) -> None:
-        """Let the node say, when it spins, by which policy the other end does not match."""
+        """Let the node warn, when it spins, by which policy another end does not match."""
         text = self._refusal.format(self.topic, policy)
         self.node.create_guard_condition(lambda: self.node.get_logger().warning(text)).trigger()
 
     _refusal: str
 
     def destroy(self) -> None:
-        """Take it off the topic."""
+        """Leave the topic."""
         self._check()
         self._destroyed = True
         self.world.graph.remove(self.end)
@@ -100,7 +100,7 @@ class Owner:
         return isinstance(other, Owner) and other.world is not self.world
 
     def meet(self, other: Any, policy: str | None) -> None:
-        """It knows now of an end in another process, with which it matches but for a policy."""
+        """Learn of an end in another process. ``policy`` is the one by which the two do not match, or None."""
         if self._destroyed or not self.node.context.ok():
             return
         if policy:
@@ -109,7 +109,7 @@ class Owner:
             self.peers.append(other)
 
     def part(self, other: Any) -> None:
-        """It knows now that an end in another process is gone."""
+        """Learn that an end in another process is gone."""
         if other in self.peers:
             self.peers.remove(other)
 
@@ -132,9 +132,9 @@ class Publisher(Owner):
                 _connect(self, end.owner, end.owner, self)
 
     def publish(self, msg: Message) -> None:
-        """Publish a message. TypeError for one of another class, AssertionError for one with wrong values in it.
+        """Publish a message. Raises TypeError for one of another class, AssertionError for one with wrong values.
 
-        InvalidHandle if it was destroyed; RCLError after shutdown.
+        Raises InvalidHandle if the publisher was destroyed, RCLError after shutdown.
         """
         self._check()
         if not isinstance(msg, self.msg_type):
@@ -155,11 +155,11 @@ class Publisher(Owner):
         return len(self.peers)
 
     def assert_liveliness(self) -> None:
-        """Nobody watches for it here."""
+        """Do nothing: liveliness is not watched here."""
         self._check()
 
     def wait_for_all_acked(self, timeout: Any = None) -> bool:
-        """True: what was published has arrived."""
+        """Return True: what was published has arrived."""
         self._check()
         return True
 
@@ -167,7 +167,7 @@ class Publisher(Owner):
 class Subscription(Owner):
     """Lets an executor call ``callback(message)``, or ``callback(message, info)``. Made by ``create_subscription``.
 
-    It keeps the newest messages, as its QoS says, and gives the oldest of them first.
+    It keeps the newest messages, as many as its QoS says, and hands out the oldest of these first.
     """
 
     _refusal = (
@@ -228,11 +228,11 @@ class Subscription(Owner):
             early.append((message, self.world.clock.now()))
 
     def expect(self, publisher: Publisher) -> None:
-        """A publisher of another process may send before this end knows of it: what is reliable waits for that."""
+        """Expect a publisher of another process: until it is known here, reliable messages from it wait."""
         self._early[publisher] = []
 
     def meet(self, other: Any, policy: str | None) -> None:
-        """See the base. What was kept comes a little later, with all that was published meanwhile."""
+        """See the base. What the publisher has kept comes a little later, with all that it published meanwhile."""
         super().meet(other, policy)
         if other in self.peers and self.policies == other.policies == (True, True):
             self._early[other] = None
@@ -260,7 +260,7 @@ class Subscription(Owner):
             self.nudge()
 
     def take(self) -> Any:
-        """What is to be called; None if there is no message any more."""
+        """Return the call to make, or None if there is no message any more."""
         if self._destroyed:
             return None
         try:
@@ -270,7 +270,7 @@ class Subscription(Owner):
         return self._callback, (message, info) if self._wants_info else (message,), None
 
     def get_publisher_count(self) -> int:
-        """From how many publishers it receives."""
+        """How many publishers it receives from."""
         self._check()
         return len(self.peers)
 
@@ -292,9 +292,9 @@ def _connect(publisher: Publisher, subscription: Subscription, *by_age: Publishe
 
 
 class _OutOfReach(ReentrantCallbackGroup):
-    """The group of a subscription from which no executor takes anything.
+    """A group from whose subscription no executor takes anything.
 
-    On a real ROS an executor that spins the node races the one who waits; here the latter wins.
+    On a real ROS an executor that spins the node races ``wait_for_message``, which here always wins.
     """
 
     def can_execute(self, entity: Any) -> bool:
@@ -306,7 +306,7 @@ def wait_for_message(
 ) -> tuple[bool, Message | None]:
     """Subscribe to a topic and wait for a message, for at most ``time_to_wait`` seconds (negative: for ever).
 
-    Whether there was one, and the message. A signal ends it; ``rclpy.shutdown()`` does not.
+    Return whether one came, and the message. A signal ends the wait; ``rclpy.shutdown()`` does not.
     """
     own, gate = node.context.state, Gate()
     subscription = node.create_subscription(msg_type, topic, lambda _: None, qos_profile, callback_group=_OutOfReach())

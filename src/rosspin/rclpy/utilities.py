@@ -1,4 +1,4 @@
-"""Small things that ``rclpy`` itself forwards (source: rclpy/utilities.py)."""
+"""Small functions that ``rclpy`` itself offers, too (source: rclpy/utilities.py)."""
 
 from __future__ import annotations
 
@@ -10,12 +10,12 @@ __all__ = ["get_default_context", "get_rmw_implementation_identifier", "ok", "re
 
 
 def ok(*, context: Context | None = None) -> bool:
-    """Whether a context (default: the default one) goes on."""
+    """Whether a context (default: the default one) is valid."""
     return (context or get_default_context()).ok()
 
 
 def try_shutdown(*, context: Context | None = None) -> None:
-    """End a context, unless it has ended; the default one can then begin anew."""
+    """End a context unless it has ended. After the default one, ``init`` makes a new one."""
     own = state()
     if context is not None:
         context.try_shutdown()
@@ -27,5 +27,5 @@ def try_shutdown(*, context: Context | None = None) -> None:
 
 
 def get_rmw_implementation_identifier() -> str:
-    """The middleware of a Jazzy as it is installed."""
+    """The middleware that Jazzy has by default."""
     return "rmw_fastrtps_cpp"

@@ -44,7 +44,7 @@ __all__ = [
 
 Header: Any  # made when it is asked for
 
-# What rospy has beside: services and the master need a real ROS.
+# The names of rospy that are not here: services and the master need a real ROS.
 NOT_SIMULATED = {
     "MasterProxy",
     "Service",
@@ -61,7 +61,7 @@ NOT_SIMULATED = {
     "wait_for_service",
 }
 
-# Names that do less here than in rospy, and what is lacking.
+# Names that do less here than in rospy, and what each lacks.
 IN_PART = {
     **dict.fromkeys(
         (name for name in core.__all__ if name.startswith("log")),
@@ -93,7 +93,7 @@ MODULES = {
     "rospy.topics": topics,
 }
 
-# What importing it registers with atexit: function, args, kwargs.
+# What importing rospy registers with atexit: function, args, kwargs.
 AT_EXIT: list[Any] = [(core.signal_shutdown, ("atexit",), {})]
 
 

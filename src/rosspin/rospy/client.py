@@ -54,7 +54,7 @@ _LEVELS = {
 
 _unspecified: Any = object()
 
-# So often (ns) wait_for_message looks.
+# How often (ns) wait_for_message looks.
 _LOOK = 10_000_000
 
 
@@ -73,8 +73,8 @@ def init_node(
 
     ``anonymous`` makes the name unique; ``log_level`` is the lowest severity that is shown (default: rospy.INFO);
     ``disable_signals`` leaves SIGINT and SIGTERM to the caller. ``disable_rosout`` and the ports have no effect, as
-    there is no network. The same call again does nothing. Raises ValueError if the name is empty or contains ``/``,
-    ROSException if there was a call with other arguments, ROSInitException if a private parameter is not YAML.
+    there is no network. A second call with the same arguments does nothing; with others it raises ROSException. Raises
+    ValueError if the name is empty or contains ``/``, and ROSInitException if a private parameter is not YAML.
     """
     node = state()
     if argv is None:
@@ -118,7 +118,7 @@ def init_node(
 
 
 def _replace(node: State) -> None:
-    """Register a node's name; another node of that name is shut down (source: rosmaster/registrations.py)."""
+    """Register a node's name, and shut down any other node that has it (source: rosmaster/registrations.py)."""
     other = node.master.nodes.get(node.name)
     node.master.nodes[node.name] = node
     if other and not other.shutdown_requested:
@@ -126,20 +126,20 @@ def _replace(node: State) -> None:
 
 
 def _shut_down(node: State) -> None:
-    node.clock.sleep(LATER_PUBLISHER)  # the master's workers tell it, as they tell subscribers of a new publisher
+    node.clock.sleep(LATER_PUBLISHER)  # the master is as slow to tell it as to tell subscribers of a new publisher
     sys.stdout.write(f"shutdown request: [{node.name}] Reason: new node registered with same name\n")
     signal_shutdown("external shutdown request")
 
 
 def _listen_to_clock(node: State) -> None:
-    """ROS time is what /clock says; until it says something, it is 0 (source: rospy/impl/simtime.py)."""
+    """Take ROS time from /clock; it is 0 until the first message comes (source: rospy/impl/simtime.py)."""
     Clock = import_module("rosgraph_msgs.msg").Clock
     Subscriber("/clock", Clock, lambda message: node.set_ros_time(message.clock.to_nsec()), queue_size=1)
     node.set_ros_time(0)
 
 
 def load_command_line_node_params(argv: list[str]) -> dict[str, Any]:
-    """The values of ``_name:=value`` on a command line, read as YAML."""
+    """Read the values of ``_name:=value`` on a command line as YAML."""
     try:
         pairs = [(name[1:], text) for name, text in rosgraph.split_remappings(argv) if rosgraph.is_parameter(name)]
         if not pairs:
@@ -162,7 +162,7 @@ def on_shutdown(h: Callable[[], Any]) -> None:
 
 
 def spin() -> None:
-    """Wait until the node is shut down. It does not call the callbacks: timers have threads of their own.
+    """Wait until the node is shut down. It calls no callbacks: timers and subscribers have threads of their own.
 
     Raises ROSInitException before ``init_node``.
     """
@@ -180,7 +180,7 @@ def spin() -> None:
 
 
 def wait_for_message(topic: str, topic_type: Any, timeout: float | Duration | None = None) -> Any:
-    """Subscribe to a topic, wait for one message, and return it. It looks each 10 ms.
+    """Subscribe to a topic, wait for one message, and return it. It looks for one every 10 ms.
 
     ``timeout`` is in seconds or a Duration. Raises ROSException if it is exceeded, ROSInterruptException at shutdown.
     """
@@ -202,9 +202,9 @@ def wait_for_message(topic: str, topic_type: Any, timeout: float | Duration | No
 
 
 def get_published_topics(namespace: str = "/") -> list[list[str]]:
-    """The topics below a namespace that are published, and their types: [[name, type], ...].
+    """Return the published topics below a namespace, and their types: [[name, type], ...].
 
-    As on a real ROS the node's own log, /rosout, is one of them, although nothing is published there.
+    As on a real ROS, the node's own log, /rosout, is one of them, although nothing is published there.
     """
     node = state()
     topics = dict(node.world.graph.topics())
@@ -223,7 +223,7 @@ def _path(name: str) -> list[str]:
 
 
 def _find(node: State, path: list[str]) -> Any:
-    """The value at a path; KeyError if there is none."""
+    """Return the value at a path. Raises KeyError if there is none."""
     value: Any = node.master.parameters
     for part in path:
         if not isinstance(value, dict):
@@ -233,7 +233,7 @@ def _find(node: State, path: list[str]) -> Any:
 
 
 def get_param(param_name: str, default: Any = _unspecified) -> Any:
-    """The value of a parameter, or a dict for a namespace. Raises KeyError if there is neither it nor a ``default``."""
+    """Return a parameter's value, or a namespace as a dict; else ``default``. Raises KeyError if there is neither."""
     try:
         return deepcopy(_find(state(), _path(param_name)))
     except KeyError:
@@ -248,8 +248,8 @@ get_param_cached = get_param
 def set_param(param_name: str, param_value: Any) -> None:
     """Set a parameter, or a whole namespace with a dict.
 
-    The value is what XML-RPC would deliver: a tuple comes back as a list. Raises TypeError for None, and OverflowError
-    for an integer of more than 32 bits.
+    The value is stored as XML-RPC would deliver it: a tuple comes back as a list. Raises TypeError for None, and
+    OverflowError for an integer of more than 32 bits.
     """
     if not rosgraph.is_legal_name(param_name):
         warnings.warn(
@@ -274,7 +274,7 @@ def delete_param(param_name: str) -> None:
 
 
 def search_param(param_name: str) -> str | None:
-    """The full name of the nearest parameter of that name, from the node's namespace upwards; None if there is none.
+    """Search for a parameter from the node's namespace upwards. Return the full name of the nearest one, or None.
 
     Raises ROSException for a private name.
     """

@@ -82,7 +82,7 @@ def _log(level: int, msg: Any, args: tuple[Any, ...], kwargs: dict[str, Any]) ->
 
 
 def _message(level: int, msg: Any, args: tuple[Any, ...], kwargs: dict[str, Any]) -> str:
-    """``msg % args`` and what keyword arguments such as ``exc_info`` add, as the logging module puts it."""
+    """Format ``msg % args``, and what keyword arguments such as ``exc_info`` add, as the logging module does."""
     exc_info = kwargs.get("exc_info")
     if isinstance(exc_info, BaseException):
         exc_info = (type(exc_info), exc_info, exc_info.__traceback__)
@@ -152,7 +152,7 @@ def _throttle_elapsed(site: Hashable, period: float) -> bool:
 
 
 def _differs(site: Hashable, msg: str) -> bool:
-    msg.encode()  # no text, no comparison: AttributeError, as in rospy
+    msg.encode()  # raises AttributeError for what is not a text, as in rospy
     node = state()
     if node.log_messages.get(site) == msg:
         return False
@@ -196,7 +196,7 @@ def _once(level: int) -> Callable[..., None]:
 
 
 def _family(suffix: str, make: Callable[[int], Callable[..., None]], doc: str) -> list[Callable[..., None]]:
-    """A log function for each severity: ``logdebug``, ``loginfo``, ... with a suffix, and a docstring about {name}."""
+    """Make a log function for each severity: ``logdebug``, ``loginfo``, ... with a suffix, and ``doc`` filled in."""
     family = []
     for name, level in zip(("debug", "info", "warn", "err", "fatal"), _SEVERITY, strict=True):
         log = make(level)
@@ -212,7 +212,7 @@ logout = loginfo
 logerror = logerr
 
 logdebug_throttle, loginfo_throttle, logwarn_throttle, logerr_throttle, logfatal_throttle = _family(
-    "_throttle", _throttled, "Like {name}, but from this line of the node at most once in ``period`` seconds."
+    "_throttle", _throttled, "Like {name}, but this line of the node logs at most once in ``period`` seconds."
 )
 (
     logdebug_throttle_identical,
@@ -223,10 +223,10 @@ logdebug_throttle, loginfo_throttle, logwarn_throttle, logerr_throttle, logfatal
 ) = _family(
     "_throttle_identical",
     _throttled_identical,
-    "Like {name}_throttle, but at once if the message differs from the last one of this line.",
+    "Like {name}_throttle, but log at once a message that differs from the last one of this line.",
 )
 logdebug_once, loginfo_once, logwarn_once, logerr_once, logfatal_once = _family(
-    "_once", _once, "Like {name}, but from this line of the node only the first time."
+    "_once", _once, "Like {name}, but this line of the node logs only the first time."
 )
 
 
@@ -239,12 +239,12 @@ def is_initialized() -> bool:
 
 
 def set_initialized(initialized: bool) -> None:
-    """Say whether the node is initialised."""
+    """Set whether the node is initialised."""
     state().initialized = initialized
 
 
 def is_topic(param_name: str) -> Validator:
-    """A check for names of topics, which gives them back in full. It raises ParameterInvalid."""
+    """Return a check of a topic's name: it returns the full name, or raises ParameterInvalid."""
     check = valid_name(param_name)
 
     def validator(param_value: Any, caller_id: str) -> str:
@@ -260,12 +260,12 @@ def is_topic(param_name: str) -> Validator:
 
 
 def is_shutdown() -> bool:
-    """Whether the node is to shut down."""
+    """Whether the node has been shut down."""
     return state().shutdown
 
 
 def is_shutdown_requested() -> bool:
-    """Whether shutdown has begun; the hooks run between this and ``is_shutdown``."""
+    """Whether shutdown has begun. The hooks run after that, and before ``is_shutdown`` becomes true."""
     return state().shutdown_requested
 
 
@@ -309,5 +309,5 @@ def signal_shutdown(reason: str) -> None:
 
 
 def handle_signal(number: int, frame: Any) -> None:
-    """What a node does on SIGINT and SIGTERM."""
+    """Shut the node down at SIGINT or SIGTERM."""
     signal_shutdown(f"signal-{number}")

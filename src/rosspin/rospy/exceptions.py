@@ -55,6 +55,6 @@ class TransportInitError(TransportException):
     """A transport could not be set up."""
 
 
-# In tracebacks they have the names that they have on a real ROS.
+# Tracebacks show the names of a real ROS.
 for _name in __all__:
     globals()[_name].__module__ = "rospy.exceptions"

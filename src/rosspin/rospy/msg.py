@@ -1,4 +1,4 @@
-"""Messages as rospy takes them (source: rospy/msg.py)."""
+"""Make and serialise messages as rospy does (source: rospy/msg.py)."""
 
 from __future__ import annotations
 
@@ -13,7 +13,7 @@ __all__ = ["AnyMsg", "args_kwds_to_message", "serialize_message"]
 
 
 class AnyMsg(Message):
-    """The type of a subscriber that takes any topic: its messages are left as the bytes ``_buff``.
+    """Lets a subscriber take any topic, whatever its type. The messages are kept as the bytes ``_buff``.
 
     Raises ROSException for arguments.
     """
@@ -42,7 +42,7 @@ class AnyMsg(Message):
 
 
 def args_kwds_to_message(data_class: type[Message], args: tuple[Any, ...], kwds: dict[str, Any]) -> Message:
-    """The message that the arguments of ``publish`` stand for. Raises TypeError and AttributeError."""
+    """Make a message from the arguments of ``publish``. Raises TypeError or AttributeError if they make none."""
     if args and kwds:
         raise TypeError("publish() can be called with arguments or keywords, but not both.")
     if len(args) == 1:
@@ -56,7 +56,7 @@ def args_kwds_to_message(data_class: type[Message], args: tuple[Any, ...], kwds:
 
 
 def serialize_message(seq: int, message: Message) -> bytes:
-    """A message's bytes; ``seq`` becomes that of its header. Raises what ``Message.serialize`` does."""
+    """Set the ``seq`` of a message's header, and return the message's bytes. Raises what ``Message.serialize`` does."""
     if message._has_header:
         header: Any = message.header  # type: ignore[attr-defined]
         header.seq = seq

@@ -53,14 +53,14 @@ def _set_caller_id(caller_id: str) -> None:
 
 
 def resolve_name(name: Any, caller_id: str | None = None) -> str:
-    """The full name that a name stands for in this node (or in ``caller_id``), remapped if the command line says so."""
+    """Return the full name that a name has in this node (or in ``caller_id``), remapped as the command line says."""
     own = state()
     node = caller_id or own.name
     if not name:
         return namespace(node)
     resolved = canonicalize_name(str(name))
     if is_private(resolved):
-        # Joined, as rospy does it: "~/rate" is "/rate".
+        # Joined as in rospy: "~/rate" is "/rate".
         resolved = ns_join(node, resolved[1:])
     elif not is_global(resolved):
         resolved = namespace(node) + resolved
@@ -68,7 +68,7 @@ def resolve_name(name: Any, caller_id: str | None = None) -> str:
 
 
 def resolve_name_without_node_name(name: str) -> str:
-    """A name in full as long as the node has no name, remapped likewise. Private: ValueError."""
+    """Resolve and remap a name while the node has no name yet. Raises ValueError for a private one."""
     if is_private(name):
         raise ValueError("~name topics cannot be created before init_node() has been called")
     node = ns_join(get_namespace(), "node")
@@ -80,13 +80,13 @@ def resolve_name_without_node_name(name: str) -> str:
 
 
 def remap_name(name: str, caller_id: str | None = None, resolved: bool = True) -> str:
-    """The full name that the command line remaps a name to; the name itself if it does not."""
+    """Return the full name to which the command line remaps a name, or the name itself."""
     node = state()
     return rosgraph.resolve_name(node.mappings[name], caller_id or node.name) if name in node.mappings else name
 
 
 def scoped_name(caller_id: str, name: str) -> str:
-    """A global name as seen from the namespace of ``caller_id``, in which it must be. No full name: ROSException."""
+    """Cut the namespace of ``caller_id`` off a name within it. Raises ROSException if ``caller_id`` is not global."""
     if not is_global(caller_id):
         raise ROSException("caller_id must be global")
     return canonicalize_name(name)[len(namespace(caller_id)) :]
@@ -101,7 +101,7 @@ def get_mappings() -> dict[str, str]:
 
 
 def get_resolved_mappings() -> dict[str, str]:
-    """The remappings of the command line in full; there are none before ``init_node``."""
+    """The remappings of the command line as full names; there are none before ``init_node``."""
     return state().resolved_mappings
 
 
@@ -111,7 +111,7 @@ def reload_mappings(argv: list[str]) -> None:
 
 
 def initialize_mappings(node_name: str) -> None:
-    """Resolve the remappings for a node of that full name; ``__name`` and the like stay as they are."""
+    """Resolve the remappings for the node with this full name; ``__name`` and the like stay as they are."""
     node = state()
     node.resolved_mappings = {
         source if source.startswith("__") else rosgraph.resolve_name(source, node_name): target
@@ -125,7 +125,7 @@ def initialize_mappings(node_name: str) -> None:
 
 
 def valid_name_validator_unresolved(param_name: str, param_value: Any, caller_id: str) -> str:
-    """``param_value``, if it is a text without a colon or a space, which a URI would have. Else ParameterInvalid."""
+    """Return a name without a colon or a space, which a URI would have. Raises ParameterInvalid for another value."""
     value = _text(param_name, param_value)
     if ":" in value or " " in value:
         raise ParameterInvalid(f"ERROR: parameter [{param_name}] contains illegal chars")
@@ -133,12 +133,12 @@ def valid_name_validator_unresolved(param_name: str, param_value: Any, caller_id
 
 
 def valid_name_validator_resolved(param_name: str, param_value: Any, caller_id: str) -> str:
-    """The same, in full for the node of the full name ``caller_id``; remappings are not looked at."""
+    """Check a name as ``valid_name_validator_unresolved`` does, and return its full name in the node ``caller_id``."""
     return rosgraph.resolve_name(valid_name_validator_unresolved(param_name, param_value, caller_id), caller_id)
 
 
 def valid_name(param_name: str, resolve: bool = True) -> Validator:
-    """A check for names, which gives them back in full (or as they are). It raises ParameterInvalid."""
+    """Return a check of names: it returns the full name, or the name as it is, or raises ParameterInvalid."""
     check = valid_name_validator_resolved if resolve else valid_name_validator_unresolved
 
     def validator(param_value: Any, caller_id: str) -> str:
@@ -148,7 +148,7 @@ def valid_name(param_name: str, resolve: bool = True) -> Validator:
 
 
 def global_name(param_name: str) -> Validator:
-    """A check for names that begin with ``/``, which gives them back. It raises ParameterInvalid."""
+    """Return a check of names that begin with ``/``: it returns the name, or raises ParameterInvalid."""
 
     def validator(param_value: Any, caller_id: str) -> str:
         value = _text(param_name, param_value)

@@ -10,7 +10,7 @@ from collections.abc import Mapping
 SEP = GLOBALNS = "/"
 PRIV_NAME = "~"
 REMAP = ":="
-ANYTYPE = "*"  # of a topic: whichever type it has
+ANYTYPE = "*"  # any type of a topic
 
 _REMAPPING = re.compile(r"([~/A-Za-z]|_|__)[\w/]*:=.*")
 _NAME = re.compile(r"[~/A-Za-z][\w/]*")
@@ -48,7 +48,7 @@ def is_private(name: str | None) -> bool:
 
 
 def split_remappings(argv: list[str]) -> list[tuple[str, str]]:
-    """The remappings on a command line as pairs. More than one ``:=`` in an argument: ValueError."""
+    """Return the remappings on a command line as pairs. Raises ValueError for an argument with more than one ``:=``."""
     pairs = []
     for arg in filter(is_legal_remap, argv):
         source, target = (part.strip() for part in arg.split(REMAP))
@@ -63,7 +63,7 @@ def is_parameter(source: str) -> bool:
 
 
 def load_mappings(argv: list[str]) -> dict[str, str]:
-    """The remappings of names on a command line; an argument that is none is reported on stderr."""
+    """Return the remappings of names on a command line. A faulty one is reported on stderr."""
     mappings: dict[str, str] = {}
     for arg in argv:
         try:
@@ -74,7 +74,7 @@ def load_mappings(argv: list[str]) -> dict[str, str]:
 
 
 def get_ros_namespace(env: Mapping[str, str] | None = None, argv: list[str] | None = None) -> str:
-    """The namespace set by ``__ns:=`` or ROS_NAMESPACE, beginning and ending in ``/``. Private: ValueError.
+    """Return the namespace that ``__ns:=`` or ROS_NAMESPACE sets, between slashes. Raises ValueError if it is private.
 
     ``env`` stands in for the environment, ``argv`` for the command line.
     """
@@ -85,7 +85,7 @@ def get_ros_namespace(env: Mapping[str, str] | None = None, argv: list[str] | No
 
 
 def make_global_ns(name: str) -> str:
-    """A name as a namespace: beginning and ending in ``/``. Private: ValueError."""
+    """Make a name a namespace, which begins and ends with ``/``. Raises ValueError for a private name."""
     if is_private(name):
         raise ValueError(f"cannot turn [{name}] into a global name")
     if not is_global(name):
@@ -94,14 +94,14 @@ def make_global_ns(name: str) -> str:
 
 
 def ns_join(ns: str, name: str) -> str:
-    """A name below a namespace. One that is global or private stays as it is."""
+    """Put a name below a namespace. A global or private name stays as it is."""
     if is_private(name) or is_global(name) or not ns:
         return name
     return ns + name if ns == PRIV_NAME or ns.endswith(SEP) else ns + SEP + name
 
 
 def namespace(name: str) -> str:
-    """The namespace that holds a name, ending in ``/``. None: ValueError; anything else that is no text: TypeError."""
+    """Return the namespace of a name, ending in ``/``. Raises ValueError for None, TypeError for what is no text."""
     if name is None:
         raise ValueError("name")
     if not isstring(name):
@@ -111,14 +111,14 @@ def namespace(name: str) -> str:
 
 
 def canonicalize_name(name: str) -> str:
-    """A name without doubled or trailing slashes."""
+    """Remove doubled and trailing slashes from a name."""
     if not name or name == SEP:
         return name
     return (SEP if is_global(name) else "") + SEP.join(part for part in name.split(SEP) if part)
 
 
 def resolve_name(name: str, namespace_: str) -> str:
-    """A name in full, for the node of the full name ``namespace_``; remappings are not looked at."""
+    """Return the full name that a name has in the node ``namespace_``, without remapping."""
     if not name:
         return namespace(namespace_)
     name = canonicalize_name(name)

@@ -41,7 +41,7 @@ class Time(genpy.Time):
 
     @classmethod
     def from_seconds(cls, float_secs: float) -> Time:
-        """``from_sec`` by its old name."""
+        """The old name of ``from_sec``."""
         return cls.from_sec(float_secs)
 
 
@@ -56,7 +56,7 @@ def get_time() -> float:
 
 
 def is_wallclock() -> bool:
-    """Whether the node runs on its own clock, and not on a ROS time that it is told, as by /clock."""
+    """Whether the node runs on its own clock, and not on ROS time as told by /clock."""
     return state().ros_time is None
 
 
@@ -66,19 +66,19 @@ def is_rostime_initialized() -> bool:
 
 
 def set_rostime_initialized(val: bool) -> None:
-    """Say whether the time can be asked for."""
+    """Set whether the time can be asked for."""
     state().time_initialized = val
 
 
 def _set_rostime(t: genpy.Time) -> None:
-    """Set ROS time, as each message on /clock does; sleeping calls wake up to look at it."""
+    """Set ROS time, as each message on /clock does. Sleeping calls wake up and look at it."""
     if not isinstance(t, genpy.Time):
         raise ValueError(f"must be Time instance: {t.__class__}")
     state().set_ros_time(t.to_nsec())
 
 
 def get_rostime_cond() -> threading.Condition:
-    """What is notified whenever ROS time is set."""
+    """The condition that is notified whenever ROS time is set."""
     return state().ros_time_changed
 
 

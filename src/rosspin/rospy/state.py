@@ -1,4 +1,4 @@
-"""What rospy keeps of a node in module variables; here, every node of a run has its own."""
+"""The state of a node. rospy keeps it in module variables; here every node of a run has its own."""
 
 from __future__ import annotations
 
@@ -17,14 +17,14 @@ Handler = Callable[[int, Any], None]
 
 
 class Master:
-    """What the nodes of one run share beside topics: the parameters, and who has which name."""
+    """The parameters and the names of nodes, which the nodes of a run share as on a ROS master."""
 
     def __init__(self) -> None:
         self.parameters: dict[str, Any] = {}  # a tree of dictionaries
         self.nodes: dict[str, State] = {}
 
     def set_param(self, name: str, param_value: Any) -> None:
-        """Set the parameter of a full name. The value is what XML-RPC would deliver; errors as in rospy's."""
+        """Set the parameter with a full name, as XML-RPC would deliver it. Raises what ``rospy.set_param`` does."""
         from xmlrpc.client import dumps, loads  # slow to import, and most nodes set nothing
 
         value: Any = loads(dumps((param_value,)))[0][0]
@@ -41,7 +41,7 @@ class Master:
 
 
 def param_path(name: str) -> list[str]:
-    """Where the parameter of a full name is in the tree."""
+    """Return the keys that lead through the tree to the parameter with a full name."""
     return [part for part in name.split(rosgraph.SEP) if part]
 
 
@@ -68,17 +68,17 @@ class State:
 
         self.init_args: tuple[Any, ...] | None = None
         self.initialized = False
-        self.rosout = False  # whether its log is said to be a topic
+        self.rosout = False  # whether /rosout counts as one of its topics
 
         self.shutdown_lock = threading.Lock()
         self.shutdown_requested = False
         self.shutdown = False
         self.shutdown_hooks: list[Callable[[], None]] = []
         self.at_init: list[Callable[[], None]] = []  # rospy's own, called by ``init_node``
-        self.before_shutdown: list[Callable[[], None]] = []  # rospy's own, called after those hooks
+        self.before_shutdown: list[Callable[[], None]] = []  # rospy's own, called after the shutdown hooks
         self.at_shutdown: list[Callable[[], None]] = []  # rospy's own, called once ``shutdown`` is true
 
-        self.timers: list[Any] = []  # those that were started, if ticks are recorded
+        self.timers: list[Any] = []  # all that were started, if ticks are recorded
 
         self.log_level: int | None = None  # None: logging is not set up yet
         self.log_times: dict[object, Any] = {}
@@ -90,13 +90,13 @@ class State:
         self.shutdown_requested = self.shutdown = True
 
     def now(self) -> int:
-        """ROS time as told by /clock, else the clock's, in ns. Raises ROSInitException before ``init_node``."""
+        """The time (ns) that /clock tells, else that of the clock. Raises ROSInitException before ``init_node``."""
         if not self.time_initialized:
             raise ROSInitException("time is not initialized. Have you called init_node()?")
         return self.clock.now() if self.ros_time is None else self.ros_time
 
     def wait_for_ros_time(self, seconds: float) -> None:
-        """Wait until ROS time is told again, for at most this many seconds."""
+        """Wait until ROS time is set again, for at most this many seconds."""
         with self.ros_time_changed:
             self.ros_time_changed.wait(seconds)
 
@@ -108,12 +108,12 @@ class State:
 
 
 def state() -> State:
-    """The state of the node that asks. Raises RuntimeError outside a run."""
+    """The state of the calling node. Raises RuntimeError outside a run."""
     return current_world().part(State)
 
 
 def handle_signals(handler: Handler) -> None:
-    """Register ``handler`` for SIGINT and SIGTERM; handlers that were there are called after it."""
+    """Register ``handler`` for SIGINT and SIGTERM. Earlier handlers are called after it."""
     for number in (signal.SIGTERM, signal.SIGINT):
         previous = signal.getsignal(number)
 

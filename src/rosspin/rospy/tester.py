@@ -19,7 +19,7 @@ __all__ = ["Tester", "give_parameters"]
 
 
 class Tester(tester.Tester):
-    """``world`` is its own; ``messages`` makes the classes of messages, as in ``messages["std_msgs/UInt32"]``."""
+    """A tester on ROS 1 in its own ``world``; ``messages`` makes classes, as in ``messages["std_msgs/UInt32"]``."""
 
     def __init__(self, world: World, messages: Any) -> None:
         super().__init__(world.graph, messages)
@@ -28,7 +28,7 @@ class Tester(tester.Tester):
         self._publications: dict[tuple[str, type[Message]], _Publication] = {}
 
     def publication(self, subscription: Any) -> Publication:
-        """Its end for a subscription."""
+        """The tester's end for a subscription."""
         key = subscription.topic, subscription.data_class
         if key not in self._publications:
             self._publications[key] = _Publication(self._node, *key)
@@ -38,7 +38,7 @@ class Tester(tester.Tester):
         return _Subscription(self._node)
 
     def _publish(self, name: str, args: tuple[Any, ...], fields: Mapping[str, Any]) -> bool:
-        """Publish as ``Publisher.publish`` does; but what it raises breaks no connection."""
+        """Publish as ``Publisher.publish`` does, but with errors that break no connection."""
         ends = [end for end in self._publications.values() if end.topic == name and end.connections]
         if not ends:
             return False
@@ -70,7 +70,7 @@ class _Publication(Publication):
 
     def send(self, message: Message) -> None:
         try:
-            serialize_message(0, message)  # before it could break the connection
+            serialize_message(0, message)  # an error here breaks no connection
         except SerializationError as error:
             raise ROSSerializationException(str(error)) from None
         if self.data_class is AnyMsg:
@@ -79,9 +79,9 @@ class _Publication(Publication):
 
 
 class _Subscription:
-    """A subscription with its only connection, which is there at once.
+    """A subscription and its only connection, which is there at once.
 
-    So nothing that a node publishes is lost, and all of it is checked, as it is when somebody receives it.
+    So no message is lost, and each is checked as if a node had received it.
     """
 
     data_class = AnyMsg
@@ -106,7 +106,7 @@ class _Subscription:
 
 
 def give_parameters(world: World, parameters: Mapping[str, Any]) -> None:
-    """Set parameters of a node before it runs; the caller acts for it. Private ones, ``~rate``, are set with its name.
+    """Set a node's parameters before it runs; the caller acts for it. ``init_node`` sets private ones like ``~rate``.
 
     Raises what ``set_param`` does.
     """

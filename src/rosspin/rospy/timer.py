@@ -41,7 +41,7 @@ class Rate:
     @sleep_dur.setter
     def sleep_dur(self, period: genpy.Duration) -> None:
         before, self._period = self._period, period.to_nsec()
-        self._start += self._passes * (before - self._period)  # from here, as many of the new ones lie behind
+        self._start += self._passes * (before - self._period)  # the next pass is still expected when it was
 
     @property
     def last_time(self) -> Time:
@@ -64,8 +64,8 @@ class Rate:
     def sleep(self) -> None:
         """Sleep until the next period begins; return at once if it has begun already.
 
-        If it is called at most 3 periods after its pass was due to begin, such immediate returns make up for the
-        periods that were missed. If it is called later, they are lost, and the next period is counted from this call.
+        Called at most 3 periods after its pass was due to begin, it makes up for the missed periods by such immediate
+        returns. Called later, it gives them up and counts the next period from this call.
         Raises ROSTimeMovedBackwardsException and ROSInterruptException as :func:`sleep` does.
         """
         node = state()
@@ -74,7 +74,7 @@ class Rate:
         self._pass_start = node.now()
 
     def wait(self, node: State) -> None:
-        """What ``sleep`` does, for a loop whose passes are not ticks of their own."""
+        """Sleep as ``sleep`` does, without recording the pass as a tick."""
         if node.ros_time is None:
             now = node.clock.now()
             last = self._last
@@ -107,9 +107,9 @@ class Rate:
 def sleep(duration: float | genpy.Duration) -> None:
     """Sleep for ``duration`` (seconds or a Duration); return at once if it is negative.
 
-    On the node's own clock the sleep is not cut short by a shutdown. On ROS time, as told by /clock, raises
-    ROSInterruptException at shutdown, ROSTimeMovedBackwardsException when the time moves backwards, and TypeError if
-    a negative duration reaches back to before time 0; and fractions of a nanosecond are cut off.
+    A shutdown does not cut short a sleep on the node's own clock. A sleep on ROS time, as told by /clock, drops
+    fractions of a nanosecond, and raises ROSInterruptException at shutdown, ROSTimeMovedBackwardsException when the
+    time moves backwards, and TypeError if a negative duration reaches back before time 0.
     """
     node = state()
     if isinstance(duration, genpy.Duration):
@@ -128,7 +128,7 @@ def _sleep(node: State, ns: int) -> None:
         node.wait_for_ros_time(0.3)
     began = node.now()
     if began + ns < 0:
-        raise TypeError("time values must be positive")  # what a Time says that is to be before 0
+        raise TypeError("time values must be positive")  # as a Time before 0 does
     while began <= node.now() < began + ns and not node.shutdown:
         node.wait_for_ros_time(0.5)
     if (now := node.now()) < began:
@@ -138,11 +138,11 @@ def _sleep(node: State, ns: int) -> None:
 
 
 class _Attributes:
-    """Where a TimerEvent's attributes are."""
+    """Holds a TimerEvent's attributes, as the TimerEvent makes its ``__dict__`` a property."""
 
 
 class TimerEvent(_Attributes):
-    """What a timer passes to its callback. All but ``last_duration`` are Times; in the first call, each last is None.
+    """What a timer passes to its callback. All but ``last_duration`` are Times. In the first call, ``last_*`` are None.
 
     ``last_expected``, ``last_real``: when the previous call was expected and when it came; ``current_expected``,
     ``current_real``: the same for this call; ``last_duration``: how long the previous call took, in seconds.
@@ -185,7 +185,7 @@ class TimerEvent(_Attributes):
 
 
 def _event(*in_ns: int | None) -> TimerEvent:
-    """A timer's event, in ns. Its attributes are made when one of them is asked for: most callbacks ask for none."""
+    """Make an event from times in ns. Its attributes are made when one is asked for: most callbacks ask for none."""
     event = object.__new__(TimerEvent)
     event._in_ns = in_ns  # type: ignore[attr-defined]
     return event
@@ -194,10 +194,10 @@ def _event(*in_ns: int | None) -> TimerEvent:
 class Timer(threading.Thread):
     """Calls ``callback(TimerEvent)`` every ``period``, for the first time after one period, in a thread of its own.
 
-    The thread is a daemon; it starts at once and runs even if you keep no reference to the timer. It sleeps on a Rate,
-    so what is said there about overruns holds here, too; ``current_expected`` is never adjusted after an overrun. With
-    ``oneshot`` there is only one call. An exception in the callback is printed and ends this timer alone; so does a
-    period that is 0 (ZeroDivisionError), a Time (TypeError), or neither that nor a Duration (AttributeError).
+    The thread is a daemon; it starts at once and runs even if you keep no reference to the timer. It sleeps on a Rate
+    and treats overruns as that does, but never adjusts ``current_expected`` after one. With ``oneshot`` there is only
+    one call. An exception in the callback is printed and ends this timer alone. So does a wrong period: 0
+    (ZeroDivisionError), a Time (TypeError), or anything else that is not a Duration (AttributeError).
     """
 
     def __init__(
@@ -223,7 +223,7 @@ class Timer(threading.Thread):
         self._shutdown = True
 
     def run(self) -> None:
-        """What the timer's thread does."""
+        """Sleep and call back until shutdown, in the timer's thread."""
         node = state()
         clock = node.clock
         rate = Rate(1.0 / self._period.to_sec(), self._reset)
@@ -235,10 +235,10 @@ class Timer(threading.Thread):
         ticks = world.recording.log
         source = world.source(getattr(self._callback, "__name__", type(self._callback).__name__))
         if ticks is not None:
-            self.source = source  # under which its ticks are recorded
+            self.source = source  # the name under which its ticks are recorded
             node.timers.append(self)
         number = 0
-        last_expected = last_real = duration = None  # in ns, as all times here
+        last_expected = last_real = duration = None  # in ns, like all times here
         while not node.shutdown and not self._shutdown:
             try:
                 rate.wait(node)
@@ -253,7 +253,7 @@ class Timer(threading.Thread):
             number += 1
             if ticks is not None:
                 tick = ticks.add(source, number, expected, real)
-            callback = self._callback  # called through a variable, it is not looked for among the methods
+            callback = self._callback  # calling a local variable skips the search among the methods
             callback(_event(last_expected, last_real, expected, real, duration))
             duration = clock.now() - began
             if ticks is not None:

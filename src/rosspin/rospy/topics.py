@@ -1,7 +1,7 @@
 """Publishers, subscribers and the connections between them (source: rospy/topics.py and rospy/impl).
 
-On a real ROS each pair of a publishing and a subscribing node has a TCP connection for each topic, even inside of one
-process, and the subscriber a thread that reads from it and runs the callbacks. Here the same thread reads from a queue.
+On a real ROS each pair of a publishing and a subscribing node has a TCP connection for each topic, even within one
+process. A thread of the subscriber reads from it and runs the callbacks. Here that thread reads from a queue.
 """
 
 from __future__ import annotations
@@ -24,8 +24,8 @@ from .state import State, state
 
 __all__ = ["Publisher", "SubscribeListener", "Subscriber", "Topic"]
 
-# How long (ns) it takes two nodes to connect, by who comes later: what was measured most often on a real ROS. A
-# publisher asks the master at once, but the master tells the subscribers of a new publisher only each 0.1 s.
+# How long (ns) two nodes take to connect, by who comes later: what was measured most often on a real ROS. A subscriber
+# learns at once who publishes, but the master tells subscribers of a new publisher only every 0.1 s.
 LATER_SUBSCRIBER = 5_000_000
 LATER_PUBLISHER = 100_000_000
 
@@ -38,9 +38,9 @@ Callbacks = list[tuple[Callable[..., Any], Any]]
 
 
 class Publication:
-    """A topic as one node publishes it, which all its Publishers share."""
+    """A topic as one node publishes it. All its Publishers share this end."""
 
-    delay = LATER_SUBSCRIBER  # until one that comes later is connected
+    delay = LATER_SUBSCRIBER  # before a later subscriber is connected
 
     def __init__(self, node: State, topic: str, data_class: type[Message]) -> None:
         self.node = node
@@ -57,12 +57,12 @@ class Publication:
         self._lock = threading.RLock()  # a signal handler may publish while its thread does
 
     def register(self) -> None:
-        """Tell the other nodes of it."""
+        """Tell the other nodes of this end."""
         for subscription in self.node.world.graph.advertise(self):
             subscription.connect(self, LATER_PUBLISHER)
 
     def reply(self) -> dict[str, str]:
-        """What it says of itself to those who connect."""
+        """The header that it sends to whoever connects."""
         return {
             "callerid": self.node.name,
             "latching": "1" if self.latches else "0",
@@ -73,7 +73,7 @@ class Publication:
         }
 
     def accept(self, connection: Connection) -> bool:
-        """Let a subscriber be connected, unless it expects another type."""
+        """Connect a subscriber unless it expects another type. Return whether it is connected."""
         wanted = connection.subscription.data_class
         if names.TOPIC_ANYTYPE not in (wanted._md5sum, self.data_class._md5sum) and wanted._md5sum != (
             self.data_class._md5sum
@@ -119,14 +119,14 @@ class Publication:
                 recording.add_message(self.topic, self.node.name, _copy(message, data))
 
     def _send(self, message: Message, connections: list[Connection]) -> bytes | None:
-        """What was sent; None if nobody is there, and nothing was even looked at."""
+        """Send a message and return its bytes; None if nobody is connected, as then it is not even looked at."""
         if not connections:
             return None
         self._sequence += 1
         try:
             data = serialize_message(self._sequence, message)
         except BaseException:
-            # What rospy has written of it stays in the buffer: the next message arrives broken, and the subscriber
+            # The part that rospy has written stays in its buffer: the next message arrives broken, and the subscriber
             # hangs up.
             for connection in self.connections:
                 connection.broken = True
@@ -146,7 +146,7 @@ class Publication:
         connection.close()
 
     def close(self) -> None:
-        """End all connections; what is on its way still arrives."""
+        """End all connections. Messages on their way still arrive."""
         with self._lock:
             self.closed = True
         self.node.world.graph.remove(self)
@@ -157,7 +157,7 @@ class Publication:
 
 
 class Subscription:
-    """A topic as one node subscribes to it, which all its Subscribers share."""
+    """A topic as one node subscribes to it. All its Subscribers share this end."""
 
     def __init__(self, node: State, topic: str, data_class: type[Message]) -> None:
         self.node = node
@@ -172,7 +172,7 @@ class Subscription:
         self.lock = threading.RLock()
 
     def register(self) -> None:
-        """Tell the other nodes of it."""
+        """Tell the other nodes of this end, and connect to those that publish."""
         for publication in self.node.world.graph.subscribe(self):
             self.connect(publication, publication.delay)
 
@@ -181,7 +181,7 @@ class Subscription:
         self.node.world.start(Connection(publication, self, delay))
 
     def set_queue_size(self, queue_size: int | None) -> None:
-        """Keep only so many messages of those that wait; -1 stands for all. Raises ROSException for 0 and the like."""
+        """Keep only so many waiting messages, or all for -1. Raises ROSException for 0 and for non-integers."""
         if queue_size == 0:
             raise ROSException("queue size may not be set to zero")
         if queue_size is not None and type(queue_size) is not int:
@@ -189,7 +189,7 @@ class Subscription:
         self.queue_size = None if queue_size == -1 else queue_size
 
     def add_callback(self, callback: Callable[..., Any], args: Any) -> None:
-        """Call a function with each message; at once with the last one of those who latch."""
+        """Call a function with each message, and at once with the last message of each publisher that latches."""
         with self.lock:
             self.callbacks = [*self.callbacks, (callback, args)]
         for connection in self.connections:
@@ -197,7 +197,7 @@ class Subscription:
                 self._call(connection.latched, callback, args)
 
     def remove_callback(self, callback: Callable[..., Any], args: Any) -> None:
-        """Call it no more, from the next messages on."""
+        """Stop calling a function, from the next messages on."""
         with self.lock:
             left = list(self.callbacks)
             left.remove((callback, args))
@@ -226,7 +226,7 @@ class Subscription:
                 logerr(f"bad callback: {callback}\n{format_error(error)}")
 
     def close(self) -> None:
-        """End all connections; what waits is dropped."""
+        """End all connections. Waiting messages are dropped."""
         with self.lock:
             self.closed = True
             connections, self.connections = self.connections, []
@@ -236,10 +236,10 @@ class Subscription:
 
 
 class Connection(threading.Thread):
-    """Between a publishing and a subscribing node: the thread of the latter that runs the callbacks.
+    """A connection from a publishing to a subscribing node: the thread of the subscriber that runs its callbacks.
 
-    As rospy's it reads what waits, keeps the last ``queue_size``, and runs all these before it reads on. A message of
-    the instant in which it comes back to reading has arrived.
+    Like rospy's, it reads all waiting messages, keeps the last ``queue_size``, and calls back with each of these before
+    it reads again. A message sent at the very time at which it reads again has arrived.
     """
 
     def __init__(self, publication: Publication, subscription: Subscription, delay: int) -> None:
@@ -257,7 +257,7 @@ class Connection(threading.Thread):
         self._gate.acquire()
 
     def request(self) -> dict[str, str]:
-        """What a subscriber says of itself when it connects."""
+        """The header that a subscriber sends when it connects."""
         wanted = self.subscription.data_class
         return {
             "callerid": self.subscription.node.name,
@@ -279,12 +279,12 @@ class Connection(threading.Thread):
         self._open()
 
     def hang_up(self) -> None:
-        """The publisher's end: what waits is still worked off."""
+        """Close the publisher's side. Waiting messages still reach the callbacks."""
         self._is_last = True
         self._open()
 
     def close(self) -> None:
-        """The subscriber's end: what waits is dropped."""
+        """Close the subscriber's side. Waiting messages are dropped."""
         self._closed = True
         self._open()
         with self.publication.node.world.acting():
@@ -297,7 +297,7 @@ class Connection(threading.Thread):
             pass  # it is open
 
     def run(self) -> None:
-        """What the connection's thread does."""
+        """Connect, and read until the connection ends."""
         subscription, publication = self.subscription, self.publication
         subscription.node.clock.sleep(self._delay)
         with subscription.lock:
@@ -334,7 +334,7 @@ class Connection(threading.Thread):
             except (Exception, SystemExit, KeyboardInterrupt):
                 pass  # rospy says so in its log file only; the rest of the batch is gone
             if node.clock.now() != began:
-                node.clock.sleep(0)  # others' messages of this instant
+                node.clock.sleep(0)  # let others send their messages of this time
 
     def _take(self) -> list[bytes]:
         batch = []
@@ -349,14 +349,14 @@ class Connection(threading.Thread):
 
 
 def _copy(message: Message, data: bytes | None) -> Callable[[], Any]:
-    """What makes a copy of a message as it is now, and as a subscriber would get it if it can be sent."""
+    """Return a function that copies a message as it is now, and as a subscriber would get it if it can be sent."""
     if data is None:
         from copy import deepcopy
 
         try:
             data = serialize_message(getattr(getattr(message, "header", None), "seq", 0), message)
         except Exception:
-            kept = deepcopy(message)  # nobody was there to whom it could not be sent
+            kept = deepcopy(message)  # it cannot be sent, but nobody was connected
             return lambda: kept
     kind, sent = type(message), data
     return lambda: kind().deserialize(sent)
@@ -376,7 +376,7 @@ class Topics:
         self.node = world.part(State)
         self.publications: dict[str, Publication] = {}
         self.subscriptions: dict[str, Subscription] = {}
-        self._unknown: list[Publication | Subscription] = []  # of which the others have not been told
+        self._unknown: list[Publication | Subscription] = []  # ends that the other nodes do not know yet
         self._lock = threading.RLock()
         self.node.at_init.append(self.register)
         self.node.before_shutdown.append(self._let_arrive)
@@ -384,7 +384,7 @@ class Topics:
         world.at_end.append(self._close_all)
 
     def acquire(self, kind: type[Impl], ends: dict[str, Impl], topic: str, data_class: type[Message]) -> Impl:
-        """The node's end of a topic, for one more handle of it; to be registered as soon as it is complete."""
+        """Return the node's end of a topic for one more handle, which registers the end once it is complete."""
         with self._lock:
             end = ends.get(topic)
             if end is None:
@@ -394,7 +394,7 @@ class Topics:
             return end
 
     def release(self, ends: dict[str, Impl], end: Impl) -> None:
-        """A handle is no longer used; the last one takes the end with it."""
+        """Give up a handle. The last one closes the end."""
         with self._lock:
             if self.node.shutdown:
                 return
@@ -404,7 +404,7 @@ class Topics:
                 end.close()
 
     def register(self) -> None:
-        """Tell the other nodes of new ends, once there is a node."""
+        """Tell the other nodes of new ends, once this one is initialised."""
         with self._lock:
             while self._unknown and self.node.initialized:
                 end = self._unknown.pop(0)
@@ -412,7 +412,7 @@ class Topics:
                     end.register()
 
     def _let_arrive(self) -> None:
-        """What shutdown hooks have published arrives in this node, too."""
+        """Wait until what shutdown hooks have published has arrived in this node, too."""
         for pause in (0, *_ARRIVAL):  # in simulated time they arrive in no time
             ends = list(self.subscriptions.values())
             if not any(connection.is_due for end in ends for connection in end.connections):
@@ -429,7 +429,7 @@ class Topics:
 class Topic:
     """What Publisher and Subscriber have in common.
 
-    Raises ValueError if the name is not a text or empty, or if ``data_class`` is not the class of a message.
+    Raises ValueError if the name is empty or not a text, or if ``data_class`` is not the class of a message.
     """
 
     def __init__(self, name: str, data_class: type[Message], reg_type: str) -> None:
@@ -458,7 +458,7 @@ class Topic:
         self.impl: Any = None
 
     def get_num_connections(self) -> int:
-        """To how many nodes this one is connected by the topic."""
+        """How many nodes this one is connected to on the topic."""
         return len(self.impl.connections)
 
     def _forget(self) -> None:
@@ -468,10 +468,10 @@ class Topic:
 class Publisher(Topic):
     """Publishes messages of the class ``data_class`` on the topic ``name``.
 
-    Other nodes connect within a while: what is published before is lost. With ``latch`` the last message is kept and
-    sent to whoever connects; ``subscriber_listener`` is told of those. Without a ``queue_size`` it warns; whatever it
-    is, the queue loses nothing here: the real one does where messages come in bursts. ``tcp_nodelay`` and ``headers``
-    have no effect.
+    Other nodes take a while to connect; what is published before is lost. With ``latch`` the last message is kept and
+    sent to whoever connects. ``subscriber_listener`` is told who connects. Without a ``queue_size`` there is a warning,
+    but the queue loses nothing here, whatever its size; the real one loses messages that come in bursts.
+    ``tcp_nodelay`` and ``headers`` have no effect.
     """
 
     impl: Publication | None
@@ -503,11 +503,11 @@ class Publisher(Topic):
             )
 
     def publish(self, *args: Any, **kwds: Any) -> None:
-        """Publish a message, or the message of these field values, all in order or some by keyword.
+        """Publish a message, or one made from field values: all of them in order, or some by keyword.
 
-        Raises ROSException before ``init_node`` and after ``unregister``, TypeError and AttributeError for arguments
-        that make no message, and ROSSerializationException for values of the wrong type, if anybody is connected; that
-        breaks the connections. After shutdown nothing happens.
+        Raises ROSException before ``init_node`` and after ``unregister``, and TypeError or AttributeError for arguments
+        that make no message. If anybody is connected, values of the wrong type raise ROSSerializationException and
+        break the connections. After shutdown nothing happens.
         """
         if self.impl is None:
             raise ROSException("publish() to an unregistered() handle")
@@ -530,9 +530,9 @@ class Publisher(Topic):
 class Subscriber(Topic):
     """Calls ``callback(message)`` with each message on the topic ``name``, in a thread of its own for each publisher.
 
-    If ``callback_args`` is not None, it is the callback's second argument. While a callback runs, messages wait; then
-    the last ``queue_size`` of them are taken, or all of them. All Subscribers of a node to a topic share its thread,
-    their callbacks being called one after the other, and its ``queue_size``. An exception in a callback is logged, and
+    If ``callback_args`` is not None, it is the callback's second argument. Messages that come while a callback runs
+    wait; the last ``queue_size`` of them are taken next, or all. A node's Subscribers to one topic share its threads
+    and its ``queue_size``; their callbacks are called one after the other. An exception in a callback is logged, and
     all goes on. ``buff_size`` and ``tcp_nodelay`` have no effect. Raises ROSException for a ``queue_size`` of 0.
     """
 
@@ -570,7 +570,7 @@ class Subscriber(Topic):
 
 
 class SubscribeListener:
-    """Is told which nodes connect to a publisher: overwrite its methods, which do nothing."""
+    """Is told which nodes connect to a publisher, and which leave. Override its methods, which do nothing."""
 
     def peer_subscribe(
         self, topic_name: str, topic_publish: Callable[[Any], Any], peer_publish: Callable[[Any], Any]

@@ -21,7 +21,7 @@ class ParameterInvalid(Exception):
 
 
 def non_empty(param_name: str) -> Validator:
-    """Check that an argument is true; it is given back. Else ParameterInvalid, which names ``param_name``."""
+    """Return a check of ``param_name``: it returns an argument that is true, and raises ParameterInvalid for others."""
 
     def validator(param: Any, context: Any) -> Any:
         if not param:

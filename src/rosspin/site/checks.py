@@ -1,8 +1,8 @@
-"""Sphinx extension: a build goes over all pages, and ends with a list of what no longer holds and with status 1.
+"""Sphinx extension: a build goes over all pages, and ends with status 1 and a list if something no longer holds.
 
-The list has what the directives, the notebooks and the examples noted, and the exercises that are missing. What was
-noted of a page is kept with the parsed page: a build that does not read it anew says it again. The builder ``doctest``
-is Sphinx's own; the builder ``outputs`` writes what follows from the runs into the pages.
+The list has what the directives, the notebooks and the examples noted, and the missing exercises. Notes are kept with
+the parsed page: a build that does not read the page anew lists them again. The builder ``doctest`` is Sphinx's own;
+the builder ``outputs`` writes what follows from the runs into the pages.
 """
 
 from __future__ import annotations
@@ -34,7 +34,7 @@ def noted(env: BuildEnvironment) -> dict[str, set[Stale]]:
 
 
 def note(env: BuildEnvironment, line: int, stands: str, now: str, block: tuple[int, int] | None = None) -> None:
-    """Add something on the page being read to the list; ``block``: the lines whose sentence it is about."""
+    """Add something on the page being read to the list. ``block`` are the lines whose sentence it is about."""
     path = Path(env.doc2path(env.docname))
     text = sentence_near(path.read_text(encoding="utf-8"), *block) if block else ""
     stale = Stale(path.relative_to(env.srcdir).as_posix(), line, stands, now, text)
@@ -52,18 +52,18 @@ class OutputsBuilder(DummyBuilder):
     epilog = ""
 
     def get_outdated_docs(self) -> set[str]:
-        """None: what there is to do is done when pages are read and when the build ends."""
+        """Return none: all is done when pages are read, and when the build ends."""
         return set()
 
     def write_documents(self, docnames: AbstractSet[str]) -> None:
-        """Nothing."""
+        """Write nothing."""
 
 
 def setup(app: Sphinx) -> ExtensionMetadata:
-    """Connect the above."""
+    """Add the builder and connect the functions below."""
     app.setup_extension("sphinx.ext.doctest")
     app.add_builder(OutputsBuilder)
-    # A digest of all that the pages run, from conf.py. When it changes, pages are read again, and also written again if
+    # A digest, from conf.py, of all that the pages run. If it changes, pages are read again, and also written again if
     # another builder has read them.
     app.add_config_value("what_pages_run", "", "env")
     app.add_config_value("what_pages_show", lambda config: config.what_pages_run, "html")
@@ -77,13 +77,13 @@ def setup(app: Sphinx) -> ExtensionMetadata:
 
 def _run_examples(app: Sphinx, doctree: nodes.document) -> None:
     for block in doctree.findall(nodes.doctest_block):
-        block.source = block.source or doctree["source"]  # in a directive, docutils leaves it out
+        block.source = block.source or doctree["source"]  # docutils leaves it out in a directive
     if stale := stale_examples(app, doctree):
         noted(app.env).setdefault(app.env.docname, set()).update(stale)
 
 
 def _look_at_picture(app: Sphinx, env: BuildEnvironment) -> None:
-    """Make the README's picture anew if what it follows from has changed, and keep what was found."""
+    """Check the README's picture if what it depends on has changed, and keep what was found."""
     shown = [path.read_bytes() for path in (Path(app.srcdir, "README.md"), *Path(app.srcdir, "docs").glob("*.svg"))]
     key = app.config.what_pages_run, shown
     if getattr(env, "rosspin_picture", [None])[0] != key:
@@ -109,7 +109,7 @@ def _read_notebook(app: Sphinx, doctree: nodes.document) -> None:
         for output in cell["outputs"]:
             for line, stands, now in json.loads(output.get("data", {}).get(MIME, "[]")):
                 note(app.env, start + line - 1, stands, now, block)
-            # A name that is not there is missing because of the cell that failed before.
+            # A missing name is due to the cell that failed before.
             if output["output_type"] == "error" and not (failed and output["ename"] == "NameError"):
                 line = _line_of(output["traceback"])
                 error = f"{output['ename']}: {output['evalue']}"
@@ -118,19 +118,19 @@ def _read_notebook(app: Sphinx, doctree: nodes.document) -> None:
             # A folded answer is a solution.
             elif "hide-cell" in cell["metadata"].get("tags", []) and (said := _not_yet(output)):
                 note(app.env, start, source[0], said)
-            # What a magic says of its own arguments is only printed.
+            # A magic only prints what is wrong with its arguments.
             elif (printed := "".join(output.get("text", []))).startswith("UsageError: "):
                 note(app.env, start, source[0], printed, block)
 
 
 def _not_yet(output: dict[str, Any]) -> str:
-    """What is said of an answer that is not right; "" of one that is, and of what is no answer."""
+    """Return the verdict on an answer that is not right; "" for one that is, and for what is no answer."""
     said = "".join(output.get("data", {}).get("text/plain", []))
     return said if re.match(r"Exercise \d+: not yet\.", said) else ""
 
 
 def missing_exercises(root: Path) -> Iterator[Stale]:
-    """The exercises that have a check but no answer on their page, of the pages in ``root``/notebooks."""
+    """Yield the exercises that have a check but no answer on their page in ``root``/notebooks."""
     for page in sorted(root.glob("notebooks/*.md")):
         found = re.findall(r"^%%answer (\d+)$", page.read_text(encoding="utf-8"), re.MULTILINE)
         on_page = {exercise.ros for exercise in EXERCISES if str(exercise.number) in found}
@@ -141,7 +141,7 @@ def missing_exercises(root: Path) -> Iterator[Stale]:
 
 
 def _line_of(traceback: list[str]) -> int:
-    """The line of a cell, counted from 1, at which it failed."""
+    """Return the line of a cell, counted from 1, at which it failed."""
     plain = re.sub(r"\x1b\[[\d;]*m", "", "\n".join(traceback))
     found = re.search(r"Cell In\s*\[\d+\], line (\d+)", plain)
     return int(found[1]) if found else 1
@@ -151,7 +151,7 @@ def _finish(app: Sphinx, error: Exception | None) -> None:
     """Say what no longer holds, or write what can be written."""
     if error is not None:
         return
-    # Sphinx gives its warnings only when it reads or writes a page: the next build begins anew.
+    # Sphinx warns only when it reads or writes a page, so the next build has to begin anew.
     if app._warncount:
         Path(app.doctreedir, ENV_PICKLE_FILENAME).unlink(missing_ok=True)
     root = Path(app.srcdir)
@@ -165,7 +165,7 @@ def _finish(app: Sphinx, error: Exception | None) -> None:
 
 
 def _write(root: Path, stale: Sequence[Stale]) -> int:
-    """Make the edits, and name the files; the status."""
+    """Make the edits, print the names of the files, and return the status."""
     edits = [edit for entry in stale for edit in entry.edits]
     write(root, edits)
     for file in sorted({edit.file for edit in edits}):

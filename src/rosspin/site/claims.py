@@ -1,4 +1,4 @@
-"""What a page says of a run, held against the run: facts, the sentences they are about, the list of what is stale."""
+"""Hold what a page says about a run against the run: facts, their sentences, and the list of what is stale."""
 
 from __future__ import annotations
 
@@ -12,15 +12,15 @@ from dataclasses import dataclass
 
 __all__ = ["MIME", "Edit", "Facts", "Stale", "one_line", "report", "sentence_near"]
 
-# How a notebook's cell hands to the build what it found: a list of (line, what stands there, what the run says now).
+# A notebook's cell hands its findings to the build as this: a list of (line, what stands there, what the run says now).
 MIME = "application/vnd.rosspin.stale+json"
 
-_WIDTH = 200  # characters of a value or a sentence; more would not be read
+_WIDTH = 200  # characters of a value or a sentence: nobody would read more
 
 
 @dataclass(frozen=True)
 class Edit:
-    """Lines of a file, counted from 0 and without ``end``, and what is to stand there instead."""
+    """The lines of a file from ``start`` up to but not including ``end``, counted from 0, and their replacement."""
 
     file: str
     start: int
@@ -32,8 +32,8 @@ class Edit:
 class Stale:
     """Something that no longer holds: where it stands, what stands there, and what the run says now.
 
-    ``text`` is the sentence that a fact is about, ``edits`` what ``make outputs`` would do about it; ``failed``: it
-    would, but the run ended in an error.
+    ``text`` is the sentence that a fact is about; ``edits`` are what ``make outputs`` would do about it. ``failed``
+    says that it cannot, as the run ended in an error.
     """
 
     page: str
@@ -48,8 +48,8 @@ class Stale:
 class Facts:
     """Statements about runs, with the names that they share.
 
-    One that fails does not keep those after it from being run, so that all that no longer holds is found at once. What
-    only follows from it, because it needs a name that was never set, is passed over.
+    After one that fails the others are still run, so that all that no longer holds is found at once. A failure is
+    passed over if it only follows from an earlier one, which left a name unset.
     """
 
     def __init__(self, names: dict[str, object] | None = None) -> None:
@@ -57,7 +57,7 @@ class Facts:
         self._unset: set[str] = set()
 
     def run(self, code: str, file: str) -> Iterator[tuple[int, str, str]]:
-        """Each statement of ``code`` that fails: its line, itself, and what the run says now."""
+        """Yield each statement of ``code`` that fails: its line, its text, and what the run says now."""
         for statement in ast.parse(code, file).body:
             try:
                 exec(compile(ast.Module([statement], []), file, "exec", dont_inherit=True), self._names)
@@ -69,7 +69,7 @@ class Facts:
                 self._unset |= _names(statement, ast.Store)
 
     def value(self, expression: str) -> tuple[str, str | None]:
-        """An expression, with a format as in an f-string, as text; and why it has no value, if that is to be told."""
+        """Return an expression, with a format as in an f-string, as text; and why it has no value, if worth telling."""
         field = f'f"""{{{expression}}}"""'
         try:
             return str(eval(field, self._names)), None
@@ -86,7 +86,7 @@ def _names(tree: ast.AST, use: type[ast.expr_context]) -> set[str]:
 
 
 def _innermost(error: Exception, file: str) -> tuple[types.FrameType, int]:
-    """The last frame of an error in ``file``, and its line there."""
+    """Return the innermost frame of an error in ``file``, and its line there."""
     *_, found = ((f, n) for f, n in traceback.walk_tb(error.__traceback__) if f.f_code.co_filename == file)
     return found
 
@@ -112,7 +112,7 @@ def _says_now(error: Exception, failed: ast.stmt, frame: types.FrameType) -> str
 
 
 def _sides(test: ast.expr, frame: types.FrameType) -> Iterator[str]:
-    """The sides of the comparisons in a test that is false, with their values."""
+    """Yield the sides of the comparisons in a test that is false, with their values."""
     if isinstance(test, ast.BoolOp):
         for part in test.values:
             if not _evaluated(part, frame):
@@ -124,7 +124,7 @@ def _sides(test: ast.expr, frame: types.FrameType) -> Iterator[str]:
 
 
 def _used(test: ast.expr, frame: types.FrameType) -> Iterator[str]:
-    """The names in a test that stand for data."""
+    """Yield the names in a test that stand for data, with their values."""
     known = {**frame.f_globals, **frame.f_locals}
     for node in ast.walk(test):
         if isinstance(node, ast.Name) and node.id in known and not callable(known[node.id]):
@@ -142,14 +142,14 @@ def _is_now(expression: ast.expr, frame: types.FrameType) -> str:
 
 
 def one_line(error: BaseException) -> str:
-    """An error as the last line of its traceback."""
+    """Return the last line of an error's traceback."""
     return " ".join("".join(traceback.format_exception_only(error)).split())
 
 
 def sentence_near(page: str, start: int, end: int) -> str:
-    """The paragraph that the lines ``start`` to ``end`` of a page, counted from 1, are about.
+    """Return the paragraph that the lines ``start`` to ``end`` of a page, counted from 1, are about.
 
-    It is the one below them, unless a heading or code comes first: then it is the one above them.
+    It is the one below them, or the one above them if a heading or code comes first below.
     """
     lines = page.splitlines()
     below = next(_paragraphs(lines[end:]), "")
@@ -158,7 +158,7 @@ def sentence_near(page: str, start: int, end: int) -> str:
 
 
 def _paragraphs(lines: list[str]) -> Iterator[str]:
-    """Each block of a page in one line; "" for one that is not prose."""
+    """Yield each block of a page as one line; "" for one that is not prose."""
     fenced = False
     for block in re.split(r"\n\s*\n", "\n".join(lines)):
         was_fenced = fenced
@@ -169,7 +169,7 @@ def _paragraphs(lines: list[str]) -> Iterator[str]:
 
 
 def report(found: Iterable[Stale]) -> str:
-    """The list for the author, by page and line."""
+    """Write the list for the author, by page and line."""
     stale = sorted(found, key=lambda entry: (entry.page, entry.line))
     parts = ["What follows no longer holds:"]
     for entry in stale:

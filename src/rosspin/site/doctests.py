@@ -1,4 +1,4 @@
-"""The examples of a page, run as ``sphinx.ext.doctest`` runs them, for the list of what no longer holds."""
+"""Run the examples of a page as ``sphinx.ext.doctest`` does, for the list of what no longer holds."""
 
 from __future__ import annotations
 
@@ -20,9 +20,9 @@ __all__ = ["stale_examples"]
 
 
 def stale_examples(app: Sphinx, doctree: nodes.document) -> list[Stale]:
-    """The examples on the page being read whose runs say otherwise. Each has its edit, unless its run failed."""
+    """Return the examples on the page being read whose runs differ. Each has its edit, unless its run failed."""
     examples = _Examples(app)
-    # As the builder does for good when it begins: code between examples has more than one statement.
+    # The builder does this for good when it begins: code blocks have more than one statement.
     with chdir(app.srcdir), patch.object(doctest, "compile", examples.compile, create=True):
         examples.test_doc(app.env.docname, doctree)
     return examples.stale
@@ -45,16 +45,16 @@ class _Failures(SphinxDocTestRunner):
         example: doctest.Example,
         exc_info: tuple[type[BaseException], BaseException, TracebackType],
     ) -> None:
-        # A name that is not there is missing because of the example that failed before.
+        # A missing name is due to the example that failed before.
         if not (self.failed and isinstance(exc_info[1], NameError)):
             self.failed.append((test, example, one_line(exc_info[1]), False))
 
 
 class _Examples(DocTestBuilder):
-    """Sphinx's own, with its groups, options and conditions, at work while any builder reads a page."""
+    """Sphinx's own builder, with its groups, options and conditions, used while any builder reads a page."""
 
     def __init__(self, app: Sphinx) -> None:
-        """Not as a builder, which would open a file for its results and set the tag ``doctest``."""
+        """Skip the builder's own, which would open a file for its results and set the tag ``doctest``."""
         self.config, self.env = app.config, app.env
         self.opt = self.config.doctest_default_flags
         self.total_failures = self.total_tries = self.setup_failures = self.setup_tries = 0
@@ -62,13 +62,13 @@ class _Examples(DocTestBuilder):
         self.stale: list[Stale] = []
 
     def _out(self, text: str) -> None:
-        """Nothing: the list says it."""
+        """Print nothing: the list says it."""
 
     _warn_out = _out
 
     @staticmethod
     def get_line_number(node: nodes.Node) -> int | None:
-        """The line of the file, counted from 0, at which the content of a block begins; None if it has none there."""
+        """Return the line of the file, counted from 0, at which a block's content begins; None if not in the file."""
         return _first_line(cast(nodes.Element, node))
 
     def test_group(self, group: TestGroup) -> bool:
@@ -79,7 +79,7 @@ class _Examples(DocTestBuilder):
         outputs = {(test[0].filename, test[0].lineno): test[1] for test in group.tests if len(test) == 2}
         for test, example, now, is_output in runner.failed:
             page, edit = str(test.filename), None
-            if test.name != group.name:  # in what is done before and after
+            if test.name != group.name:  # in the set-up or the clean-up
                 start = example.lineno or 0
             elif (page, test.lineno) in outputs:
                 output = outputs[page, test.lineno]
@@ -98,7 +98,7 @@ class _Examples(DocTestBuilder):
 
 
 def _first_line(node: nodes.Element) -> int | None:
-    """Where the text of a block begins in its file: at the line of its directive, or after that."""
+    """Return where the text of a block begins in its file: at the line of its directive, or below."""
     file = Path(node.source or "")
     if not file.is_file():  # in a docstring
         return None
@@ -109,14 +109,14 @@ def _first_line(node: nodes.Element) -> int | None:
 
 
 def _below_prompt(page: str, start: int, example: doctest.Example, now: str) -> Edit:
-    """Its output as ``doctest`` reads it."""
+    """Replace an example's output, as ``doctest`` reads it."""
     margin = _margin(Path(page).read_text(encoding="utf-8").splitlines()[start - 1])
     lines = (margin + (line.rstrip() or "<BLANKLINE>") for line in now.splitlines())
     return Edit(page, start, start + example.want.count("\n"), tuple(lines))
 
 
 def _below_code(page: str, start: int, want: str, now: str) -> Edit | None:
-    """Its output as the content of ``testoutput``; None where that cannot hold it."""
+    """Replace the content of ``testoutput``; None if it cannot hold this output."""
     if now.strip("\n") != now.removesuffix("\n") or textwrap.dedent(now) != now or "```" in now:
         return None
     old = textwrap.dedent(want).splitlines()
@@ -130,7 +130,7 @@ def _margin(line: str) -> str:
 
 
 def _without_frames(got: str, example: doctest.Example) -> str:
-    """What an example printed; if it raised another error than the page says, then as the page would have it."""
+    """Return what an example printed; an error without its frames, as the page shows errors."""
     frames = [number for number, line in enumerate(got.splitlines()) if line.startswith("  ")]
     if example.exc_msg is None or not got.startswith("Traceback") or not frames:
         return got

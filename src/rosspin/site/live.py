@@ -1,8 +1,8 @@
-"""Sphinx extension: listings that can be run in the page, and what the pages allow themselves to load.
+"""Sphinx extension: listings that run in the page, and the policy on what a page may load.
 
-A listing of the class ``live`` (``:class: live`` on its literalinclude, the tag ``live`` on a notebook cell) is run
-by ``web/``, which finds it in the page. Below it stands the plot of a run that is made with the page. Figures with a
-handle are moved by ``web/``, too.
+A listing of the class ``live`` (``:class: live`` on its literalinclude, the tag ``live`` on a notebook cell) is found
+and run by ``web/``. Below it stands the plot of a run that is made with the page. ``web/`` also moves the figures with
+a handle.
 """
 
 from __future__ import annotations
@@ -39,13 +39,13 @@ _HAND_IN = "hand-in/hand-in.js"
 _JUDGE = "hand-in/judge.js"
 _HAND_IN_STYLE = "hand-in/hand-in.css"
 
-# For how long (s) a listing is run, unless its first line says otherwise; web/src/cell.js says so, too.
+# How long (s) a listing runs, unless its first line says otherwise. web/src/cell.js has the same number.
 SECONDS = 10.0
 
-# Until the script is there, which takes it away.
+# Shown until the script is there and takes it away.
 _NO_SCRIPT = '<p class="live-missing">To run this listing here, the page needs JavaScript.</p>'
 
-# What the theme and myst-nb write, and what they should: a name that hides the words that are seen.
+# Names by which the theme and myst-nb hide the visible words from a screen reader, and their replacements.
 _MENDED = {
     r'(<button [^>]*\bsearch-button-field\b[^>]*) aria-label="Search"': r"\1",
     '<summary aria-label="Toggle hidden content">': "<summary>",
@@ -56,7 +56,7 @@ _CHARSET = '<meta charset="utf-8" />'
 
 
 def setup(app: Sphinx) -> ExtensionMetadata:
-    """Connect what follows."""
+    """Connect the functions below."""
     app.connect("doctree-read", _mark_cells)
     app.connect("doctree-resolved", _add_below)
     app.connect("html-page-context", _add_files)
@@ -72,7 +72,7 @@ def _mark_cells(app: Sphinx, doctree: nodes.document) -> None:
 
 
 def _live_listings(app: Sphinx, doctree: nodes.document | None) -> list[nodes.literal_block]:
-    # Where web/ was not built, as for the doctests, the listings are plain.
+    # If web/ was not built, as for the doctests, the listings are plain.
     if doctree is None or not _is_built(app, _SCRIPT):
         return []
     return [node for node in doctree.findall(nodes.literal_block) if "live" in node["classes"]]
@@ -83,7 +83,7 @@ def _is_built(app: Sphinx, file: str) -> bool:
 
 
 def _add_below(app: Sphinx, doctree: nodes.document, name: str) -> None:
-    """Add to each live listing its plot, and what is missing until the script is there."""
+    """Add to each live listing its plot, and a note that is shown until the script is there."""
     for listing in _live_listings(app, doctree):
         captioned = isinstance(listing.parent, nodes.container) and "literal-block-wrapper" in listing.parent["classes"]
         place = listing.parent if captioned else listing
@@ -92,9 +92,9 @@ def _add_below(app: Sphinx, doctree: nodes.document, name: str) -> None:
 
 
 def plot(text: str) -> str:
-    """The timeline of a run of a listing in simulated time, as HTML; empty if it has no ticks.
+    """Run a listing in simulated time, and return its timeline as HTML; empty if there are no ticks.
 
-    A first line ``%%simulate SECONDS -- ARGS`` says for how long and with which arguments.
+    A first line ``%%simulate SECONDS -- ARGS`` gives the time and the arguments.
     """
     first, _, rest = text.partition("\n")
     seconds, args = SECONDS, cast(Sequence[str], ())
@@ -131,7 +131,7 @@ def _add_files(app: Sphinx, page: str, template: str, context: dict[str, Any], d
 
 
 def _finish_pages(app: Sphinx, error: Exception | None) -> None:
-    """Give each page that was written its Content-Security-Policy, and mend the names in it."""
+    """Give each written page its Content-Security-Policy, and mend the names in it."""
     if error is not None or app.builder.format != "html":
         return
     for path in Path(app.outdir).rglob("*.html"):
@@ -144,9 +144,9 @@ def _finish_pages(app: Sphinx, error: Exception | None) -> None:
 
 
 def policy(page: str) -> str:
-    """The Content-Security-Policy of a page, given as HTML: nothing from elsewhere, of inline scripts only its own.
+    """Return the Content-Security-Policy of a page (HTML): nothing from elsewhere, no inline scripts but its own.
 
-    Styles may be inline: plots, tables and the editor have theirs.
+    Styles may be inline, as plots, tables and the editor need them.
     """
     digests = [hashlib.sha256(script.encode()).digest() for script in _INLINE_SCRIPT.findall(page)]
     hashes = [f"'sha256-{base64.b64encode(digest).decode()}'" for digest in digests]

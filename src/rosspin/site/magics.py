@@ -1,4 +1,4 @@
-"""The cell magics ``%%simulate``, ``%%measure`` and ``%%answer``, which take a cell as a node file; and ``%%facts``."""
+"""The cell magics ``%%simulate``, ``%%measure`` and ``%%answer``, for which a cell is a node file, and ``%%facts``."""
 
 from __future__ import annotations
 
@@ -40,13 +40,13 @@ def _parser(name: str) -> _Parser:
 
 
 def _below_its_magic(cell: str) -> str:
-    """The text of a cell with an empty line for the magic's, so that the line numbers are those of the cell."""
+    """Put an empty line in the place of the magic's line, so that the line numbers are those of the cell."""
     return f"\n{cell}"
 
 
 @magics_class
 class Magics(BaseMagics):
-    """Cell magics. In a cell that is run as a node file, ``import rospy`` or ``import rclpy`` imports a stand-in."""
+    """Cell magics. A cell that runs as a node file imports a stand-in with ``import rospy`` or ``import rclpy``."""
 
     def __init__(self, shell: Any) -> None:
         super().__init__(shell)
@@ -80,9 +80,9 @@ class Magics(BaseMagics):
 
     @cell_magic
     def facts(self, line: str, cell: str) -> None:
-        """``%%facts``: statements that hold if the text around the cell is true. What fails is said, and no more.
+        """``%%facts``: statements that hold if the text around the cell is true. Those that fail are reported, no more.
 
-        The build of the site fails then; a reader who has changed a node goes on.
+        A build of the site then fails; a reader who has changed a node goes on.
         """
         shell: Any = self.shell
         found = list(Facts(shell.user_ns).run(_below_its_magic(cell), f"<cell {shell.execution_count}>"))
@@ -91,7 +91,7 @@ class Magics(BaseMagics):
             shell.display_pub.publish({MIME: json.dumps(found), "text/plain": said})
 
     def _is_attended(self) -> bool:
-        """Whether a reader runs the notebook, who can be asked for input, and not a build of the site."""
+        """Whether a reader runs the notebook and can be asked for input, not a build of the site."""
         kernel = getattr(self.shell, "kernel", None)
         return kernel is None or bool(kernel._allow_stdin)
 

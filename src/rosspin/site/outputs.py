@@ -1,6 +1,6 @@
-"""What stands in the tree and follows from runs, beside the examples of the pages, and how it is written anew.
+"""Find and rewrite what follows from runs, besides the outputs of the pages' examples.
 
-That is the nodes that notebooks copy from ``examples/``, and the README's picture.
+These are the copies of ``examples/`` in notebooks, and the README's picture.
 """
 
 from __future__ import annotations
@@ -20,10 +20,10 @@ from .claims import Edit, Stale, one_line
 
 __all__ = ["differences", "stale_copies", "stale_picture", "write"]
 
-# What the README shows is the plot of this run.
+# The README shows the plot of this run.
 _PICTURE, _PICTURED = "docs/timing.svg", ("examples/my_robotics_pkg/src/spinner_py_node.py", 5.0)
 
-# A notebook's cell with the option `copy-of`, the path of a file; the cell's first line may be a magic.
+# A notebook's cell with the option `copy-of`, the path of the copied file. The cell's first line may be a magic.
 _COPY = re.compile(
     r"^```\{code-cell\}.*\n(?:(?!:copy-of:):.*\n)*:copy-of: (?P<file>.*)\n(?::.*\n)*\n?"
     r"(?:%%.*\n)?(?P<code>(?:.*\n)*?)```$",
@@ -32,13 +32,13 @@ _COPY = re.compile(
 
 
 def stale_copies(root: Path) -> list[Stale]:
-    """The places in ``root``/notebooks at which a copy of a node is not as the node is."""
+    """Return the places in ``root``/notebooks where the copy of a node differs from the node."""
     with chdir(root):
         return [stale for notebook in sorted(Path("notebooks").glob("*.md")) for stale in _copies(notebook.as_posix())]
 
 
 def stale_picture(root: Path) -> list[Stale]:
-    """The README's picture, if its run is not as it shows."""
+    """Return the README's picture, if it does not show its run any more."""
     with chdir(root):
         return list(_picture("README.md"))
 
@@ -56,19 +56,19 @@ def _copies(notebook: str) -> Iterator[Stale]:
 
 
 def differences(old: list[str], new: list[str]) -> list[tuple[str, int, int, int, int]]:
-    """The opcodes of what is not equal in two texts, as difflib has them."""
+    """Return difflib's opcodes for what differs between two texts."""
     codes = difflib.SequenceMatcher(None, old, new, autojunk=False).get_opcodes()
     return [code for code in codes if code[0] != "equal"]
 
 
 def _picture(readme: str) -> Iterator[Stale]:
-    """The picture, and the words that stand for it in the README."""
+    """Compare the picture, and its text alternative in the README, with the run."""
     node, seconds = _PICTURED
     lines = Path(readme).read_text(encoding="utf-8").splitlines()
     number = next(number for number, line in enumerate(lines) if f"]({_PICTURE})" in line)
     try:
         ticks = simulate(node, seconds).ticks
-    except Exception as error:  # whatever the author's node raises: all else is listed, too
+    except Exception as error:  # whatever the author's node raises, all else is listed, too
         yield Stale(readme, number + 1, lines[number], one_line(error), failed=True)
         return
     if not ticks:
@@ -88,7 +88,7 @@ def _picture(readme: str) -> Iterator[Stale]:
 
 
 def write(root: Path, edits: Iterable[Edit]) -> None:
-    """Make the edits, in the folder ``root``. Of two for the same lines, as two groups of examples may have, one."""
+    """Make the edits in the folder ``root``. Two groups of examples may have the same edit: it is made once."""
     by_file: dict[str, dict[int, Edit]] = defaultdict(dict)
     for edit in edits:
         by_file[edit.file][edit.start] = edit

@@ -1,4 +1,4 @@
-"""Sphinx extension: what the pages need to show runs."""
+"""Sphinx extension: the directives and roles by which pages show runs."""
 
 from __future__ import annotations
 
@@ -45,16 +45,16 @@ __all__ = ["setup"]
 class TicksDirective(SphinxDirective):
     """``.. ticks:: FILE ARGS`` with ``:seconds: S``: runs a node file in simulated time and draws its timeline.
 
-    FILE is relative to the page. More than one, each on a line of the content as ``NAME: FILE ARGS``, share one plot.
-    With ``:period: S`` the plot has the whole grid of that period, and crosses for the lost ticks. With
-    ``:topic: /NAME`` it draws the messages that the node published on a topic, in place of its ticks.
+    FILE is relative to the page. Several files, each on a line of the content as ``NAME: FILE ARGS``, share one plot.
+    With ``:period: S`` the plot shows the whole grid of that period, and crosses for lost ticks. With ``:topic: /NAME``
+    it shows the messages that the node published on a topic, in place of its ticks.
 
-    ``:handle: LABEL, FROM to TO by STEP UNIT`` lets the reader move a number, whose runs are all made now. It stands
-    in ARGS as ``{}``, or it is what the file assigns to the variable named by ``:sets:``. It is ``:at:`` first, or as
-    the file has it. ``:lines: FROM-TO`` shows these lines of the file beside the plot, where the number follows the
-    handle.
+    ``:handle: LABEL, FROM to TO by STEP UNIT`` lets the reader move a number; a run is made now for each value. The
+    number replaces ``{}`` in ARGS, or what the file assigns to the variable named by ``:sets:``. It begins with
+    ``:at:``, or as the file has it. ``:lines: FROM-TO`` shows these lines of the file beside the plot, where the number
+    follows the handle.
 
-    A C++ file can only be ``timer_probe.cpp``, of which the rule is known.
+    The only C++ file can be ``timer_probe.cpp``, whose rule is known.
     """
 
     has_content = True
@@ -71,7 +71,7 @@ class TicksDirective(SphinxDirective):
             return list(self._shown(self._plot()))
         except Exception as error:
             command = self.arguments[0] if self.arguments else "; ".join(self.content) or "nothing"
-            # What is wrong with the directive is said in a sentence; errors of other kinds need their names.
+            # A fault of the directive is a sentence; other errors need their names.
             said = str(error) if type(error) is ValueError else one_line(error)
             note(self.env, self.lineno, f"a plot of {command}", said)
             return []
@@ -114,7 +114,7 @@ class TicksDirective(SphinxDirective):
         if not sets and not any("{}" in word for _, *args in self._commands().values() for word in args):
             raise ValueError("the handle moves nothing: name a variable with :sets:, or write {} among the arguments")
         if not sets and "at" not in self.options:
-            raise ValueError("where the handle is at first is missing: :at:, or a variable with :sets:")
+            raise ValueError("the handle's first position is missing: give :at:, or a variable with :sets:")
         at = self.options["at"] if "at" in self.options else float(self._assignment(sets)[2])
         values = {at, *(round(first + number * step, 9) for number in range(round((last - first) / step) + 1))}
         runs = {value: self._ticks(value, f" at {value:g} {found[5]}") for value in sorted(values)}
@@ -135,7 +135,7 @@ class TicksDirective(SphinxDirective):
     def _run(self, path: str, args: list[str], value: float | None) -> Sequence[Tick]:
         if path.endswith(".cpp"):
             if os.path.basename(path) != "timer_probe.cpp":
-                raise ValueError("C++ cannot be run here; of timer_probe.cpp the rule is known, and of no other file")
+                raise ValueError("C++ cannot be run here: the only rule that is known is that of timer_probe.cpp")
             return timer_probe(self.options["seconds"], args)
         node = load(path)
         if value is not None and "sets" in self.options:
@@ -146,7 +146,7 @@ class TicksDirective(SphinxDirective):
         return topic_ticks(run.messages, topic) if topic else run.ticks
 
     def _assignment(self, variable: str) -> re.Match[str]:
-        """The line of the first file that assigns a number to a variable."""
+        """Find the line of the first file that assigns a number to a variable."""
         file = next(iter(self._commands().values()))[0]
         text = Path(self._file(file)).read_text(encoding="utf-8")
         found = re.search(rf"^( *{re.escape(variable)} = )([\d.]+)$", text, re.MULTILINE)
@@ -169,16 +169,16 @@ class TicksDirective(SphinxDirective):
 
 
 class FactsDirective(SphinxDirective):
-    """``.. facts::``: Python that is run and not shown, in the source folder, above the sentence that it is about.
+    """``.. facts::``: Python above the sentence that it is about, run in the source folder and not shown.
 
-    A statement that fails is listed at the end of the build, which then fails. Its names are there for the facts after
-    it on the page and for the role ``fact``.
+    A statement that fails is listed at the end of the build, which then fails. Later facts on the page and the role
+    ``fact`` can use its names.
     """
 
     has_content = True
 
     def run(self) -> list[nodes.Node]:
-        """Nothing to see."""
+        """Run the facts, and show nothing."""
         file, line = self.get_source_info()
         code = "\n" * self.content_offset + "\n".join(self.content)
         block = line, self.content_offset + len(self.content)
@@ -189,7 +189,7 @@ class FactsDirective(SphinxDirective):
 
 
 class FactRole(SphinxRole):
-    """``fact``, with an expression and a format as in an f-string: a value made from the page's facts."""
+    """``fact``: a value from the page's facts, given as an expression and a format as in an f-string."""
 
     def run(self) -> tuple[list[nodes.Node], list[nodes.system_message]]:
         """The value as text."""
@@ -204,10 +204,10 @@ def _facts(env: BuildEnvironment) -> Facts:
 
 
 class ListingDirective(LiteralInclude):
-    """``literalinclude``, which also knows from which file a listing was changed: ``:changed-from: FILE``.
+    """``literalinclude`` with ``:changed-from: FILE``, the file of which the listing is a changed copy.
 
-    The lines that FILE has not, or has otherwise, are marked. What cannot be shown is listed at the end of the
-    build, and so is a caption that names a file which is not in ``examples/``.
+    The lines that FILE lacks, or has in another form, are marked. The list at the end of the build has what cannot be
+    shown, and captions that name a file which is not in ``examples/``.
     """
 
     option_spec: ClassVar = {**LiteralInclude.option_spec, "changed-from": directives.unchanged_required}
@@ -246,12 +246,12 @@ class UsageDirective(SphinxDirective):
 
 
 class NamesDirective(SphinxDirective):
-    """``.. names:: rospy full``: the names that a stand-in has; ``part``: those it has in part; ``none``: has not."""
+    """``.. names:: rospy full``: the names that a stand-in has; ``part``: has in part; ``none``: does not have."""
 
     required_arguments = 2
 
     def run(self) -> list[nodes.Node]:
-        """A table of what there is, or of what is lacking; what is missing is a row of names."""
+        """A table of the names that there are, or of what some of them lack; for ``none`` a row of names."""
         module, which = self.arguments
         stand_in = {"rospy": rospy, "rclpy": rclpy}[module]
         match which:
@@ -285,13 +285,13 @@ def _rospy_does(name: str) -> str:
 
 
 def _rclpy_lacks() -> set[str]:
-    """Its modules, their names, and the methods of its Node that are not there."""
+    """The modules, their names and the methods of Node that the stand-in for rclpy lacks."""
     lacking = {"rclpy": rclpy.NOT_SIMULATED, "Node": rclpy.node.NOT_SIMULATED, **rclpy.LACKING}
     return {f"{where}.{name}" for where, names in lacking.items() for name in names}
 
 
 def _rclpy_names() -> dict[str, list[str]]:
-    """The names of each module of rclpy. One file may be several: then a class is in its own, a function in its own."""
+    """The names of each module of rclpy. If a file stands for several, a name is listed in the module it belongs to."""
     return {
         module: [
             name
@@ -308,7 +308,7 @@ class PatchedDirective(SphinxDirective):
     """``.. patched::``: what a run replaces in modules, and what it puts back at its end."""
 
     def run(self) -> list[nodes.Node]:
-        """Two lists, from the data that patch and put back."""
+        """Two lists, made from the data by which a run patches and puts back."""
         names: dict[str, list[str]] = {}
         for place, name, _ in replaced():
             names.setdefault(getattr(place, "__qualname__", place.__name__), []).append(name)
@@ -341,7 +341,7 @@ class MachineDirective(SphinxDirective):
 
 
 def moved(app: Sphinx, env: BuildEnvironment, added: set[str], changed: set[str], removed: set[str]) -> list[str]:
-    """Pages that describe a machine other than this one, or another Python, are read again."""
+    """Return the pages that describe another machine or Python than this one: they are read again."""
     shown = ((page, data["machine"]) for page, data in env.metadata.items() if "machine" in data)
     return [page for page, (packages, described) in shown if machine.describe(packages) != described]
 
@@ -365,7 +365,7 @@ class CellLexer(PythonLexer):
 
 
 def offer_download(app: Sphinx, page: str, source: list[str]) -> None:
-    """Let the introduction of a notebook end with a link to the notebook that was run.
+    """End the introduction of a notebook with a link to the notebook that was run.
 
     The link is made here because JupyterLab would show the role as it stands. No line is added: line numbers stay true.
     """
@@ -383,7 +383,7 @@ def name_terms(app: Sphinx, page: nodes.document) -> None:
 
 
 def name_pages(app: Sphinx, env: BuildEnvironment) -> list[str]:
-    """When a page is named otherwise, or comes or goes, all are written again: each has a list of them, and links."""
+    """Write all pages again when one comes, goes or changes its name: each page lists and links them."""
     titles = {page: title.astext() for page, title in env.titles.items()}
     now = titles, env.toctree_includes, env.tocs[app.config.root_doc].pformat()  # with the captions
     if app.builder.format != "html" or env.__dict__.get("rosspin_names") == now:
@@ -395,17 +395,17 @@ def name_pages(app: Sphinx, env: BuildEnvironment) -> list[str]:
 def list_exercises(
     app: Sphinx, page: str, template: str, context: dict[str, Any], doctree: nodes.document | None
 ) -> None:
-    """Let "On this page" show the single exercises, and not only the parts into which a page divides them."""
+    """Let "On this page" show the single exercises, not only the parts of the page."""
     if page.endswith("exercises"):
         context["theme_show_toc_level"] = 2
 
 
-# A number's unit, which is in a text of its own after the value of a fact.
+# The space before a unit. After the value of a fact, the unit is in a text of its own.
 _SPACE_BEFORE_UNIT = re.compile(r"(?<=\d)\s(?=(?:s|ms|Hz)\b)")
 
 
 def keep_units(app: Sphinx, page: nodes.document) -> None:
-    """Let no line end between a number and its unit; code stays as it is."""
+    """Let no line break between a number and its unit, except in code."""
     for element in page.findall(nodes.TextElement):
         if isinstance(element, nodes.literal | nodes.FixedTextElement):
             continue
@@ -417,7 +417,7 @@ def keep_units(app: Sphinx, page: nodes.document) -> None:
 
 
 def setup(app: Sphinx) -> ExtensionMetadata:
-    """Add the directives and the role above, what notebooks need, and the highlighting of their cells."""
+    """Add the directives and the role above, the checks, and the highlighting of notebook cells."""
     app.add_directive("ticks", TicksDirective)
     app.setup_extension("rosspin.site.checks")
     app.add_directive("facts", FactsDirective)

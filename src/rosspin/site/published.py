@@ -1,6 +1,6 @@
-"""Sphinx extension: where the site is published, if the environment of the build tells, and what follows from that.
+"""Sphinx extension: find out from the environment of the build where the site is published, and use that.
 
-GitHub Actions and Read the Docs tell. Elsewhere the pages name no address and no repository.
+GitHub Actions and Read the Docs tell it. Elsewhere the pages name no address and no repository.
 """
 
 from __future__ import annotations
@@ -18,13 +18,13 @@ from sphinx.util.typing import ExtensionMetadata
 
 __all__ = ["Published", "setup", "where"]
 
-BRANCH = "main"  # that readers are asked to edit
+BRANCH = "main"  # the one that readers are asked to edit
 
 
 class Published(NamedTuple):
-    """The ``address`` of the site, with a slash at its end, and the ``repository`` on GitHub, as "owner/name".
+    """The ``address`` of the site, ending in a slash, and the ``repository`` on GitHub, as "owner/name".
 
-    Each is "" where it is not known.
+    Each is "" if it is not known.
     """
 
     address: str
@@ -37,7 +37,7 @@ class Published(NamedTuple):
 
 
 def where(environment: Mapping[str, str]) -> Published:
-    """What these environment variables tell."""
+    """Return what these environment variables tell."""
     if environment.get("READTHEDOCS") == "True":
         cloned = re.search(
             r"github\.com[:/]([^/]+/[^/]+?)(\.git)?/?$", environment.get("READTHEDOCS_GIT_CLONE_URL", "")
@@ -53,20 +53,20 @@ def where(environment: Mapping[str, str]) -> Published:
 
 
 def setup(app: Sphinx) -> ExtensionMetadata:
-    """Connect what follows."""
+    """Connect the functions below."""
     app.connect("html-page-context", _set_root)
     app.connect("build-finished", _write_sitemap)
     return {"parallel_read_safe": True, "parallel_write_safe": True}
 
 
 def _set_root(app: Sphinx, page: str, template: str, context: dict[str, Any], doctree: nodes.document | None) -> None:
-    # sphinx-notfound-page leaves this one relative, by which the theme's scripts find the other pages.
+    # sphinx-notfound-page leaves this path relative, but the theme's scripts find the other pages by it.
     if page == app.config.notfound_pagename:
         context["content_root"] = app.config.notfound_urls_prefix
 
 
 def _write_sitemap(app: Sphinx, error: Exception | None) -> None:
-    # Not sphinx-sitemap: it knows only the pages that this build has written.
+    # sphinx-sitemap would know only the pages that this build has written.
     address = app.config.html_baseurl
     if error is not None or app.builder.format != "html" or not address:
         return
