@@ -112,12 +112,17 @@ $(VENV): pyproject.toml constraints.txt
 	@$(BIN)/python -c 'import matplotlib.font_manager'
 	@touch $@
 
+# What a grammar of internationalised addresses takes to load, 2 s wherever a notebook is read, JupyterLab can do without.
+LEAN = rm -rf .venv/lib/python*/site-packages/rfc3987_syntax
+
 $(VENV)-for-test: $(VENV)
 	$(PIP) -e '.[$(FOR_TEST)]'
+	@$(LEAN)
 	@touch $@
 
 $(VENV)-for-lab: $(VENV)
 	$(PIP) -e '.[$(FOR_LAB)]'
+	@$(LEAN)
 	@touch $@
 
 # The real ROS 1, which Debian and Ubuntu have in their archives; none of the other targets needs it.

@@ -170,10 +170,10 @@ def test_a_loop_that_only_looks_gets_on() -> None:
     def node() -> None:
         lock = threading.Lock()
         lock.acquire()
-        threading.Timer(0.01, lock.release).start()
+        threading.Timer(0.002, lock.release).start()
         while not lock.acquire(blocking=False):
             pass
-        print(time.time() >= 0.01)
+        print(time.time() >= 0.002)
 
     assert simulate(node, 1).console == "True\n"
 

@@ -436,6 +436,9 @@ def test_no_setting_of_matplotlibs_is_changed(plot: Callable[..., Any]) -> None:
     before = dict(matplotlib.rcParams)
     page(figure_of(plot(ticks())))
     assert dict(matplotlib.rcParams) == before
+
+
+def test_nor_by_its_import() -> None:
     code = (
         "import matplotlib; a = dict(matplotlib.rcParams); import rosspin.plots; print(a == dict(matplotlib.rcParams))"
     )

@@ -9,7 +9,7 @@ from typing import Any
 
 import pytest
 
-from rosspin import StartedNode, start
+from rosspin import StartedNode, pytest_plugin, start
 
 NODE = """
 import rospy
@@ -34,7 +34,8 @@ def run_tests(pytester: pytest.Pytester) -> Callable[..., pytest.RunResult]:
         for name, content in (("src/echo.py", node), ("test/test_echo.py", text)):
             (pytester.path / name).parent.mkdir(exist_ok=True)
             (pytester.path / name).write_text(content)
-        return pytester.runpytest_inprocess("-q", "-p", "no:cacheprovider", *options, "test")
+        options = ("-q", "--disable-plugin-autoload", *options)
+        return pytester.runpytest_inprocess(*options, "test", plugins=[pytest_plugin])
 
     return run
 
@@ -53,13 +54,13 @@ def test_of_a_function(start_node):
         print("hello")
     assert start_node(function).run.console == "hello\\n"
 """)
-    assert (run.ret, run.outlines[-1].partition(" in ")[0]) == (0, "2 passed")
+    run.assert_outcomes(passed=2)
 
 
 def test_a_test_that_fails_shows_the_console_and_one_error(run_tests: Callable[..., Any]) -> None:
     text = "def test_echo(start_node):\n    node = start_node('../src/echo.py')\n    assert node.time == 2"
     run = run_tests(text, node=NODE + "1 / 0\n")
-    assert run.outlines[-1].startswith("1 failed in")
+    run.assert_outcomes(failed=1)
     assert "- Console of echo.py -" in run.stdout.str()
     assert "[INFO] [0.000000]: here I am" in run.stdout.str()
     assert "ZeroDivisionError" not in run.stdout.str()
@@ -68,7 +69,7 @@ def test_a_test_that_fails_shows_the_console_and_one_error(run_tests: Callable[.
 def test_the_end_is_checked_after_a_test_that_has_passed(run_tests: Callable[..., Any]) -> None:
     text = "def test_echo(start_node):\n    start_node('../src/echo.py')\n"
     run = run_tests(text, node=NODE + "1 / 0\n")
-    assert run.outlines[-1].startswith("1 passed, 1 error in")
+    run.assert_outcomes(passed=1, errors=1)
     assert "src/echo.py:10: ZeroDivisionError" in run.stdout.str()
     assert "run/steps.py" not in run.stdout.str()
 
@@ -80,7 +81,7 @@ def test_an_exception_of_the_node_is_shown_with_its_line(run_tests: Callable[...
     node.advance(1)
 """
     run = run_tests(text, node=NODE.replace("publisher.publish(heard.data)", "heard.dta"))
-    assert run.outlines[-1].startswith("1 failed in")
+    run.assert_outcomes(failed=1)
     assert "test/test_echo.py:4" in run.stdout.str()
     assert "src/echo.py:7: AttributeError" in run.stdout.str()
     assert "raised in echo.py at 0.0 s" in run.stdout.str()
