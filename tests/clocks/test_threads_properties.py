@@ -1,28 +1,20 @@
-"""Simulated threads, drawn at random: they do what a plain model does, and a node gives the same bytes run after run.
+"""Simulated threads, drawn at random: they do what a plain model does.
 
 Times are in units of 1/8 s, of which sums and differences in seconds are exact.
 """
 
 from __future__ import annotations
 
-import json
-import os
 import queue
-import random
-import subprocess
-import sys
 import threading
 import time
 from collections import deque
 from collections.abc import Callable, Generator
 from heapq import heappop, heappush
-from pathlib import Path
 from typing import Any
 
 from hypothesis import given, settings
 from hypothesis import strategies as st
-from seeds import SEED
-from tree import ROOT
 
 from rosspin import simulate
 
@@ -465,123 +457,3 @@ def test_the_model_knows_who_is_next() -> None:
         (5, 1, "('sleep', 2): None"),
         (5, 1, "('release', 'lock a'): None"),
     ]
-
-
-# --- the same run, the same bytes -------------------------------------------------------------------------------------
-
-NODES = 200
-SECONDS = 1.5
-
-# What a callback, a thread or the main may do; {n} is its number, {t} a time in seconds.
-_STATEMENTS = (
-    "time.sleep({t})",
-    "rospy.sleep({t})",
-    "rospy.Rate(1 / {t}).sleep()",
-    "with lock: say({n}, 'in the lock'); time.sleep({t})",
-    "with rlock, rlock: say({n}, 'in the rlock'); time.sleep({t})",
-    "say({n}, 'lock', lock.acquire(timeout={t}) and lock.release())",
-    "with condition: say({n}, 'notified', condition.wait({t}))",
-    "with condition: condition.notify_all()",
-    "say({n}, 'event', event.wait({t})); event.clear()",
-    "event.set()",
-    "with semaphore: time.sleep({t})",
-    "put({n}, {t})",
-    "get({n}, {t})",
-    "say({n}, 'future', pool.submit(work, {n}, {t}).result())",
-    "pool.submit(work, {n}, {t})",
-    "threading.Timer({t}, say, ({n}, 'timer')).start()",
-    "threading.Thread(target=work, args=({n}, {t}), daemon=True).start()",
-    "rospy.loginfo('%s %s', threading.current_thread().name, {{'a', 'b', 'c'}} - {{'b'}} == {{'c', 'a'}})",
-    "say({n}, sorted(thread.name for thread in threading.enumerate()))",
-    "1 / 0",
-)
-
-_NODE = '''"""Made at random."""
-import concurrent.futures, queue, threading, time
-import rospy
-
-lock, rlock, condition = threading.Lock(), threading.RLock(), threading.Condition()
-event, semaphore, values = threading.Event(), threading.Semaphore(2), queue.Queue(2)
-pool = concurrent.futures.ThreadPoolExecutor(2)
-
-
-def say(*words):
-    print(rospy.get_time(), threading.current_thread().name, *words)
-
-
-def work(number, seconds):
-    time.sleep(seconds)
-    say(number, "worked")
-    return number
-
-
-def put(number, seconds):
-    try:
-        say(number, "put", values.put(number, timeout=seconds))
-    except queue.Full:
-        say(number, "full")
-
-
-def get(number, seconds):
-    try:
-        say(number, "got", values.get(timeout=seconds))
-    except queue.Empty:
-        say(number, "empty")
-
-
-rospy.init_node("random_node")
-'''
-
-
-def _random_node(draw: random.Random) -> str:
-    """The text of a node: timers, threads with loops, and a loop in the main."""
-    text = _NODE
-
-    def statements(number: int) -> str:
-        return "".join(
-            "    " + draw.choice(_STATEMENTS).format(n=number, t=draw.choice((0.1, 0.125, 0.25, 0.3, 0.5, 0.7))) + "\n"
-            for _ in range(draw.randint(1, 4))
-        )
-
-    number = 0
-    for _ in range(draw.randint(1, 3)):
-        number += 1
-        period = draw.choice((0.1, 0.25, 0.3, 0.5))
-        text += f"def callback{number}(event):\n    say({number}, 'tick')\n{statements(number)}"
-        text += f"rospy.Timer(rospy.Duration({period}), callback{number}, oneshot={draw.random() < 0.2})\n"
-    for _ in range(draw.randint(1, 3)):
-        number += 1
-        body = statements(number).replace("    ", "        ")
-        text += f"def loop{number}():\n    rate = rospy.Rate({draw.choice((2, 4, 5, 10))})\n"
-        text += f"    while not rospy.is_shutdown():\n{body}        rate.sleep()\n"
-        text += f"threading.Thread(target=loop{number}, daemon={draw.random() < 0.5}).start()\n"
-    text += f"rate = rospy.Rate(4)\nwhile not rospy.is_shutdown():\n{statements(0)}    rate.sleep()\n"
-    return text
-
-
-# Each run's console, ticks and status, as a process of its own sees them.
-_RUN_ALL = """
-import json, sys
-from rosspin import simulate
-runs = [simulate(path, float(sys.argv[1])) for path in sys.argv[2:]]
-print(json.dumps([[run.console, [tick._asdict() for tick in run.ticks], run.status] for run in runs]))
-"""
-
-
-def test_the_same_node_gives_the_same_bytes(tmp_path: Path) -> None:
-    """Whatever ran before it in the process, and also where sets keep their elements in another order."""
-    draw = random.Random(SEED)
-    paths = []
-    for number in range(NODES):
-        paths.append(tmp_path / f"node{number}.py")
-        paths[-1].write_text(_random_node(draw))
-    first, second = _run_all(paths, "1"), _run_all(paths[::-1], "2")
-    for path, one, other in zip(paths, first, second[::-1], strict=True):
-        assert one == other, path.read_text()
-    assert sum(len(run[1]) for run in first) > NODES  # ticks
-
-
-def _run_all(paths: list[Path], hash_seed: str) -> Any:
-    environment = {**os.environ, "PYTHONPATH": str(ROOT / "src"), "PYTHONHASHSEED": hash_seed}
-    command = [sys.executable, "-c", _RUN_ALL, str(SECONDS), *map(str, paths)]
-    return json.loads(subprocess.run(command, env=environment, capture_output=True, text=True, check=True).stdout)

@@ -127,6 +127,8 @@ class Executor:
 
     def create_task(self, callback: Callable[..., Any], *args: Any, **kwargs: Any) -> Task:
         """Let the executor call a function or a coroutine. The newest task goes first."""
+        if inspect.iscoroutinefunction(callback):
+            callback(*args, **kwargs).close()  # raises TypeError for arguments that it does not take
         task = Task(callback, args, kwargs, executor=self)
         self._tasks.append((task, None, None))
         self.wake()
