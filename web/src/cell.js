@@ -28,6 +28,9 @@ const exercises = []
 /** How many of them are solved. */
 const progress = () => `${exercises.filter(({ wasSolved }) => wasSolved).length} of ${exercises.length}`
 
+/** @type {Cell[]} those whose nodes run together, if the reader wants it */
+const together = []
+
 /** Under this and the path of a page, how many of its exercises are solved. */
 const PROGRESS = "rosspin:progress:"
 
@@ -98,8 +101,6 @@ export class Cell {
   #editor = null
   /** @type {import("./runs.js").Run | null} */
   #worker = null
-  /** @type {Cell[]} those whose nodes can run together with this one's */
-  others = []
   #runs = 0
 
   /**
@@ -111,7 +112,6 @@ export class Cell {
     this.#base = base
     this.#index = index
     this.#pre = find("pre", listing)
-    this.together = listing.matches(".together")
     this.#original = /** @type {string} */ (this.#pre.textContent)
     this.#highlighted = [...this.#pre.childNodes]
     const caption = listing.parentElement?.querySelector(".code-block-caption .caption-text")
@@ -131,10 +131,10 @@ export class Cell {
       return element
     }
     this.run = button("Run", () => this.#run())
-    this.both = button("Run both", () => this.#run(this.others))
-    for (const run of [this.run, this.both]) {
-      for (const sign of ["pointerenter", "focus"]) run.addEventListener(sign, () => this.#warmUp())
-    }
+    for (const sign of ["pointerenter", "focus"]) this.run.addEventListener(sign, () => this.#warmUp())
+    this.both = button("Run both", () => this.#run(together))
+    this.both.hidden = !listing.matches(".together")
+    if (!this.both.hidden) together.push(this)
     this.stop = button("Stop", () => this.#stop())
     this.edit = button("Edit", () => this.#edit())
     this.reset = button("Reset", () => this.#reset())
@@ -167,7 +167,7 @@ export class Cell {
   /** All that the reader can press and see, below the listing. */
   #arranged() {
     const bar = make("div", { className: "live-bar", role: "group", ariaLabel: `Run ${this.#name} in this page` })
-    bar.append(this.run, this.together ? this.both : "", this.stop, this.edit, this.reset, this.earlier, this.share, this.copy, this.pin)
+    bar.append(this.run, this.both, this.stop, this.edit, this.reset, this.earlier, this.share, this.copy, this.pin)
     const isNode = !this.#answers && !this.#simulates
     if (isNode) bar.append(make("label", {}, this.seconds, " s"))
     if (!this.#answers) bar.append(this.speed)
@@ -399,7 +399,7 @@ export class Cell {
     return [this.#text, this.#name, this.args.value]
   }
 
-  /** @param {Cell[]} [others] whose nodes run beside this one's */
+  /** @param {Cell[]} [others] whose nodes run with this one's */
   async #run(others = []) {
     this.#end()
     const number = ++this.#runs
@@ -415,7 +415,7 @@ export class Cell {
     }
     const [source, filename, args] = this.#beside
     this.#ran = source
-    const beside = others.map((other) => other.#beside)
+    const beside = others.filter((other) => other !== this).map((other) => other.#beside)
     const job = { source, filename, seconds, args, speed: Number(this.speed.value), beside }
     this.#worker = start(this.#base, job, (message) => number === this.#runs && this.#hear(message))
     this.#say("starting Python")

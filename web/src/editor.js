@@ -23,6 +23,17 @@ const likeTheListing = tagHighlighter([
   { tag: tags.meta, class: "nd" },
 ])
 
+// It stands where the listing stood, and looks like it.
+const looksLikeIt = EditorView.theme({
+  "&": {
+    background: "var(--pst-color-surface)",
+    border: "1px solid var(--pst-color-border)",
+    borderRadius: "0.25rem",
+  },
+  ".cm-scroller": { fontFamily: "var(--pst-font-family-monospace)", lineHeight: "1.25", padding: "1rem 0.6rem" },
+  ".cm-content": { caretColor: "currentColor", padding: "0" },
+})
+
 const mark = (/** @type {string} */ character) => make("span", { className: "unseen", textContent: sign(character) })
 
 /**
@@ -63,6 +74,7 @@ export function open(text, label, { wraps, changed, run, leave }) {
         highlightSpecialChars({ specialChars: UNSEEN, render: (code) => mark(String.fromCodePoint(code)) }),
         wraps ? EditorView.lineWrapping : [],
         syntaxHighlighting(likeTheListing),
+        looksLikeIt,
         EditorView.contentAttributes.of({ "aria-label": label, spellcheck: "false" }),
         EditorView.updateListener.of((update) => update.docChanged && changed(update.state.doc.toString())),
       ],

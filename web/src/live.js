@@ -13,8 +13,6 @@ const why = notHere("run Python") || (HAS_JSPI ? "" : `This browser cannot run t
 /** @type {NodeListOf<HTMLElement>} */
 const listings = document.querySelectorAll("div.live")
 const cells = why ? [] : [...listings].map((listing, index) => new Cell(listing, index, base))
-const together = cells.filter((cell) => cell.together)
-for (const cell of together) cell.others = together.filter((other) => other !== cell)
 if (why) listings.forEach((listing) => listing.append(make("p", { className: "live-missing", textContent: why })))
 
 /** Show the code that came with the link, if there is some, or say why not. */
