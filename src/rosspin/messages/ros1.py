@@ -73,6 +73,10 @@ class Message:
     _steps: ClassVar[list[Step]]
 
     def __init__(self, *args: Any, **kwds: Any) -> None:
+        if not args and not kwds:  # as for each message that is received
+            for name, default in self._defaults:
+                setattr(self, name, default())
+            return
         if args and kwds:
             raise TypeError("Message constructor may only use args OR keywords, not both")
         if args and len(args) != len(self.__slots__):
