@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import cProfile
 import logging
 import os
 import signal
@@ -546,6 +547,19 @@ def test_a_test_that_fails_half_way_leaves_nothing_behind(
     with pytest.raises(ZeroDivisionError), start(failing("timer")) as node:
         node.advance(1)
     assert process() == before
+
+
+def test_a_profiler_that_is_switched_on_between_two_steps_stays_on() -> None:
+    profile = cProfile.Profile()
+    with start(echo) as node:
+        node.advance(1)
+        profile.enable()
+        try:
+            node.advance(1)
+            node.advance(1)
+            assert sys.getprofile() is profile
+        finally:
+            profile.disable()
 
 
 def test_several_nodes_at_a_time() -> None:
