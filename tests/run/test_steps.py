@@ -557,7 +557,8 @@ def test_a_profiler_that_is_switched_on_between_two_steps_stays_on() -> None:
         try:
             node.advance(1)
             node.advance(1)
-            assert sys.getprofile() is profile
+            found: Any = sys.getprofile()
+            assert found is profile
         finally:
             profile.disable()
 

@@ -39,9 +39,6 @@ __all__ = [
     "where_it_waits",
 ]
 
-# A run whose time does not move on by this much (ns) within seconds of real time will not end.
-_LEAST_STEP = 1_000_000
-
 # The signal that ends a blocking call in the main thread. Programs leave it alone.
 _END: int = getattr(signal, "SIGRTMAX", 0) or getattr(signal, "SIGUSR2", signal.SIGINT)
 
@@ -117,7 +114,7 @@ class SimulatedProgram:
     @contextmanager
     def _step(self) -> Iterator[None]:
         simulation = self._simulation
-        with watch(lambda: simulation.now() // _LEAST_STEP) as watchdog:
+        with watch(simulation.sign_of_life) as watchdog:
             simulation.taking_down = watchdog.taking_down
             with simulated_threads(self._program), virtual_time(), simulated_signals(), self._builtins:
                 yield

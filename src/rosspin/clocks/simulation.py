@@ -32,7 +32,11 @@ _PAUSE = 1 << 62
 
 # How many stacks a run may have, at some 13 KB each. A page has less room, and needs seconds to begin 1,000. A computer
 # has room for some 30,000 threads.
-MOST_STACKS = 400 if sys.platform == "emscripten" else 20_000
+_IN_PAGE = sys.platform == "emscripten"
+MOST_STACKS = 400 if _IN_PAGE else 20_000
+
+# A run whose time does not move on by this much (ns) within seconds of real time will not end.
+_LEAST_STEP = 1_000_000
 
 # For how many stacks, the newest, a simulation notes where they were when an exception ended it.
 _SHOWN = 10
@@ -77,6 +81,7 @@ class Simulation:
         self._last_move = 0
         self._home: Switched = current()
         self._stacks: dict[Stack, None] = {}  # those that have not ended, in the order of their beginning
+        self._most = 0  # how many there were at a time, in a page
         self._idents = count(_FIRST_IDENT)
         self._pauses = 0  # how many were asked for; only the newest ends a step
         self._paused = False
@@ -95,6 +100,13 @@ class Simulation:
     def seconds(self) -> float:
         """The time, in s."""
         return self._now / NS
+
+    def sign_of_life(self) -> int:
+        """Return a number that changes when the time moves on.
+
+        In a page, where stacks are slow to begin, it also changes when there are more of them than ever before.
+        """
+        return self._now // _LEAST_STEP + self._most
 
     def sleep(self, ns: int) -> None:
         """Suspend the caller for ``ns`` nanoseconds; others run meanwhile. 0 or less only lets others run."""
@@ -161,6 +173,8 @@ class Simulation:
         if len(self._stacks) >= MOST_STACKS:
             self._stand_still(current(), threads=len(self._stacks))
         stack = self._stack(function, program, next(self._idents), place)
+        if _IN_PAGE:
+            self._most = max(self._most, len(self._stacks))
         self._schedule(self._now, stack)
         return stack
 
