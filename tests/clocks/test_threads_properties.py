@@ -442,6 +442,14 @@ def test_threads_do_what_a_plain_model_does(program: Program) -> None:
     assert simulated(program) == modelled(program)
 
 
+def test_who_has_waited_longest_is_next() -> None:
+    def holding(begin: int, length: int) -> list[Step]:
+        return [("sleep", begin), ("acquire", "lock a", None), ("sleep", length), ("release", "lock a")]
+
+    program: Program = [holding(1, 5), holding(2, 1), holding(3, 1), holding(4, 1)]
+    assert simulated(program) == modelled(program)
+
+
 def test_the_model_knows_who_is_next() -> None:
     """By hand: three threads and one lock."""
     hold: list[Step] = [("acquire", "lock a", None), ("sleep", 2), ("release", "lock a")]

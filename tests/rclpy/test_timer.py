@@ -518,3 +518,19 @@ def test_fractions_of_a_nanosecond_are_cut_off() -> None:
     assert rclpy.duration.Duration(seconds=4.1).nanoseconds == 4_099_999_999
     assert rclpy.duration.Duration(seconds=-4.1).nanoseconds == -4_099_999_999
     assert rclpy.time.Time(seconds=4.1).nanoseconds == 4_099_999_999
+
+
+def test_a_timer_that_was_cancelled_in_the_same_round_is_not_called() -> None:
+    def node() -> None:
+        rclpy.init()
+        node = rclpy.create_node("node")
+        made: list[Any] = []
+        made.append(node.create_timer(0.5, lambda: (print("first"), made[1].cancel())))
+        made.append(node.create_timer(0.5, lambda: print("second")))
+        try:
+            rclpy.spin(node)
+        except KeyboardInterrupt:
+            pass
+
+    run = simulate(node, 1.2)
+    assert (run.status, run.console) == (0, "first\nfirst\n")
