@@ -112,7 +112,8 @@ $(VENV): pyproject.toml constraints.txt
 	@$(BIN)/python -c 'import matplotlib.font_manager'
 	@touch $@
 
-# What a grammar of internationalised addresses takes to load, 2 s wherever a notebook is read, JupyterLab can do without.
+# jsonschema would load this grammar of internationalised addresses, for 2 s, in every process that reads a notebook.
+# It is optional there, and nothing here checks such addresses.
 LEAN = rm -rf .venv/lib/python*/site-packages/rfc3987_syntax
 
 $(VENV)-for-test: $(VENV)

@@ -20,7 +20,8 @@ from rosspin import simulate
 
 END = 6.0  # s
 
-# What Python says of the real Executor.__del__ when its __init__ has raised, of which rclpy tells its caller, too.
+# What Python prints when the real Executor.__init__ has raised and __del__ misses an attribute. The stand-in raises the
+# same exception and prints nothing.
 _HALF_MADE = re.compile(r"Exception ignored in: <function Executor\.__del__ .*\n(?:.*\n)*?AttributeError: .*\n")
 
 # Lengths of time in ms: some that fall together often, some that hardly ever do.

@@ -11,7 +11,7 @@ import random_rclpy_nodes
 import random_rospy_nodes
 from hypothesis import HealthCheck, given, settings
 
-FEW = settings().max_examples // 2
+FEW = settings().max_examples // 2  # 50, and for `make judge` 500
 
 several = settings(max_examples=FEW, deadline=None, suppress_health_check=list(HealthCheck))
 

@@ -54,13 +54,13 @@ def test_of_a_function(start_node):
         print("hello")
     assert start_node(function).run.console == "hello\\n"
 """)
-    run.assert_outcomes(passed=2)
+    run.assert_outcomes(passed=2, warnings=0)
 
 
 def test_a_test_that_fails_shows_the_console_and_one_error(run_tests: Callable[..., Any]) -> None:
     text = "def test_echo(start_node):\n    node = start_node('../src/echo.py')\n    assert node.time == 2"
     run = run_tests(text, node=NODE + "1 / 0\n")
-    run.assert_outcomes(failed=1)
+    run.assert_outcomes(failed=1, warnings=0)
     assert "- Console of echo.py -" in run.stdout.str()
     assert "[INFO] [0.000000]: here I am" in run.stdout.str()
     assert "ZeroDivisionError" not in run.stdout.str()
@@ -69,7 +69,7 @@ def test_a_test_that_fails_shows_the_console_and_one_error(run_tests: Callable[.
 def test_the_end_is_checked_after_a_test_that_has_passed(run_tests: Callable[..., Any]) -> None:
     text = "def test_echo(start_node):\n    start_node('../src/echo.py')\n"
     run = run_tests(text, node=NODE + "1 / 0\n")
-    run.assert_outcomes(passed=1, errors=1)
+    run.assert_outcomes(passed=1, errors=1, warnings=0)
     assert "src/echo.py:10: ZeroDivisionError" in run.stdout.str()
     assert "run/steps.py" not in run.stdout.str()
 
@@ -81,7 +81,7 @@ def test_an_exception_of_the_node_is_shown_with_its_line(run_tests: Callable[...
     node.advance(1)
 """
     run = run_tests(text, node=NODE.replace("publisher.publish(heard.data)", "heard.dta"))
-    run.assert_outcomes(failed=1)
+    run.assert_outcomes(failed=1, warnings=0)
     assert "test/test_echo.py:4" in run.stdout.str()
     assert "src/echo.py:7: AttributeError" in run.stdout.str()
     assert "raised in echo.py at 0.0 s" in run.stdout.str()

@@ -30,9 +30,10 @@ STANDSTILL = 1_000_000
 _LAST = 1 << 61
 _PAUSE = 1 << 62
 
+_IN_PAGE = sys.platform == "emscripten"
+
 # How many stacks a run may have, at some 13 KB each. A page has less room, and needs seconds to begin 1,000. A computer
 # has room for some 30,000 threads.
-_IN_PAGE = sys.platform == "emscripten"
 MOST_STACKS = 400 if _IN_PAGE else 20_000
 
 # A run whose time does not move on by this much (ns) within seconds of real time will not end.

@@ -149,9 +149,9 @@ class Task(Future):
         super().__init__(executor=executor)
         self._handler: Callable[..., Any] | None = handler
         self._arguments = (args, kwargs or {})
-        # Made when it is called: Python complains of one that never is, at some later time, maybe in another run.
+        # Made only when the task is called: Python warns of a coroutine that never began, perhaps in a later run.
         self._coroutine: Coroutine[Any, Any, Any] | None = None
-        self._makes_one = inspect.iscoroutinefunction(handler)
+        self._is_coroutine = inspect.iscoroutinefunction(handler)
         self._executing = False
         self._turn = [None]  # taken by the thread that runs it
 
@@ -170,7 +170,7 @@ class Task(Future):
                     assert self._handler
                     args, kwargs = self._arguments
                     result = self._handler(*args, **kwargs)
-                    if self._makes_one:
+                    if self._is_coroutine:
                         self._coroutine = result
                 if self._coroutine is not None:
                     self._coroutine.send(None)
