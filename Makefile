@@ -5,11 +5,12 @@ PORT ?= 8000
 BIN := .venv/bin
 ROS1 := build-essential catkin libroscpp-dev python3-roslaunch python3-rosmaster python3-rospy rosbash
 MESSAGES := python3-actionlib-msgs python3-diagnostic-msgs python3-geometry-msgs python3-nav-msgs python3-sensor-msgs \
-  python3-trajectory-msgs python3-visualization-msgs
+  python3-std-srvs python3-trajectory-msgs python3-visualization-msgs
 # The LTS of ROS 2, the messages that nodes of the tests use, and what builds a package of nodes. With DISTRO=kilted,
 # another distribution beside it, to which the tests hold the same nodes.
 DISTRO := jazzy
-ROS2 := $(addprefix ros-$(DISTRO)-,rclpy rmw-fastrtps-cpp geometry-msgs nav-msgs rosgraph-msgs sensor-msgs std-msgs)
+ROS2 := $(addprefix ros-$(DISTRO)-,rclpy rmw-fastrtps-cpp geometry-msgs nav-msgs rosgraph-msgs sensor-msgs \
+  std-msgs std-srvs test-msgs)
 OTHER := $(addprefix -,$(filter-out jazzy,$(DISTRO)))
 COLCON := $(addprefix colcon-,bash core library-path package-selection python-setup-py recursive-crawl ros) \
   'setuptools<80'
