@@ -14,6 +14,9 @@ _ARGS: dict[str, list[Args]] = {
     "timer_blocked_always": given("block", (0.5, 1.6, 2.4)),
     "rate_in_thread": given("block", (0.6, 1.4, 2.4, 4.4)),
     "topics_depth": given("depth", (1, 3, 10)),
+    "actions_feedback_depth": given("depth", (3, 10)),
+    "actions_two_goals": given("reentrant", (0, 1)),
+    "actions_result_late": given("timeout", (1, 900)),
     "topics_names": [(), ("--ros-args", "-r", "old:=new", "-r", "~/private:=/elsewhere", "-r", "__ns:=/mrp")],
     "values_names": [
         (),

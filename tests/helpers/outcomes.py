@@ -61,6 +61,7 @@ def _normal(text: str) -> str:
     text = re.sub(stamp, lambda stamp: f"[STAMP{', ROS' if stamp[1] else ''}]", text)
     text = re.sub(r"Thread-\d+", "Thread-N", text)
     text = re.sub(r"\b0x[0-9a-f]+", "0xN", text)
+    text = re.sub(r"Goal ID: \[[\d\s]+\]", "Goal ID: N", text)
     text = re.sub(r", at \S+:\d+", "", text)  # where in rcl's sources an error arose
     text = re.sub(r"^rosspin: .*\n", "", text, flags=re.M)  # who was killed, and where it waited
     # The stand-in names the line that made a timer where rospy shows only frames of its own.
