@@ -2,7 +2,7 @@
 
 import rclpy
 from rclpy.action import ActionClient, ActionServer
-from rclpy.callback_groups import ReentrantCallbackGroup
+from rclpy.callback_groups import MutuallyExclusiveCallbackGroup
 from rclpy.task import Future
 from scenario import P, begin, end_after, mark, say
 from test_msgs.action import Fibonacci
@@ -30,10 +30,10 @@ async def start():
 
 rclpy.init()
 node = rclpy.create_node("actions_await")
-group = ReentrantCallbackGroup()
+group = MutuallyExclusiveCallbackGroup()
 server = ActionServer(node, Fibonacci, "fibonacci", execute)
-client = ActionClient(node, Fibonacci, "fibonacci", callback_group=group)
+client = ActionClient(node, Fibonacci, "fibonacci")
 begin()
-timer = node.create_timer(P, start)
+timer = node.create_timer(P, start, group)
 end_after(5.5)
 rclpy.spin(node)
