@@ -15,6 +15,7 @@ _ARGS: dict[str, list[Args]] = {
     "rate_in_thread": given("block", (0.6, 1.4, 2.4, 4.4)),
     "topics_depth": given("depth", (1, 3, 10)),
     "topics_names": [(), ("--ros-args", "-r", "old:=new", "-r", "~/private:=/elsewhere", "-r", "__ns:=/mrp")],
+    "services_names": [(), ("--ros-args", "-r", "old:=new", "-r", "~/private:=/elsewhere", "-r", "__ns:=/mrp")],
     "values_names": [
         (),
         ("--ros-args", "-r", "__ns:=/mrp", "-r", "chatter:=other"),
