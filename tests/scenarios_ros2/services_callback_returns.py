@@ -10,11 +10,6 @@ async def coroutine(request, response):
     return response
 
 
-def wrong_value(request, response):
-    response.message = 5
-    return response
-
-
 answers = {
     "nothing": lambda request, response: None,
     "other": lambda request, response: Trigger.Response(),
@@ -22,7 +17,6 @@ answers = {
     "klass": lambda request, response: SetBool.Response,
     "new": lambda request, response: SetBool.Response(message="a new one"),
     "coroutine": coroutine,
-    "wrong_value": wrong_value,
     "no_arguments": lambda: None,
     "one_argument": lambda request: request,
     "three": lambda request, response, third="default": SetBool.Response(message=third),

@@ -27,7 +27,7 @@ for name, of_service, of_client in (
     for number in range(15):
         futures.append(client.call_async(BasicTypes.Request(int32_value=number)))
         block(0.02)
-    for _ in range(40):
+    for _ in range(60):
         rclpy.spin_once(node, timeout_sec=0.02)
     say(name, asked, [future.result().int32_value for future in futures if future.done()])
     node.destroy_service(service)

@@ -25,7 +25,7 @@ for qos in (qos_profile_services_default, QoSProfile(depth=3), QoSProfile(depth=
     client = asker.create_client(BasicTypes, "work", qos_profile=qos, callback_group=MutuallyExclusiveCallbackGroup())
     futures = [client.call_async(BasicTypes.Request(int32_value=number)) for number in range(15)]
     for executor in executors:
-        for _ in range(20):
+        for _ in range(45):
             executor.spin_once(timeout_sec=0.02)
     say(qos.depth, [future.result().int32_value for future in futures if future.done()])
     asker.destroy_client(client)

@@ -1,5 +1,7 @@
 """A service or client that is destroyed with a request on its way, and what can still be asked of it."""
 
+import warnings
+
 import rclpy
 from scenario import P, attempt, begin, mark, say
 from std_srvs.srv import Trigger
@@ -25,9 +27,10 @@ rclpy.spin_until_future_complete(node, future, timeout_sec=P)
 mark("spun")
 future = client.call_async(Trigger.Request())
 say(node.destroy_client(client), node.destroy_client(client))
-rclpy.spin_until_future_complete(node, future, timeout_sec=P)
+with warnings.catch_warnings(record=True) as caught:
+    rclpy.spin_until_future_complete(node, future, timeout_sec=P)
 mark("spun")
-say(future.done())
+say(future.done(), *(each.category.__name__ for each in caught))
 names = {"node": node, "client": client, "service": service, "Trigger": Trigger, "future": future}
 for text in """
 client.call_async(Trigger.Request())

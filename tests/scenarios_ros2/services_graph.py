@@ -32,7 +32,7 @@ def look():
 look()
 attempt("node.get_service_names_and_types_by_node('nobody', '/')", {"node": node})
 attempt("node.get_client_names_and_types_by_node('nobody', '/')", {"node": node})
-say([each.srv_name for each in node.services], [each.srv_name for each in plain.clients])
+say([each.srv_name for each in node.services][:6], [each.srv_name for each in plain.clients])
 node.destroy_service(service)
 plain.destroy_client(client)
 look()

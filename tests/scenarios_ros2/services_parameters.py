@@ -40,5 +40,4 @@ ask(SetParameters, "set_parameters", parameters=[parameter("nonsuch", type=2, in
 ask(SetParametersAtomically, "set_parameters_atomically", parameters=changes)
 ask(SetParametersAtomically, "set_parameters_atomically", parameters=[parameter("rate", type=3, double_value=7.0)])
 say(node.get_parameter("rate").value, node.get_parameter("deep.count").value)
-say(len(list(node.services)))
 rclpy.shutdown()

@@ -48,6 +48,10 @@ class Participants:
                 for end in (*node._publishers, *node._subscriptions, *node._clients, *node._services):
                     lose(end, context.left)
 
+    def all_nodes(self) -> list[Node]:
+        """The nodes of all processes, known or not."""
+        return [node for context in self._contexts for node in context.nodes]
+
     def nodes(self, context: Context) -> Iterator[Node]:
         """Yield the nodes of other processes that a context knows now."""
         now = context.state.clock.now()

@@ -25,8 +25,9 @@ from .exceptions import (
 )
 from .executors import GuardCondition
 from .parameter import Parameter, Parameters
-from .qos import QoSProfile, ReliabilityPolicy, qos_profile_services_default
-from .services import Client, Service
+from .parameter_service import SERVICES, ParameterService
+from .qos import DurabilityPolicy, QoSProfile, ReliabilityPolicy, qos_profile_services_default
+from .services import Client, Ends, Service
 from .time import Time
 from .timer import Rate, Timer
 from .topics import Publisher, Subscription
@@ -42,6 +43,13 @@ _OF_EVERY_NODE = {
     "/parameter_events": {"rcl_interfaces/msg/ParameterEvent"},
     "/rosout": {"rcl_interfaces/msg/Log"},
 }
+
+
+# What rcl says of a service with this durability.
+_TRANSIENT_LOCAL = (
+    "Warning: Setting QoS durability to 'transient local' for service servers can cause them to receive requests "
+    "from clients that have since terminated."
+)
 
 
 class NodeNameNonExistentError(RCLError):
@@ -68,7 +76,7 @@ class Node(Parameters):
     """A node has a name, makes timers, publishers, subscriptions, clients and services, and has to be spun.
 
     ``cli_args`` is a command line for it alone; ``use_global_arguments`` says whether the process's counts, too.
-    The parameters ``start_parameter_services`` and ``enable_logger_service`` have no effect.
+    The parameter ``enable_logger_service`` has no effect.
     Raises NotInitializedException before ``init``, InvalidNodeNameException and InvalidNamespaceException.
     """
 
@@ -134,6 +142,9 @@ class Node(Parameters):
         self.__listen_to_clock()
         if not self.has_parameter("start_type_description_service"):
             self.declare_parameter("start_type_description_service", True)
+        self.__lacks_services = start_parameter_services
+        if self.__full_name in self._context.state.world.graph.part(Ends).asked:
+            self._rosspin_start_services()
 
     # --- what it is ---------------------------------------------------------------------------------------------------
 
@@ -180,7 +191,20 @@ class Node(Parameters):
     @property
     def services(self) -> Iterator[Service]:
         """Its services."""
+        self._rosspin_start_services()
         yield from self._services
+
+    def _rosspin_start_services(self) -> None:
+        """Make the services for its parameters, before its own. Few nodes are asked: it has none until somebody looks.
+
+        Their classes are those of its process, whichever process asks.
+        """
+        if self.__lacks_services and self._context.ok():
+            self.__lacks_services = False
+            own, self._services = self._services, []
+            with self._context.state.world.acting():
+                ParameterService(self)
+            self._services.extend(own)
 
     @property
     def timers(self) -> Iterator[Timer]:
@@ -458,6 +482,12 @@ class Node(Parameters):
         RCLError if the process uses the name with another type.
         """
         full_name = self.__prepare_service("client", srv_type, srv_name, qos_profile)
+        of, _, word = full_name.rpartition("/")
+        if word in SERVICES:
+            self._context.state.world.graph.part(Ends).asked.add(of)
+            for node in self._context.state.participants.all_nodes():
+                if node.__full_name == of:
+                    node._rosspin_start_services()
         group = callback_group or self.default_callback_group
         client = Client(self, srv_type, srv_name, full_name, group, qos_profile)
         self.__add_end(client, self._clients)
@@ -477,6 +507,8 @@ class Node(Parameters):
         Raises as ``create_client``.
         """
         full_name = self.__prepare_service("service", srv_type, srv_name, qos_profile)
+        if qos_profile.durability is DurabilityPolicy.TRANSIENT_LOCAL:
+            logging.get_logger("rcl").warning(_TRANSIENT_LOCAL)
         group = callback_group or self.default_callback_group
         service = Service(callback, self, srv_type, srv_name, full_name, group, qos_profile)
         self.__add_end(service, self._services)
@@ -518,15 +550,26 @@ class Node(Parameters):
         """Return the services that are offered or asked, and their types. Raises InvalidHandle, RCLError."""
         self.__check()
         self.__check_context("failed to get service names and types")
-        return _by_name((end for node in self.__nodes() for end in (*node.services, *node._clients)), {})
+        nodes = self.__nodes()
+        ends = (end for node in nodes for end in (*node.services, *node._clients))
+        return _by_name(ends, {name: types for node in nodes for name, types in node.__describing().items()})
 
     def get_service_names_and_types_by_node(self, node_name: str, node_namespace: str) -> list[tuple[str, list[str]]]:
         """Return the services that a node offers, and their types. Raises NodeNameNonExistentError if unknown."""
-        return _by_name(self.__find("service", node_name, node_namespace).services, {})
+        self.__check_context("failed to get service names and types")
+        node = self.__find("service", node_name, node_namespace)
+        return _by_name(node.services, node.__describing())
 
     def get_client_names_and_types_by_node(self, node_name: str, node_namespace: str) -> list[tuple[str, list[str]]]:
         """Return the services that a node asks, and their types. Raises NodeNameNonExistentError if unknown."""
+        self.__check_context("failed to get client names and types")
         return _by_name(self.__find("client", node_name, node_namespace)._clients, {})
+
+    def __describing(self) -> dict[str, set[str]]:
+        """The service that describes its types. It is only named here."""
+        kind = {"type_description_interfaces/srv/GetTypeDescription"}
+        is_there = self.get_parameter("start_type_description_service").value
+        return {f"{self.__full_name}/get_type_description": kind} if is_there else {}
 
     def count_services(self, service_name: str) -> int:
         """Count the known servers of a service; its name is not remapped. Raises ValueError and InvalidHandle."""
@@ -612,6 +655,7 @@ class Node(Parameters):
 
     def destroy_node(self) -> None:
         """Destroy the node and all that it has made, but its logger."""
+        self.__lacks_services = False
         ends = self._publishers, self._subscriptions, self._clients, self._services
         for entities in (*ends, self._timers, self._guards):
             while entities:

@@ -39,9 +39,13 @@ _LOOK = 0.25
 
 
 class Ends:
-    """The clients and services of a run, by name. Its processes share them."""
+    """The clients and services of a run, by name. Its processes share them.
+
+    ``asked`` are the full names of the nodes whose parameters somebody has a client for.
+    """
 
     def __init__(self) -> None:
+        self.asked: set[str] = set()
         self._of: dict[str, list[ServiceEnd]] = {}
         self._lock = threading.Lock()
 
@@ -58,10 +62,6 @@ class Ends:
         """Take an end away."""
         with self._lock:
             self._of[end.end.topic].remove(end)
-
-    def has(self, name: str) -> bool:
-        """Whether anybody asks, or offers, a service."""
-        return bool(self._of.get(name))
 
 
 class Header(NamedTuple):
