@@ -62,8 +62,8 @@ class Scenario(NamedTuple):
 
     @property
     def end(self) -> float | None:
-        """When Ctrl-C comes, in those that are about it."""
-        return CTRL_C if self.file.startswith("ctrl_c") else None
+        """When Ctrl-C comes, in those that are about it or would not end without it."""
+        return CTRL_C if self.file.startswith(("ctrl_c", "deadlock")) else None
 
     @property
     def seconds(self) -> float:

@@ -18,6 +18,7 @@ _ARGS: dict[str, list[Args]] = {
     "actions_two_goals": given("reentrant", (0, 1)),
     "actions_result_late": given("timeout", (1, 900)),
     "topics_names": [(), ("--ros-args", "-r", "old:=new", "-r", "~/private:=/elsewhere", "-r", "__ns:=/mrp")],
+    "services_names": [(), ("--ros-args", "-r", "old:=new", "-r", "~/private:=/elsewhere", "-r", "__ns:=/mrp")],
     "values_names": [
         (),
         ("--ros-args", "-r", "__ns:=/mrp", "-r", "chatter:=other"),

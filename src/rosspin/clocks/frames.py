@@ -59,11 +59,11 @@ def is_installed(frame: FrameType) -> bool:
     return frame.f_code.co_filename.startswith(_LIBRARY) or "site-packages" in frame.f_code.co_filename
 
 
-def warn(text: str) -> None:
-    """Issue a UserWarning that names the line of the node that is being run, however deep in this package it arises."""
+def warn(text: str, category: type[Warning] = UserWarning) -> None:
+    """Issue a warning that names the line of the node that is being run, however deep in this package it arises."""
     frame = node_frame(sys._getframe())
     registry = frame.f_globals.setdefault("__warningregistry__", {})
-    warnings.warn_explicit(text, UserWarning, frame.f_code.co_filename, frame.f_lineno, registry=registry)
+    warnings.warn_explicit(text, category, frame.f_code.co_filename, frame.f_lineno, registry=registry)
 
 
 def node_frames(trace: TracebackType | None) -> TracebackType | None:

@@ -21,7 +21,9 @@ from . import (
     names,
     node,
     parameter,
+    parameter_service,
     qos,
+    services,
     signals,
     task,
     time,
@@ -152,9 +154,9 @@ def spin_until_future_complete(
 
 # The modules of rclpy that are not here: they need a real ROS.
 NOT_SIMULATED = {
-    *("action", "client", "constants", "destroyable", "event_handler", "experimental", "lifecycle", "logging_service"),
-    *("parameter_client", "parameter_event_handler", "parameter_service", "qos_event", "qos_overriding_options"),
-    *("serialization", "service", "service_introspection", "time_source", "topic_endpoint_info"),
+    *("action", "constants", "destroyable", "event_handler", "experimental", "lifecycle", "logging_service"),
+    *("parameter_client", "parameter_event_handler", "qos_event", "qos_overriding_options"),
+    *("serialization", "service_introspection", "time_source", "topic_endpoint_info"),
     *("topic_or_service_is_hidden", "type_description_service", "type_hash", "type_support", "waitable"),
 }
 
@@ -185,6 +187,7 @@ IN_PART = {
 MODULES: dict[str, ModuleType] = {
     "rclpy": sys.modules[__name__],
     "rclpy.callback_groups": callback_groups,
+    "rclpy.client": services,
     "rclpy.clock": clock,
     "rclpy.clock_type": time,
     "rclpy.context": context,
@@ -198,8 +201,10 @@ MODULES: dict[str, ModuleType] = {
     "rclpy.logging": logging,
     "rclpy.node": node,
     "rclpy.parameter": parameter,
+    "rclpy.parameter_service": parameter_service,
     "rclpy.publisher": topics,
     "rclpy.qos": qos,
+    "rclpy.service": services,
     "rclpy.signals": signals,
     "rclpy.subscription": topics,
     "rclpy.task": task,
@@ -222,11 +227,13 @@ AT_EXIT: list[Any] = []
 
 # Tracebacks and texts show the names of a real ROS.
 _HOMES = {
+    "Client": "rclpy.client",
     "ClockType": "rclpy.clock_type",
     "GuardCondition": "rclpy.guard_condition",
     "LoggingSeverity": "rclpy.impl.logging_severity",
     "Publisher": "rclpy.publisher",
     "RcutilsLogger": "rclpy.impl.rcutils_logger",
+    "Service": "rclpy.service",
     "Subscription": "rclpy.subscription",
     "Time": "rclpy.time",
 }

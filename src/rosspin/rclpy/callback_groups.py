@@ -9,17 +9,17 @@ __all__ = ["CallbackGroup", "MutuallyExclusiveCallbackGroup", "ReentrantCallback
 
 
 class CallbackGroup:
-    """Base of the groups. A timer, subscription or guard condition joins its group when it is created."""
+    """Base of the groups. What has a callback, such as a timer or a service, joins its group when it is created."""
 
     def __init__(self) -> None:
         self.entities: set[ref[Any]] = set()
 
     def add_entity(self, entity: Any) -> None:
-        """Put a timer, a subscription or a guard condition into the group."""
+        """Put what has a callback into the group."""
         self.entities.add(ref(entity))
 
     def has_entity(self, entity: Any) -> bool:
-        """Whether a timer, a subscription or a guard condition is in the group."""
+        """Whether what has a callback is in the group."""
         return ref(entity) in self.entities
 
     def can_execute(self, entity: Any) -> bool:

@@ -1,6 +1,7 @@
 """How processes of ROS 2 find and miss each other, as measured on Jazzy with Fast DDS on one machine.
 
-Other processes know a context some time after its first node was made, and the end of a topic soon after it was made.
+Other processes know a context some time after its first node was made, and the end of a topic, or of a service, soon
+after it was made.
 Each side learns of the other by itself. Within a process all is known at once.
 """
 
@@ -8,16 +9,17 @@ from __future__ import annotations
 
 from collections.abc import Iterator
 from functools import partial
-from typing import TYPE_CHECKING
+from typing import TYPE_CHECKING, Any
 
 from .qos import incompatible_policy
 
 if TYPE_CHECKING:
     from .context import Context
+    from .ends import Owner
     from .node import Node
-    from .topics import Owner, Publisher, Subscription
+    from .topics import Publisher, Subscription
 
-__all__ = ["KEPT", "Participants", "discover", "lose"]
+__all__ = ["ENDPOINT", "KEPT", "Participants", "discover", "introduce", "lose"]
 
 # How long (ns) it takes until ..., as measured most often.
 ENDPOINT = 1_000_000  # another process knows an end of a topic
@@ -43,8 +45,12 @@ class Participants:
         if context.joined is not None and context.left is None:
             context.left = context.state.clock.now() + (LEASE if killed else END)
             for node in context.nodes:
-                for end in (*node.publishers, *node.subscriptions):
+                for end in (*node._publishers, *node._subscriptions, *node._clients, *node._services):
                     lose(end, context.left)
+
+    def all_nodes(self) -> list[Node]:
+        """The nodes of all processes, known or not."""
+        return [node for context in self._contexts for node in context.nodes]
 
     def nodes(self, context: Context) -> Iterator[Node]:
         """Yield the nodes of other processes that a context knows now."""
@@ -68,12 +74,16 @@ def discover(publisher: Publisher, subscription: Subscription) -> None:
     """Let two ends of a topic in different processes find each other."""
     if publisher.end.type != subscription.end.type:
         return
-    met = _met(publisher.node.context, subscription.node.context)
     policy = incompatible_policy(publisher.policies, subscription.policies)
     subscription.expect(publisher)
-    for end, other in ((publisher, subscription), (subscription, publisher)):
-        when = max(end.made, other.made + ENDPOINT, met)
-        end.world.at(when, partial(end.meet, other, policy))
+    introduce(publisher, subscription, policy)
+
+
+def introduce(one: Any, another: Any, *more: Any) -> None:
+    """Let two ends in different processes learn of each other, each by its ``meet(other, *more)``."""
+    met = _met(one.node.context, another.node.context)
+    for end, other in ((one, another), (another, one)):
+        end.world.at(max(end.made, other.made + ENDPOINT, met), partial(end.meet, other, *more))
 
 
 def lose(end: Owner, when: int) -> None:

@@ -54,7 +54,7 @@ def not_accepted(signature: str, *args: object, function: str = "") -> TypeError
     )
 
 
-_OBJECTS = ("Clock", "Context", "Node")
+_OBJECTS = ("Clock", "Context", "Node", "rmw_qos_profile_t")
 
 
 class NotInitializedException(Exception):
@@ -99,6 +99,9 @@ class InvalidTopicNameException(NameValidationException):
 
 class InvalidServiceNameException(NameValidationException):
     """A service's name is not valid."""
+
+    def __init__(self, name: str, error_msg: str, invalid_index: int) -> None:
+        super().__init__("service name", name, error_msg, invalid_index)
 
 
 class ParameterException(Exception):

@@ -6,7 +6,8 @@ import inspect
 import time
 from collections.abc import Callable, Iterator
 from concurrent.futures import ThreadPoolExecutor
-from typing import TYPE_CHECKING, Any, TypeVar
+from itertools import chain
+from typing import TYPE_CHECKING, Any, TypeAlias, TypeVar
 
 from ..clocks.frames import warn
 from .context import Context, get_default_context
@@ -23,6 +24,7 @@ from .task import Future, Task
 
 if TYPE_CHECKING:
     from .node import Node
+    from .services import Client, Service
     from .timer import Timer
     from .topics import Subscription
 
@@ -49,6 +51,7 @@ _CALL = 100_000
 # the number is the same on every machine.
 _THREADS = 4
 
+Receiver: TypeAlias = "Subscription | Client | Service"
 Entry = tuple[Task, Any, "Node | None"]  # a task, the timer (or other entity) that it calls, and its node
 E = TypeVar("E", bound="Executor")
 
@@ -91,8 +94,9 @@ class Executor:
     """Base of the executors, which call what is due in the nodes that were added.
 
     They work in rounds. A round waits until something is due, then hands out all that is due: node by node the timers,
-    then the subscriptions with one message each, in the order of their creation. ``spin_once`` takes the next call of
-    the round. It begins another round when this one is used up, or when it is called with another timeout.
+    the subscriptions with one message each, the guard conditions, the clients with one answer each and the services
+    with one request each, in the order of their creation. ``spin_once`` takes the next call of the round. It begins
+    another round when this one is used up, or when it is called with another timeout.
     """
 
     # Here and in Node, names that rclpy's class does not have are mangled or begin with _rosspin, so that they do not
@@ -244,8 +248,8 @@ class Executor:
                 if entry[0].done() or entry[0].cancelled():
                     self._tasks.remove(entry)
 
-            timers, subscriptions, guards = self.__gather(spun)
-            ready, is_over = self.__wait(timers, subscriptions, guards, timeout, deadline)
+            timers, receivers, guards = self.__gather(spun)
+            ready, is_over = self.__wait(timers, receivers, guards, timeout, deadline)
             if self._is_shutdown:
                 raise ShutdownException()
             if not self._context.ok():
@@ -264,6 +268,10 @@ class Executor:
                     if guard._executor_triggered and guard.callback_group.can_execute(guard):
                         works = True
                         yield self.__task(guard, node)
+                for end in chain(node._clients, node._services):
+                    if end in ready and end.callback_group.can_execute(end):
+                        works = True
+                        yield self.__task(end, node)
             if is_over:
                 if timeout == 0 and not works:
                     self._clock.sleep(_LOOK)
@@ -277,20 +285,21 @@ class Executor:
         """Whether a call may be handed out: it has not been already, and its group allows it."""
         return not entity._executor_event and bool(entity.callback_group.can_execute(entity))
 
-    def __gather(self, nodes: list[Node]) -> tuple[list[Timer], list[Subscription], list[GuardCondition]]:
+    def __gather(self, nodes: list[Node]) -> tuple[list[Timer], list[Receiver], list[GuardCondition]]:
         """Collect what to wait for."""
         can_execute = self.can_execute
         timers = [timer for node in nodes for timer in node._timers if can_execute(timer)]
-        subscriptions = [each for node in nodes for each in node._subscriptions if can_execute(each)]
+        ends = (end for node in nodes for end in (*node._subscriptions, *node._clients, *node._services))
+        receivers: list[Any] = [end for end in ends if can_execute(end)]
         guards = [guard for node in nodes for guard in node._guards if can_execute(guard)]
         for guard in guards:
             guard.triggered = guard.triggered or guard._executor_triggered
-        return timers, subscriptions, guards
+        return timers, receivers, guards
 
     def __wait(
         self,
         timers: list[Timer],
-        subscriptions: list[Subscription],
+        receivers: list[Receiver],
         guards: list[GuardCondition],
         timeout: int,
         deadline: int | None,
@@ -308,7 +317,7 @@ class Executor:
         try:
             while True:
                 ready: set[Any] = {timer for timer in timers if timer.is_due()}
-                ready.update(subscription for subscription in subscriptions if subscription.messages)
+                ready.update(receiver for receiver in receivers if receiver.messages)
                 triggered = [guard for guard in guards if guard.triggered]
                 is_over = deadline is not None and time.monotonic_ns() >= deadline
                 if self.__triggered:

@@ -9,6 +9,7 @@ from .exceptions import (
     InvalidNamespaceException,
     InvalidNodeNameException,
     InvalidParameterException,
+    InvalidServiceNameException,
     InvalidTopicNameException,
     not_accepted,
 )
@@ -85,13 +86,16 @@ def validate_namespace(namespace: str) -> bool:
 
 
 def validate_topic_name(name: str, *, is_service: bool = False) -> bool:
-    """Return True if a node may call a topic so. Raises InvalidTopicNameException if not."""
-    return _check(name, _TOPIC, InvalidTopicNameException)
+    """Return True if a node may call a topic, or a service, so.
+
+    Raises InvalidTopicNameException or InvalidServiceNameException if not.
+    """
+    return _check(name, _TOPIC, InvalidServiceNameException if is_service else InvalidTopicNameException)
 
 
 def validate_full_topic_name(name: str, *, is_service: bool = False) -> bool:
-    """Return True for the full name of a topic. Raises InvalidTopicNameException for a faulty one."""
-    return _check(name, _FULL_TOPIC, InvalidTopicNameException)
+    """Return True for the full name of a topic, or of a service. Raises as ``validate_topic_name``."""
+    return _check(name, _FULL_TOPIC, InvalidServiceNameException if is_service else InvalidTopicNameException)
 
 
 def validate_parameter_name(name: str) -> bool:

@@ -7,7 +7,8 @@ from collections.abc import Callable, Iterable, Iterator, Mapping, Set
 from importlib import import_module
 from typing import TYPE_CHECKING, Any
 
-from ..messages.ros2 import Message
+from ..messages.ros2 import Action, Message
+from ..messages.ros2 import Service as Interface
 from ..world.world import NotSimulated
 from . import logging, names
 from .arguments import Arguments
@@ -16,7 +17,7 @@ from .clock import Clock, ROSClock
 from .context import Context, get_default_context
 from .exceptions import (
     InvalidHandle,
-    InvalidTopicNameException,
+    NameValidationException,
     NotInitializedException,
     RCLError,
     invalid_context,
@@ -24,12 +25,15 @@ from .exceptions import (
 )
 from .executors import GuardCondition
 from .parameter import Parameter, Parameters
-from .qos import QoSProfile, ReliabilityPolicy
+from .parameter_service import SERVICES, ParameterService
+from .qos import DurabilityPolicy, QoSProfile, ReliabilityPolicy, qos_profile_services_default
+from .services import Client, Ends, Service
 from .time import Time
 from .timer import Rate, Timer
 from .topics import Publisher, Subscription
 
 if TYPE_CHECKING:
+    from .ends import Owner
     from .executors import Executor
 
 __all__ = ["Node"]
@@ -41,23 +45,38 @@ _OF_EVERY_NODE = {
 }
 
 
+# What rcl says of a service with this durability.
+_TRANSIENT_LOCAL = (
+    "Warning: Setting QoS durability to 'transient local' for service servers can cause them to receive requests "
+    "from clients that have since terminated."
+)
+
+
 class NodeNameNonExistentError(RCLError):
     """There is no such node."""
 
 
-def _by_topic(ends: Iterable[Publisher | Subscription], topics: Mapping[str, Set[str]]) -> list[tuple[str, list[str]]]:
-    """Sort the topics of these ends, and the ``topics`` given, with their types."""
+def _by_name(ends: Iterable[Owner], topics: Mapping[str, Set[str]]) -> list[tuple[str, list[str]]]:
+    """Sort the topics, or services, of these ends, and the ``topics`` given, with their types."""
     found = {topic: set(types) for topic, types in topics.items()}
     for owner in ends:
         found.setdefault(owner.end.topic, set()).add(owner.end.type)
     return [(topic, sorted(types)) for topic, types in sorted(found.items())]
 
 
+def _no_type_support(given: object) -> AttributeError:
+    return AttributeError(
+        f"type object '{type(given).__name__}' has no attribute '_TYPE_SUPPORT' "
+        "This might be a ROS 1 message type but it should be a ROS 2 message type. "
+        "Make sure to source your ROS 2 workspace after your ROS 1 workspace."
+    )
+
+
 class Node(Parameters):
-    """A node has a name, makes timers, publishers and subscriptions, and has to be spun.
+    """A node has a name, makes timers, publishers, subscriptions, clients and services, and has to be spun.
 
     ``cli_args`` is a command line for it alone; ``use_global_arguments`` says whether the process's counts, too.
-    The parameters ``start_parameter_services`` and ``enable_logger_service`` have no effect.
+    The parameter ``enable_logger_service`` has no effect.
     Raises NotInitializedException before ``init``, InvalidNodeNameException and InvalidNamespaceException.
     """
 
@@ -103,6 +122,8 @@ class Node(Parameters):
 
         self._publishers: list[Publisher] = []
         self._subscriptions: list[Subscription] = []
+        self._clients: list[Client] = []
+        self._services: list[Service] = []
         self._timers: list[Timer] = []
         self._guards: list[GuardCondition] = []
         self._default_callback_group = MutuallyExclusiveCallbackGroup()
@@ -121,6 +142,9 @@ class Node(Parameters):
         self.__listen_to_clock()
         if not self.has_parameter("start_type_description_service"):
             self.declare_parameter("start_type_description_service", True)
+        self.__lacks_services = start_parameter_services
+        if self.__full_name in self._context.state.world.graph.part(Ends).asked:
+            self._rosspin_start_services()
 
     # --- what it is ---------------------------------------------------------------------------------------------------
 
@@ -158,6 +182,29 @@ class Node(Parameters):
     def subscriptions(self) -> Iterator[Subscription]:
         """Its subscriptions."""
         yield from self._subscriptions
+
+    @property
+    def clients(self) -> Iterator[Client]:
+        """Its clients."""
+        yield from self._clients
+
+    @property
+    def services(self) -> Iterator[Service]:
+        """Its services."""
+        self._rosspin_start_services()
+        yield from self._services
+
+    def _rosspin_start_services(self) -> None:
+        """Make the services for its parameters, before its own. Few nodes are asked: it has none until somebody looks.
+
+        Their classes are those of its process, whichever process asks.
+        """
+        if self.__lacks_services and self._context.ok():
+            self.__lacks_services = False
+            own, self._services = self._services, []
+            with self._context.state.world.acting():
+                ParameterService(self)
+            self._services.extend(own)
 
     @property
     def timers(self) -> Iterator[Timer]:
@@ -319,11 +366,7 @@ class Node(Parameters):
             raise TypeError(f"Expected QoSProfile or int, but received {type(qos)!r}")
         self.__check_text(topic)
         if not (isinstance(msg_type, type) and issubclass(msg_type, Message)):
-            raise AttributeError(
-                f"type object '{type(msg_type).__name__}' has no attribute '_TYPE_SUPPORT' "
-                "This might be a ROS 1 message type but it should be a ROS 2 message type. "
-                "Make sure to source your ROS 2 workspace after your ROS 1 workspace."
-            )
+            raise _no_type_support(msg_type)
         if not self._context.ok():
             raise RCLError(f"Failed to create {what}: rcl node's context is invalid")
         return qos
@@ -338,26 +381,33 @@ class Node(Parameters):
 
     def resolve_topic_name(self, topic: str, *, only_expand: bool = False) -> str:
         """Return the full name of a topic in this node. Raises RCLError if it is not valid, and InvalidHandle."""
+        return self.__try_resolve(topic, only_expand)
+
+    def resolve_service_name(self, service: str, *, only_expand: bool = False) -> str:
+        """Return the full name of a service in this node. Raises as ``resolve_topic_name``."""
+        return self.__try_resolve(service, only_expand, is_service=True)
+
+    def __try_resolve(self, name: str, only_expand: bool, is_service: bool = False) -> str:
         self.__check()
+        self.__check_text(name, only_expand, is_service)
         try:
-            return self.__resolve(topic, only_expand)
-        except InvalidTopicNameException as error:
+            return self.__resolve(name, only_expand, is_service)
+        except NameValidationException as error:
             raise RCLError(f"failed to resolve name: {error.error_msg}") from None
 
     @staticmethod
-    def __check_text(topic: Any, only_expand: bool = False) -> None:
-        if not isinstance(topic, str):
+    def __check_text(name: Any, only_expand: bool = False, is_service: bool = False) -> None:
+        if not isinstance(name, str):
             signature = "(arg0: rclpy::Node, arg1: str, arg2: bool, arg3: bool) -> str"
-            raise not_accepted(signature, "Node", topic, only_expand, False, function="rclpy_resolve_name")
+            raise not_accepted(signature, "Node", name, only_expand, is_service, function="rclpy_resolve_name")
 
-    def __resolve(self, topic: str, only_expand: bool = False) -> str:
-        self.__check_text(topic, only_expand)
-        names.validate_topic_name(topic)
-        full_name = names.expand_topic_name(topic, self.__name, self.__namespace)
+    def __resolve(self, name: str, only_expand: bool = False, is_service: bool = False) -> str:
+        names.validate_topic_name(name, is_service=is_service)
+        full_name = names.expand_topic_name(name, self.__name, self.__namespace)
         if not only_expand:
             for arguments in self.__arguments:
                 full_name = arguments.topic(full_name, self.__name, self.__namespace)
-        names.validate_full_topic_name(full_name)
+        names.validate_full_topic_name(full_name, is_service=is_service)
         return full_name
 
     def get_topic_names_and_types(self, no_demangle: bool = False) -> list[tuple[str, list[str]]]:
@@ -367,7 +417,7 @@ class Node(Parameters):
         """
         self.__check()
         own = [owner for context in self._context.state.contexts for node in context.nodes for owner in node.__ends()]
-        return _by_topic([*own, *(owner for node in self.__nodes() for owner in node.__ends())], _OF_EVERY_NODE)
+        return _by_name([*own, *(owner for node in self.__nodes() for owner in node.__ends())], _OF_EVERY_NODE)
 
     def __ends(self) -> Iterator[Publisher | Subscription]:
         yield from self._publishers
@@ -382,13 +432,13 @@ class Node(Parameters):
         self, node_name: str, node_namespace: str, no_demangle: bool = False
     ) -> list[tuple[str, list[str]]]:
         """Return the topics that a node publishes, and their types. Raises NodeNameNonExistentError if unknown."""
-        return _by_topic(self.__find("publisher", node_name, node_namespace)._publishers, _OF_EVERY_NODE)
+        return _by_name(self.__find("publisher", node_name, node_namespace)._publishers, _OF_EVERY_NODE)
 
     def get_subscriber_names_and_types_by_node(
         self, node_name: str, node_namespace: str, no_demangle: bool = False
     ) -> list[tuple[str, list[str]]]:
         """Return the topics that a node subscribes to, and their types. Raises NodeNameNonExistentError."""
-        return _by_topic(self.__find("subscriber", node_name, node_namespace)._subscriptions, {})
+        return _by_name(self.__find("subscriber", node_name, node_namespace)._subscriptions, {})
 
     def __find(self, what: str, name: str, namespace: str) -> Node:
         self.__check()
@@ -399,19 +449,137 @@ class Node(Parameters):
 
     def count_publishers(self, topic_name: str) -> int:
         """Count the known publishers of a topic; its name is not remapped. Raises ValueError and InvalidHandle."""
-        return self.__count(topic_name, "_publishers")
+        return self.__count(topic_name, "publishers")
 
     def count_subscribers(self, topic_name: str) -> int:
         """Count the known subscriptions to a topic; its name is not remapped. Raises ValueError and InvalidHandle."""
-        return self.__count(topic_name, "_subscriptions")
+        return self.__count(topic_name, "subscribers")
 
-    def __count(self, topic_name: str, owners: str) -> int:
-        full_name = names.expand_topic_name(topic_name, self.get_name(), self.get_namespace())
+    def __count(self, name: str, what: str) -> int:
+        full_name = names.expand_topic_name(name, self.get_name(), self.get_namespace())
         names.validate_full_topic_name(full_name)
+        self.__check_context(f"Error in rcl_count_{what}")
+        ends = "subscriptions" if what == "subscribers" else what
+        return sum(owner.end.topic == full_name for node in self.__nodes() for owner in getattr(node, ends))
+
+    def __check_context(self, error: str) -> None:
         if not self._context.ok():
-            what = {"_publishers": "publishers", "_subscriptions": "subscribers"}[owners]
-            raise RCLError(f"Error in rcl_count_{what}: rcl node's context is invalid")
-        return sum(owner.end.topic == full_name for node in self.__nodes() for owner in getattr(node, owners))
+            raise RCLError(f"{error}: rcl node's context is invalid")
+
+    # --- services -----------------------------------------------------------------------------------------------------
+
+    def create_client(
+        self,
+        srv_type: type[Interface],
+        srv_name: str,
+        *,
+        qos_profile: QoSProfile = qos_profile_services_default,
+        callback_group: CallbackGroup | None = None,
+    ) -> Client:
+        """Make a client that asks a service; see :class:`Client`.
+
+        Raises InvalidServiceNameException, AttributeError or RuntimeError if ``srv_type`` is no service of ROS 2, and
+        RCLError if the process uses the name with another type.
+        """
+        full_name = self.__prepare_service("client", srv_type, srv_name, qos_profile)
+        of, _, word = full_name.rpartition("/")
+        if word in SERVICES:
+            self._context.state.world.graph.part(Ends).asked.add(of)
+            for node in self._context.state.participants.all_nodes():
+                if node.__full_name == of:
+                    node._rosspin_start_services()
+        group = callback_group or self.default_callback_group
+        client = Client(self, srv_type, srv_name, full_name, group, qos_profile)
+        self.__add_end(client, self._clients)
+        return client
+
+    def create_service(
+        self,
+        srv_type: type[Interface],
+        srv_name: str,
+        callback: Callable[[Any, Any], Any],
+        *,
+        qos_profile: QoSProfile = qos_profile_services_default,
+        callback_group: CallbackGroup | None = None,
+    ) -> Service:
+        """Call ``callback(request, response)`` for requests, while somebody spins, and send what it returns.
+
+        Raises as ``create_client``.
+        """
+        full_name = self.__prepare_service("service", srv_type, srv_name, qos_profile)
+        if qos_profile.durability is DurabilityPolicy.TRANSIENT_LOCAL:
+            logging.get_logger("rcl").warning(_TRANSIENT_LOCAL)
+        group = callback_group or self.default_callback_group
+        service = Service(callback, self, srv_type, srv_name, full_name, group, qos_profile)
+        self.__add_end(service, self._services)
+        return service
+
+    def __add_end(self, end: Any, ends: list[Any]) -> None:
+        end.nudge = self.__nudge
+        end.callback_group.add_entity(end)
+        ends.append(end)
+        self._wake_executor()
+
+    def __prepare_service(self, what: str, srv_type: Any, name: Any, qos: Any) -> str:
+        """Check what a client or service is to be made of. Return the full name."""
+        if not (isinstance(srv_type, type) and issubclass(srv_type, (Interface, Action, Message))):
+            raise _no_type_support(srv_type)
+        if not issubclass(srv_type, Interface):
+            text = f"The service type provided is not valid ({srv_type}), this might be a message or action"
+            raise RuntimeError(text)
+        self.__check()
+        if not isinstance(qos, QoSProfile):
+            raise AttributeError(f"{type(qos).__name__!r} object has no attribute 'get_c_qos_profile'")
+        if not isinstance(name, str):
+            signature = f"{what.title()}(arg0: rclpy::Node, arg1: object, arg2: str, arg3: object)"
+            raise not_accepted(signature, "Node", srv_type, name, "rmw_qos_profile_t")
+        if not self._context.ok():
+            raise RCLError(f"failed to create {what}: rcl node's context is invalid")
+        full_name = self.__resolve(name, is_service=True)
+        for node in self._context.nodes:
+            for end in (*node._clients, *node._services):
+                if end.end.topic == full_name and end.srv_type is not srv_type:
+                    kind = f"{srv_type.__module__.split('.')[0]}::srv::dds_::{srv_type.__name__}_Request_"
+                    raise RCLError(
+                        f"failed to create {what}: create_{what}() called for existing request topic name "
+                        f"rq{full_name}Request with incompatible type {kind}"
+                    )
+        return full_name
+
+    def get_service_names_and_types(self) -> list[tuple[str, list[str]]]:
+        """Return the services that are offered or asked, and their types. Raises InvalidHandle, RCLError."""
+        self.__check()
+        self.__check_context("failed to get service names and types")
+        nodes = self.__nodes()
+        ends = (end for node in nodes for end in (*node.services, *node._clients))
+        return _by_name(ends, {name: types for node in nodes for name, types in node.__describing().items()})
+
+    def get_service_names_and_types_by_node(self, node_name: str, node_namespace: str) -> list[tuple[str, list[str]]]:
+        """Return the services that a node offers, and their types. Raises NodeNameNonExistentError if unknown."""
+        self.__check_context("failed to get service names and types")
+        node = self.__find("service", node_name, node_namespace)
+        return _by_name(node.services, node.__describing())
+
+    def get_client_names_and_types_by_node(self, node_name: str, node_namespace: str) -> list[tuple[str, list[str]]]:
+        """Return the services that a node asks, and their types. Raises NodeNameNonExistentError if unknown."""
+        self.__check_context("failed to get client names and types")
+        return _by_name(self.__find("client", node_name, node_namespace)._clients, {})
+
+    def __describing(self) -> dict[str, set[str]]:
+        """The service that describes its types. It is only named here."""
+        kind = {"type_description_interfaces/srv/GetTypeDescription"}
+        is_there = self.get_parameter("start_type_description_service").value
+        return {f"{self.__full_name}/get_type_description": kind} if is_there else {}
+
+    def count_services(self, service_name: str) -> int:
+        """Count the known servers of a service; its name is not remapped. Raises ValueError and InvalidHandle."""
+        return self.__count(service_name, "services")
+
+    def count_clients(self, service_name: str) -> int:
+        """Count the known clients of a service; its name is not remapped. Raises ValueError and InvalidHandle."""
+        return self.__count(service_name, "clients")
+
+    # --- nodes --------------------------------------------------------------------------------------------------------
 
     def get_node_names(self) -> list[str]:
         """The names of the known nodes. Raises InvalidHandle if this one was destroyed."""
@@ -462,6 +630,14 @@ class Node(Parameters):
         """Destroy a publisher. Return whether this node had it."""
         return self.__destroy(publisher, self._publishers)
 
+    def destroy_client(self, client: Client) -> bool:
+        """Destroy a client. Return whether this node had it."""
+        return self.__destroy(client, self._clients)
+
+    def destroy_service(self, service: Service) -> bool:
+        """Destroy a service. Return whether this node had it."""
+        return self.__destroy(service, self._services)
+
     def destroy_subscription(self, subscription: Subscription) -> bool:
         """Destroy a subscription. Return whether this node had it."""
         return self.__destroy(subscription, self._subscriptions)
@@ -479,7 +655,9 @@ class Node(Parameters):
 
     def destroy_node(self) -> None:
         """Destroy the node and all that it has made, but its logger."""
-        for entities in (self._publishers, self._subscriptions, self._timers, self._guards):
+        self.__lacks_services = False
+        ends = self._publishers, self._subscriptions, self._clients, self._services
+        for entities in (*ends, self._timers, self._guards):
             while entities:
                 self.__destroy(entities[0], entities)
         if self.__on_rosout and self._context.state.rosout and not self.__destroyed:
@@ -541,10 +719,6 @@ class Node(Parameters):
 
 # Methods of rclpy's Node that are not here.
 NOT_SIMULATED = {
-    *("add_waitable", "clients", "count_clients", "count_services", "create_client", "create_service"),
-    *("destroy_client", "get_client_names_and_types_by_node", "get_publishers_info_by_topic"),
-    *("get_service_names_and_types", "get_subscriptions_info_by_topic"),
-    *("get_node_names_and_namespaces_with_enclaves", "get_service_names_and_types_by_node", "handle"),
-    *("remove_waitable", "resolve_service_name"),
-    *("destroy_service", "services", "set_descriptor", "waitables"),
+    *("add_waitable", "get_node_names_and_namespaces_with_enclaves", "get_publishers_info_by_topic"),
+    *("get_subscriptions_info_by_topic", "handle", "remove_waitable", "set_descriptor", "waitables"),
 }

@@ -10,7 +10,8 @@ from ..clocks.clock import NS, nanoseconds
 from ..messages.ros2 import Message
 from ..world import tester
 from ..world.world import World
-from .topics import End, Publisher, Subscription
+from .ends import End
+from .topics import Publisher, Subscription
 
 __all__ = ["Tester", "give_parameters"]
 

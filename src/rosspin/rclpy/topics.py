@@ -10,31 +10,23 @@ import inspect
 import time
 from collections import deque
 from collections.abc import Callable
-from typing import TYPE_CHECKING, Any, NamedTuple
+from typing import TYPE_CHECKING, Any
 
 from ..messages.ros2 import Message, transfer
 from .callback_groups import ReentrantCallbackGroup
-from .discovery import ENDPOINT, KEPT, discover, lose
-from .exceptions import InvalidHandle, RCLError
+from .discovery import KEPT, discover
+from .ends import Owner
+from .exceptions import RCLError
 from .qos import Policies, QoSProfile, incompatible_policy
 from .state import Gate
 
 if TYPE_CHECKING:
-    from ..world.world import World
     from .node import Node
 
 __all__ = ["Publisher", "Subscription", "wait_for_message"]
 
 
-class End(NamedTuple):
-    """An end of a topic, as the graph has it."""
-
-    topic: str
-    type: str  # as in std_msgs/msg/String
-    owner: Any
-
-
-class Owner:
+class TopicEnd(Owner):
     """What a publisher and a subscription have in common."""
 
     def __init__(
@@ -46,37 +38,16 @@ class Owner:
         qos: QoSProfile,
         policies: Policies,
     ) -> None:
-        self.node = node
+        super().__init__(node, msg_type, full_name, qos)
         self.msg_type = msg_type
         self.topic = topic  # the name that the node gave
-        kind = f"{msg_type.__module__.replace('.', '/').rpartition('/')[0]}/{msg_type.__name__}"
-        self.end = End(full_name, kind, self)
-        self.qos_profile = qos
         self.policies = policies
-        self.peers: list[Any] = []
-        self.made = node.context.state.clock.now()
-        self._destroyed = False
-
-    @property
-    def world(self) -> World:
-        """The world of its process."""
-        return self.node.context.state.world
 
     @property
     def topic_name(self) -> str:
         """The topic's full name."""
         self._check()
         return self.end.topic
-
-    @property
-    def logger_name(self) -> str:
-        """The name of its node's logger."""
-        self._check()
-        return self.node.get_logger().name
-
-    def _check(self) -> None:
-        if self._destroyed:
-            raise InvalidHandle()
 
     def refuse(self, policy: str) -> None:
         """Let the node warn, when it spins, by which policy another end does not match."""
@@ -88,12 +59,8 @@ class Owner:
     def destroy(self) -> None:
         """Leave the topic."""
         self._check()
-        self._destroyed = True
         self.world.graph.remove(self.end)
-        for peer in self.peers:
-            if peer.world is self.world:
-                peer.peers.remove(self)
-        lose(self, self.world.clock.now() + ENDPOINT)
+        self._leave()
 
     def is_remote(self, other: Any) -> bool:
         """Whether another end is in another process, where it has to be found."""
@@ -108,13 +75,8 @@ class Owner:
         else:
             self.peers.append(other)
 
-    def part(self, other: Any) -> None:
-        """Learn that an end in another process is gone."""
-        if other in self.peers:
-            self.peers.remove(other)
 
-
-class Publisher(Owner):
+class Publisher(TopicEnd):
     """Publishes messages on a topic. Made by ``Node.create_publisher``."""
 
     _refusal = (
@@ -164,7 +126,7 @@ class Publisher(Owner):
         return True
 
 
-class Subscription(Owner):
+class Subscription(TopicEnd):
     """Lets an executor call ``callback(message)``, or ``callback(message, info)``. Made by ``create_subscription``.
 
     It keeps the newest messages, as many as its QoS says, and hands out the oldest of these first.

@@ -119,8 +119,8 @@ class CallMade:
         self._answered: tuple[str, int, Callable[[], Any]] | None = None
 
     def answer(self, server: str, when: int, make_response: Callable[[], Any]) -> None:
-        """Record that the node ``server`` answers at ``when`` (ns)."""
-        self._answered = server, when, make_response
+        """Record that the node ``server`` answers at ``when`` (ns). Of several answers the first counts."""
+        self._answered = self._answered or (server, when, make_response)
 
     def since(self, start: int) -> Call:
         """Return the call, in seconds since ``start`` (ns)."""

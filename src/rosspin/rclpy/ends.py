@@ -1,0 +1,64 @@
+"""What the ends of topics and of services have in common: each is a node's, and knows the ends it is joined to."""
+
+from __future__ import annotations
+
+from typing import TYPE_CHECKING, Any, NamedTuple
+
+from .discovery import ENDPOINT, lose
+from .exceptions import InvalidHandle
+from .qos import QoSProfile
+
+if TYPE_CHECKING:
+    from ..world.world import World
+    from .node import Node
+
+__all__ = ["End", "Owner"]
+
+
+class End(NamedTuple):
+    """An end of a topic, or of a service, as the graph has it."""
+
+    topic: str  # its full name
+    type: str  # as in std_msgs/msg/String
+    owner: Any
+
+
+class Owner:
+    """Base of publishers, subscriptions, clients and services. ``data_class`` is the class of what it carries."""
+
+    def __init__(self, node: Node, data_class: type, full_name: str, qos: QoSProfile) -> None:
+        self.node = node
+        kind = f"{data_class.__module__.replace('.', '/').rpartition('/')[0]}/{data_class.__name__}"
+        self.end = End(full_name, kind, self)
+        self.qos_profile = qos
+        self.peers: list[Any] = []
+        self.made = node.context.state.clock.now()
+        self._destroyed = False
+
+    @property
+    def world(self) -> World:
+        """The world of its process."""
+        return self.node.context.state.world
+
+    @property
+    def logger_name(self) -> str:
+        """The name of its node's logger."""
+        self._check()
+        return self.node.get_logger().name
+
+    def _check(self) -> None:
+        if self._destroyed:
+            raise InvalidHandle()
+
+    def _leave(self) -> None:
+        """Let the others learn that it is gone: at once in this process, later in others."""
+        self._destroyed = True
+        for peer in self.peers:
+            if peer.world is self.world:
+                peer.peers.remove(self)
+        lose(self, self.world.clock.now() + ENDPOINT)
+
+    def part(self, other: Any) -> None:
+        """Learn that an end in another process is gone."""
+        if other in self.peers:
+            self.peers.remove(other)

@@ -1,0 +1,304 @@
+"""Clients and services (sources: rclpy/client.py, rclpy/service.py, rmw_fastrtps).
+
+On a real ROS a middleware carries requests and answers, as messages of two topics. Here the ends put copies of them
+into each other's queues. Those in one process find each other at once; :mod:`rosspin.rclpy.discovery` says how others
+do.
+"""
+
+from __future__ import annotations
+
+import inspect
+import threading
+import time
+from collections import deque
+from collections.abc import Callable
+from typing import TYPE_CHECKING, Any, NamedTuple
+
+from ..clocks.frames import warn
+from ..messages.ros2 import Message, transfer
+from ..messages.ros2 import Service as Interface
+from ..world.graph import CallMade
+from ..world.world import NotSimulated
+from .discovery import introduce
+from .ends import Owner
+from .exceptions import RCLError
+from .qos import Policies, QoSProfile, incompatible_policy
+from .task import Future
+
+if TYPE_CHECKING:
+    from .callback_groups import CallbackGroup
+    from .node import Node
+
+__all__ = ["Client", "Ends", "Service"]
+
+# How long (ns) a service tries to send an answer to a client that is not there.
+_TRY = 100_000_000
+
+# How often (s) wait_for_service looks.
+_LOOK = 0.25
+
+
+class Ends:
+    """The clients and services of a run, by name. Its processes share them.
+
+    ``asked`` are the full names of the nodes whose parameters somebody has a client for.
+    """
+
+    def __init__(self) -> None:
+        self.asked: set[str] = set()
+        self._of: dict[str, list[ServiceEnd]] = {}
+        self._lock = threading.Lock()
+
+    def add(self, end: ServiceEnd) -> list[ServiceEnd]:
+        """Add a client or service. Return those of the other kind that are there already."""
+        # In one go: of two ends that are made at the same time, exactly one finds the other.
+        with self._lock:
+            ends = self._of.setdefault(end.end.topic, [])
+            found = [other for other in ends if type(other) is not type(end) and other.end.type == end.end.type]
+            ends.append(end)
+        return found
+
+    def remove(self, end: ServiceEnd) -> None:
+        """Take an end away."""
+        with self._lock:
+            self._of[end.end.topic].remove(end)
+
+
+class Header(NamedTuple):
+    """Of a request: who asks, and with which number; whether the client could be answered when the service took it."""
+
+    client: Client
+    sequence: int
+    call: CallMade
+    is_known: bool = True
+
+
+class ServiceEnd(Owner):
+    """What a client and a service have in common."""
+
+    def __init__(
+        self,
+        node: Node,
+        srv_type: type[Interface],
+        srv_name: str,
+        full_name: str,
+        callback_group: CallbackGroup,
+        qos: QoSProfile,
+    ) -> None:
+        super().__init__(node, srv_type, full_name, qos)
+        self.srv_type = srv_type
+        self.srv_name = srv_name  # the name that the node gave
+        self.callback_group = callback_group
+        self.messages: deque[Any] = deque(maxlen=qos.kept)
+        self.nudge: Callable[[], None] | None = None  # tells the executor that waits
+        self._executor_event = False
+        self._offered, self._requested = Policies.offered(qos), Policies.requested(qos)
+
+    def join(self) -> None:
+        """Find the other ends of the service, and be found."""
+        for other in self.world.graph.part(Ends).add(self):
+            if other.world is not self.world:
+                introduce(self, other)
+            else:
+                self.meet(other)
+                other.meet(self)
+
+    @property
+    def service_name(self) -> str:
+        """The service's full name."""
+        self._check()
+        return self.end.topic
+
+    def configure_introspection(self, *_: Any) -> None:
+        """Not simulated."""
+        raise NotSimulated(f"{type(self).__name__}.configure_introspection")
+
+    def destroy(self) -> None:
+        """Leave the service."""
+        if not self._destroyed:
+            self.world.graph.part(Ends).remove(self)
+            self._leave()
+
+    def meet(self, other: Any) -> None:
+        """Learn of another end."""
+        if not self._destroyed and self.node.context.ok():
+            self.peers.append(other)
+
+    def _reaches(self, other: ServiceEnd) -> bool:
+        """Whether what it sends arrives at another end."""
+        return other in self.peers and incompatible_policy(self._offered, other._requested) is None
+
+    def _put(self, message: Any) -> None:
+        self.messages.append(message)
+        if self.nudge:
+            self.nudge()
+
+    def take(self) -> Any:
+        """Return the call to make, or None if there is none any more."""
+        try:
+            return None if self._destroyed else self._call(self.messages.popleft())
+        except IndexError:
+            return None
+
+    def _call(self, message: Any) -> Any:
+        raise NotImplementedError
+
+
+class Client(ServiceEnd):
+    """Asks a service. Made by ``Node.create_client``. An executor has to spin its node, which takes the answers."""
+
+    def __init__(self, *args: Any) -> None:
+        super().__init__(*args)
+        self.context = self.node.context
+        self._pending_requests: dict[int, Future] = {}
+        self._lock = threading.Lock()
+        self._sent = 0
+        self.join()
+
+    def call(self, request: Message, timeout_sec: float | None = None) -> Any:
+        """Ask, wait for the answer while another thread spins, and return it; None if ``timeout_sec`` is over.
+
+        Raises as ``call_async``. In a callback it waits for ever if the answer has to wait for the callback's end.
+        """
+        self._check_type(request)
+        answered = threading.Event()
+        future = self.call_async(request)
+        future.add_done_callback(lambda _: answered.set())
+        if not future.done() and not answered.wait(timeout_sec):
+            self.remove_pending_request(future)
+        return future.result()
+
+    def call_async(self, request: Message) -> Future:
+        """Ask, and return a future of the answer. Without a service that is known, it is never done.
+
+        Raises TypeError for a request of another class, InvalidHandle if the client was destroyed.
+        """
+        self._check_type(request)
+        self._check()
+        message = transfer(request, self.srv_type.Request)
+        with self._lock:
+            self._sent += 1
+            future = Future()
+            self._pending_requests[self._sent] = future
+            node = self.node.get_fully_qualified_name()
+            call = self.world.recording.add_call(self.end.topic, node, lambda: message)
+            header = Header(self, self._sent, call)
+        future.add_done_callback(self.remove_pending_request)
+        for service in list(self.peers):
+            if self._reaches(service):
+                service.receive(message, header)
+        return future
+
+    def _check_type(self, request: Any) -> None:
+        if not isinstance(request, self.srv_type.Request):
+            raise TypeError()
+
+    def get_pending_request(self, sequence_number: int) -> Future:
+        """Return the future of a request that is not answered; the first has the number 1. Raises KeyError."""
+        with self._lock:
+            return self._pending_requests[sequence_number]
+
+    def remove_pending_request(self, future: Future) -> None:
+        """Drop the answer to a request when it comes."""
+        with self._lock:
+            for sequence, pending in self._pending_requests.items():
+                if pending is future:
+                    del self._pending_requests[sequence]
+                    break
+
+    def service_is_ready(self) -> bool:
+        """Whether a service is known. Raises InvalidHandle if the client was destroyed, RCLError after shutdown."""
+        self._check()
+        if not self.context.ok():
+            raise RCLError("failed to check service availability: rcl node's context is invalid")
+        return any(self._reaches(service) and service._reaches_back(self) for service in self.peers)
+
+    def wait_for_service(self, timeout_sec: float | None = None) -> bool:
+        """Look for a service every 0.25 s, until ``timeout_sec`` (default: for ever) is used up by these looks.
+
+        Return whether it is known. Raises as ``service_is_ready``.
+        """
+        left = float("inf") if timeout_sec is None else timeout_sec
+        while self.context.ok() and not self.service_is_ready() and left > 0.0:
+            time.sleep(_LOOK)
+            left -= _LOOK
+        return self.service_is_ready()
+
+    def receive(self, sequence: int, response: Message | None) -> None:
+        """Take what a service sends. An answer to another client (None) wakes this one, too, for nothing."""
+        if not self._destroyed:
+            self._put((sequence, response and transfer(response, self.srv_type.Response)))
+
+    def _call(self, message: Any) -> Any:
+        return self._settle, message, None
+
+    def _settle(self, sequence: int, response: Message | None) -> None:
+        with self._lock:
+            future = self._pending_requests.get(sequence)
+        if future:
+            future._set_executor(self.node.executor)
+            future.set_result(response)
+
+
+class Service(ServiceEnd):
+    """Lets an executor call ``callback(request, response)``, which returns the answer. Made by ``create_service``.
+
+    It keeps the newest requests, as many as its QoS says, and hands out the oldest of these first.
+    """
+
+    def __init__(self, callback: Callable[[Any, Any], Any], *args: Any) -> None:
+        super().__init__(*args)
+        self.callback = callback
+        self._early: list[tuple[Message, Header]] = []  # from clients of other processes that are not known yet
+        self.join()
+
+    def receive(self, request: Message, header: Header) -> None:
+        """Take a request that a client sends now."""
+        if self._destroyed:
+            return
+        if header.client in self.peers:
+            self._put((transfer(request, self.srv_type.Request), header))
+        else:
+            self._early.append((request, header))
+
+    def meet(self, other: Any) -> None:
+        """See the base. What the client asked meanwhile is served."""
+        super().meet(other)
+        early, self._early = self._early, []
+        for request, header in early:
+            self.receive(request, header)
+
+    def _reaches_back(self, client: Client) -> bool:
+        """Whether a client gets the answers, as far as it knows."""
+        return incompatible_policy(self._offered, client._requested) is None
+
+    def _call(self, message: Any) -> Any:
+        request, header = message
+        return self._answer, (request, header._replace(is_known=self._reaches(header.client))), None
+
+    async def _answer(self, request: Message, header: Header) -> None:
+        response = self.callback(request, self.srv_type.Response())
+        self.send_response(await response if inspect.iscoroutinefunction(self.callback) else response, header)
+
+    def send_response(self, response: Message, header: Header) -> None:
+        """Answer a request. Raises TypeError for what is no response of this service, InvalidHandle if destroyed.
+
+        A client that could not be reached from the first is waited for 0.1 s, with a warning; one that has gone while
+        the callback ran is not.
+        """
+        if not isinstance(response, self.srv_type.Response):
+            raise TypeError()
+        self._check()
+        if not isinstance(header, Header):
+            raise TypeError()
+        if not self._reaches(header.client):
+            if not header.is_known:
+                self.world.clock.sleep(_TRY)
+                warn("failed to send response (timeout): client will not receive response", RuntimeWarning)
+            return
+        message = transfer(response, self.srv_type.Response)
+        header.call.answer(self.node.get_fully_qualified_name(), self.world.clock.now(), lambda: message)
+        for client in list(self.peers):
+            if self._reaches(client):
+                own = client is header.client
+                client.receive(header.sequence if own else 0, message if own else None)
