@@ -81,7 +81,6 @@ def test_a_node_is_not_for_both(write: Any) -> None:
 @pytest.mark.parametrize(
     ("source", "name"),
     [
-        ("from rclpy.action import ActionServer", "rclpy.action"),
         ("from rclpy.lifecycle import Node", "rclpy.lifecycle"),
         ("import tf2_ros", "tf2_ros"),
         ("from control_srvs.srv import Trigger", "control_srvs"),

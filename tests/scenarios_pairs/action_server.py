@@ -16,8 +16,8 @@ def execute(goal_handle):
     sequence = [0, 1]
     for _ in range(goal_handle.request.order):
         sequence.append(sequence[-1] + sequence[-2])
-        goal_handle.publish_feedback(Fibonacci.Feedback(sequence=sequence))
         time.sleep(0.2)
+        goal_handle.publish_feedback(Fibonacci.Feedback(sequence=sequence))
     goal_handle.succeed()
     done.set_result(None)
     return Fibonacci.Result(sequence=sequence)

@@ -1,5 +1,7 @@
 """What an action is made of, and under which names."""
 
+import warnings
+
 import rclpy
 from rclpy.action import ActionClient, ActionServer, get_action_names_and_types
 from rclpy.action import get_action_client_names_and_types_by_node as clients
@@ -7,6 +9,7 @@ from rclpy.action import get_action_server_names_and_types_by_node as servers
 from scenario import attempt, say
 from test_msgs.action import Fibonacci
 
+warnings.simplefilter("ignore")  # of what rcl cannot take away after a wrong name
 rclpy.init()
 node = rclpy.create_node("actions_names", namespace="/mrp")
 server = ActionServer(node, Fibonacci, "fibonacci", lambda goal_handle: Fibonacci.Result())

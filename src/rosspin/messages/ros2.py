@@ -23,7 +23,7 @@ from typing import Any, ClassVar, TypeVar
 from . import classes
 from .definitions import BUILTIN, Definition, Field, Kind, limits
 
-__all__ = ["Action", "Message", "Messages", "Service", "transfer"]
+__all__ = ["Action", "Message", "Messages", "Service", "received", "transfer"]
 
 M = TypeVar("M", bound="Message")
 
@@ -104,14 +104,31 @@ class Action(_Interface):
 
 
 def transfer(message: Message, data_class: type[M]) -> M:
-    """Make the message that a subscription with this class receives: a new one.
+    """Check a message that is sent, and copy it as ``received`` does.
 
-    Floats of 32 bits are rounded. Raises AssertionError for a wrong value that was never checked: ``data.append``.
+    Raises AssertionError for a wrong value that was never checked: ``data.append``.
     """
-    received = data_class.__new__(data_class)
-    for name, field in data_class._rosspin_fields.items():
-        setattr(received, field.slot, field.copy(field.check(getattr(message, name))))
-    return received
+    _check(message)
+    return received(message, data_class)
+
+
+def received(message: Message, data_class: type[M]) -> M:
+    """Make the message that a receiver with this class gets, which may be in another process: a new one.
+
+    Floats of 32 bits are rounded.
+    """
+    copy = data_class.__new__(data_class)
+    for field in data_class._rosspin_fields.values():
+        setattr(copy, field.slot, field.copy(getattr(message, field.slot)))
+    return copy
+
+
+def _check(message: Message) -> None:
+    for field in message._rosspin_fields.values():
+        value = field.check(getattr(message, field.slot))
+        if field.message:
+            for each in value if field.kind.array else (value,):
+                _check(each)
 
 
 class _Field:
@@ -238,7 +255,7 @@ class _Field:
 
     def _copy_one(self, value: Any) -> Any:
         if self.message:
-            return transfer(value, self.message)
+            return received(value, self.message)
         if self.kind.base == "float32":
             return _rounded(value)
         return self.type(value)

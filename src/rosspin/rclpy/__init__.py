@@ -11,6 +11,7 @@ from typing import Any
 
 from ..world.world import NotSimulated, refusing
 from . import (
+    action,
     callback_groups,
     clock,
     context,
@@ -154,7 +155,7 @@ def spin_until_future_complete(
 
 # The modules of rclpy that are not here: they need a real ROS.
 NOT_SIMULATED = {
-    *("action", "constants", "destroyable", "event_handler", "experimental", "lifecycle", "logging_service"),
+    *("constants", "destroyable", "event_handler", "experimental", "lifecycle", "logging_service"),
     *("parameter_client", "parameter_event_handler", "qos_event", "qos_overriding_options"),
     *("serialization", "service_introspection", "time_source", "topic_endpoint_info"),
     *("topic_or_service_is_hidden", "type_description_service", "type_hash", "type_support", "waitable"),
@@ -186,6 +187,10 @@ IN_PART = {
 # What a node may import, by its name on a real ROS.
 MODULES: dict[str, ModuleType] = {
     "rclpy": sys.modules[__name__],
+    "rclpy.action": action,
+    "rclpy.action.client": action,
+    "rclpy.action.graph": action,
+    "rclpy.action.server": action,
     "rclpy.callback_groups": callback_groups,
     "rclpy.client": services,
     "rclpy.clock": clock,
@@ -227,6 +232,8 @@ AT_EXIT: list[Any] = []
 
 # Tracebacks and texts show the names of a real ROS.
 _HOMES = {
+    **dict.fromkeys(("ActionClient", "ClientGoalHandle"), "rclpy.action.client"),
+    **dict.fromkeys(("ActionServer", "CancelResponse", "GoalResponse", "ServerGoalHandle"), "rclpy.action.server"),
     "Client": "rclpy.client",
     "ClockType": "rclpy.clock_type",
     "GuardCondition": "rclpy.guard_condition",

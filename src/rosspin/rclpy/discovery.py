@@ -45,7 +45,8 @@ class Participants:
         if context.joined is not None and context.left is None:
             context.left = context.state.clock.now() + (LEASE if killed else END)
             for node in context.nodes:
-                for end in (*node._publishers, *node._subscriptions, *node._clients, *node._services):
+                waited = (end for waitable in node._waitables for end in waitable.ends)
+                for end in (*node._publishers, *node._subscriptions, *node._clients, *node._services, *waited):
                     lose(end, context.left)
 
     def all_nodes(self) -> list[Node]:

@@ -57,6 +57,15 @@ def not_accepted(signature: str, *args: object, function: str = "") -> TypeError
 _OBJECTS = ("Clock", "Context", "Node", "rmw_qos_profile_t")
 
 
+def no_type_support(given: object) -> AttributeError:
+    """Make the error for what is no message, service or action of ROS 2."""
+    return AttributeError(
+        f"type object '{type(given).__name__}' has no attribute '_TYPE_SUPPORT' "
+        "This might be a ROS 1 message type but it should be a ROS 2 message type. "
+        "Make sure to source your ROS 2 workspace after your ROS 1 workspace."
+    )
+
+
 class NotInitializedException(Exception):
     """Something needs ``rclpy.init()`` first."""
 

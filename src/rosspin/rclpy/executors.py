@@ -93,10 +93,10 @@ class GuardCondition:
 class Executor:
     """Base of the executors, which call what is due in the nodes that were added.
 
-    They work in rounds. A round waits until something is due, then hands out all that is due: node by node the timers,
-    the subscriptions with one message each, the guard conditions, the clients with one answer each and the services
-    with one request each, in the order of their creation. ``spin_once`` takes the next call of the round. It begins
-    another round when this one is used up, or when it is called with another timeout.
+    They work in rounds. A round waits until something is due, then hands out all that is due: first the actions, then,
+    node by node, the timers, the subscriptions with one message each, the guard conditions, the clients with one answer
+    each and the services with one request each, in the order of their creation. ``spin_once`` takes the next call of
+    the round. It begins another round when this one is used up, or when it is called with another timeout.
     """
 
     # Here and in Node, names that rclpy's class does not have are mangled or begin with _rosspin, so that they do not
@@ -256,6 +256,11 @@ class Executor:
                 raise ExternalShutdownException()
             # These lists are not copied: a callback called meanwhile may change them.
             for node in spun:
+                for waitable in node._waitables:
+                    if waitable in ready and waitable.callback_group.can_execute(waitable):
+                        works = True
+                        yield self.__task(waitable, node)
+            for node in spun:
                 for timer in node._timers:
                     if timer in ready and timer.is_due() and timer.callback_group.can_execute(timer):
                         works = True
@@ -289,7 +294,9 @@ class Executor:
         """Collect what to wait for."""
         can_execute = self.can_execute
         timers = [timer for node in nodes for timer in node._timers if can_execute(timer)]
-        ends = (end for node in nodes for end in (*node._subscriptions, *node._clients, *node._services))
+        ends = (
+            end for node in nodes for end in (*node._subscriptions, *node._clients, *node._services, *node._waitables)
+        )
         receivers: list[Any] = [end for end in ends if can_execute(end)]
         guards = [guard for node in nodes for guard in node._guards if can_execute(guard)]
         for guard in guards:

@@ -12,7 +12,6 @@ from types import FrameType
 from typing import TYPE_CHECKING, Any, NamedTuple
 
 from ..clocks.clock import NS
-from ..clocks.frames import node_frame
 from .arguments import LEVELS
 from .state import State, state
 
@@ -110,7 +109,9 @@ class RcutilsLogger:
             return False
         name = kwargs.pop("name", self.name)
         filters = _filters(kwargs) if kwargs else []
-        frame = node_frame(sys._getframe(1))
+        frame = sys._getframe(1)
+        while frame.f_code.co_filename == __file__ and frame.f_back:
+            frame = frame.f_back
         where = (frame.f_code.co_filename, frame.f_lineno, frame.f_lasti)
         call = self._calls.get(where)
         if call is None:

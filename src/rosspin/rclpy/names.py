@@ -48,6 +48,7 @@ _TOPIC: list[Rule] = [
     (r"[^\w/~{}]", "topic name must not contain characters other than alphanumerics, '_', '~', '{', or '}'"),
     (r".(~)", "topic name must not have tilde '~' unless it is the first character"),
     (r"{(?!\w*})|^[^{]*(})", "topic name must not have unmatched (unbalanced) curly braces '{}'"),
+    (r"^~([^/]).", "topic name must not have a tilde '~' that is not followed by a forward slash '/'"),
     (r"/(\d)", "topic name token must not start with a number"),
 ]
 _FULL_TOPIC: list[Rule] = [

@@ -5,7 +5,7 @@ from __future__ import annotations
 import time
 from collections.abc import Callable, Iterable, Iterator, Mapping, Set
 from importlib import import_module
-from typing import TYPE_CHECKING, Any
+from typing import TYPE_CHECKING, Any, TypeVar
 
 from ..messages.ros2 import Action, Message
 from ..messages.ros2 import Service as Interface
@@ -21,6 +21,7 @@ from .exceptions import (
     NotInitializedException,
     RCLError,
     invalid_context,
+    no_type_support,
     not_accepted,
 )
 from .executors import GuardCondition
@@ -33,10 +34,13 @@ from .timer import Rate, Timer
 from .topics import Publisher, Subscription
 
 if TYPE_CHECKING:
+    from .action import ActionClient, ActionServer
     from .ends import Owner
     from .executors import Executor
 
 __all__ = ["Node"]
+
+E = TypeVar("E", bound="Owner")
 
 # The topics that every node publishes.
 _OF_EVERY_NODE = {
@@ -62,14 +66,6 @@ def _by_name(ends: Iterable[Owner], topics: Mapping[str, Set[str]]) -> list[tupl
     for owner in ends:
         found.setdefault(owner.end.topic, set()).add(owner.end.type)
     return [(topic, sorted(types)) for topic, types in sorted(found.items())]
-
-
-def _no_type_support(given: object) -> AttributeError:
-    return AttributeError(
-        f"type object '{type(given).__name__}' has no attribute '_TYPE_SUPPORT' "
-        "This might be a ROS 1 message type but it should be a ROS 2 message type. "
-        "Make sure to source your ROS 2 workspace after your ROS 1 workspace."
-    )
 
 
 class Node(Parameters):
@@ -124,6 +120,7 @@ class Node(Parameters):
         self._subscriptions: list[Subscription] = []
         self._clients: list[Client] = []
         self._services: list[Service] = []
+        self._waitables: list[ActionServer | ActionClient] = []
         self._timers: list[Timer] = []
         self._guards: list[GuardCondition] = []
         self._default_callback_group = MutuallyExclusiveCallbackGroup()
@@ -207,6 +204,33 @@ class Node(Parameters):
             self._services.extend(own)
 
     @property
+    def waitables(self) -> Iterator[ActionServer | ActionClient]:
+        """Its action servers and action clients."""
+        yield from self._waitables
+
+    def add_waitable(self, waitable: Any) -> None:
+        """Serve an action. Others that a node may wait for are not simulated."""
+        if not hasattr(waitable, "ends"):
+            raise NotSimulated("Node.add_waitable")
+        self._waitables.append(waitable)
+        self._wake_executor()
+
+    def remove_waitable(self, waitable: Any) -> None:
+        """Serve an action no more."""
+        self._waitables.remove(waitable)
+        self._wake_executor()
+
+    def _rosspin_ends(self, kind: type[E]) -> list[E]:
+        """List its publishers, its subscriptions, its clients or its services, those of its actions, too."""
+        own: dict[type, list[Any]] = {
+            Publisher: self._publishers,
+            Subscription: self._subscriptions,
+            Client: self._clients,
+        }
+        ends = own[kind] if kind in own else self.services
+        return [*ends, *(end for waitable in self._waitables for end in waitable.ends if isinstance(end, kind))]
+
+    @property
     def timers(self) -> Iterator[Timer]:
         """Its timers, those of its Rates, too."""
         yield from self._timers
@@ -243,7 +267,7 @@ class Node(Parameters):
         if self.__destroyed:
             raise InvalidHandle()
 
-    def __nudge(self) -> None:
+    def _rosspin_nudge(self) -> None:
         """Let the executor look again: something may have become due."""
         if self.__executor:
             self.__executor._rosspin_nudge()
@@ -269,7 +293,7 @@ class Node(Parameters):
         group = callback_group or self.default_callback_group
         period = int(float(timer_period_sec) * 1e9)
         timer = Timer(callback, group, period, clock or self._clock, context=self._context, autostart=autostart)
-        timer.nudge = self.__nudge
+        timer.nudge = self._rosspin_nudge
         group.add_entity(timer)
         self._timers.append(timer)
         self._wake_executor()
@@ -290,7 +314,7 @@ class Node(Parameters):
             raise invalid_context("create guard_condition")
         group = callback_group or self.default_callback_group
         guard = GuardCondition(callback, group, self._context)
-        guard.nudge = self.__nudge
+        guard.nudge = self._rosspin_nudge
         group.add_entity(guard)
         self._guards.append(guard)
         self._wake_executor()
@@ -314,7 +338,7 @@ class Node(Parameters):
         ``msg_type`` is no message of ROS 2, and RCLError if the process uses the topic with another type.
         """
         qos = self.__prepare("publisher", msg_type, topic, qos_profile, event_callbacks, qos_overriding_options)
-        full_name = self.__resolve(topic)
+        full_name = self._rosspin_resolve(topic)
         if (other := self.__other_type(full_name, msg_type)) is not None:
             raise RCLError(
                 "Failed to create publisher: create_publisher() called for existing topic name "
@@ -341,12 +365,12 @@ class Node(Parameters):
         if raw:
             raise NotSimulated("Node.create_subscription(raw=True)")
         qos = self.__prepare("subscription", msg_type, topic, qos_profile, event_callbacks, qos_overriding_options)
-        full_name = self.__resolve(topic)
+        full_name = self._rosspin_resolve(topic)
         if self.__other_type(full_name, msg_type) is not None:
             raise RCLError("Failed to create subscription: invalid allocator")
         group = callback_group or self.default_callback_group
         subscription = Subscription(self, msg_type, topic, full_name, callback, group, qos)
-        subscription.nudge = self.__nudge
+        subscription.nudge = self._rosspin_nudge
         group.add_entity(subscription)
         self._subscriptions.append(subscription)
         self._wake_executor()
@@ -366,7 +390,7 @@ class Node(Parameters):
             raise TypeError(f"Expected QoSProfile or int, but received {type(qos)!r}")
         self.__check_text(topic)
         if not (isinstance(msg_type, type) and issubclass(msg_type, Message)):
-            raise _no_type_support(msg_type)
+            raise no_type_support(msg_type)
         if not self._context.ok():
             raise RCLError(f"Failed to create {what}: rcl node's context is invalid")
         return qos
@@ -391,7 +415,7 @@ class Node(Parameters):
         self.__check()
         self.__check_text(name, only_expand, is_service)
         try:
-            return self.__resolve(name, only_expand, is_service)
+            return self._rosspin_resolve(name, only_expand, is_service)
         except NameValidationException as error:
             raise RCLError(f"failed to resolve name: {error.error_msg}") from None
 
@@ -401,7 +425,7 @@ class Node(Parameters):
             signature = "(arg0: rclpy::Node, arg1: str, arg2: bool, arg3: bool) -> str"
             raise not_accepted(signature, "Node", name, only_expand, is_service, function="rclpy_resolve_name")
 
-    def __resolve(self, name: str, only_expand: bool = False, is_service: bool = False) -> str:
+    def _rosspin_resolve(self, name: str, only_expand: bool = False, is_service: bool = False) -> str:
         names.validate_topic_name(name, is_service=is_service)
         full_name = names.expand_topic_name(name, self.__name, self.__namespace)
         if not only_expand:
@@ -419,9 +443,8 @@ class Node(Parameters):
         own = [owner for context in self._context.state.contexts for node in context.nodes for owner in node.__ends()]
         return _by_name([*own, *(owner for node in self.__nodes() for owner in node.__ends())], _OF_EVERY_NODE)
 
-    def __ends(self) -> Iterator[Publisher | Subscription]:
-        yield from self._publishers
-        yield from self._subscriptions
+    def __ends(self) -> list[Publisher | Subscription]:
+        return [*self._rosspin_ends(Publisher), *self._rosspin_ends(Subscription)]
 
     def __nodes(self) -> list[Node]:
         """The known nodes: those of its context, and those found in other processes."""
@@ -432,13 +455,13 @@ class Node(Parameters):
         self, node_name: str, node_namespace: str, no_demangle: bool = False
     ) -> list[tuple[str, list[str]]]:
         """Return the topics that a node publishes, and their types. Raises NodeNameNonExistentError if unknown."""
-        return _by_name(self.__find("publisher", node_name, node_namespace)._publishers, _OF_EVERY_NODE)
+        return _by_name(self.__find("publisher", node_name, node_namespace)._rosspin_ends(Publisher), _OF_EVERY_NODE)
 
     def get_subscriber_names_and_types_by_node(
         self, node_name: str, node_namespace: str, no_demangle: bool = False
     ) -> list[tuple[str, list[str]]]:
         """Return the topics that a node subscribes to, and their types. Raises NodeNameNonExistentError."""
-        return _by_name(self.__find("subscriber", node_name, node_namespace)._subscriptions, {})
+        return _by_name(self.__find("subscriber", node_name, node_namespace)._rosspin_ends(Subscription), {})
 
     def __find(self, what: str, name: str, namespace: str) -> Node:
         self.__check()
@@ -449,18 +472,17 @@ class Node(Parameters):
 
     def count_publishers(self, topic_name: str) -> int:
         """Count the known publishers of a topic; its name is not remapped. Raises ValueError and InvalidHandle."""
-        return self.__count(topic_name, "publishers")
+        return self.__count(topic_name, "publishers", Publisher)
 
     def count_subscribers(self, topic_name: str) -> int:
         """Count the known subscriptions to a topic; its name is not remapped. Raises ValueError and InvalidHandle."""
-        return self.__count(topic_name, "subscribers")
+        return self.__count(topic_name, "subscribers", Subscription)
 
-    def __count(self, name: str, what: str) -> int:
+    def __count(self, name: str, what: str, kind: type[Owner]) -> int:
         full_name = names.expand_topic_name(name, self.get_name(), self.get_namespace())
         names.validate_full_topic_name(full_name)
         self.__check_context(f"Error in rcl_count_{what}")
-        ends = "subscriptions" if what == "subscribers" else what
-        return sum(owner.end.topic == full_name for node in self.__nodes() for owner in getattr(node, ends))
+        return sum(owner.end.topic == full_name for node in self.__nodes() for owner in node._rosspin_ends(kind))
 
     def __check_context(self, error: str) -> None:
         if not self._context.ok():
@@ -515,7 +537,7 @@ class Node(Parameters):
         return service
 
     def __add_end(self, end: Any, ends: list[Any]) -> None:
-        end.nudge = self.__nudge
+        end.nudge = self._rosspin_nudge
         end.callback_group.add_entity(end)
         ends.append(end)
         self._wake_executor()
@@ -523,7 +545,7 @@ class Node(Parameters):
     def __prepare_service(self, what: str, srv_type: Any, name: Any, qos: Any) -> str:
         """Check what a client or service is to be made of. Return the full name."""
         if not (isinstance(srv_type, type) and issubclass(srv_type, (Interface, Action, Message))):
-            raise _no_type_support(srv_type)
+            raise no_type_support(srv_type)
         if not issubclass(srv_type, Interface):
             text = f"The service type provided is not valid ({srv_type}), this might be a message or action"
             raise RuntimeError(text)
@@ -535,7 +557,7 @@ class Node(Parameters):
             raise not_accepted(signature, "Node", srv_type, name, "rmw_qos_profile_t")
         if not self._context.ok():
             raise RCLError(f"failed to create {what}: rcl node's context is invalid")
-        full_name = self.__resolve(name, is_service=True)
+        full_name = self._rosspin_resolve(name, is_service=True)
         for node in self._context.nodes:
             for end in (*node._clients, *node._services):
                 if end.end.topic == full_name and end.srv_type is not srv_type:
@@ -551,19 +573,19 @@ class Node(Parameters):
         self.__check()
         self.__check_context("failed to get service names and types")
         nodes = self.__nodes()
-        ends = (end for node in nodes for end in (*node.services, *node._clients))
+        ends = (end for node in nodes for kind in (Service, Client) for end in node._rosspin_ends(kind))
         return _by_name(ends, {name: types for node in nodes for name, types in node.__describing().items()})
 
     def get_service_names_and_types_by_node(self, node_name: str, node_namespace: str) -> list[tuple[str, list[str]]]:
         """Return the services that a node offers, and their types. Raises NodeNameNonExistentError if unknown."""
         self.__check_context("failed to get service names and types")
         node = self.__find("service", node_name, node_namespace)
-        return _by_name(node.services, node.__describing())
+        return _by_name(node._rosspin_ends(Service), node.__describing())
 
     def get_client_names_and_types_by_node(self, node_name: str, node_namespace: str) -> list[tuple[str, list[str]]]:
         """Return the services that a node asks, and their types. Raises NodeNameNonExistentError if unknown."""
         self.__check_context("failed to get client names and types")
-        return _by_name(self.__find("client", node_name, node_namespace)._clients, {})
+        return _by_name(self.__find("client", node_name, node_namespace)._rosspin_ends(Client), {})
 
     def __describing(self) -> dict[str, set[str]]:
         """The service that describes its types. It is only named here."""
@@ -573,11 +595,11 @@ class Node(Parameters):
 
     def count_services(self, service_name: str) -> int:
         """Count the known servers of a service; its name is not remapped. Raises ValueError and InvalidHandle."""
-        return self.__count(service_name, "services")
+        return self.__count(service_name, "services", Service)
 
     def count_clients(self, service_name: str) -> int:
         """Count the known clients of a service; its name is not remapped. Raises ValueError and InvalidHandle."""
-        return self.__count(service_name, "clients")
+        return self.__count(service_name, "clients", Client)
 
     # --- nodes --------------------------------------------------------------------------------------------------------
 
@@ -657,6 +679,8 @@ class Node(Parameters):
         """Destroy the node and all that it has made, but its logger."""
         self.__lacks_services = False
         ends = self._publishers, self._subscriptions, self._clients, self._services
+        for waitable in list(self._waitables):
+            waitable.destroy()
         for entities in (*ends, self._timers, self._guards):
             while entities:
                 self.__destroy(entities[0], entities)
@@ -719,6 +743,6 @@ class Node(Parameters):
 
 # Methods of rclpy's Node that are not here.
 NOT_SIMULATED = {
-    *("add_waitable", "get_node_names_and_namespaces_with_enclaves", "get_publishers_info_by_topic"),
-    *("get_subscriptions_info_by_topic", "handle", "remove_waitable", "set_descriptor", "waitables"),
+    *("get_node_names_and_namespaces_with_enclaves", "get_publishers_info_by_topic"),
+    *("get_subscriptions_info_by_topic", "handle", "set_descriptor"),
 }

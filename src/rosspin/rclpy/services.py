@@ -15,7 +15,7 @@ from collections.abc import Callable
 from typing import TYPE_CHECKING, Any, NamedTuple
 
 from ..clocks.frames import warn
-from ..messages.ros2 import Message, transfer
+from ..messages.ros2 import Message, received, transfer
 from ..messages.ros2 import Service as Interface
 from ..world.graph import CallMade
 from ..world.world import NotSimulated
@@ -175,19 +175,22 @@ class Client(ServiceEnd):
         """
         self._check_type(request)
         self._check()
-        message = transfer(request, self.srv_type.Request)
+        future = Future()
         with self._lock:
-            self._sent += 1
-            future = Future()
-            self._pending_requests[self._sent] = future
-            node = self.node.get_fully_qualified_name()
-            call = self.world.recording.add_call(self.end.topic, node, lambda: message)
-            header = Header(self, self._sent, call)
+            self._pending_requests[self.send_request(request)] = future
         future.add_done_callback(self.remove_pending_request)
+        return future
+
+    def send_request(self, request: Message) -> int:
+        """Ask, and return the number that the answer will have."""
+        message = transfer(request, self.srv_type.Request)
+        self._sent += 1
+        node = self.node.get_fully_qualified_name()
+        call = self.world.recording.add_call(self.end.topic, node, lambda: message)
         for service in list(self.peers):
             if self._reaches(service):
-                service.receive(message, header)
-        return future
+                service.receive(message, Header(self, self._sent, call))
+        return self._sent
 
     def _check_type(self, request: Any) -> None:
         if not isinstance(request, self.srv_type.Request):
@@ -227,7 +230,7 @@ class Client(ServiceEnd):
     def receive(self, sequence: int, response: Message | None) -> None:
         """Take what a service sends. An answer to another client (None) wakes this one, too, for nothing."""
         if not self._destroyed:
-            self._put((sequence, response and transfer(response, self.srv_type.Response)))
+            self._put((sequence, response and received(response, self.srv_type.Response)))
 
     def _call(self, message: Any) -> Any:
         return self._settle, message, None
@@ -257,7 +260,7 @@ class Service(ServiceEnd):
         if self._destroyed:
             return
         if header.client in self.peers:
-            self._put((transfer(request, self.srv_type.Request), header))
+            self._put((received(request, self.srv_type.Request), header))
         else:
             self._early.append((request, header))
 

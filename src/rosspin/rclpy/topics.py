@@ -12,7 +12,7 @@ from collections import deque
 from collections.abc import Callable
 from typing import TYPE_CHECKING, Any
 
-from ..messages.ros2 import Message, transfer
+from ..messages.ros2 import Message, received, transfer
 from .callback_groups import ReentrantCallbackGroup
 from .discovery import KEPT, discover
 from .ends import Owner
@@ -217,7 +217,7 @@ class Subscription(TopicEnd):
             "publication_sequence_number": self._received,
             "reception_sequence_number": None,
         }
-        self.messages.append((transfer(message, self.msg_type), info))
+        self.messages.append((received(message, self.msg_type), info))
         if self.nudge:
             self.nudge()
 

@@ -1,0 +1,731 @@
+"""Actions: goals that take a while, with feedback and a result (sources: rclpy/action, rcl_action).
+
+An action is three services (to send a goal, to cancel it, to get its result) and two topics (feedback and status). An
+executor serves all five together, as one entity.
+"""
+
+from __future__ import annotations
+
+import inspect
+import sys
+import threading
+import time
+from collections.abc import Callable, Iterable
+from enum import Enum, IntEnum
+from functools import partial
+from hashlib import md5
+from importlib import import_module
+from itertools import count
+from typing import TYPE_CHECKING, Any
+from weakref import ref
+
+from ..clocks.frames import format_error
+from ..messages.ros2 import Action, Message
+from .callback_groups import CallbackGroup
+from .exceptions import NameValidationException, RCLError, no_type_support
+from .qos import QoSProfile, qos_profile_action_status_default, qos_profile_services_default
+from .services import Client, Service
+from .task import Future
+from .topics import Publisher, Subscription
+
+if TYPE_CHECKING:
+    from .node import Node
+
+__all__ = [
+    "ActionClient",
+    "ActionServer",
+    "CancelResponse",
+    "GoalResponse",
+    "get_action_client_names_and_types_by_node",
+    "get_action_names_and_types",
+    "get_action_server_names_and_types_by_node",
+]
+
+# How often (s) wait_for_server looks.
+_LOOK = 0.25
+
+_FEEDBACK_QOS = QoSProfile(depth=10)
+
+
+class GoalResponse(Enum):
+    """What a server says to a goal."""
+
+    REJECT = 1
+    ACCEPT = 2
+
+
+class CancelResponse(Enum):
+    """What a server says to a request to cancel a goal."""
+
+    REJECT = 1
+    ACCEPT = 2
+
+
+class _Status(IntEnum):
+    """What has become of a goal, numbered as in action_msgs/GoalStatus."""
+
+    UNKNOWN = 0
+    ACCEPTED = 1
+    EXECUTING = 2
+    CANCELING = 3
+    SUCCEEDED = 4
+    CANCELED = 5
+    ABORTED = 6
+
+    @property
+    def is_active(self) -> bool:
+        return self in (_Status.ACCEPTED, _Status.EXECUTING, _Status.CANCELING)
+
+
+# What an event makes of a goal (source: rcl_action/goal_state_machine.c).
+_AFTER = {
+    (_Status.ACCEPTED, "EXECUTE"): _Status.EXECUTING,
+    (_Status.ACCEPTED, "CANCEL_GOAL"): _Status.CANCELING,
+    (_Status.EXECUTING, "CANCEL_GOAL"): _Status.CANCELING,
+    (_Status.EXECUTING, "SUCCEED"): _Status.SUCCEEDED,
+    (_Status.EXECUTING, "ABORT"): _Status.ABORTED,
+    (_Status.CANCELING, "SUCCEED"): _Status.SUCCEEDED,
+    (_Status.CANCELING, "ABORT"): _Status.ABORTED,
+    (_Status.CANCELING, "CANCELED"): _Status.CANCELED,
+}
+
+# What CancelGoal answers.
+_UNKNOWN_GOAL = 2
+_GOAL_HAS_ENDED = 3
+
+
+class GoalIds:
+    """Numbers the goals of a run. Their ids are as good as random ones, and the same in each run."""
+
+    def __init__(self) -> None:
+        self._numbers = count()
+
+    def new(self) -> list[int]:
+        """Return the 16 bytes of a new id."""
+        return list(md5(f"goal {next(self._numbers)}".encode(), usedforsecurity=False).digest())
+
+
+class _ActionEnd:
+    """What a server and a client have in common: an entity of an executor that has several ends."""
+
+    _word: str
+
+    def __init__(self, node: Node, action_type: type[Action], action_name: str, group: CallbackGroup | None) -> None:
+        if not (isinstance(action_type, type) and issubclass(action_type, Action)):
+            raise no_type_support(action_type)
+        self._node = node
+        self._action_type = action_type
+        self._action_name = action_name
+        try:
+            self._service_name("send_goal")
+        except NameValidationException as error:
+            text = f"Failed to create action {self._word} due to invalid topic name '{action_name}' : {error.error_msg}"
+            raise ValueError(text) from None
+        self.callback_group = group or node.default_callback_group
+        self._executor_event = False
+        self._futures: list[Future] = []
+        self._logger = node.get_logger().get_child(f"action_{self._word}")
+        self._ready: list[Any] = []
+        self._destroyed = False
+
+    def _service_name(self, part: str) -> str:
+        return self._node._rosspin_resolve(f"{self._action_name}/_action/{part}", is_service=True)
+
+    def _topic_name(self, part: str) -> str:
+        return self._node._rosspin_resolve(f"{self._action_name}/_action/{part}")
+
+    def _join(self, ends: Iterable[Any]) -> None:
+        """Let executors look at the ends: their order is that in which they are served."""
+        self.ends = list(ends)
+        for end in self.ends:
+            end.nudge = self._node._rosspin_nudge
+        self.callback_group.add_entity(self)
+        self._node.add_waitable(self)
+
+    @property
+    def messages(self) -> bool:
+        """Whether one of its ends has something to take; which ones is noted for ``take``."""
+        self._ready = [end for end in self.ends if getattr(end, "messages", None)]
+        return bool(self._ready)
+
+    def take(self) -> Any:
+        """Return the call to make: with one message of each end that was ready when the executor looked."""
+        if self._destroyed:
+            return None
+        return self._execute, ([(end, *end.messages.popleft()) for end in self._ready if end.messages],), None
+
+    async def _execute(self, taken: list[tuple[Any, Any, Any]]) -> None:
+        for future in self._futures:
+            future._set_executor(self._node.executor)
+        for end, *message in taken:
+            await self._serve(end, *message)
+
+    async def _serve(self, end: Any, first: Any, second: Any) -> None:
+        raise NotImplementedError
+
+    def destroy(self) -> None:
+        """Leave the action."""
+        if not self._destroyed:
+            self._destroyed = True
+            for end in self.ends:
+                end.destroy()
+            self._node.remove_waitable(self)
+
+
+async def _await_or_call(callback: Callable[..., Any], *args: Any) -> Any:
+    return await callback(*args) if inspect.iscoroutinefunction(callback) else callback(*args)
+
+
+# --- the server -------------------------------------------------------------------------------------------------------
+
+
+class ServerGoalHandle:
+    """A goal that a server has accepted. Two are equal if their ids are."""
+
+    def __init__(self, action_server: ActionServer, goal_info: Any, goal_request: Message) -> None:
+        self._action_server = action_server
+        self._goal_info = goal_info
+        self._goal_request = goal_request
+        self._status = _Status.ACCEPTED
+        self._lock = threading.Lock()
+        self.ended = 0  # when (ns)
+
+    def __eq__(self, other: object) -> bool:
+        return isinstance(other, ServerGoalHandle) and bool(self.goal_id == other.goal_id)
+
+    __hash__ = None  # type: ignore[assignment]
+
+    @property
+    def request(self) -> Any:
+        """The goal."""
+        return self._goal_request
+
+    @property
+    def goal_id(self) -> Any:
+        """Its id, a unique_identifier_msgs/UUID."""
+        return self._goal_info.goal_id
+
+    @property
+    def is_active(self) -> bool:
+        """Whether it has not ended."""
+        return self._status.is_active
+
+    @property
+    def is_cancel_requested(self) -> bool:
+        """Whether it is to be cancelled, and still active."""
+        return self._status is _Status.CANCELING
+
+    @property
+    def status(self) -> int:
+        """What has become of it, as in action_msgs/GoalStatus."""
+        return int(self._status)
+
+    def _update_state(self, event: str) -> None:
+        with self._lock:
+            if self._status is _Status.UNKNOWN:
+                return
+            after = _AFTER.get((self._status, event))
+            if after is None:
+                raise RCLError(
+                    "Failed to update goal state: goal_handle attempted invalid transition from state "
+                    f"{self._status.name} with event {event}"
+                )
+            self._status = after
+            self._action_server._publish_status()
+            if not after.is_active:
+                self.ended = self._action_server._now()
+
+    def execute(self, execute_callback: Callable[[ServerGoalHandle], Any] | None = None) -> None:
+        """Let the executor call the server's function, or this one, with the goal."""
+        if not self.is_cancel_requested:
+            self._update_state("EXECUTE")
+        self._action_server._start(self, execute_callback)
+
+    def publish_feedback(self, feedback: Message) -> None:
+        """Send feedback to the client. Raises TypeError for what is no feedback of this action."""
+        self._action_server._publish_feedback(self, feedback)
+
+    def succeed(self) -> None:
+        """Say that it has been reached. Raises RCLError if it has ended."""
+        self._update_state("SUCCEED")
+
+    def abort(self) -> None:
+        """Say that the server has given it up. Raises RCLError if it has ended."""
+        self._update_state("ABORT")
+
+    def canceled(self) -> None:
+        """Say that it has been cancelled. Raises RCLError unless somebody asked for that."""
+        self._update_state("CANCELED")
+
+    def destroy(self) -> None:
+        """Forget what has become of it."""
+        self._status = _Status.UNKNOWN
+
+
+def default_handle_accepted_callback(goal_handle: ServerGoalHandle) -> None:
+    """Execute the goal."""
+    goal_handle.execute()
+
+
+def default_goal_callback(goal_request: Message) -> GoalResponse:
+    """Accept each goal."""
+    return GoalResponse.ACCEPT
+
+
+def default_cancel_callback(cancel_request: ServerGoalHandle) -> CancelResponse:
+    """Cancel none."""
+    return CancelResponse.REJECT
+
+
+class ActionServer(_ActionEnd):
+    """Lets an executor call ``execute_callback(goal_handle)`` for each goal; what it returns is the result.
+
+    ``goal_callback(goal)`` decides which goals are accepted, ``cancel_callback(goal_handle)`` which are cancelled, and
+    ``handle_accepted_callback(goal_handle)`` when they are executed. A result is kept for ``result_timeout`` s. Only
+    requests are served in the callback group: each goal is executed in a task of its own.
+    """
+
+    _word = "server"
+
+    def __init__(
+        self,
+        node: Node,
+        action_type: type[Action],
+        action_name: str,
+        execute_callback: Callable[[ServerGoalHandle], Any],
+        *,
+        callback_group: CallbackGroup | None = None,
+        goal_callback: Callable[[Any], Any] | None = default_goal_callback,
+        handle_accepted_callback: Callable[[ServerGoalHandle], Any] | None = default_handle_accepted_callback,
+        cancel_callback: Callable[[ServerGoalHandle], Any] | None = default_cancel_callback,
+        goal_service_qos_profile: QoSProfile = qos_profile_services_default,
+        result_service_qos_profile: QoSProfile = qos_profile_services_default,
+        cancel_service_qos_profile: QoSProfile = qos_profile_services_default,
+        feedback_pub_qos_profile: QoSProfile = _FEEDBACK_QOS,
+        status_pub_qos_profile: QoSProfile = qos_profile_action_status_default,
+        result_timeout: float = 900,
+    ) -> None:
+        self.register_handle_accepted_callback(handle_accepted_callback)
+        self.register_goal_callback(goal_callback)
+        self.register_cancel_callback(cancel_callback)
+        self.register_execute_callback(execute_callback)
+        super().__init__(node, action_type, action_name, callback_group)
+        impl, group = action_type.Impl, self.callback_group
+
+        def serve(srv_type: Any, part: str, qos: QoSProfile) -> Service:
+            name = f"{action_name}/_action/{part}"
+            return Service(_unused, node, srv_type, name, self._service_name(part), group, qos)
+
+        def publish(msg_type: Any, part: str, qos: QoSProfile) -> Publisher:
+            return Publisher(node, msg_type, f"{action_name}/_action/{part}", self._topic_name(part), qos)
+
+        self._goals_asked = serve(impl.SendGoalService, "send_goal", goal_service_qos_profile)
+        self._cancels_asked = serve(impl.CancelGoalService, "cancel_goal", cancel_service_qos_profile)
+        self._results_asked = serve(impl.GetResultService, "get_result", result_service_qos_profile)
+        self._feedback = publish(impl.FeedbackMessage, "feedback", feedback_pub_qos_profile)
+        self._status = publish(impl.GoalStatusMessage, "status", status_pub_qos_profile)
+        self._goal_handles: dict[bytes, ServerGoalHandle] = {}
+        self._result_futures: dict[bytes, Future] = {}
+        self._result_timeout = int(result_timeout * 1e9)
+        self._join([self._goals_asked, self._cancels_asked, self._results_asked, self._feedback, self._status])
+
+    @property
+    def action_type(self) -> type[Action]:
+        """The class of the action."""
+        return self._action_type
+
+    def register_goal_callback(self, goal_callback: Callable[[Any], Any] | None) -> None:
+        """Replace the function that decides which goals are accepted; None: all are."""
+        self._goal_callback = goal_callback or default_goal_callback
+
+    def register_handle_accepted_callback(
+        self, handle_accepted_callback: Callable[[ServerGoalHandle], Any] | None
+    ) -> None:
+        """Replace the function that is told of accepted goals; None: each is executed at once."""
+        self._handle_accepted_callback = handle_accepted_callback or default_handle_accepted_callback
+
+    def register_cancel_callback(self, cancel_callback: Callable[[ServerGoalHandle], Any] | None) -> None:
+        """Replace the function that decides which goals are cancelled; None: none is."""
+        self._cancel_callback = cancel_callback or default_cancel_callback
+
+    def register_execute_callback(self, execute_callback: Callable[[ServerGoalHandle], Any]) -> None:
+        """Replace the function that executes goals. Raises TypeError if it cannot be called."""
+        if not callable(execute_callback):
+            raise TypeError("Failed to register goal execution callback: not callable")
+        self._execute_callback = execute_callback
+
+    def _now(self) -> int:
+        return self._node.context.state.clock.now()
+
+    async def _serve(self, end: Any, request: Any, header: Any) -> None:
+        self._drop_expired()
+        if end is self._goals_asked:
+            await self._take_goal(request, header)
+        elif end is self._cancels_asked:
+            await self._cancel(request, header)
+        else:
+            self._give_result(request, header)
+
+    def _drop_expired(self) -> None:
+        now = self._now()
+        for uuid, handle in list(self._goal_handles.items()):
+            if not handle.is_active and now >= handle.ended + self._result_timeout:
+                handle.destroy()
+                del self._goal_handles[uuid]
+                self._futures.remove(self._result_futures.pop(uuid))
+
+    async def _take_goal(self, request: Any, header: Any) -> None:
+        uuid, impl = bytes(request.goal_id.uuid), self._action_type.Impl
+        accepted = False
+        if uuid not in self._goal_handles:
+            response = await _await_or_call(self._goal_callback, request.goal)
+            accepted = response is GoalResponse.ACCEPT
+            if not isinstance(response, GoalResponse):
+                self._logger.warning("Goal request callback did not return a GoalResponse type. Rejecting goal.")
+        info = impl.CancelGoalService.Request().goal_info
+        info.goal_id = request.goal_id
+        answer = impl.SendGoalService.Response(accepted=accepted)
+        if accepted:
+            info.stamp = answer.stamp = self._node.get_clock().now().to_msg()
+            handle = self._goal_handles[uuid] = ServerGoalHandle(self, info, request.goal)
+            self._result_futures[uuid] = Future()
+            self._futures.append(self._result_futures[uuid])
+        self._goals_asked.send_response(answer, header)
+        if accepted:
+            self._publish_status()
+            await _await_or_call(self._handle_accepted_callback, handle)
+
+    def _start(self, handle: ServerGoalHandle, execute_callback: Callable[[ServerGoalHandle], Any] | None) -> None:
+        executor: Any = self._node.executor
+        executor.create_task(self._execute_goal, execute_callback or self._execute_callback, handle)
+
+    async def _execute_goal(
+        self, execute_callback: Callable[[ServerGoalHandle], Any], handle: ServerGoalHandle
+    ) -> None:
+        try:
+            result = await _await_or_call(execute_callback, handle)
+        except Exception as error:
+            result = self._action_type.Result()
+            self._logger.error(f"Error raised in execute callback: {error}")
+            sys.stderr.write(format_error(error))
+        if handle.is_active:
+            self._logger.warning(f"Goal state not set, assuming aborted. Goal ID: {handle.goal_id.uuid}")
+            handle.abort()
+        response = self._action_type.Impl.GetResultService.Response()
+        response.status = handle.status
+        response.result = result
+        self._result_futures[bytes(handle.goal_id.uuid)].set_result(response)
+
+    async def _cancel(self, request: Any, header: Any) -> None:
+        answer = self._action_type.Impl.CancelGoalService.Response()
+        found, answer.return_code = self._cancelable(request.goal_info)
+        for handle in found:
+            if await _await_or_call(self._cancel_callback, handle) is CancelResponse.ACCEPT:
+                try:
+                    handle._update_state("CANCEL_GOAL")
+                except RCLError:
+                    continue  # it has ended meanwhile
+                answer.goals_canceling.append(handle._goal_info)
+        self._cancels_asked.send_response(answer, header)
+
+    def _cancelable(self, info: Any) -> tuple[list[ServerGoalHandle], int]:
+        """Return the goals that a request names, and a code (source: rcl_action_process_cancel_request)."""
+        uuid, stamp = bytes(info.goal_id.uuid), (info.stamp.sec, info.stamp.nanosec)
+        cancelable = [handle for handle in self._goal_handles.values() if (handle._status, "CANCEL_GOAL") in _AFTER]
+        one = self._goal_handles.get(uuid)
+        if any(uuid) and stamp == (0, 0):
+            if one is None:
+                return [], _UNKNOWN_GOAL
+            return ([one], 0) if one in cancelable else ([], _GOAL_HAS_ENDED)
+        until = stamp if stamp != (0, 0) else (sys.maxsize, 0)
+
+        def accepted(handle: ServerGoalHandle) -> tuple[int, int]:
+            return handle._goal_info.stamp.sec, handle._goal_info.stamp.nanosec
+
+        return [handle for handle in cancelable if handle is one or accepted(handle) <= until], 0
+
+    def _give_result(self, request: Any, header: Any) -> None:
+        future = self._result_futures.get(bytes(request.goal_id.uuid))
+        if future is None:
+            self._results_asked.send_response(self._action_type.Impl.GetResultService.Response(), header)
+        else:
+            future.add_done_callback(partial(self._send_result, header))
+
+    def _send_result(self, header: Any, future: Future) -> None:
+        if not self._destroyed:
+            self._results_asked.send_response(future.result(), header)
+
+    def _publish_status(self) -> None:
+        kind = import_module("action_msgs.msg").GoalStatus
+        found = [kind(goal_info=each._goal_info, status=each.status) for each in self._goal_handles.values()]
+        self._status.publish(self._action_type.Impl.GoalStatusMessage(status_list=found))
+
+    def _publish_feedback(self, handle: ServerGoalHandle, feedback: Message) -> None:
+        if not isinstance(feedback, self._action_type.Feedback):
+            raise TypeError()
+        if handle._status is not _Status.UNKNOWN:
+            kind = self._action_type.Impl.FeedbackMessage
+            self._feedback.publish(kind(goal_id=handle.goal_id, feedback=feedback))
+
+    def destroy(self) -> None:
+        """Leave the action, and forget its goals."""
+        for handle in self._goal_handles.values():
+            handle.destroy()
+        self._futures.clear()
+        super().destroy()
+
+
+def _unused(*_: Any) -> None:
+    """Stand for the callback of an end whose messages the action takes itself."""
+
+
+# --- the client -------------------------------------------------------------------------------------------------------
+
+
+class ClientGoalHandle:
+    """A goal that a client has sent, once the server has answered. Two are equal if their ids are."""
+
+    def __init__(self, action_client: ActionClient, goal_id: Any, goal_response: Any) -> None:
+        self._action_client = action_client
+        self._goal_id = goal_id
+        self._goal_response = goal_response
+        self._status = 0
+
+    def __eq__(self, other: object) -> bool:
+        return isinstance(other, ClientGoalHandle) and bool(self._goal_id == other.goal_id)
+
+    __hash__ = None  # type: ignore[assignment]
+
+    def __repr__(self) -> str:
+        return f"ClientGoalHandle <id={self.goal_id.uuid}, accepted={self.accepted}, status={self.status}>"
+
+    @property
+    def goal_id(self) -> Any:
+        """Its id, a unique_identifier_msgs/UUID."""
+        return self._goal_id
+
+    @property
+    def stamp(self) -> Any:
+        """When it was accepted, by the server's clock."""
+        return self._goal_response.stamp
+
+    @property
+    def accepted(self) -> bool:
+        """Whether the server has accepted it."""
+        return bool(self._goal_response.accepted)
+
+    @property
+    def status(self) -> int:
+        """What has become of it as far as the client has heard, as in action_msgs/GoalStatus."""
+        return self._status
+
+    def cancel_goal(self) -> Any:
+        """Ask the server to cancel it, and wait for the answer, while another thread spins."""
+        return _wait_for(self.cancel_goal_async())
+
+    def cancel_goal_async(self) -> Future:
+        """Ask the server to cancel it. Return a future of the answer."""
+        return self._action_client._cancel_goal_async(self)
+
+    def get_result(self) -> Any:
+        """Ask for the result, and wait for it, while another thread spins."""
+        return _wait_for(self.get_result_async())
+
+    def get_result_async(self) -> Future:
+        """Ask for the result. Return a future of the response, which has a ``status`` and a ``result``."""
+        return self._action_client._get_result_async(self)
+
+
+class ActionClient(_ActionEnd):
+    """Sends goals to a server. An executor has to spin its node, which takes what the server sends."""
+
+    _word = "client"
+
+    def __init__(
+        self,
+        node: Node,
+        action_type: type[Action],
+        action_name: str,
+        *,
+        callback_group: CallbackGroup | None = None,
+        goal_service_qos_profile: QoSProfile = qos_profile_services_default,
+        result_service_qos_profile: QoSProfile = qos_profile_services_default,
+        cancel_service_qos_profile: QoSProfile = qos_profile_services_default,
+        feedback_sub_qos_profile: QoSProfile = _FEEDBACK_QOS,
+        status_sub_qos_profile: QoSProfile = qos_profile_action_status_default,
+    ) -> None:
+        super().__init__(node, action_type, action_name, callback_group)
+        impl, group = action_type.Impl, self.callback_group
+
+        def ask(srv_type: Any, part: str, qos: QoSProfile) -> Client:
+            name = f"{action_name}/_action/{part}"
+            return Client(node, srv_type, name, self._service_name(part), group, qos)
+
+        def hear(msg_type: Any, part: str, qos: QoSProfile) -> Subscription:
+            name = f"{action_name}/_action/{part}"
+            return Subscription(node, msg_type, name, self._topic_name(part), lambda _: None, group, qos)
+
+        self._goals = ask(impl.SendGoalService, "send_goal", goal_service_qos_profile)
+        self._cancels = ask(impl.CancelGoalService, "cancel_goal", cancel_service_qos_profile)
+        self._results = ask(impl.GetResultService, "get_result", result_service_qos_profile)
+        self._feedback = hear(impl.FeedbackMessage, "feedback", feedback_sub_qos_profile)
+        self._status = hear(impl.GoalStatusMessage, "status", status_sub_qos_profile)
+        self._goal_handles: dict[bytes, ref[ClientGoalHandle]] = {}
+        self._feedback_callbacks: dict[bytes, Callable[[Any], Any]] = {}
+        # By client and number of the request: the future of the answer, and the goal that it is about.
+        self._pending: dict[tuple[Client, int], tuple[Future, Any]] = {}
+        self._join([self._goals, self._cancels, self._results, self._feedback, self._status])
+
+    def send_goal(self, goal: Message, **kwargs: Any) -> Any:
+        """Send a goal, and wait for its result, while another thread spins. Arguments as of ``send_goal_async``."""
+        return _wait_for(self._get_result_async(_wait_for(self.send_goal_async(goal, **kwargs))))
+
+    def send_goal_async(
+        self, goal: Message, feedback_callback: Callable[[Any], Any] | None = None, goal_uuid: Any = None
+    ) -> Future:
+        """Send a goal. Return a future of its handle, which is done when the server has accepted or rejected it.
+
+        ``feedback_callback(message)`` is called with feedback, until the result is there. Raises TypeError for what is
+        no goal of this action.
+        """
+        if not isinstance(goal, self._action_type.Goal):
+            raise TypeError()
+        request = self._action_type.Impl.SendGoalService.Request(goal=goal)
+        if goal_uuid is None:
+            request.goal_id.uuid = self._node.context.state.world.graph.part(GoalIds).new()
+        else:
+            request.goal_id = goal_uuid
+        if feedback_callback is not None:
+            self._feedback_callbacks[bytes(request.goal_id.uuid)] = feedback_callback
+        return self._ask(self._goals, request, request.goal_id, "send goal")
+
+    def _cancel_goal_async(self, goal_handle: ClientGoalHandle) -> Future:
+        _check_handle(goal_handle)
+        request = self._action_type.Impl.CancelGoalService.Request()
+        request.goal_info.goal_id = goal_handle.goal_id
+        return self._ask(self._cancels, request, goal_handle.goal_id, "send cancel")
+
+    def _get_result_async(self, goal_handle: ClientGoalHandle) -> Future:
+        _check_handle(goal_handle)
+        request = self._action_type.Impl.GetResultService.Request(goal_id=goal_handle.goal_id)
+        return self._ask(self._results, request, goal_handle.goal_id, "send result")
+
+    def _ask(self, client: Client, request: Message, goal_id: Any, what: str) -> Future:
+        if self._destroyed:
+            raise RCLError(f"Failed to {what} request: action client pointer is invalid")
+        future = Future()
+        future.add_done_callback(self._forget)
+        self._futures.append(future)
+        # In one go: the answer may come to another thread at once.
+        with client._lock:
+            self._pending[client, client.send_request(request)] = future, goal_id
+        return future
+
+    def _forget(self, future: Future) -> None:
+        for (client, number), (pending, goal_id) in list(self._pending.items()):
+            if pending is future:
+                del self._pending[client, number]
+                self._futures.remove(future)
+                if client is self._results:
+                    self._feedback_callbacks.pop(bytes(goal_id.uuid), None)
+
+    async def _serve(self, end: Any, first: Any, second: Any) -> None:
+        if end is self._feedback:
+            if callback := self._feedback_callbacks.get(bytes(first.goal_id.uuid)):
+                await _await_or_call(callback, first)
+        elif end is self._status:
+            self._note(first)
+        elif second is not None:  # else it is the answer to another client
+            self._settle(end, first, second)
+
+    def _settle(self, client: Client, number: int, response: Any) -> None:
+        asked = self._pending.get((client, number))
+        if asked is None:
+            what = {self._goals: "goal", self._cancels: "cancel", self._results: "result"}[client]
+            self._logger.warning(
+                f"Ignoring unexpected {what} response. There may be more than "
+                f"one action server for the action '{self._action_name}'"
+            )
+            return
+        future, goal_id = asked
+        if client is self._goals:
+            handle = ClientGoalHandle(self, goal_id, response)
+            if handle.accepted:
+                uuid = bytes(goal_id.uuid)
+                if uuid in self._goal_handles:
+                    raise RuntimeError(f"Two goals were accepted with the same ID ({handle})")
+                self._goal_handles[uuid] = ref(handle)
+            future.set_result(handle)
+        else:
+            future.set_result(response)
+
+    def _note(self, message: Any) -> None:
+        for each in message.status_list:
+            uuid = bytes(each.goal_info.goal_id.uuid)
+            if uuid in self._goal_handles:
+                if handle := self._goal_handles[uuid]():
+                    handle._status = each.status
+                if handle is None or not _Status(each.status).is_active:
+                    del self._goal_handles[uuid]
+
+    def server_is_ready(self) -> bool:
+        """Whether a server is known, with all of its ends."""
+        if self._destroyed:
+            raise RCLError("Failed to check if action server is available: rcl node pointer is invalid")
+        clients, heard = (self._goals, self._cancels, self._results), (self._feedback, self._status)
+        return all(client.service_is_ready() for client in clients) and all(each.peers for each in heard)
+
+    def wait_for_server(self, timeout_sec: float | None = None) -> bool:
+        """Look for a server every 0.25 s, until ``timeout_sec`` (default: for ever) is used up by these looks."""
+        left = float("inf") if timeout_sec is None else timeout_sec
+        while self._node.context.ok() and not self.server_is_ready() and left > 0.0:
+            time.sleep(_LOOK)
+            left -= _LOOK
+        return self.server_is_ready()
+
+
+def _check_handle(goal_handle: Any) -> None:
+    if not isinstance(goal_handle, ClientGoalHandle):
+        raise TypeError(f"Expected type ClientGoalHandle but received {type(goal_handle)}")
+
+
+def _wait_for(future: Future) -> Any:
+    """Wait until a future is done, and return its result."""
+    done = threading.Event()
+    future.add_done_callback(lambda _: done.set())
+    done.wait()
+    return future.result()
+
+
+# --- who has which ----------------------------------------------------------------------------------------------------
+
+
+_FEEDBACK = "/_action/feedback"
+
+
+def get_action_names_and_types(node: Node) -> list[tuple[str, list[str]]]:
+    """Return the known actions, sorted, and their types."""
+    return _actions(node.get_topic_names_and_types())
+
+
+def get_action_server_names_and_types_by_node(
+    node: Node, remote_node_name: str, remote_node_namespace: str
+) -> list[tuple[str, list[str]]]:
+    """Return the actions that a node serves, and their types. Raises NodeNameNonExistentError if unknown."""
+    return _actions(node.get_publisher_names_and_types_by_node(remote_node_name, remote_node_namespace))
+
+
+def get_action_client_names_and_types_by_node(
+    node: Node, remote_node_name: str, remote_node_namespace: str
+) -> list[tuple[str, list[str]]]:
+    """Return the actions of which a node is a client, and their types. Raises NodeNameNonExistentError if unknown."""
+    return _actions(node.get_subscriber_names_and_types_by_node(remote_node_name, remote_node_namespace))
+
+
+def _actions(topics: list[tuple[str, list[str]]]) -> list[tuple[str, list[str]]]:
+    """Return the actions to which topics belong."""
+    return [
+        (topic.removesuffix(_FEEDBACK), [each.removesuffix("_FeedbackMessage") for each in types])
+        for topic, types in topics
+        if topic.endswith(_FEEDBACK)
+    ]
