@@ -22,7 +22,6 @@ from . import (
     names,
     node,
     parameter,
-    parameter_service,
     qos,
     services,
     signals,
@@ -156,7 +155,7 @@ def spin_until_future_complete(
 # The modules of rclpy that are not here: they need a real ROS.
 NOT_SIMULATED = {
     *("constants", "destroyable", "event_handler", "experimental", "lifecycle", "logging_service"),
-    *("parameter_client", "parameter_event_handler", "qos_event", "qos_overriding_options"),
+    *("parameter_client", "parameter_event_handler", "parameter_service", "qos_event", "qos_overriding_options"),
     *("serialization", "service_introspection", "time_source", "topic_endpoint_info"),
     *("topic_or_service_is_hidden", "type_description_service", "type_hash", "type_support", "waitable"),
 }
@@ -206,7 +205,6 @@ MODULES: dict[str, ModuleType] = {
     "rclpy.logging": logging,
     "rclpy.node": node,
     "rclpy.parameter": parameter,
-    "rclpy.parameter_service": parameter_service,
     "rclpy.publisher": topics,
     "rclpy.qos": qos,
     "rclpy.service": services,

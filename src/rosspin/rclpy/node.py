@@ -139,7 +139,8 @@ class Node(Parameters):
         self.__listen_to_clock()
         if not self.has_parameter("start_type_description_service"):
             self.declare_parameter("start_type_description_service", True)
-        self.__lacks_services = start_parameter_services
+        # Whoever looks for these services first may be another process, which would import classes of its own.
+        self.__lacking = import_module("rcl_interfaces.srv") if start_parameter_services else None
         if self.__full_name in self._context.state.world.graph.part(Ends).asked:
             self._rosspin_start_services()
 
@@ -192,15 +193,12 @@ class Node(Parameters):
         yield from self._services
 
     def _rosspin_start_services(self) -> None:
-        """Make the services for its parameters, before its own. Few nodes are asked: it has none until somebody looks.
-
-        Their classes are those of its process, whichever process asks.
-        """
-        if self.__lacks_services and self._context.ok():
-            self.__lacks_services = False
+        """Make the services for its parameters, which few nodes are asked for: there are none until somebody looks."""
+        types, self.__lacking = self.__lacking, None
+        if types and self._context.ok():
             own, self._services = self._services, []
             with self._context.state.world.acting():
-                ParameterService(self)
+                ParameterService(self, types)
             self._services.extend(own)
 
     @property
@@ -677,7 +675,7 @@ class Node(Parameters):
 
     def destroy_node(self) -> None:
         """Destroy the node and all that it has made, but its logger."""
-        self.__lacks_services = False
+        self.__lacking = None
         ends = self._publishers, self._subscriptions, self._clients, self._services
         for waitable in list(self._waitables):
             waitable.destroy()

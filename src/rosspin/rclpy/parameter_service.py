@@ -4,6 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Callable
 from importlib import import_module
+from types import ModuleType
 from typing import TYPE_CHECKING, Any
 from weakref import ref
 
@@ -28,11 +29,13 @@ SERVICES = {
 
 
 class ParameterService:
-    """Offers these services of a node. What is not declared gives an empty answer, or a reason."""
+    """Offers these services of a node. What is not declared gives an empty answer, or a reason.
 
-    def __init__(self, node: Node) -> None:
+    ``types`` has their classes: the module ``rcl_interfaces.srv`` of the node's process.
+    """
+
+    def __init__(self, node: Node, types: ModuleType) -> None:
         self._node = ref(node)
-        types = import_module("rcl_interfaces.srv")
         for name, kind in SERVICES.items():
             callback = getattr(self, f"_{name}")
             full_name = f"{node.get_name()}/{name}"

@@ -1,0 +1,21 @@
+"""Answers after half a second."""
+
+import time
+
+import rclpy
+from scenario import NAME, say, wait_for_invitation
+from test_msgs.srv import BasicTypes
+
+
+def answer(request, response):
+    say("asked", request.int32_value)
+    time.sleep(0.5)
+    response.string_value = NAME
+    return response
+
+
+rclpy.init()
+node = rclpy.create_node(NAME)
+node.create_service(BasicTypes, "work", answer)
+wait_for_invitation(node)
+rclpy.shutdown()
