@@ -45,7 +45,7 @@ class Participants:
         if context.joined is not None and context.left is None:
             context.left = context.state.clock.now() + (LEASE if killed else END)
             for node in context.nodes:
-                waited = (end for waitable in node._waitables for end in waitable.ends)
+                waited = (end for waitable in node._rosspin_waitables for end in waitable.ends)
                 for end in (*node._publishers, *node._subscriptions, *node._clients, *node._services, *waited):
                     lose(end, context.left)
 

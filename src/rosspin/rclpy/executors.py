@@ -256,7 +256,7 @@ class Executor:
                 raise ExternalShutdownException()
             # These lists are not copied: a callback called meanwhile may change them.
             for node in spun:
-                for waitable in node._waitables:
+                for waitable in node._rosspin_waitables:
                     if waitable in ready and waitable.callback_group.can_execute(waitable):
                         works = True
                         yield self.__task(waitable, node)
@@ -295,7 +295,9 @@ class Executor:
         can_execute = self.can_execute
         timers = [timer for node in nodes for timer in node._timers if can_execute(timer)]
         ends = (
-            end for node in nodes for end in (*node._subscriptions, *node._clients, *node._services, *node._waitables)
+            end
+            for node in nodes
+            for end in (*node._subscriptions, *node._clients, *node._services, *node._rosspin_waitables)
         )
         receivers: list[Any] = [end for end in ends if can_execute(end)]
         guards = [guard for node in nodes for guard in node._guards if can_execute(guard)]

@@ -120,7 +120,7 @@ class Node(Parameters):
         self._subscriptions: list[Subscription] = []
         self._clients: list[Client] = []
         self._services: list[Service] = []
-        self._waitables: list[ActionServer | ActionClient] = []
+        self._rosspin_waitables: list[ActionServer | ActionClient] = []
         self._timers: list[Timer] = []
         self._guards: list[GuardCondition] = []
         self._default_callback_group = MutuallyExclusiveCallbackGroup()
@@ -204,18 +204,18 @@ class Node(Parameters):
     @property
     def waitables(self) -> Iterator[ActionServer | ActionClient]:
         """Its action servers and action clients."""
-        yield from self._waitables
+        yield from self._rosspin_waitables
 
     def add_waitable(self, waitable: Any) -> None:
         """Serve an action. Others that a node may wait for are not simulated."""
         if not hasattr(waitable, "ends"):
             raise NotSimulated("Node.add_waitable")
-        self._waitables.append(waitable)
+        self._rosspin_waitables.append(waitable)
         self._wake_executor()
 
     def remove_waitable(self, waitable: Any) -> None:
         """Serve an action no more."""
-        self._waitables.remove(waitable)
+        self._rosspin_waitables.remove(waitable)
         self._wake_executor()
 
     def _rosspin_ends(self, kind: type[E]) -> list[E]:
@@ -226,7 +226,7 @@ class Node(Parameters):
             Client: self._clients,
         }
         ends = own[kind] if kind in own else self.services
-        return [*ends, *(end for waitable in self._waitables for end in waitable.ends if isinstance(end, kind))]
+        return [*ends, *(end for waitable in self._rosspin_waitables for end in waitable.ends if isinstance(end, kind))]
 
     @property
     def timers(self) -> Iterator[Timer]:
@@ -677,7 +677,7 @@ class Node(Parameters):
         """Destroy the node and all that it has made, but its logger."""
         self.__lacking = None
         ends = self._publishers, self._subscriptions, self._clients, self._services
-        for waitable in list(self._waitables):
+        for waitable in list(self._rosspin_waitables):
             waitable.destroy()
         for entities in (*ends, self._timers, self._guards):
             while entities:
