@@ -80,6 +80,7 @@ class SimulatedProgram:
         self._program = program
         self._simulation = simulation
         self._builtins = Builtins()
+        self.before_ctrl_c: Callable[[], object] = lambda: None  # called at the end of its time
         simulation.begin(main, program, _main_ident())
 
     def run(self, until: int, patience: int | None) -> None:
@@ -106,6 +107,7 @@ class SimulatedProgram:
         def kill() -> None:
             raise Killed(where_it_waits(self._program))
 
+        self.before_ctrl_c()
         press_ctrl_c(self._program)
         if patience is not None:
             simulation.at(simulation.now() + patience, kill)

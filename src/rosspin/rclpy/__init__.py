@@ -15,6 +15,7 @@ from . import (
     callback_groups,
     clock,
     context,
+    deadlock,
     duration,
     exceptions,
     executors,
@@ -224,6 +225,9 @@ MODULES: dict[str, ModuleType] = {
 
 for _name, _lacking in LACKING.items():
     MODULES[_name].__getattr__ = refusing(_name, _lacking)  # type: ignore[method-assign]
+
+# Says why something waits for ever.
+explain_waits = deadlock.explain
 
 # What importing rclpy registers with atexit.
 AT_EXIT: list[Any] = []

@@ -21,12 +21,14 @@ from weakref import ref
 
 from ..clocks.frames import format_error
 from ..messages.ros2 import Action, Message
+from ..world.world import current_world
 from .callback_groups import CallbackGroup
 from .exceptions import NameValidationException, RCLError, no_type_support
 from .qos import QoSProfile, qos_profile_action_status_default, qos_profile_services_default
 from .services import Client, Service
 from .task import Future
 from .topics import Publisher, Subscription
+from .waits import waiting_for
 
 if TYPE_CHECKING:
     from .node import Node
@@ -693,7 +695,8 @@ def _wait_for(future: Future) -> Any:
     """Wait until a future is done, and return its result."""
     done = threading.Event()
     future.add_done_callback(lambda _: done.set())
-    done.wait()
+    with waiting_for(future, current_world()):
+        done.wait()
     return future.result()
 
 

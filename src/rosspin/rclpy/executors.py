@@ -21,6 +21,7 @@ from .exceptions import (
 )
 from .state import Gate
 from .task import Future, Task
+from .waits import waiting_for
 
 if TYPE_CHECKING:
     from .node import Node
@@ -162,6 +163,11 @@ class Executor:
             del self._nodes[node]
             self.wake()
 
+    @property
+    def _rosspin_waits(self) -> bool:
+        """Whether a thread spins it and waits for something to do."""
+        return self.__waits
+
     def get_nodes(self) -> list[Node]:
         """The nodes that were added."""
         return list(self._nodes)
@@ -202,14 +208,18 @@ class Executor:
     def spin_until_future_complete(self, future: Future, timeout_sec: float | None = None) -> None:
         """Call what is due until a future is done or cancelled, for at most ``timeout_sec``."""
         future.add_done_callback(lambda _: self.wake())
-        left = None if timeout_sec is None or timeout_sec < 0 else _Timeout(timeout_sec)
-        end = 0.0 if left is None else time.monotonic() + left.seconds
+        if timeout_sec is None or timeout_sec < 0:
+            with waiting_for(future, self._context.state.world):
+                while self._context.ok() and not future.done() and not future.cancelled() and not self._is_shutdown:
+                    self.spin_once_until_future_complete(future)
+            return
+        left = _Timeout(timeout_sec)
+        end = time.monotonic() + left.seconds
         while self._context.ok() and not future.done() and not future.cancelled() and not self._is_shutdown:
             self.spin_once_until_future_complete(future, left)
-            if left is not None:
-                left.seconds = end - time.monotonic()
-                if left.seconds <= 0:
-                    return
+            left.seconds = end - time.monotonic()
+            if left.seconds <= 0:
+                return
 
     def wait_for_ready_callbacks(
         self, timeout_sec: Any = None, nodes: list[Node] | None = None, condition: Callable[[], bool] = _never

@@ -12,6 +12,7 @@ import threading
 import time
 from collections import deque
 from collections.abc import Callable
+from contextlib import nullcontext
 from typing import TYPE_CHECKING, Any, NamedTuple
 
 from ..clocks.frames import warn
@@ -24,6 +25,7 @@ from .ends import Owner
 from .exceptions import RCLError
 from .qos import Policies, QoSProfile, incompatible_policy
 from .task import Future
+from .waits import waiting_for
 
 if TYPE_CHECKING:
     from .callback_groups import CallbackGroup
@@ -164,8 +166,9 @@ class Client(ServiceEnd):
         answered = threading.Event()
         future = self.call_async(request)
         future.add_done_callback(lambda _: answered.set())
-        if not future.done() and not answered.wait(timeout_sec):
-            self.remove_pending_request(future)
+        with waiting_for(future, self.world) if timeout_sec is None else nullcontext():
+            if not future.done() and not answered.wait(timeout_sec):
+                self.remove_pending_request(future)
         return future.result()
 
     def call_async(self, request: Message) -> Future:

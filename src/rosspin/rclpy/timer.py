@@ -13,6 +13,7 @@ from .clock import Clock, ROSClock
 from .context import Context, get_default_context
 from .exceptions import InvalidHandle, RCLError, ROSInterruptException, invalid_context, not_accepted
 from .time import Time
+from .waits import waiting_for
 
 __all__ = ["Rate", "Timer", "TimerInfo"]
 
@@ -275,7 +276,9 @@ class Rate:
         with self._lock:
             self._sleepers += 1
         try:
-            self._event.wait()
+            if not self._event.is_set():
+                with waiting_for(self._timer, self._world):
+                    self._event.wait()
         finally:
             with self._lock:
                 self._sleepers -= 1

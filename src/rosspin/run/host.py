@@ -266,8 +266,16 @@ class Host:
     def _program(self) -> SimulatedProgram:
         assert isinstance(self.clock, Simulation)
         if self.supervisor:
-            return SimulatedProgram(self.supervisor.run, Program(), self.clock)
-        return SimulatedProgram(self.processes[0].run, self.processes[0].world, self.clock)
+            simulated = SimulatedProgram(self.supervisor.run, Program(), self.clock)
+        else:
+            simulated = SimulatedProgram(self.processes[0].run, self.processes[0].world, self.clock)
+        simulated.before_ctrl_c = self._say_what_waits
+        return simulated
+
+    def _say_what_waits(self) -> None:
+        """Say what waits for ever among the nodes of ROS 2."""
+        if graph := self._graphs.get(2):
+            sys.stderr.write(ROSES[2].stand_in.explain_waits(graph))
 
     @property
     def _patience(self) -> int | None:

@@ -1,0 +1,235 @@
+"""Why something waits for ever: who would give it what it waits for, and what keeps that one from it.
+
+A callback, or a thread, waits for a future or a Rate. An executor settles that by calling the next entity on the way: a
+service that has the request, a client that has the answer, the timer of the Rate. Another callback may keep it back,
+because it holds the entity's callback group or the executor's thread. If that one waits, too, the way goes on from
+there, until it comes round, or to something that nobody does.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Iterator
+from types import FrameType
+from typing import TYPE_CHECKING, Any, NamedTuple
+
+from ..clocks.frames import Place, node_place, places, trail
+from .action import ActionClient, ActionServer
+from .discovery import Participants
+from .executors import MultiThreadedExecutor
+from .services import Client, Service
+from .task import Future, Task
+from .timer import Timer
+from .topics import Subscription
+from .waits import Wait, Waits
+
+if TYPE_CHECKING:
+    from ..world.graph import Graph
+    from .executors import Executor
+    from .node import Node
+
+__all__ = ["explain"]
+
+_DONE = "ask with call_async, or send_goal_async, and go on in a done callback"
+_THREAD = f"{_DONE.capitalize()}. Or spin with a MultiThreadedExecutor, and put {{}} into a callback group of its own."
+_GROUP = f"Put {{}} into a callback group of its own, or {_DONE}."
+_GROUP_OF_AWAIT = "An async callback keeps its group while it awaits: put {} into a group of its own."
+_SPIN = "Spin the node meanwhile, in another thread."
+_SERVE = "Start the node that offers it, and wait for that with a time limit before you ask."
+_RATE = "Let a timer call what the loop does, or keep the loop in a thread of its own, beside the one that spins."
+
+# What the services of an action give.
+_OF_ACTIONS = {
+    "send_goal": "the answer to a goal of {}",
+    "get_result": "the result of a goal of {}",
+    "cancel_goal": "the answer to a request to cancel a goal of {}",
+}
+
+
+class _Waiter(NamedTuple):
+    """What waits: a callback in a task of an executor, or else a thread."""
+
+    goal: Any
+    task: Task | None
+    name: str
+    place: Place | None
+    is_async: bool = False
+
+
+class _Step(NamedTuple):
+    """A step on the way: the lines that say it, the waiter that comes next (none: a dead end), what to change."""
+
+    lines: list[str]
+    next: _Waiter | None
+    advice: str
+
+
+def explain(graph: Graph) -> str:
+    """Say which callbacks and threads of a run wait for ever, as lines; nothing if all may go on."""
+    run = _Run(graph)
+    lines: list[str] = []
+    told: set[int] = set()
+    for waiter in run.waiters:
+        if id(waiter.goal) in told:
+            continue
+        steps = run.way(waiter)
+        if steps:
+            told.update(id(step.next.goal) for step in steps if step.next)
+            lines += ["this waits for ever:", *(f"  {line}" for step in steps for line in step.lines)]
+            lines.append(next(step.advice for step in steps if step.advice))
+        told.add(id(waiter.goal))
+    return "".join(f"rosspin: {line}\n" for line in lines)
+
+
+class _Run:
+    """The nodes of a run, at an instant at which nothing happens in them."""
+
+    def __init__(self, graph: Graph) -> None:
+        self._nodes = graph.part(Participants).all_nodes()
+        executors = {id(node.executor): node.executor for node in self._nodes if node.executor is not None}
+        self._tasks: dict[Task, tuple[Any, Executor]] = {
+            task: (entity, executor) for executor in executors.values() for task, entity, _ in executor._tasks
+        }
+        self.waiters = [self._in_thread(wait) for wait in graph.part(Waits).current]
+        self.waiters += [found for task in self._tasks if (found := self._in_coroutine(task))]
+
+    def _in_thread(self, wait: Wait) -> _Waiter:
+        frame: FrameType | None = wait.frame
+        while frame and frame.f_code is not Task.__call__.__code__:
+            frame = frame.f_back
+        task = frame.f_locals["self"] if frame else None
+        name = self._name(task) if task else f"the thread {wait.thread}"
+        return _Waiter(wait.goal, task, name, node_place(places(trail(wait.frame))))
+
+    def _in_coroutine(self, task: Task) -> _Waiter | None:
+        inner: Any = None if task.executing() else task._coroutine
+        place = None
+        while inner is not None:
+            frame = getattr(inner, "cr_frame", None) or getattr(inner, "gi_frame", None)
+            if frame is None:
+                break
+            if frame.f_code is Future.__await__.__code__:
+                return _Waiter(frame.f_locals["self"], task, self._name(task), place, is_async=True)
+            place = node_place(places([(frame.f_code, frame.f_lasti, frame.f_lineno)])) or place
+            inner = getattr(inner, "cr_await", None)
+        return None
+
+    def way(self, waiter: _Waiter) -> list[_Step]:
+        """Follow what a waiter waits for; no steps if it may still go on."""
+        steps: list[_Step] = []
+        passed: list[Any] = []
+        following: _Waiter | None = waiter
+        while following and following.goal not in passed:
+            passed.append(following.goal)
+            step = self._step(following)
+            if step is None:
+                return []
+            steps.append(step)
+            following = step.next
+        return steps
+
+    def _step(self, waiter: _Waiter) -> _Step | None:
+        at = []
+        if waiter.place:
+            at = [f"  at {waiter.place.filename}:{waiter.place.line}: {waiter.place.call}".rstrip(": ")]
+        if isinstance(waiter.goal, Timer):
+            return self._kept([f"{waiter.name} waits for its Rate", *at, "its timer is due"], waiter.goal, waiter, "it")
+        for client, number, entity in self._asked(waiter.goal):
+            begin = [f"{waiter.name} waits for {_what(client)}", *at]
+            if any(sequence == number and answer is not None for sequence, answer in client.messages):
+                return self._kept([*begin, "the answer has come"], entity, waiter, "the client")
+            if not client.peers:
+                return _Step([*begin, "no node that it knows offers that"], None, _SERVE)
+            for service in client.peers:
+                serving = _entity_of(service)
+                if any((header.client, header.sequence) == (client, number) for _, header in service.messages):
+                    what = "the service" if serving is service else "the action server"
+                    return self._kept([*begin, "the request has come"], serving, waiter, what)
+                for task, (other, _) in self._tasks.items():
+                    if other is serving or self._executes(task, serving):
+                        return self._after([*begin, f"{self._name(task)} is to give that"], task, "")
+        return None
+
+    def _asked(self, goal: Any) -> Iterator[tuple[Client, int, Any]]:
+        """Find who asked for a future: the client, the number of its request, and the entity that takes the answer."""
+        for node in self._nodes:
+            for client in node._clients:
+                yield from (
+                    (client, number, client) for number, each in client._pending_requests.items() if each is goal
+                )
+            for waitable in node._rosspin_waitables:
+                if isinstance(waitable, ActionClient):
+                    pending = waitable._pending.items()
+                    yield from ((client, number, waitable) for (client, number), (each, _) in pending if each is goal)
+
+    def _kept(self, lines: list[str], entity: Any, waiter: _Waiter, what: str) -> _Step | None:
+        """Say what keeps an entity, called ``what``, from being called; None if nothing does."""
+        node = next((node for node in self._nodes if entity in (*node._timers, *_receivers(node))), None)
+        if node is None:
+            return None
+        executor: Any = node.executor
+        threads = executor._executor._max_workers if isinstance(executor, MultiThreadedExecutor) else 1
+        advice = _RATE if isinstance(entity, Timer) else (_THREAD if threads == 1 else _GROUP).format(what)
+        if not entity.callback_group.can_execute(entity):
+            for task, (other, _) in self._tasks.items():
+                has_begun = task.executing() or task._coroutine is not None
+                if other is not None and other.callback_group is entity.callback_group and has_begun:
+                    if any(each.task is task and each.is_async for each in self.waiters):
+                        advice = _GROUP_OF_AWAIT.format(what)
+                    line = f"{lines[-1]}, but the callback group of {what} lets one callback run at a time:"
+                    return self._after([*lines[:-1], line, f"  {self._name(task)}"], task, advice)
+        running = [task for task, (_, its) in self._tasks.items() if its is executor and task.executing()]
+        if running and len(running) >= threads:
+            whose = "the only thread" if threads == 1 else f"each of the {threads} threads"
+            line = f"{lines[-1]}, but {whose} of the executor is in a callback:"
+            return self._after([*lines[:-1], line, f"  {self._name(running[0])}"], running[0], advice)
+        if executor is None or not executor._rosspin_waits:
+            line = f"{lines[-1]}, but nobody spins {node.get_fully_qualified_name()}"
+            return _Step([*lines[:-1], line], None, _SPIN)
+        return None
+
+    def _after(self, lines: list[str], task: Task, advice: str) -> _Step | None:
+        """Go on with what a task waits for; None if it waits for nothing."""
+        following = next((each for each in self.waiters if each.task is task), None)
+        return following and _Step(lines, following, advice)
+
+    @staticmethod
+    def _executes(task: Task, server: Any) -> bool:
+        handler = task._handler
+        return isinstance(server, ActionServer) and getattr(handler, "__self__", None) is server
+
+    def _name(self, task: Task) -> str:
+        entity, _ = self._tasks.get(task, (None, None))
+        if isinstance(entity, Timer):
+            return f"the timer's callback {_function(entity.callback)}"
+        if isinstance(entity, Subscription):
+            return f"the callback of {entity.topic_name} ({_function(entity.callback)})"
+        if isinstance(entity, Service):
+            return f"the callback of the service {entity.end.topic} ({_function(entity.callback)})"
+        if isinstance(entity, (ActionServer, ActionClient)):
+            return f"the callback of the action {entity._action_name}"
+        handler, (args, _) = task._handler, task._arguments
+        if isinstance(getattr(handler, "__self__", None), ActionServer):
+            return f"the execution of a goal ({_function(args[0])})"
+        return f"the task {_function(handler)}"
+
+
+def _receivers(node: Node) -> list[Any]:
+    return [*node._clients, *node._services, *node._rosspin_waitables]
+
+
+def _entity_of(service: Service) -> Any:
+    """The entity that an executor calls for a service: itself, or the action server of which it is a part."""
+    for waitable in service.node._rosspin_waitables:
+        if service in waitable.ends:
+            return waitable
+    return service
+
+
+def _what(client: Client) -> str:
+    action, _, part = client.end.topic.partition("/_action/")
+    return _OF_ACTIONS[part].format(action) if part else f"the answer of {client.end.topic}"
+
+
+def _function(callback: Any) -> str:
+    name = getattr(callback, "__qualname__", "") or type(callback).__name__
+    return str(name).rpartition("<locals>.")[2]
