@@ -599,3 +599,47 @@ def test_ctrl_c_of_the_user_ends_a_simulated_run() -> None:
     with pytest.raises(KeyboardInterrupt):
         simulate(node, 1e9)
     user.join()
+
+
+# --- when the clocks begin --------------------------------------------------------------------------------------------
+
+
+def _asks_for_a_second_ago() -> None:
+    rospy.init_node("node")
+    print(rospy.Time.now() - rospy.Duration(1) > rospy.Time(0))
+
+
+def test_clocks_begin_where_the_caller_says() -> None:
+    def node() -> None:
+        rospy.init_node("node")
+        rospy.Timer(rospy.Duration(0.5), lambda event: print(rospy.Time.now().to_sec(), time.time()))
+        rospy.spin()
+
+    run = simulate(node, 1, start=1.7e9)
+    assert run.console == "1700000000.5 1700000000.5\n1700000001.0 1700000001.0\n"
+    assert [(tick.expected, tick.real) for tick in run.ticks] == [(0.5, 0.5), (1.0, 1.0)]
+    assert (run.start, run.seconds) == (1.7e9, 1)
+    assert simulate([node], 1, start=1.7e9).ticks[0].expected == 0.5
+    for begin in (-1, math.nan, "1"):
+        with pytest.raises(ValueError, match="^start must be a number of at least 0, not "):
+            simulate(node, 1, start=begin)  # type: ignore[arg-type]
+
+
+def test_a_time_before_the_beginning_is_an_error_with_a_hint() -> None:
+    run = simulate(_asks_for_a_second_ago, 1)
+    assert run.status == 1
+    assert "TypeError: time values must be positive\nrosspin: simulated clocks begin at 0" in run.console
+    assert simulate(_asks_for_a_second_ago, 1, start=2.0).console == "True\n"
+
+
+def test_a_time_before_the_beginning_has_a_hint_in_ros2() -> None:
+    def node() -> None:
+        import rclpy
+        from rclpy.duration import Duration
+
+        rclpy.init()
+        print(rclpy.create_node("node").get_clock().now() - Duration(seconds=1) is not None)
+
+    run = simulate(node, 1)
+    assert "ValueError: Subtraction leads to negative time.\nrosspin: simulated clocks begin at 0" in run.console
+    assert simulate(node, 1, start=1.7e9).console == "True\n"

@@ -9,7 +9,7 @@ from weakref import WeakKeyDictionary, WeakMethod
 
 from . import logging
 from .arguments import Arguments
-from .exceptions import RCLError
+from .exceptions import InvalidHandle, RCLError
 from .state import state
 
 if TYPE_CHECKING:
@@ -87,6 +87,15 @@ class Context:
             self.state.contexts.remove(self)
         if not self.state.contexts and self.state.rosout:
             self.state.rosout.clear()
+
+    def destroy(self) -> None:
+        """End, and raise InvalidHandle at each further question."""
+        if self.arguments is not None:
+            self.end()
+            self.ok = self._is_destroyed  # type: ignore[method-assign]
+
+    def _is_destroyed(self) -> bool:
+        raise InvalidHandle()
 
     def on_shutdown(self, callback: Callable[[], Any]) -> None:
         """Call ``callback`` at ``shutdown``, or at once after it. Raises TypeError if it cannot be called.

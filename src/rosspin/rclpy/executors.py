@@ -114,7 +114,7 @@ class Executor:
         self._nodes: dict[Node, None] = {}  # in the order of their addition
         self._tasks: list[Entry] = []
         self._is_shutdown = False
-        self.__round: Iterator[Task] | None = None
+        self.__round: Iterator[Entry] | None = None
         self.__round_args: tuple[Any, ...] = ()
         self.__gate = Gate()
         self.__waits = False
@@ -223,9 +223,11 @@ class Executor:
 
     def wait_for_ready_callbacks(
         self, timeout_sec: Any = None, nodes: list[Node] | None = None, condition: Callable[[], bool] = _never
-    ) -> Task:
-        """Return the next call of the round. Raises TimeoutException, ShutdownException, ExternalShutdownException, and
-        ConditionReachedException if ``condition()`` is true.
+    ) -> Entry:
+        """Return the next call of the round: a task, what it calls (None: a task that was asked for), and its node.
+
+        Raises TimeoutException, ShutdownException, ExternalShutdownException, and ConditionReachedException if
+        ``condition()`` is true.
         """
         args = (timeout_sec, nodes, condition)
         now = self._clock.now()
@@ -242,7 +244,7 @@ class Executor:
             except StopIteration:
                 self.__round = None
 
-    def __new_round(self, timeout_sec: Any, nodes: list[Node] | None, condition: Callable[[], bool]) -> Iterator[Task]:
+    def __new_round(self, timeout_sec: Any, nodes: list[Node] | None, condition: Callable[[], bool]) -> Iterator[Entry]:
         seconds = timeout_sec.seconds if isinstance(timeout_sec, _Timeout) else timeout_sec
         timeout = -1 if seconds is None or seconds < 0 else int(float(seconds) * 1e9)
         deadline = time.monotonic_ns() + timeout if timeout > 0 else None
@@ -253,7 +255,7 @@ class Executor:
                 task, _, node = entry
                 if not task.executing() and not task.done() and (node is None or node in spun):
                     works = True
-                    yield task
+                    yield entry
             for entry in list(self._tasks):
                 if entry[0].done() or entry[0].cancelled():
                     self._tasks.remove(entry)
@@ -358,12 +360,13 @@ class Executor:
         self.__waited_until = self._clock.now()
         return ready, is_over or timeout == 0
 
-    def __task(self, entity: Any, node: Node) -> Task:
+    def __task(self, entity: Any, node: Node) -> Entry:
         """Make a task that calls what is due. Nothing else is handed out for the entity until the task begins."""
         entity._executor_event = True
         task = Task(_call, (entity, self), executor=self)
-        self._tasks.append((task, entity, node))
-        return task
+        entry = task, entity, node
+        self._tasks.append(entry)
+        return entry
 
     def __enter__(self: E) -> E:
         return self
@@ -407,7 +410,7 @@ class SingleThreadedExecutor(Executor):
 
     def _rosspin_spin_once(self, timeout_sec: Any, condition: Callable[[], bool] = _never) -> None:
         try:
-            task = self.wait_for_ready_callbacks(timeout_sec, None, condition)
+            task, _, _ = self.wait_for_ready_callbacks(timeout_sec, None, condition)
         except (ShutdownException, TimeoutException, ConditionReachedException):
             return
         task()
@@ -429,7 +432,7 @@ class MultiThreadedExecutor(Executor):
 
     def _rosspin_spin_once(self, timeout_sec: Any, condition: Callable[[], bool] = _never) -> None:
         try:
-            task = self.wait_for_ready_callbacks(timeout_sec, None, condition)
+            task, _, _ = self.wait_for_ready_callbacks(timeout_sec, None, condition)
         except (ExternalShutdownException, ShutdownException, TimeoutException, ConditionReachedException):
             return
         self._executor.submit(task)

@@ -66,7 +66,7 @@ class Host:
 
     def __init__(self, clock: Clock, ticks: TickLog | None, several: bool = False) -> None:
         self.clock = clock
-        self.recording = Recording(clock, ticks, several, 0 if isinstance(clock, Simulation) else clock.now())
+        self.recording = Recording(clock, ticks, several, clock.now())
         self.processes: list[Process] = []
         self.at_graph: list[Callable[[int, Graph], None]] = []  # called when a ROS is used for the first time
         self._graphs: dict[int, Graph] = {}
@@ -282,17 +282,17 @@ class Host:
         return None if self.supervisor else PATIENCE * NS
 
     def run(self, until: int) -> None:
-        """Let the simulated time go on to ``until`` (ns), press Ctrl-C, and let the processes end.
+        """Let the simulated time go on to ``until`` (ns after its start), press Ctrl-C, and let the processes end.
 
         This does what :meth:`advance` and :meth:`interrupt` do. All three are to be called within :meth:`inside`.
         """
         with self._explained(until / NS):
-            self._program.run(until, self._patience)
+            self._program.run(self.recording.start + until, self._patience)
 
     def advance(self, until: int) -> None:
-        """Let the simulated time go on until all that is due by ``until`` (ns) has run."""
+        """Let the simulated time go on until all that is due by ``until`` (ns after its start) has run."""
         with self._explained(until / NS):
-            self._program.advance(until)
+            self._program.advance(self.recording.start + until)
 
     def interrupt(self) -> None:
         """Press Ctrl-C, and let the processes end."""
@@ -415,11 +415,11 @@ def kept() -> list[str]:
     return [each.what for each in KEPT] + ["names in rospy, rclpy, message classes and the standard library's modules"]
 
 
-def duration(seconds: float) -> int:
-    """Convert the length of a run, or of a step, to ns. Raises ValueError if it cannot be one."""
+def duration(seconds: float, name: str = "seconds") -> int:
+    """Convert the length of a run, or of a step, to ns. Raises ValueError, with its ``name``, if it cannot be one."""
     if not (isinstance(seconds, (int, float)) and math.isfinite(seconds) and seconds >= 0):
-        raise ValueError(f"seconds must be a number of at least 0, not {seconds!r}")
+        raise ValueError(f"{name} must be a number of at least 0, not {seconds!r}")
     try:
         return nanoseconds(seconds)
     except OverflowError:
-        raise ValueError(f"seconds must be less than {2**63 // NS} (292 years), not {seconds!r}") from None
+        raise ValueError(f"{name} must be less than {2**63 // NS} (292 years), not {seconds!r}") from None

@@ -22,9 +22,17 @@ __all__ = ["run_captured", "run_node", "run_nodes", "several", "simulate", "supe
 
 
 def simulate(
-    node: NodeLike | Sequence[NodeLike | launch.Node], seconds: float, args: Sequence[str] = (), skip_cpp: bool = False
+    node: NodeLike | Sequence[NodeLike | launch.Node],
+    seconds: float,
+    args: Sequence[str] = (),
+    skip_cpp: bool = False,
+    *,
+    start: float = 0.0,
 ) -> Run:
     """Run a node for ``seconds`` of simulated time, which begins at 0 and takes almost no real time.
+
+    ``start`` is what the node's clocks tell at first, in s: 0, or with 1.7e9 a time as on a real computer. What the run
+    gives counts from there.
 
     ``node`` is the path of a node file, or a function. Whichever of ``rospy`` and ``rclpy`` it imports first decides
     its ROS. ``args`` are its command line, such as ``"__ns:=/mrp"``, or ``"--ros-args", "-r", "__ns:=/mrp"`` in ROS 2.
@@ -43,17 +51,18 @@ def simulate(
     that has failed. Nodes of ROS 1 and ROS 2 do not hear each other. With ``skip_cpp``, the nodes of a launch file that
     are not in Python are left out.
 
-    Raises OSError if the file cannot be read, SyntaxError if it is not Python, ValueError if ``seconds`` is negative,
-    too large or not a number, :class:`TimeStandsStill` if the node never lets the time go on, and
+    Raises OSError if the file cannot be read, SyntaxError if it is not Python, ValueError if ``seconds`` or ``start``
+    is negative, too large or not a number, :class:`TimeStandsStill` if the node never lets the time go on, and
     :class:`NotSimulated` if it needs a real ROS.
     """
     refuse_text(args)
     launched = several(node, args, skip_cpp)
+    clock = Simulation(duration(start, "start"))
     if launched is None:
-        return run_captured(Simulation(), load(node), seconds, args)  # type: ignore[arg-type]
+        return run_captured(clock, load(node), seconds, args)  # type: ignore[arg-type]
     duration(seconds)
     with capture() as console:
-        result = run_nodes(launched, seconds, Simulation(), TickLog())
+        result = run_nodes(launched, seconds, clock, TickLog())
     return result.run(console.text(), "simulated", seconds)
 
 
