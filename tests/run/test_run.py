@@ -634,8 +634,8 @@ def test_a_time_before_the_beginning_is_an_error_with_a_hint() -> None:
 
 def test_a_time_before_the_beginning_has_a_hint_in_ros2() -> None:
     def node() -> None:
-        import rclpy
-        from rclpy.duration import Duration
+        import rclpy  # type: ignore[import-not-found]
+        from rclpy.duration import Duration  # type: ignore[import-not-found]
 
         rclpy.init()
         print(rclpy.create_node("node").get_clock().now() - Duration(seconds=1) is not None)
