@@ -14,7 +14,7 @@ from typing import NamedTuple
 
 __all__ = [
     *("Place", "Whereabouts", "called_from", "format_error", "is_installed", "node_frame", "node_frames"),
-    *("node_place", "places", "trail", "trail_of", "warn"),
+    *("node_place", "outer_place", "places", "trail", "trail_of", "warn"),
 ]
 
 # This package, whose frames are not the node's.
@@ -144,6 +144,11 @@ def node_place(places: Iterable[Place]) -> Place | None:
     """The first place that is neither in this package nor in the standard library."""
     not_the_nodes = (_FOLDER, _LIBRARY, "<frozen")
     return next((place for place in places if not place.filename.startswith(not_the_nodes)), None)
+
+
+def outer_place(places: Iterable[Place]) -> Place | None:
+    """The first place that is not in this package: in the node, or in the standard library."""
+    return next((place for place in places if not place.filename.startswith(_FOLDER)), None)
 
 
 def _call(code: CodeType, at: int) -> str:

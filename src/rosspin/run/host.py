@@ -25,6 +25,7 @@ from ..clocks.watchdog import Stuck
 from ..results.ticks import Call, Message, Run, Tick
 from ..world.graph import Graph, Recording, TickLog
 from ..world.world import World
+from .deadlock import explain_threads
 from .explain import keep_those_of, say_killed, stands_still
 from .kept import KEPT, one_at_a_time, state_of_names, state_of_node, state_of_process
 from .process import PATCHES, Process, Slots
@@ -273,7 +274,9 @@ class Host:
         return simulated
 
     def _say_what_waits(self) -> None:
-        """Say what waits for ever among the nodes of ROS 2."""
+        """Say what waits for ever: threads, and the callbacks of ROS 2."""
+        assert isinstance(self.clock, Simulation)
+        sys.stderr.write(explain_threads(self.clock))
         if graph := self._graphs.get(2):
             sys.stderr.write(ROSES[2].stand_in.explain_waits(graph))
 
