@@ -19,6 +19,7 @@ __all__ = [
 
 # This package, whose frames are not the node's.
 _PACKAGE = __name__.partition(".")[0]
+_HERE = os.path.dirname(__file__) + os.sep
 _FOLDER = os.path.dirname(os.path.dirname(__file__)) + os.sep
 
 # The function with which a stack begins in a web page (clocks/jspi.py).
@@ -147,8 +148,8 @@ def node_place(places: Iterable[Place]) -> Place | None:
 
 
 def outer_place(places: Iterable[Place]) -> Place | None:
-    """The first place that is not in this package: in the node, or in the standard library."""
-    return next((place for place in places if not place.filename.startswith(_FOLDER)), None)
+    """The first place that is not of the clocks: who lets them wait."""
+    return next((place for place in places if not place.filename.startswith(_HERE)), None)
 
 
 def _call(code: CodeType, at: int) -> str:

@@ -45,9 +45,9 @@ def _step(stack: Stack) -> tuple[str, Stack] | None:
     if holder is None or holder.dead:
         return None
     if holder is stack:
-        # Events, conditions and queues wait for a lock that they have taken themselves, until somebody releases it.
+        # Events, conditions and the like wait for a lock that they have taken themselves, until somebody releases it.
         place = outer_place(places(stack.trail))
-        return (f"{_LOCK} it holds", stack) if place and place.filename != threading.__file__ else None
+        return (f"{_LOCK} it holds", stack) if place and node_place([place]) else None
     is_end = lock in (holder.ended, holder.program.main_ended)
     return (f"the end of {_name(holder)}" if is_end else f"{_LOCK} {_name(holder)} holds"), holder
 
