@@ -683,7 +683,8 @@ class Node(Parameters):
             while entities:
                 self.__destroy(entities[0], entities)
         if self.__on_rosout and self._context.state.rosout and not self.__destroyed:
-            self._context.state.rosout.discard(self._logger.name)
+            own = self._context.state
+            own.rosout = {name for name in own.rosout or () if not f"{name}.".startswith(f"{self._logger.name}.")}
         self.__destroyed = True
         if self in self._context.nodes:
             self._context.nodes.remove(self)
