@@ -1,7 +1,7 @@
 """Ctrl-C while a call waits, in a node that handles its signals itself: a KeyboardInterrupt."""
 
 import rospy
-from scenario import attempt, begin, block, mark
+from scenario import begin, block, mark
 from std_srvs.srv import Trigger
 
 
@@ -19,4 +19,3 @@ try:
 except KeyboardInterrupt:
     mark("interrupted")
 block(3)
-attempt("proxy.transport", {"proxy": proxy})

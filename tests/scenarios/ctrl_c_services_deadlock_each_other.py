@@ -3,7 +3,7 @@
 import threading
 
 import rospy
-from scenario import P, begin, block, mark
+from scenario import P, begin, block, mark, say
 from std_srvs.srv import Trigger
 
 locks = {name: threading.Lock() for name in "ab"}
@@ -36,4 +36,4 @@ serve("b")
 ask("a", "b")
 ask("b", "a")
 rospy.spin()
-mark("spun")
+say("spun")

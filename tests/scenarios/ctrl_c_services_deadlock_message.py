@@ -22,4 +22,3 @@ try:
     publisher.publish(1)
 except rospy.ServiceException as error:
     say(type(error).__name__, error)
-mark("end_of_main")

@@ -3,7 +3,7 @@
 import threading
 
 import rospy
-from scenario import attempt, begin, block, mark
+from scenario import attempt, begin, block, mark, say
 from std_srvs.srv import Trigger
 
 
@@ -19,4 +19,4 @@ service = rospy.Service("~a", Trigger, handle)
 names = {"proxy": rospy.ServiceProxy("~a", Trigger)}
 threading.Thread(target=attempt, args=("proxy()", names), daemon=True).start()
 service.spin()
-mark("spun")
+say("spun")

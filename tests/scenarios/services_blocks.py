@@ -13,7 +13,6 @@ def handle(request):
 begin("services_blocks")
 rospy.Service("~slow", Trigger, handle)
 rospy.Service("~quick", Trigger, lambda request: (True, ""))
-rospy.Timer(rospy.Duration(P), lambda event: mark("tick"))
 slow, quick = rospy.ServiceProxy("~slow", Trigger), rospy.ServiceProxy("~quick", Trigger)
 
 
@@ -22,9 +21,14 @@ def call_quick(event):
     mark("quick")
 
 
-rospy.Timer(rospy.Duration(1.4 * P), call_quick)
+timers = [
+    rospy.Timer(rospy.Duration(P), lambda event: mark("tick")),
+    rospy.Timer(rospy.Duration(1.4 * P), call_quick),
+]
 say(slow().message)
 mark("slow")
 say(slow().message)
 mark("slow")
-end_after(0.5)
+for timer in timers:
+    timer.shutdown()
+end_after(2)

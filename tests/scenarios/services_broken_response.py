@@ -1,4 +1,4 @@
-"""A response that cannot be sent: the caller is told; on a connection that persists, its beginning goes ahead of the next."""
+"""A response that cannot be sent is an error of the handler's."""
 
 import rospy
 from scenario import attempt, begin
@@ -11,6 +11,8 @@ def handle(request):
 
 begin("services_broken_response")
 rospy.Service("~a", SetBool, handle)
-names = {"plain": rospy.ServiceProxy("~a", SetBool)}
+names = {"plain": rospy.ServiceProxy("~a", SetBool), "keeps": rospy.ServiceProxy("~a", SetBool, persistent=True)}
 for text in ("plain(True)", "plain(False)", "plain(True)"):
+    attempt(text, names)
+for text in ("keeps(True)", "keeps(False)", "keeps(True)", "keeps(True)", "keeps(True)"):
     attempt(text, names)

@@ -7,7 +7,7 @@ from std_msgs.msg import String
 from std_srvs.srv import Trigger, TriggerRequest
 
 begin("services_constructor_errors")
-warnings.simplefilter("error")
+warnings.simplefilter("error", UserWarning)
 for text in (
     "rospy.Service('', Trigger, print)",
     "rospy.Service(None, Trigger, print)",

@@ -12,5 +12,10 @@ def handle(request):
 
 begin("services_headers")
 rospy.Service("~a", Trigger, handle)
-for proxy in (rospy.ServiceProxy("~a", Trigger), rospy.ServiceProxy("~a", Trigger, persistent=True)):
+for proxy in (
+    rospy.ServiceProxy("~a", Trigger),
+    rospy.ServiceProxy("~a", Trigger, persistent=True),
+    rospy.ServiceProxy("~a", Trigger, headers={"cookie": "1", "callerid": "/somebody"}),
+    rospy.ServiceProxy("~a", Trigger, True, {"cookie": "2"}),
+):
     say(sorted(proxy()._connection_header.items()))

@@ -1,7 +1,7 @@
 """A subscriber's callback calls a service of the same node; messages wait meanwhile."""
 
 import rospy
-from scenario import P, begin, block, end_after, mark
+from scenario import P, begin, block, end_after, mark, say
 from std_msgs.msg import UInt32
 from std_srvs.srv import SetBool
 
@@ -12,9 +12,10 @@ def handle(request):
 
 
 def receive(message):
-    mark("receive", message.data)
+    mark(f"receive_{message.data}")
     answer = service(message.data % 2 == 1)
-    mark("answered", message.data, int(answer.success))
+    mark(f"answered_{message.data}")
+    say(answer)
 
 
 begin("services_in_subscriber")

@@ -7,7 +7,7 @@ from std_srvs.srv import Trigger
 
 def handle(request):
     mark("handle")
-    block(1.5)
+    block(0.5)
     return True, ""
 
 
@@ -20,5 +20,7 @@ def tick(event):
 begin("services_in_timer")
 rospy.Service("~a", Trigger, handle)
 service = rospy.ServiceProxy("~a", Trigger)
-rospy.Timer(rospy.Duration(P), tick)
-end_after(6.3)
+timer = rospy.Timer(rospy.Duration(P), tick)
+block(3.75)
+timer.shutdown()
+end_after(1)

@@ -21,6 +21,5 @@ names = {"proxy": rospy.ServiceProxy("~a", Trigger)}
 rospy.on_shutdown(hook)
 block(1)
 rospy.signal_shutdown("enough")
-mark("shut_down")
 say(rospy.is_shutdown())
 attempt("proxy()", names)

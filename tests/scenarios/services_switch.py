@@ -27,7 +27,7 @@ class Switched:
 
 begin("services_switch")
 node = Switched()
-rospy.Subscriber("~count", UInt32, lambda message: mark("count", message.data))
+rospy.Subscriber("~count", UInt32, lambda message: mark(f"count_{message.data}"))
 rospy.wait_for_service("~switch")
 switch = rospy.ServiceProxy("~switch", SetBool)
 block(2.5)

@@ -16,7 +16,6 @@ for text in (
     "rospy.wait_for_service('~a', 0)",
     "rospy.wait_for_service('~a', 0.0)",
     "rospy.wait_for_service('~a', rospy.Duration(0))",
-    "rospy.wait_for_service('~a', 'soon')",
     "rospy.wait_for_service(5, P)",
     "rospy.wait_for_service('', P)",
     "rospy.wait_for_service(None, P)",

@@ -1,0 +1,32 @@
+"""A request that cannot be sent is an error in the caller; its service waited for it, and says so."""
+
+import gc
+
+import rospy
+from nav_msgs.srv import GetPlan, LoadMap
+from scenario import attempt, begin, block
+from std_srvs.srv import SetBool
+
+begin("services_bad_requests")
+rospy.Service("~plan", GetPlan, print)
+rospy.Service("~load", LoadMap, print)
+rospy.Service("~set", SetBool, lambda request: (True, ""))
+names = {
+    "plan": rospy.ServiceProxy("~plan", GetPlan),
+    "load": rospy.ServiceProxy("~load", LoadMap),
+    "set_to": rospy.ServiceProxy("~set", SetBool),
+    "nobody": rospy.ServiceProxy("~nobody", SetBool),
+}
+for text in (
+    "set_to('')",
+    "set_to([])",
+    "set_to([True])",
+    "load(5)",
+    "plan(tolerance='a')",
+    "plan(1, 2, 3)",
+    "nobody('')",
+    "set_to(True)",
+):
+    attempt(text, names)
+    gc.collect()  # which closes the connection
+    block(0.2)
