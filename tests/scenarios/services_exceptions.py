@@ -1,6 +1,5 @@
 """The exceptions of services: their place among Python's and rospy's."""
 
-import rospy
 from scenario import attempt, begin
 from std_srvs.srv import Trigger
 
