@@ -17,6 +17,7 @@ names = {
     "set_to": rospy.ServiceProxy("~set", SetBool),
     "nobody": rospy.ServiceProxy("~nobody", SetBool),
 }
+gc.freeze()  # what is collected below is little
 for text in (
     "set_to('')",
     "set_to([])",

@@ -26,6 +26,7 @@ begin("services_handler_exits")
 rospy.Service("~exits", Trigger, lambda request: sys.exit(3))
 rospy.Service("~fails", Trigger, fail, error_handler=handle_badly)
 rospy.Service("~works", Trigger, lambda request: (True, ""))
+gc.freeze()  # what is collected below is little
 for name in ("exits", "fails"):
     threading.Thread(target=call, args=(name,)).start()
     block(1)
