@@ -1,5 +1,5 @@
 #!/usr/bin/env python3
-"""Has a service that another node has, too: the master knows the later one. That one shuts it down once it was asked."""
+"""Has a service that another node has, too: the master knows the later one, which shuts it down once it was asked."""
 
 import common
 import rospy
