@@ -29,8 +29,9 @@ for text in (
     "set_to(True)",
 ):
     try:
-        say(text, "->", eval(text, names))
+        result = eval(text, names)
     except Exception as error:
-        say(text, "->", type(error).__name__, error)
+        result = f"{type(error).__name__}: {error}"
     gc.collect()  # which closes the connection
     block(0.2)
+    say(text, "->", result)

@@ -15,7 +15,7 @@ def receive(message):
     mark(f"receive_{message.data}")
     answer = service(message.data % 2 == 1)
     mark(f"answered_{message.data}")
-    say(answer)
+    say(answer.success, answer.message)
 
 
 begin("services_in_subscriber")

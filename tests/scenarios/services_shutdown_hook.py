@@ -11,7 +11,7 @@ def handle(request):
 
 
 def hook():
-    attempt("proxy()", names)
+    attempt("proxy().message", names)
     mark("hook")
 
 
@@ -22,4 +22,4 @@ rospy.on_shutdown(hook)
 block(1)
 rospy.signal_shutdown("enough")
 say(rospy.is_shutdown())
-attempt("proxy()", names)
+attempt("proxy().message", names)

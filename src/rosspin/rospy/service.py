@@ -23,7 +23,13 @@ from ..world.graph import CallMade
 from ..world.world import NotSimulated, World, not_simulated
 from . import names, rosgraph
 from .core import logerr, logwarn, logwarn_throttle
-from .exceptions import ROSException, ROSInterruptException, TransportException, TransportTerminated
+from .exceptions import (
+    ROSException,
+    ROSInterruptException,
+    TransportException,
+    TransportInitError,
+    TransportTerminated,
+)
 from .msg import args_kwds_to_message, serialize_message
 from .state import State, state
 from .topics import DEFAULT_BUFF_SIZE
@@ -49,85 +55,68 @@ ServiceException.__module__ = "rospy.service"  # so that tracebacks name it as o
 
 
 class Services:
-    """The services of one node, and its connections."""
+    """The services of one node, and the connections to them."""
 
     ROS = 1
 
     def __init__(self, world: World) -> None:
         self.node = world.part(State)
-        self.own: dict[str, Service] = {}
         self.is_gone = False  # whether its process has ended, perhaps without telling the master
+        self._own: dict[str, Service] = {}
         self._connections: list[Connection] = []
         self._accepted: Connection | None = None  # the last one
-        self._lock = threading.RLock()
-        self.node.at_init.append(lambda: self._tell_master(*self.own))
+        self.node.at_init.append(self._tell_master)
         self.node.before_shutdown.append(self._unregister_all)
         world.at_end.append(self._be_gone)
 
     def register(self, service: Service) -> None:
         """Add a service. Raises ServiceException if the node has one of that name; that one is kept."""
-        name = service.resolved_name
-        with self._lock:
-            first = self.own.setdefault(name, service)
-            self._tell_master(name)
+        first = self._own.setdefault(service.resolved_name, service)
+        self._tell_master()
         if first is not service:
-            raise ServiceException(f"service [{name}] already registered")
+            raise ServiceException(f"service [{service.resolved_name}] already registered")
 
-    def unregister(self, service: Service) -> None:
+    def unregister(self, name: str, service: Service) -> None:
         """Take a service away. As the master knows of names and nodes only, a later one of this name is lost, too."""
-        name = service.resolved_name
-        with self._lock:
-            if self.own.get(name) is service:
-                del self.own[name]
-            self._forget(name)
+        if self._own.get(name) is service:
+            del self._own[name]
+        if self.node.master.services.get(name) is self:
+            del self.node.master.services[name]
 
-    def _tell_master(self, *names: str) -> None:
+    def _tell_master(self) -> None:
         if self.node.initialized:
-            self.node.master.services.update(dict.fromkeys(names, self))
-
-    def _forget(self, name: str) -> None:
-        services = self.node.master.services
-        if services.get(name) is self:
-            del services[name]
+            self.node.master.services.update(dict.fromkeys(self._own, self))
 
     def _unregister_all(self) -> None:
-        with self._lock:
-            for name in self.own:
-                self._forget(name)
-            self.own.clear()
+        for name, service in list(self._own.items()):
+            self.unregister(name, service)
 
     def _be_gone(self) -> None:
         self.is_gone = True
         for connection in self._connections:
             connection.hang_up()
 
-    def accept(self, connection: Connection | None) -> str:
-        """Connect a client, or None, who only looks. Return why that is not possible; "" if it is.
+    def accept(self, connection: Connection | None) -> None:
+        """Accept a connection; None is somebody who only looks. Raises TransportInitError if it is of another type.
 
-        A connection whose thread has ended without an answer is closed only when the next one comes: rospy's server
-        holds on to the socket of the last.
+        One whose thread has ended without an answer is closed only now: rospy's server holds on to the last socket.
         """
         before, self._accepted = self._accepted, connection
         if before and before.is_left:
             before.hang_up()
         if connection is None:
-            return ""
-        service, header = self.own[connection.name], connection.header
-        if header["md5sum"] not in (names.SERVICE_ANYTYPE, service.service_class._md5sum):
-            sums = f"[{header['md5sum']}] vs. [{service.service_class._md5sum}]"
-            reason = f"request from [{header['callerid']}]: md5sums do not match: {sums}"
+            return
+        service, header = self._own[connection.name], connection.header
+        md5sum = service.service_class._md5sum
+        if header["md5sum"] not in (names.SERVICE_ANYTYPE, md5sum):
+            sums = f"md5sums do not match: [{header['md5sum']}] vs. [{md5sum}]"
+            reason = f"request from [{header['callerid']}]: {sums}"
             logwarn(f"Could not process inbound connection: {reason}{header}")
-            return reason
-        connection.server = self
-        connection.reply = {
-            "callerid": self.node.name,
-            "md5sum": service.service_class._md5sum,
-            "service": connection.name,
-            "type": service.service_class._type,
-        }
+            raise TransportInitError(f"remote error reported: {reason}")
+        kind = service.service_class._type
+        connection.reply = {"callerid": self.node.name, "md5sum": md5sum, "service": connection.name, "type": kind}
         self._connections.append(connection)
         self.node.world.start(threading.Thread(target=service.handle, args=(connection,), daemon=True))
-        return ""
 
     def close(self, connection: Connection) -> None:
         """Close a connection: whoever waits for an answer learns that none comes."""
@@ -142,27 +131,25 @@ class Services:
 
 
 class Connection:
-    """A connection from a proxy to a service. ``header`` is what the proxy sends first."""
+    """A connection from a proxy to a service: what each side has sent. ``header`` is what the proxy sends first."""
 
     def __init__(self, name: str, header: dict[str, str]) -> None:
         self.name = name
         self.header = header
-        self.reply: dict[str, str] = {}
+        self.reply: dict[str, str] = {}  # the service's header
         self.persists = header.get("persistent", "").lower() in ("1", "true")
-        self.server: Services
-        self.is_left = False
-        self.is_closed = False  # by the proxy
+        self.is_left = False  # by the thread of the service
+        self._is_closed = False
         self._requests: queue.SimpleQueue[tuple[bytes, CallMade] | None] = queue.SimpleQueue()
         self._answers: queue.SimpleQueue[tuple[bool, bytes] | None] = queue.SimpleQueue()
-        self._spoilt: set[type[Message]] = set()  # what cannot be read any more, as half a message was written before
+        self._spoilt: set[type[Message]] = set()  # what cannot be read any more: half a message stands before it
 
     def ask(self, node: State, request: Message) -> None:
         """Send a request. Raises what ``Message.serialize`` does; nothing can be sent after that."""
-        if self.is_closed:
+        if self._is_closed:
             raise AttributeError("'NoneType' object has no attribute 'tell'")  # rospy's buffer is gone
-        data = self._bytes(0, request)
-        call = node.world.recording.add_call(self.name, node.name, _copy(request, data))
-        self._requests.put((data, call))
+        data = self._bytes(request)
+        self._requests.put((data, node.world.recording.add_call(self.name, node.name, _copy(request, data))))
 
     def next_request(self) -> tuple[bytes, CallMade]:
         """Wait for a request. Raises TransportTerminated if none comes."""
@@ -170,22 +157,16 @@ class Connection:
             raise TransportTerminated(_HUNG_UP)
         return found
 
-    def answer(self, response: Message, seq: int, call: CallMade) -> None:
-        """Send a response. Raises what ``Message.serialize`` does; none can be read after that."""
-        data = self._bytes(seq, response)
-        self._send(True, data, call, _copy(response, data))
-
-    def refuse(self, reason: str, call: CallMade) -> None:
-        """Send an error."""
-        self._send(False, reason.encode(), call, lambda: None)
-
-    def _send(self, is_response: bool, data: bytes, call: CallMade, make: Callable[[], Any]) -> None:
-        node = self.server.node
+    def answer(self, node: State, call: CallMade, response: Message | str) -> None:
+        """Send a response, or the text of an error. Raises what ``Message.serialize`` does; then none can be read."""
+        is_error = isinstance(response, str)
+        data = response.encode() if isinstance(response, str) else self._bytes(response)
+        make = (lambda: None) if isinstance(response, str) else _copy(response, data)
         call.answer(node.name, node.clock.now(), make)
-        self._answers.put((is_response, data))
+        self._answers.put((is_error, data))
 
     def next_answer(self) -> tuple[bool, bytes]:
-        """Wait for a response (True) or an error. Raises TransportTerminated if none comes."""
+        """Wait for an error (True) or a response. Raises TransportTerminated if none comes."""
         if (found := self._answers.get()) is None:
             raise TransportTerminated(_HUNG_UP)
         return found
@@ -196,7 +177,7 @@ class Connection:
 
     def close(self) -> None:
         """Close the proxy's side."""
-        self.is_closed = True
+        self._is_closed = True
         self._requests.put(None)
 
     def read(self, data_class: type[Message], data: bytes) -> Message:
@@ -206,15 +187,15 @@ class Connection:
         except DeserializationError as error:
             raise TransportException(f"receive_once[{self.name}]: DeserializationError cannot deserialize: {error}")
 
-    def _bytes(self, seq: int, message: Message) -> bytes:
+    def _bytes(self, message: Message) -> bytes:
         try:
-            return serialize_message(seq, message)
+            return serialize_message(0, message)
         except Exception:
             self._spoilt.add(type(message))
             raise
 
 
-def _copy(message: Message, data: bytes) -> Callable[[], Message]:
+def _copy(message: Message, data: bytes) -> Callable[[], Any]:
     """Return a function that makes the message from its bytes."""
     return lambda: type(message)().deserialize(data)
 
@@ -259,7 +240,6 @@ class Service(_Named):
         if error_handler is not None:
             self.error_handler = error_handler  # type: ignore[method-assign]
         self.buff_size = buff_size
-        self.seq = 0
         self.done = False
         self._node = state()
         self._services = self._node.world.part(Services)
@@ -274,7 +254,7 @@ class Service(_Named):
     def shutdown(self, reason: str = "") -> None:
         """Accept no more calls. Those that have begun are answered, and those of persistent proxies."""
         self.done = True
-        self._services.unregister(self)
+        self._services.unregister(self.resolved_name, self)
 
     def spin(self) -> None:
         """Wait until the service or the node is shut down. It handles no calls: these have threads of their own."""
@@ -305,18 +285,16 @@ class Service(_Named):
         request = connection.read(self.request_class, data)
         request._connection_header = connection.header  # type: ignore[attr-defined]
         try:
-            response = _to_response(self.handler(request), self.response_class)
-            self.seq += 1
-            connection.answer(response, self.seq, call)
+            connection.answer(self._node, call, _to_response(self.handler(request), self.response_class))
         except NotSimulated:
             raise
         except ServiceException as error:
-            connection.refuse(f"service cannot process request: {error}", call)
+            connection.answer(self._node, call, f"service cannot process request: {error}")
         except Exception as error:
             if lacking := not_simulated(error):
                 raise lacking from error
             self.error_handler(error, type(error), error, error.__traceback__)
-            connection.refuse(f"error processing request: {error}", call)
+            connection.answer(self._node, call, f"error processing request: {error}")
 
 
 def _to_response(value: Any, response_class: type[Message]) -> Message:
@@ -386,8 +364,8 @@ class ServiceProxy(_Named):
             answer = None if node.shutdown else connection.next_answer()
             if answer is None or node.shutdown:
                 raise ServiceException(f"service [{self.resolved_name}] returned no response")
-            is_response, data = answer
-            if not is_response:
+            is_error, data = answer
+            if is_error:
                 raise ServiceException(f"service [{self.resolved_name}] responded with an error: {data!r}")
             response = connection.read(self.response_class, data)
         except TransportException as error:
@@ -405,12 +383,10 @@ class ServiceProxy(_Named):
             raise ServiceException(f"service [{self.resolved_name}] unavailable")
         own = {"callerid": node.name, "md5sum": self.service_class._md5sum, "service": self.resolved_name}
         connection = Connection(self.resolved_name, dict(sorted({**own, **self._headers}.items())))
-        if server.is_gone:
-            raise ServiceException("unable to connect to service: [Errno 111] Connection refused")
-        with server.node.world.acting():
-            refused = server.accept(connection)
-        if refused:
-            raise ServiceException(f"unable to connect to service: remote error reported: {refused}")
+        try:
+            _join(server, connection)
+        except TransportInitError as error:
+            raise ServiceException(f"unable to connect to service: {error}")
         if self.persistent:
             self._connection = connection
         return connection
@@ -434,12 +410,11 @@ def wait_for_service(service: str, timeout: float | Duration | None = None) -> N
     name = names.resolve_name(service)
     until = None if seconds is None else node.clock.now() + nanoseconds(seconds)
     while not node.shutdown and (until is None or node.clock.now() < until):
-        server = _find(node, name)
-        if server and not server.is_gone:
-            with server.node.world.acting():
-                server.accept(None)
-            return
-        if server:
+        try:
+            if server := _find(node, name):
+                _join(server, None)
+                return
+        except TransportInitError:
             logwarn_throttle(10, f"wait_for_service({name}): failed to contact, will keep trying")
         node.clock.sleep(_LOOK)
     if node.shutdown:
@@ -452,3 +427,11 @@ def _find(node: State, name: str) -> Services | None:
     node.clock.sleep(FIND)
     found: Services | None = node.master.services.get(name)
     return found
+
+
+def _join(server: Services, connection: Connection | None) -> None:
+    """Connect to a node. Raises TransportInitError if it has gone without telling the master, or does not accept."""
+    if server.is_gone:
+        raise TransportInitError("[Errno 111] Connection refused")
+    with server.node.world.acting():
+        server.accept(connection)
