@@ -22,7 +22,7 @@ def server(handle: Callable[[Any], Any], name: str = "server") -> Callable[[], N
     """A node with a service ``ask``."""
 
     def node() -> None:
-        from std_srvs.srv import SetBool
+        from std_srvs.srv import SetBool  # type: ignore[import-not-found]
 
         rospy.init_node(name)
         rospy.Service("ask", SetBool, handle)

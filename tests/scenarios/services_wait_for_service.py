@@ -32,6 +32,11 @@ def serve():
 
 
 threading.Timer(P, serve).start()
-for text in ("rospy.wait_for_service('~a')", "rospy.wait_for_service('~a', P)", "proxy.wait_for_service()", "proxy().message"):
+for text in (
+    "rospy.wait_for_service('~a')",
+    "rospy.wait_for_service('~a', P)",
+    "proxy.wait_for_service()",
+    "proxy().message",
+):
     attempt(text, names)
     mark("there")

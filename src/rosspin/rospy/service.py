@@ -144,11 +144,11 @@ class Connection:
         self._answers: queue.SimpleQueue[tuple[bool, bytes] | None] = queue.SimpleQueue()
         self._spoilt: set[type[Message]] = set()  # what cannot be read any more: half a message stands before it
 
-    def ask(self, node: State, request: Message) -> None:
+    def ask(self, node: State, seq: int, request: Message) -> None:
         """Send a request. Raises what ``Message.serialize`` does; nothing can be sent after that."""
         if self._is_closed:
             raise AttributeError("'NoneType' object has no attribute 'tell'")  # rospy's buffer is gone
-        data = self._bytes(request)
+        data = self._bytes(seq, request)
         self._requests.put((data, node.world.recording.add_call(self.name, node.name, _copy(request, data))))
 
     def next_request(self) -> tuple[bytes, CallMade]:
@@ -157,11 +157,17 @@ class Connection:
             raise TransportTerminated(_HUNG_UP)
         return found
 
-    def answer(self, node: State, call: CallMade, response: Message | str) -> None:
-        """Send a response, or the text of an error. Raises what ``Message.serialize`` does; then none can be read."""
-        is_error = isinstance(response, str)
-        data = response.encode() if isinstance(response, str) else self._bytes(response)
-        make = (lambda: None) if isinstance(response, str) else _copy(response, data)
+    def answer(self, service: Service, response: Message, call: CallMade) -> None:
+        """Send a response. Raises what ``Message.serialize`` does; none can be read after that."""
+        service.seq += 1
+        data = self._bytes(service.seq, response)
+        self._send(service.node, False, data, call, _copy(response, data))
+
+    def refuse(self, service: Service, reason: str, call: CallMade) -> None:
+        """Send an error."""
+        self._send(service.node, True, reason.encode(), call, lambda: None)
+
+    def _send(self, node: State, is_error: bool, data: bytes, call: CallMade, make: Callable[[], Any]) -> None:
         call.answer(node.name, node.clock.now(), make)
         self._answers.put((is_error, data))
 
@@ -187,9 +193,9 @@ class Connection:
         except DeserializationError as error:
             raise TransportException(f"receive_once[{self.name}]: DeserializationError cannot deserialize: {error}")
 
-    def _bytes(self, message: Message) -> bytes:
+    def _bytes(self, seq: int, message: Message) -> bytes:
         try:
-            return serialize_message(0, message)
+            return serialize_message(seq, message)
         except Exception:
             self._spoilt.add(type(message))
             raise
@@ -240,14 +246,15 @@ class Service(_Named):
         if error_handler is not None:
             self.error_handler = error_handler  # type: ignore[method-assign]
         self.buff_size = buff_size
+        self.seq = 0
         self.done = False
-        self._node = state()
-        self._services = self._node.world.part(Services)
+        self.node = state()
+        self._services = self.node.world.part(Services)
         self._services.register(self)
 
     def error_handler(self, e: Exception, exc_type: type, exc_value: Exception, tb: TracebackType | None) -> None:
         """Log an exception of the handler."""
-        self._node.world.note_error(e)
+        self.node.world.note_error(e)
         trace = traceback.format_exception(exc_type, exc_value, node_frames(tb))
         logerr(f"Error processing request: {e}\n{trace}")
 
@@ -259,8 +266,8 @@ class Service(_Named):
     def spin(self) -> None:
         """Wait until the service or the node is shut down. It handles no calls: these have threads of their own."""
         try:
-            while not self._node.shutdown and not self.done:
-                self._node.clock.sleep(_LOOK_OF_SPIN)
+            while not self.node.shutdown and not self.done:
+                self.node.clock.sleep(_LOOK_OF_SPIN)
         except KeyboardInterrupt:
             pass
 
@@ -268,7 +275,7 @@ class Service(_Named):
         """Answer what comes through a connection, in its thread."""
         try:
             self._answer(connection)
-            while connection.persists and not self._node.shutdown:
+            while connection.persists and not self.node.shutdown:
                 self._answer(connection)
         except TransportTerminated as error:
             if not connection.persists:
@@ -280,21 +287,21 @@ class Service(_Named):
 
     def _answer(self, connection: Connection) -> None:
         data, call = connection.next_request()
-        if self._node.shutdown:
+        if self.node.shutdown:
             return
         request = connection.read(self.request_class, data)
         request._connection_header = connection.header  # type: ignore[attr-defined]
         try:
-            connection.answer(self._node, call, _to_response(self.handler(request), self.response_class))
+            connection.answer(self, _to_response(self.handler(request), self.response_class), call)
         except NotSimulated:
             raise
         except ServiceException as error:
-            connection.answer(self._node, call, f"service cannot process request: {error}")
+            connection.refuse(self, f"service cannot process request: {error}", call)
         except Exception as error:
             if lacking := not_simulated(error):
                 raise lacking from error
             self.error_handler(error, type(error), error, error.__traceback__)
-            connection.answer(self._node, call, f"error processing request: {error}")
+            connection.refuse(self, f"error processing request: {error}", call)
 
 
 def _to_response(value: Any, response_class: type[Message]) -> Message:
@@ -332,6 +339,7 @@ class ServiceProxy(_Named):
     ) -> None:
         super().__init__(name, service_class)
         self.persistent = persistent
+        self.seq = 0
         self.buff_size = DEFAULT_BUFF_SIZE
         self._headers = {**(headers or {}), **({"persistent": "1"} if persistent else {})}
         self._connection: Connection | None = None  # if it persists
@@ -354,8 +362,9 @@ class ServiceProxy(_Named):
         node = state()
         request = args_kwds_to_message(self.request_class, args, kwds)
         connection = self._connection or self._connect(node, request)
+        self.seq += 1
         try:
-            connection.ask(node, request)
+            connection.ask(node, self.seq, request)
         except Exception:
             if not self.persistent:
                 connection.close()
