@@ -276,10 +276,10 @@ def test_time_that_stands_still(
 @pytest.mark.parametrize(
     ("code", "name", "line"),
     [
-        ("import rospy\n\nrospy.Service('name', None, None)\n", "rospy.Service", 3),
-        ("from rospy import ServiceProxy\n", "rospy.ServiceProxy", 1),
+        ("import rospy\n\nrospy.get_master().getPid()\n", "rospy.get_master", 3),
+        ("from rospy import MasterProxy\n", "rospy.MasterProxy", 1),
         ("import rospy\nfrom control_srvs.srv import Empty\n", "control_srvs", 2),
-        ("import rospy.service\n", "rospy.service", 1),
+        ("import rospy.msproxy\n", "rospy.msproxy", 1),
         (
             "import rospy\nrospy.init_node('n')\ndef callback(event):\n    import tf2_ros\n"
             "rospy.Timer(rospy.Duration(0.1), callback)\nrospy.spin()\n",

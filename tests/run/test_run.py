@@ -351,14 +351,14 @@ def test_a_module_of_ros_is_not_simulated(write: Any) -> None:
     assert simulate(write("import no_such_module"), 1).status == 1
 
 
-def test_a_service_is_not_simulated_wherever_it_is_met() -> None:
+def test_the_master_is_not_simulated_wherever_it_is_met() -> None:
     def in_a_callback() -> None:
         rospy.init_node("node")
-        rospy.Timer(rospy.Duration(1), lambda event: rospy.Service)
+        rospy.Timer(rospy.Duration(1), lambda event: rospy.get_master())
         rospy.spin()
 
-    for node in (lambda: rospy.Service, in_a_callback):
-        with pytest.raises(NotSimulated, match=r"^rospy\.Service is not simulated; run this node on a real ROS$"):
+    for node in (lambda: rospy.get_master(), in_a_callback):
+        with pytest.raises(NotSimulated, match=r"^rospy\.get_master is not simulated; run this node on a real ROS$"):
             simulate(node, 10)
 
 
@@ -396,7 +396,7 @@ def test_a_busy_callback_is_found_in_the_end(write: Any, watchful: None) -> None
 
 def test_after_an_error_the_next_run_is_as_ever() -> None:
     with pytest.raises(NotSimulated):
-        simulate(lambda: rospy.Service, 1)
+        simulate(lambda: rospy.get_master(), 1)
     assert simulate(TIMER_NODE, 2).console == NAMESPACE + counters(0.5, 1.0, 1.5, 2.0)
 
 
