@@ -1,0 +1,5 @@
+"""A program that is no node."""
+
+import sys
+
+print("plain", sys.argv[1:], flush=True)
