@@ -1,9 +1,6 @@
 from launch import LaunchDescription
-from launch.actions import *
+from launch.actions import LogInfo
 from launch.conditions import IfCondition
-from launch.substitutions import *
-from launch_ros.actions import *
-from launch_ros.substitutions import FindPackageShare
 
 
 def generate_launch_description():

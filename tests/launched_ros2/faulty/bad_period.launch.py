@@ -1,9 +1,5 @@
 from launch import LaunchDescription
-from launch.actions import *
-from launch.conditions import IfCondition
-from launch.substitutions import *
-from launch_ros.actions import *
-from launch_ros.substitutions import FindPackageShare
+from launch.actions import LogInfo, TimerAction
 
 
 def generate_launch_description():

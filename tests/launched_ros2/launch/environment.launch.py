@@ -2,7 +2,6 @@ import os
 
 from launch import LaunchDescription
 from launch.actions import (
-    AppendEnvironmentVariable,
     GroupAction,
     LogInfo,
     SetEnvironmentVariable,
@@ -24,8 +23,6 @@ def generate_launch_description():
             show(),
             GroupAction([SetEnvironmentVariable("COLOUR", "green"), UnsetEnvironmentVariable("SHAPE"), show()]),
             show(additional_env={"COLOUR": "blue"}),
-            AppendEnvironmentVariable("COLOUR", "dark"),
-            AppendEnvironmentVariable("COLOUR", "very", prepend=True, separator=" "),
             LogInfo(msg=EnvironmentVariable("COLOUR")),
             LogInfo(msg=EnvironmentVariable("ROSSPIN_NOWHERE", default_value="nowhere")),
         ]

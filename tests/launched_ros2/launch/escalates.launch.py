@@ -12,6 +12,6 @@ def generate_launch_description():
         [
             waits("SIGINT"),
             waits("SIGINT", "SIGTERM", sigterm_timeout="1", sigkill_timeout="0.5"),
-            TimerAction(period=4.0, actions=[Shutdown(reason="long enough")]),
+            TimerAction(period=8.0, actions=[Shutdown(reason="long enough")]),
         ]
     )

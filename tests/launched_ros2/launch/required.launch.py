@@ -11,7 +11,7 @@ def generate_launch_description():
             Node(
                 package="launched",
                 executable="ends",
-                arguments=["3", "1"],
+                arguments=["8", "1"],
                 on_exit=Shutdown(reason="the required one has ended"),
             ),
             RegisterEventHandler(OnShutdown(on_shutdown=lambda event, context: LogInfo(msg=event.reason))),

@@ -13,7 +13,7 @@ def generate_launch_description():
             RegisterEventHandler(
                 OnShutdown(on_shutdown=[LogInfo(msg="going"), Node(package="launched", executable="show")])
             ),
-            TimerAction(period=4.0, actions=[EmitEvent(event=Shutdown(reason="enough"))]),
+            TimerAction(period=8.0, actions=[EmitEvent(event=Shutdown(reason="enough"))]),
             TimerAction(period=60.0, actions=[LogInfo(msg="never")]),
         ]
     )

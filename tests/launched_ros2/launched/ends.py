@@ -10,6 +10,7 @@ def main():
     seconds, status = sys.argv[1:3]
     rclpy.init()
     node = rclpy.create_node("ends")
+    node.get_logger().info("up")
     time.sleep(float(seconds))
     node.get_logger().info("ending")
     if status == "raise":

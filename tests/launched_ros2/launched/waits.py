@@ -2,6 +2,7 @@
 
 import signal
 import sys
+import time
 
 import rclpy
 from rclpy.executors import ExternalShutdownException
@@ -17,7 +18,7 @@ def main():
     print("waiting", flush=True)
     if len(sys.argv) > 1 and sys.argv[1].startswith("SIG"):
         while True:
-            signal.pause()
+            time.sleep(1)
     try:
         rclpy.spin(node)
     except (KeyboardInterrupt, ExternalShutdownException) as error:

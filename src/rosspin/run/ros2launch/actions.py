@@ -9,6 +9,7 @@ from dataclasses import KW_ONLY, dataclass, field
 from typing import TYPE_CHECKING, Any
 
 from ...clocks.frames import called_from
+from ...rclpy.exceptions import InvalidNamespaceException
 from ...rclpy.names import validate_namespace, validate_node_name
 from . import events
 from .parameters import evaluate, words_for
@@ -18,12 +19,12 @@ if TYPE_CHECKING:
     from .context import LaunchContext
 
 __all__ = [
-    *("Action", "AppendEnvironmentVariable", "DeclareLaunchArgument", "EmitEvent", "ExecuteProcess", "GroupAction"),
-    *("IfCondition", "IncludeLaunchDescription", "LaunchConfigurationEquals", "LaunchConfigurationNotEquals"),
-    *("LaunchDescription", "LaunchDescriptionSource", "LogInfo", "Node", "OpaqueFunction", "PushROSNamespace"),
-    *("Refused", "RegisterEventHandler", "SetEnvironmentVariable", "SetLaunchConfiguration", "SetParameter"),
-    *("SetParametersFromFile", "SetRemap", "SetUseSimTime", "Shutdown", "TimerAction", "UnlessCondition"),
-    *("UnregisterEventHandler", "UnsetEnvironmentVariable", "UnsetLaunchConfiguration"),
+    *("Action", "DeclareLaunchArgument", "EmitEvent", "ExecuteProcess", "GroupAction", "IfCondition"),
+    *("IncludeLaunchDescription", "LaunchConfigurationEquals", "LaunchConfigurationNotEquals", "LaunchDescription"),
+    *("LaunchDescriptionSource", "LogInfo", "Node", "OpaqueFunction", "PushROSNamespace", "Refused"),
+    *("RegisterEventHandler", "SetEnvironmentVariable", "SetLaunchConfiguration", "SetParameter", "SetRemap"),
+    *("Shutdown", "TimerAction", "UnlessCondition", "UnregisterEventHandler", "UnsetEnvironmentVariable"),
+    *("UnsetLaunchConfiguration",),
 ]
 
 
@@ -33,32 +34,32 @@ __all__ = [
 @dataclass(eq=False)
 class IfCondition:
     predicate_expression: Any
+    _wanted = True
 
     def evaluate(self, context: LaunchContext) -> bool:
         text = perform(context, self.predicate_expression).strip().lower()
         if text not in ("true", "1", "false", "0"):
             raise ValueError(f"invalid condition expression, expected one of [true, 1, false, 0] but got '{text}'")
-        return text in ("true", "1")
+        return (text in ("true", "1")) == self._wanted
 
 
 class UnlessCondition(IfCondition):
-    def evaluate(self, context: LaunchContext) -> bool:
-        return not super().evaluate(context)
+    _wanted = False
 
 
 @dataclass(eq=False)
 class LaunchConfigurationEquals:
     launch_configuration_name: str
     expected_value: Any
+    _wanted = True
 
     def evaluate(self, context: LaunchContext) -> bool:
         expected = None if self.expected_value is None else perform(context, self.expected_value)
-        return bool(context.launch_configurations.get(self.launch_configuration_name) == expected)
+        return (context.launch_configurations.get(self.launch_configuration_name) == expected) == self._wanted
 
 
 class LaunchConfigurationNotEquals(LaunchConfigurationEquals):
-    def evaluate(self, context: LaunchContext) -> bool:
-        return not super().evaluate(context)
+    _wanted = False
 
 
 # --- actions ----------------------------------------------------------------------------------------------------------
@@ -156,20 +157,6 @@ class SetEnvironmentVariable(Action):
         context.environment[perform(context, self.name)] = perform(context, self.value)
 
 
-@dataclass(eq=False)
-class AppendEnvironmentVariable(SetEnvironmentVariable):
-    prepend: Any = False
-    _: KW_ONLY
-    separator: Any = os.pathsep
-
-    def execute(self, context: LaunchContext) -> None:
-        name, parts = perform(context, self.name), [perform(context, self.value)]
-        if name in context.environment:
-            at = 1 if perform_typed(context, self.prepend, bool) else 0
-            parts.insert(at, context.environment[name])
-        context.environment[name] = perform(context, self.separator).join(parts)
-
-
 class UnsetEnvironmentVariable(UnsetLaunchConfiguration):
     def execute(self, context: LaunchContext) -> None:
         context.environment.pop(perform(context, self.name), None)
@@ -213,15 +200,15 @@ class IncludeLaunchDescription(Action):
         path = os.path.abspath(source if isinstance(source, os.PathLike) else perform(context, source))
         description = context.service.load(path)
         folder = os.path.dirname(path)
-        context.extend_locals({"current_launch_file_path": path, "current_launch_file_directory": folder})
+        context.known.update({"current_launch_file_path": path, "current_launch_file_directory": folder})
         arguments = tuple(self.launch_arguments or ())
         given = [perform(context, name) for name, _ in arguments]
         for action in description.entities:
             if isinstance(action, DeclareLaunchArgument) and action.condition is None and action.default_value is None:
                 if action.name not in given:
                     raise RuntimeError(
-                        f"Included launch description missing required argument '{action.name}' "
-                        f"(description: '{action.description}'), given: [{', '.join(given)}]"
+                        f"{self.place or action.place}: Included launch description missing required argument "
+                        f"'{action.name}' (description: '{action.description}'), given: [{', '.join(given)}]"
                     )
         return [*(SetLaunchConfiguration(*each) for each in arguments), description]
 
@@ -234,10 +221,18 @@ class TimerAction(Action):
     cancel_on_shutdown: Any = True
     cancelled = False
 
+    def __post_init__(self) -> None:
+        super().__post_init__()
+        if isinstance(self.period, int):
+            raise TypeError(
+                "'TimerAction' expected 'period' to be a float or a substitution, "
+                f"but got '{self.period}' of type '{type(self.period)}'"
+            )
+
     def execute(self, context: LaunchContext) -> None:
         if self.cancelled:
             return
-        event = events.TimerEvent(timer_action=self, locals=context.get_locals_as_dict())
+        event = events.TimerEvent(timer_action=self, locals=dict(context.known))
         period = float(self.period) if isinstance(self.period, str) else self.period
         self.timer = context.service.after(
             perform_typed(context, period, float), lambda: context.emit_event_sync(event)
@@ -282,7 +277,7 @@ class RegisterEventHandler(Action):
 
 class UnregisterEventHandler(RegisterEventHandler):
     def execute(self, context: LaunchContext) -> None:
-        context.unregister_event_handler(self.event_handler)
+        context.event_handlers.remove(self.event_handler)
 
 
 @dataclass(eq=False)
@@ -300,7 +295,7 @@ class Shutdown(Action):
     reason: Any = "reason not given"
 
     def execute(self, context: LaunchContext) -> None:
-        event = context.get_locals_as_dict().get("event")
+        event = context.known.get("event")
         if isinstance(event, events.ProcessExited):
             text = f"process[{event.process_name}] was required: shutting down launched system"
             context.service.log("INFO", "launch", text)
@@ -374,7 +369,7 @@ class Node(ExecuteProcess):
         self._node_name, self.name = self.name, self.exec_name
         if not isinstance(self.parameters, (list, type(None))):
             raise TypeError(
-                "Node() expected 'parameters' to be of one of [<class 'list'>], but got "
+                "'Node' expected 'parameters' to be one of [<class 'list'>], but got "
                 f"'{self.parameters}' of type '{type(self.parameters)}'"
             )
 
@@ -429,7 +424,7 @@ class PushROSNamespace(Action):
         namespace = _joined(before, pushed)
         try:
             validate_namespace(namespace or "")
-        except ValueError:
+        except InvalidNamespaceException:
             raise SubstitutionFailure(
                 f"The resulting namespace is invalid: [previous_namespace='{before}', pushed_namespace='{pushed}']"
             ) from None
@@ -444,26 +439,6 @@ class SetParameter(Action):
     def execute(self, context: LaunchContext) -> None:
         found = evaluate(context, {perform(context, self.name): self.value})
         context.launch_configurations.setdefault("global_params", []).extend(found)
-
-
-@dataclass(eq=False)
-class SetUseSimTime(Action):
-    value: Any
-
-    def execute(self, context: LaunchContext) -> None:
-        found = evaluate(context, {"use_sim_time": self.value})
-        context.launch_configurations.setdefault("global_params", []).extend(found)
-
-
-@dataclass(eq=False)
-class SetParametersFromFile(Action):
-    filename: Any
-
-    def execute(self, context: LaunchContext) -> None:
-        path = os.path.abspath(perform(context, self.filename))
-        if not os.path.isfile(path):
-            raise FileNotFoundError(f"{path} is not a file")
-        context.launch_configurations.setdefault("global_params", []).append(path)
 
 
 @dataclass(eq=False)

@@ -16,7 +16,7 @@ __all__ = ["LaunchContext"]
 
 
 class LaunchContext:
-    """The state of a launch: configurations, environment, what is known of an event, event handlers, events."""
+    """The state of a launch: configurations, environment, event handlers, events. ``known`` is what is of an event."""
 
     def __init__(self, service: LaunchService, argv: Sequence[str]) -> None:
         self.service = service
@@ -48,20 +48,14 @@ class LaunchContext:
         """What is known while an event is handled, such as ``event``."""
         return SimpleNamespace(**self.known)
 
-    def get_locals_as_dict(self) -> dict[str, Any]:
-        return dict(self.known)
-
-    def extend_locals(self, extensions: dict[str, Any]) -> None:
-        self.known.update(extensions)
-
     def register_event_handler(self, event_handler: Any) -> None:
+        """Let it handle events, before those that do already."""
         self.event_handlers.appendleft(event_handler)
 
-    def unregister_event_handler(self, event_handler: Any) -> None:
-        self.event_handlers.remove(event_handler)
-
     def emit_event_sync(self, event: Any) -> None:
+        """Let an event be handled after those that wait already."""
         self.events.append(event)
 
     def perform_substitution(self, substitution: Substitution) -> str:
+        """The text of a substitution."""
         return substitution.perform(self)

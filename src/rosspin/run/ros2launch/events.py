@@ -11,7 +11,16 @@ if TYPE_CHECKING:
     from .context import LaunchContext
 
 __all__ = [
-    *("Event", "EventHandler", "OnProcessExit", "OnProcessStart", "OnShutdown", "ProcessExited", "ProcessStarted"),
+    *(
+        "Event",
+        "EventHandler",
+        "OnProcessExit",
+        "OnProcessStart",
+        "OnShutdown",
+        "OnTimer",
+        "ProcessExited",
+        "ProcessStarted",
+    ),
     *("Shutdown", "ShutdownProcess", "SignalProcess", "TimerEvent", "matches_action"),
 ]
 
@@ -84,9 +93,9 @@ class EventHandler:
 
     def handle(self, event: Any, context: LaunchContext) -> Iterable[Any]:
         """What is to be done next."""
-        context.extend_locals({"event": event})
+        context.known.update({"event": event})
         if self.handle_once:
-            context.unregister_event_handler(self)
+            context.event_handlers.remove(self)
         found = self.entities(event, context) if callable(self.entities) else self.entities
         return [each for each in (found if isinstance(found, Iterable) else [found]) if each is not None]
 
@@ -115,6 +124,17 @@ class OnProcessExit(_OnProcess):
 
     def __init__(self, *, target_action: Any = None, on_exit: Any, handle_once: bool = False) -> None:
         super().__init__(target_action, on_exit, handle_once)
+
+
+class OnTimer(EventHandler):
+    """Does what a timer defers, with what was known when the timer was started."""
+
+    def __init__(self) -> None:
+        super().__init__(matcher=lambda event: isinstance(event, TimerEvent), entities=self._fire)
+
+    def _fire(self, event: TimerEvent, context: LaunchContext) -> Any:
+        context.known.update(event.locals)
+        return event.timer_action.actions
 
 
 class OnShutdown(EventHandler):

@@ -4,12 +4,13 @@ from __future__ import annotations
 
 import shlex
 from collections.abc import Callable, Iterator
+from contextlib import suppress
 from typing import Any
 
 from ..tags import Tag, parse
 from . import actions
 from .parameters import ParameterFile, ParameterValue
-from .substitutions import TextSubstitution, coerce, parse_substitution
+from .substitutions import TextSubstitution, coerce, is_of, parse_substitution
 
 __all__ = ["read_xml", "read_yaml"]
 
@@ -53,9 +54,11 @@ class _YamlTag(Tag):
         for name, value in pairs:
             entities = value.value if value.id == "sequence" else []
             if name.value == "children":
-                if not all(each.id == "mapping" and len(each.value) == 1 for each in entities):
-                    raise tag.fault("Subentities must be a dictionary with only one key, which is the entity type")
-                tag.children += [cls.made(path, *each.value[0]) for each in entities]
+                for each in entities:
+                    if each.id != "mapping" or len(each.value) != 1:
+                        what = "Subentities must be a dictionary with only one key, which is the entity type"
+                        raise ValueError(f"{path}:{each.start_mark.line + 1}: {what}")
+                    tag.children.append(cls.made(path, *each.value[0]))
             elif entities and entities[0].id == "mapping":
                 tag.children += [cls.made(path, name, each) for each in entities]
             else:
@@ -81,12 +84,16 @@ class _Entity:
             raise tag.fault(f"Can not find attribute '{name}' in Entity '{tag.name}'" if in_yaml else lacks)
         value = self._left.pop(name)
         if in_yaml:
-            if kind is not None and not isinstance(value, (str, kind)):
+            if not (isinstance(value, str) or is_of(value, kind)):
                 expected = f"Attribute '{name}' of Entity '{tag.name}' expected to be of type '{kind}'"
                 raise tag.fault(f"{expected}, got '{type(value)}'")
             return value
         separator = self._left.pop(f"{name}-sep", None)
-        return [_read(each, kind) for each in value.split(separator)] if separator else _read(value, kind)
+        values = [value] if separator is None else value.split(separator)
+        for number, each in enumerate(values):
+            with suppress(ValueError):  # there may be substitutions in it
+                values[number] = coerce(each, kind)
+        return values[0] if separator is None else values
 
     def text(self, name: str, optional: bool = True) -> Any:
         """An attribute in which substitutions are made."""
@@ -96,6 +103,18 @@ class _Entity:
     def texts(self, *names: str) -> list[Any]:
         """Attributes that must be there, in which substitutions are made."""
         return [self.text(name, optional=False) for name in names]
+
+    def typed(self, name: str, kind: Any, optional: bool = True) -> Any:
+        """An attribute of a type, or the substitutions that make it."""
+        return _typed(self.take(name, kind, optional))
+
+    def words(self, name: str) -> list[Any]:
+        """A command line, some of whose words are substitutions."""
+        return _words(self.take(name) or "")
+
+    def pairs(self, nested: str, *names: str) -> list[tuple[Any, ...]]:
+        """The attributes of nested tags."""
+        return [tuple(child.texts(*names)) for child in self.nested(nested)]
 
     def nested(self, *names: str) -> Iterator[_Entity]:
         """The tags of these names within it; any, if none is given."""
@@ -117,23 +136,28 @@ class _Entity:
             raise self.tag.fault(f"Unexpected {what}(s) found in `{name}`: {{'{each}'}}")
 
 
-def _read(text: str, kind: Any) -> Any:
-    if kind is str:
-        return text
-    try:
-        return coerce(text, kind)
-    except ValueError:
-        return text  # there may be substitutions in it
-
-
 def _typed(value: Any) -> Any:
-    """A value that is there, or the substitutions that make it."""
     if isinstance(value, list):
         return [_typed(each) for each in value]
     if not isinstance(value, str):
         return value
     parts = parse_substitution(value)
     return parts[0].text if len(parts) == 1 and isinstance(parts[0], TextSubstitution) else parts
+
+
+def _words(text: str) -> list[Any]:
+    words: list[list[Any]] = [[]]
+    for part in parse_substitution(text):
+        if not isinstance(part, TextSubstitution):
+            words[-1].append(part)
+            continue
+        for number, token in enumerate(shlex.split(part.text)):
+            if number or part.text[0].isspace():
+                words.append([])
+            words[-1].append(TextSubstitution(text=token))
+        if part.text[-1].isspace():
+            words.append([])
+    return [word for word in words if word]
 
 
 # --- what tags mean ---------------------------------------------------------------------------------------------------
@@ -154,26 +178,23 @@ def _action(entity: _Entity) -> Any:
     if tag.name not in _READERS:
         raise tag.fault(f"Unrecognized entity of the type: {tag.name}")
     conditions = {"if": actions.IfCondition, "unless": actions.UnlessCondition}
-    given = {name: entity.text(name) for name in conditions if name in tag.attributes}
-    if len(given) == 2:
-        raise tag.fault("if and unless conditions can't be used simultaneously")
     try:
+        given = [kind(text) for name, kind in conditions.items() if (text := entity.text(name))]
+        if len(given) == 2:
+            raise RuntimeError("if and unless conditions can't be used simultaneously")
         action = _READERS[tag.name](entity)
     except (TypeError, RuntimeError) as error:
         raise tag.fault(str(error)) from None
-    if not isinstance(action, actions.Refused):
-        entity.end()
+    entity.end()
     action.place = f"{tag.file}:{tag.line}"
-    action.condition = next((conditions[name](text) for name, text in given.items()), None)
+    action.condition = given[0] if given else None
     return action
 
 
 def _arg(entity: _Entity) -> Any:
-    name = entity.take("name", optional=False)
-    choices = [child.take("value", optional=False) for child in entity.nested("choice")] or None
-    description = entity.take("description") or "no description given"
-    default = entity.text("default")
-    return actions.DeclareLaunchArgument(name, default_value=default, description=description, choices=choices)
+    given = {"choices": [child.take("value", optional=False) for child in entity.nested("choice")] or None}
+    given |= {"default_value": entity.text("default"), "description": entity.take("description")}
+    return actions.DeclareLaunchArgument(entity.take("name", optional=False), **_without_none(given))
 
 
 def _include(entity: _Entity) -> Any:
@@ -182,29 +203,25 @@ def _include(entity: _Entity) -> Any:
 
 
 def _group(entity: _Entity) -> Any:
-    scoped = entity.take("scoped", bool)
-    return actions.GroupAction(_actions(entity), scoped=scoped is not False)
+    return actions.GroupAction(scoped=entity.take("scoped", bool) is not False, actions=_actions(entity))
 
 
 def _timer(entity: _Entity) -> Any:
-    period = _typed(entity.take("period", float, optional=False))
-    return actions.TimerAction(period=period, actions=_actions(entity))
+    return actions.TimerAction(period=entity.typed("period", float, optional=False), actions=_actions(entity))
 
 
 def _process(entity: _Entity) -> dict[str, Any]:
     """What <node> and <executable> have in common."""
+    given = {name: entity.text(name) for name in ("cwd", "output", "respawn", "sigterm_timeout", "sigkill_timeout")}
+    given["respawn_delay"] = entity.take("respawn_delay", float)
+    given["respawn_max_retries"] = entity.take("respawn_max_retries", int)
+    given["emulate_tty"], given["prefix"] = entity.take("emulate_tty", bool), entity.text("launch-prefix")
+    given["additional_env"] = {tuple(name): value for name, value in entity.pairs("env", "name", "value")}
     on_exit = entity.take("on_exit")
     if on_exit not in (None, "shutdown"):
-        raise entity.tag.fault(f"Attribute on_exit of Entity node expected to be shutdown but got `{on_exit}`")
-    found = {name: entity.text(name) for name in ("cwd", "output", "respawn")}
-    found |= {name: entity.take(name, float) for name in ("respawn_delay", "sigterm_timeout", "sigkill_timeout")}
-    found["respawn_max_retries"] = entity.take("respawn_max_retries", int)
-    found["emulate_tty"], found["prefix"] = entity.take("emulate_tty", bool), entity.text("launch-prefix")
-    found["shell"] = entity.take("shell", bool)
-    found["on_exit"] = on_exit and [actions.Shutdown()]
-    environment = [child.texts("name", "value") for child in entity.nested("env")]
-    found["additional_env"] = {tuple(name): value for name, value in environment}
-    return {name: value for name, value in found.items() if value is not None}
+        raise RuntimeError(f"Attribute on_exit of Entity node expected to be shutdown but got `{on_exit}`")
+    given["on_exit"] = on_exit and [actions.Shutdown()]
+    return _without_none(given)
 
 
 def _executable(entity: _Entity) -> Any:
@@ -213,63 +230,42 @@ def _executable(entity: _Entity) -> Any:
 
 
 def _node(entity: _Entity) -> Any:
-    arguments, ros_arguments = entity.take("args"), entity.take("ros_args")
     return actions.Node(
         executable=entity.text("exec", optional=False),
         package=entity.text("pkg"),
         name=entity.text("name"),
         namespace=entity.text("namespace"),
         exec_name=entity.text("exec_name"),
-        arguments=arguments and _words(arguments),
-        ros_arguments=ros_arguments and _words(ros_arguments),
-        remappings=[tuple(child.texts("from", "to")) for child in entity.nested("remap")],
+        arguments=entity.words("args"),
+        ros_arguments=entity.words("ros_args") or None,
+        remappings=entity.pairs("remap", "from", "to"),
         parameters=[_param(child) for child in entity.nested("param")],
         **_process(entity),
     )
 
 
 def _param(entity: _Entity) -> Any:
-    file, allows = entity.text("from"), entity.take("allow_substs", bool)
-    if file is None:
+    if (file := entity.text("from")) is None:
         return dict([_pair(entity)])
-    if "name" in entity.tag.attributes:
-        raise entity.tag.fault("name and from attributes are mutually exclusive")
-    return ParameterFile(file, allow_substs=_typed(allows) if allows else False)
+    return ParameterFile(file, allow_substs=entity.typed("allow_substs", bool) or False)
 
 
 def _pair(entity: _Entity) -> tuple[Any, Any]:
-    """The name and the value of a parameter, or of several whose names begin with its own."""
-    name, type_name = tuple(entity.text("name", optional=False)), entity.take("type")
+    """The name of a parameter with its value, or with those whose names begin with it."""
+    type_name = entity.take("type")
     kind = None if type_name is None else _TYPES[type_name]
-    value = entity.take("value", kind)
-    nested = dict(_pair(child) for child in entity.nested("param"))
+    value, nested = entity.typed("value", kind), dict(_pair(child) for child in entity.nested("param"))
     if (value is None) == (not nested):
-        raise entity.tag.fault("either a value attribute or nested params are needed")
-    return name, nested or ParameterValue(_typed(value), value_type=kind)
+        raise RuntimeError("either a value attribute or nested params are needed")
+    return tuple(entity.text("name", optional=False)), nested or ParameterValue(value, value_type=kind)
 
 
-def _words(text: str) -> list[list[Any]]:
-    """Split a command line into words, some of which are substitutions."""
-    words: list[list[Any]] = [[]]
-    for part in parse_substitution(text):
-        if not isinstance(part, TextSubstitution):
-            words[-1].append(part)
-            continue
-        for number, token in enumerate(shlex.split(part.text)):
-            if number or part.text[0].isspace():
-                words.append([])
-            words[-1].append(TextSubstitution(text=token))
-        if part.text[-1].isspace():
-            words.append([])
-    return [word for word in words if word]
+def _without_none(given: dict[str, Any]) -> dict[str, Any]:
+    return {name: value for name, value in given.items() if value is not None}
 
 
 def _simple(kind: Callable[..., Any], *names: str) -> Callable[[_Entity], Any]:
     return lambda entity: kind(*entity.texts(*names))
-
-
-def _refused(name: str) -> Callable[[_Entity], Any]:
-    return lambda entity: type(name, (actions.Refused,), {"name": f"<{name}>", "is_cpp": "composable" in name})()
 
 
 _READERS: dict[str, Callable[[_Entity], Any]] = {
@@ -282,14 +278,10 @@ _READERS: dict[str, Callable[[_Entity], Any]] = {
     "let": _simple(actions.SetLaunchConfiguration, "name", "value"),
     "set_env": _simple(actions.SetEnvironmentVariable, "name", "value"),
     "unset_env": _simple(actions.UnsetEnvironmentVariable, "name"),
-    "append_env": _simple(actions.AppendEnvironmentVariable, "name", "value"),
     "push_ros_namespace": _simple(actions.PushROSNamespace, "namespace"),
     "push-ros-namespace": _simple(actions.PushROSNamespace, "namespace"),
     "set_parameter": _simple(actions.SetParameter, "name", "value"),
-    "set_parameters_from_file": _simple(actions.SetParametersFromFile, "filename"),
-    "set_use_sim_time": _simple(actions.SetUseSimTime, "value"),
     "set_remap": _simple(actions.SetRemap, "from", "to"),
     "log": lambda entity: actions.LogInfo(msg=entity.text("message", optional=False)),
     "shutdown": lambda entity: actions.Shutdown(reason=entity.text("reason") or "reason not given"),
-    **{name: _refused(name) for name in ("node_container", "load_composable_node", "lifecycle_node", "ros_timer")},
 }

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import os
 import signal
 from collections.abc import Callable, Sequence
 from typing import TYPE_CHECKING, Any
@@ -43,12 +44,14 @@ class ExecuteLocal:
         self._timers: list[Timer] = []
         self._respawns = 0
         context = service.context
-        texts = (action.sigterm_timeout or _PATIENCE, action.sigkill_timeout or _PATIENCE)
-        self._patience = [float(perform(context, each)) for each in texts]
+        self._patience = [
+            perform(context, each or _PATIENCE) for each in (action.sigterm_timeout, action.sigkill_timeout)
+        ]
         self._respawn = perform_typed(context, action.respawn, bool)
         self._folder = perform(context, action.cwd) if action.cwd else ""
         added = action.additional_env or {}
-        self._environment = {perform(context, key): perform(context, value) for key, value in added.items()}
+        self._environment = dict(context.environment)
+        self._environment |= {perform(context, key): perform(context, value) for key, value in added.items()}
         output = action.output if isinstance(action.output, dict) else perform(context, action.output)
         self._shown = _shown(output)
         for handler in (
@@ -81,12 +84,8 @@ class ExecuteLocal:
         )
         process = self._process = self._host.add(self._code, self._args, self._environment, self._folder, out, err)
 
-        def note_end() -> None:
-            for stream in streams:
-                stream.flush()
-            self._service.soon(self._exit)
-
-        process.world.at_end.append(note_end)
+        process.environment = {os.fsencode(key): os.fsencode(value) for key, value in self._environment.items()}
+        process.world.at_end.append(lambda: self._service.soon(lambda: self._exit(streams)))
         self._host.begin(process)
         self._service.log("INFO", self.name, "process started")
         event = events.ProcessStarted(action=self.action, process_name=self.name, cmd=self._command())
@@ -95,7 +94,7 @@ class ExecuteLocal:
     def _command(self) -> list[str]:
         return [self._code.argv0, *self._args]
 
-    def _exit(self) -> None:
+    def _exit(self, streams: Sequence[Lines]) -> None:
         """Say how it has ended, and start it again if it is to be."""
         assert self._process
         unlist_threads(self._process.world)
@@ -106,6 +105,8 @@ class ExecuteLocal:
             )
         else:
             self._service.log("INFO", self.name, "process has finished cleanly")
+        for stream in streams:
+            stream.flush()
         words = self._command()
         event = events.ProcessExited(action=self.action, process_name=self.name, cmd=words, returncode=code)
         self._service.context.emit_event_sync(event)
@@ -135,15 +136,16 @@ class ExecuteLocal:
                 timer.cancel()
             return
         first, second = self._patience
+        both = str(float(first) + float(second))
         self._timers = [
-            self._service.after(first, lambda: self._escalate(first, signal.SIGINT, signal.SIGTERM)),
-            self._service.after(first + second, lambda: self._escalate(first + second, signal.SIGTERM, signal.SIGKILL)),
+            self._service.after(float(first), lambda: self._escalate(first, signal.SIGINT, signal.SIGTERM)),
+            self._service.after(float(both), lambda: self._escalate(both, signal.SIGTERM, signal.SIGKILL)),
         ]
         if with_sigint:
             self._emit(signal.SIGINT)
 
-    def _escalate(self, seconds: float, after: signal.Signals, number: signal.Signals) -> None:
-        waited = f"failed to terminate '{seconds:g}' seconds after receiving '{after.name}'"
+    def _escalate(self, seconds: str, after: signal.Signals, number: signal.Signals) -> None:
+        waited = f"failed to terminate '{seconds}' seconds after receiving '{after.name}'"
         self._service.log("ERROR", self.name, f"process[{self.name}] {waited}, escalating to '{number.name}'")
         self._emit(number)
 

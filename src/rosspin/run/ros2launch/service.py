@@ -16,7 +16,7 @@ from types import ModuleType
 from typing import Any
 
 from ...clocks.clock import NS, nanoseconds
-from ...clocks.frames import node_frames
+from ...clocks.frames import is_installed, node_frames
 from ...clocks.simulation import Simulation
 from ...messages.library import Library
 from ..executables import find_node, is_cpp
@@ -80,6 +80,7 @@ class LaunchService:
         self._wake = threading.Event()
         signal.signal(signal.SIGINT, lambda number, frame: self._interrupt())
         self.context.register_event_handler(events.OnShutdown(on_shutdown=lambda event, context: self._note_end()))
+        self.context.register_event_handler(events.OnTimer())
         with tempfile.TemporaryDirectory() as self.folder:
             self.soon(self._begin)
             while True:
@@ -94,7 +95,9 @@ class LaunchService:
 
     def _begin(self) -> None:
         arguments = [_argument(each) for each in self._file.args]
-        self._visit(IncludeLaunchDescription(self._file.path, launch_arguments=arguments))
+        include = IncludeLaunchDescription(self._file.path, launch_arguments=arguments)
+        include.place = ""
+        self._visit(include)
 
     def _step(self) -> bool:
         """Do what is first of all that is to be done now; False if nothing is."""
@@ -152,9 +155,11 @@ class LaunchService:
         place = getattr(entity, "place", "")
         try:
             then = entity.visit(self.context)
-        except (_Fault, SyntaxError):
+        except _Fault:
             raise
         except Exception as error:
+            if isinstance(error, SyntaxError) and error.filename != "<string>":
+                raise
             raise _Fault(_say(error, place)) from error
         self._visit_all(then, place)
 
@@ -266,7 +271,8 @@ def _say(error: Exception, place: str) -> str:
     """What has gone wrong, and where: in the launch file's own code, or else in the action at that place."""
     trace, said = node_frames(error.__traceback__), str(error)
     while trace:
-        place = f"{trace.tb_frame.f_code.co_filename}:{trace.tb_lineno}"
+        if not is_installed(trace.tb_frame):
+            place = f"{trace.tb_frame.f_code.co_filename}:{trace.tb_lineno}"
         trace = trace.tb_next
     if isinstance(error, OSError) and error.filename:
         said = f"{error.filename}: {error.strerror}"

@@ -1,4 +1,4 @@
-"""Texts of a launch file that are known only when it runs (source: launch/substitutions, launch/utilities)."""
+"""Texts of a launch file that are known only when it runs (sources: launch/substitutions, launch/utilities)."""
 
 from __future__ import annotations
 
@@ -6,7 +6,7 @@ import importlib
 import math
 import os
 import re
-from collections.abc import Iterable, Sequence
+from collections.abc import Callable, Iterable
 from dataclasses import KW_ONLY, dataclass
 from typing import TYPE_CHECKING, Any, get_args
 
@@ -14,11 +14,19 @@ if TYPE_CHECKING:
     from .context import LaunchContext
 
 __all__ = [
-    *("AllSubstitution", "AndSubstitution", "AnonName", "AnySubstitution", "EnvironmentVariable", "EqualsSubstitution"),
-    *("FindPackageShare", "IfElseSubstitution", "LaunchConfiguration", "NotEqualsSubstitution", "NotSubstitution"),
-    *("OrSubstitution", "PathJoinSubstitution", "PythonExpression", "Substitution", "SubstitutionFailure"),
-    *("TextSubstitution", "ThisLaunchFile", "ThisLaunchFileDir", "coerce", "is_substitution", "listed"),
-    *("parse_substitution", "perform", "perform_typed"),
+    *("AndSubstitution", "EnvironmentVariable", "EqualsSubstitution", "FindPackageShare", "IfElseSubstitution"),
+    *("LaunchConfiguration", "NotEqualsSubstitution", "NotSubstitution", "OrSubstitution", "PathJoinSubstitution"),
+    *("PythonExpression", "Substitution", "SubstitutionFailure", "TextSubstitution", "ThisLaunchFile"),
+    *(
+        "ThisLaunchFileDir",
+        "coerce",
+        "is_of",
+        "is_substitution",
+        "listed",
+        "parse_substitution",
+        "perform",
+        "perform_typed",
+    ),
 ]
 
 
@@ -35,14 +43,11 @@ class Substitution:
 
 def listed(some: Any) -> list[Substitution]:
     """Make a list of substitutions of a text, a substitution or several. Raises TypeError for anything else."""
-    if isinstance(some, (str, Substitution)):
-        some = [some]
+    some = [some] if isinstance(some, (str, Substitution)) else list(some)
     for each in some:
         if not isinstance(each, (str, Substitution)):
-            raise TypeError(
-                f"Failed to normalize given item of type '{type(each)}', when only 'str' or 'launch.Substitution' "
-                "were expected."
-            )
+            expected = "when only 'str' or 'launch.Substitution' were expected."
+            raise TypeError(f"Failed to normalize given item of type '{type(each)}', {expected}")
     return [TextSubstitution(text=each) if isinstance(each, str) else each for each in some]
 
 
@@ -54,79 +59,54 @@ def perform(context: LaunchContext, some: Any) -> str:
 def is_substitution(value: Any) -> bool:
     """Whether a value stands for one text that is not known yet."""
     if isinstance(value, (list, tuple)):
-        return all(isinstance(each, (str, Substitution)) for each in value) and not all(
-            isinstance(each, str) for each in value
-        )
+        known = [isinstance(each, str) for each in value]
+        return not all(known) and all(isinstance(each, (str, Substitution)) for each in value)
     return isinstance(value, Substitution)
 
 
 # --- values with a type -----------------------------------------------------------------------------------------------
 
-_SCALARS = (int, float, bool, str)
 
+def coerce(text: str, kind: Any) -> Any:
+    """Read a text as a value of the type ``kind``: bool, int, float, str, a list of these, or what YAML makes of it.
 
-def _is_uniform(value: Any) -> bool:
-    return isinstance(value, _SCALARS) or (
-        isinstance(value, list) and all(type(each) is type(value[0]) and isinstance(each, _SCALARS) for each in value)
-    )
-
-
-def as_yaml(text: str, failed: str) -> Any:
-    """Read a text as YAML. Raises ValueError, which begins with ``failed``."""
+    Raises ValueError.
+    """
+    if kind is str or (kind is None and not text):
+        return text
+    if kind in (int, float):
+        return kind(text)
     import yaml  # only needed where there are such values
 
-    if not text:
-        return text
+    failed = f"Failed to convert '{text}' " + (f"to '{kind}'" if kind else "using yaml rules")
     try:
-        value = yaml.safe_load(text)
+        value = yaml.safe_load({"1": "true", "0": "false"}.get(text, text) if kind is bool else text)
     except yaml.YAMLError as error:
         raise ValueError(f"{failed}: yaml.safe_load() failed\n{error}") from None
-    if not _is_uniform(value):
+    if not is_of(value, kind):
         raise ValueError(f"{failed}: output type is not allowed, got {type(value)}")
     return value
 
 
-def coerce(text: str, kind: Any) -> Any:
-    """Read a text as an int, a float, a bool, a str, or a list of these; as YAML, if ``kind`` is None."""
-    if kind is None:
-        return as_yaml(text, f"Failed to convert '{text}' using yaml rules")
-    if kind is str:
-        return text
-    if kind in (int, float):
-        return kind(text)
-    if kind is bool:
-        value = as_yaml({"1": "true", "0": "false"}.get(text, text), f"Failed to convert '{text}' to '{kind}'")
-        if not isinstance(value, bool):
-            raise ValueError(f"Cannot convert value '{text}' to '{kind}'")
-        return value
-    (of,) = get_args(kind)
-    failed = f"Cannot convert value '{text}' to a list of '{of}'"
-    value = as_yaml(text, failed)
-    if not isinstance(value, list):
-        raise ValueError(failed)
-    if not all(isinstance(each, of) for each in value):
-        raise ValueError(f"{failed}, got {value}")
-    return value
+def is_of(value: Any, kind: Any) -> bool:
+    """Whether a value is of a type; if that is None, of any that a parameter can have."""
+    if kind is not None and isinstance(value, list) != bool(get_args(kind)):
+        return False
+    items = value if isinstance(value, list) else [value]
+    of = get_args(kind) or kind or (bool, int, float, str)
+    return len({type(each) for each in items}) < 2 and all(isinstance(each, of) for each in items)
 
 
 def perform_typed(context: LaunchContext, value: Any, kind: Any) -> Any:
-    """Make the substitutions in a value that is of a type, or stands for one. Raises TypeError and ValueError."""
+    """Make the substitutions in a value that is of a type, or that stands for one. Raises TypeError and ValueError."""
     if is_substitution(value):
         return coerce(perform(context, value), kind)
-    of = get_args(kind)[0] if get_args(kind) else None
-    if isinstance(value, Sequence) and not isinstance(value, str):
-        if kind is not None and of is None:
-            raise TypeError(
-                "The provided value resolves to a list, though the required type is a scalar. "
-                f"Got value='{value}', data_type='{kind}'."
-            )
-        items = [coerce(perform(context, each), of) if is_substitution(each) else each for each in value]
-        if {type(each) for each in items} == {int, float}:
-            items = [float(each) for each in items]
-        if not _is_uniform(items) or (of and not all(isinstance(each, of) for each in items)):
-            raise TypeError(f"Got a list of '{type(items[0])}', expected a list of '{of}'. value='{value}'")
-        return items
-    if kind is not None and (of is not None or not isinstance(value, kind)):
+    if isinstance(value, (list, tuple)):
+        of = get_args(kind)[0] if get_args(kind) else None
+        value = [coerce(perform(context, each), of) if is_substitution(each) else each for each in value]
+        if {type(each) for each in value} == {int, float}:
+            value = [float(each) for each in value]
+    if not is_of(value, kind):
         raise TypeError(f"value='{value}' is not an instance of {kind}")
     return value
 
@@ -197,9 +177,9 @@ class ThisLaunchFile(Substitution):
     _local = "current_launch_file_path"
 
     def perform(self, context: LaunchContext) -> str:
-        if self._local not in context.get_locals_as_dict():
+        if self._local not in context.known:
             raise SubstitutionFailure(f"{type(self).__name__} used outside of a launch file (in a script)")
-        return str(context.get_locals_as_dict()[self._local])
+        return str(context.known[self._local])
 
 
 class ThisLaunchFileDir(ThisLaunchFile):
@@ -215,15 +195,6 @@ class FindPackageShare(Substitution):
 
 
 @dataclass(eq=False)
-class AnonName(Substitution):
-    name: Any
-
-    def perform(self, context: LaunchContext) -> str:
-        # On a real ROS it differs each time; here runs are the same each time.
-        return f"{perform(context, self.name)}_anonymous"
-
-
-@dataclass(eq=False)
 class IfElseSubstitution(Substitution):
     condition: Any
     if_value: Any = ""
@@ -231,29 +202,6 @@ class IfElseSubstitution(Substitution):
 
     def perform(self, context: LaunchContext) -> str:
         return perform(context, self.if_value if _truth(context, self.condition) else self.else_value)
-
-
-class AnySubstitution(Substitution):
-    def __init__(self, *args: Any) -> None:
-        self.args = args
-
-    def perform(self, context: LaunchContext) -> str:
-        return _word(any([_truth(context, each) for each in self.args]))
-
-
-class AllSubstitution(AnySubstitution):
-    def perform(self, context: LaunchContext) -> str:
-        return _word(all([_truth(context, each) for each in self.args]))
-
-
-class OrSubstitution(AnySubstitution):
-    def __init__(self, left: Any, right: Any) -> None:
-        super().__init__(left, right)
-
-
-class AndSubstitution(AllSubstitution):
-    def __init__(self, left: Any, right: Any) -> None:
-        super().__init__(left, right)
 
 
 @dataclass(eq=False)
@@ -265,12 +213,30 @@ class NotSubstitution(Substitution):
 
 
 @dataclass(eq=False)
+class AndSubstitution(Substitution):
+    left: Any
+    right: Any
+    _join = all
+
+    def perform(self, context: LaunchContext) -> str:
+        return _word(type(self)._join([_truth(context, each) for each in (self.left, self.right)]))
+
+
+class OrSubstitution(AndSubstitution):
+    _join = any
+
+
+@dataclass(eq=False)
 class EqualsSubstitution(Substitution):
     left: Any
     right: Any
+    _wanted = True
 
-    def are_equal(self, context: LaunchContext) -> bool:
-        left, right = (self._text(context, each) for each in (self.left, self.right))
+    def perform(self, context: LaunchContext) -> str:
+        return _word(self._are_equal(context) == self._wanted)
+
+    def _are_equal(self, context: LaunchContext) -> bool:
+        left, right = (_text(context, each) for each in (self.left, self.right))
         truths = {"true": True, "1": True, "false": False, "0": False}
         if left.lower() in truths and right.lower() in truths:
             return truths[left.lower()] == truths[right.lower()]
@@ -279,24 +245,21 @@ class EqualsSubstitution(Substitution):
         except ValueError:
             return left == right
 
-    def _text(self, context: LaunchContext, value: Any) -> str:
-        if is_substitution(value):
-            return perform(context, value)
-        return "" if value is None else _word(value) if isinstance(value, bool) else str(value)
-
-    def perform(self, context: LaunchContext) -> str:
-        return _word(self.are_equal(context))
-
 
 class NotEqualsSubstitution(EqualsSubstitution):
-    def perform(self, context: LaunchContext) -> str:
-        return _word(not self.are_equal(context))
+    _wanted = False
+
+
+def _text(context: LaunchContext, value: Any) -> str:
+    if is_substitution(value):
+        return perform(context, value)
+    return "" if value is None else _word(value) if isinstance(value, bool) else str(value)
 
 
 def _truth(context: LaunchContext, some: Any) -> bool:
     try:
         return bool(perform_typed(context, listed(some), bool))
-    except (TypeError, ValueError) as error:
+    except ValueError as error:
         raise SubstitutionFailure(error) from None
 
 
@@ -308,19 +271,8 @@ def _word(truth: bool) -> str:
 
 
 def parse_substitution(text: str) -> list[Any]:
-    """Find the ``$(name arguments)`` in a text. Raises RuntimeError for faulty ones."""
-    parts, at = _parse(text, 0, "")
-    assert at == len(text)
-    return parts or [TextSubstitution(text="")]
-
-
-# A piece of text, by what it ends at: nothing, a quotation mark, or what separates arguments. A backslash hides that.
-_PIECES = {
-    "": re.compile(r"(?:\\.|(?!\$\()[\s\S])+"),
-    "'": re.compile(r"(?:\\.|(?!\$\()[^'])+"),
-    '"': re.compile(r'(?:\\.|(?!\$\()[^"])+'),
-    " )": re.compile(r"(?:\\.|(?!\$\()[^ ()'\"])+"),
-}
+    """Find each ``$(name arguments)`` in a text (source: launch/frontend/grammar.lark). Raises RuntimeError."""
+    return _parse(text, 0, "")[0] or [TextSubstitution(text="")]
 
 
 def _parse(text: str, at: int, end: str) -> tuple[list[Any], int]:
@@ -330,11 +282,12 @@ def _parse(text: str, at: int, end: str) -> tuple[list[Any], int]:
         if text.startswith("$(", at):
             part, at = _parse_one(text, at)
             parts.append(part)
-        elif piece := _PIECES[end].match(text, at):
+        else:
+            stop = f"|[{end}]" if end else ""
+            piece = re.compile(rf"(\\.|(?!\$\({stop})[\s\S])+").match(text, at)
+            assert piece
             parts.append(TextSubstitution(text=re.sub(r"\\(.)", r"\1", piece[0])))
             at = piece.end()
-        else:
-            raise RuntimeError(f"No terminal matches '{text[at]}' in {text!r}")
     return parts, at
 
 
@@ -345,38 +298,33 @@ def _parse_one(text: str, start: int) -> tuple[Any, int]:
     arguments, at = [], name.end()
     while text[at : at + 1] == " ":
         quote = text[at + 1 : at + 2]
-        if quote in ("'", '"'):
-            argument, at = _parse(text, at + 2, quote)
-            at += 1
-        else:
-            argument, at = _parse(text, at + 1, " )")
+        is_quoted = quote in ("'", '"')
+        argument, at = _parse(text, at + 1 + is_quoted, quote if is_quoted else " )")
         arguments.append(argument)
+        at += is_quoted
     if text[at : at + 1] != ")":
         raise RuntimeError(f"{text[start:]!r} is not closed")
     if name[1] not in _BY_NAME:
         raise RuntimeError(f"Unknown substitution: {name[1]}")
-    least, most, make = _BY_NAME[name[1]]
-    if not least <= len(arguments) <= most:
-        numbers = f"{least} or {most}" if most > least else f"{most}"
-        raise RuntimeError(f"{name[1]} substitution expects {numbers} argument{'s'[: most > 1]}")
+    counts, make = _BY_NAME[name[1]]
+    if len(arguments) not in counts:
+        numbers = " or ".join(map(str, counts))
+        raise RuntimeError(f"{name[1]} substitution expects {numbers} argument{'' if counts[-1] == 1 else 's'}")
     return make(*arguments), at + 1
 
 
 # How many arguments each may have.
-_BY_NAME: dict[str, tuple[int, int, Any]] = {
-    "var": (1, 2, lambda name, default=None: LaunchConfiguration(name, default=default)),
-    "env": (1, 2, lambda name, default=None: EnvironmentVariable(name, default_value=default)),
-    "dirname": (0, 0, ThisLaunchFileDir),
-    "filename": (0, 0, ThisLaunchFile),
-    "find-pkg-share": (1, 1, FindPackageShare),
-    "eval": (1, 1, PythonExpression),
-    "anon": (1, 1, AnonName),
-    "not": (1, 1, NotSubstitution),
-    "and": (2, 2, AndSubstitution),
-    "or": (2, 2, OrSubstitution),
-    "any": (1, 99, AnySubstitution),
-    "all": (1, 99, AllSubstitution),
-    "equals": (2, 2, EqualsSubstitution),
-    "not-equals": (2, 2, NotEqualsSubstitution),
-    "if": (1, 3, IfElseSubstitution),
+_BY_NAME: dict[str, tuple[tuple[int, ...], Callable[..., Substitution]]] = {
+    "var": ((1, 2), lambda name, default=None: LaunchConfiguration(name, default=default)),
+    "env": ((1, 2), lambda name, default=None: EnvironmentVariable(name, default_value=default)),
+    "dirname": ((0,), ThisLaunchFileDir),
+    "filename": ((0,), ThisLaunchFile),
+    "find-pkg-share": ((1,), FindPackageShare),
+    "eval": ((1,), PythonExpression),
+    "not": ((1,), NotSubstitution),
+    "and": ((2,), AndSubstitution),
+    "or": ((2,), OrSubstitution),
+    "equals": ((2,), EqualsSubstitution),
+    "not-equals": ((2,), NotEqualsSubstitution),
+    "if": ((1, 2, 3), IfElseSubstitution),
 }
