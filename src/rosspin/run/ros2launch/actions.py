@@ -13,7 +13,7 @@ from ...rclpy.exceptions import InvalidNamespaceException
 from ...rclpy.names import validate_namespace, validate_node_name
 from . import events
 from .parameters import evaluate, words_for
-from .substitutions import SubstitutionFailure, perform, perform_typed
+from .substitutions import Substitution, SubstitutionFailure, perform, perform_typed
 
 if TYPE_CHECKING:
     from .context import LaunchContext
@@ -299,14 +299,14 @@ class Shutdown(Action):
         if isinstance(event, events.ProcessExited):
             text = f"process[{event.process_name}] was required: shutting down launched system"
             context.service.log("INFO", "launch", text)
-        context.emit_event_sync(events.Shutdown(reason=self.reason))
+        context.emit_event_sync(events.Shutdown(reason=perform(context, self.reason)))
 
 
-class Refused(Action):
+class Refused(Action, Substitution):
     """Something that is not simulated, which matters as soon as it is to be done."""
 
     name = ""
-    is_cpp = False
+    is_cpp = False  # whether it runs nodes in C++
 
     def __init__(self, *args: Any, condition: Any = None, **kwargs: Any) -> None:
         super().__init__(condition=condition)
@@ -315,8 +315,9 @@ class Refused(Action):
         if not self.is_cpp or not context.service.leaves_out(self.place, self.name):
             raise NotImplementedError(f"{self.name} is not simulated")
 
-    perform = execute  # of a substitution
-    matches = execute  # of an event handler
+    def perform(self, context: LaunchContext) -> str:
+        self.execute(context)
+        return ""
 
 
 # --- processes --------------------------------------------------------------------------------------------------------

@@ -155,7 +155,7 @@ def _words(text: str) -> list[Any]:
             if number or part.text[0].isspace():
                 words.append([])
             words[-1].append(TextSubstitution(text=token))
-        if part.text[-1].isspace():
+        if part.text[-1:].isspace():
             words.append([])
     return [word for word in words if word]
 

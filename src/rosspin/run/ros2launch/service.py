@@ -152,7 +152,7 @@ class LaunchService:
             self._visit(each)
 
     def _visit(self, entity: Any) -> None:
-        place = getattr(entity, "place", "")
+        place = getattr(entity, "place", "") or f"{self._file.path}:1"
         try:
             then = entity.visit(self.context)
         except _Fault:
