@@ -186,6 +186,7 @@ def test_entry_points_are_found_in_setup_cfg_and_below_src(launched: Write, writ
     write("", "src/words/__init__.py")
     write("from words.said import WORD\ndef speak():\n    print(WORD)", "src/words/talker.py")
     write("WORD = 'talked'", "src/words/said.py")
+    write("raise ImportError('not this one')", "src/words/words.py")
     path = launched("Node(package='pkg', executable='talk', output='screen')")
     assert "[talk-1] talked\n" in simulate(path, 1).console
 

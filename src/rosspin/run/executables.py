@@ -8,6 +8,7 @@ import re
 import sys
 from configparser import ConfigParser
 from contextlib import suppress
+from functools import partial
 from importlib import import_module
 from pathlib import Path
 from types import ModuleType
@@ -49,9 +50,11 @@ def find_node(package: Path, name: str) -> Code | None:
     Raises OSError and SyntaxError.
     """
     module, _, function = _entry_points(package).get(name, "").partition(":")
-    paths = [package / source / f"{module.replace('.', '/')}.py" for source in ("", "src")]
-    if path := next((each for each in paths if module and each.is_file()), None):
-        return load(path)._replace(main=lambda: _run_entry_point(module, function, str(path)))
+    for root in (package, package / "src"):
+        path = root / f"{module.replace('.', '/')}.py"
+        if module and path.is_file():
+            main = partial(_run_entry_point, module, function, str(path))
+            return load(path)._replace(main=main, folder=str(root))
     script = find_python(package, name) or find_python(package, f"{name}.py")
     return load(script) if script else None
 

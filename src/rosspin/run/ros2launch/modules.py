@@ -32,22 +32,24 @@ _NAMES = {
     "launch.frontend": "",
     "launch.launch_context": "LaunchContext",
     "launch.launch_description": "LaunchDescription",
-    "launch.launch_description_sources": " ".join(map(_SOURCES.format, ("Any", "Frontend", "Python", "XML", "YAML"))),
+    "launch.launch_description_sources": " ".join(map(_SOURCES.format, ("Any", "Frontend", "Python"))),
     "launch.logging": "",
-    "launch.substitutions": " ".join(name for name in substitutions.__all__ if name[0].isupper()),
+    "launch.substitutions": "AndSubstitution EnvironmentVariable EqualsSubstitution IfElseSubstitution "
+    "LaunchConfiguration NotEqualsSubstitution NotSubstitution OrSubstitution PathJoinSubstitution PythonExpression "
+    "SubstitutionFailure TextSubstitution ThisLaunchFile ThisLaunchFileDir",
     "launch.utilities": "normalize_to_list_of_substitutions=listed perform_substitutions=perform",
     "launch_ros": "",
     "launch_ros.actions": "Node PushROSNamespace PushRosNamespace=PushROSNamespace RosTimer=TimerAction "
     "SetParameter SetRemap ROSTimer=TimerAction",
     "launch_ros.descriptions": _PARAMETERS,
     "launch_ros.parameter_descriptions": _PARAMETERS,
-    "launch_ros.substitutions": "FindPackage=FindPackageShare FindPackageShare",
+    "launch_ros.substitutions": "ExecutableInPackage",
     "launch_xml": "",
     "launch_xml.launch_description_sources": _SOURCES.format("XML"),
     "launch_yaml": "",
     "launch_yaml.launch_description_sources": _SOURCES.format("YAML"),
-    "ament_index_python": "PackageNotFoundError get_package_prefix",
-    "ament_index_python.packages": "PackageNotFoundError get_package_prefix",
+    "ament_index_python": "PackageNotFoundError",
+    "ament_index_python.packages": "PackageNotFoundError",
 }
 
 # Those that are refused when they are used; a + is before what runs nodes in C++.
@@ -63,7 +65,7 @@ _REFUSED = {
     "launch_ros.descriptions": "ComposableNode",
     "launch_ros.event_handlers": "OnStateTransition",
     "launch_ros.events.lifecycle": "ChangeState",
-    "launch_ros.substitutions": "ExecutableInPackage FindPackagePrefix Parameter",
+    "launch_ros.substitutions": "Parameter",
 }
 
 
@@ -72,10 +74,6 @@ class PackageNotFoundError(KeyError):
 
     def __str__(self) -> str:
         return str(self.args[0])
-
-
-def get_package_prefix(package_name: str) -> str:
-    raise NotImplementedError("get_package_prefix is not simulated")
 
 
 def modules(service: LaunchService) -> dict[str, ModuleType]:
@@ -101,10 +99,19 @@ def modules(service: LaunchService) -> dict[str, ModuleType]:
         parent, _, child = name.rpartition(".")
         if parent:
             setattr(made.setdefault(parent, ModuleType(parent)), child, module)
-    made["launch"].SomeSubstitutionsType = made["launch"].LaunchDescriptionEntity = object  # type: ignore[attr-defined]
-    made["launch.logging"].get_logger = get_logger  # type: ignore[attr-defined]
-    for name in ("ament_index_python", "ament_index_python.packages"):
-        made[name].get_package_share_directory = lambda package_name: str(service.package(package_name))  # type: ignore[attr-defined]
+
+    def share(package_name: str) -> str:
+        return str(service.package(package_name))
+
+    # A package has one folder here, which stands for all that are installed.
+    folders = {"get_package_share_directory": share, "get_package_prefix": share}
+    vars(made["launch"]).update(SomeSubstitutionsType=object, LaunchDescriptionEntity=object)
+    vars(made["launch.logging"]).update(get_logger=get_logger)
+    vars(made["ament_index_python"]).update(folders)
+    vars(made["ament_index_python.packages"]).update(folders)
+    finds = {"find": lambda self, package_name: share(package_name)}
+    found = type("FindPackageShare", (substitutions.FindPackageShare,), finds)
+    vars(made["launch_ros.substitutions"]).update(FindPackageShare=found, FindPackagePrefix=found, FindPackage=found)
     return made
 
 

@@ -239,6 +239,8 @@ class LaunchService:
                 return load(file), rest
             case [file, *rest] if file.endswith(".py"):
                 return load(file), rest
+            case [file, *rest] if Path(file).parts[-3:-2] == ("lib",):  # as ExecutableInPackage says it
+                return self.node(place, *Path(file).parts[-2:]), rest
         raise ValueError(f"{words[0]!r} is not simulated: only Python nodes are")
 
     def start(self, action: ExecuteProcess, name: str, code: Code, args: Sequence[str]) -> None:
@@ -270,8 +272,10 @@ def _argument(text: str) -> tuple[str, str]:
 def _say(error: Exception, place: str) -> str:
     """What has gone wrong, and where: in the launch file's own code, or else in the action at that place."""
     trace, said = node_frames(error.__traceback__), str(error)
+    if type(error) is KeyError:
+        said = f"KeyError: {said}"
     while trace:
-        if not is_installed(trace.tb_frame):
+        if not (is_installed(trace.tb_frame) or trace.tb_frame.f_code.co_filename.startswith("<frozen")):
             place = f"{trace.tb_frame.f_code.co_filename}:{trace.tb_lineno}"
         trace = trace.tb_next
     if isinstance(error, OSError) and error.filename:

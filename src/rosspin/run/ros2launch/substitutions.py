@@ -14,19 +14,11 @@ if TYPE_CHECKING:
     from .context import LaunchContext
 
 __all__ = [
-    *("AndSubstitution", "EnvironmentVariable", "EqualsSubstitution", "FindPackageShare", "IfElseSubstitution"),
-    *("LaunchConfiguration", "NotEqualsSubstitution", "NotSubstitution", "OrSubstitution", "PathJoinSubstitution"),
-    *("PythonExpression", "Substitution", "SubstitutionFailure", "TextSubstitution", "ThisLaunchFile"),
-    *(
-        "ThisLaunchFileDir",
-        "coerce",
-        "is_of",
-        "is_substitution",
-        "listed",
-        "parse_substitution",
-        "perform",
-        "perform_typed",
-    ),
+    *("AndSubstitution", "EnvironmentVariable", "EqualsSubstitution", "ExecutableInPackage", "FindPackageShare"),
+    *("IfElseSubstitution", "LaunchConfiguration", "NotEqualsSubstitution", "NotSubstitution", "OrSubstitution"),
+    *("PathJoinSubstitution", "PythonExpression", "Substitution", "SubstitutionFailure", "TextSubstitution"),
+    *("ThisLaunchFile", "ThisLaunchFileDir", "coerce", "is_of", "is_substitution", "listed", "parse_substitution"),
+    *("perform", "perform_typed"),
 ]
 
 
@@ -192,6 +184,16 @@ class FindPackageShare(Substitution):
 
     def perform(self, context: LaunchContext) -> str:
         return str(context.service.package(perform(context, self.package)))
+
+
+@dataclass(eq=False)
+class ExecutableInPackage(Substitution):
+    executable: Any
+    package: Any
+
+    def perform(self, context: LaunchContext) -> str:
+        package = perform(context, self.package)
+        return os.path.join(context.service.package(package), "lib", package, perform(context, self.executable))
 
 
 @dataclass(eq=False)
