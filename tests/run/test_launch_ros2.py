@@ -134,7 +134,7 @@ def launched(write: Any, tmp_path: Path) -> Write:
         ("LogInfo(msg=Command(['ls']))", "launch.substitutions.Command"),
         ("GroupAction([], forwarding=False)", "GroupAction(forwarding=False)"),
         ("Node(package='pkg', executable='script.py', prefix='gdb')", "Node(prefix=...)"),
-        ("ExecuteProcess(cmd=['ls'], shell=True)", "ExecuteProcess(shell=...)"),
+        ("ExecuteProcess(cmd=['ros2', 'run', 'pkg', 'script.py'], shell=True)", "ExecuteProcess(shell=...)"),
         ("ExecuteProcess(cmd=['gazebo', 'world'])", "'gazebo'"),
         ("ExecuteProcess(cmd=['python3', '-m', 'this'])", "'python3'"),
         ("SetUseSimTime(True)", "launch_ros.actions.SetUseSimTime"),
@@ -144,6 +144,12 @@ def test_what_is_not_simulated_is_named_with_its_place(launched: Write, action: 
     path = launched(action)
     with pytest.raises(ValueError, match=re.escape(f"{path}:12: {words} is not simulated")):
         simulate(path, 1)
+
+
+def test_a_fault_in_the_midst_ends_the_run(launched: Write) -> None:
+    path = launched("Node(package='pkg', executable='script.py'), TimerAction(period=1.0, actions=[LogInfo(msg=5)])")
+    with pytest.raises(ValueError, match=r"a\.launch\.py:12: 'int' object is not iterable"):
+        simulate(path, 2)
 
 
 def test_what_is_not_simulated_may_be_left_alone(launched: Write) -> None:

@@ -5,7 +5,11 @@ from __future__ import annotations
 from dataclasses import dataclass, field
 from typing import Any
 
-__all__ = ["Tag", "parse"]
+__all__ = ["Fault", "Tag", "parse"]
+
+
+class Fault(ValueError):
+    """What is wrong with a launch file, or not simulated. The message begins with file and line."""
 
 
 @dataclass
@@ -23,8 +27,8 @@ class Tag:
     def text(self) -> str:
         return "".join(self.texts)
 
-    def fault(self, what: str) -> ValueError:
-        return ValueError(f"{self.file}:{self.line}: {what}")
+    def fault(self, what: str) -> Fault:
+        return Fault(f"{self.file}:{self.line}: {what}")
 
 
 def parse(path: str) -> Tag:
@@ -47,9 +51,9 @@ def parse(path: str) -> Tag:
         try:
             parser.ParseFile(file)
         except expat.ExpatError as error:
-            raise ValueError(f"{path}:{error.lineno}: this is not XML: {expat.ErrorString(error.code)}") from None
+            raise Fault(f"{path}:{error.lineno}: this is not XML: {expat.ErrorString(error.code)}") from None
         except (LookupError, ValueError) as error:
-            raise ValueError(f"{path}:1: this cannot be read: {error}") from None  # its encoding
+            raise Fault(f"{path}:1: this cannot be read: {error}") from None  # its encoding
     (launch,) = root.children
     if launch.name != "launch":
         raise launch.fault(f"a launch file begins with <launch>, not with <{launch.name}>")

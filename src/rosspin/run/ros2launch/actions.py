@@ -11,6 +11,7 @@ from typing import TYPE_CHECKING, Any
 from ...clocks.frames import called_from
 from ...rclpy.exceptions import InvalidNamespaceException
 from ...rclpy.names import validate_namespace, validate_node_name
+from ..tags import Fault
 from . import events
 from .parameters import evaluate, words_for
 from .substitutions import Substitution, SubstitutionFailure, perform, perform_typed
@@ -206,7 +207,7 @@ class IncludeLaunchDescription(Action):
         for action in description.entities:
             if isinstance(action, DeclareLaunchArgument) and action.condition is None and action.default_value is None:
                 if action.name not in given:
-                    raise RuntimeError(
+                    raise Fault(
                         f"{self.place or action.place}: Included launch description missing required argument "
                         f"'{action.name}' (description: '{action.description}'), given: [{', '.join(given)}]"
                     )
@@ -343,9 +344,6 @@ class ExecuteProcess(Action):
     cached_output: bool = False
 
     def execute(self, context: LaunchContext) -> None:
-        for name in ("env", "prefix", "shell"):
-            if getattr(self, name):
-                raise NotImplementedError(f"{type(self).__name__}({name}=...) is not simulated")
         words = [perform(context, word) for word in self.cmd]
         code, args = context.service.command(self.place, words)
         if code:
@@ -367,7 +365,6 @@ class Node(ExecuteProcess):
 
     def __post_init__(self) -> None:
         super().__post_init__()
-        self._node_name, self.name = self.name, self.exec_name
         if not isinstance(self.parameters, (list, type(None))):
             raise TypeError(
                 "'Node' expected 'parameters' to be one of [<class 'list'>], but got "
@@ -375,23 +372,22 @@ class Node(ExecuteProcess):
             )
 
     def execute(self, context: LaunchContext) -> None:
-        self.cmd = [self.executable]
-        if self.package is not None:
-            self.cmd = ["ros2", "run", self.package, self.executable]
-            self.name = self.name or os.path.basename(perform(context, self.executable))
-            if not context.service.node(self.place, perform(context, self.package), perform(context, self.executable)):
-                return
-        self.cmd = [*self.cmd, *(self.arguments or ())]
-        if self.ros_arguments is not None:
-            self.cmd += ["--ros-args", *self.ros_arguments]
-        self.cmd += ["--ros-args", *self._ros_words(context)]
-        super().execute(context)
-        if self._full_name:
-            context.service.note_node(self._full_name)
+        name = perform(context, self.executable)
+        if self.package is None:
+            code, args = context.service.command(self.place, [name])
+        else:
+            code, args = context.service.node(self.place, perform(context, self.package), name), []
+        if code:
+            words = [*(self.arguments or ()), *(["--ros-args", *self.ros_arguments] if self.ros_arguments else [])]
+            args = [*args, *(perform(context, word) for word in words), "--ros-args", *self._ros_words(context)]
+            shown = perform(context, self.exec_name) if self.exec_name else os.path.basename(name)
+            context.service.start(self, shown, code, args)
+            if self._full_name:
+                context.service.note_node(self._full_name)
 
     def _ros_words(self, context: LaunchContext) -> Iterable[str]:
         values = context.launch_configurations
-        name = None if self._node_name is None else perform(context, self._node_name)
+        name = None if self.name is None else perform(context, self.name)
         own = None if self.namespace is None else perform(context, self.namespace)
         namespace = _joined(values.get("ros_namespace"), own)
         if name is not None:

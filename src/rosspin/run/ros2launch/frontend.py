@@ -7,7 +7,7 @@ from collections.abc import Callable, Iterator
 from contextlib import suppress
 from typing import Any
 
-from ..tags import Tag, parse
+from ..tags import Fault, Tag, parse
 from . import actions
 from .parameters import ParameterFile, ParameterValue
 from .substitutions import TextSubstitution, coerce, is_of, parse_substitution
@@ -32,11 +32,11 @@ def read_yaml(path: str) -> actions.LaunchDescription:
         try:
             root = yaml.compose(file, yaml.SafeLoader)
             if not isinstance(root, yaml.MappingNode) or len(root.value) != 1:
-                raise ValueError(f"{path}:1: Expected only one root")
+                raise Fault(f"{path}:1: Expected only one root")
             return _description(_YamlTag.made(path, *root.value[0]))
         except yaml.YAMLError as error:
             mark = getattr(error, "problem_mark", None)
-            raise ValueError(f"{path}:{mark.line + 1 if mark else 1}: {error}") from None
+            raise Fault(f"{path}:{mark.line + 1 if mark else 1}: {error}") from None
 
 
 class _YamlTag(Tag):
@@ -57,7 +57,7 @@ class _YamlTag(Tag):
                 for each in entities:
                     if each.id != "mapping" or len(each.value) != 1:
                         what = "Subentities must be a dictionary with only one key, which is the entity type"
-                        raise ValueError(f"{path}:{each.start_mark.line + 1}: {what}")
+                        raise Fault(f"{path}:{each.start_mark.line + 1}: {what}")
                     tag.children.append(cls.made(path, *each.value[0]))
             elif entities and entities[0].id == "mapping":
                 tag.children += [cls.made(path, name, each) for each in entities]

@@ -44,6 +44,9 @@ class ExecuteLocal:
         self._timers: list[Timer] = []
         self._respawns = 0
         context = service.context
+        for lacking in ("env", "prefix", "shell"):
+            if getattr(action, lacking):
+                raise NotImplementedError(f"{type(action).__name__}({lacking}=...) is not simulated")
         self._patience = [
             perform(context, each or _PATIENCE) for each in (action.sigterm_timeout, action.sigkill_timeout)
         ]
@@ -71,9 +74,6 @@ class ExecuteLocal:
 
     def begin(self) -> None:
         """Start it."""
-        if self._is_ending:
-            self.is_over = True
-            return
 
         def show(line: str) -> None:
             self._service.write(f"[{self.name}] {line}\n")
@@ -83,7 +83,6 @@ class ExecuteLocal:
             stream.stream if name in self._shown else nowhere() for name, stream in zip(("stdout", "stderr"), streams)
         )
         process = self._process = self._host.add(self._code, self._args, self._environment, self._folder, out, err)
-
         process.environment = {os.fsencode(key): os.fsencode(value) for key, value in self._environment.items()}
         process.world.at_end.append(lambda: self._service.soon(lambda: self._exit(streams)))
         self._host.begin(process)

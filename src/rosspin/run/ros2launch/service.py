@@ -2,15 +2,16 @@
 
 from __future__ import annotations
 
-import heapq
 import os
 import re
 import signal
 import sys
 import tempfile
 import threading
+from bisect import insort
 from collections import deque
 from collections.abc import Callable, Sequence
+from dataclasses import dataclass
 from pathlib import Path
 from types import ModuleType
 from typing import Any
@@ -23,6 +24,7 @@ from ..executables import find_node, is_cpp
 from ..host import Host
 from ..source import Node as Code
 from ..source import compiled, load, read, warn_of_files
+from ..tags import Fault
 from . import events
 from .actions import ExecuteProcess, IncludeLaunchDescription, LaunchDescription
 from .context import LaunchContext
@@ -34,22 +36,18 @@ from .process import ExecuteLocal
 __all__ = ["LaunchService", "Timer"]
 
 
+@dataclass(eq=False)
 class Timer:
-    """Calls a function at a time (ns), unless it is cancelled before."""
+    """A function, and the time (ns) at which it is to be called, unless :meth:`cancel` is called before."""
 
-    def __init__(self, when: int, function: Callable[[], None]) -> None:
-        self.when, self.function = when, function
-        self.cancelled = False
-
-    def __lt__(self, other: Timer) -> bool:
-        return self.when < other.when
+    when: int
+    function: Callable[[], None]
+    all: list[Timer]
 
     def cancel(self) -> None:
-        self.cancelled = True
-
-
-class _Fault(ValueError):
-    """What is wrong with a launch file, or not simulated, with file and line."""
+        """Forget it."""
+        if self in self.all:
+            self.all.remove(self)
 
 
 class LaunchService:
@@ -86,7 +84,7 @@ class LaunchService:
             while True:
                 while self._step():
                     pass
-                if self._next_timer() or not all(process.is_over for process in self._processes):
+                if self._timers or not all(process.is_over for process in self._processes):
                     self._wait()
                 elif self.context.is_shutdown:
                     break
@@ -101,27 +99,20 @@ class LaunchService:
 
     def _step(self) -> bool:
         """Do what is first of all that is to be done now; False if nothing is."""
-        timer = self._next_timer()
         with self._host.outside(), within(self._modules):
             if self._soon:
                 self._soon.popleft()()
             elif self.context.events:
                 self._handle(self.context.events.popleft())
-            elif timer and timer.when <= self._clock.now():
-                heapq.heappop(self._timers).function()
+            elif self._timers and self._timers[0].when <= self._clock.now():
+                self._timers.pop(0).function()
             else:
                 return False
         return True
 
     def _wait(self) -> None:
-        timer = self._next_timer()
-        self._wake.wait((timer.when - self._clock.now()) / NS if timer else None)
+        self._wake.wait((self._timers[0].when - self._clock.now()) / NS if self._timers else None)
         self._wake.clear()
-
-    def _next_timer(self) -> Timer | None:
-        while self._timers and self._timers[0].cancelled:
-            heapq.heappop(self._timers)
-        return self._timers[0] if self._timers else None
 
     def _interrupt(self) -> None:
         self.log("WARNING", "launch", "user interrupted with ctrl-c (SIGINT)")
@@ -148,19 +139,19 @@ class LaunchService:
     def _visit_all(self, entities: Any, place: str) -> None:
         for each in entities or ():
             if not hasattr(each, "visit"):
-                raise _Fault(f"{place}: expected a LaunchDescriptionEntity from event_handler, got '{each}'")
+                raise Fault(f"{place}: expected a LaunchDescriptionEntity from event_handler, got '{each}'")
             self._visit(each)
 
     def _visit(self, entity: Any) -> None:
         place = getattr(entity, "place", "") or f"{self._file.path}:1"
         try:
             then = entity.visit(self.context)
-        except _Fault:
+        except Fault:
             raise
         except Exception as error:
             if isinstance(error, SyntaxError) and error.filename != "<string>":
                 raise
-            raise _Fault(_say(error, place)) from error
+            raise Fault(_say(error, place)) from error
         self._visit_all(then, place)
 
     # --- what actions ask for ---
@@ -172,8 +163,8 @@ class LaunchService:
 
     def after(self, seconds: float, function: Callable[[], None]) -> Timer:
         """Call a function later."""
-        timer = Timer(self._clock.now() + nanoseconds(seconds), function)
-        heapq.heappush(self._timers, timer)
+        timer = Timer(self._clock.now() + nanoseconds(seconds), function, self._timers)
+        insort(self._timers, timer, key=lambda each: each.when)
         return timer
 
     def write(self, text: str) -> None:
@@ -195,7 +186,7 @@ class LaunchService:
         exec(compiled(read(path), path), module.__dict__)
         if not hasattr(module, "generate_launch_description"):
             text = f"launch file at '{path}' does not contain the required function 'generate_launch_description()'"
-            raise _Fault(f"{path}:1: {text}")
+            raise Fault(f"{path}:1: {text}")
         description: LaunchDescription = module.generate_launch_description()
         return description
 
@@ -265,7 +256,7 @@ class LaunchService:
 def _argument(text: str) -> tuple[str, str]:
     name, assigned, value = text.partition(":=")
     if not (name and assigned):
-        raise _Fault(f"malformed launch argument '{text}', expected format '<name>:=<value>'")
+        raise Fault(f"malformed launch argument '{text}', expected format '<name>:=<value>'")
     return name, value
 
 
@@ -280,4 +271,4 @@ def _say(error: Exception, place: str) -> str:
         trace = trace.tb_next
     if isinstance(error, OSError) and error.filename:
         said = f"{error.filename}: {error.strerror}"
-    return said if re.match(r"\S+:\d+: ", said) else f"{place}: {said}"
+    return f"{place}: {said}"
