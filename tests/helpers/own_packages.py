@@ -17,12 +17,12 @@ duration since
 """
 
 
-def write_package(parent: Path, name: str = "my_robotics_pkg", **definitions: str) -> Path:
-    """Write a package with messages into a workspace below a folder; the folder of its nodes."""
+def write_package(parent: Path, name: str = "my_robotics_pkg", kind: str = "msg", **definitions: str) -> Path:
+    """Write a package with messages (``kind`` srv or action: with these) below a folder; the folder of its nodes."""
     folder = parent / "ws" / "src" / "robots" / name
-    for part in ("msg", "scripts"):
+    for part in (kind, "scripts"):
         (folder / part).mkdir(parents=True, exist_ok=True)
     (folder / "package.xml").write_text(f"<package><name>{name}</name></package>")
     for message, text in definitions.items():
-        (folder / "msg" / f"{message}.msg").write_text(text)
+        (folder / kind / f"{message}.{kind}").write_text(text)
     return folder / "scripts"

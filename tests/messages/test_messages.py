@@ -354,3 +354,91 @@ def test_a_line_of_a_carried_definition_is_read_as_written() -> None:
     buffer = io.BytesIO()
     ros1.Messages(Library(1))["std_msgs/String"]("hi").serialize(buffer)
     assert buffer.getvalue() == b"\2\0\0\0hi"
+
+
+# --- services and actions ---------------------------------------------------------------------------------------------
+
+ADD = "int64 a\nint64 b\n---\nint64 sum  # of both\n"
+COUNT = "uint32 LIMIT=10\nuint32 goal\n---\nuint32[] reached\n---\nuint32 at 1\n"
+CARRIED_PACKAGES = ("std_srvs", "nav_msgs", "turtlesim", "example_interfaces", "action_msgs", "nav2_msgs", "test_msgs")
+
+
+@pytest.mark.parametrize("ros", [1, 2])
+def test_every_carried_service_and_action_can_be_made(ros: int) -> None:
+    kind = ros1.Messages if ros == 1 else ros2.Messages
+    library = Library(ros)
+    messages: Any = kind(library)
+    found = [
+        messages.whole(folder, f"{package}/{name}").__module__
+        for folder in ("srv", "action")
+        for package in CARRIED_PACKAGES
+        for name in library.names(package, folder)
+    ]
+    assert len(found) > (10 if ros == 1 else 30)
+    assert ("std_srvs.srv._SetBool" if ros == 1 else "std_srvs.srv._set_bool") in found
+
+
+def test_a_node_of_ros1_imports_services() -> None:
+    with MessageFinder(1):
+        from std_srvs.srv import SetBool, SetBoolRequest, SetBoolResponse  # type: ignore[import-not-found]
+        from std_srvs.srv._SetBool import SetBool as Same  # type: ignore[import-not-found]
+
+        assert Same is SetBool
+        assert (SetBool._request_class, SetBool._response_class) == (SetBoolRequest, SetBoolResponse)
+        assert (SetBool._type, SetBool._md5sum) == ("std_srvs/SetBool", "09fb03525b03e7ea1fd3992bafd87e16")
+        assert (SetBoolRequest._type, SetBoolRequest.__module__) == ("std_srvs/SetBoolRequest", "std_srvs.srv._SetBool")
+        assert repr(SetBoolResponse(True, "on")) == 'success: True\nmessage: "on"'
+        with pytest.raises(ImportError):
+            from std_srvs.srv import Fly  # noqa: F401
+        with pytest.raises(ImportError):
+            import std_srvs.msg  # type: ignore[import-not-found] # noqa: F401
+
+
+def test_a_node_of_ros2_imports_services_and_actions() -> None:
+    with MessageFinder(2):
+        from example_interfaces.action import Fibonacci  # type: ignore[import-not-found]
+        from std_srvs.srv import SetBool, SetBool_Request
+
+        assert SetBool.Request is SetBool_Request
+        assert repr(SetBool.Request(data=True)) == "std_srvs.srv.SetBool_Request(data=True)"
+        assert SetBool.Event().request == []
+        assert Fibonacci.Feedback(sequence=[1]).sequence.tolist() == [1]
+        impl = Fibonacci.Impl
+        assert impl.SendGoalService.Request().goal == Fibonacci.Goal(order=0)
+        assert impl.FeedbackMessage().feedback == Fibonacci.Feedback()
+        for kind in (SetBool, Fibonacci):
+            with pytest.raises(NotImplementedError):
+                kind()
+
+
+def test_a_package_has_services_and_actions_of_its_own(package: Package) -> None:
+    folder = package(kind="srv", AddTwoInts=ADD)
+    with MessageFinder(1, folder) as finder:
+        from my_robotics_pkg.srv import AddTwoInts
+
+        assert AddTwoInts._request_class(1, 2).b == 2
+        assert finder.messages["my_robotics_pkg/AddTwoIntsResponse"] is AddTwoInts._response_class
+    package(kind="action", Count=COUNT)
+    with MessageFinder(2, folder):
+        from my_robotics_pkg.action import Count
+        from my_robotics_pkg.srv import AddTwoInts as Two
+
+        assert Two.Response(sum=3).sum == 3
+        assert (Count.Goal.LIMIT, Count.Feedback().at) == (10, 1)
+
+
+@pytest.mark.parametrize(
+    ("text", "line", "words"),
+    [
+        ("int64 a\n", 2, "a line --- is missing between request and response"),
+        ("int64 a\n---\nint64 b\n---\n", 4, "one line --- too many, after 2 parts"),
+        ("int64 a\n---\nint64 b\n\nhuge c\n", 5, "there is no message my_robotics_pkg/huge"),
+        ("int64 a\n---\nint64 2b\n", 3, "expected a type, a space and a name"),
+    ],
+)
+def test_a_faulty_service_says_where_and_what(package: Package, text: str, line: int, words: str) -> None:
+    folder = package(kind="srv", Faulty=text)
+    with MessageFinder(2, folder), pytest.raises(DefinitionError, match=words) as caught:
+        from my_robotics_pkg.srv import Faulty  # noqa: F401
+    assert caught.value.lineno == line
+    assert str(caught.value.filename).endswith("Faulty.srv")

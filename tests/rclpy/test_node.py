@@ -84,7 +84,7 @@ def test_a_node_is_not_for_both(write: Any) -> None:
         ("from rclpy.action import ActionServer", "rclpy.action"),
         ("from rclpy.lifecycle import Node", "rclpy.lifecycle"),
         ("import tf2_ros", "tf2_ros"),
-        ("from std_srvs.srv import Trigger", "std_srvs"),
+        ("from control_srvs.srv import Trigger", "control_srvs"),
         ("rclpy.init(); rclpy.create_node('n').create_service(1, 'x', print)", "Node.create_service"),
         ("rclpy.init(); rclpy.create_node('n').create_client(1, 'x')", "Node.create_client"),
         ("rclpy.serialization", "rclpy.serialization"),

@@ -103,11 +103,11 @@ def test_a_message_that_cannot_be_sent_is_an_error_and_not_recorded() -> None:
     assert [message.message.data for message in run.messages] == [2]
 
 
-def test_services_are_still_not_simulated() -> None:
+def test_a_package_that_is_not_there_is_not_simulated() -> None:
     def node() -> None:
-        import_module("std_srvs.srv")
+        import_module("control_srvs.srv")
 
-    with pytest.raises(NotSimulated, match="std_srvs"):
+    with pytest.raises(NotSimulated, match="control_srvs"):
         simulate(node, 1)
 
 

@@ -278,7 +278,7 @@ def test_time_that_stands_still(
     [
         ("import rospy\n\nrospy.Service('name', None, None)\n", "rospy.Service", 3),
         ("from rospy import ServiceProxy\n", "rospy.ServiceProxy", 1),
-        ("import rospy\nfrom std_srvs.srv import Empty\n", "std_srvs", 2),
+        ("import rospy\nfrom control_srvs.srv import Empty\n", "control_srvs", 2),
         ("import rospy.service\n", "rospy.service", 1),
         (
             "import rospy\nrospy.init_node('n')\ndef callback(event):\n    import tf2_ros\n"

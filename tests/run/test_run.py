@@ -344,7 +344,7 @@ def test_bad_files(run: Any, write: Any) -> None:
 
 
 def test_a_module_of_ros_is_not_simulated(write: Any) -> None:
-    for module in ("std_srvs.srv", "tf2_ros", "my_robot_msgs.msg"):
+    for module in ("control_srvs.srv", "tf2_ros", "my_robot_msgs.msg"):
         package = module.partition(".")[0]
         with pytest.raises(NotSimulated, match=rf"^{package}(\.msg)? is not simulated; run this node on a real ROS$"):
             simulate(write(f"import {module}"), 1)

@@ -371,8 +371,8 @@ def test_what_cannot_be_started(write: Any, tmp_path: Path) -> None:
         start(tmp_path / "none.py")
     with pytest.raises(SyntaxError):
         start(write("1 +"))
-    with pytest.raises(NotSimulated, match="std_srvs"):
-        start(write("import std_srvs.srv"))
+    with pytest.raises(NotSimulated, match="control_srvs"):
+        start(write("import control_srvs.srv"))
 
 
 @pytest.mark.parametrize(

@@ -75,7 +75,7 @@ def _may_import(module: str) -> bool:
     package, *inner = module.split(".")
     if any(map(_is_hidden, inner)):
         return False
-    return package in _MODULES or any(Library(ros).names(package) for ros in (1, 2)) or not _is_there(package)
+    return package in _MODULES or any(Library(ros).has(package) for ros in (1, 2)) or not _is_there(package)
 
 
 def _is_there(package: str) -> bool:

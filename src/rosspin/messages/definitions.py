@@ -1,4 +1,4 @@
-"""The text of a message definition, read line by line: what a ``.msg`` file says.
+"""The text of a message definition, read line by line: a ``.msg`` file, or a part of a ``.srv`` or ``.action`` file.
 
 The grammar of ROS 1 is genmsg's (source: genmsg/msg_loader.py and msgs.py), that of ROS 2 is rosidl's (source:
 rosidl_adapter/parser.py): ROS 2 has bounds and default values, ROS 1 has ``time``, ``duration`` and ``Header``.
@@ -7,6 +7,7 @@ rosidl_adapter/parser.py): ROS 2 has bounds and default values, ROS 1 has ``time
 from __future__ import annotations
 
 import re
+from collections.abc import Sequence
 from dataclasses import dataclass
 from difflib import get_close_matches
 from functools import cache
@@ -23,6 +24,7 @@ __all__ = [
     "Value",
     "limits",
     "parse",
+    "split",
     "unknown",
 ]
 
@@ -98,20 +100,26 @@ class Constant:
 
 @dataclass(frozen=True)
 class Definition:
-    """A message's definition; ``name`` as in std_msgs/Header, ``file`` is where ``text`` comes from."""
+    """A message's definition; ``name`` as in std_msgs/Header, ``file`` is where ``text`` comes from.
+
+    For a part of a service or action, ``part_of`` names that, as in srv/SetBool, and ``above`` is how many lines of the
+    file are above the text.
+    """
 
     name: str
     fields: tuple[Field, ...]
     constants: tuple[Constant, ...]
     text: str
     file: str
+    part_of: str = ""
+    above: int = 0
 
     def fault(self, line: int, what: str) -> NoReturn:
         """Raise DefinitionError, which says ``what`` is wrong in a line, counted from 1."""
-        raise DefinitionError(what, (self.file, line, None, self.text.split("\n")[line - 1]))
+        raise DefinitionError(what, (self.file, self.above + line, None, self.text.split("\n")[line - 1]))
 
 
-def parse(text: str, name: str, file: str, ros: int) -> Definition:
+def parse(text: str, name: str, file: str, ros: int, part_of: str = "", above: int = 0) -> Definition:
     """Read the definition of the message ``name``, as in std_msgs/Header, by the rules of ROS 1 or 2.
 
     Raises DefinitionError, which names ``file``, for a line that those rules do not allow.
@@ -128,13 +136,35 @@ def parse(text: str, name: str, file: str, ros: int) -> Definition:
             if found.name in names:
                 raise ValueError(f"the name {found.name} is there twice")
         except ValueError as error:
-            raise DefinitionError(str(error), (file, number, None, line)) from None
+            raise DefinitionError(str(error), (file, above + number, None, line)) from None
         names.add(found.name)
         if isinstance(found, Constant):
             constants.append(found)
         else:
             fields.append(found)
-    return Definition(name, tuple(fields), tuple(constants), text, file)
+    return Definition(name, tuple(fields), tuple(constants), text, file, part_of, above)
+
+
+def split(text: str, file: str, suffixes: Sequence[str]) -> dict[str, tuple[str, int]]:
+    """Split a service or action at its lines ``---``: return, for each suffix, a text and how many lines are above it.
+
+    Raises DefinitionError unless there are as many parts as suffixes.
+    """
+    parts: list[list[str]] = [[]]
+    starts = [0]
+    for number, line in enumerate(text.split("\n"), start=1):
+        if line.startswith("---"):
+            if len(parts) == len(suffixes):
+                raise DefinitionError(f"one line --- too many, after {len(parts)} parts", (file, number, None, line))
+            parts.append([])
+            starts.append(number)
+        else:
+            parts[-1].append(line)
+    if len(parts) < len(suffixes):
+        what = " and ".join(suffix.strip("_").lower() for suffix in suffixes)
+        raise DefinitionError(f"a line --- is missing between {what}", (file, len(text.split("\n")), None, ""))
+    texts = ["".join(f"{line}\n" for line in lines) for lines in parts]
+    return dict(zip(suffixes, zip(texts, starts, strict=True), strict=True))
 
 
 def unknown(base: str, ros: int) -> str:

@@ -1,4 +1,4 @@
-"""What ``import std_msgs.msg`` finds: packages of messages, whose classes are made when they are asked for."""
+"""What ``import std_msgs.msg`` finds: packages of classes, each made when it is asked for."""
 
 from __future__ import annotations
 
@@ -11,7 +11,7 @@ from pathlib import Path
 from types import ModuleType
 from typing import Any
 
-from .library import Library
+from .library import FOLDERS, Library
 
 __all__ = ["MessageFinder"]
 
@@ -21,9 +21,10 @@ class MessageFinder(MetaPathFinder, Loader):
 
     ``ros`` is 1 or 2; ``folder`` is the node file's, whose package and workspace are searched, too. It finds
     ``std_msgs``, ``std_msgs.msg`` and a module for each class, named as a generated one: ``std_msgs.msg._UInt32``
-    (ROS 2: ``std_msgs.msg._u_int32``). A package's own Python modules are found beside its messages. At the end, what
-    was imported through this finder is taken out of ``sys.modules``, and what was there before is put back. When the
-    context is entered again, these modules change places once more.
+    (ROS 2: ``std_msgs.msg._u_int32``); likewise ``std_srvs.srv`` and, for ROS 2, ``action``. A package's own Python
+    modules are found beside its messages. At the end, what was imported through this finder is taken out of
+    ``sys.modules``, and what was there before is put back. When the context is entered again, these modules change
+    places once more.
 
     ``messages`` makes and holds the classes: ``finder.messages["std_msgs/UInt32"]``; ``found`` are the packages that
     were imported through this finder.
@@ -51,10 +52,10 @@ class MessageFinder(MetaPathFinder, Loader):
 
     def hide(self) -> dict[str, ModuleType]:
         """Take out of ``sys.modules`` what stands in the way of this finder, and return it."""
-        # A package that is imported already may be the real one, or another node's. Those without a module msg are not
+        # A package that is imported already may be the real one, or another node's. Those without such a module are not
         # looked up: a run that imports no message does not need the library.
-        names = [name.split(".") for name in list(sys.modules) if ".msg" in name]
-        packages = {package for package, module, *_ in names if module == "msg"}
+        names = [name.split(".") for name in list(sys.modules) if ".msg" in name or ".srv" in name or ".action" in name]
+        packages = {package for package, module, *_ in names if module in FOLDERS}
         return _take({package for package in packages if self._is_ours(package)} | self.found)
 
     def __exit__(self, *_: object) -> None:
@@ -64,7 +65,7 @@ class MessageFinder(MetaPathFinder, Loader):
 
     def _is_ours(self, module: str) -> bool:
         package = module.partition(".")[0]
-        return package not in sys.stdlib_module_names and bool(self.library.names(package))
+        return package not in sys.stdlib_module_names and self.library.has(package)
 
     def find_spec(self, fullname: str, path: Sequence[str] | None = None, target: Any = None) -> ModuleSpec | None:
         """Part of the import system; None for a module that is not a message's."""
@@ -74,9 +75,12 @@ class MessageFinder(MetaPathFinder, Loader):
         self.found.add(package)
         if not rest:
             return self._package(package)
-        if rest == ["msg"]:
+        folder, *modules = rest
+        if folder not in FOLDERS or not self.library.names(package, folder):
+            return None
+        if not modules:
             return ModuleSpec(fullname, self, origin="rosspin", is_package=True)
-        if rest[0] == "msg" and len(rest) == 2 and rest[1] in self._class_modules(package):
+        if len(modules) == 1 and modules[0] in self._class_modules(package, folder):
             return ModuleSpec(fullname, self, origin="rosspin")
         return None
 
@@ -90,25 +94,29 @@ class MessageFinder(MetaPathFinder, Loader):
             return spec
         return ModuleSpec(name, self, origin="rosspin", is_package=True)
 
-    def _class_modules(self, package: str) -> dict[str, str]:
-        return {self.messages.module(name): name for name in self.library.names(package)}
+    def _class_modules(self, package: str, folder: str) -> dict[str, str]:
+        return {self.messages.module(name): name for name in self.library.names(package, folder)}
 
     def create_module(self, spec: ModuleSpec) -> None:
         """Part of the import system: an ordinary module will do."""
 
     def exec_module(self, module: ModuleType) -> None:
         """Part of the import system: fill such a module."""
-        package, _, rest = module.__name__.partition(".")
+        package, *rest = module.__name__.split(".")
         if not rest:
             return
-        names = self.library.names(package)
-        if rest != "msg":
-            names = [self._class_modules(package)[rest.removeprefix("msg.")]]
+        folder, *modules = rest
+        whole = self.library.names(package, folder)
+        if modules:
+            whole = [self._class_modules(package, folder)[modules[0]]]
+        names = [name + suffix for name in whole for suffix in ("", *self.library.suffixes(folder))]
 
         def find(name: str) -> Any:
             if name not in names:
                 raise AttributeError(f"module {module.__name__!r} has no attribute {name!r}")
-            found = self.messages[f"{package}/{name}"]
+            full_name = f"{package}/{name}"
+            is_whole = folder != "msg" and name in whole
+            found = self.messages.whole(folder, full_name) if is_whole else self.messages[full_name]
             setattr(module, name, found)
             return found
 

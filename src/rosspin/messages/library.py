@@ -8,13 +8,38 @@ import re
 from collections.abc import Iterator
 from functools import cache
 from pathlib import Path
+from typing import NamedTuple
 
-from .definitions import Definition, parse
+from .definitions import Definition, parse, split
 
-__all__ = ["Library"]
+__all__ = ["FOLDERS", "Library"]
 
-CARRIED = {1: "noetic.txt", 2: "jazzy.txt"}
-HEADING = re.compile(r"^=+\nMSG: (\w+/\w+)\n", re.MULTILINE)
+CARRIED = {1: ("noetic.txt", "noetic-services.txt"), 2: ("jazzy.txt", "jazzy-services.txt")}
+HEADING = re.compile(r"^=+\n(MSG|SRV|ACTION): (\w+/\w+)\n", re.MULTILINE)
+FOLDERS = ("msg", "srv", "action")  # of a package; each with one kind of definition
+
+# What a class of a part adds to the name of its service or action. In ROS 1 an action has messages that genaction.py
+# writes, and no parts.
+PARTS: dict[int, dict[str, tuple[str, ...]]] = {
+    1: {"srv": ("Request", "Response")},
+    2: {"srv": ("_Request", "_Response"), "action": ("_Goal", "_Result", "_Feedback")},
+}
+# The messages that rosidl makes around these parts ({} is the name of the service or action).
+AROUND: dict[int, dict[str, dict[str, str]]] = {
+    1: {},
+    2: {
+        "srv": {
+            "_Event": "service_msgs/ServiceEventInfo info\n{}_Request[<=1] request\n{}_Response[<=1] response\n",
+        },
+        "action": {
+            "_SendGoal_Request": "unique_identifier_msgs/UUID goal_id\n{}_Goal goal\n",
+            "_SendGoal_Response": "bool accepted\nbuiltin_interfaces/Time stamp\n",
+            "_GetResult_Request": "unique_identifier_msgs/UUID goal_id\n",
+            "_GetResult_Response": "int8 status\n{}_Result result\n",
+            "_FeedbackMessage": "unique_identifier_msgs/UUID goal_id\n{}_Feedback feedback\n",
+        },
+    },
+}
 IGNORED = {"CATKIN_IGNORE", "COLCON_IGNORE", "AMENT_IGNORE"}  # a folder with one of these files is skipped
 DEEPEST = 4  # how many folders below src packages are looked for: a node may lie in a big tree by chance
 
@@ -31,31 +56,73 @@ class Library:
         self.ros = ros
         self._folder = folder
         self._packages: dict[str, Path] | None = None
-        self._names: dict[str, list[str]] = {}
+        self._names: dict[tuple[str, str], list[str]] = {}
         self._definitions: dict[str, Definition] = {}
 
-    def names(self, package: str) -> list[str]:
-        """The names of a package's messages, sorted, without the package; none if it is not there."""
-        if package not in self._names:
-            found = [name.partition("/")[2] for name in _carried(self.ros) if name.startswith(f"{package}/")]
-            if not found and (folder := self.package(package)):
-                found = sorted(file.stem for file in (folder / "msg").glob("*.msg"))
-            self._names[package] = found
-        return self._names[package]
+    def names(self, package: str, folder: str = "msg") -> list[str]:
+        """The names of a package's messages, sorted, without the package; none if it is not there.
+
+        Those of its services are in the ``folder`` srv, those of its actions in action.
+        """
+        key = (package, folder)
+        if key not in self._names:
+            carried = _carried(self.ros)
+            if package in carried.packages:
+                found = [name for kind, name in carried.texts if kind == folder and name.startswith(f"{package}/")]
+                self._names[key] = [name.partition("/")[2] for name in found]
+            elif place := self.package(package):
+                self._names[key] = sorted(file.stem for file in (place / folder).glob(f"*.{folder}"))
+            else:
+                self._names[key] = []
+        return self._names[key]
+
+    def has(self, package: str) -> bool:
+        """Whether a package has a message, a service or an action."""
+        return any(self.names(package, folder) for folder in FOLDERS)
+
+    def suffixes(self, folder: str) -> list[str]:
+        """What the classes of a service, or of an action, add to its name: in ROS 2 _Request, _Response and _Event."""
+        return [*PARTS[self.ros].get(folder, ()), *AROUND[self.ros].get(folder, ())]
 
     def definition(self, name: str) -> Definition:
-        """The definition of a message as in std_msgs/Header. Raises KeyError if unknown, DefinitionError if faulty."""
+        """The definition of a message, as in std_msgs/Header, or of a part, as in std_srvs/SetBool_Request.
+
+        Raises KeyError if unknown, DefinitionError if faulty.
+        """
         if name not in self._definitions:
             package, _, short = name.partition("/")
-            if name in _carried(self.ros):
-                text, file = _carried(self.ros)[name], CARRIED[self.ros]
-            elif short in self.names(package) and (folder := self.package(package)):
-                path = folder / "msg" / f"{short}.msg"
-                text, file = path.read_text(encoding="utf-8"), str(path)
+            if short in self.names(package):
+                self._definitions[name] = parse(*self._text("msg", name), self.ros)
             else:
-                raise KeyError(name)
-            self._definitions[name] = parse(text, name, file, self.ros)
+                self._add_parts(package, short)
         return self._definitions[name]
+
+    def _text(self, folder: str, name: str) -> tuple[str, str, str]:
+        """Return the text of a definition, its name, and its file."""
+        carried = _carried(self.ros).texts.get((folder, name))
+        if carried:
+            return carried[0], name, carried[1]
+        package, _, short = name.partition("/")
+        place = self.package(package)
+        assert place
+        path = place / folder / f"{short}.{folder}"
+        return path.read_text(encoding="utf-8"), name, str(path)
+
+    def _add_parts(self, package: str, short: str) -> None:
+        """Read the service or action of which ``short`` names a part."""
+        for folder, suffixes in PARTS[self.ros].items():
+            around = AROUND[self.ros].get(folder, {})
+            for suffix in (*suffixes, *around):
+                whole = short.removesuffix(suffix)
+                if whole == short or whole not in self.names(package, folder):
+                    continue
+                name = f"{package}/{whole}"
+                text, _, file = self._text(folder, name)
+                texts = split(text, file, suffixes) | {each: (around[each].replace("{}", name), 0) for each in around}
+                for each, (part, above) in texts.items():
+                    full_name, part_of = name + each, f"{folder}/{whole}"
+                    self._definitions[full_name] = parse(part, full_name, file, self.ros, part_of, above)
+                return
 
     def package(self, name: str) -> Path | None:
         """The folder of one of the packages around the node."""
@@ -64,12 +131,23 @@ class Library:
         return self._packages.get(name)
 
 
+class _Carried(NamedTuple):
+    """What rosspin carries: texts and their files by folder and name, and the packages that they are of."""
+
+    texts: dict[tuple[str, str], tuple[str, str]]
+    packages: set[str]
+
+
 @cache
-def _carried(ros: int) -> dict[str, str]:
-    text = pkgutil.get_data(__package__, CARRIED[ros])  # also where rosspin is imported from a zip file
-    assert text is not None  # all loaders of files can give it
-    _, *parts = HEADING.split(text.decode())
-    return dict(zip(parts[::2], parts[1::2], strict=True))
+def _carried(ros: int) -> _Carried:
+    texts: dict[tuple[str, str], tuple[str, str]] = {}
+    for file in CARRIED[ros]:
+        data = pkgutil.get_data(__package__, file)  # also where rosspin is imported from a zip file
+        assert data is not None  # all loaders of files can give it
+        _, *parts = HEADING.split(data.decode())
+        for kind, name, text in zip(parts[::3], parts[1::3], parts[2::3], strict=True):
+            texts[kind.lower(), name] = text, file
+    return _Carried(texts, {name.partition("/")[0] for _, name in texts})
 
 
 def _packages_around(folder: Path) -> Iterator[tuple[str, Path]]:

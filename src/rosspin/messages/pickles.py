@@ -10,22 +10,23 @@ from functools import cache
 from pathlib import Path
 from typing import Any
 
-from ..results.ticks import Message
+from ..results.ticks import Call, Message
 from .finder import MessageFinder
 
 __all__ = ["Packed", "pack", "unpack"]
 
-# A Message whose message is in bytes; None if it cannot leave its process, as with an object of the node's own in it.
-Packed = tuple[str, str, float, bytes | None]
+# The fields of a Message or a Call in bytes; None for one that cannot leave its process, as with an object of the
+# node's own in it.
+Packed = list[bytes | None]
 
 
-def pack(messages: Sequence[Message]) -> list[Packed]:
-    """Turn messages into data that another process can read."""
-    return [(topic, node, time, _pickled(message)) for topic, node, time, message in messages]
+def pack(records: Sequence[Message | Call]) -> list[Packed]:
+    """Turn messages, or calls, into data that another process can read."""
+    return [list(map(_pickled, record)) for record in records]
 
 
-def unpack(packed: Sequence[Packed], folder: Path | None) -> tuple[Message, ...]:
-    """Make anew the messages of a node whose file is in ``folder``; None for each that could not be packed."""
+def unpack(packed: Sequence[Sequence[Packed]], kinds: Sequence[Any], folder: Path | None) -> list[tuple[Any, ...]]:
+    """Make records of these kinds anew, of a node whose file is in ``folder``; a field that is not packed is None."""
     find = cache(lambda ros: MessageFinder(ros, folder).messages)
 
     class Unpickler(pickle.Unpickler):
@@ -33,10 +34,10 @@ def unpack(packed: Sequence[Packed], folder: Path | None) -> tuple[Message, ...]
             ros, name = which
             return find(ros)[name]
 
-    return tuple(
-        Message(topic, node, time, None if data is None else Unpickler(io.BytesIO(data)).load())
-        for topic, node, time, data in packed
-    )
+    def load(data: bytes | None) -> Any:
+        return None if data is None else Unpickler(io.BytesIO(data)).load()
+
+    return [tuple(kind(*map(load, fields)) for fields in each) for kind, each in zip(kinds, packed, strict=True)]
 
 
 def _pickled(message: Any) -> bytes | None:
@@ -52,6 +53,6 @@ class _Pickler(pickle.Pickler):
     def persistent_id(self, thing: Any) -> tuple[int, str] | None:
         """For a message class, its ROS and the message's name. A node's own subclass counts as the class it extends."""
         for kind in thing.__mro__ if isinstance(thing, type) else ():
-            if re.fullmatch(r"\w+\.msg\._\w+", kind.__module__):
+            if re.fullmatch(r"\w+\.(msg|srv|action)\._\w+", kind.__module__):
                 return 1 if hasattr(kind, "_md5sum") else 2, f"{kind.__module__.partition('.')[0]}/{kind.__name__}"
         return None

@@ -21,6 +21,7 @@ __all__ = [
     "MessageException",
     "Messages",
     "SerializationError",
+    "Service",
     "check_type",
     "rostime",
     "strify_message",
@@ -153,6 +154,15 @@ class Message:
         return True
 
 
+class Service:
+    """Base of all services: the classes of its two messages, and the sum of both."""
+
+    _type: ClassVar[str]
+    _md5sum: ClassVar[str]
+    _request_class: ClassVar[type[Message]]
+    _response_class: ClassVar[type[Message]]
+
+
 def transfer(message: Message, data_class: type[M]) -> M:
     """Make the message that a subscriber with this class receives: a new one, as it comes off the wire.
 
@@ -173,16 +183,16 @@ class Messages(classes.Messages[Message]):
         return f"_{name}"
 
     def _make(self, definition: Definition) -> type[Message]:
-        package, _, name = definition.name.partition("/")
+        name = definition.name.partition("/")[2]
         slots = [safe(field.name) for field in definition.fields]
         first = definition.fields[0] if definition.fields else None
         needed = [definition, *self._nested(definition)]
         namespace = {
             "__doc__": f"The message {definition.name}: {', '.join(slots) or 'no fields'}.",
-            "__module__": f"{package}.msg.{self.module(name)}",
+            "__module__": self.home(definition),
             "__slots__": slots,
             "_type": definition.name,
-            "_md5sum": self._md5sum(definition),
+            "_md5sum": _md5(self._summed(definition)),
             "_full_text": ("\n" + "=" * 80 + "\n").join(
                 f"MSG: {each.name}\n{each.text}" if each is not definition else each.text for each in needed
             ),
@@ -226,13 +236,31 @@ class Messages(classes.Messages[Message]):
                 found |= {each.name: each for each in (inner, *self._nested(inner)) if each.name not in found}
         return list(found.values())
 
-    def _md5sum(self, definition: Definition) -> str:
-        """The sum of a message's constants and fields; nested ones count by theirs (source: genmsg/gentools.py)."""
+    def _assemble(self, folder: str, name: str, parts: dict[str, type[Message]]) -> type[Service]:
+        package, _, short = name.partition("/")
+        request, response = parts.values()
+        text = "".join(self._summed(self.library.definition(part._type)) for part in parts.values())
+        namespace = {
+            "__doc__": f"The service {name}.",
+            "__module__": f"{package}.{folder}.{self.module(short)}",
+            "_type": name,
+            "_md5sum": _md5(text),
+            "_request_class": request,
+            "_response_class": response,
+        }
+        return type(short, (Service,), namespace)
+
+    def _summed(self, definition: Definition) -> str:
+        """The text that the md5 sum is of: constants and fields; nested ones by theirs (source: genmsg/gentools.py)."""
         lines = [f"{each.type} {each.name}={each.text}" for each in definition.constants]
         for field in definition.fields:
             base = field.kind.base
             lines.append(f"{field.kind if base in BUILTIN[1] else self[base]._md5sum} {field.name}")
-        return hashlib.md5("\n".join(lines).strip().encode(), usedforsecurity=False).hexdigest()
+        return "\n".join(lines).strip()
+
+
+def _md5(text: str) -> str:
+    return hashlib.md5(text.encode(), usedforsecurity=False).hexdigest()
 
 
 def check_type(name: str, type_: str, value: Any) -> None:

@@ -23,7 +23,7 @@ from typing import Any, ClassVar, TypeVar
 from . import classes
 from .definitions import BUILTIN, Definition, Field, Kind, limits
 
-__all__ = ["Message", "Messages", "transfer"]
+__all__ = ["Action", "Message", "Messages", "Service", "transfer"]
 
 M = TypeVar("M", bound="Message")
 
@@ -77,6 +77,30 @@ class Message:
 
     # rosidl's classes have no hash either: two equal messages may change apart.
     __hash__ = None  # type: ignore[assignment]
+
+
+class _Interface:
+    """Base of services and actions, which have no instances."""
+
+    def __init__(self) -> None:
+        raise NotImplementedError("Service classes can not be instantiated")
+
+
+class Service(_Interface):
+    """Base of all services."""
+
+    Request: ClassVar[type[Message]]
+    Response: ClassVar[type[Message]]
+    Event: ClassVar[type[Message]]
+
+
+class Action(_Interface):
+    """Base of all actions. ``Impl`` has the services and messages that an action consists of."""
+
+    Goal: ClassVar[type[Message]]
+    Result: ClassVar[type[Message]]
+    Feedback: ClassVar[type[Message]]
+    Impl: ClassVar[Any]
 
 
 def transfer(message: Message, data_class: type[M]) -> M:
@@ -229,8 +253,30 @@ class Messages(classes.Messages[Message]):
         words = re.sub("([a-z0-9])([A-Z])", r"\1_\2", re.sub("(.)([A-Z][a-z]+)", r"\1_\2", name))
         return f"_{words.lower()}"
 
+    def _assemble(self, folder: str, name: str, parts: dict[str, type[Message]]) -> type[Service | Action]:
+        package, _, short = name.partition("/")
+        module = f"{package}.{folder}.{self.module(short)}"
+        if folder == "srv":
+            return self._service(module, name)
+        impl = {
+            "SendGoalService": self._service(module, f"{name}_SendGoal", events=False),
+            "GetResultService": self._service(module, f"{name}_GetResult", events=False),
+            "FeedbackMessage": self[f"{name}_FeedbackMessage"],
+            "CancelGoalService": self.whole("srv", "action_msgs/CancelGoal"),
+            "GoalStatusMessage": self["action_msgs/GoalStatusArray"],
+        }
+        namespace: dict[str, Any] = {suffix[1:]: part for suffix, part in parts.items()}
+        namespace |= {"__doc__": f"The action {name}.", "__module__": module, "Impl": type("Impl", (), impl)}
+        return type(short, (Action,), namespace)
+
+    def _service(self, module: str, name: str, events: bool = True) -> type[Service]:
+        suffixes = ("Request", "Response", "Event") if events else ("Request", "Response")
+        namespace: dict[str, Any] = {suffix: self[f"{name}_{suffix}"] for suffix in suffixes}
+        short = name.partition("/")[2]
+        return type(short, (Service,), {**namespace, "__doc__": f"The service {name}.", "__module__": module})
+
     def _make(self, definition: Definition) -> type[Message]:
-        package, _, name = definition.name.partition("/")
+        name = definition.name.partition("/")[2]
         fields = {
             field.name: _Field(field, None if field.kind.base in BUILTIN[2] else self[field.kind.base])
             for field in definition.fields
@@ -249,7 +295,7 @@ class Messages(classes.Messages[Message]):
         __init__.__qualname__ = f"{name}.__init__"  # which a TypeError names
         namespace: dict[str, Any] = {
             "__doc__": f"The message {definition.name}: {', '.join(fields) or 'no fields'}.",
-            "__module__": f"{package}.msg.{self.module(name)}",
+            "__module__": self.home(definition),
             "__slots__": [*(f"_{field}" for field in fields), "_check_fields"],
             "__init__": __init__,
             "_rosspin_fields": fields,

@@ -1,4 +1,4 @@
-"""The result of a run: its console, its ticks, its messages, its status. Pure data, below everything else."""
+"""The result of a run: its console, its ticks, messages, calls and status. Pure data, below all else."""
 
 from __future__ import annotations
 
@@ -6,7 +6,7 @@ from collections.abc import Sequence
 from dataclasses import dataclass, field
 from typing import Any, NamedTuple
 
-__all__ = ["Message", "Run", "Tick"]
+__all__ = ["Call", "Message", "Run", "Tick"]
 
 
 class Tick(NamedTuple):
@@ -40,6 +40,22 @@ class Message(NamedTuple):
     message: Any
 
 
+class Call(NamedTuple):
+    """One call of a service: its full name, and those of the nodes that ask and answer.
+
+    ``asked`` and ``answered`` are in seconds since the run began; ``request`` and ``response`` are copies. If no answer
+    was sent, ``answered`` is NaN, ``server`` empty and ``response`` None.
+    """
+
+    service: str
+    client: str
+    asked: float
+    request: Any
+    server: str
+    answered: float
+    response: Any
+
+
 @dataclass(frozen=True)
 class Run:
     """What a node did in one run.
@@ -47,7 +63,8 @@ class Run:
     ``console`` is what it printed to stdout and stderr, in order; ``ticks`` are in the order in which they began;
     ``status`` is its exit status; ``runtime`` says where it ran ("simulated", "wall", "ros1", "ros2"); ``seconds`` is
     the time after which Ctrl-C was pressed; ``start`` is when the run began, in seconds since the epoch (0.0 if
-    simulated); ``messages`` are what its topics were given, in the order of publishing (none if it ran on a real ROS).
+    simulated); ``messages`` are what its topics were given, in the order of publishing, and ``calls`` what its services
+    were asked, in the order of asking (none of both if it ran on a real ROS).
     """
 
     console: str = field(repr=False)
@@ -57,3 +74,4 @@ class Run:
     seconds: float
     start: float = 0.0
     messages: Sequence[Message] = field(default=(), repr=False)
+    calls: Sequence[Call] = field(default=(), repr=False)

@@ -22,7 +22,7 @@ from ..clocks.simulation import Simulation, Standstill
 from ..clocks.stacks import Program, telling_turns
 from ..clocks.threads import list_threads, unlist_threads
 from ..clocks.watchdog import Stuck
-from ..results.ticks import Message, Tick
+from ..results.ticks import Call, Message, Run, Tick
 from ..world.graph import Graph, Recording, TickLog
 from ..world.world import World
 from .explain import keep_those_of, say_killed, stands_still
@@ -386,9 +386,17 @@ class Result(NamedTuple):
         """The world of its first process."""
         return self.host.processes[0].world
 
+    def run(self, console: str, runtime: str, seconds: float) -> Run:
+        """Return the run, whose console and whose runtime these are, and which was to go on for ``seconds``."""
+        return Run(console, self.ticks, self.status, runtime, seconds, self.start, self.messages(), self.calls())
+
     def messages(self) -> tuple[Message, ...]:
         """What was published (nothing if not recorded)."""
         return self.host.recording.messages()
+
+    def calls(self) -> tuple[Call, ...]:
+        """What services were asked (nothing if not recorded)."""
+        return self.host.recording.calls()
 
 
 def _export(before: Mapping[bytes, bytes], after: Mapping[bytes, bytes]) -> None:

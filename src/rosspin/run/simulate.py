@@ -58,7 +58,7 @@ def simulate(
     duration(seconds)
     with capture() as console:
         result = run_nodes(launched, seconds, Simulation(), TickLog())
-    return Run(console.text(), result.ticks, result.status, "simulated", seconds, 0.0, result.messages())
+    return result.run(console.text(), "simulated", seconds)
 
 
 def several(
@@ -87,7 +87,7 @@ def run_captured(clock: Clock, node: Node, seconds: float, args: Sequence[str], 
     with capture(*streams) as console:
         result = run_node(node, seconds, args, clock, TickLog())
     runtime = "simulated" if isinstance(clock, Simulation) else "wall"
-    return Run(console.text(), result.ticks, result.status, runtime, seconds, result.start, result.messages())
+    return result.run(console.text(), runtime, seconds)
 
 
 def run_node(

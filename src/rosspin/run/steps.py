@@ -155,7 +155,7 @@ class StartedNode:
     @property
     def run(self) -> Run:
         """All that the node has done so far. While it runs, ``run.status`` is 0 and ``run.seconds`` is the time."""
-        return self._run_since(0, 0, 0, 0)
+        return self._run_since(0, 0, 0, 0, 0)
 
     def advance(self, seconds: float) -> Run:
         """Let ``seconds`` of simulated time pass. Returns what the node has done meanwhile.
@@ -243,7 +243,7 @@ class StartedNode:
     def _step(self, until: int, go_on: Callable[[], None]) -> Run:
         __tracebackhide__ = True
         recording = self._host.recording
-        before = len(self._capture), len(recording.log or ()), len(self._messages), self._now
+        before = len(self._capture), len(recording.log or ()), len(self._messages), len(recording), self._now
         with self._inside():
             go_on()
         self._messages += recording.messages(len(self._messages))
@@ -276,8 +276,8 @@ class StartedNode:
         """Whether an error is how a node of ROS 2 ends at Ctrl-C."""
         return isinstance(error, KeyboardInterrupt) and process.world.ros == 2 and not self._failed(process)
 
-    def _run_since(self, piece: int, tick: int, message: int, time: int) -> Run:
-        """What the node has done since ``time`` (ns): its console, ticks and messages from these numbers on."""
+    def _run_since(self, piece: int, tick: int, message: int, call: int, time: int) -> Run:
+        """What the node has done since ``time`` (ns): its console, ticks, messages and calls from these numbers on."""
         return Run(
             self._capture.text(piece),
             self._host.recording.ticks(tick),
@@ -286,6 +286,7 @@ class StartedNode:
             (self._now - time) / NS,
             0.0,
             tuple(self._messages[message:]),
+            self._host.recording.calls(call),
         )
 
 

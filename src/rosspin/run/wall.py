@@ -23,7 +23,7 @@ from ..clocks.clock import WallClock
 from ..clocks.descendants import adopt_orphans, kill_descendants
 from ..clocks.frames import node_frames
 from ..messages import pickles
-from ..results.ticks import Run, Tick
+from ..results.ticks import Call, Message, Run, Tick
 from ..world.graph import TickLog
 from . import host
 from .host import Result, duration
@@ -42,7 +42,7 @@ _PIECE = 4096 - _HEAD.size
 _STARTED, _STDOUT, _STDERR, _OUTCOME, _END = b"s", b"o", b"e", b"r", b"."
 
 # What the node's process sends at its end, without the classes that only it has: status, start, ticks, messages.
-_Outcome = tuple[int, float, list[tuple[Any, ...]], list[pickles.Packed]]
+_Outcome = tuple[int, float, list[tuple[Any, ...]], list[pickles.Packed], list[pickles.Packed]]
 
 
 def measure(node: NodeLike, seconds: float, args: Sequence[str] = ()) -> Run:
@@ -84,9 +84,9 @@ def measured(node: Node, seconds: float, args: Sequence[str], *streams: TextIO) 
     finally:
         apart.kill()
         os.close(read)
-    status, start, ticks, messages = apart.outcome()
-    made = pickles.unpack(messages, folder_of(node))
-    return Run(console.text(), tuple(map(Tick._make, ticks)), status, "wall", seconds, start, made)
+    status, start, ticks, *packed = apart.outcome()
+    messages, calls = pickles.unpack(packed, (Message, Call), folder_of(node))
+    return Run(console.text(), tuple(map(Tick._make, ticks)), status, "wall", seconds, start, messages, calls)
 
 
 class _Apart:
@@ -172,7 +172,7 @@ class _Apart:
         if self._start is None:
             raise RuntimeError(f"the process of the node did not start (status {self._child.returncode})")
         status = self._child.returncode  # something has killed it
-        return 128 - status if status < 0 else status, self._start, [], []
+        return 128 - status if status < 0 else status, self._start, [], [], []
 
 
 @contextmanager
@@ -238,4 +238,5 @@ def _send(pipe: int, kind: bytes, data: bytes = b"") -> None:
 
 
 def _plain(result: Result) -> _Outcome:
-    return result.status, result.start, list(map(tuple, result.ticks)), pickles.pack(result.messages())
+    packed = pickles.pack(result.messages()), pickles.pack(result.calls())
+    return result.status, result.start, list(map(tuple, result.ticks)), *packed

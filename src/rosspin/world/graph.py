@@ -14,9 +14,9 @@ from functools import partial
 from typing import Any, Generic, Protocol, TypeVar
 
 from ..clocks.clock import NS, Clock
-from ..results.ticks import Message, Tick
+from ..results.ticks import Call, Message, Tick
 
-__all__ = ["End", "Graph", "Published", "Recording", "Tester", "TickLog"]
+__all__ = ["CallMade", "End", "Graph", "Published", "Recording", "Tester", "TickLog"]
 
 Part = TypeVar("Part")
 
@@ -111,8 +111,29 @@ class _Ends(Generic[E]):
         return [(topic, ends[0].type) for topic, ends in self._of.items() if ends]
 
 
+class CallMade:
+    """A call of a service while it is recorded. ``make_request()`` makes the request when somebody asks for it."""
+
+    def __init__(self, service: str, client: str, asked: int, make_request: Callable[[], Any]) -> None:
+        self._asked = service, client, asked, make_request
+        self._answered: tuple[str, int, Callable[[], Any]] | None = None
+
+    def answer(self, server: str, when: int, make_response: Callable[[], Any]) -> None:
+        """Record that the node ``server`` answers at ``when`` (ns)."""
+        self._answered = server, when, make_response
+
+    def since(self, start: int) -> Call:
+        """Return the call, in seconds since ``start`` (ns)."""
+        service, client, asked, request = self._asked
+        asked_at = (asked - start) / NS
+        if self._answered is None:
+            return Call(service, client, asked_at, request(), "", math.nan, None)
+        server, answered, response = self._answered
+        return Call(service, client, asked_at, request(), server, (answered - start) / NS, response())
+
+
 class Recording:
-    """The ticks and messages of a run that began at ``start`` (ns). If ``log`` is None, nothing is recorded.
+    """The ticks, messages and calls of a run that began at ``start`` (ns). If ``log`` is None, nothing is recorded.
 
     ``several`` says whether there is more than one process.
     """
@@ -123,6 +144,7 @@ class Recording:
         self.published: list[Published] | None = None if log is None else []
         self.start = start
         self._clock = clock
+        self._calls: list[CallMade] = []
 
     def add_message(self, topic: str, node: str, make: Callable[[], Any]) -> None:
         """Record that ``node`` publishes, now, the message that ``make()`` returns."""
@@ -155,6 +177,20 @@ class Recording:
         return tuple(
             Message(topic, node, (time - self.start) / NS, make()) for topic, node, time, make in published[since:]
         )
+
+    def add_call(self, service: str, client: str, make_request: Callable[[], Any]) -> CallMade:
+        """Record that the node ``client`` asks a service, now. Return the call, to which the answer is added."""
+        call = CallMade(service, client, self._clock.now(), make_request)
+        if self.log is not None:
+            self._calls.append(call)
+        return call
+
+    def calls(self, since: int = 0) -> tuple[Call, ...]:
+        """The recorded calls, from the call ``since`` on."""
+        return tuple(call.since(self.start) for call in self._calls[since:])
+
+    def __len__(self) -> int:
+        return len(self._calls)
 
 
 @contextmanager
