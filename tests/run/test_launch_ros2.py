@@ -137,6 +137,7 @@ def launched(write: Any, tmp_path: Path) -> Write:
         ("ExecuteProcess(cmd=['ros2', 'run', 'pkg', 'script.py'], shell=True)", "ExecuteProcess(shell=...)"),
         ("ExecuteProcess(cmd=['gazebo', 'world'])", "'gazebo'"),
         ("ExecuteProcess(cmd=['python3', '-m', 'this'])", "'python3'"),
+        ("RegisterEventHandler(OnProcessIO(on_stdout=print))", "launch.event_handlers.OnProcessIO"),
         ("SetUseSimTime(True)", "launch_ros.actions.SetUseSimTime"),
     ],
 )
@@ -149,6 +150,9 @@ def test_what_is_not_simulated_is_named_with_its_place(launched: Write, action: 
 def test_a_fault_in_the_midst_ends_the_run(launched: Write) -> None:
     path = launched("Node(package='pkg', executable='script.py'), TimerAction(period=1.0, actions=[LogInfo(msg=5)])")
     with pytest.raises(ValueError, match=r"a\.launch\.py:12: 'int' object is not iterable"):
+        simulate(path, 2)
+    path = launched("RegisterEventHandler(OnShutdown(on_shutdown=lambda event, context: {}['lost']))")
+    with pytest.raises(ValueError, match=r"a\.launch\.py:12: KeyError: 'lost'"):
         simulate(path, 2)
 
 

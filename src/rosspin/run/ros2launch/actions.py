@@ -273,6 +273,8 @@ class RegisterEventHandler(Action):
     event_handler: Any
 
     def execute(self, context: LaunchContext) -> None:
+        if isinstance(self.event_handler, Refused):
+            self.event_handler.execute(context)
         context.register_event_handler(self.event_handler)
 
 

@@ -10,7 +10,8 @@ import tempfile
 import threading
 from bisect import insort
 from collections import deque
-from collections.abc import Callable, Sequence
+from collections.abc import Callable, Iterator, Sequence
+from contextlib import contextmanager
 from dataclasses import dataclass
 from pathlib import Path
 from types import ModuleType
@@ -99,7 +100,7 @@ class LaunchService:
 
     def _step(self) -> bool:
         """Do what is first of all that is to be done now; False if nothing is."""
-        with self._host.outside(), within(self._modules):
+        with self._host.outside(), within(self._modules), _told_with(f"{self._file.path}:1"):
             if self._soon:
                 self._soon.popleft()()
             elif self.context.events:
@@ -144,14 +145,8 @@ class LaunchService:
 
     def _visit(self, entity: Any) -> None:
         place = getattr(entity, "place", "") or f"{self._file.path}:1"
-        try:
+        with _told_with(place):
             then = entity.visit(self.context)
-        except Fault:
-            raise
-        except Exception as error:
-            if isinstance(error, SyntaxError) and error.filename != "<string>":
-                raise
-            raise Fault(_say(error, place)) from error
         self._visit_all(then, place)
 
     # --- what actions ask for ---
@@ -260,8 +255,20 @@ def _argument(text: str) -> tuple[str, str]:
     return name, value
 
 
+@contextmanager
+def _told_with(place: str) -> Iterator[None]:
+    """Within this context an error becomes a Fault, at this place if it is not in the launch file's own code."""
+    try:
+        yield
+    except Fault:
+        raise
+    except Exception as error:
+        if isinstance(error, SyntaxError) and error.filename != "<string>":  # not that of an expression
+            raise
+        raise Fault(_say(error, place)) from error
+
+
 def _say(error: Exception, place: str) -> str:
-    """What has gone wrong, and where: in the launch file's own code, or else in the action at that place."""
     trace, said = node_frames(error.__traceback__), str(error)
     if type(error) is KeyError:
         said = f"KeyError: {said}"
