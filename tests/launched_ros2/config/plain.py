@@ -1,3 +1,4 @@
+#!/usr/bin/env python3
 """A program that is no node."""
 
 import sys

@@ -81,7 +81,7 @@ def modules(service: LaunchService) -> dict[str, ModuleType]:
 
     def get_logger(name: str = "") -> SimpleNamespace:
         def logs(level: str) -> Any:
-            return lambda text, *args: service.log(level, name or "root", text % args if args else str(text))
+            return lambda text, *args: service.log(level, name or "root", text)  # the arguments are lost there, too
 
         levels = {"info": "INFO", "warning": "WARNING", "warn": "WARNING", "error": "ERROR"}
         return SimpleNamespace(debug=lambda *args: None, **{name: logs(level) for name, level in levels.items()})

@@ -186,7 +186,7 @@ def _shown(output: Any) -> set[str]:
     """Which of stdout and stderr go to the screen."""
     if not isinstance(output, dict):
         if output not in _OUTPUTS:
-            raise ValueError(f"output is {', '.join(_OUTPUTS)} or a dictionary of these, not {output!r}")
+            raise ValueError(f'{output} is not a valid standard output config i.e. "screen", "log" or "both"')
         return _OUTPUTS[output]
     places = {key: {value} if isinstance(value, str) else set(value) for key, value in output.items()}
     return {name for name in ("stdout", "stderr") if "screen" in places.get(name, set()) | places.get("both", set())}

@@ -134,20 +134,19 @@ class LaunchService:
         for handler in list(self.context.event_handlers):
             if handler.matches(event):
                 self.context.known = {}
-                self._visit_all(handler.handle(event, self.context), "")
+                self._visit_all(handler.handle(event, self.context))
         self.context.known = {}
 
-    def _visit_all(self, entities: Any, place: str) -> None:
+    def _visit_all(self, entities: Any) -> None:
         for each in entities or ():
             if not hasattr(each, "visit"):
-                raise Fault(f"{place}: expected a LaunchDescriptionEntity from event_handler, got '{each}'")
+                raise RuntimeError(f"expected a LaunchDescriptionEntity from event_handler, got '{each}'")
             self._visit(each)
 
     def _visit(self, entity: Any) -> None:
-        place = getattr(entity, "place", "") or f"{self._file.path}:1"
-        with _told_with(place):
+        with _told_with(getattr(entity, "place", "") or f"{self._file.path}:1"):
             then = entity.visit(self.context)
-        self._visit_all(then, place)
+        self._visit_all(then)
 
     # --- what actions ask for ---
 

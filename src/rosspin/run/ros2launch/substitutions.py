@@ -70,13 +70,12 @@ def coerce(text: str, kind: Any) -> Any:
         return kind(text)
     import yaml  # only needed where there are such values
 
-    failed = f"Failed to convert '{text}' " + (f"to '{kind}'" if kind else "using yaml rules")
     try:
         value = yaml.safe_load({"1": "true", "0": "false"}.get(text, text) if kind is bool else text)
     except yaml.YAMLError as error:
-        raise ValueError(f"{failed}: yaml.safe_load() failed\n{error}") from None
+        raise ValueError(f"Failed to convert '{text}' using yaml rules: yaml.safe_load() failed\n{error}") from None
     if not is_of(value, kind):
-        raise ValueError(f"{failed}: output type is not allowed, got {type(value)}")
+        raise ValueError(f"Cannot convert value '{text}' to '{kind or 'a value of a parameter'}'")
     return value
 
 
