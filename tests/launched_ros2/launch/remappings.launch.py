@@ -12,7 +12,7 @@ def generate_launch_description():
                 namespace="robot",
                 output="screen",
                 remappings=[("chatter", "talk"), ("other", [TextSubstitution(text="an"), "other"])],
-                arguments=["first", ["sec", TextSubstitution(text="ond")], "--flag"],
+                arguments=["first", ["two", TextSubstitution(text="fold")], "--flag"],
             ),
             Node(
                 package="launched",
