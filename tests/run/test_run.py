@@ -461,11 +461,6 @@ def test_what_is_no_node(run: Any) -> None:
         run(3, 0)
 
 
-def test_a_launch_file_of_ros_2() -> None:
-    with pytest.raises(ValueError, match="my.launch.py: rosspin runs launch files of ROS 1"):
-        simulate("my.launch.py", 1)
-
-
 def test_a_node_may_import_its_own_package(write: Any, tmp_path: Path) -> None:
     """As after a build: that of the folder in which it is."""
     (tmp_path / "pkg").mkdir()
