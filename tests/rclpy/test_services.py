@@ -13,7 +13,7 @@ from rosspin import rclpy, simulate
 def server() -> None:
     import time
 
-    from test_msgs.srv import BasicTypes
+    from test_msgs.srv import BasicTypes  # type: ignore[import-not-found]
 
     def answer(request: Any, response: Any) -> Any:
         time.sleep(0.5)
@@ -63,7 +63,7 @@ def test_the_same_run_gives_the_same_calls() -> None:
 
 def test_calls_in_a_process_take_no_time() -> None:
     def node() -> None:
-        from std_srvs.srv import Trigger
+        from std_srvs.srv import Trigger  # type: ignore[import-not-found]
 
         rclpy.init()
         node = rclpy.create_node("node")
@@ -80,7 +80,7 @@ def test_a_node_has_services_for_its_parameters_once_somebody_looks() -> None:
     counts: list[int] = []
 
     def node() -> None:
-        from rcl_interfaces.srv import GetParameters
+        from rcl_interfaces.srv import GetParameters  # type: ignore[import-not-found]
 
         rclpy.init()
         nodes = [rclpy.create_node(name) for name in ("asked", "shown", "plain")]
