@@ -172,7 +172,7 @@ LACKING = {
 IN_PART = {
     "Context": "There is no network: ``domain_id`` has no effect.",
     "MultiThreadedExecutor": "Without ``num_threads`` it has 4 threads, not as many as there are processors.",
-    "Node": "It has no services, and no publishers for ``/rosout`` and ``/parameter_events``. "
+    "Node": "It has no publishers for ``/rosout`` and ``/parameter_events``. "
     "Only the nodes and topics of its own process are counted. A node that a program drops without "
     "``destroy_node()`` is still there.",
     "Publisher": "Fields are always checked, as with ``ROS_PYTHON_CHECK_FIELDS=1``.",
