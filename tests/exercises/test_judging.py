@@ -62,7 +62,7 @@ def test_each_verdict(tmp_path: Path) -> None:
     assert "Traceback" in wrong["console"]
     none = verdict(99, "", tmp_path)
     assert (none["verdict"], none["solved"]) == ("not judged", False)
-    assert none["said"] == "there is no exercise 99: they are numbered 1 to 26"
+    assert none["said"] == "there is no exercise 99: they are numbered 1 to 30"
 
 
 @pytest.mark.parametrize(
