@@ -31,7 +31,7 @@ def main():
     rclpy.init()
     robot_py_node = RobotPyNode()
     try:
-        rclpy.spin(robot_py_node, MultiThreadedExecutor())
+        rclpy.spin(robot_py_node, MultiThreadedExecutor(2))
     except (KeyboardInterrupt, ExternalShutdownException):
         pass
     finally:

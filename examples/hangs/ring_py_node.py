@@ -49,7 +49,7 @@ def main():
     rclpy.init()
     robot_py_node = RobotPyNode()
     try:
-        rclpy.spin(robot_py_node, MultiThreadedExecutor())
+        rclpy.spin(robot_py_node, MultiThreadedExecutor(4))
     except (KeyboardInterrupt, ExternalShutdownException):
         pass
     finally:
