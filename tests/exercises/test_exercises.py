@@ -96,7 +96,7 @@ def test_exercises_are_what_the_page_says() -> None:
 
 @pytest.mark.parametrize("ros", NOTEBOOKS)
 def test_the_page_says_how_many_they_are(ros: int) -> None:
-    words = {7: "seven exercises in three parts", 19: "nineteen exercises in four parts"}
+    words = {11: "eleven exercises in four parts", 19: "nineteen exercises in four parts"}
     assert words[len(ON_PAGE[ros])] in " ".join(PAGES[ros].split())
 
 
@@ -111,7 +111,7 @@ def test_the_page_for_teachers_knows_the_exercises() -> None:
 def test_the_parts_come_one_after_the_other() -> None:
     for ros in NOTEBOOKS:
         order = [exercise.part for exercise in EXERCISES if exercise.ros == ros]
-        assert order == sorted(order, key=["Predict", "Change", "Repair", "Diagnose", "Publish"].index)
+        assert order == sorted(order, key=["Predict", "Change", "Repair", "Diagnose", "Publish", "Ask"].index)
     assert [exercise.number for exercise in EXERCISES] == NUMBERS
     assert len({exercise.title for exercise in EXERCISES}) == len(NUMBERS)
 
@@ -472,7 +472,7 @@ assert "rosspin.rclpy" in sys.modules
 
 
 def test_wrong_calls() -> None:
-    with pytest.raises(ValueError, match="there is no exercise 99: they are numbered 1 to 26"):
+    with pytest.raises(ValueError, match="there is no exercise 99: they are numbered 1 to 30"):
         check(99, "")
 
 
