@@ -93,7 +93,7 @@ class Process(Slots):
         node: Node,
         args: Sequence[str],
         make_world: Callable[[list[str]], World],
-        stand_in: Callable[[int], Mapping[str, ModuleType]],
+        stand_in: Callable[[int, str], Mapping[str, ModuleType]],
         hidden: Callable[[Mapping[str, ModuleType]], None],
         environment: Mapping[str, str] | None = None,
         folder: str = "",
