@@ -259,13 +259,14 @@ class TransformListener:
         )
         if spin_thread:
             self.executor = SingleThreadedExecutor()
-            self.dedicated_listener_thread = threading.Thread(target=self._spin)
-            self.dedicated_listener_thread.start()
 
-    def _spin(self) -> None:
-        self.executor.add_node(self.node)
-        self.executor.spin()
-        self.executor.remove_node(self.node)
+            def run_func() -> None:  # a traceback shows its name
+                self.executor.add_node(self.node)
+                self.executor.spin()
+                self.executor.remove_node(self.node)
+
+            self.dedicated_listener_thread = threading.Thread(target=run_func)
+            self.dedicated_listener_thread.start()
 
     def unregister(self) -> None:
         """Listen no more."""
@@ -363,3 +364,5 @@ MODULES: dict[str, ModuleType] = dict.fromkeys(
     ),
     sys.modules[__name__],
 )
+for _name in MODULES:
+    globals().setdefault(_name.rpartition(".")[2], sys.modules[__name__])  # so that tf2_ros.buffer is there at once

@@ -29,16 +29,36 @@ class Transform(NamedTuple):
         return Transform(rotate(back, (-x, -y, -z)), back)
 
     def normalised(self) -> Transform:
-        """The same transform, with its quaternion as tf2 gives it: of length 1, and one of the two that are equal.
+        """The same transform, with its quaternion as tf2 gives it, which makes a matrix of it and a quaternion of that.
 
-        That is the one whose w is positive if w is above 1/2, else the one whose greatest part is positive. A
-        quaternion of length 0 becomes NaN.
+        So it has length 1, and is one of the two that are equal. One of length 0 becomes NaN.
         """
         x, y, z, w = self.rotation
-        length = math.hypot(x, y, z, w) or math.nan
-        greatest = w if abs(w) > length / 2 else max(x, y, z, key=abs)
-        length = math.copysign(length, greatest)
-        return Transform(self.translation, (x / length, y / length, z / length, w / length))
+        scale = 2 / (x * x + y * y + z * z + w * w or math.nan)
+        xs, ys, zs = x * scale, y * scale, z * scale
+        matrix = (
+            (1 - (y * ys + z * zs), x * ys - w * zs, x * zs + w * ys),
+            (x * ys + w * zs, 1 - (x * xs + z * zs), y * zs - w * xs),
+            (x * zs - w * ys, y * zs + w * xs, 1 - (x * xs + y * ys)),
+        )
+        diagonal = matrix[0][0], matrix[1][1], matrix[2][2]
+        trace = diagonal[0] + diagonal[1] + diagonal[2]
+        parts = [0.0] * 4
+        if trace > 0:
+            root = math.sqrt(trace + 1)
+            parts[3] = root / 2
+            for i, j, k in ((0, 1, 2), (1, 2, 0), (2, 0, 1)):
+                parts[i] = (matrix[k][j] - matrix[j][k]) * (0.5 / root)
+        else:
+            i = diagonal.index(max(diagonal))
+            j, k = (i + 1) % 3, (i + 2) % 3
+            root = math.sqrt(diagonal[i] - diagonal[j] - diagonal[k] + 1)
+            parts[i] = root / 2
+            parts[3] = (matrix[k][j] - matrix[j][k]) * (0.5 / root)
+            parts[j] = (matrix[j][i] + matrix[i][j]) * (0.5 / root)
+            parts[k] = (matrix[k][i] + matrix[i][k]) * (0.5 / root)
+        x, y, z, w = parts
+        return Transform(self.translation, (x, y, z, w))
 
 
 IDENTITY = Transform((0.0, 0.0, 0.0), (0.0, 0.0, 0.0, 1.0))
