@@ -21,7 +21,7 @@ try:
 except ImportError:  # a web page has no processes
     _posixsubprocess = None  # type: ignore[assignment]
 
-from ..clocks.ending import Ended
+from ..clocks.ending import Ended, heed
 from ..clocks.frames import format_error, is_installed
 from ..clocks.patches import Patch
 from ..clocks.programs import Died, end_program, end_run
@@ -166,6 +166,7 @@ class Process(Slots):
         except (NotSimulated, Ended, StackExit, Died):
             raise
         except BaseException as error:
+            heed()
             if lacking := not_simulated(error):
                 raise lacking from error
             status = 128 + signal.SIGINT if type(error) is KeyboardInterrupt else 1
