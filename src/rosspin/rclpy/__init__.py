@@ -172,12 +172,14 @@ LACKING = {
 IN_PART = {
     "Context": "There is no network: ``domain_id`` has no effect.",
     "MultiThreadedExecutor": "Without ``num_threads`` it has 4 threads, not as many as there are processors.",
-    "Node": "It has no services, and no publishers for ``/rosout`` and ``/parameter_events``. "
-    "Only the nodes and topics of its own process are counted. A node that a program drops without "
-    "``destroy_node()`` is still there.",
+    "Client": "``handle`` and ``configure_introspection`` are not there. What was asked before the service is known "
+    "is lost, also with ``TRANSIENT_LOCAL``.",
+    "Node": "It has no publishers for ``/rosout`` and ``/parameter_events``, and only names the service that describes "
+    "its types. A node that a program drops without ``destroy_node()`` is still there.",
     "Publisher": "Fields are always checked, as with ``ROS_PYTHON_CHECK_FIELDS=1``.",
     "QoSProfile": "``history``, ``depth``, ``reliability`` and ``durability`` have an effect.",
     "RcutilsLogger": "On the console only, where rcl itself says little.",
+    "Service": "As ``Client``.",
     "Timer": "A period of less than 1 µs calls every 0.1 ms, about as often as a real machine can.",
     "TimerInfo": "It is there; on a real ROS 2 only from Kilted on.",
     "signals": "A handler that the node sets itself is called at once, not when the executor wakes.",
