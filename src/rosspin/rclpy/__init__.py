@@ -179,8 +179,12 @@ IN_PART = {
     "Only the nodes and topics of its own process are counted. A node that a program drops without "
     "``destroy_node()`` is still there.",
     "Publisher": "Fields are always checked, as with ``ROS_PYTHON_CHECK_FIELDS=1``.",
-    "QoSProfile": "``history``, ``depth``, ``reliability`` and ``durability`` have an effect.",
+    "PublisherEventCallbacks": "``incompatible_type`` is never called, as with Fast DDS.",
+    "QoSProfile": "``avoid_ros_namespace_conventions`` has no effect.",
     "RcutilsLogger": "On the console only, where rcl itself says little.",
+    "Subscription": "There are none of raw messages (``raw=True``).",
+    "SubscriptionEventCallbacks": "``message_lost`` is never called, as nothing is lost, nor is ``incompatible_type``, "
+    "as with Fast DDS.",
     "Timer": "A period of less than 1 µs calls every 0.1 ms, about as often as a real machine can.",
     "TimerInfo": "It is there; on a real ROS 2 only from Kilted on.",
     "signals": "A handler that the node sets itself is called at once, not when the executor wakes.",

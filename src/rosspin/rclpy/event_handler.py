@@ -50,27 +50,11 @@ class QoSSubscriptionEventType(IntEnum):
 
 
 @dataclass(frozen=True)
-class _Total:
+class QoSRequestedDeadlineMissedInfo:
     """How often it has happened in all, and since the last call."""
 
     total_count: int
     total_count_change: int
-
-
-class QoSRequestedDeadlineMissedInfo(_Total):
-    """No message has come in time."""
-
-
-class QoSOfferedDeadlineMissedInfo(_Total):
-    """Nothing was published in time."""
-
-
-class QoSLivelinessLostInfo(_Total):
-    """A publisher has not said in time that it is alive."""
-
-
-class QoSMessageLostInfo(_Total):
-    """A message was lost. Nothing is lost here."""
 
 
 @dataclass(frozen=True)
@@ -84,36 +68,35 @@ class QoSLivelinessChangedInfo:
 
 
 @dataclass(frozen=True)
-class QoSRequestedIncompatibleQoSInfo(_Total):
-    """There are ends whose QoS does not fit; ``last_policy_kind`` is the policy by which the last one does not."""
+class QoSRequestedIncompatibleQoSInfo(QoSRequestedDeadlineMissedInfo):
+    """How many ends do not match, and the policy by which the last one does not."""
 
     last_policy_kind: QoSPolicyKind
 
 
-QoSOfferedIncompatibleQoSInfo = QoSRequestedIncompatibleQoSInfo
-
-
 @dataclass(frozen=True)
-class _Matched(_Total):
-    """How many ends on the other side it has met, and how many are there now; the changes since the last call."""
+class QoSPublisherMatchedInfo(QoSRequestedDeadlineMissedInfo):
+    """How many other ends have been met, and how many are there; the changes since the last call."""
 
     current_count: int
     current_count_change: int
 
 
-class QoSPublisherMatchedInfo(_Matched):
-    """See the base."""
+QoSOfferedDeadlineMissedInfo = QoSRequestedDeadlineMissedInfo
+QoSLivelinessLostInfo = QoSRequestedDeadlineMissedInfo
+QoSMessageLostInfo = QoSRequestedDeadlineMissedInfo  # which is never given: nothing is lost
+QoSOfferedIncompatibleQoSInfo = QoSRequestedIncompatibleQoSInfo
+QoSSubscriptionMatchedInfo = QoSPublisherMatchedInfo
+IncompatibleTypeInfo = QoSRequestedDeadlineMissedInfo  # which is never given: Fast DDS does not tell
 
-
-class QoSSubscriptionMatchedInfo(_Matched):
-    """See the base."""
-
-
-@dataclass(frozen=True)
-class IncompatibleTypeInfo:
-    """There are ends of another type. Fast DDS does not tell."""
-
-    total_count_change: int
+# What a callback is given, by the name of its event; else a total.
+_INFOS: dict[str, type[Any]] = {
+    "RCL_SUBSCRIPTION_LIVELINESS_CHANGED": QoSLivelinessChangedInfo,
+    "RCL_SUBSCRIPTION_REQUESTED_INCOMPATIBLE_QOS": QoSRequestedIncompatibleQoSInfo,
+    "RCL_PUBLISHER_OFFERED_INCOMPATIBLE_QOS": QoSOfferedIncompatibleQoSInfo,
+    "RCL_SUBSCRIPTION_MATCHED": QoSSubscriptionMatchedInfo,
+    "RCL_PUBLISHER_MATCHED": QoSPublisherMatchedInfo,
+}
 
 
 class EventHandler:
@@ -152,7 +135,7 @@ class EventHandler:
         if not self.messages:
             return None
         self.messages = False
-        info = _INFOS[self.event_type.name]
+        info = _INFOS.get(self.event_type.name, QoSRequestedDeadlineMissedInfo)
         values = {field.name: self._counts[field.name] for field in fields(info)}
         if "last_policy_kind" in values:
             values["last_policy_kind"] = self._policy
@@ -180,38 +163,42 @@ class _EventCallbacks:
 
     use_default_callbacks: bool
     _types: ClassVar[Mapping[str, IntEnum]]  # by the name of the callback, in the order of the calls
-    _incompatible_qos: ClassVar[str]
+    _refusal: ClassVar[str]
 
     def create_event_handlers(self, callback_group: CallbackGroup, end: Any, topic_name: str) -> list[EventHandler]:
         """Make what tells the events of an end, to the callbacks that were given or to the log."""
-        callbacks = {name: getattr(self, name) for name in self._types}
-        if self.use_default_callbacks:
 
-            def log_policy(info: QoSRequestedIncompatibleQoSInfo) -> None:
-                policy = qos_policy_name_from_kind(info.last_policy_kind)
-                end.node.get_logger().warning(self._incompatible_qos.format(topic_name, policy))
+        def log_policy(info: QoSRequestedIncompatibleQoSInfo) -> None:
+            policy = qos_policy_name_from_kind(info.last_policy_kind)
+            end.node.get_logger().warning(self._refusal.format(topic_name, policy))
 
-            def log_type(info: IncompatibleTypeInfo) -> None:
-                end.node.get_logger().warning(
-                    f"Incompatible type on topic '{topic_name}', no messages will be sent to it."
+        def log_type(info: Any) -> None:
+            end.node.get_logger().warning(f"Incompatible type on topic '{topic_name}', no messages will be sent to it.")
+
+        defaults = {"incompatible_qos": log_policy, "incompatible_type": log_type}
+        handlers = []
+        for name, event_type in self._types.items():
+            default = defaults.get(name) if self.use_default_callbacks else None
+            if callback := getattr(self, name) or default:
+                handler = EventHandler(
+                    callback_group=callback_group, callback=callback, event_type=event_type, parent_impl=end
                 )
-
-            callbacks["incompatible_qos"] = callbacks["incompatible_qos"] or log_policy
-            callbacks["incompatible_type"] = callbacks["incompatible_type"] or log_type
-        handlers = {
-            name: EventHandler(
-                callback_group=callback_group, callback=callback, event_type=self._types[name], parent_impl=end
-            )
-            for name, callback in callbacks.items()
-            if callback
-        }
-        for name, handler in handlers.items():
-            handler.is_rare = not getattr(self, name)  # nearly every end has it, and next to none needs it
-        return list(handlers.values())
+                handler.is_rare = callback is default  # nearly every end has it, and next to none needs it
+                handlers.append(handler)
+        return handlers
 
 
+@dataclass(kw_only=True, eq=False)
 class SubscriptionEventCallbacks(_EventCallbacks):
-    """What a subscription calls. Without ``incompatible_qos`` it logs a warning, with ``use_default_callbacks``."""
+    """What a subscription calls. ``use_default_callbacks``: what does not match is logged, unless there is one."""
+
+    deadline: Callable[[QoSRequestedDeadlineMissedInfo], Any] | None = None
+    incompatible_qos: Callable[[QoSRequestedIncompatibleQoSInfo], Any] | None = None
+    liveliness: Callable[[QoSLivelinessChangedInfo], Any] | None = None
+    message_lost: Callable[[QoSMessageLostInfo], Any] | None = None
+    incompatible_type: Callable[[IncompatibleTypeInfo], Any] | None = None
+    matched: Callable[[QoSSubscriptionMatchedInfo], Any] | None = None
+    use_default_callbacks: bool = True
 
     _types: ClassVar[Mapping[str, IntEnum]] = {
         "deadline": QoSSubscriptionEventType.RCL_SUBSCRIPTION_REQUESTED_DEADLINE_MISSED,
@@ -221,33 +208,22 @@ class SubscriptionEventCallbacks(_EventCallbacks):
         "incompatible_type": QoSSubscriptionEventType.RCL_SUBSCRIPTION_INCOMPATIBLE_TYPE,
         "matched": QoSSubscriptionEventType.RCL_SUBSCRIPTION_MATCHED,
     }
-    _incompatible_qos = (
+    _refusal: ClassVar[str] = (
         "New publisher discovered on topic '{}', offering incompatible QoS. "
         "No messages will be received from it. Last incompatible policy: {}"
     )
 
-    def __init__(
-        self,
-        *,
-        deadline: Callable[[QoSRequestedDeadlineMissedInfo], Any] | None = None,
-        incompatible_qos: Callable[[QoSRequestedIncompatibleQoSInfo], Any] | None = None,
-        liveliness: Callable[[QoSLivelinessChangedInfo], Any] | None = None,
-        message_lost: Callable[[QoSMessageLostInfo], Any] | None = None,
-        incompatible_type: Callable[[IncompatibleTypeInfo], Any] | None = None,
-        matched: Callable[[QoSSubscriptionMatchedInfo], Any] | None = None,
-        use_default_callbacks: bool = True,
-    ) -> None:
-        self.deadline = deadline
-        self.incompatible_qos = incompatible_qos
-        self.liveliness = liveliness
-        self.message_lost = message_lost
-        self.incompatible_type = incompatible_type
-        self.matched = matched
-        self.use_default_callbacks = use_default_callbacks
 
-
+@dataclass(kw_only=True, eq=False)
 class PublisherEventCallbacks(_EventCallbacks):
-    """What a publisher calls. Without ``incompatible_qos`` it logs a warning, with ``use_default_callbacks``."""
+    """What a publisher calls. ``use_default_callbacks``: what does not match is logged, unless there is one."""
+
+    deadline: Callable[[QoSOfferedDeadlineMissedInfo], Any] | None = None
+    liveliness: Callable[[QoSLivelinessLostInfo], Any] | None = None
+    incompatible_qos: Callable[[QoSOfferedIncompatibleQoSInfo], Any] | None = None
+    incompatible_type: Callable[[IncompatibleTypeInfo], Any] | None = None
+    matched: Callable[[QoSPublisherMatchedInfo], Any] | None = None
+    use_default_callbacks: bool = True
 
     _types: ClassVar[Mapping[str, IntEnum]] = {
         "deadline": QoSPublisherEventType.RCL_PUBLISHER_OFFERED_DEADLINE_MISSED,
@@ -256,37 +232,7 @@ class PublisherEventCallbacks(_EventCallbacks):
         "incompatible_type": QoSPublisherEventType.RCL_PUBLISHER_INCOMPATIBLE_TYPE,
         "matched": QoSPublisherEventType.RCL_PUBLISHER_MATCHED,
     }
-    _incompatible_qos = (
+    _refusal: ClassVar[str] = (
         "New subscription discovered on topic '{}', requesting incompatible QoS. "
         "No messages will be sent to it. Last incompatible policy: {}"
     )
-
-    def __init__(
-        self,
-        *,
-        deadline: Callable[[QoSOfferedDeadlineMissedInfo], Any] | None = None,
-        liveliness: Callable[[QoSLivelinessLostInfo], Any] | None = None,
-        incompatible_qos: Callable[[QoSOfferedIncompatibleQoSInfo], Any] | None = None,
-        incompatible_type: Callable[[IncompatibleTypeInfo], Any] | None = None,
-        matched: Callable[[QoSPublisherMatchedInfo], Any] | None = None,
-        use_default_callbacks: bool = True,
-    ) -> None:
-        self.deadline = deadline
-        self.liveliness = liveliness
-        self.incompatible_qos = incompatible_qos
-        self.incompatible_type = incompatible_type
-        self.matched = matched
-        self.use_default_callbacks = use_default_callbacks
-
-
-# What a callback is given, by the event's name: as numbers, those of publishers are also those of subscriptions.
-_INFOS: dict[str, Any] = {
-    QoSSubscriptionEventType.RCL_SUBSCRIPTION_REQUESTED_DEADLINE_MISSED.name: QoSRequestedDeadlineMissedInfo,
-    QoSSubscriptionEventType.RCL_SUBSCRIPTION_LIVELINESS_CHANGED.name: QoSLivelinessChangedInfo,
-    QoSSubscriptionEventType.RCL_SUBSCRIPTION_REQUESTED_INCOMPATIBLE_QOS.name: QoSRequestedIncompatibleQoSInfo,
-    QoSSubscriptionEventType.RCL_SUBSCRIPTION_MATCHED.name: QoSSubscriptionMatchedInfo,
-    QoSPublisherEventType.RCL_PUBLISHER_OFFERED_DEADLINE_MISSED.name: QoSOfferedDeadlineMissedInfo,
-    QoSPublisherEventType.RCL_PUBLISHER_LIVELINESS_LOST.name: QoSLivelinessLostInfo,
-    QoSPublisherEventType.RCL_PUBLISHER_OFFERED_INCOMPATIBLE_QOS.name: QoSOfferedIncompatibleQoSInfo,
-    QoSPublisherEventType.RCL_PUBLISHER_MATCHED.name: QoSPublisherMatchedInfo,
-}

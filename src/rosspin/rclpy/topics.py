@@ -177,6 +177,12 @@ class Publisher(TopicEnd):
         for subscription in list(self.peers):
             subscription.receive(self, message, sent)
 
+    def fall_silent(self) -> None:
+        """Be alive no more: its process was killed."""
+        for subscription in self.peers:
+            if self.is_remote(subscription):
+                subscription.miss(self)
+
     def get_subscription_count(self) -> int:
         """How many subscriptions it sends to."""
         self._check()
@@ -303,6 +309,12 @@ class Subscription(TopicEnd):
 
     def _miss(self) -> None:
         self.tell(self.LIVELINESS, alive=-1, not_alive=1)
+
+    def miss(self, publisher: Any) -> None:
+        """Hear of a publisher no more, whose process was killed. It has said up to then that it is alive."""
+        if publisher in self._leases and not publisher.policies.manual:
+            lease = self._leases[publisher] = Countdown(self.world, self.policies.lease, self._miss)
+            lease.restart()
 
     def join(self, other: Any) -> None:
         """See the base. A publisher of another process is alive at once, unless by hand."""
