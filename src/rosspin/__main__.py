@@ -25,7 +25,7 @@ from .run.host import Result, duration
 from .run.process import leave
 from .run.roslaunch.launch import read_launch
 from .run.simulate import run_node, run_nodes, several
-from .run.source import load, refuse_launch_of_ros2, refuse_other_ros, split_words, warn_of_files
+from .run.source import is_launch_of_ros2, load, refuse_other_ros, split_words, warn_of_files
 from .world.graph import TickLog
 
 __all__ = ["main"]
@@ -102,14 +102,16 @@ def _run(options: argparse.Namespace, args: Sequence[str]) -> int:
     options.file, *others = options.files
     if others and not options.simulated:
         raise ValueError("several nodes run in simulated time only: --simulated")
-    launched = options.file.endswith(".launch")
+    of_ros2 = is_launch_of_ros2(options.file)
+    launched = options.file.endswith(".launch") or of_ros2
     if not options.ros1 and options.file.endswith(".cpp"):
         raise ValueError(f"{options.file}: C++ nodes need the real ROS 1: add --ros1")
-    if not options.ros1 and launched and not options.simulated:
+    if launched and not (of_ros2 or options.ros1 or options.simulated):
         raise ValueError(
             f"{options.file}: launch files run in simulated time or on the real ROS 1: --simulated or --ros1"
         )
-    refuse_launch_of_ros2(options.file)
+    if of_ros2 and not options.simulated:
+        raise ValueError(f"{options.file}: launch files of ROS 2 run in simulated time: --simulated")
     if (options.ros1 or options.ros2) and options.file.endswith(".py"):
         refuse_other_ros(options.file, 1 if options.ros1 else 2)
     if options.skip_cpp and not (launched and options.simulated):

@@ -113,9 +113,10 @@ def test_a_node_that_hangs_is_killed_and_the_console_says_where_its_threads_were
     )
     run = simulate(path, 1)
     assert run.status == 137
-    first, *lines = run.console.splitlines()
+    *why, first, main, reader = run.console.splitlines()
+    assert why[1] == "rosspin:   the thread MainThread waits for the end of the thread reader"
     assert first.startswith("rosspin: Ctrl-C at 1 s did not end the node; it was killed 17 s later, as roslaunch does.")
-    assert lines == [
+    assert [main, reader] == [
         f"rosspin: MainThread was at {path}:15: lock.acquire()",
         f"rosspin: reader was at {path}:8: lock.acquire()",
     ]

@@ -43,7 +43,10 @@ KEEPERS = {
     "sphinx": {"site.pages", "site.live", "site.checks", "site.doctests", "site.published"},
     "docutils": {"site.pages", "site.live", "site.checks", "site.doctests", "site.published"},
     "pytest": {"pytest_plugin"},
-    "yaml": {"run.roslaunch.launch", "rospy.client", "rclpy.arguments", "messages.ros1"},
+    "yaml": {
+        *("run.roslaunch.launch", "run.ros2launch.frontend", "run.ros2launch.parameters"),
+        *("run.ros2launch.substitutions", "rospy.client", "rclpy.arguments", "messages.ros1"),
+    },
 }
 
 FILES = {

@@ -14,9 +14,9 @@ TEXTS = ["README.md", "index.rst", "conf.py", "Makefile", "docs", "notebooks", "
 
 # British too, in the sense meant here: the verb and the file LICENSE, what a computer runs, a module of Python, a noun.
 BRITISH = "license,licensed,licenses,program,programs,math,practice"
-# rospy, rclpy, CSS and io have names and messages in American.
+# rospy, rclpy, launch, CSS and io have names and messages in American.
 IN_CODE = "color,initialized,colors,serialize,deserialize,writable"
-IN_CODE += ",canceled,center,initialize,recognized,serialization,uninitialized,synchronize"
+IN_CODE += ",canceled,center,initialize,recognized,serialization,uninitialized,synchronize,unrecognized,normalize"
 # A package, and a part of many words.
 NAMES = "simpy"
 

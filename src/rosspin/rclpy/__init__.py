@@ -175,13 +175,15 @@ LACKING = {
 IN_PART = {
     "Context": "There is no network: ``domain_id`` has no effect.",
     "MultiThreadedExecutor": "Without ``num_threads`` it has 4 threads, not as many as there are processors.",
-    "Node": "It has no services, and no publishers for ``/rosout`` and ``/parameter_events``. "
-    "Only the nodes and topics of its own process are counted. A node that a program drops without "
-    "``destroy_node()`` is still there.",
+    "Client": "``handle`` and ``configure_introspection`` are not there. What was asked before the service is known "
+    "is lost, also with ``TRANSIENT_LOCAL``.",
+    "Node": "It has no publishers for ``/rosout`` and ``/parameter_events``, and only names the service that describes "
+    "its types. A node that a program drops without ``destroy_node()`` is still there.",
     "Publisher": "Fields are always checked, as with ``ROS_PYTHON_CHECK_FIELDS=1``.",
     "PublisherEventCallbacks": "``incompatible_type`` is never called, as with Fast DDS.",
     "QoSProfile": "``avoid_ros_namespace_conventions`` has no effect.",
     "RcutilsLogger": "On the console only, where rcl itself says little.",
+    "Service": "As ``Client``.",
     "Subscription": "There are none of raw messages (``raw=True``).",
     "SubscriptionEventCallbacks": "``message_lost`` is never called, as nothing is lost, nor is ``incompatible_type``, "
     "as with Fast DDS.",

@@ -72,6 +72,8 @@ class Context:
         if not self.valid:
             return
         self.end()
+        if not self.state.contexts and self.state.rosout:
+            self.state.rosout.clear()
         for hook in list(self._hooks):
             # Methods are kept as weak references. rclpy calls every hook as if it were one, and then what that returns.
             found = hook()
@@ -85,8 +87,6 @@ class Context:
         self.state.participants.leave(self)
         if self in self.state.contexts:
             self.state.contexts.remove(self)
-        if not self.state.contexts and self.state.rosout:
-            self.state.rosout.clear()
 
     def destroy(self) -> None:
         """End, and raise InvalidHandle at each further question."""

@@ -286,10 +286,11 @@ class Executor:
                     if guard._executor_triggered and guard.callback_group.can_execute(guard):
                         works = True
                         yield self.__task(guard, node)
-                for end in chain(node._clients, node._services):
-                    if end in ready and end.callback_group.can_execute(end):
-                        works = True
-                        yield self.__task(end, node)
+                if node._clients or node._services:
+                    for end in chain(node._clients, node._services):
+                        if end in ready and end.callback_group.can_execute(end):
+                            works = True
+                            yield self.__task(end, node)
             if is_over:
                 if timeout == 0 and not works:
                     self._clock.sleep(_LOOK)
@@ -307,12 +308,10 @@ class Executor:
         """Collect what to wait for."""
         can_execute = self.can_execute
         timers = [timer for node in nodes for timer in node._timers if can_execute(timer)]
-        ends = (
-            end
-            for node in nodes
-            for end in (*node._subscriptions, *node._clients, *node._services, *node._rosspin_waitables)
-        )
-        receivers: list[Any] = [end for end in ends if can_execute(end)]
+        receivers: list[Any] = [each for node in nodes for each in node._subscriptions if can_execute(each)]
+        for node in nodes:
+            if node._clients or node._services or node._rosspin_waitables:  # most have none
+                receivers += filter(can_execute, (*node._clients, *node._services, *node._rosspin_waitables))
         guards = [guard for node in nodes for guard in node._guards if can_execute(guard)]
         for guard in guards:
             guard.triggered = guard.triggered or guard._executor_triggered

@@ -5,6 +5,7 @@ from __future__ import annotations
 import time
 from collections.abc import Callable, Iterable, Iterator, Mapping, Set
 from importlib import import_module
+from types import ModuleType
 from typing import TYPE_CHECKING, Any, TypeVar
 
 from ..messages.ros2 import Action, Message
@@ -79,6 +80,8 @@ class Node(Parameters):
     """
 
     __destroyed = False
+    __describes = False
+    __lacking: ModuleType | None = None
 
     def __init__(
         self,
@@ -142,6 +145,7 @@ class Node(Parameters):
         self.__listen_to_clock()
         if not self.has_parameter("start_type_description_service"):
             self.declare_parameter("start_type_description_service", True)
+        self.__describes = self.get_parameter("start_type_description_service").value
         # Whoever looks for these services first may be another process, which would import classes of its own.
         self.__lacking = import_module("rcl_interfaces.srv") if start_parameter_services else None
         if self.__full_name in self._context.state.world.graph.part(Ends).asked:
@@ -296,6 +300,13 @@ class Node(Parameters):
         if self.__executor:
             self.__executor.wake()
 
+    def __add(self, entity: Any, entities: list[Any]) -> None:
+        """Let the executor call what has a callback."""
+        entity.nudge = self._rosspin_nudge
+        entity.callback_group.add_entity(entity)
+        entities.append(entity)
+        self._wake_executor()
+
     # --- timers -------------------------------------------------------------------------------------------------------
 
     def create_timer(
@@ -313,10 +324,7 @@ class Node(Parameters):
         group = callback_group or self.default_callback_group
         period = int(float(timer_period_sec) * 1e9)
         timer = Timer(callback, group, period, clock or self._clock, context=self._context, autostart=autostart)
-        timer.nudge = self._rosspin_nudge
-        group.add_entity(timer)
-        self._timers.append(timer)
-        self._wake_executor()
+        self.__add(timer, self._timers)
         return timer
 
     def create_rate(self, frequency: float, clock: Clock | None = None) -> Rate:
@@ -334,10 +342,7 @@ class Node(Parameters):
             raise invalid_context("create guard_condition")
         group = callback_group or self.default_callback_group
         guard = GuardCondition(callback, group, self._context)
-        guard.nudge = self._rosspin_nudge
-        group.add_entity(guard)
-        self._guards.append(guard)
-        self._wake_executor()
+        self.__add(guard, self._guards)
         return guard
 
     # --- topics -------------------------------------------------------------------------------------------------------
@@ -391,10 +396,7 @@ class Node(Parameters):
         group = callback_group or self.default_callback_group
         events = event_callbacks or SubscriptionEventCallbacks()
         subscription = Subscription(self, msg_type, topic, full_name, callback, group, qos, events)
-        subscription.nudge = self._rosspin_nudge
-        group.add_entity(subscription)
-        self._subscriptions.append(subscription)
-        self._wake_executor()
+        self.__add(subscription, self._subscriptions)
         return subscription
 
     def __prepare(self, what: str, msg_type: Any, topic: Any, qos: Any, options: Any) -> tuple[str, QoSProfile]:
@@ -533,7 +535,7 @@ class Node(Parameters):
                     node._rosspin_start_services()
         group = callback_group or self.default_callback_group
         client = Client(self, srv_type, srv_name, full_name, group, qos_profile)
-        self.__add_end(client, self._clients)
+        self.__add(client, self._clients)
         return client
 
     def create_service(
@@ -554,14 +556,8 @@ class Node(Parameters):
             logging.get_logger("rcl").warning(_TRANSIENT_LOCAL)
         group = callback_group or self.default_callback_group
         service = Service(callback, self, srv_type, srv_name, full_name, group, qos_profile)
-        self.__add_end(service, self._services)
+        self.__add(service, self._services)
         return service
-
-    def __add_end(self, end: Any, ends: list[Any]) -> None:
-        end.nudge = self._rosspin_nudge
-        end.callback_group.add_entity(end)
-        ends.append(end)
-        self._wake_executor()
 
     def __prepare_service(self, what: str, srv_type: Any, name: Any, qos: Any) -> str:
         """Check what a client or service is to be made of. Return the full name."""
@@ -611,8 +607,7 @@ class Node(Parameters):
     def __describing(self) -> dict[str, set[str]]:
         """The service that describes its types. It is only named here."""
         kind = {"type_description_interfaces/srv/GetTypeDescription"}
-        is_there = self.get_parameter("start_type_description_service").value
-        return {f"{self.__full_name}/get_type_description": kind} if is_there else {}
+        return {f"{self.__full_name}/get_type_description": kind} if self.__describes else {}
 
     def count_services(self, service_name: str) -> int:
         """Count the known servers of a service; its name is not remapped. Raises ValueError and InvalidHandle."""
@@ -706,7 +701,8 @@ class Node(Parameters):
             while entities:
                 self.__destroy(entities[0], entities)
         if self.__on_rosout and self._context.state.rosout and not self.__destroyed:
-            self._context.state.rosout.discard(self._logger.name)
+            own = self._context.state
+            own.rosout = {name for name in own.rosout or () if not f"{name}.".startswith(f"{self._logger.name}.")}
         self.__destroyed = True
         if self in self._context.nodes:
             self._context.nodes.remove(self)

@@ -10,7 +10,7 @@ from collections.abc import Callable, Iterator, Mapping, Sequence
 from contextlib import ExitStack, contextmanager
 from functools import cached_property
 from types import ModuleType
-from typing import Any, NamedTuple, Protocol
+from typing import Any, NamedTuple, Protocol, TextIO
 
 from ..clocks import signals, threads, virtual_time
 from ..clocks.clock import NS, Clock, WallClock, nanoseconds
@@ -25,6 +25,7 @@ from ..clocks.watchdog import Stuck
 from ..results.ticks import Call, Message, Run, Tick
 from ..world.graph import Graph, Recording, TickLog
 from ..world.world import World
+from .deadlock import explain_threads
 from .explain import keep_those_of, say_killed, stands_still
 from .kept import KEPT, one_at_a_time, state_of_names, state_of_node, state_of_process
 from .process import PATCHES, Process, Slots
@@ -85,7 +86,8 @@ class Host:
         args: Sequence[str] = (),
         environment: Mapping[str, str] | None = None,
         folder: str = "",
-        quiet: bool = False,
+        stdout: TextIO | None = None,
+        stderr: TextIO | None = None,
     ) -> Process:
         """Make the process of a node; see :class:`Process`. To be called within :meth:`inside`."""
         here = self._current
@@ -95,7 +97,7 @@ class Host:
         def make_world(argv: list[str]) -> World:
             return World(self.clock, argv, self.recording, self.graph, number)
 
-        process = Process(node, args, make_world, self._stand_in, self._hide, environment, folder, quiet)
+        process = Process(node, args, make_world, self._stand_in, self._hide, environment, folder, stdout, stderr)
         self.processes.append(process)
         self._of[process.world] = process
         process.world.on_failure = lambda: self.on_failure and self.on_failure()
@@ -106,6 +108,16 @@ class Host:
             self._stand_in(ros)
         self._go_on(here if self.recording.several else process)
         return process
+
+    @contextmanager
+    def outside(self) -> Iterator[None]:
+        """Within this context code finds what it would find outside of all processes. Time must not go on in it."""
+        here = self._current
+        self._go_on(self._outside)
+        try:
+            yield
+        finally:
+            self._go_on(here)
 
     def graph(self, ros: int) -> Graph:
         """The graph of the nodes of ROS 1 or 2."""
@@ -273,7 +285,9 @@ class Host:
         return simulated
 
     def _say_what_waits(self) -> None:
-        """Say what waits for ever among the nodes of ROS 2."""
+        """Say what waits for ever: threads, and the callbacks of ROS 2."""
+        assert isinstance(self.clock, Simulation)
+        sys.stderr.write(explain_threads(self.clock))
         if graph := self._graphs.get(2):
             sys.stderr.write(ROSES[2].stand_in.explain_waits(graph))
 
