@@ -16,6 +16,7 @@ from typing import Any
 
 from ..clocks.clock import nanoseconds
 from ..clocks.frames import node_frames
+from ..clocks.stacks import Switched, current, waiting_for
 from ..messages import ros1
 from ..messages.genpy import Duration
 from ..messages.ros1 import DeserializationError, Message
@@ -139,6 +140,7 @@ class Connection:
         self.reply: dict[str, str] = {}  # the service's header
         self.persists = header.get("persistent", "").lower() in ("1", "true")
         self.is_left = False  # by the thread of the service
+        self.handler: Switched | None = None  # the stack of that thread, once it has begun
         self._is_closed = False
         self._requests: queue.SimpleQueue[tuple[bytes, CallMade] | None] = queue.SimpleQueue()
         self._answers: queue.SimpleQueue[tuple[bool, bytes] | None] = queue.SimpleQueue()
@@ -173,7 +175,9 @@ class Connection:
 
     def next_answer(self) -> tuple[bool, bytes]:
         """Wait for an error (True) or a response. Raises TransportTerminated if none comes."""
-        if (found := self._answers.get()) is None:
+        with waiting_for(f"the answer of {self.name}", lambda: self.handler):
+            found = self._answers.get()
+        if found is None:
             raise TransportTerminated(_HUNG_UP)
         return found
 
@@ -273,6 +277,7 @@ class Service(_Named):
 
     def handle(self, connection: Connection) -> None:
         """Answer what comes through a connection, in its thread."""
+        connection.handler = current()
         try:
             self._answer(connection)
             while connection.persists and not self.node.shutdown:
