@@ -47,6 +47,8 @@ class Participants:
             for node in context.nodes:
                 for end in (*node._publishers, *node._subscriptions, *node._clients, *node._services):
                     lose(end, context.left)
+                    if not killed:
+                        end.withdraw()
 
     def all_nodes(self) -> list[Node]:
         """The nodes of all processes, known or not."""
