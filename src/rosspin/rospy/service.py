@@ -16,12 +16,11 @@ from typing import Any
 
 from ..clocks.clock import nanoseconds
 from ..clocks.frames import node_frames
-from ..clocks.stacks import Switched, current, waiting_for
 from ..messages import ros1
 from ..messages.genpy import Duration
 from ..messages.ros1 import DeserializationError, Message
 from ..world.graph import CallMade
-from ..world.world import NotSimulated, World, not_simulated
+from ..world.world import NotSimulated, World, current, not_simulated, waiting_for
 from . import names, rosgraph
 from .core import logerr, logwarn, logwarn_throttle
 from .exceptions import (
@@ -140,7 +139,7 @@ class Connection:
         self.reply: dict[str, str] = {}  # the service's header
         self.persists = header.get("persistent", "").lower() in ("1", "true")
         self.is_left = False  # by the thread of the service
-        self.handler: Switched | None = None  # the stack of that thread, once it has begun
+        self.handler: Any = None  # the stack of that thread, once it has begun
         self._is_closed = False
         self._requests: queue.SimpleQueue[tuple[bytes, CallMade] | None] = queue.SimpleQueue()
         self._answers: queue.SimpleQueue[tuple[bool, bytes] | None] = queue.SimpleQueue()
