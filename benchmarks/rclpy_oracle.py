@@ -1,8 +1,8 @@
 """The real rclpy's own Python, on a simulated clock: its C module is replaced by this one.
 
 So what the stand-in does can be compared with what rclpy's executors, tasks, timers, Rates and parameters do, exactly
-and without a network. Here are, in Python, the parts of rcl that they call: its timers, guard conditions and wait sets.
-There are no topics and no services.
+and without a network. Here are, in Python, the parts of rcl that they call: its timers, guard conditions, clients,
+services and wait sets. There are no topics.
 
 What is used of the real one is its ``.py`` files, which ``make ros2`` installs; no library is loaded.
 """
@@ -14,6 +14,7 @@ import signal
 import sys
 import threading
 import time
+from collections import deque
 from collections.abc import Callable, Iterator
 from contextlib import contextmanager
 from importlib import import_module
@@ -167,6 +168,64 @@ class Timer(Wakes):
         return None if self.canceled else self.next_call - self.clock.now()
 
 
+class Header(SimpleNamespace):
+    """Whose request it is, and its number; ``request_id`` is the header itself."""
+
+    client: Client
+    sequence_number: int
+
+    @property
+    def request_id(self) -> Header:
+        return self
+
+
+class Service(Wakes):
+    """A service with its requests. Its answers come to all clients of its name, as in rmw_fastrtps."""
+
+    def __init__(self, node: Node, kind: Any, name: str, qos: Any) -> None:
+        super().__init__()
+        self.name, self.came = name, deque[Any](maxlen=10)
+        _ends.append(self)
+
+    def service_take_request(self, kind: Any) -> Any:
+        return self.came.popleft() if self.came else (None, None)
+
+    def service_send_response(self, response: Any, header: Header) -> None:
+        for client in _others(self, Client):
+            client.take_in((header, response) if client is header.client else (None, None))
+
+    def take_in(self, what: Any) -> None:
+        self.came.append(what)
+        self.wake()
+
+
+class Client(Wakes):
+    """A client with the answers that came."""
+
+    take_in = Service.take_in
+
+    def __init__(self, node: Node, kind: Any, name: str, qos: Any) -> None:
+        super().__init__()
+        self.name, self.sent, self.came = name, 0, deque[Any](maxlen=10)
+        _ends.append(self)
+
+    def send_request(self, request: Any) -> int:
+        self.sent += 1
+        for service in _others(self, Service):
+            service.take_in((request, Header(client=self, sequence_number=self.sent)))
+        return self.sent
+
+    def take_response(self, kind: Any) -> Any:
+        return self.came.popleft() if self.came else (None, None)
+
+    def service_server_is_available(self) -> bool:
+        return bool(_others(self, Service))
+
+
+def _others(end: Client | Service, kind: type) -> list[Any]:
+    return [other for other in _ends if isinstance(other, kind) and other.name == end.name and not other.gone]
+
+
 class WaitSet:
     """rcl/wait.c."""
 
@@ -174,6 +233,8 @@ class WaitSet:
         if not numbers[-1].valid:
             raise RCLError("failed to initialize wait set: the given context is not valid")
         self.timers: list[Timer] = []
+        self.clients: list[Client] = []
+        self.services: list[Service] = []
         self.guards: list[GuardCondition] = []
         self.ready: dict[str, list[int]] = {}
         self.gate = threading.Lock()
@@ -188,13 +249,19 @@ class WaitSet:
     def add_guard_condition(self, guard: GuardCondition) -> None:
         self.guards.append(guard)
 
+    def add_client(self, client: Client) -> None:
+        self.clients.append(client)
+
+    def add_service(self, service: Service) -> None:
+        self.services.append(service)
+
     def open(self) -> None:
         if self.gate.locked():
             self.gate.release()
 
     def wait(self, timeout: int) -> None:
         until = time.time_ns() + timeout if timeout >= 0 else None
-        members: list[Wakes] = [*self.timers, *self.guards]
+        members: list[Wakes] = [*self.timers, *self.guards, *self.clients, *self.services]
         for member in members:
             member.waiting.append(self)
         try:
@@ -202,7 +269,8 @@ class WaitSet:
             while True:
                 timers = [timer for timer in self.timers if timer.is_timer_ready()]
                 guards = [guard for guard in self.guards if guard.triggered]
-                if timers or guards or over:
+                clients, services = ([end for end in ends if end.came] for ends in (self.clients, self.services))
+                if timers or guards or clients or services or over:
                     break
                 times = [timer.next_call for timer in self.timers if not timer.canceled]
                 if until is not None:
@@ -217,6 +285,8 @@ class WaitSet:
         self.ready = {
             "timer": [timer.pointer for timer in timers],
             "guard_condition": [guard.pointer for guard in guards],
+            "client": [client.pointer for client in clients],
+            "service": [service.pointer for service in services],
         }
 
     def get_ready_entities(self, kind: str) -> list[int]:
@@ -302,6 +372,7 @@ class QoS:
 
 
 _contexts: list[Context] = []
+_ends: list[Client | Service] = []
 _sigint: dict[GuardCondition, None] = {}
 
 
@@ -335,8 +406,8 @@ def c_module() -> SimpleNamespace:
     levels = {"UNSET": 0, "DEBUG": 10, "INFO": 20, "WARN": 30, "ERROR": 40, "FATAL": 50}
     changes = ("NONE", "ROS_TIME_NO_CHANGE", "ROS_TIME_ACTIVATED", "ROS_TIME_DEACTIVATED", "SYSTEM_TIME_NO_CHANGE")
     return SimpleNamespace(
-        **{each.__name__: each for each in (Clock, ClockEvent, ClockType, Context, GuardCondition, InvalidHandle)},
-        **{each.__name__: each for each in (Node, Publisher, RCLError, Timer, WaitSet)},
+        **{each.__name__: each for each in (Client, Clock, ClockEvent, ClockType, Context, GuardCondition)},
+        **{each.__name__: each for each in (InvalidHandle, Node, Publisher, RCLError, Service, Timer, WaitSet)},
         ClockChange=_names("ClockChange", *changes),
         NodeNameNonExistentError=RCLError,
         QoSCompatibility=None,
@@ -360,6 +431,9 @@ def c_module() -> SimpleNamespace:
         rclpy_resolve_name=lambda node, topic, only_expand, is_service: topic,
         register_sigint_guard_condition=lambda guard: _sigint.update({guard: None}),
         rmw_qos_profile_t=QoS,
+        rmw_request_id_t=Header,
+        rmw_service_info_t=Header,
+        service_introspection=SimpleNamespace(ServiceIntrospectionState=None),
         uninstall_signal_handlers=lambda: None,
         unregister_sigint_guard_condition=lambda guard: _sigint.pop(guard, None),
     )
@@ -369,7 +443,7 @@ def c_module() -> SimpleNamespace:
 
 
 class _Nothing:
-    """In place of what needs services and events."""
+    """In place of what a node has for others, and of events."""
 
     def __init__(self, *args: Any, **kwargs: Any) -> None:
         pass
@@ -386,6 +460,7 @@ def oracle(folder: Path) -> Iterator[None]:
     """Within this context ``import rclpy`` imports the real one's Python from its folder, over the C module above."""
     _contexts.clear()
     _sigint.clear()
+    _ends.clear()
     with without(2, "rclpy", "ament_index_python", "rcl_interfaces.srv"):
         spec = spec_from_file_location("rclpy", folder / "__init__.py", submodule_search_locations=[str(folder)])
         assert spec and spec.loader
@@ -394,8 +469,6 @@ def oracle(folder: Path) -> Iterator[None]:
         stub("rclpy.impl.implementation_singleton", rclpy_implementation=c_module())
         events = ("EventHandler", "PublisherEventCallbacks", "SubscriptionEventCallbacks")
         stub("rclpy.event_handler", **dict.fromkeys(events, _Nothing))
-        stub("rclpy.client", Client=_Nothing)
-        stub("rclpy.service", Service=_Nothing)
         stub("rclpy.parameter_service", ParameterService=_Nothing)
         stub("rclpy.logging_service", LoggingService=_Nothing)
         stub("rclpy.type_description_service", TypeDescriptionService=_Nothing)

@@ -21,11 +21,11 @@ from .plots import picture, pictures
 from .real import ros1, ros2
 from .results.ticks import Run, Tick
 from .run.explain import say_error
-from .run.host import Result
+from .run.host import Result, duration
 from .run.process import leave
 from .run.roslaunch.launch import read_launch
 from .run.simulate import run_node, run_nodes, several
-from .run.source import load, refuse_launch_of_ros2, refuse_other_ros, split_words, warn_of_files
+from .run.source import is_launch_of_ros2, load, refuse_other_ros, split_words, warn_of_files
 from .world.graph import TickLog
 
 __all__ = ["main"]
@@ -58,7 +58,7 @@ def _parser() -> argparse.ArgumentParser:
         "run",
         help="run a node file",
         description="Run a node file on the wall clock until Ctrl-C, in simulated time, or on the real ROS 1 or 2.",
-        usage="%(prog)s FILE... [--seconds S] [--simulated [--skip-cpp] | --ros1 | --ros2] [--plot FILE] "
+        usage="%(prog)s FILE... [--seconds S] [--simulated [--skip-cpp] [--start S] | --ros1 | --ros2] [--plot FILE] "
         "[-- NODE ARGS]",
         epilog="Everything after -- is passed to the node: __ns:=/mrp _rate:=10, or on ROS 2 --ros-args -r __ns:=/mrp.",
         allow_abbrev=False,
@@ -75,6 +75,12 @@ def _parser() -> argparse.ArgumentParser:
     where.add_argument("--ros1", action="store_true", help="use the real ROS 1, which must be installed")
     where.add_argument("--ros2", action="store_true", help="use the real ROS 2, which must be installed (make ros2)")
     run.add_argument("--skip-cpp", action="store_true", help="leave out the nodes of a launch file that are in C++")
+    run.add_argument(
+        "--start",
+        type=float,
+        metavar="S",
+        help="with --simulated: what the node's clocks tell at first, in s (default: 0)",
+    )
     run.add_argument(
         "--plot", metavar="FILE", help="plot the ticks to this .pdf, .png or .svg, and describe them on stderr"
     )
@@ -96,18 +102,22 @@ def _run(options: argparse.Namespace, args: Sequence[str]) -> int:
     options.file, *others = options.files
     if others and not options.simulated:
         raise ValueError("several nodes run in simulated time only: --simulated")
-    launched = options.file.endswith(".launch")
+    of_ros2 = is_launch_of_ros2(options.file)
+    launched = options.file.endswith(".launch") or of_ros2
     if not options.ros1 and options.file.endswith(".cpp"):
         raise ValueError(f"{options.file}: C++ nodes need the real ROS 1: add --ros1")
-    if not options.ros1 and launched and not options.simulated:
+    if launched and not (of_ros2 or options.ros1 or options.simulated):
         raise ValueError(
             f"{options.file}: launch files run in simulated time or on the real ROS 1: --simulated or --ros1"
         )
-    refuse_launch_of_ros2(options.file)
+    if of_ros2 and not options.simulated:
+        raise ValueError(f"{options.file}: launch files of ROS 2 run in simulated time: --simulated")
     if (options.ros1 or options.ros2) and options.file.endswith(".py"):
         refuse_other_ros(options.file, 1 if options.ros1 else 2)
     if options.skip_cpp and not (launched and options.simulated):
         raise ValueError("--skip-cpp is for launch files in simulated time")
+    if options.start is not None and not options.simulated:
+        raise ValueError("--start is for simulated time: --simulated")
     if options.plot is not None:
         _check_plot(options.plot)
     guarded = guard_threads(_say_where_it_computed) if options.simulated and options.alone else nullcontext()
@@ -133,9 +143,10 @@ def _result(options: argparse.Namespace, args: Sequence[str], record: bool) -> R
         return real(options.file, options.seconds, args, sys.stdout)
     ticks = TickLog() if record else None
     launched = several(options.files if len(options.files) > 1 else options.file, args, options.skip_cpp)
+    clock: Clock = Simulation(duration(options.start or 0.0, "start")) if options.simulated else WallClock()
     if launched:
-        return run_nodes(launched, options.seconds, Simulation(), ticks)
-    clock: Clock = Simulation() if options.simulated else WallClock()
+        assert isinstance(clock, Simulation)
+        return run_nodes(launched, options.seconds, clock, ticks)
     if options.alone:
         adopt_orphans()
     before = descendants(os.getpid())  # the children of a shell that this process replaced

@@ -113,9 +113,10 @@ def test_a_node_that_hangs_is_killed_and_the_console_says_where_its_threads_were
     )
     run = simulate(path, 1)
     assert run.status == 137
-    first, *lines = run.console.splitlines()
+    *why, first, main, reader = run.console.splitlines()
+    assert why[1] == "rosspin:   the thread MainThread waits for the end of the thread reader"
     assert first.startswith("rosspin: Ctrl-C at 1 s did not end the node; it was killed 17 s later, as roslaunch does.")
-    assert lines == [
+    assert [main, reader] == [
         f"rosspin: MainThread was at {path}:15: lock.acquire()",
         f"rosspin: reader was at {path}:8: lock.acquire()",
     ]
@@ -382,6 +383,8 @@ def test_the_time_of_the_processor_is_real() -> None:
 # --- what waits in real time ------------------------------------------------------------------------------------------
 
 
+SERVES = "import asyncio\nasync def main():\n    await asyncio.start_server(print, 'localhost', 0)\n"
+SERVES += "    await asyncio.sleep(60)\n"
 SLEEPS = f"subprocess.run([{sys.executable!r}, '-c', 'import time; time.sleep(60)'])"
 
 
@@ -391,7 +394,7 @@ SLEEPS = f"subprocess.run([{sys.executable!r}, '-c', 'import time; time.sleep(60
         (f"import subprocess\n{SLEEPS}\n", 2, SLEEPS),
         ("import socket\ns = socket.create_server(('localhost', 0))\ns.accept()\n", 3, "s.accept()"),
         ("import select\n\nselect.select([], [], [], 60)\n", 3, "select.select([], [], [], 60)"),
-        ("import asyncio\nasyncio.run(asyncio.sleep(60))\n", 2, "asyncio.run(asyncio.sleep(60))"),
+        (f"{SERVES}asyncio.run(main())\n", 5, "asyncio.run(main())"),
         ("import os\nread, write = os.pipe()\nos.fdopen(read).readline()\n", 3, "os.fdopen(read).readline()"),
     ],
 )

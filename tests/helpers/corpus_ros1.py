@@ -34,6 +34,11 @@ _ARGS: dict[str, list[Args]] = {
     "exit_status": [("0",), ("3",)],
     "topics_queue_size": [(f"_queue_size:={size}",) for size in (0, 1, 3)],
     "topics_publisher_queue_size": [(f"_queue_size:={size}",) for size in (1, 10, 0)],
+    "topics_names_services": [
+        (),
+        ("services_old:=services_new", "~private:=/elsewhere/services"),
+        ("__ns:=/mrp", "services_b:=services_c"),
+    ],
     "topics_names": [(), ("old:=new", "~private:=/elsewhere/topics"), ("__ns:=/mrp", "b:=c")],
     "threads_outlive_main_that_exits": [("soft",), ("hard",)],
 }

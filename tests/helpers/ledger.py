@@ -135,7 +135,7 @@ def stand_in(scenario: Confirmed) -> str:
     text = "".join(map(_text, scenario.sources))
     words = set(re.findall(r"\w+", text))
     concerned = [path for path in _modules(package / _STAND_INS[scenario.ros]) if words & _names(path)]
-    has_messages = re.search(r"^(import|from) \w+_msgs", text, re.M)
+    has_messages = re.search(r"^(import|from) \w+_(msgs|srvs)", text, re.M)
     messages = _modules(package / "messages") if has_messages else ()
     runner = package / "real" / "children.py", package / "real" / f"ros{scenario.ros}.py"
     return _hash(map(_text, (*concerned, *messages, *_modules(package / "clocks"), *runner)))

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import ast
 import difflib
 import re
 from collections.abc import Iterator
@@ -66,12 +67,21 @@ def _normal(text: str) -> str:
     text = re.sub(r"^rosspin: .*\n", "", text, flags=re.M)  # who was killed, and where it waited
     # The stand-in names the line that made a timer where rospy shows only frames of its own.
     text = re.sub(r'^  File ".*, which made this timer\n(?:    .*\n)*', "", text, flags=re.M)
+    text = re.sub(r"^\[['\"].*\\n['\"]\]$", _of_service, text, flags=re.M)
     text = re.sub(r"\[DEBUG\].*(init_node|bind|bound|URL|Service instance).*\n", "", text)  # of rospy's own network
     text = re.sub(r"\[DEBUG\] \[STAMP\] \[(rcl|rmw_\w+)\]: .*\n", "", text)  # of the layers below rclpy
     # The code lines and the marks below them depend on Python's version.
     text = re.sub(r'^  File ".*/scenarios\w*/(\w+\.py)", (line \d+.*)\n(?:    .*\n)*', r"  \1, \2\n", text, flags=re.M)
     text = re.sub(r'^  File ".*\n(?:    .*\n)*', "", text, flags=re.M)
     return re.sub(r"^Traceback .*\n(?!  )", "", text, flags=re.M)
+
+
+def _of_service(trace: re.Match[str]) -> str:
+    """What rospy logs of a service's exception: a traceback as a list, of whose frames `kept` leaves the last."""
+    *frames, error = ast.literal_eval(trace[0])
+    pattern = re.compile(r'  File ".*/scenarios/(\w+\.py)", (line .*)\n')
+    places = [f"  {found[1]}, {found[2]}\n" for each in frames if (found := pattern.match(each))]
+    return "".join([*places[-1:], error])
 
 
 def differences(exact: Outcome, other: Outcome) -> list[str]:

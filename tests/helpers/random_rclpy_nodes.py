@@ -31,7 +31,11 @@ works = st.one_of(st.just(0), st.just(0), lengths)
 # What a callback does to which timer, with which number: see ``_act``.
 acts = st.tuples(
     st.sampled_from(
-        ["nothing"] * 4 + ["cancel", "reset", "period", "destroy", "make", "task", "guard", "set", "result"]
+        ["nothing"] * 4
+        + ["cancel", "reset", "period", "destroy", "make", "task", "guard", "set", "result"]
+        + ["ask"] * 4
+        + ["call"] * 2
+        + ["withdraw"]
     ),
     st.integers(0, 3),
     lengths,
@@ -46,11 +50,20 @@ timers = st.fixed_dictionaries(
         "awaits": st.sampled_from([False, False, False, True]),
     }
 )
+services = st.fixed_dictionaries(
+    {
+        "groups": st.tuples(st.integers(0, 3), st.integers(0, 3)),  # of the service, and of its client
+        "works": st.lists(works, min_size=1, max_size=4),
+        "acts": st.lists(acts, min_size=1, max_size=4),
+        "awaits": st.sampled_from([False, False, False, True]),
+    }
+)
 specs = st.fixed_dictionaries(
     {
         "executor": st.sampled_from(["spin", "single", "multi 2", "multi 3", "multi 4", "once", "once left", "future"]),
         "groups": st.lists(st.sampled_from(["default", "exclusive", "reentrant"]), min_size=4, max_size=4),
         "timers": st.lists(timers, min_size=1, max_size=4),
+        "services": st.lists(services, min_size=1, max_size=3),
         "rates": st.lists(st.tuples(lengths, st.lists(works, min_size=1, max_size=4)), max_size=2),
         "thread": st.lists(st.tuples(lengths, acts), max_size=3),
         "shutdown": st.sampled_from([False, False, True]),
@@ -76,6 +89,7 @@ def program(spec: dict[str, Any]) -> Callable[[], None]:
         from rclpy.executors import MultiThreadedExecutor, SingleThreadedExecutor  # type: ignore[import-not-found]
         from rclpy.parameter import Parameter  # type: ignore[import-not-found]
         from rclpy.task import Future  # type: ignore[import-not-found]
+        from test_msgs.srv import BasicTypes  # type: ignore[import-not-found]
 
         def say(*words: object) -> None:
             sys.stdout.write(" ".join([str(time.time_ns()), *map(str, words)]) + "\n")
@@ -109,6 +123,43 @@ def program(spec: dict[str, Any]) -> Callable[[], None]:
             called = awaits if timer["awaits"] and "once" not in spec["executor"] else callback
             made.append(node.create_timer(timer["period"] / 1000, called, kind, autostart=timer["starts"]))
 
+        def serve(number: int, service: dict[str, Any]) -> None:
+            asked = 0
+
+            def begin(request: Any) -> Any:
+                nonlocal asked
+                asked += 1
+                say("service", number, "is asked", request.int32_value)
+                nap(service["works"][asked % len(service["works"])])
+                return service["acts"][asked % len(service["acts"])]
+
+            def callback(request: Any, response: Any) -> Any:
+                act(*begin(request))
+                response.int32_value = request.int32_value
+                return response
+
+            async def awaits(request: Any, response: Any) -> Any:
+                what = begin(request)
+                response.int32_value = await futures[what[1]]
+                return response
+
+            of_service, of_client = (groups[group] for group in service["groups"])
+            called = awaits if service["awaits"] and "once" not in spec["executor"] else callback
+            name = f"service{number}"
+            offered.append(node.create_service(BasicTypes, name, called, callback_group=of_service))
+            clients.append(node.create_client(BasicTypes, name, callback_group=of_client))
+
+        def ask(client: Any, ms: int, waits: bool) -> None:
+            if len(asks) == 20:  # a service that asks itself would go on for ever, at one time
+                return
+            asks.append(ms)
+            request = BasicTypes.Request(int32_value=ms)
+            if waits:
+                response = client.call(request, timeout_sec=ms / 1000)
+                say("called", response and response.int32_value)
+            else:
+                client.call_async(request).add_done_callback(lambda done: say("answered", done.result().int32_value))
+
         def act(what: str, which: int, ms: int) -> None:
             timer = made[which % len(made)]
             try:
@@ -129,6 +180,10 @@ def program(spec: dict[str, Any]) -> Callable[[], None]:
                     say("set", result.successful)
                 elif what == "result":
                     futures[which].set_result(ms)
+                elif what in ("ask", "call") and clients:
+                    ask(clients[which % len(clients)], ms, what == "call")
+                elif what == "withdraw" and offered:
+                    say("withdrawn", node.destroy_service(offered[which % len(offered)]))
             except Exception as error:
                 say("error", type(error).__name__)
 
@@ -173,6 +228,11 @@ def program(spec: dict[str, Any]) -> Callable[[], None]:
         futures = [Future() for _ in range(4)]
         guard = node.create_guard_condition(lambda: say("guard"))
         made: list[Any] = []
+        offered: list[Any] = []
+        clients: list[Any] = []
+        asks: list[int] = []
+        for number, service in enumerate(spec["services"]):
+            serve(number, service)
         for number, timer in enumerate(spec["timers"]):
             make(number, timer)
         for number, (ms, lengths) in enumerate(spec["rates"]):

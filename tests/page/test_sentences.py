@@ -18,8 +18,8 @@ CASES = [
     ("import rospy\nrospy.Rate(2)\n", 1, 1, 'Call rospy.init_node("a_name") before you use anything else'),
     ("import control_srvs.srv\n", 1, 0, "python -m rosspin run --ros1 FILE"),
     ("import control_srvs.srv\n", 1, 0, "control_srvs is not simulated; run this node on a real ROS"),
-    (node("rospy.Service"), 1, 0, "node.py:4: rospy.Service is not simulated; run this node on a real ROS"),
-    (node2("import rclpy.action"), 1, 0, "On a computer with ROS 2, run: python -m rosspin run --ros2 FILE"),
+    (node("rospy.get_master"), 1, 0, "node.py:4: rospy.get_master is not simulated; run this node on a real ROS"),
+    (node2("import rclpy.lifecycle"), 1, 0, "On a computer with ROS 2, run: python -m rosspin run --ros2 FILE"),
     (node2("from control_srvs.srv import Empty"), 1, 0, "control_srvs is not simulated"),
     (node2("node.create_timer(0.5, print)"), 0, 0, "never called. Is rclpy.spin(node) missing"),
     (
@@ -33,6 +33,16 @@ CASES = [
         1,
         0,
         "node.py:5: tf2_ros is not simulated; run this node on a real ROS",
+    ),
+    (
+        node2(
+            "from std_srvs.srv import Empty\nclient = node.create_client(Empty, 'work')\n"
+            "node.create_service(Empty, 'work', lambda request, response: response)\n"
+            "node.create_timer(0.5, lambda: client.call(Empty.Request()))\nrclpy.spin(node)"
+        ),
+        130,
+        1,
+        "the request has come, but the callback group of the service lets one callback run at a time:",
     ),
     ("%%answer 99\nimport rospy\n", 1, 0, FIRST_LINE),
     ("%%answer\nimport rospy\n", 1, 0, FIRST_LINE),

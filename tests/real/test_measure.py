@@ -192,3 +192,31 @@ def test_real_time_is_real_between_the_steps() -> None:
         thread.start()
         thread.join()
         assert node.advance(1).console == "2.0 2.0\n"
+
+
+def test_an_action_on_the_wall_clock(write: Any) -> None:
+    source = """
+    import rclpy
+    from example_interfaces.action import Fibonacci
+    from rclpy.action import ActionClient, ActionServer
+
+    def execute(goal_handle):
+        goal_handle.succeed()
+        return Fibonacci.Result(sequence=[goal_handle.request.order])
+
+    rclpy.init()
+    node = rclpy.create_node("n")
+    server = ActionServer(node, Fibonacci, "fibonacci", execute)
+    client = ActionClient(node, Fibonacci, "fibonacci")
+    future = client.send_goal_async(Fibonacci.Goal(order=2))
+    rclpy.spin_until_future_complete(node, future)
+    result = future.result().get_result_async()
+    rclpy.spin_until_future_complete(node, result)
+    print(list(result.result().result.sequence))
+    """
+    run = measure(write(source), 60)
+    assert (run.status, run.console) == (0, "[2]\n")
+    goal, result = run.calls
+    assert (goal.service, goal.response.accepted) == ("/fibonacci/_action/send_goal", True)
+    assert result.asked <= result.answered
+    assert result.response.result.sequence.tolist() == [2]

@@ -111,18 +111,18 @@ def test_a_package_that_is_not_there_is_not_simulated() -> None:
         simulate(node, 1)
 
 
-def test_a_service_met_in_a_callback_ends_the_run() -> None:
+def test_what_is_not_simulated_ends_the_run_in_a_callback() -> None:
     def node() -> None:
         from std_msgs.msg import Empty
 
         rospy.init_node("n")
         publisher = rospy.Publisher("a", Empty, queue_size=1)
-        rospy.Subscriber("a", Empty, lambda message: rospy.ServiceProxy)
+        rospy.Subscriber("a", Empty, lambda message: rospy.get_master())
         rospy.sleep(1)
         publisher.publish()
         rospy.spin()
 
-    with pytest.raises(NotSimulated, match=r"rospy\.ServiceProxy"):
+    with pytest.raises(NotSimulated, match=r"rospy\.get_master"):
         simulate(node, 2)
 
 

@@ -276,10 +276,10 @@ def test_time_that_stands_still(
 @pytest.mark.parametrize(
     ("code", "name", "line"),
     [
-        ("import rospy\n\nrospy.Service('name', None, None)\n", "rospy.Service", 3),
-        ("from rospy import ServiceProxy\n", "rospy.ServiceProxy", 1),
+        ("import rospy\n\nrospy.get_master().getPid()\n", "rospy.get_master", 3),
+        ("from rospy import MasterProxy\n", "rospy.MasterProxy", 1),
         ("import rospy\nfrom control_srvs.srv import Empty\n", "control_srvs", 2),
-        ("import rospy.service\n", "rospy.service", 1),
+        ("import rospy.msproxy\n", "rospy.msproxy", 1),
         (
             "import rospy\nrospy.init_node('n')\ndef callback(event):\n    import tf2_ros\n"
             "rospy.Timer(rospy.Duration(0.1), callback)\nrospy.spin()\n",
@@ -287,9 +287,9 @@ def test_time_that_stands_still(
             4,
         ),
         (
-            "import rclpy\nrclpy.init()\ndef callback():\n    import tf2_ros\n"
+            "import rclpy\nrclpy.init()\ndef callback():\n    import cv_bridge\n"
             "node = rclpy.create_node('n')\nnode.create_timer(0.1, callback)\nrclpy.spin(node)\n",
-            "tf2_ros",
+            "cv_bridge",
             4,
         ),
     ],
@@ -339,11 +339,11 @@ def test_bad_options(capsys: pytest.CaptureFixture[str], args: list[str], text: 
     assert text in capsys.readouterr().err
 
 
-@pytest.mark.parametrize("name", ["my.launch.py", "my.launch.xml", "my.launch.yaml", "my_launch.xml"])
-@pytest.mark.parametrize("where", ["--simulated", "--ros1", "--ros2"])
-def test_launch_files_of_ros_2(capsys: pytest.CaptureFixture[str], name: str, where: str) -> None:
-    assert main(["run", name, where, "--seconds", "1"]) == 1
-    text = f"{name}: rosspin runs launch files of ROS 1 (.launch) only; run the nodes of this one one by one"
+@pytest.mark.parametrize("name", ["my.launch.py", "my.launch.xml", "my.launch.yaml", "my_launch.xml", "my_launch.py"])
+@pytest.mark.parametrize("where", [[], ["--ros1"], ["--ros2"]])
+def test_launch_files_of_ros_2(capsys: pytest.CaptureFixture[str], name: str, where: list[str]) -> None:
+    assert main(["run", name, *where, "--seconds", "1"]) == 1
+    text = f"{name}: launch files of ROS 2 run in simulated time: --simulated"
     assert capsys.readouterr() == ("", f"rosspin: {text}\n")
 
 

@@ -18,6 +18,7 @@ LAYERS = [
     "results",
     "world",
     "messages",
+    "tf2",
     "rospy",
     "rclpy",
     "run",
@@ -43,7 +44,10 @@ KEEPERS = {
     "sphinx": {"site.pages", "site.live", "site.checks", "site.doctests", "site.published"},
     "docutils": {"site.pages", "site.live", "site.checks", "site.doctests", "site.published"},
     "pytest": {"pytest_plugin"},
-    "yaml": {"run.roslaunch.launch", "rospy.client", "rclpy.arguments", "messages.ros1"},
+    "yaml": {
+        *("run.roslaunch.launch", "run.ros2launch.frontend", "run.ros2launch.parameters"),
+        *("run.ros2launch.substitutions", "rospy.client", "rclpy.arguments", "messages.ros1"),
+    },
 }
 
 FILES = {
@@ -112,6 +116,12 @@ def test_the_stand_ins_do_not_know_of_each_other() -> None:
         for module in MODULES:
             if layer(module) == one:
                 assert not {name for name in imports(module) & MODULES.keys() if layer(name) == other}
+
+
+def test_transforms_know_nothing_of_ros() -> None:
+    for module in MODULES:
+        if layer(module) == "tf2":
+            assert {layer(name) for name in imports(module) & MODULES.keys()} <= {"tf2"}
 
 
 def test_data_are_below_the_simulator() -> None:

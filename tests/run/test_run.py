@@ -351,14 +351,14 @@ def test_a_module_of_ros_is_not_simulated(write: Any) -> None:
     assert simulate(write("import no_such_module"), 1).status == 1
 
 
-def test_a_service_is_not_simulated_wherever_it_is_met() -> None:
+def test_the_master_is_not_simulated_wherever_it_is_met() -> None:
     def in_a_callback() -> None:
         rospy.init_node("node")
-        rospy.Timer(rospy.Duration(1), lambda event: rospy.Service)
+        rospy.Timer(rospy.Duration(1), lambda event: rospy.get_master())
         rospy.spin()
 
-    for node in (lambda: rospy.Service, in_a_callback):
-        with pytest.raises(NotSimulated, match=r"^rospy\.Service is not simulated; run this node on a real ROS$"):
+    for node in (lambda: rospy.get_master(), in_a_callback):
+        with pytest.raises(NotSimulated, match=r"^rospy\.get_master is not simulated; run this node on a real ROS$"):
             simulate(node, 10)
 
 
@@ -396,7 +396,7 @@ def test_a_busy_callback_is_found_in_the_end(write: Any, watchful: None) -> None
 
 def test_after_an_error_the_next_run_is_as_ever() -> None:
     with pytest.raises(NotSimulated):
-        simulate(lambda: rospy.Service, 1)
+        simulate(lambda: rospy.get_master(), 1)
     assert simulate(TIMER_NODE, 2).console == NAMESPACE + counters(0.5, 1.0, 1.5, 2.0)
 
 
@@ -459,11 +459,6 @@ def test_a_command_line_is_in_words(run: Any) -> None:
 def test_what_is_no_node(run: Any) -> None:
     with pytest.raises(TypeError, match="^a node is the path of a file, or a function, not 3$"):
         run(3, 0)
-
-
-def test_a_launch_file_of_ros_2() -> None:
-    with pytest.raises(ValueError, match="my.launch.py: rosspin runs launch files of ROS 1"):
-        simulate("my.launch.py", 1)
 
 
 def test_a_node_may_import_its_own_package(write: Any, tmp_path: Path) -> None:
@@ -599,3 +594,47 @@ def test_ctrl_c_of_the_user_ends_a_simulated_run() -> None:
     with pytest.raises(KeyboardInterrupt):
         simulate(node, 1e9)
     user.join()
+
+
+# --- when the clocks begin --------------------------------------------------------------------------------------------
+
+
+def _asks_for_a_second_ago() -> None:
+    rospy.init_node("node")
+    print(rospy.Time.now() - rospy.Duration(1) > rospy.Time(0))
+
+
+def test_clocks_begin_where_the_caller_says() -> None:
+    def node() -> None:
+        rospy.init_node("node")
+        rospy.Timer(rospy.Duration(0.5), lambda event: print(rospy.Time.now().to_sec(), time.time()))
+        rospy.spin()
+
+    run = simulate(node, 1, start=1.7e9)
+    assert run.console == "1700000000.5 1700000000.5\n1700000001.0 1700000001.0\n"
+    assert [(tick.expected, tick.real) for tick in run.ticks] == [(0.5, 0.5), (1.0, 1.0)]
+    assert (run.start, run.seconds) == (1.7e9, 1)
+    assert simulate([node], 1, start=1.7e9).ticks[0].expected == 0.5
+    for begin in (-1, math.nan, "1"):
+        with pytest.raises(ValueError, match="^start must be a number of at least 0, not "):
+            simulate(node, 1, start=begin)  # type: ignore[arg-type]
+
+
+def test_a_time_before_the_beginning_is_an_error_with_a_hint() -> None:
+    run = simulate(_asks_for_a_second_ago, 1)
+    assert run.status == 1
+    assert "TypeError: time values must be positive\nrosspin: simulated clocks begin at 0" in run.console
+    assert simulate(_asks_for_a_second_ago, 1, start=2.0).console == "True\n"
+
+
+def test_a_time_before_the_beginning_has_a_hint_in_ros2() -> None:
+    def node() -> None:
+        import rclpy  # type: ignore[import-not-found]
+        from rclpy.duration import Duration  # type: ignore[import-not-found]
+
+        rclpy.init()
+        print(rclpy.create_node("node").get_clock().now() - Duration(seconds=1) is not None)
+
+    run = simulate(node, 1)
+    assert "ValueError: Subtraction leads to negative time.\nrosspin: simulated clocks begin at 0" in run.console
+    assert simulate(node, 1, start=1.7e9).console == "True\n"

@@ -16,9 +16,9 @@ TEXTS = ["README.md", "index.rst", "conf.py", "Makefile", "docs", "notebooks", "
 BRITISH = "license,licensed,licenses,program,programs,math,practice"
 # A method of a goal in rclpy.
 IN_LISTINGS = "canceled"
-# rospy, rclpy, CSS and io have names and messages in American.
-IN_CODE = "color,initialized,colors,serialize,deserialize,writable"
-IN_CODE += ",canceled,canceling,center,initialize,recognized,serialization,uninitialized,synchronize"
+# rospy, rclpy, launch, CSS and io have names and messages in American; so has Python.
+IN_CODE = "color,initialized,colors,serialize,deserialize,writable,canceled,canceling,capitalize"
+IN_CODE += ",center,initialize,recognized,serialization,uninitialized,synchronize,unrecognized,normalize"
 # A package, and a part of many words.
 NAMES = "simpy"
 

@@ -8,9 +8,12 @@ from __future__ import annotations
 import time
 from typing import Protocol
 
-__all__ = ["NS", "Clock", "WallClock", "nanoseconds"]
+__all__ = ["BEGINS_AT_0", "NS", "Clock", "WallClock", "nanoseconds"]
 
 NS = 1_000_000_000
+
+# A hint at times before 0, which a real computer's clock does not know.
+BEGINS_AT_0 = "rosspin: simulated clocks begin at 0, unless you say --start 1.7e9, or simulate(..., start=1.7e9)"
 
 
 def nanoseconds(seconds: float) -> int:

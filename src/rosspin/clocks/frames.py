@@ -14,11 +14,12 @@ from typing import NamedTuple
 
 __all__ = [
     *("Place", "Whereabouts", "called_from", "format_error", "is_installed", "node_frame", "node_frames"),
-    *("node_place", "places", "trail", "trail_of", "warn"),
+    *("node_place", "outer_place", "places", "trail", "trail_of", "warn"),
 ]
 
 # This package, whose frames are not the node's.
 _PACKAGE = __name__.partition(".")[0]
+_HERE = os.path.dirname(__file__) + os.sep
 _FOLDER = os.path.dirname(os.path.dirname(__file__)) + os.sep
 
 # The function with which a stack begins in a web page (clocks/jspi.py).
@@ -144,6 +145,11 @@ def node_place(places: Iterable[Place]) -> Place | None:
     """The first place that is neither in this package nor in the standard library."""
     not_the_nodes = (_FOLDER, _LIBRARY, "<frozen")
     return next((place for place in places if not place.filename.startswith(not_the_nodes)), None)
+
+
+def outer_place(places: Iterable[Place]) -> Place | None:
+    """The first place that is not of the clocks: who lets them wait."""
+    return next((place for place in places if not place.filename.startswith(_HERE)), None)
 
 
 def _call(code: CodeType, at: int) -> str:

@@ -70,12 +70,14 @@ def _unlimited() -> Iterator[Callable[[], bool]]:
 class Simulation:
     """A clock on which sleeping takes no time. ``now`` and ``sleep`` are those of :class:`rosspin.clocks.clock.Clock`.
 
+    It begins at ``start`` (ns).
+
     From outside, ``run`` it; or ``begin`` it and ``advance`` it in steps, until it ``is_over`` or you ``close`` it.
     ``now``, ``at``, ``pause``, ``wake`` and ``interrupt`` also work from outside. The rest is for its stacks.
     """
 
-    def __init__(self) -> None:
-        self._now = 0
+    def __init__(self, start: int = 0) -> None:
+        self._now = start
         self._heap: list[tuple[int, int, Stack]] = []
         self._order = 0  # the number of the newest wake-up; of two at one time, the smaller goes first
         self._cancelled: set[int] = set()  # wake-ups in the heap that are not to happen

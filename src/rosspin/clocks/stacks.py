@@ -95,6 +95,8 @@ class Stack(Switched):
         "ended",
         "ident",
         "interrupt",
+        "lock",
+        "needs",
         "owner",
         "place",
         "polled",
@@ -115,6 +117,8 @@ class Stack(Switched):
         self.place = place
         self.ticket = 0  # the number of its wake-up, while it waits with a time limit
         self.waits = False  # whether it waits for somebody to wake it
+        self.lock: Any = None  # the lock for which it waits, or last waited, without a limit
+        self.needs: tuple[str, Stack] | None = None  # what else it waits for, in words, and who is to give it
         self.polled = -1  # when (ns) it last looked in vain for something
         self.polls = 0  # how often it did so at that time
         self.interrupt: Callable[[], None] | None = None  # what it is to call as soon as it goes on

@@ -54,7 +54,7 @@ class Lock:
     longest: a thread that releases a lock and takes it again at once can keep others out.
     """
 
-    __slots__ = ("__weakref__", "_lock", "_waiting")
+    __slots__ = ("__weakref__", "_lock", "_waiting", "holder")
 
     def __new__(cls) -> Any:
         return object.__new__(cls) if isinstance(current(), Stack) else _real_lock()
@@ -62,12 +62,14 @@ class Lock:
     def __init__(self) -> None:
         self._lock = _real_lock()
         self._waiting: deque[Stack] = deque()
+        self.holder: Any = None  # the stack that has taken it, or had
 
     def acquire(self, blocking: bool = True, timeout: float = -1) -> bool:
         """Like ``threading.Lock.acquire``."""
         if timeout != -1:
             _check_timeout(blocking, timeout)
         if self._lock.acquire(False):
+            self.holder = current()
             return True
         if blocking and timeout:
             return self._wait(timeout)
@@ -82,6 +84,7 @@ class Lock:
             return self._lock.acquire(True, timeout)
         clock = stack.clock
         until = None if timeout == -1 else clock.now() + nanoseconds(timeout)
+        stack.lock = self if timeout == -1 else None
         if until == clock.now():
             _poll()
         while True:
@@ -97,6 +100,7 @@ class Lock:
             if not woken:
                 self._waiting.remove(stack)
             if self._lock.acquire(False):
+                self.holder = stack
                 return True
             if not woken:
                 return False
@@ -226,7 +230,8 @@ def _start_joinable(real: Callable[..., Any]) -> Callable[..., Any]:
             finally:
                 handle._set_done()
 
-        handle.ident = _start_stack(stack, run).ident
+        started = handle._ended.holder = _start_stack(stack, run)
+        handle.ident = started.ident
         return handle
 
     return start_joinable_thread

@@ -9,6 +9,8 @@ import sys
 from numbers import Integral, Real
 from typing import Any, ClassVar, TypeVar
 
+from ..clocks.clock import BEGINS_AT_0
+
 __all__ = ["Duration", "TVal", "Time"]
 
 NS = 1_000_000_000
@@ -180,7 +182,13 @@ class Time(TVal):
 
     @classmethod
     def _checked(cls: type[M], ns: int) -> M:
-        return cls._of(ns) if ns >= 0 else cls(0, ns)
+        if ns >= 0:
+            return cls._of(ns)
+        try:
+            return cls(0, ns)
+        except TypeError as error:
+            error.add_note(BEGINS_AT_0)
+            raise
 
     def to_time(self) -> float:
         """The value in seconds, as of ``time.time()``."""

@@ -14,9 +14,11 @@ from . import (
     action,
     callback_groups,
     clock,
+    constants,
     context,
     deadlock,
     duration,
+    event_handler,
     exceptions,
     executors,
     logging,
@@ -24,6 +26,7 @@ from . import (
     node,
     parameter,
     qos,
+    qos_overriding_options,
     services,
     signals,
     task,
@@ -155,8 +158,8 @@ def spin_until_future_complete(
 
 # The modules of rclpy that are not here: they need a real ROS.
 NOT_SIMULATED = {
-    *("constants", "destroyable", "event_handler", "experimental", "lifecycle", "logging_service"),
-    *("parameter_client", "parameter_event_handler", "parameter_service", "qos_event", "qos_overriding_options"),
+    *("destroyable", "experimental", "lifecycle", "logging_service"),
+    *("parameter_client", "parameter_event_handler", "parameter_service"),
     *("serialization", "service_introspection", "time_source", "topic_endpoint_info"),
     *("topic_or_service_is_hidden", "type_description_service", "type_hash", "type_support", "waitable"),
 }
@@ -172,12 +175,18 @@ LACKING = {
 IN_PART = {
     "Context": "There is no network: ``domain_id`` has no effect.",
     "MultiThreadedExecutor": "Without ``num_threads`` it has 4 threads, not as many as there are processors.",
-    "Node": "It has no publishers for ``/rosout`` and ``/parameter_events``. "
-    "Only the nodes and topics of its own process are counted. A node that a program drops without "
-    "``destroy_node()`` is still there.",
+    "Client": "``handle`` and ``configure_introspection`` are not there. What was asked before the service is known "
+    "is lost, also with ``TRANSIENT_LOCAL``.",
+    "Node": "It has no publishers for ``/rosout`` and ``/parameter_events``, and only names the service that describes "
+    "its types. A node that a program drops without ``destroy_node()`` is still there.",
     "Publisher": "Fields are always checked, as with ``ROS_PYTHON_CHECK_FIELDS=1``.",
-    "QoSProfile": "``history``, ``depth``, ``reliability`` and ``durability`` have an effect.",
+    "PublisherEventCallbacks": "``incompatible_type`` is never called, as with Fast DDS.",
+    "QoSProfile": "``avoid_ros_namespace_conventions`` has no effect.",
     "RcutilsLogger": "On the console only, where rcl itself says little.",
+    "Service": "As ``Client``.",
+    "Subscription": "There are none of raw messages (``raw=True``).",
+    "SubscriptionEventCallbacks": "``message_lost`` is never called, as nothing is lost, nor is ``incompatible_type``, "
+    "as with Fast DDS.",
     "Timer": "A period of less than 1 µs calls every 0.1 ms, about as often as a real machine can.",
     "TimerInfo": "It is there; on a real ROS 2 only from Kilted on.",
     "signals": "A handler that the node sets itself is called at once, not when the executor wakes.",
@@ -195,8 +204,10 @@ MODULES: dict[str, ModuleType] = {
     "rclpy.client": services,
     "rclpy.clock": clock,
     "rclpy.clock_type": time,
+    "rclpy.constants": constants,
     "rclpy.context": context,
     "rclpy.duration": duration,
+    "rclpy.event_handler": event_handler,
     "rclpy.exceptions": exceptions,
     "rclpy.executors": executors,
     "rclpy.expand_topic_name": names,
@@ -208,6 +219,8 @@ MODULES: dict[str, ModuleType] = {
     "rclpy.parameter": parameter,
     "rclpy.publisher": topics,
     "rclpy.qos": qos,
+    "rclpy.qos_event": event_handler,
+    "rclpy.qos_overriding_options": qos_overriding_options,
     "rclpy.service": services,
     "rclpy.signals": signals,
     "rclpy.subscription": topics,

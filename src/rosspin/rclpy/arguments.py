@@ -13,7 +13,7 @@ __all__ = ["Arguments", "remove_ros_args"]
 
 _TRUE = {"y", "yes", "on", "true"}
 _FALSE = {"n", "no", "off", "false"}
-_RULE = re.compile(r"(?:(\w+):)?([^\s:=]+):=(.+)")
+_RULE = re.compile(r"(?:(\w+):)?([^\s:=]+):=(.+)", re.DOTALL)
 LEVELS = {"unset": 0, "debug": 10, "info": 20, "warn": 30, "error": 40, "fatal": 50}
 
 # Options that have no effect here: there is no log file and no security.
@@ -168,12 +168,12 @@ class Arguments:
         return topic
 
     def parameters(self, full_name: str) -> dict[str, Any]:
-        """Return the values for the parameters of a node."""
-        found = {}
-        for node, name, value in self.overrides:
+        """Return the values for the parameters of a node. Of several the last is taken, of the node named last."""
+        found: dict[str, Any] = {}
+        for node in dict.fromkeys(node for node, _, _ in self.overrides):
             pattern = re.escape(node).replace(r"/\*\*", r"(/\w+)*").replace(r"\*", r"\w+")
             if re.fullmatch(pattern, full_name):
-                found[name] = value
+                found |= {name: value for each, name, value in self.overrides if each == node}
         return found
 
 

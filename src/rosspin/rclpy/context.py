@@ -9,7 +9,7 @@ from weakref import WeakKeyDictionary, WeakMethod
 
 from . import logging
 from .arguments import Arguments
-from .exceptions import RCLError
+from .exceptions import InvalidHandle, RCLError
 from .state import state
 
 if TYPE_CHECKING:
@@ -72,6 +72,8 @@ class Context:
         if not self.valid:
             return
         self.end()
+        if not self.state.contexts and self.state.rosout:
+            self.state.rosout.clear()
         for hook in list(self._hooks):
             # Methods are kept as weak references. rclpy calls every hook as if it were one, and then what that returns.
             found = hook()
@@ -85,8 +87,15 @@ class Context:
         self.state.participants.leave(self)
         if self in self.state.contexts:
             self.state.contexts.remove(self)
-        if not self.state.contexts and self.state.rosout:
-            self.state.rosout.clear()
+
+    def destroy(self) -> None:
+        """End, and raise InvalidHandle at each further question."""
+        if self.arguments is not None:
+            self.end()
+            self.ok = self._is_destroyed  # type: ignore[method-assign]
+
+    def _is_destroyed(self) -> bool:
+        raise InvalidHandle()
 
     def on_shutdown(self, callback: Callable[[], Any]) -> None:
         """Call ``callback`` at ``shutdown``, or at once after it. Raises TypeError if it cannot be called.

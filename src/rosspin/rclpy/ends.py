@@ -55,10 +55,10 @@ class Owner:
         self._destroyed = True
         for peer in self.peers:
             if peer.world is self.world:
-                peer.peers.remove(self)
+                peer.part(self)
         lose(self, self.world.clock.now() + ENDPOINT)
 
     def part(self, other: Any) -> None:
-        """Learn that an end in another process is gone."""
+        """Learn that another end is gone."""
         if other in self.peers:
             self.peers.remove(other)

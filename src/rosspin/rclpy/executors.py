@@ -94,10 +94,11 @@ class GuardCondition:
 class Executor:
     """Base of the executors, which call what is due in the nodes that were added.
 
-    They work in rounds. A round waits until something is due, then hands out all that is due: first the actions, then,
-    node by node, the timers, the subscriptions with one message each, the guard conditions, the clients with one answer
-    each and the services with one request each, in the order of their creation. ``spin_once`` takes the next call of
-    the round. It begins another round when this one is used up, or when it is called with another timeout.
+    They work in rounds. A round waits until something is due, then hands out all that is due: first the events of
+    topics and the actions, then, node by node, the timers, the subscriptions with one message each, the guard
+    conditions, the clients with one answer each and the services with one request each, in the order of their creation.
+    ``spin_once`` takes the next call of the round. It begins another round when this one is used up, or when it is
+    called with another timeout.
     """
 
     # Here and in Node, names that rclpy's class does not have are mangled or begin with _rosspin, so that they do not
@@ -114,7 +115,7 @@ class Executor:
         self._nodes: dict[Node, None] = {}  # in the order of their addition
         self._tasks: list[Entry] = []
         self._is_shutdown = False
-        self.__round: Iterator[Task] | None = None
+        self.__round: Iterator[Entry] | None = None
         self.__round_args: tuple[Any, ...] = ()
         self.__gate = Gate()
         self.__waits = False
@@ -223,9 +224,11 @@ class Executor:
 
     def wait_for_ready_callbacks(
         self, timeout_sec: Any = None, nodes: list[Node] | None = None, condition: Callable[[], bool] = _never
-    ) -> Task:
-        """Return the next call of the round. Raises TimeoutException, ShutdownException, ExternalShutdownException, and
-        ConditionReachedException if ``condition()`` is true.
+    ) -> Entry:
+        """Return the next call of the round: a task, what it calls (None: a task that was asked for), and its node.
+
+        Raises TimeoutException, ShutdownException, ExternalShutdownException, and ConditionReachedException if
+        ``condition()`` is true.
         """
         args = (timeout_sec, nodes, condition)
         now = self._clock.now()
@@ -242,7 +245,7 @@ class Executor:
             except StopIteration:
                 self.__round = None
 
-    def __new_round(self, timeout_sec: Any, nodes: list[Node] | None, condition: Callable[[], bool]) -> Iterator[Task]:
+    def __new_round(self, timeout_sec: Any, nodes: list[Node] | None, condition: Callable[[], bool]) -> Iterator[Entry]:
         seconds = timeout_sec.seconds if isinstance(timeout_sec, _Timeout) else timeout_sec
         timeout = -1 if seconds is None or seconds < 0 else int(float(seconds) * 1e9)
         deadline = time.monotonic_ns() + timeout if timeout > 0 else None
@@ -253,7 +256,7 @@ class Executor:
                 task, _, node = entry
                 if not task.executing() and not task.done() and (node is None or node in spun):
                     works = True
-                    yield task
+                    yield entry
             for entry in list(self._tasks):
                 if entry[0].done() or entry[0].cancelled():
                     self._tasks.remove(entry)
@@ -283,10 +286,11 @@ class Executor:
                     if guard._executor_triggered and guard.callback_group.can_execute(guard):
                         works = True
                         yield self.__task(guard, node)
-                for end in chain(node._clients, node._services):
-                    if end in ready and end.callback_group.can_execute(end):
-                        works = True
-                        yield self.__task(end, node)
+                if node._clients or node._services:
+                    for end in chain(node._clients, node._services):
+                        if end in ready and end.callback_group.can_execute(end):
+                            works = True
+                            yield self.__task(end, node)
             if is_over:
                 if timeout == 0 and not works:
                     self._clock.sleep(_LOOK)
@@ -304,12 +308,10 @@ class Executor:
         """Collect what to wait for."""
         can_execute = self.can_execute
         timers = [timer for node in nodes for timer in node._timers if can_execute(timer)]
-        ends = (
-            end
-            for node in nodes
-            for end in (*node._subscriptions, *node._clients, *node._services, *node._rosspin_waitables)
-        )
-        receivers: list[Any] = [end for end in ends if can_execute(end)]
+        receivers: list[Any] = [each for node in nodes for each in node._subscriptions if can_execute(each)]
+        for node in nodes:
+            if node._clients or node._services or node._rosspin_waitables:  # most have none
+                receivers += filter(can_execute, (*node._clients, *node._services, *node._rosspin_waitables))
         guards = [guard for node in nodes for guard in node._guards if can_execute(guard)]
         for guard in guards:
             guard.triggered = guard.triggered or guard._executor_triggered
@@ -358,12 +360,13 @@ class Executor:
         self.__waited_until = self._clock.now()
         return ready, is_over or timeout == 0
 
-    def __task(self, entity: Any, node: Node) -> Task:
+    def __task(self, entity: Any, node: Node) -> Entry:
         """Make a task that calls what is due. Nothing else is handed out for the entity until the task begins."""
         entity._executor_event = True
         task = Task(_call, (entity, self), executor=self)
-        self._tasks.append((task, entity, node))
-        return task
+        entry = task, entity, node
+        self._tasks.append(entry)
+        return entry
 
     def __enter__(self: E) -> E:
         return self
@@ -407,7 +410,7 @@ class SingleThreadedExecutor(Executor):
 
     def _rosspin_spin_once(self, timeout_sec: Any, condition: Callable[[], bool] = _never) -> None:
         try:
-            task = self.wait_for_ready_callbacks(timeout_sec, None, condition)
+            task, _, _ = self.wait_for_ready_callbacks(timeout_sec, None, condition)
         except (ShutdownException, TimeoutException, ConditionReachedException):
             return
         task()
@@ -429,7 +432,7 @@ class MultiThreadedExecutor(Executor):
 
     def _rosspin_spin_once(self, timeout_sec: Any, condition: Callable[[], bool] = _never) -> None:
         try:
-            task = self.wait_for_ready_callbacks(timeout_sec, None, condition)
+            task, _, _ = self.wait_for_ready_callbacks(timeout_sec, None, condition)
         except (ExternalShutdownException, ShutdownException, TimeoutException, ConditionReachedException):
             return
         self._executor.submit(task)

@@ -82,7 +82,10 @@ class RcutilsLogger:
         """Return the logger with this name below this one. Raises ValueError if the name is empty."""
         if not name:
             raise ValueError("Child logger name must not be empty.")
-        return RcutilsLogger(f"{self.name}.{name}" if self.name else name)
+        child = RcutilsLogger(f"{self.name}.{name}" if self.name else name)
+        if self._state.rosout and self.name in self._state.rosout:
+            self._state.rosout.add(child.name)
+        return child
 
     def set_level(self, level: int) -> None:
         """Print only what is at least so serious. Raises ValueError if there is no such level."""
@@ -217,6 +220,8 @@ def _write(own: State, severity: LoggingSeverity, name: str, message: str, frame
     if stream.isatty() if form.coloured is None else form.coloured:
         line = f"{_COLOURS[severity]}{line}\033[0m"
     stream.write(line + "\n")
+    if own.rosout and not own.contexts and name in own.rosout:  # a signal has come, and nobody has shut down
+        sys.stderr.write("Failed to publish log message to rosout: publisher's context is invalid\n")
 
 
 class LogForm(NamedTuple):

@@ -5,6 +5,7 @@ from __future__ import annotations
 import time
 from collections.abc import Callable, Iterable, Iterator, Mapping, Set
 from importlib import import_module
+from types import ModuleType
 from typing import TYPE_CHECKING, Any, TypeVar
 
 from ..messages.ros2 import Action, Message
@@ -15,6 +16,7 @@ from .arguments import Arguments
 from .callback_groups import CallbackGroup, MutuallyExclusiveCallbackGroup, ReentrantCallbackGroup
 from .clock import Clock, ROSClock
 from .context import Context, get_default_context
+from .event_handler import EventHandler, PublisherEventCallbacks, SubscriptionEventCallbacks
 from .exceptions import (
     InvalidHandle,
     NameValidationException,
@@ -28,6 +30,7 @@ from .executors import GuardCondition
 from .parameter import Parameter, Parameters
 from .parameter_service import SERVICES, ParameterService
 from .qos import DurabilityPolicy, QoSProfile, ReliabilityPolicy, qos_profile_services_default
+from .qos_overriding_options import QoSOverridingOptions, override
 from .services import Client, Ends, Service
 from .time import Time
 from .timer import Rate, Timer
@@ -77,6 +80,8 @@ class Node(Parameters):
     """
 
     __destroyed = False
+    __describes = False
+    __lacking: ModuleType | None = None
 
     def __init__(
         self,
@@ -120,7 +125,8 @@ class Node(Parameters):
         self._subscriptions: list[Subscription] = []
         self._clients: list[Client] = []
         self._services: list[Service] = []
-        self._rosspin_waitables: list[ActionServer | ActionClient] = []
+        self._rosspin_events: list[EventHandler] = []
+        self._rosspin_waitables: list[Any] = []  # its actions, and before them the events but for rare ones
         self._timers: list[Timer] = []
         self._guards: list[GuardCondition] = []
         self._default_callback_group = MutuallyExclusiveCallbackGroup()
@@ -139,6 +145,7 @@ class Node(Parameters):
         self.__listen_to_clock()
         if not self.has_parameter("start_type_description_service"):
             self.declare_parameter("start_type_description_service", True)
+        self.__describes = self.get_parameter("start_type_description_service").value
         # Whoever looks for these services first may be another process, which would import classes of its own.
         self.__lacking = import_module("rcl_interfaces.srv") if start_parameter_services else None
         if self.__full_name in self._context.state.world.graph.part(Ends).asked:
@@ -202,9 +209,10 @@ class Node(Parameters):
             self._services.extend(own)
 
     @property
-    def waitables(self) -> Iterator[ActionServer | ActionClient]:
-        """Its action servers and action clients."""
-        yield from self._rosspin_waitables
+    def waitables(self) -> Iterator[EventHandler | ActionServer | ActionClient]:
+        """The events of its publishers and subscriptions, its action servers and action clients."""
+        yield from self._rosspin_events
+        yield from (waitable for waitable in self._rosspin_waitables if waitable not in self._rosspin_events)
 
     def add_waitable(self, waitable: Any) -> None:
         """Serve an action. Others that a node may wait for are not simulated."""
@@ -213,9 +221,27 @@ class Node(Parameters):
         self._rosspin_waitables.append(waitable)
         self._wake_executor()
 
+    def _rosspin_expect(self, handlers: list[EventHandler]) -> None:
+        """Serve the events of an end."""
+        self._rosspin_events.extend(handlers)
+        for handler in handlers:
+            if not handler.is_rare:
+                self._rosspin_serve(handler)
+
+    def _rosspin_serve(self, handler: EventHandler) -> None:
+        """Look for calls of an event, and let the executor look."""
+        served = self._rosspin_waitables
+        if handler not in served:
+            events = [each for each in self._rosspin_events if each is handler or each in served]
+            self._rosspin_waitables = [*events, *(each for each in served if each not in events)]
+            self._wake_executor()
+        self._rosspin_nudge()
+
     def remove_waitable(self, waitable: Any) -> None:
-        """Serve an action no more."""
-        self._rosspin_waitables.remove(waitable)
+        """Serve an action, or an event, no more."""
+        for waitables in (self._rosspin_events, self._rosspin_waitables):
+            if waitable in waitables:
+                waitables.remove(waitable)
         self._wake_executor()
 
     def _rosspin_ends(self, kind: type[E]) -> list[E]:
@@ -274,6 +300,13 @@ class Node(Parameters):
         if self.__executor:
             self.__executor.wake()
 
+    def __add(self, entity: Any, entities: list[Any]) -> None:
+        """Let the executor call what has a callback."""
+        entity.nudge = self._rosspin_nudge
+        entity.callback_group.add_entity(entity)
+        entities.append(entity)
+        self._wake_executor()
+
     # --- timers -------------------------------------------------------------------------------------------------------
 
     def create_timer(
@@ -291,10 +324,7 @@ class Node(Parameters):
         group = callback_group or self.default_callback_group
         period = int(float(timer_period_sec) * 1e9)
         timer = Timer(callback, group, period, clock or self._clock, context=self._context, autostart=autostart)
-        timer.nudge = self._rosspin_nudge
-        group.add_entity(timer)
-        self._timers.append(timer)
-        self._wake_executor()
+        self.__add(timer, self._timers)
         return timer
 
     def create_rate(self, frequency: float, clock: Clock | None = None) -> Rate:
@@ -312,10 +342,7 @@ class Node(Parameters):
             raise invalid_context("create guard_condition")
         group = callback_group or self.default_callback_group
         guard = GuardCondition(callback, group, self._context)
-        guard.nudge = self._rosspin_nudge
-        group.add_entity(guard)
-        self._guards.append(guard)
-        self._wake_executor()
+        self.__add(guard, self._guards)
         return guard
 
     # --- topics -------------------------------------------------------------------------------------------------------
@@ -327,22 +354,23 @@ class Node(Parameters):
         qos_profile: QoSProfile | int,
         *,
         callback_group: CallbackGroup | None = None,
-        event_callbacks: Any = None,
-        qos_overriding_options: Any = None,
+        event_callbacks: PublisherEventCallbacks | None = None,
+        qos_overriding_options: QoSOverridingOptions | None = None,
     ) -> Publisher:
         """Publish messages of a class on a topic; ``qos_profile`` may be the depth.
 
         Raises InvalidTopicNameException, TypeError or ValueError if ``qos_profile`` is no QoS, AttributeError if
         ``msg_type`` is no message of ROS 2, and RCLError if the process uses the topic with another type.
         """
-        qos = self.__prepare("publisher", msg_type, topic, qos_profile, event_callbacks, qos_overriding_options)
-        full_name = self._rosspin_resolve(topic)
+        full_name, qos = self.__prepare("publisher", msg_type, topic, qos_profile, qos_overriding_options)
         if (other := self.__other_type(full_name, msg_type)) is not None:
             raise RCLError(
                 "Failed to create publisher: create_publisher() called for existing topic name "
                 f"rt{full_name} with incompatible type {other}"
             )
-        publisher = Publisher(self, msg_type, topic, full_name, qos)
+        group = callback_group or self.default_callback_group
+        events = event_callbacks or PublisherEventCallbacks()
+        publisher = Publisher(self, msg_type, topic, full_name, qos, group, events)
         self._publishers.append(publisher)
         self._wake_executor()
         return publisher
@@ -355,30 +383,24 @@ class Node(Parameters):
         qos_profile: QoSProfile | int,
         *,
         callback_group: CallbackGroup | None = None,
-        event_callbacks: Any = None,
-        qos_overriding_options: Any = None,
+        event_callbacks: SubscriptionEventCallbacks | None = None,
+        qos_overriding_options: QoSOverridingOptions | None = None,
         raw: bool = False,
     ) -> Subscription:
         """Call ``callback(message)`` for messages on a topic, while somebody spins. Raises as ``create_publisher``."""
         if raw:
             raise NotSimulated("Node.create_subscription(raw=True)")
-        qos = self.__prepare("subscription", msg_type, topic, qos_profile, event_callbacks, qos_overriding_options)
-        full_name = self._rosspin_resolve(topic)
+        full_name, qos = self.__prepare("subscription", msg_type, topic, qos_profile, qos_overriding_options)
         if self.__other_type(full_name, msg_type) is not None:
             raise RCLError("Failed to create subscription: invalid allocator")
         group = callback_group or self.default_callback_group
-        subscription = Subscription(self, msg_type, topic, full_name, callback, group, qos)
-        subscription.nudge = self._rosspin_nudge
-        group.add_entity(subscription)
-        self._subscriptions.append(subscription)
-        self._wake_executor()
+        events = event_callbacks or SubscriptionEventCallbacks()
+        subscription = Subscription(self, msg_type, topic, full_name, callback, group, qos, events)
+        self.__add(subscription, self._subscriptions)
         return subscription
 
-    def __prepare(self, what: str, msg_type: Any, topic: Any, qos: Any, events: Any, options: Any) -> QoSProfile:
-        if events is not None:
-            raise NotSimulated(f"Node.create_{what}(event_callbacks=...)")
-        if options is not None:
-            raise NotSimulated(f"Node.create_{what}(qos_overriding_options=...)")
+    def __prepare(self, what: str, msg_type: Any, topic: Any, qos: Any, options: Any) -> tuple[str, QoSProfile]:
+        """Return the topic's full name and the profile of what is to be created."""
         self.__check()
         if isinstance(qos, int):
             if qos < 0:
@@ -391,7 +413,10 @@ class Node(Parameters):
             raise no_type_support(msg_type)
         if not self._context.ok():
             raise RCLError(f"Failed to create {what}: rcl node's context is invalid")
-        return qos
+        full_name = self._rosspin_resolve(topic)
+        if options is not None:
+            override(what, self, full_name, qos, options)
+        return full_name, qos
 
     def __other_type(self, full_name: str, msg_type: type[Message]) -> str | None:
         """Return the type with which this process uses a topic, in DDS's words, if it is not ``msg_type``."""
@@ -510,7 +535,7 @@ class Node(Parameters):
                     node._rosspin_start_services()
         group = callback_group or self.default_callback_group
         client = Client(self, srv_type, srv_name, full_name, group, qos_profile)
-        self.__add_end(client, self._clients)
+        self.__add(client, self._clients)
         return client
 
     def create_service(
@@ -531,14 +556,8 @@ class Node(Parameters):
             logging.get_logger("rcl").warning(_TRANSIENT_LOCAL)
         group = callback_group or self.default_callback_group
         service = Service(callback, self, srv_type, srv_name, full_name, group, qos_profile)
-        self.__add_end(service, self._services)
+        self.__add(service, self._services)
         return service
-
-    def __add_end(self, end: Any, ends: list[Any]) -> None:
-        end.nudge = self._rosspin_nudge
-        end.callback_group.add_entity(end)
-        ends.append(end)
-        self._wake_executor()
 
     def __prepare_service(self, what: str, srv_type: Any, name: Any, qos: Any) -> str:
         """Check what a client or service is to be made of. Return the full name."""
@@ -588,8 +607,7 @@ class Node(Parameters):
     def __describing(self) -> dict[str, set[str]]:
         """The service that describes its types. It is only named here."""
         kind = {"type_description_interfaces/srv/GetTypeDescription"}
-        is_there = self.get_parameter("start_type_description_service").value
-        return {f"{self.__full_name}/get_type_description": kind} if is_there else {}
+        return {f"{self.__full_name}/get_type_description": kind} if self.__describes else {}
 
     def count_services(self, service_name: str) -> int:
         """Count the known servers of a service; its name is not remapped. Raises ValueError and InvalidHandle."""
@@ -683,7 +701,8 @@ class Node(Parameters):
             while entities:
                 self.__destroy(entities[0], entities)
         if self.__on_rosout and self._context.state.rosout and not self.__destroyed:
-            self._context.state.rosout.discard(self._logger.name)
+            own = self._context.state
+            own.rosout = {name for name in own.rosout or () if not f"{name}.".startswith(f"{self._logger.name}.")}
         self.__destroyed = True
         if self in self._context.nodes:
             self._context.nodes.remove(self)

@@ -31,7 +31,7 @@ if TYPE_CHECKING:
     from .callback_groups import CallbackGroup
     from .node import Node
 
-__all__ = ["Client", "Ends", "Service"]
+__all__ = ["Client", "Service"]
 
 # How long (ns) a service tries to send an answer to a client that is not there.
 _TRY = 100_000_000

@@ -43,11 +43,13 @@ class Future:
         self._fetched = False
         self._world: object = None  # the world of the node that raised its exception
         self._callbacks: list[Callable[[Future], Any]] = []
-        self._set_executor(executor)
+        self._executor: Callable[[], Executor | None] = _nobody
+        if executor is not None:
+            self._executor = ref(executor)
 
     def _set_executor(self, executor: Executor | None) -> None:
-        """Let an executor run the done callbacks that are added, or called, from now on."""
-        self._executor: Callable[[], Executor | None] = _nobody if executor is None else ref(executor)
+        """Let an executor run the done callbacks from now on."""
+        self._executor = _nobody if executor is None else ref(executor)
 
     def __del__(self) -> None:
         # A future collected after its run has nobody to tell.

@@ -6,7 +6,7 @@ from enum import IntEnum
 from importlib import import_module
 from typing import Any, overload
 
-from ..clocks.clock import NS
+from ..clocks.clock import BEGINS_AT_0, NS
 from .duration import Duration, Ordered
 
 __all__ = ["ClockType", "Time"]
@@ -80,7 +80,9 @@ class Time(Ordered):
         try:
             return Time(nanoseconds=self.nanoseconds - other.nanoseconds, clock_type=self.clock_type)
         except ValueError as error:
-            raise ValueError("Subtraction leads to negative time.") from error
+            negative = ValueError("Subtraction leads to negative time.")
+            negative.add_note(BEGINS_AT_0)
+            raise negative from error
 
     def to_msg(self) -> Any:
         """Return the time as a message, builtin_interfaces/Time."""

@@ -12,13 +12,14 @@ from typing import Any
 from ..messages import MessageFinder, genpy, ros1
 from ..messages.ros1 import Message
 from ..world.world import NotSimulated
-from . import client, core, exceptions, msg, names, rostime, timer, topics, validators
+from . import client, core, exceptions, msg, names, rostime, service, timer, topics, validators
 from .client import *
 from .core import *
 from .exceptions import *
 from .msg import AnyMsg
 from .names import *
 from .rostime import Duration, Time, get_rostime, get_time
+from .service import Service, ServiceException, ServiceProxy, wait_for_service
 from .timer import Rate, Timer, sleep
 from .topics import Publisher, SubscribeListener, Subscriber
 
@@ -29,6 +30,9 @@ __all__ = [
     "Message",
     "Publisher",
     "Rate",
+    "Service",
+    "ServiceException",
+    "ServiceProxy",
     "SubscribeListener",
     "Subscriber",
     "Time",
@@ -36,6 +40,7 @@ __all__ = [
     "get_rostime",
     "get_time",
     "sleep",
+    "wait_for_service",
     *client.__all__,
     *core.__all__,
     *exceptions.__all__,
@@ -44,12 +49,9 @@ __all__ = [
 
 Header: Any  # made when it is asked for
 
-# The names of rospy that are not here: services and the master need a real ROS.
+# The names of rospy that are not here: the master and the network need a real ROS.
 NOT_SIMULATED = {
     "MasterProxy",
-    "Service",
-    "ServiceException",
-    "ServiceProxy",
     "get_master",
     "get_node_uri",
     "get_ros_root",
@@ -57,8 +59,6 @@ NOT_SIMULATED = {
     "msproxy",
     "numpy_msg",
     "parse_rosrpc_uri",
-    "service",
-    "wait_for_service",
 }
 
 # Names that do less here than in rospy, and what each lacks.
@@ -72,6 +72,7 @@ IN_PART = {
         "The parameters are those of the run: its nodes share them, and no other program sees them.",
     ),
     "Publisher": "The queue loses nothing: ``queue_size``, ``tcp_nodelay`` and ``headers`` have no effect.",
+    "Service": "There is no network: ``buff_size`` has no effect.",
     "Subscriber": "There is no network: ``buff_size`` and ``tcp_nodelay`` have no effect.",
     "init_node": "There is no network: ``disable_rosout`` and the ports have no effect.",
 }
@@ -89,6 +90,7 @@ MODULES = {
     "rospy.msg": msg,
     "rospy.names": names,
     "rospy.rostime": rostime,
+    "rospy.service": service,
     "rospy.timer": timer,
     "rospy.topics": topics,
 }

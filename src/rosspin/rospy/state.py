@@ -17,11 +17,12 @@ Handler = Callable[[int, Any], None]
 
 
 class Master:
-    """The parameters and the names of nodes, which the nodes of a run share as on a ROS master."""
+    """The parameters and the names of nodes and services, which the nodes of a run share as on a ROS master."""
 
     def __init__(self) -> None:
         self.parameters: dict[str, Any] = {}  # a tree of dictionaries
         self.nodes: dict[str, State] = {}
+        self.services: dict[str, Any] = {}  # the services' names, and what each node that has one keeps of its own
 
     def set_param(self, name: str, param_value: Any) -> None:
         """Set the parameter with a full name, as XML-RPC would deliver it. Raises what ``rospy.set_param`` does."""

@@ -9,8 +9,9 @@ import sys
 from collections.abc import Callable, Iterator, Mapping, Sequence
 from contextlib import ExitStack, contextmanager
 from functools import cached_property
+from importlib import import_module
 from types import ModuleType
-from typing import Any, NamedTuple, Protocol
+from typing import Any, NamedTuple, Protocol, TextIO
 
 from ..clocks import signals, threads, virtual_time
 from ..clocks.clock import NS, Clock, WallClock, nanoseconds
@@ -25,6 +26,7 @@ from ..clocks.watchdog import Stuck
 from ..results.ticks import Call, Message, Run, Tick
 from ..world.graph import Graph, Recording, TickLog
 from ..world.world import World
+from .deadlock import explain_threads
 from .explain import keep_those_of, say_killed, stands_still
 from .kept import KEPT, one_at_a_time, state_of_names, state_of_node, state_of_process
 from .process import PATCHES, Process, Slots
@@ -37,7 +39,7 @@ __all__ = ["PATIENCE", "Host", "Result", "Supervisor", "duration", "kept", "repl
 PATIENCE = 17
 
 # How the names of modules begin that may belong to a real ROS.
-_ROOTS = tuple(root for ros in ROSES.values() for root in ros.roots)
+_ROOTS = tuple(root for ros in ROSES.values() for root in (*ros.roots, *ros.beside))
 
 _chdir = os.chdir
 
@@ -66,11 +68,11 @@ class Host:
 
     def __init__(self, clock: Clock, ticks: TickLog | None, several: bool = False) -> None:
         self.clock = clock
-        self.recording = Recording(clock, ticks, several, 0 if isinstance(clock, Simulation) else clock.now())
+        self.recording = Recording(clock, ticks, several, clock.now())
         self.processes: list[Process] = []
         self.at_graph: list[Callable[[int, Graph], None]] = []  # called when a ROS is used for the first time
         self._graphs: dict[int, Graph] = {}
-        self._stand_ins: dict[int, Mapping[str, ModuleType]] = {}
+        self._stand_ins: dict[str, Mapping[str, ModuleType]] = {}
         self._of: dict[Program, Process] = {}
         self._own = ("__main__", "random") if several else ("__main__",)
         self._differ = False  # whether the environments of processes may differ
@@ -85,7 +87,8 @@ class Host:
         args: Sequence[str] = (),
         environment: Mapping[str, str] | None = None,
         folder: str = "",
-        quiet: bool = False,
+        stdout: TextIO | None = None,
+        stderr: TextIO | None = None,
     ) -> Process:
         """Make the process of a node; see :class:`Process`. To be called within :meth:`inside`."""
         here = self._current
@@ -95,7 +98,7 @@ class Host:
         def make_world(argv: list[str]) -> World:
             return World(self.clock, argv, self.recording, self.graph, number)
 
-        process = Process(node, args, make_world, self._stand_in, self._hide, environment, folder, quiet)
+        process = Process(node, args, make_world, self._stand_in, self._hide, environment, folder, stdout, stderr)
         self.processes.append(process)
         self._of[process.world] = process
         process.world.on_failure = lambda: self.on_failure and self.on_failure()
@@ -107,6 +110,16 @@ class Host:
         self._go_on(here if self.recording.several else process)
         return process
 
+    @contextmanager
+    def outside(self) -> Iterator[None]:
+        """Within this context code finds what it would find outside of all processes. Time must not go on in it."""
+        here = self._current
+        self._go_on(self._outside)
+        try:
+            yield
+        finally:
+            self._go_on(here)
+
     def graph(self, ros: int) -> Graph:
         """The graph of the nodes of ROS 1 or 2."""
         if ros not in self._graphs:
@@ -115,14 +128,15 @@ class Host:
                 function(ros, graph)
         return self._graphs[ros]
 
-    def _stand_in(self, ros: int) -> Mapping[str, ModuleType]:
-        """The modules that stand in for a ROS, by their names."""
-        if ros not in self._stand_ins:
-            known = f"rosspin.{ROSES[ros].roots[0]}" in sys.modules
-            self._stand_ins[ros] = dict(ROSES[ros].stand_in.MODULES)
+    def _stand_in(self, ros: int, package: str = "") -> Mapping[str, ModuleType]:
+        """The modules that stand in for a ROS, or for a package beside it, by their names."""
+        home = ROSES[ros].home(package)
+        if home not in self._stand_ins:
+            known = home in sys.modules
+            self._stand_ins[home] = dict(import_module(home).MODULES)
             if not known:  # then its state was not noted with all the rest
                 self._loaded.append(state_of_names())
-        return self._stand_ins[ros]
+        return self._stand_ins[home]
 
     def _bound(self, process: Process) -> None:
         """Give a process what belongs to the ROS that it has imported."""
@@ -273,7 +287,9 @@ class Host:
         return simulated
 
     def _say_what_waits(self) -> None:
-        """Say what waits for ever among the nodes of ROS 2."""
+        """Say what waits for ever: threads, and the callbacks of ROS 2."""
+        assert isinstance(self.clock, Simulation)
+        sys.stderr.write(explain_threads(self.clock))
         if graph := self._graphs.get(2):
             sys.stderr.write(ROSES[2].stand_in.explain_waits(graph))
 
@@ -282,17 +298,17 @@ class Host:
         return None if self.supervisor else PATIENCE * NS
 
     def run(self, until: int) -> None:
-        """Let the simulated time go on to ``until`` (ns), press Ctrl-C, and let the processes end.
+        """Let the simulated time go on to ``until`` (ns after its start), press Ctrl-C, and let the processes end.
 
         This does what :meth:`advance` and :meth:`interrupt` do. All three are to be called within :meth:`inside`.
         """
         with self._explained(until / NS):
-            self._program.run(until, self._patience)
+            self._program.run(self.recording.start + until, self._patience)
 
     def advance(self, until: int) -> None:
-        """Let the simulated time go on until all that is due by ``until`` (ns) has run."""
+        """Let the simulated time go on until all that is due by ``until`` (ns after its start) has run."""
         with self._explained(until / NS):
-            self._program.advance(until)
+            self._program.advance(self.recording.start + until)
 
     def interrupt(self) -> None:
         """Press Ctrl-C, and let the processes end."""
@@ -415,11 +431,11 @@ def kept() -> list[str]:
     return [each.what for each in KEPT] + ["names in rospy, rclpy, message classes and the standard library's modules"]
 
 
-def duration(seconds: float) -> int:
-    """Convert the length of a run, or of a step, to ns. Raises ValueError if it cannot be one."""
+def duration(seconds: float, name: str = "seconds") -> int:
+    """Convert the length of a run, or of a step, to ns. Raises ValueError, with its ``name``, if it cannot be one."""
     if not (isinstance(seconds, (int, float)) and math.isfinite(seconds) and seconds >= 0):
-        raise ValueError(f"seconds must be a number of at least 0, not {seconds!r}")
+        raise ValueError(f"{name} must be a number of at least 0, not {seconds!r}")
     try:
         return nanoseconds(seconds)
     except OverflowError:
-        raise ValueError(f"seconds must be less than {2**63 // NS} (292 years), not {seconds!r}") from None
+        raise ValueError(f"{name} must be less than {2**63 // NS} (292 years), not {seconds!r}") from None

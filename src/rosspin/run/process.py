@@ -3,7 +3,6 @@
 from __future__ import annotations
 
 import atexit
-import io
 import logging
 import os
 import signal
@@ -14,14 +13,14 @@ import warnings
 from collections.abc import Callable, Mapping, Sequence
 from operator import attrgetter
 from types import FrameType, MappingProxyType, ModuleType
-from typing import Any
+from typing import Any, TextIO
 
 try:
     import _posixsubprocess
 except ImportError:  # a web page has no processes
     _posixsubprocess = None  # type: ignore[assignment]
 
-from ..clocks.ending import Ended
+from ..clocks.ending import Ended, heed
 from ..clocks.frames import format_error, is_installed
 from ..clocks.patches import Patch
 from ..clocks.programs import Died, end_program, end_run
@@ -84,8 +83,8 @@ class Process(Slots):
     """The process of one node: ``world`` is what the stand-ins know of it, ``imports`` is what it can import.
 
     It begins as a copy of the process that it is made in, with another command line: ``args`` are the words after the
-    first. ``environment`` is added to the environment; ``folder``, if given, is the working directory; with ``quiet``,
-    what goes to stdout is dropped.
+    first. ``environment`` is added to the environment; ``folder``, if given, is the working directory; ``stdout`` and
+    ``stderr``, if given, are its streams.
     """
 
     def __init__(
@@ -93,11 +92,12 @@ class Process(Slots):
         node: Node,
         args: Sequence[str],
         make_world: Callable[[list[str]], World],
-        stand_in: Callable[[int], Mapping[str, ModuleType]],
+        stand_in: Callable[[int, str], Mapping[str, ModuleType]],
         hidden: Callable[[Mapping[str, ModuleType]], None],
         environment: Mapping[str, str] | None = None,
         folder: str = "",
-        quiet: bool = False,
+        stdout: TextIO | None = None,
+        stderr: TextIO | None = None,
     ) -> None:
         super().__init__()
         self.node = node
@@ -118,9 +118,10 @@ class Process(Slots):
             sys.__excepthook__,
             sys.__unraisablehook__,
             sys.stdin,
-            _nowhere() if quiet else sys.stdout,
-            sys.stderr,
+            stdout or sys.stdout,
+            stderr or sys.stderr,
         )
+        self.world.stderr = stderr or sys.stderr
         self.environment = {**self.environment, **added}
         self.filters = list(warnings.filters)
         self.root_logger = {**root, "handlers": root["handlers"][:], "filters": root["filters"][:], "_cache": {}}
@@ -166,6 +167,7 @@ class Process(Slots):
         except (NotSimulated, Ended, StackExit, Died):
             raise
         except BaseException as error:
+            heed()
             if lacking := not_simulated(error):
                 raise lacking from error
             status = 128 + signal.SIGINT if type(error) is KeyboardInterrupt else 1
@@ -337,16 +339,3 @@ def leave(status: int, world: World) -> None:
         sys.stdout.flush()
         sys.stderr.flush()
         os._exit(status)
-
-
-class _Null(io.BufferedIOBase):
-    def writable(self) -> bool:
-        return True
-
-    def write(self, data: Any) -> int:
-        return len(data)
-
-
-def _nowhere() -> io.TextIOWrapper:
-    null: Any = _Null()
-    return io.TextIOWrapper(null, encoding="utf-8", errors="backslashreplace")

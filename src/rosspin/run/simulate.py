@@ -12,19 +12,30 @@ from ..clocks.simulation import Simulation
 from ..results.ticks import Run
 from ..world.graph import TickLog
 from .host import Host, Result, Supervisor, duration
+from .ros2launch.launch_file import LaunchFile
 from .roslaunch import launch
 from .roslaunch.monitor import Monitor
-from .source import Node, NodeLike, load, refuse_text, warn_of_files
+from .source import Node, NodeLike, is_launch_of_ros2, load, refuse_text, warn_of_files
 from .streams import capture
 from .together import Together
 
-__all__ = ["run_captured", "run_node", "run_nodes", "several", "simulate", "supervisor"]
+__all__ = ["Launched", "run_captured", "run_node", "run_nodes", "several", "simulate", "supervisor"]
+
+Launched = launch.Launch | LaunchFile
 
 
 def simulate(
-    node: NodeLike | Sequence[NodeLike | launch.Node], seconds: float, args: Sequence[str] = (), skip_cpp: bool = False
+    node: NodeLike | Sequence[NodeLike | launch.Node],
+    seconds: float,
+    args: Sequence[str] = (),
+    skip_cpp: bool = False,
+    *,
+    start: float = 0.0,
 ) -> Run:
     """Run a node for ``seconds`` of simulated time, which begins at 0 and takes almost no real time.
+
+    ``start`` is what the node's clocks tell at first, in s: 0, or with 1.7e9 a time as on a real computer. What the run
+    gives counts from there.
 
     ``node`` is the path of a node file, or a function. Whichever of ``rospy`` and ``rclpy`` it imports first decides
     its ROS. ``args`` are its command line, such as ``"__ns:=/mrp"``, or ``"--ros-args", "-r", "__ns:=/mrp"`` in ROS 2.
@@ -35,34 +46,43 @@ def simulate(
     What the node changes in modules or in the process is undone afterwards. From ``random`` it draws the numbers that
     the caller would have drawn next, and still will: two runs in a row draw the same unless you set a seed in between.
 
-    Several nodes run together if ``node`` is a list of them, or the path of a launch file of ROS 1, which is then given
-    the ``args``. They are started in this order, all at time 0, each as a process of its own. In a list, :class:`Node`
+    Several nodes run together if ``node`` is a list of them, or the path of a launch file, which is then given the
+    ``args``. They are started in this order, all at time 0, each as a process of its own. In a list, :class:`Node`
     gives one a command line of its own. The sources of ticks begin with the nodes' names. Nodes of ROS 1 run as under
     roslaunch: what it says of nodes that end is on the console, and the status is 0 whatever becomes of them. If there
     are nodes of ROS 2, all run as in terminals of their own: each gets the Ctrl-C, and the status is that of the first
-    that has failed. Nodes of ROS 1 and ROS 2 do not hear each other. With ``skip_cpp``, the nodes of a launch file that
+    that has failed. Those of a launch file of ROS 2 (``.launch.py``, ``.launch.xml`` or ``.launch.yaml``) run as under
+    ``ros2 launch``. Nodes of ROS 1 and ROS 2 do not hear each other. With ``skip_cpp``, the nodes of a launch file that
     are not in Python are left out.
 
-    Raises OSError if the file cannot be read, SyntaxError if it is not Python, ValueError if ``seconds`` is negative,
-    too large or not a number, :class:`TimeStandsStill` if the node never lets the time go on, and
+    Raises OSError if the file cannot be read, SyntaxError if it is not Python, ValueError if ``seconds`` or ``start``
+    is negative, too large or not a number, :class:`TimeStandsStill` if the node never lets the time go on, and
     :class:`NotSimulated` if it needs a real ROS.
     """
     refuse_text(args)
     launched = several(node, args, skip_cpp)
+    clock = Simulation(duration(start, "start"))
     if launched is None:
-        return run_captured(Simulation(), load(node), seconds, args)  # type: ignore[arg-type]
+        return run_captured(clock, load(node), seconds, args)  # type: ignore[arg-type]
     duration(seconds)
     with capture() as console:
-        result = run_nodes(launched, seconds, Simulation(), TickLog())
+        result = run_nodes(launched, seconds, clock, TickLog())
     return result.run(console.text(), "simulated", seconds)
 
 
 def several(
     node: NodeLike | Sequence[NodeLike | launch.Node], args: Sequence[str] = (), skip_cpp: bool = False
-) -> launch.Launch | None:
-    """Read a launch file, or a list of nodes; None for anything else. Raises what :func:`simulate` raises for these."""
-    if isinstance(node, (str, os.PathLike)) and os.fspath(node).endswith(".launch"):
-        return launch.read_launch(node, args, skip_cpp)
+) -> Launched | None:
+    """Read a launch file, or a list of nodes; None for anything else. Raises what :func:`simulate` raises for these.
+
+    A launch file of ROS 2 is read only when it runs.
+    """
+    path = os.fspath(node) if isinstance(node, (str, os.PathLike)) else ""
+    if path.endswith(".launch"):
+        return launch.read_launch(path, args, skip_cpp)
+    if is_launch_of_ros2(path):
+        with open(path, "rb"):
+            return LaunchFile(path, args, skip_cpp)
     if callable(node) or isinstance(node, (str, os.PathLike)) or not isinstance(node, Iterable):
         return None
     if args:
@@ -106,7 +126,7 @@ def run_node(
 
 
 def run_nodes(
-    nodes: launch.Launch,
+    nodes: Launched,
     seconds: float,
     clock: Simulation,
     ticks: TickLog | None = None,
@@ -124,8 +144,12 @@ def run_nodes(
     return host.result()
 
 
-def supervisor(nodes: launch.Launch, host: Host, codes: Sequence[Node] | None = None) -> Supervisor:
-    """Make the supervisor of nodes: roslaunch, or with nodes of ROS 2 one that treats them as in terminals."""
+def supervisor(nodes: Launched, host: Host, codes: Sequence[Node] | None = None) -> Supervisor:
+    """Make the supervisor of nodes: roslaunch, ros2 launch, or one that treats nodes of ROS 2 as in terminals."""
+    if isinstance(nodes, LaunchFile):
+        from .ros2launch.service import LaunchService  # only needed where there is such a file
+
+        return LaunchService(host, nodes)
     codes = codes or [load(node.node) for node in nodes.nodes]
     for line in nodes.left_out:
         sys.stderr.write(f"rosspin: {line}\n")

@@ -22,7 +22,7 @@ from .roses import ROSES, ros_of
 
 __all__ = [
     *("Node", "NodeLike", "around_package", "execute", "folder_of", "load", "load_source", "names_a_ros"),
-    *("refuse_launch_of_ros2", "refuse_other_ros", "refuse_text", "split_words", "warn_of_files"),
+    *("compiled", "is_launch_of_ros2", "read", "refuse_other_ros", "refuse_text", "split_words", "warn_of_files"),
 ]
 
 
@@ -58,22 +58,26 @@ def load(node: NodeLike) -> Node:
         name = getattr(function, "__name__", type(function).__name__)
         code = getattr(function, "__code__", None) or getattr(type(function).__call__, "__code__", None)
         return Node(node, name, code.co_filename if code else "", None, hint=_hint([code] if code else [], None))
-    if isinstance(node, (list, tuple)) or (isinstance(node, (str, os.PathLike)) and str(node).endswith(".launch")):
+    path = os.fspath(node) if isinstance(node, (str, os.PathLike)) else ""
+    if isinstance(node, (list, tuple)) or path.endswith(".launch") or is_launch_of_ros2(path):
         raise ValueError("several nodes and launch files run in simulated time (rosspin.simulate) or on a real ROS")
     if not isinstance(node, (str, os.PathLike)):
         raise TypeError(f"a node is the path of a file, or a function, not {node!r}")
-    path = os.fspath(node)
-    refuse_launch_of_ros2(path)
-    return load_source(_read(path), path)
+    return load_source(read(path), path)
 
 
 def load_source(source: str, filename: str) -> Node:
     """Load a node from its source text. Raises SyntaxError if it is not Python."""
-    lines = io.StringIO(source, newline=None).readlines()  # as Python counts lines; it may show one while it compiles
-    linecache.cache[filename] = (len(source), None, lines, filename)
-    code = _compile(source, filename)
+    code = compiled(source, filename)
     folder = str(Path(filename).resolve().parent) if os.path.exists(filename) else None
     return Node(lambda: execute(code, filename), filename, filename, folder, source, _hint([code], folder))
+
+
+def compiled(source: str, filename: str) -> CodeType:
+    """Compile a source text so that its lines can be shown. Raises SyntaxError if it is not Python."""
+    lines = io.StringIO(source, newline=None).readlines()  # as Python counts lines; it may show one while it compiles
+    linecache.cache[filename] = (len(source), None, lines, filename)
+    return _compile(source, filename)
 
 
 def execute(code: CodeType, filename: str) -> None:
@@ -84,7 +88,7 @@ def execute(code: CodeType, filename: str) -> None:
     exec(code, module.__dict__)
 
 
-def _read(path: str) -> str:
+def read(path: str) -> str:
     """Read the text of a Python file. Raises SyntaxError for bytes that are not in its encoding."""
     try:
         with tokenize.open(path) as file:
@@ -106,18 +110,15 @@ def _compile(source: str, filename: str) -> CodeType:
 # --- what is refused before it runs -----------------------------------------------------------------------------------
 
 
-def refuse_launch_of_ros2(path: str) -> None:
-    """Raise ValueError for a launch file of ROS 2, by its name."""
-    if re.search(r"[._]launch\.(xml|ya?ml)$|\.launch\.py$", path):
-        raise ValueError(
-            f"{path}: rosspin runs launch files of ROS 1 (.launch) only; run the nodes of this one one by one"
-        )
+def is_launch_of_ros2(path: str) -> bool:
+    """Whether a file is a launch file of ROS 2, by its name."""
+    return bool(re.search(r"[._]launch\.(py|xml|ya?ml)$", path))
 
 
 def refuse_other_ros(path: str, ros: int) -> None:
     """Raise ValueError if a node file is for the other ROS. The run will show anything else that is wrong with it."""
     with suppress(SyntaxError):
-        if load_source(_read(path), path).hint == 3 - ros:
+        if load_source(read(path), path).hint == 3 - ros:
             raise ValueError(f"{path}: this is a node of ROS {3 - ros}: --ros{3 - ros}")
 
 
@@ -186,7 +187,7 @@ def _hint(codes: Sequence[CodeType], folder: str | None) -> int:
 def _compiled(paths: Sequence[str]) -> Iterator[CodeType]:
     for path in paths:
         with suppress(SyntaxError):  # it may be for another Python, and never be imported
-            yield _compile(_read(path), path)
+            yield _compile(read(path), path)
 
 
 def names_a_ros(code: CodeType) -> int:

@@ -19,6 +19,7 @@ from ..world.graph import Graph, Recording, TickLog
 from ..world.world import World
 from .host import Host, duration
 from .process import Process
+from .ros2launch.launch_file import LaunchFile
 from .roses import ROSES
 from .roslaunch.launch import Node
 from .simulate import several, supervisor
@@ -75,8 +76,12 @@ class StartedNode:
             raise ValueError(
                 "give each of several nodes its parameters on its own command line: rosspin.Node(node, args)"
             )
-        codes = [load(node)] if launched is None else [load(each.node) for each in launched.nodes]  # type: ignore[arg-type]
-        self.name = ", ".join(Path(code.argv0).name for code in codes)  # of files, or of functions
+        if isinstance(launched, LaunchFile):
+            names = [launched.path]
+        else:
+            codes = [load(node)] if launched is None else [load(each.node) for each in launched.nodes]  # type: ignore[arg-type]
+            names = [code.argv0 for code in codes]
+        self.name = ", ".join(Path(name).name for name in names)  # of files, or of functions
         self._parameters = parameters
         self._capture = Capture()
         self._clock = Simulation()

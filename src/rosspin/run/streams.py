@@ -10,7 +10,7 @@ from typing import Any, TextIO
 
 from .kept import one_at_a_time
 
-__all__ = ["Capture", "byte_stream", "capture"]
+__all__ = ["Capture", "Lines", "byte_stream", "capture", "nowhere"]
 
 
 class Capture:
@@ -64,6 +64,30 @@ def byte_stream(take: Callable[[bytes], None]) -> TextIO:
     """A stream such as ``sys.stdout``: ``take`` is called with all that is written, as UTF-8."""
     sink: Any = _Sink(take)
     return io.TextIOWrapper(sink, encoding="utf-8", errors="backslashreplace", newline="\n", write_through=True)
+
+
+def nowhere() -> TextIO:
+    """A stream that drops what is written."""
+    return byte_stream(lambda data: None)
+
+
+class Lines:
+    """A ``stream`` of lines: ``take`` is called with each as soon as it is whole."""
+
+    def __init__(self, take: Callable[[str], object]) -> None:
+        self.stream = byte_stream(self._keep)
+        self._take = take
+        self._rest = b""
+
+    def _keep(self, data: bytes) -> None:
+        *lines, self._rest = (self._rest + data).split(b"\n")
+        for line in lines:
+            self._take(line.decode(errors="replace"))
+
+    def flush(self) -> None:
+        """Take what has been written of a last line."""
+        if self._rest:
+            self._keep(b"\n")
 
 
 @contextmanager

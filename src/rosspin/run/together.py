@@ -15,6 +15,7 @@ from .host import PATIENCE, Host
 from .process import Process
 from .roslaunch.launch import Node
 from .source import Node as Code
+from .streams import nowhere
 
 __all__ = ["Together"]
 
@@ -59,8 +60,8 @@ class Together:
                 self._kill(process)
 
     def _start(self, node: Node, code: Code) -> Process:
-        folder, quiet = node.cwd, node.output != "screen"
-        process = self._host.add(code, node.args, node.env, folder, quiet)
+        stdout = None if node.output == "screen" else nowhere()
+        process = self._host.add(code, node.args, node.env, node.cwd, stdout)
         process.world.at_bind.append(lambda: _give_names(process, node))
         process.world.at_end.append(lambda: self._note_end(process))
         self._host.begin(process)

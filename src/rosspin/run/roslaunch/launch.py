@@ -14,7 +14,9 @@ from typing import Any
 
 from ...messages.library import Library
 from ...rospy.rosgraph import PRIV_NAME, canonicalize_name, load_mappings, make_global_ns, ns_join
+from ..executables import find_python, is_cpp
 from ..source import NodeLike
+from ..tags import Tag, parse
 
 __all__ = ["Launch", "Node", "read_launch"]
 
@@ -68,57 +70,6 @@ def read_launch(path: str | os.PathLike[str], args: Sequence[str] = (), skip_cpp
         if count > 1:
             raise ValueError(f"{os.fspath(path)}: there are several nodes named {name}")
     return Launch(reader.nodes, list(reader.parameters.items()), reader.left_out)
-
-
-# --- XML --------------------------------------------------------------------------------------------------------------
-
-
-@dataclass
-class _Tag:
-    """An element, and the line on which it begins."""
-
-    name: str
-    attributes: dict[str, str]
-    file: str
-    line: int
-    children: list[_Tag] = field(default_factory=list)
-    texts: list[str] = field(default_factory=list)
-
-    @property
-    def text(self) -> str:
-        return "".join(self.texts)
-
-    def fault(self, what: str) -> ValueError:
-        return ValueError(f"{self.file}:{self.line}: {what}")
-
-
-def _parse(path: str) -> _Tag:
-    """Parse a file and return its root element. Raises OSError and ValueError."""
-    from xml.parsers import expat  # only needed where there is a launch file
-
-    parser = expat.ParserCreate()
-    parser.buffer_text = True
-    root = _Tag("", {}, path, 1)
-    open_tags = [root]
-
-    def start(name: str, attributes: dict[str, str]) -> None:
-        tag = _Tag(name, attributes, path, parser.CurrentLineNumber)
-        open_tags[-1].children.append(tag)
-        open_tags.append(tag)
-
-    parser.StartElementHandler, parser.EndElementHandler = start, lambda name: open_tags.pop()
-    parser.CharacterDataHandler = lambda text: open_tags[-1].texts.append(text)
-    with open(path, "rb") as file:
-        try:
-            parser.ParseFile(file)
-        except expat.ExpatError as error:
-            raise ValueError(f"{path}:{error.lineno}: this is not XML: {expat.ErrorString(error.code)}") from None
-        except (LookupError, ValueError) as error:
-            raise ValueError(f"{path}:1: this cannot be read: {error}") from None  # its encoding
-    (launch,) = root.children
-    if launch.name != "launch":
-        raise launch.fault(f"a launch file begins with <launch>, not with <{launch.name}>")
-    return launch
 
 
 # --- what tags mean ---------------------------------------------------------------------------------------------------
@@ -177,9 +128,9 @@ class _Reader:
 
     def read(self, path: str, scope: _Scope) -> None:
         """Read a file in a scope."""
-        self._read_all(_parse(path).children, scope)
+        self._read_all(parse(path).children, scope)
 
-    def _read_all(self, tags: Sequence[_Tag], scope: _Scope, known: Sequence[str] = (*_ATTRIBUTES, *_IGNORED)) -> None:
+    def _read_all(self, tags: Sequence[Tag], scope: _Scope, known: Sequence[str] = (*_ATTRIBUTES, *_IGNORED)) -> None:
         for tag in tags:
             if tag.name not in known:
                 raise tag.fault(f"<{tag.name}> is not simulated")
@@ -196,7 +147,7 @@ class _Reader:
                         raise type(error)(error.errno, place, error.filename, None, tag.file) from None
                     raise
 
-    def _attributes(self, tag: _Tag, scope: _Scope) -> dict[str, str] | None:
+    def _attributes(self, tag: Tag, scope: _Scope) -> dict[str, str] | None:
         """A tag's attributes, with substitutions made; None if its "if" or "unless" leaves the tag out."""
         needed, names = _ATTRIBUTES[tag.name][0], _ATTRIBUTES[tag.name][1].split()
         found = {
@@ -216,11 +167,11 @@ class _Reader:
         passed_over = _IDLE | found.keys()
         return {name: self._resolve(text, scope) for name, text in tag.attributes.items() if name not in passed_over}
 
-    def _read_group(self, tag: _Tag, scope: _Scope, ns: str | None = None) -> None:
+    def _read_group(self, tag: Tag, scope: _Scope, ns: str | None = None) -> None:
         self._read_all(tag.children, scope.inner(ns))
 
     def _read_arg(
-        self, tag: _Tag, scope: _Scope, name: str, value: str | None = None, default: str | None = None
+        self, tag: Tag, scope: _Scope, name: str, value: str | None = None, default: str | None = None
     ) -> None:
         if value is not None and default is not None:
             raise _Fault(f"arg {name} has both value and default")
@@ -235,7 +186,7 @@ class _Reader:
             scope.args.setdefault(name, default)
 
     def _read_include(
-        self, tag: _Tag, scope: _Scope, file: str, ns: str | None = None, pass_all_args: str = "false"
+        self, tag: Tag, scope: _Scope, file: str, ns: str | None = None, pass_all_args: str = "false"
     ) -> None:
         inner = scope.inner(ns)
         takes_all = _truth(pass_all_args, "pass_all_args")
@@ -267,16 +218,16 @@ class _Reader:
         if not takes_all and (unused := given - passed.declared):
             raise _Fault(f"{file} has no arg {', '.join(sorted(unused))}")
 
-    def _read_remap(self, tag: _Tag, scope: _Scope, **names: str) -> None:
+    def _read_remap(self, tag: Tag, scope: _Scope, **names: str) -> None:
         scope.remaps.pop(names["from"], None)
         scope.remaps[names["from"]] = names["to"]
 
-    def _read_env(self, tag: _Tag, scope: _Scope, name: str, value: str) -> None:
+    def _read_env(self, tag: Tag, scope: _Scope, name: str, value: str) -> None:
         scope.env[name] = value
 
     def _read_param(
         self,
-        tag: _Tag,
+        tag: Tag,
         scope: _Scope,
         name: str,
         value: str | None = None,
@@ -312,7 +263,7 @@ class _Reader:
             self.parameters[name] = value
 
     def _read_rosparam(
-        self, tag: _Tag, scope: _Scope, command: str = "load", file: str | None = None, ns: str = "", param: str = ""
+        self, tag: Tag, scope: _Scope, command: str = "load", file: str | None = None, ns: str = "", param: str = ""
     ) -> None:
         if command != "load":
             raise _Fault(f'<rosparam command="{command}"> is not simulated')
@@ -326,7 +277,7 @@ class _Reader:
 
     def _read_node(
         self,
-        tag: _Tag,
+        tag: Tag,
         scope: _Scope,
         pkg: str,
         type: str,
@@ -391,11 +342,9 @@ class _Reader:
             if self._skip_cpp:
                 return None
             raise _Fault(f"there is no package {package} around this file; --skip-cpp leaves its node {kind} out")
-        for place, folders, files in os.walk(folder):
-            folders[:] = sorted(name for name in folders if not name.startswith("."))
-            if kind in files and _is_python(Path(place, kind)):
-                return Path(place, kind)
-        if not _is_cpp(folder, kind):
+        if file := find_python(folder, kind):
+            return file
+        if not is_cpp(folder, kind):
             raise _Fault(f"there is no node {kind} in package {package}")
         if not self._skip_cpp:
             raise _Fault(
@@ -468,21 +417,6 @@ def _words(text: str, name: str) -> list[str]:
         return shlex.split(text)
     except ValueError as error:
         raise _Fault(f"{name} is no command line: {str(error).lower()} in {text!r}") from None
-
-
-def _is_python(file: Path) -> bool:
-    if file.suffix == ".py":
-        return True
-    with file.open("rb") as opened:
-        return bool(re.match(rb"#!.*python", opened.readline()))
-
-
-def _is_cpp(package: Path, kind: str) -> bool:
-    """Whether a package builds, or seems to build, a program of that name."""
-    cmake = package / "CMakeLists.txt"
-    text = cmake.read_text(encoding="utf-8", errors="replace") if cmake.is_file() else ""
-    is_built = re.search(rf"add_executable\s*\(\s*{re.escape(kind)}\s", text)
-    return bool(is_built) or any(path.suffix in (".cpp", ".cc", ".cxx", ".c") for path in package.rglob(f"{kind}.*"))
 
 
 def _truth(text: str, name: str) -> bool:

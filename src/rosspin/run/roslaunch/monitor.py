@@ -20,6 +20,7 @@ from ...world.world import World
 from ..explain import say_where
 from ..host import Host
 from ..source import Node as Code
+from ..streams import nowhere
 from .launch import Launch, Node
 
 __all__ = ["Monitor"]
@@ -88,7 +89,8 @@ class Monitor:
         node = member.node
         namespace = node.namespace.rstrip("/")
         environment = {**node.env, **({"ROS_NAMESPACE": namespace} if namespace else {})}
-        process = self._host.add(member.code, member.args, environment, node.cwd, quiet=node.output != "screen")
+        stdout = None if node.output == "screen" else nowhere()
+        process = self._host.add(member.code, member.args, environment, node.cwd, stdout)
         member.world = process.world
         self._host.begin(process)
 

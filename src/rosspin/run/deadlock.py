@@ -1,0 +1,63 @@
+"""Threads that wait for each other: for locks, for each other's end, for answers. Nothing but a ring is told."""
+
+from __future__ import annotations
+
+import threading
+
+from ..clocks.frames import node_place, outer_place, places
+from ..clocks.simulation import Simulation
+from ..clocks.stacks import Stack
+
+__all__ = ["explain_threads"]
+
+_LOCK = "a lock that"
+
+_ORDER = "Take the locks in the same order everywhere."
+_HOLDING = "Hold no lock while you wait for somebody who needs it."
+_TWICE = "A threading.Lock cannot be taken twice by one thread: release it first, or use an RLock."
+
+
+def explain_threads(clock: Simulation) -> str:
+    """Say which threads wait for each other, as lines; nothing if none do."""
+    lines: list[str] = []
+    seen: set[Stack] = set()
+    for stack in clock.suspended():
+        path: dict[Stack, str] = {}
+        while stack not in path and stack not in seen and (step := _step(stack)):
+            path[stack], stack = step
+        if stack in path:
+            ring = list(path)[list(path).index(stack) :]
+            lines += ["this waits for ever:", *(line for each in ring for line in _say(each, path[each]))]
+            locks = all(path[each].startswith(_LOCK) for each in ring)
+            lines.append(_TWICE if len(ring) == 1 else _ORDER if locks else _HOLDING)
+        seen |= path.keys()
+    return "".join(f"rosspin: {line}\n" for line in lines)
+
+
+def _step(stack: Stack) -> tuple[str, Stack] | None:
+    """Return what a stack waits for, and the stack that would give it; None if that is not known."""
+    if not stack.waits:
+        return None
+    if stack.needs:
+        return stack.needs
+    lock = stack.lock
+    holder = lock.holder if lock else None
+    if holder is None or holder.dead:
+        return None
+    if holder is stack:
+        # Events, conditions and the like wait for a lock that they have taken themselves, until somebody releases it.
+        place = outer_place(places(stack.trail))
+        return (f"{_LOCK} it holds", stack) if place and node_place([place]) else None
+    is_end = lock in (holder.ended, holder.program.main_ended)
+    return (f"the end of {_name(holder)}" if is_end else f"{_LOCK} {_name(holder)} holds"), holder
+
+
+def _say(stack: Stack, what: str) -> list[str]:
+    place = node_place(places(stack.trail))
+    at = [f"    at {place.filename}:{place.line}: {place.call}".rstrip(": ")] if place else []
+    return [f"  {_name(stack)} waits for {what}", *at]
+
+
+def _name(stack: Stack) -> str:
+    thread = threading._active.get(stack.ident)  # type: ignore[attr-defined]
+    return f"the thread {thread.name}" if thread else "a thread"

@@ -1,0 +1,84 @@
+"""What the packages around a launch file can run: scripts, and what they build."""
+
+from __future__ import annotations
+
+import ast
+import os
+import re
+import sys
+from configparser import ConfigParser
+from contextlib import suppress
+from functools import partial
+from importlib import import_module
+from pathlib import Path
+from types import ModuleType
+from typing import Any
+
+from .source import Node as Code
+from .source import load
+
+__all__ = ["find_node", "find_python", "is_cpp"]
+
+
+def find_python(package: Path, name: str) -> Path | None:
+    """A Python file of that name, anywhere in a package."""
+    for place, folders, files in os.walk(package):
+        folders[:] = sorted(name for name in folders if not name.startswith("."))
+        if name in files and _is_python(Path(place, name)):
+            return Path(place, name)
+    return None
+
+
+def _is_python(file: Path) -> bool:
+    if file.suffix == ".py":
+        return True
+    with file.open("rb") as opened:
+        return bool(re.match(rb"#!.*python", opened.readline()))
+
+
+def is_cpp(package: Path, name: str) -> bool:
+    """Whether a package builds, or seems to build, a program of that name."""
+    cmake = package / "CMakeLists.txt"
+    text = cmake.read_text(encoding="utf-8", errors="replace") if cmake.is_file() else ""
+    is_built = re.search(rf"add_executable\s*\(\s*{re.escape(name)}\s", text)
+    return bool(is_built) or any(path.suffix in (".cpp", ".cc", ".cxx", ".c") for path in package.rglob(f"{name}.*"))
+
+
+def find_node(package: Path, name: str) -> Code | None:
+    """What a package of ROS 2 installs under a name: one of its entry points, or a script; None if nothing in Python.
+
+    Raises OSError and SyntaxError.
+    """
+    module, _, function = _entry_points(package).get(name, "").partition(":")
+    for root in (package, package / "src"):
+        path = root / f"{module.replace('.', '/')}.py"
+        if module and path.is_file():
+            main = partial(_run_entry_point, module, function, str(path))
+            return load(path)._replace(main=main, folder=str(root))
+    script = find_python(package, name) or find_python(package, f"{name}.py")
+    return load(script) if script else None
+
+
+def _run_entry_point(module: str, function: str, path: str) -> None:
+    main = sys.modules["__main__"] = ModuleType("__main__")
+    main.__file__ = path
+    sys.exit(getattr(import_module(module), function)())
+
+
+def _entry_points(package: Path) -> dict[str, str]:
+    """The ``console_scripts`` of a package, as ``module:function`` by their names."""
+    found: list[str] = []
+    if (file := package / "setup.cfg").is_file():
+        config = ConfigParser(interpolation=None)
+        config.read(file, encoding="utf-8")
+        found += config.get("options.entry_points", "console_scripts", fallback="").splitlines()
+    if (file := package / "setup.py").is_file():
+        known: dict[str, Any] = {"__builtins__": {}}
+        for node in ast.walk(ast.parse(file.read_bytes())):
+            with suppress(Exception):  # what is not written out there cannot be known
+                if isinstance(node, ast.Assign) and isinstance(node.targets[0], ast.Name):
+                    known[node.targets[0].id] = eval(compile(ast.Expression(node.value), str(file), "eval"), known)
+                elif isinstance(node, ast.keyword) and node.arg == "entry_points":
+                    value = eval(compile(ast.Expression(node.value), str(file), "eval"), known)
+                    found += value["console_scripts"]
+    return {name.strip(): value.strip() for name, equals, value in (each.partition("=") for each in found) if equals}

@@ -1,0 +1,12 @@
+from launch import LaunchDescription
+from launch.actions import LogInfo, RegisterEventHandler
+from launch.event_handlers import OnShutdown
+
+
+def generate_launch_description():
+    return LaunchDescription(
+        [
+            LogInfo(msg="first"),
+            RegisterEventHandler(OnShutdown(on_shutdown=lambda event, context: ["text"])),
+        ]
+    )

@@ -1,0 +1,3 @@
+import lost_module
+
+lost_module.use()

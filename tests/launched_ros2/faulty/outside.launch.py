@@ -1,0 +1,13 @@
+from launch import LaunchDescription
+from launch.actions import LogInfo, RegisterEventHandler
+from launch.event_handlers import OnShutdown
+from launch.substitutions import ThisLaunchFileDir
+
+
+def generate_launch_description():
+    return LaunchDescription(
+        [
+            LogInfo(msg="first"),
+            RegisterEventHandler(OnShutdown(on_shutdown=[LogInfo(msg=ThisLaunchFileDir())])),
+        ]
+    )

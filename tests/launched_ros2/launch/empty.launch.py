@@ -1,0 +1,5 @@
+import launch
+
+
+def generate_launch_description():
+    return launch.LaunchDescription()
