@@ -19,8 +19,8 @@ IN_LISTINGS = "canceled"
 # rospy, rclpy, launch, CSS and io have names and messages in American; so has Python.
 IN_CODE = "color,initialized,colors,serialize,deserialize,writable,canceled,canceling,capitalize"
 IN_CODE += ",center,initialize,recognized,serialization,uninitialized,synchronize,unrecognized,normalize"
-# A package, and a part of many words.
-NAMES = "simpy"
+# A package that is a part of many words, and a part of a word in a recorded error.
+NAMES = "simpy,te"
 
 
 @pytest.fixture(scope="session")
