@@ -340,9 +340,7 @@ def _hint_for(error: Exception) -> str:
     if isinstance(error, TimeStandsStill):
         return "Something goes on without ever sleeping: a loop without a `sleep()`, or a period of 0."
     if isinstance(error, NotSimulated):
-        return (
-            "Timers, rates, sleeps, topics, in ROS 2 services and actions, and log lines are all that an answer needs."
-        )
+        return "Timers, rates, sleeps, topics, services, in ROS 2 actions, and log lines are all that an answer needs."
     return ""
 
 
