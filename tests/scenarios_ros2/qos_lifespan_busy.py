@@ -12,7 +12,7 @@ from std_msgs.msg import UInt32
 rclpy.init()
 node = rclpy.create_node("qos_lifespan_busy")
 begin()
-for offered, requested in ((1.5, 0), (0, 1.5), (1.5, 1.5), (1.5, 3.5), (3.5, 1.5)):
+for offered, requested in ((1.5, 0), (0, 1.5), (1.5, 3.5), (3.5, 1.5)):
     seen = []
     publisher = node.create_publisher(UInt32, "numbers", QoSProfile(depth=10, lifespan=Duration(seconds=offered * P)))
     subscription = node.create_subscription(

@@ -42,11 +42,11 @@ subscribe("other_sub", "other", AUTOMATIC, 1.6)
 without = publish("without_pub", "without", MANUAL, 1.4)
 subscribe("without_sub", "without", MANUAL, 0)
 two = [publish(f"two_pub{number}", "two", MANUAL, 3) for number in range(2)]
-before = publish("before_pub", "before", MANUAL, 3.3)
+before = publish("before_pub", "before", MANUAL, 2.6)
 begin()
 before.assert_liveliness()
 subscribe("two_sub", "two", MANUAL, 3)
-subscribe("before_sub", "before", MANUAL, 3.3)
+subscribe("before_sub", "before", MANUAL, 2.6)
 for at, publisher in ((2, longer), (2.1, other), (2.2, without), (6, two[0]), (7.1, two[1]), (12, two[0])):
     after(at, publisher.assert_liveliness)
 after(10.5, lambda: node.destroy_publisher(two[1]))

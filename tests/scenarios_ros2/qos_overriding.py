@@ -1,11 +1,10 @@
 """Parameters override the QoS of publishers and subscriptions, if these allow it."""
 
 import rclpy
-from rcl_interfaces.msg import SetParametersResult
 from rclpy.duration import Duration
 from rclpy.parameter import Parameter
 from rclpy.qos import LivelinessPolicy, QoSPolicyKind, QoSProfile
-from rclpy.qos_overriding_options import InvalidQosOverridesError, QoSOverridingOptions
+from rclpy.qos_overriding_options import InvalidQosOverridesError, QosCallbackResult, QoSOverridingOptions
 from scenario import say
 from std_msgs.msg import UInt32
 
@@ -35,7 +34,7 @@ def attempt(word, make):
 
 def judge(qos):
     say("judged", qos)
-    return SetParametersResult(successful=qos.depth < 5, reason="too deep")
+    return QosCallbackResult(successful=qos.depth < 5, reason="too deep")
 
 
 def publish(topic, qos, *args, **kwargs):

@@ -207,7 +207,7 @@ class Policies(NamedTuple):
     lease: int
 
     @property
-    def keeps(self) -> bool:
+    def with_kept(self) -> bool:
         """Whether it sends, or asks for, the messages that were kept."""
         return self.reliable and self.transient_local
 

@@ -49,6 +49,12 @@ class QoSOverridingOptions:
         return cls(kinds, callback=callback, entity_id=entity_id)
 
 
+def __getattr__(name: str) -> Any:
+    if name == "QosCallbackResult":
+        return import_module("rcl_interfaces.msg").SetParametersResult
+    raise AttributeError(f"module 'rclpy.qos_overriding_options' has no attribute '{name}'", name=name)
+
+
 def override(what: str, node: Node, topic: str, qos: QoSProfile, options: QoSOverridingOptions) -> None:
     """Declare the parameters of a ``publisher`` or ``subscription``, and set its profile by them.
 

@@ -282,7 +282,7 @@ class Subscription(TopicEnd):
     def meet(self, other: Any, policy: QoSPolicyKind | None) -> None:
         """See the base. What the publisher has kept comes a little later, with all that it published meanwhile."""
         super().meet(other, policy)
-        if other in self.peers and self.policies.keeps and other.policies.keeps:
+        if other in self.peers and self.policies.with_kept and other.policies.with_kept:
             self._early[other] = None
             self.world.at(self.world.clock.now() + KEPT, lambda: self._take_kept(other))
         else:
@@ -375,7 +375,7 @@ def _connect(publisher: Publisher, subscription: Subscription, *by_age: Publishe
         return
     publisher.join(subscription)
     subscription.join(publisher)
-    if subscription.policies.keeps:
+    if subscription.policies.with_kept:
         for message, sent in publisher.kept:
             subscription.deliver(publisher, message, sent)
 
