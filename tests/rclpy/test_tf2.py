@@ -231,6 +231,8 @@ def test_all_its_names_can_be_imported(write: Any) -> None:
 def test_what_it_lacks_says_so(write: Any) -> None:
     with pytest.raises(NotSimulated, match=r"^tf2_ros\.BufferClient is not simulated; run this node on a real ROS"):
         simulate(write("import rclpy\nfrom tf2_ros import BufferClient\n"), 1)
+    with pytest.raises(NotSimulated, match=r"^Buffer\.transform is not simulated"):
+        simulate(write(f"{HEAD}Buffer().transform(None, 'map')\n"), 1)
 
 
 def test_nothing_of_it_is_left_after_a_run(write: Any) -> None:

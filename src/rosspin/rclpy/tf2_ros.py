@@ -22,7 +22,7 @@ from ..tf2.exceptions import (
 )
 from ..tf2.frames import Frames
 from ..tf2.geometry import Transform
-from ..world.world import refusing
+from ..world.world import NotSimulated, refusing
 from .callback_groups import ReentrantCallbackGroup
 from .clock import Clock
 from .duration import Duration
@@ -217,6 +217,12 @@ class Buffer(BufferCore):
             self._new_data_callbacks.append(look)
             future.add_done_callback(lambda _: self._new_data_callbacks.remove(look))
         return future
+
+    def transform(self, *args: Any, **kwargs: Any) -> Any:
+        """Raises NotSimulated: what it can transform, tf2_geometry_msgs would tell it."""
+        raise NotSimulated("Buffer.transform")
+
+    transform_full = transform
 
     async def lookup_transform_async(self, target_frame: str, source_frame: str, time: Any) -> Any:
         """Wait for a transform, and return it."""
