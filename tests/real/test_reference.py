@@ -36,7 +36,9 @@ def real_rclpy(require: Callable[[str], None]) -> dict[str, list[str]]:
         "print(json.dumps({key: [n for n in found if n[0] != '_'] for key, found in names.items()}))\n"
     )
     with ros2.Nodes() as nodes:
-        real: dict[str, list[str]] = json.loads(nodes.run([ros2.python(), "-c", code, *rclpy.MODULES], 60).console)
+        real: dict[str, list[str]] = json.loads(
+            nodes.run([ros2.python(), "-W", "ignore", "-c", code, *rclpy.MODULES], 60).console
+        )
     return real
 
 

@@ -46,8 +46,12 @@ class Participants:
             context.left = context.state.clock.now() + (LEASE if killed else END)
             for node in context.nodes:
                 waited = (end for waitable in node._rosspin_waitables for end in waitable.ends)
+                for publisher in node._publishers if killed else ():
+                    publisher.fall_silent()
                 for end in (*node._publishers, *node._subscriptions, *node._clients, *node._services, *waited):
                     lose(end, context.left)
+                    if not killed:
+                        end.withdraw()
 
     def all_nodes(self) -> list[Node]:
         """The nodes of all processes, known or not."""

@@ -50,15 +50,25 @@ class Owner:
         if self._destroyed:
             raise InvalidHandle()
 
+    @property
+    def is_gone(self) -> bool:
+        """Whether it was destroyed, or its context has ended."""
+        return self._destroyed or self.node.context.left is not None
+
+    def withdraw(self) -> None:
+        """Let nobody find it any more."""
+        raise NotImplementedError()
+
     def _leave(self) -> None:
         """Let the others learn that it is gone: at once in this process, later in others."""
         self._destroyed = True
+        self.withdraw()
         for peer in self.peers:
             if peer.world is self.world:
-                peer.peers.remove(self)
+                peer.part(self)
         lose(self, self.world.clock.now() + ENDPOINT)
 
     def part(self, other: Any) -> None:
-        """Learn that an end in another process is gone."""
+        """Learn that another end is gone."""
         if other in self.peers:
             self.peers.remove(other)

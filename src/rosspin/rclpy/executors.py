@@ -94,10 +94,11 @@ class GuardCondition:
 class Executor:
     """Base of the executors, which call what is due in the nodes that were added.
 
-    They work in rounds. A round waits until something is due, then hands out all that is due: first the actions, then,
-    node by node, the timers, the subscriptions with one message each, the guard conditions, the clients with one answer
-    each and the services with one request each, in the order of their creation. ``spin_once`` takes the next call of
-    the round. It begins another round when this one is used up, or when it is called with another timeout.
+    They work in rounds. A round waits until something is due, then hands out all that is due: first the events of
+    topics and the actions, then, node by node, the timers, the subscriptions with one message each, the guard
+    conditions, the clients with one answer each and the services with one request each, in the order of their creation.
+    ``spin_once`` takes the next call of the round. It begins another round when this one is used up, or when it is
+    called with another timeout.
     """
 
     # Here and in Node, names that rclpy's class does not have are mangled or begin with _rosspin, so that they do not

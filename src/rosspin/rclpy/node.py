@@ -16,6 +16,7 @@ from .arguments import Arguments
 from .callback_groups import CallbackGroup, MutuallyExclusiveCallbackGroup, ReentrantCallbackGroup
 from .clock import Clock, ROSClock
 from .context import Context, get_default_context
+from .event_handler import EventHandler, PublisherEventCallbacks, SubscriptionEventCallbacks
 from .exceptions import (
     InvalidHandle,
     NameValidationException,
@@ -29,6 +30,7 @@ from .executors import GuardCondition
 from .parameter import Parameter, Parameters
 from .parameter_service import SERVICES, ParameterService
 from .qos import DurabilityPolicy, QoSProfile, ReliabilityPolicy, qos_profile_services_default
+from .qos_overriding_options import QoSOverridingOptions, override
 from .services import Client, Ends, Service
 from .time import Time
 from .timer import Rate, Timer
@@ -123,7 +125,8 @@ class Node(Parameters):
         self._subscriptions: list[Subscription] = []
         self._clients: list[Client] = []
         self._services: list[Service] = []
-        self._rosspin_waitables: list[ActionServer | ActionClient] = []
+        self._rosspin_events: list[EventHandler] = []
+        self._rosspin_waitables: list[Any] = []  # its actions, and before them the events but for rare ones
         self._timers: list[Timer] = []
         self._guards: list[GuardCondition] = []
         self._default_callback_group = MutuallyExclusiveCallbackGroup()
@@ -206,9 +209,10 @@ class Node(Parameters):
             self._services.extend(own)
 
     @property
-    def waitables(self) -> Iterator[ActionServer | ActionClient]:
-        """Its action servers and action clients."""
-        yield from self._rosspin_waitables
+    def waitables(self) -> Iterator[EventHandler | ActionServer | ActionClient]:
+        """The events of its publishers and subscriptions, its action servers and action clients."""
+        yield from self._rosspin_events
+        yield from (waitable for waitable in self._rosspin_waitables if waitable not in self._rosspin_events)
 
     def add_waitable(self, waitable: Any) -> None:
         """Serve an action. Others that a node may wait for are not simulated."""
@@ -217,9 +221,27 @@ class Node(Parameters):
         self._rosspin_waitables.append(waitable)
         self._wake_executor()
 
+    def _rosspin_expect(self, handlers: list[EventHandler]) -> None:
+        """Serve the events of an end."""
+        self._rosspin_events.extend(handlers)
+        for handler in handlers:
+            if not handler.is_rare:
+                self._rosspin_serve(handler)
+
+    def _rosspin_serve(self, handler: EventHandler) -> None:
+        """Look for calls of an event, and let the executor look."""
+        served = self._rosspin_waitables
+        if handler not in served:
+            events = [each for each in self._rosspin_events if each is handler or each in served]
+            self._rosspin_waitables = [*events, *(each for each in served if each not in events)]
+            self._wake_executor()
+        self._rosspin_nudge()
+
     def remove_waitable(self, waitable: Any) -> None:
-        """Serve an action no more."""
-        self._rosspin_waitables.remove(waitable)
+        """Serve an action, or an event, no more."""
+        for waitables in (self._rosspin_events, self._rosspin_waitables):
+            if waitable in waitables:
+                waitables.remove(waitable)
         self._wake_executor()
 
     def _rosspin_ends(self, kind: type[E]) -> list[E]:
@@ -332,22 +354,23 @@ class Node(Parameters):
         qos_profile: QoSProfile | int,
         *,
         callback_group: CallbackGroup | None = None,
-        event_callbacks: Any = None,
-        qos_overriding_options: Any = None,
+        event_callbacks: PublisherEventCallbacks | None = None,
+        qos_overriding_options: QoSOverridingOptions | None = None,
     ) -> Publisher:
         """Publish messages of a class on a topic; ``qos_profile`` may be the depth.
 
         Raises InvalidTopicNameException, TypeError or ValueError if ``qos_profile`` is no QoS, AttributeError if
         ``msg_type`` is no message of ROS 2, and RCLError if the process uses the topic with another type.
         """
-        qos = self.__prepare("publisher", msg_type, topic, qos_profile, event_callbacks, qos_overriding_options)
-        full_name = self._rosspin_resolve(topic)
+        full_name, qos = self.__prepare("publisher", msg_type, topic, qos_profile, qos_overriding_options)
         if (other := self.__other_type(full_name, msg_type)) is not None:
             raise RCLError(
                 "Failed to create publisher: create_publisher() called for existing topic name "
                 f"rt{full_name} with incompatible type {other}"
             )
-        publisher = Publisher(self, msg_type, topic, full_name, qos)
+        group = callback_group or self.default_callback_group
+        events = event_callbacks or PublisherEventCallbacks()
+        publisher = Publisher(self, msg_type, topic, full_name, qos, group, events)
         self._publishers.append(publisher)
         self._wake_executor()
         return publisher
@@ -360,27 +383,24 @@ class Node(Parameters):
         qos_profile: QoSProfile | int,
         *,
         callback_group: CallbackGroup | None = None,
-        event_callbacks: Any = None,
-        qos_overriding_options: Any = None,
+        event_callbacks: SubscriptionEventCallbacks | None = None,
+        qos_overriding_options: QoSOverridingOptions | None = None,
         raw: bool = False,
     ) -> Subscription:
         """Call ``callback(message)`` for messages on a topic, while somebody spins. Raises as ``create_publisher``."""
         if raw:
             raise NotSimulated("Node.create_subscription(raw=True)")
-        qos = self.__prepare("subscription", msg_type, topic, qos_profile, event_callbacks, qos_overriding_options)
-        full_name = self._rosspin_resolve(topic)
+        full_name, qos = self.__prepare("subscription", msg_type, topic, qos_profile, qos_overriding_options)
         if self.__other_type(full_name, msg_type) is not None:
             raise RCLError("Failed to create subscription: invalid allocator")
         group = callback_group or self.default_callback_group
-        subscription = Subscription(self, msg_type, topic, full_name, callback, group, qos)
+        events = event_callbacks or SubscriptionEventCallbacks()
+        subscription = Subscription(self, msg_type, topic, full_name, callback, group, qos, events)
         self.__add(subscription, self._subscriptions)
         return subscription
 
-    def __prepare(self, what: str, msg_type: Any, topic: Any, qos: Any, events: Any, options: Any) -> QoSProfile:
-        if events is not None:
-            raise NotSimulated(f"Node.create_{what}(event_callbacks=...)")
-        if options is not None:
-            raise NotSimulated(f"Node.create_{what}(qos_overriding_options=...)")
+    def __prepare(self, what: str, msg_type: Any, topic: Any, qos: Any, options: Any) -> tuple[str, QoSProfile]:
+        """Return the topic's full name and the profile of what is to be created."""
         self.__check()
         if isinstance(qos, int):
             if qos < 0:
@@ -393,7 +413,10 @@ class Node(Parameters):
             raise no_type_support(msg_type)
         if not self._context.ok():
             raise RCLError(f"Failed to create {what}: rcl node's context is invalid")
-        return qos
+        full_name = self._rosspin_resolve(topic)
+        if options is not None:
+            override(what, self, full_name, qos, options)
+        return full_name, qos
 
     def __other_type(self, full_name: str, msg_type: type[Message]) -> str | None:
         """Return the type with which this process uses a topic, in DDS's words, if it is not ``msg_type``."""

@@ -10,9 +10,11 @@ from ..clocks.frames import warn
 from .duration import Duration
 
 __all__ = [
-    *("DurabilityPolicy", "HistoryPolicy", "InvalidQoSProfileException", "LivelinessPolicy", "QoSDurabilityPolicy"),
-    *("QoSHistoryPolicy", "QoSLivelinessPolicy", "QoSPresetProfiles", "QoSProfile", "QoSReliabilityPolicy"),
-    *("ReliabilityPolicy", "qos_profile_action_status_default", "qos_profile_best_available"),
+    *("DeadlineBestAvailable", "DurabilityPolicy", "HistoryPolicy", "InvalidQoSProfileException"),
+    *("LivelinessLeaseDurationeBestAvailable", "LivelinessPolicy", "QoSCompatibility", "QoSDurabilityPolicy"),
+    *("QoSHistoryPolicy", "QoSLivelinessPolicy", "QoSPolicyKind", "QoSPresetProfiles", "QoSProfile"),
+    *("QoSReliabilityPolicy", "ReliabilityPolicy", "qos_check_compatible", "qos_policy_name_from_kind"),
+    *("qos_profile_action_status_default", "qos_profile_best_available"),
     *("qos_profile_default", "qos_profile_parameter_events", "qos_profile_parameters", "qos_profile_sensor_data"),
     *("qos_profile_services_default", "qos_profile_system_default", "qos_profile_unknown"),
 ]
@@ -23,6 +25,26 @@ class InvalidQoSProfileException(Exception):
 
     def __init__(self, *args: Any) -> None:
         super().__init__("Invalid QoSProfile", *args)
+
+
+class QoSPolicyKind(IntEnum):
+    """The policies, by number."""
+
+    INVALID = 1
+    DURABILITY = 2
+    DEADLINE = 4
+    LIVELINESS = 8
+    RELIABILITY = 16
+    HISTORY = 32
+    LIFESPAN = 64
+    DEPTH = 128
+    LIVELINESS_LEASE_DURATION = 256
+    AVOID_ROS_NAMESPACE_CONVENTIONS = 512
+
+
+def qos_policy_name_from_kind(policy_kind: QoSPolicyKind | int) -> str:
+    """Return the name of a policy. Raises ValueError for a number that none has."""
+    return QoSPolicyKind(policy_kind).name
 
 
 class _ShortKeys:
@@ -43,6 +65,11 @@ class _ShortKeys:
 
 class QoSPolicyEnum(_ShortKeys, IntEnum):
     """Base of the policies."""
+
+    @property
+    def short_key(self) -> str:
+        """Its short name."""
+        return self.name.lower()
 
 
 class HistoryPolicy(QoSPolicyEnum):
@@ -75,7 +102,7 @@ class DurabilityPolicy(QoSPolicyEnum):
 
 
 class LivelinessPolicy(QoSPolicyEnum):
-    """How a publisher shows that it is there. It has no effect here."""
+    """How a publisher shows that it is there: by its process, or by publishing and ``assert_liveliness()``."""
 
     SYSTEM_DEFAULT = 0
     AUTOMATIC = 1
@@ -106,14 +133,18 @@ _FIELDS: dict[str, tuple[Any, Any]] = {
 class QoSProfile:
     """The policies of a publisher or a subscription, given by keyword: ``depth`` at least, or ``history``.
 
-    ``history``, ``depth``, ``reliability`` and ``durability`` have an effect here. Raises InvalidQoSProfileException if
-    neither depth nor history is given, AssertionError for wrong names and types.
+    A length of 0 is for ever. Raises InvalidQoSProfileException if neither depth nor history is given, AssertionError
+    for wrong names and types.
     """
 
     history: HistoryPolicy
     depth: int
     reliability: ReliabilityPolicy
     durability: DurabilityPolicy
+    lifespan: Duration
+    deadline: Duration
+    liveliness: LivelinessPolicy
+    liveliness_lease_duration: Duration
 
     def __init__(self, **kwargs: Any) -> None:
         assert kwargs.keys() <= _FIELDS.keys(), f"Invalid arguments passed to constructor: {kwargs.keys()!r}"
@@ -151,44 +182,140 @@ class QoSProfile:
         return None if self.history is HistoryPolicy.KEEP_ALL else max(self.depth, 1)
 
 
+DeadlineBestAvailable = Duration(nanoseconds=2**63 - 2)
+LivelinessLeaseDurationeBestAvailable = Duration(nanoseconds=2**63 - 2)
+
+FOR_EVER = 2**63 - 1  # ns
+
+
+def length(duration: Duration, best: int = FOR_EVER) -> int:
+    """Return a policy's length in ns; ``best`` is that of the best available."""
+    return best if duration == DeadlineBestAvailable else duration.nanoseconds or FOR_EVER
+
+
 class Policies(NamedTuple):
     """The policies of an end as they take effect: the middleware (Fast DDS) settles those that are left open.
 
-    A subscription that asks for the best available looks at the publishers that exist when it is made.
+    An end that asks for the best available looks at the others that exist when it is made. ``deadline`` and ``lease``
+    are in ns; ``manual`` is liveliness by topic.
     """
 
     reliable: bool
     transient_local: bool
+    deadline: int
+    manual: bool
+    lease: int
+
+    @property
+    def with_kept(self) -> bool:
+        """Whether it sends, or asks for, the messages that were kept."""
+        return self.reliable and self.transient_local
 
     @classmethod
-    def offered(cls, qos: QoSProfile) -> Policies:
+    def offered(cls, qos: QoSProfile, subscriptions: Sequence[Policies] = ()) -> Policies:
         """Return a publisher's policies."""
         return cls(
-            qos.reliability is not ReliabilityPolicy.BEST_EFFORT, qos.durability is not DurabilityPolicy.VOLATILE
+            qos.reliability is not ReliabilityPolicy.BEST_EFFORT,
+            qos.durability is not DurabilityPolicy.VOLATILE,
+            length(qos.deadline, min((each.deadline for each in subscriptions), default=FOR_EVER)),
+            qos.liveliness is LivelinessPolicy.MANUAL_BY_TOPIC
+            or (qos.liveliness is LivelinessPolicy.BEST_AVAILABLE and any(each.manual for each in subscriptions)),
+            length(qos.liveliness_lease_duration, min((each.lease for each in subscriptions), default=FOR_EVER)),
         )
 
     @classmethod
     def requested(cls, qos: QoSProfile, publishers: Sequence[Policies] = ()) -> Policies:
         """Return a subscription's policies."""
-        best = cls(*map(all, zip(*publishers, strict=True))) if publishers else cls(True, True)
         return cls(
             qos.reliability is ReliabilityPolicy.RELIABLE
-            or (qos.reliability is ReliabilityPolicy.BEST_AVAILABLE and best.reliable),
+            or (qos.reliability is ReliabilityPolicy.BEST_AVAILABLE and all(each.reliable for each in publishers)),
             qos.durability is DurabilityPolicy.TRANSIENT_LOCAL
-            or (qos.durability is DurabilityPolicy.BEST_AVAILABLE and best.transient_local),
+            or (qos.durability is DurabilityPolicy.BEST_AVAILABLE and all(each.transient_local for each in publishers)),
+            length(qos.deadline, max((each.deadline for each in publishers), default=FOR_EVER)),
+            qos.liveliness is LivelinessPolicy.MANUAL_BY_TOPIC
+            or (qos.liveliness is LivelinessPolicy.BEST_AVAILABLE and all(each.manual for each in publishers)),
+            length(qos.liveliness_lease_duration, max((each.lease for each in publishers), default=FOR_EVER)),
         )
 
 
-def incompatible_policy(offered: Policies, requested: Policies) -> str | None:
+def incompatible_policy(offered: Policies, requested: Policies) -> QoSPolicyKind | None:
     """Return the last policy by which a subscription asks for more than a publisher offers; None: they match."""
     if requested.reliable and not offered.reliable:
-        return "RELIABILITY"
+        return QoSPolicyKind.RELIABILITY
+    if (requested.manual and not offered.manual) or requested.lease < offered.lease:
+        return QoSPolicyKind.LIVELINESS
+    if requested.deadline < offered.deadline:
+        return QoSPolicyKind.DEADLINE
     if requested.transient_local and not offered.transient_local:
-        return "DURABILITY"
+        return QoSPolicyKind.DURABILITY
     return None
 
 
-_BEST_AVAILABLE = Duration(nanoseconds=2**63 - 2)
+class QoSCompatibility(IntEnum):
+    """Whether a publisher and a subscription match; WARNING: that depends on the middleware."""
+
+    OK = 0
+    WARNING = 1
+    ERROR = 2
+
+
+# For each policy with values, the weak one and the strong one; what is said if a publisher offers the weak and a
+# subscription requests the strong, if the former is left open, and if the latter is.
+_CHECKS = (
+    (
+        *("reliability", ReliabilityPolicy.BEST_EFFORT, ReliabilityPolicy.RELIABLE),
+        "Best effort publisher and reliable subscription",
+        "Reliable subscription, but publisher is {}",
+        "Best effort publisher, but subscription is {}",
+    ),
+    (
+        *("durability", DurabilityPolicy.VOLATILE, DurabilityPolicy.TRANSIENT_LOCAL),
+        "Volatile publisher and transient local subscription",
+        "Transient local subscription, but publisher is {}",
+        "Volatile publisher, but subscription is {}",
+    ),
+    (
+        *("liveliness", LivelinessPolicy.AUTOMATIC, LivelinessPolicy.MANUAL_BY_TOPIC),
+        "Publisher's liveliness is automatic and subscription's is manual by topic",
+        "Subscription's liveliness is manual by topic, but publisher's is {}",
+        "Publisher's liveliness is automatic, but subscription's is {}",
+    ),
+)
+
+
+def qos_check_compatible(publisher_qos: QoSProfile, subscription_qos: QoSProfile) -> tuple[QoSCompatibility, str]:
+    """Return whether two profiles match, and the reasons why not (source: rmw_dds_common/qos.cpp)."""
+    errors, warnings = [], []
+    for name, weak, strong, both, publisher_open, subscription_open in _CHECKS:
+        offered, requested = getattr(publisher_qos, name), getattr(subscription_qos, name)
+        first, second = offered.short_key, requested.short_key
+        if name == "liveliness":
+            errors += _too_short("deadline", publisher_qos.deadline, subscription_qos.deadline)
+        if (offered, requested) == (weak, strong):
+            errors.append(both)
+        elif {first, second} <= {"system_default", "unknown"}:
+            misspelt = name.replace("durability", "durabilty")  # as in ROS
+            warnings.append(f"Publisher {misspelt} is {first} and subscription {name} is {second}")
+        elif first in ("system_default", "unknown") and requested is strong:
+            warnings.append(publisher_open.format(first))
+        elif second in ("system_default", "unknown") and offered is weak:
+            warnings.append(subscription_open.format(second))
+    leases = publisher_qos.liveliness_lease_duration, subscription_qos.liveliness_lease_duration
+    errors += _too_short("liveliness lease duration", *leases)
+    for kind, reasons in (QoSCompatibility.ERROR, errors), (QoSCompatibility.WARNING, warnings):
+        if reasons:
+            return kind, "".join(f"{kind.name}: {reason};" for reason in reasons)
+    return QoSCompatibility.OK, ""
+
+
+def _too_short(what: str, offered: Duration, requested: Duration) -> list[str]:
+    """Say so if a subscription does not match by a length."""
+    if requested.nanoseconds and not offered.nanoseconds:
+        return [f"Subscription has a {what}, but publisher does not"]
+    if requested.nanoseconds and requested < offered:
+        return [f"Subscription {what} is less than publisher" + " deadline" * (what == "deadline")]
+    return []
+
 
 qos_profile_unknown = QoSProfile(history=3, depth=0, reliability=3, durability=3, liveliness=4)
 qos_profile_default = QoSProfile(depth=10)
@@ -201,9 +328,9 @@ qos_profile_best_available = QoSProfile(
     depth=10,
     reliability=ReliabilityPolicy.BEST_AVAILABLE,
     durability=DurabilityPolicy.BEST_AVAILABLE,
-    deadline=_BEST_AVAILABLE,
+    deadline=DeadlineBestAvailable,
     liveliness=LivelinessPolicy.BEST_AVAILABLE,
-    liveliness_lease_duration=_BEST_AVAILABLE,
+    liveliness_lease_duration=LivelinessLeaseDurationeBestAvailable,
 )
 qos_profile_action_status_default = QoSProfile(depth=1, durability=DurabilityPolicy.TRANSIENT_LOCAL)
 

@@ -77,15 +77,26 @@ class _Counterpart:
         self.end = End(other.end.topic, other.end.type, self)
         self.policies = other.policies
         self.peers: list[Any] = []
-        self.kept: tuple[Message, ...] = ()
+        self.kept: tuple[tuple[Message, int], ...] = ()
 
-    def receive(self, publisher: Publisher, message: Message) -> None:
+    def join(self, other: Publisher | Subscription) -> None:
+        """Be connected to the node's end."""
+        self.peers.append(other)
+
+    def part(self, other: Publisher | Subscription) -> None:
+        """Learn that the node's end is gone."""
+        self.peers.remove(other)
+
+    def receive(self, publisher: Publisher, message: Message, sent: int) -> None:
         """Do nothing: the run has recorded the message."""
+
+    def hear(self, publisher: Publisher) -> None:
+        """Do nothing: nobody asks."""
 
     def send(self, message: Message) -> None:
         """Publish a message."""
         for peer in self.peers:
-            peer.deliver(message, self.world.clock.now())
+            peer.deliver(self, message, self.world.clock.now())
 
 
 def give_parameters(world: World, parameters: Mapping[str, Any]) -> None:

@@ -10,17 +10,23 @@ import inspect
 import time
 from collections import deque
 from collections.abc import Callable
+from operator import itemgetter
 from typing import TYPE_CHECKING, Any
 
 from ..messages.ros2 import Message, received, transfer
 from .callback_groups import ReentrantCallbackGroup
 from .discovery import KEPT, discover
 from .ends import Owner
+from .event_handler import EventHandler, QoSPublisherEventType, QoSSubscriptionEventType
 from .exceptions import RCLError
-from .qos import Policies, QoSProfile, incompatible_policy
+from .lateness import Countdown, Lasting
+from .qos import FOR_EVER, Policies, QoSPolicyKind, QoSProfile, incompatible_policy, length
 from .state import Gate
 
 if TYPE_CHECKING:
+    from enum import IntEnum
+
+    from .callback_groups import CallbackGroup
     from .node import Node
 
 __all__ = ["Publisher", "Subscription", "wait_for_message"]
@@ -42,6 +48,12 @@ class TopicEnd(Owner):
         self.msg_type = msg_type
         self.topic = topic  # the name that the node gave
         self.policies = policies
+        self.event_handlers: list[EventHandler] = []
+
+    def _queue(self, most: int | None, qos: QoSProfile, sent: Callable[[Any], int]) -> deque[Any]:
+        """Make a queue for so many messages, which drops those older than the lifespan."""
+        lifespan = length(qos.lifespan)
+        return deque(maxlen=most) if lifespan == FOR_EVER else Lasting(most, lifespan, self.world.clock, sent)
 
     @property
     def topic_name(self) -> str:
@@ -49,49 +61,103 @@ class TopicEnd(Owner):
         self._check()
         return self.end.topic
 
-    def refuse(self, policy: str) -> None:
-        """Let the node warn, when it spins, by which policy another end does not match."""
-        text = self._refusal.format(self.topic, policy)
-        self.node.create_guard_condition(lambda: self.node.get_logger().warning(text)).trigger()
+    # Its events.
+    DEADLINE: IntEnum
+    INCOMPATIBLE: IntEnum
+    LIVELINESS: IntEnum
+    MATCHED: IntEnum
 
-    _refusal: str
+    def _make_handlers(self, event_callbacks: Any, callback_group: CallbackGroup) -> None:
+        self.event_handlers = event_callbacks.create_event_handlers(callback_group, self, self.topic)
+        self.node._rosspin_expect(self.event_handlers)
+
+    def _handler(self, event_type: IntEnum) -> EventHandler | None:
+        return next((handler for handler in self.event_handlers if handler.event_type is event_type), None)
+
+    def tell(self, event_type: IntEnum, policy: QoSPolicyKind = QoSPolicyKind.INVALID, **changes: int) -> None:
+        """Tell an event to the node's callback, if it has one."""
+        if handler := self._handler(event_type):
+            handler.happen(policy, **changes)
+
+    def refuse(self, policy: QoSPolicyKind) -> None:
+        """Let the node know, when it spins, by which policy another end does not match."""
+        self.tell(self.INCOMPATIBLE, policy, total=1)
+
+    def _countdown(self, event_type: IntEnum, period: int, again: bool = False) -> list[Countdown]:
+        """Make what tells an event after a period (ns), in a list; none if that is for ever, or of no interest."""
+        if period == FOR_EVER or not self._handler(event_type):
+            return []
+        return [Countdown(self.world, period, lambda: self.tell(event_type, total=1), again)]
 
     def destroy(self) -> None:
         """Leave the topic."""
         self._check()
-        self.world.graph.remove(self.end)
+        for handler in self.event_handlers:
+            handler.destroy()
+            self.node.remove_waitable(handler)
         self._leave()
+
+    def withdraw(self) -> None:
+        """See the base."""
+        self.world.graph.remove(self.end)
 
     def is_remote(self, other: Any) -> bool:
         """Whether another end is in another process, where it has to be found."""
         return isinstance(other, Owner) and other.world is not self.world
 
-    def meet(self, other: Any, policy: str | None) -> None:
+    def meet(self, other: Any, policy: QoSPolicyKind | None) -> None:
         """Learn of an end in another process. ``policy`` is the one by which the two do not match, or None."""
-        if self._destroyed or not self.node.context.ok():
+        if self.is_gone or other.is_gone:
             return
         if policy:
             self.refuse(policy)
         else:
-            self.peers.append(other)
+            self.join(other)
+
+    def join(self, other: Any) -> None:
+        """Be connected to another end."""
+        self.peers.append(other)
+        self.tell(self.MATCHED, total=1, current=1)
+
+    def part(self, other: Any) -> None:
+        if other in self.peers:
+            super().part(other)
+            self.tell(self.MATCHED, current=-1)
 
 
 class Publisher(TopicEnd):
     """Publishes messages on a topic. Made by ``Node.create_publisher``."""
 
-    _refusal = (
-        "New subscription discovered on topic '{}', requesting incompatible QoS. "
-        "No messages will be sent to it. Last incompatible policy: {}"
-    )
+    DEADLINE = QoSPublisherEventType.RCL_PUBLISHER_OFFERED_DEADLINE_MISSED
+    INCOMPATIBLE = QoSPublisherEventType.RCL_PUBLISHER_OFFERED_INCOMPATIBLE_QOS
+    LIVELINESS = QoSPublisherEventType.RCL_PUBLISHER_LIVELINESS_LOST
+    MATCHED = QoSPublisherEventType.RCL_PUBLISHER_MATCHED
 
-    def __init__(self, node: Node, msg_type: type[Message], topic: str, full_name: str, qos: QoSProfile) -> None:
+    def __init__(
+        self,
+        node: Node,
+        msg_type: type[Message],
+        topic: str,
+        full_name: str,
+        qos: QoSProfile,
+        callback_group: CallbackGroup | None = None,
+        event_callbacks: Any = None,
+    ) -> None:
         super().__init__(node, msg_type, topic, full_name, qos, Policies.offered(qos))
-        self.kept: deque[Message] = deque(maxlen=qos.kept if self.policies.transient_local else 0)
-        for end in self.world.graph.advertise(self.end):
-            if self.is_remote(end.owner):
-                discover(self, end.owner)
+        if callback_group:
+            self._make_handlers(event_callbacks, callback_group)
+        subscriptions = [end.owner for end in self.world.graph.advertise(self.end)]
+        self.policies = Policies.offered(qos, [subscription.policies for subscription in subscriptions])
+        most = qos.kept if self.policies.transient_local else 0
+        self.kept = self._queue(most, qos, itemgetter(1))  # the messages, and when (ns) each was sent
+        lease = self.policies.lease if self.policies.manual else FOR_EVER
+        self._lease = self._countdown(self.LIVELINESS, lease)
+        self._watches = [*self._lease, *self._countdown(self.DEADLINE, self.policies.deadline, again=True)]
+        for subscription in subscriptions:
+            if self.is_remote(subscription):
+                discover(self, subscription)
             else:
-                _connect(self, end.owner, end.owner, self)
+                _connect(self, subscription, subscription, self)
 
     def publish(self, msg: Message) -> None:
         """Publish a message. Raises TypeError for one of another class, AssertionError for one with wrong values.
@@ -104,12 +170,21 @@ class Publisher(TopicEnd):
         if not self.node.context.ok():
             raise RCLError("Failed to publish: publisher's context is invalid")
         message = transfer(msg, self.msg_type)
-        self.kept.append(message)
+        sent = self.world.clock.now()
+        self.kept.append((message, sent))
+        for watch in self._watches:
+            watch.restart()
         recording = self.world.recording
         if recording.published is not None:
             recording.add_message(self.end.topic, self.node.get_fully_qualified_name(), lambda: message)
         for subscription in list(self.peers):
-            subscription.receive(self, message)
+            subscription.receive(self, message, sent)
+
+    def fall_silent(self) -> None:
+        """Be alive no more: its process was killed."""
+        for subscription in self.peers:
+            if self.is_remote(subscription):
+                subscription.miss(self)
 
     def get_subscription_count(self) -> int:
         """How many subscriptions it sends to."""
@@ -117,8 +192,13 @@ class Publisher(TopicEnd):
         return len(self.peers)
 
     def assert_liveliness(self) -> None:
-        """Do nothing: liveliness is not watched here."""
+        """Say that it is alive, which counts if its liveliness is ``MANUAL_BY_TOPIC``."""
         self._check()
+        if self.policies.manual:
+            for lease in self._lease:
+                lease.restart()
+            for subscription in self.peers:
+                subscription.hear(self)
 
     def wait_for_all_acked(self, timeout: Any = None) -> bool:
         """Return True: what was published has arrived."""
@@ -132,10 +212,10 @@ class Subscription(TopicEnd):
     It keeps the newest messages, as many as its QoS says, and hands out the oldest of these first.
     """
 
-    _refusal = (
-        "New publisher discovered on topic '{}', offering incompatible QoS. "
-        "No messages will be received from it. Last incompatible policy: {}"
-    )
+    DEADLINE = QoSSubscriptionEventType.RCL_SUBSCRIPTION_REQUESTED_DEADLINE_MISSED
+    INCOMPATIBLE = QoSSubscriptionEventType.RCL_SUBSCRIPTION_REQUESTED_INCOMPATIBLE_QOS
+    LIVELINESS = QoSSubscriptionEventType.RCL_SUBSCRIPTION_LIVELINESS_CHANGED
+    MATCHED = QoSSubscriptionEventType.RCL_SUBSCRIPTION_MATCHED
 
     def __init__(
         self,
@@ -146,17 +226,23 @@ class Subscription(TopicEnd):
         callback: Callable[..., Any],
         callback_group: Any,
         qos: QoSProfile,
+        event_callbacks: Any = None,
     ) -> None:
         super().__init__(node, msg_type, topic, full_name, qos, Policies.requested(qos))
         self.callback = callback
         self.callback_group = callback_group
-        self.messages: deque[tuple[Message, dict[str, Any]]] = deque(maxlen=qos.kept)
+        self.messages = self._queue(qos.kept, qos, _sent)  # and what the callback may ask about each
         self.nudge: Callable[[], None] | None = None  # tells the executor that waits
         self._executor_event = False
         self._received = 0
         self._early: dict[Publisher, list[tuple[Message, int]] | None] = {}
+        if event_callbacks:
+            self._make_handlers(event_callbacks, callback_group)
         publishers = [end.owner for end in self.world.graph.subscribe(self.end)]
         self.policies = Policies.requested(qos, [publisher.policies for publisher in publishers])
+        self._deadline = self._countdown(self.DEADLINE, self.policies.deadline, again=True)
+        self._leases: dict[Any, Countdown] = {}  # of the publishers that have been alive
+        self._hears = self.policies.lease < FOR_EVER and self._handler(self.LIVELINESS) is not None
         for publisher in publishers:
             if self.is_remote(publisher):
                 discover(publisher, self)
@@ -182,34 +268,75 @@ class Subscription(TopicEnd):
             "(to get only the message) or two (to get message and message info)"
         )
 
-    def receive(self, publisher: Publisher, message: Message) -> None:
-        """Take a message that a publisher sends now."""
+    def receive(self, publisher: Publisher, message: Message, sent: int) -> None:
+        """Take a message that a publisher sends now (ns)."""
         if publisher not in self._early:
-            self.deliver(message, self.world.clock.now())
+            self.deliver(publisher, message, sent)
         elif self.policies.reliable and (early := self._early[publisher]) is not None:
-            early.append((message, self.world.clock.now()))
+            early.append((message, sent))
 
     def expect(self, publisher: Publisher) -> None:
         """Expect a publisher of another process: until it is known here, reliable messages from it wait."""
         self._early[publisher] = []
 
-    def meet(self, other: Any, policy: str | None) -> None:
+    def meet(self, other: Any, policy: QoSPolicyKind | None) -> None:
         """See the base. What the publisher has kept comes a little later, with all that it published meanwhile."""
         super().meet(other, policy)
-        if other in self.peers and self.policies == other.policies == (True, True):
+        if other in self.peers and self.policies.with_kept and other.policies.with_kept:
             self._early[other] = None
             self.world.at(self.world.clock.now() + KEPT, lambda: self._take_kept(other))
         else:
             for message, sent in self._early.pop(other) or ():
-                self.deliver(message, sent)
+                self.deliver(other, message, sent)
 
     def _take_kept(self, publisher: Publisher) -> None:
         del self._early[publisher]
-        for message in publisher.kept:
-            self.deliver(message, self.world.clock.now())
+        for message, sent in publisher.kept:
+            self.deliver(publisher, message, sent)
 
-    def deliver(self, message: Message, sent: int) -> None:
-        """Put a copy of a message into the queue."""
+    def hear(self, publisher: Any) -> None:
+        """Note that a publisher is alive."""
+        if not self._hears:
+            return
+        lease = self._leases.get(publisher)
+        if lease is None:
+            lease = self._leases[publisher] = Countdown(self.world, self._lease_of(publisher), self._miss)
+            self.tell(self.LIVELINESS, alive=1)
+        elif not lease.runs:
+            self.tell(self.LIVELINESS, alive=1, not_alive=-1)
+        lease.restart()
+
+    def _lease_of(self, publisher: Any) -> int:
+        """Return how long (ns) a publisher is alive: that of another process as long as that, unless by hand."""
+        return FOR_EVER if self.is_remote(publisher) and not publisher.policies.manual else self.policies.lease
+
+    def _miss(self) -> None:
+        self.tell(self.LIVELINESS, alive=-1, not_alive=1)
+
+    def miss(self, publisher: Any) -> None:
+        """Hear of a publisher no more, whose process was killed. It has said up to then that it is alive."""
+        if publisher in self._leases and not publisher.policies.manual:
+            lease = self._leases[publisher] = Countdown(self.world, self.policies.lease, self._miss)
+            lease.restart()
+
+    def join(self, other: Any) -> None:
+        """See the base. A publisher of another process is alive at once, unless by hand."""
+        super().join(other)
+        if self._lease_of(other) == FOR_EVER:
+            self.hear(other)
+
+    def part(self, other: Any) -> None:
+        super().part(other)
+        if lease := self._leases.pop(other, None):
+            alive = int(lease.runs)
+            self.tell(self.LIVELINESS, alive=-alive, not_alive=alive - 1)
+            lease.stop()
+
+    def deliver(self, publisher: Any, message: Message, sent: int) -> None:
+        """Put a copy of a message, sent at a time (ns), into the queue."""
+        for deadline in self._deadline:
+            deadline.restart()
+        self.hear(publisher)
         self._received += 1
         info = {
             "source_timestamp": sent,
@@ -246,11 +373,15 @@ def _connect(publisher: Publisher, subscription: Subscription, *by_age: Publishe
             if owner.node.context.ok():
                 owner.refuse(policy)
         return
-    publisher.peers.append(subscription)
-    subscription.peers.append(publisher)
-    if subscription.policies == (True, True):
-        for message in publisher.kept:
-            subscription.deliver(message, publisher.world.clock.now())
+    publisher.join(subscription)
+    subscription.join(publisher)
+    if subscription.policies.with_kept:
+        for message, sent in publisher.kept:
+            subscription.deliver(publisher, message, sent)
+
+
+def _sent(entry: tuple[Message, dict[str, Any]]) -> int:
+    return entry[1]["source_timestamp"]  # type: ignore[no-any-return]
 
 
 class _OutOfReach(ReentrantCallbackGroup):

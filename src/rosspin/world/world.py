@@ -9,13 +9,13 @@ from collections.abc import Callable, Set
 from contextlib import AbstractContextManager
 from typing import Any, TypeVar
 
-from ..clocks.clock import Clock
+from ..clocks.clock import NS, Clock
 from ..clocks.frames import Whereabouts
 from ..clocks.simulation import Simulation
-from ..clocks.stacks import Program, acting_for, whose
+from ..clocks.stacks import Program, acting_for, current, waiting_for, whose
 from .graph import Graph, Recording
 
-__all__ = ["NotSimulated", "World", "current_world", "not_simulated", "refusing"]
+__all__ = ["NotSimulated", "World", "current", "current_world", "not_simulated", "refusing", "waiting_for"]
 
 Part = TypeVar("Part")
 
@@ -145,7 +145,7 @@ class World(Program):
             self.on_failure()
 
     def at(self, when: int, function: Callable[[], object]) -> None:
-        """Call a function for this node at a time (ns) on its simulated clock; now, if that is past."""
+        """Call a function for this node at a time (ns) on its clock; now, if that is past."""
         if when <= self.clock.now():
             function()
             return
@@ -155,8 +155,12 @@ class World(Program):
                 with self.acting():
                     function()
 
-        assert isinstance(self.clock, Simulation)
-        self.clock.at(when, call)
+        if isinstance(self.clock, Simulation):
+            self.clock.at(when, call)
+        else:
+            timer = threading.Timer((when - self.clock.now()) / NS, call)
+            timer.daemon = True
+            timer.start()
 
     def start(self, thread: threading.Thread) -> None:
         """Start a thread of this node, whichever node asks for it."""

@@ -1,0 +1,5 @@
+"""Constants (source: rclpy/constants.py)."""
+
+__all__ = ["S_TO_NS"]
+
+S_TO_NS = 1_000_000_000
