@@ -199,7 +199,6 @@ MODULES: dict[str, ModuleType] = {
     "rclpy": sys.modules[__name__],
     "rclpy.action": action,
     "rclpy.action.client": action,
-    "rclpy.action.graph": action,
     "rclpy.action.server": action,
     "rclpy.callback_groups": callback_groups,
     "rclpy.client": services,
