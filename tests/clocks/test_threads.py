@@ -383,6 +383,8 @@ def test_the_time_of_the_processor_is_real() -> None:
 # --- what waits in real time ------------------------------------------------------------------------------------------
 
 
+SERVES = "import asyncio\nasync def main():\n    await asyncio.start_server(print, 'localhost', 0)\n"
+SERVES += "    await asyncio.sleep(60)\n"
 SLEEPS = f"subprocess.run([{sys.executable!r}, '-c', 'import time; time.sleep(60)'])"
 
 
@@ -392,7 +394,7 @@ SLEEPS = f"subprocess.run([{sys.executable!r}, '-c', 'import time; time.sleep(60
         (f"import subprocess\n{SLEEPS}\n", 2, SLEEPS),
         ("import socket\ns = socket.create_server(('localhost', 0))\ns.accept()\n", 3, "s.accept()"),
         ("import select\n\nselect.select([], [], [], 60)\n", 3, "select.select([], [], [], 60)"),
-        ("import asyncio\nasyncio.run(asyncio.sleep(60))\n", 2, "asyncio.run(asyncio.sleep(60))"),
+        (f"{SERVES}asyncio.run(main())\n", 5, "asyncio.run(main())"),
         ("import os\nread, write = os.pipe()\nos.fdopen(read).readline()\n", 3, "os.fdopen(read).readline()"),
     ],
 )

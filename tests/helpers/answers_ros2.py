@@ -91,6 +91,61 @@ STOPS = "        motor.drive(0.0)\n"
 DRIVE_END = f"    finally:\n{STOPS}        rclpy.try_shutdown()\n"
 DRIVES = "        self.motor.drive(speed)\n"
 
+ASKS_EACH_SECOND = "self.create_timer(1.0, self.timer_callback)"
+MUTUAL_TIMER = "MutuallyExclusiveCallbackGroup()"
+MUTUAL_IMPORT = "import MutuallyExclusiveCallbackGroup"
+IN_A_GROUP = f"self.create_timer(1.0, self.timer_callback, groups.{MUTUAL_TIMER})"
+REENTRANT = "self.create_timer(1.0, self.timer_callback, groups.ReentrantCallbackGroup())"
+GROUPS = {"import rclpy\n": "import rclpy\nfrom rclpy import callback_groups as groups\n"}
+IN_THREADS = {
+    "rclpy.spin(robot_py_node)": "rclpy.spin(robot_py_node, MultiThreadedExecutor())",
+    "import ExternalShutdownException\n": "import ExternalShutdownException, MultiThreadedExecutor\n",
+}
+DONE = """        future = self.client.call_async(Trigger.Request())
+        future.add_done_callback(self.done_callback)
+
+    def done_callback(self, future):
+        self.get_logger().info(future.result().message)
+"""
+DONE_AT_ONCE = """        future = self.client.call_async(Trigger.Request())
+        self.get_logger().info(future.result().message)
+"""
+CALLS = """        response = self.client.call(Trigger.Request())
+        self.get_logger().info(response.message)
+"""
+AWAITS = CALLS.replace("self.client.call(", "await self.client.call_async(")
+CALLS_IN_A_THREAD = f"""        threading.Thread(target=self.ask, daemon=True).start()
+
+    def ask(self):
+{CALLS}"""
+POLLS = DONE_AT_ONCE.replace(
+    "        self.get", "        while not future.done():\n            time.sleep(0.1)\n        self.get"
+)
+SPINS_IN_IT = DONE_AT_ONCE.replace(
+    "        self.get", "        rclpy.spin_until_future_complete(self, future)\n        self.get"
+)
+
+EYES = """    def timer_callback(self):
+        self.left.call(Trigger.Request())
+        self.right.call(Trigger.Request())
+"""
+SLOW_GROUP = f",\n            callback_group={MUTUAL_TIMER})"
+SLOW_SERVICE = f"""self.create_service(
+            Trigger, "take_picture", self.picture_callback{SLOW_GROUP}"""
+SPIN_SLOW = "        rclpy.spin(robot_py_node, MultiThreadedExecutor())\n"
+
+LOOKS = """            if goal.is_cancel_requested:
+                goal.canceled()
+                return Fibonacci.Result(sequence=numbers)
+"""
+APPENDS = "            numbers.append(numbers[-1] + numbers[-2])\n"
+SLEEPS_HALF = "            time.sleep(0.5)\n"
+SUCCEEDS = "        goal.succeed()\n"
+MAY_CANCEL = """    def may_cancel(self, goal):
+        return CancelResponse.ACCEPT
+
+"""
+
 # --- right ------------------------------------------------------------------------------------------------------------
 
 RIGHT: dict[int, list[Answer]] = {
@@ -311,6 +366,94 @@ rclpy.spin(motor)
             STOPS: "",
         },
         {DRIVE_SPIN: "        while rclpy.ok():\n            rclpy.spin_once(driver_py_node)\n"},
+    ],
+    27: [
+        {
+            ".add_done_callback(self.done_callback)": ".add_done_callback(\n"
+            "            lambda done: self.get_logger().info(done.result().message))"
+        },
+        # It waits without keeping the thread, or with another one.
+        {DONE: AWAITS, "def timer_callback": "async def timer_callback", ASKS_EACH_SECOND: IN_A_GROUP, **GROUPS},
+        {DONE: CALLS, ASKS_EACH_SECOND: IN_A_GROUP, **GROUPS, **IN_THREADS},
+        {DONE: CALLS, ASKS_EACH_SECOND: REENTRANT, **GROUPS, **IN_THREADS},
+        {DONE: CALLS_IN_A_THREAD, "import rclpy\n": "import threading\nimport rclpy\n"},
+    ],
+    28: [
+        {"MultiThreadedExecutor()": "MultiThreadedExecutor(2)"},
+        {MUTUAL_TIMER: "ReentrantCallbackGroup()", MUTUAL_IMPORT: "import ReentrantCallbackGroup"},
+        # Each end in a group of its own.
+        {
+            f", {MUTUAL_TIMER}": "",
+            "self.eye_callback)": f"self.eye_callback, callback_group={MUTUAL_TIMER})",
+            '"left_eye")': f'"left_eye", callback_group={MUTUAL_TIMER})',
+            '"right_eye")': f'"right_eye", callback_group={MUTUAL_TIMER})',
+        },
+        # Without a second thread.
+        {
+            "def timer_callback": "async def timer_callback",
+            "self.left.call(": "await self.left.call_async(",
+            "self.right.call(": "await self.right.call_async(",
+            ", MultiThreadedExecutor())": ")",
+        },
+        {
+            EYES: """    def timer_callback(self):
+        self.left.call_async(Trigger.Request()).add_done_callback(self.has_left)
+
+    def has_left(self, future):
+        self.right.call_async(Trigger.Request()).add_done_callback(self.has_both)
+
+    def has_both(self, future):
+""",
+            f", {MUTUAL_TIMER}": "",
+            ", MultiThreadedExecutor())": ")",
+        },
+    ],
+    29: [
+        {"MultiThreadedExecutor()": "MultiThreadedExecutor(2)"},
+        {SLOW_GROUP: ")", "self.motor_callback)": f"self.motor_callback, {MUTUAL_TIMER})"},
+        {
+            SLOW_GROUP: ")",
+            "self.motor_callback)": "self.motor_callback, ReentrantCallbackGroup())",
+            MUTUAL_IMPORT: "import ReentrantCallbackGroup",
+        },
+        {
+            SPIN_SLOW: "        executor = MultiThreadedExecutor(num_threads=3)\n"
+            "        executor.add_node(robot_py_node)\n        executor.spin()\n"
+        },
+        # The camera is a node with an executor and a thread of its own.
+        {
+            SLOW_SERVICE: 'self.camera = rclpy.create_node("camera")\n'
+            '        self.camera.create_service(Trigger, "take_picture", self.picture_callback)',
+            SPIN_SLOW: "        executor = SingleThreadedExecutor()\n"
+            "        executor.add_node(robot_py_node.camera)\n"
+            "        threading.Thread(target=executor.spin, daemon=True).start()\n"
+            "        rclpy.spin(robot_py_node)\n",
+            "import time\n": "import threading\nimport time\n",
+            "MultiThreadedExecutor\n": "SingleThreadedExecutor\n",
+        },
+    ],
+    30: [
+        {"MultiThreadedExecutor())": "MultiThreadedExecutor(2))"},
+        {"cancel_callback=self.may_cancel": "cancel_callback=lambda goal: CancelResponse.ACCEPT"},
+        # It looks after each number.
+        {LOOKS + APPENDS: APPENDS, SLEEPS_HALF: SLEEPS_HALF + LOOKS},
+        # It leaves the loop.
+        {
+            LOOKS: "            if goal.is_cancel_requested:\n                break\n",
+            SUCCEEDS: "        goal.canceled() if goal.is_cancel_requested else goal.succeed()\n",
+        },
+        {
+            "while len(numbers) < goal.request.order:\n": "while len(numbers) < goal.request.order "
+            "and not goal.is_cancel_requested:\n",
+            LOOKS: "",
+            SUCCEEDS: "        if goal.is_cancel_requested:\n            goal.canceled()\n"
+            "        else:\n            goal.succeed()\n",
+        },
+        {
+            MAY_CANCEL: "",
+            "            cancel_callback=self.may_cancel)\n": "            )\n"
+            "        self.server.register_cancel_callback(lambda goal: CancelResponse.ACCEPT)\n",
+        },
     ],
 }
 
@@ -648,6 +791,169 @@ WRONG: dict[int, list[tuple[Answer, str, str]]] = {
         (
             {"    try:\n": "    import signal\n    signal.signal(signal.SIGINT, signal.SIG_IGN)\n    try:\n"},
             "did not end at Ctrl-C",
+            "",
+        ),
+        (FOR_ROS_1, "This node is for ROS 1", "This exercise is on ROS 2"),
+    ],
+    27: [
+        # The answer is used at once.
+        (
+            {DONE: DONE_AT_ONCE},
+            "the node died in line 24: `AttributeError: 'NoneType' object has no attribute 'message'`",
+            "The result of a future is None until the answer has come",
+        ),
+        ({DONE: POLLS, "import rclpy\n": "import time\nimport rclpy\n"}, "was not answered", "say who waits"),
+        (
+            {DONE: SPINS_IN_IT},
+            "was not answered",
+            "say who waits",
+        ),
+        # A coroutine keeps the group of the service.
+        (
+            {DONE: AWAITS, "def timer_callback": "async def timer_callback"},
+            "The request of 1 s to `/take_picture` was not answered",
+            "keeps its thread and its callback group",
+        ),
+        ({DONE: CALLS, ASKS_EACH_SECOND: IN_A_GROUP, **GROUPS}, "was not answered", "say who waits"),
+        ({DONE: CALLS, **IN_THREADS}, "did not end at Ctrl-C", "say who waits"),
+        (
+            {DONE: CALLS.replace("Request()", "Request(), timeout_sec=0.2")},
+            "`AttributeError: 'NoneType' object",
+            "until the answer has come",
+        ),
+        ({"(self.done_callback)": "(self.done_callback(future))"}, "died in line 27", "until the answer has come"),
+        (
+            {
+                "        future = self.client.call_async(Trigger.Request())\n": "",
+                "        future.add_done_callback(self.done_callback)\n": "        self.done_callback(None)\n",
+                "future.result().message": '"[CAMERA] counter = 1"',
+            },
+            "nobody asked `/take_picture`",
+            "to come from the service",
+        ),
+        ({"1.0, self.timer": "0.5, self.timer"}, "was asked at 0.5 s, not at 1 s", "is not to change"),
+        ({"        self.create_timer(0.5, self.heartbeat_callback)\n": ""}, "heartbeat: no counter", ""),
+        (FOR_ROS_1, "This node is for ROS 1", "This exercise is on ROS 2"),
+    ],
+    28: [
+        ({f", {MUTUAL_TIMER}": ""}, "the request of 1 s to `/left_eye` was not answered", "say who waits"),
+        ({", MultiThreadedExecutor())": ")"}, "`/left_eye` was not answered", "keeps its thread"),
+        ({"MultiThreadedExecutor()": "MultiThreadedExecutor(1)"}, "`/left_eye` was not answered", "say who waits"),
+        # The answers come, but the clients are in the group of the callback that waits.
+        (
+            {
+                f", {MUTUAL_TIMER}": "",
+                "self.eye_callback)": f"self.eye_callback, callback_group={MUTUAL_TIMER})",
+            },
+            "The robot: no counter was printed",
+            "say who waits",
+        ),
+        (
+            {
+                f", {MUTUAL_TIMER}": "",
+                '"left_eye")': f'"left_eye", callback_group={MUTUAL_TIMER})',
+                '"right_eye")': f'"right_eye", callback_group={MUTUAL_TIMER})',
+            },
+            "`/left_eye` was not answered",
+            "say who waits",
+        ),
+        # One group for all of them is the default group again.
+        (
+            {
+                "        self.counter = 0\n": f"        self.counter = 0\n        group = {MUTUAL_TIMER}\n",
+                f"self.timer_callback, {MUTUAL_TIMER}": "self.timer_callback, group",
+                "self.eye_callback)": "self.eye_callback, callback_group=group)",
+            },
+            "`/left_eye` was not answered",
+            "say who waits",
+        ),
+        (
+            {"Trigger.Request())\n": "Trigger.Request(), timeout_sec=0.05)\n", f", {MUTUAL_TIMER}": ""},
+            "to `/left_eye` was answered at 1.2 s, not at 1.1 s",
+            "",
+        ),
+        (
+            {"self.left.call(": "self.left.call_async(", "self.right.call(": "self.right.call_async("},
+            "`/right_eye` was asked at 1 s, not at 1.1 s",
+            "",
+        ),
+        ({"        self.right.call(Trigger.Request())\n": ""}, "nobody asked `/right_eye`", "to come from the service"),
+        ({"time.sleep(0.1)": "pass"}, "was answered at 1 s, not at 1.1 s", ""),
+        (FOR_ROS_1, "This node is for ROS 1", "This exercise is on ROS 2"),
+    ],
+    29: [
+        ({SLOW_GROUP: ")"}, "With `takes:=0.35`, the motor: counter 11 came at 1.35 s", "unless you give them others"),
+        ({", MultiThreadedExecutor())": ")"}, "counter 11 came at 1.35 s", "a single-threaded executor calls nothing"),
+        ({"MultiThreadedExecutor()": "MultiThreadedExecutor(1)"}, "counter 11 came at 1.35 s", "calls nothing"),
+        (
+            {MUTUAL_TIMER: "ReentrantCallbackGroup()", MUTUAL_IMPORT: "import ReentrantCallbackGroup"},
+            "With `takes:=1.3`: the request of 2 s to `/take_picture` was answered at 3.3 s, not at 3.6 s",
+            "one picture at a time",
+        ),
+        (
+            {
+                SLOW_GROUP: ",\n            callback_group=group)",
+                "        self.commands = 0\n": f"        self.commands = 0\n        group = {MUTUAL_TIMER}\n",
+                "self.motor_callback)": "self.motor_callback, group)",
+            },
+            "counter 11 came at 1.35 s",
+            "in the same mutually exclusive group",
+        ),
+        ({"        time.sleep(self.takes)\n": ""}, "was answered at 1 s, not at 1.35 s", "takes its time for it"),
+        ({"time.sleep(self.takes)": "time.sleep(0.35)"}, "was answered at 1.35 s, not at 2.3 s", "takes its time"),
+        ({"        self.create_timer(1.0, self.ask_callback)\n": ""}, "nobody asked", "from the service"),
+        (
+            {"1.0, self.ask": "2.0, self.ask"},
+            "`/take_picture` was asked 2 times in 5.05 s, not 5 times",
+            "not to change",
+        ),
+        (
+            {"def picture_callback": "async def picture_callback", SLOW_GROUP: ")", ", MultiThreadedExecutor())": ")"},
+            "counter 11 came at 1.35 s",
+            "a single-threaded executor",
+        ),
+        (FOR_ROS_1, "This node is for ROS 1", "This exercise is on ROS 2"),
+    ],
+    30: [
+        (
+            {"            cancel_callback=self.may_cancel)\n": "            )\n"},
+            "Cancelled at 3.2 s: the goal was reached (4) at 5 s, not cancelled (5)",
+            "cancels no goal",
+        ),
+        ({"CancelResponse.ACCEPT": "CancelResponse.REJECT"}, "reached (4) at 5 s, not cancelled", "cancels no goal"),
+        (
+            {"        return CancelResponse.ACCEPT\n": "        pass\n"},
+            "reached (4)",
+            "returns `CancelResponse.ACCEPT`",
+        ),
+        ({LOOKS: ""}, "was reached (4) at 5 s, not cancelled (5)", "look at `is_cancel_requested` before each number"),
+        (
+            {"                goal.canceled()\n": ""},
+            "the goal was aborted (6) at 3.5 s, not cancelled (5)",
+            "without saying how it ended",
+        ),
+        ({"goal.canceled()": "goal.abort()"}, "was aborted (6) at 3.5 s", "without saying how it ended"),
+        ({"goal.canceled()": "goal.succeed()"}, "was reached (4) at 3.5 s", "is_cancel_requested"),
+        (
+            {"sequence=numbers)\n            numbers": "sequence=[])\n            numbers"},
+            "the result has 0 numbers, not 7",
+            "Return the numbers that the server has",
+        ),
+        (
+            {
+                LOOKS: "",
+                "        numbers = [0, 1]\n": "        numbers = [0, 1]\n"
+                + LOOKS.replace("            ", "        ", 1),
+            },
+            "reached (4) at 5 s",
+            "before each number",
+        ),
+        ({SLEEPS_HALF: "            time.sleep(1.0)\n"}, "cancelled (5) at 4 s, not at 3.5 s", "0.5 s for each"),
+        ({", MultiThreadedExecutor())": ")"}, "the node died", ""),
+        ({SUCCEEDS: ""}, "Not cancelled: the goal was aborted (6) at 5 s", "`goal.succeed()`"),
+        (
+            {"if goal.is_cancel_requested": "if len(numbers) > 6"},
+            "Not cancelled: the goal was aborted (6) at 3.5 s",
             "",
         ),
         (FOR_ROS_1, "This node is for ROS 1", "This exercise is on ROS 2"),

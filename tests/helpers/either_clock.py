@@ -42,7 +42,7 @@ def test_a_run_leaves_the_process_as_it_was(run: Run, write: Any) -> None:
 ONE = "import rospy, threading\nfrom std_msgs.msg import UInt32\nrospy.init_node('node')\n"
 TWO = "import rclpy, threading\nrclpy.init()\nnode = rclpy.create_node('node')\n"
 TWO += "from std_msgs.msg import UInt32\n"
-CALLBACK = "def callback(*args):\n    import tf2_ros\n"
+CALLBACK = "def callback(*args):\n    import cv_bridge\n"
 PUBLISHES = "publisher = rospy.Publisher('a', UInt32, queue_size=1)\nfor _ in range(9):\n"
 PUBLISHES += "    publisher.publish(1)\n    rospy.sleep(0.1)\n"
 IN_A_THREAD = "threading.Thread(target=callback).start()\n"
@@ -66,10 +66,10 @@ IN_A_THREAD = "threading.Thread(target=callback).start()\n"
 )
 def test_a_package_of_ros_that_is_imported_late_is_named(run: Run, write: Any, calls: tuple[str, str]) -> None:
     node = write(calls[0] + CALLBACK + calls[1])
-    with pytest.raises(NotSimulated, match=r"tf2_ros is not simulated; run this node on a real ROS") as caught:
+    with pytest.raises(NotSimulated, match=r"cv_bridge is not simulated; run this node on a real ROS") as caught:
         run(node, NEVER)
     if run is simulate:
-        assert say_error(caught.value).startswith(f"{node}:{len(calls[0].splitlines()) + 2}: tf2_ros")
+        assert say_error(caught.value).startswith(f"{node}:{len(calls[0].splitlines()) + 2}: cv_bridge")
 
 
 def test_an_error_is_told_where_stderr_is_gone(run: Run, write: Any) -> None:

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import math
+import time
 from typing import Any
 
 import pytest
@@ -11,8 +12,6 @@ from rosspin import rclpy, simulate
 
 
 def server() -> None:
-    import time
-
     from test_msgs.srv import BasicTypes  # type: ignore[import-not-found]
 
     def answer(request: Any, response: Any) -> Any:
@@ -93,6 +92,36 @@ def test_a_node_has_services_for_its_parameters_once_somebody_looks() -> None:
 
     assert simulate(node, 1).console == ""
     assert counts == [6, 6, 0, 6]
+
+
+def test_what_has_ended_is_found_by_nobody() -> None:
+    def look(node: Any) -> list[Any]:
+        from std_msgs.msg import UInt32
+        from std_srvs.srv import Trigger
+
+        asker, publisher = node.create_client(Trigger, "work"), node.create_publisher(UInt32, "topic", 10)
+        time.sleep(1)
+        found = [asker.service_is_ready(), publisher.get_subscription_count()]
+        return [*found, node.destroy_client(asker), node.destroy_publisher(publisher)]
+
+    def ends() -> None:
+        from std_msgs.msg import UInt32
+        from std_srvs.srv import Trigger
+
+        rclpy.init()
+        node = rclpy.create_node("ends")
+        node.create_service(Trigger, "work", print)
+        node.create_subscription(UInt32, "topic", print, 10)
+        rclpy.shutdown()
+        rclpy.init()
+        print(look(rclpy.create_node("again")))
+
+    def comes_later() -> None:
+        rclpy.init()
+        time.sleep(1)
+        print(look(rclpy.create_node("later")))
+
+    assert simulate([ends, comes_later], 5).console == "[False, 0, True, True]\n" * 2
 
 
 def test_messages_that_hold_others_reach_another_process() -> None:

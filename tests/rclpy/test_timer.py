@@ -21,7 +21,13 @@ some = settings(max_examples=60, deadline=None)
 Spun = Callable[[Any], object]
 
 
-def spun(prepare: Spun, seconds: float, executor: Callable[[], Any] | None = None, args: tuple[str, ...] = ()) -> Run:
+def spun(
+    prepare: Spun,
+    seconds: float,
+    executor: Callable[[], Any] | None = None,
+    args: tuple[str, ...] = (),
+    console: str = "",
+) -> Run:
     """A node that ``prepare(node)`` makes something of, and that is spun until it is shut down at the end."""
 
     def node() -> None:
@@ -35,7 +41,7 @@ def spun(prepare: Spun, seconds: float, executor: Callable[[], Any] | None = Non
         del kept
 
     run = simulate(node, seconds, args)
-    assert (run.status, run.console) == (0, "")
+    assert (run.status, run.console.partition("\n")[0]) == (0, console)
     return run
 
 
@@ -356,11 +362,14 @@ def test_a_rate_that_nobody_spins_hangs_until_ctrl_c() -> None:
         except KeyboardInterrupt:
             print("hung", time.time())
 
-    assert simulate(node, 3).console == "hung 3.0\n"
+    *why, hung = simulate(node, 3).console.splitlines()
+    assert why[1] == "rosspin:   the thread MainThread waits for its Rate"
+    assert why[-1] == "rosspin: Spin the node meanwhile, in another thread."
+    assert hung == "hung 3.0"
 
 
 def test_the_second_sleep_in_a_callback_hangs_under_one_thread() -> None:
-    def callbacks(make: Any) -> int:
+    def callbacks(make: Any, console: str = "") -> int:
         passes = []
 
         def prepare(node: Any) -> None:
@@ -373,10 +382,10 @@ def test_the_second_sleep_in_a_callback_hangs_under_one_thread() -> None:
 
             node.create_timer(1.0, callback)
 
-        spun(prepare, 2.9, make)
+        spun(prepare, 2.9, make, console=console)
         return len(passes)
 
-    assert callbacks(rclpy.executors.SingleThreadedExecutor) == 1
+    assert callbacks(rclpy.executors.SingleThreadedExecutor, "rosspin: this waits for ever:") == 1
     assert callbacks(rclpy.executors.MultiThreadedExecutor) > 2
 
 

@@ -16,7 +16,7 @@ from typing import Any
 import pytest
 from bs4 import BeautifulSoup
 from cpp_nodes import CppNodes
-from launches import NEVER, Until, launch_past
+from launches import NEVER, Until, launch, launch_past
 from tree import ROOT
 from verdicts import control
 
@@ -209,3 +209,16 @@ def test_a_frequency_not_meant_for_the_node_is_ignored_on_the_real_ros_2(
         assert min(later.expected - earlier.expected for earlier, later in pairwise(run.ticks)) > 0.45
     assert run.status == 0
     assert all("[SPINNER PY NODE] counter = " in line for line in run.console.splitlines())
+
+
+@pytest.mark.parametrize("node", sorted((ROOT / "examples" / "hangs").glob("*.py")), ids=lambda node: node.stem)
+def test_a_node_hangs_or_goes_on_as_the_page_says(node: Path, require: Callable[[str], None]) -> None:
+    require("ros2")
+
+    def said(console: str) -> list[str]:
+        return [line.partition("]: ")[2] for line in console.splitlines() if line.startswith("[")]
+
+    simulated = simulate(node, 2.8)
+    with control(bears=0.1):
+        run = launch(node, 2.8)
+        assert (said(run.console), run.status) == (said(simulated.console), simulated.status)

@@ -287,9 +287,9 @@ def test_time_that_stands_still(
             4,
         ),
         (
-            "import rclpy\nrclpy.init()\ndef callback():\n    import tf2_ros\n"
+            "import rclpy\nrclpy.init()\ndef callback():\n    import cv_bridge\n"
             "node = rclpy.create_node('n')\nnode.create_timer(0.1, callback)\nrclpy.spin(node)\n",
-            "tf2_ros",
+            "cv_bridge",
             4,
         ),
     ],

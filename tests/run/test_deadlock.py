@@ -69,11 +69,41 @@ rosspin:     at FILE:7: with lock: pass
 rosspin: Hold no lock while you wait for somebody who needs it.
 """
 
+CALL = """
+import threading, rospy
+from std_srvs.srv import Trigger
+rospy.init_node("n")
+lock = threading.Lock()
+def handle(request):
+    with lock: pass
+    return {}
+rospy.Service("work", Trigger, handle)
+def tick(event):
+    with lock:
+        rospy.ServiceProxy("work", Trigger)()
+rospy.Timer(rospy.Duration(0.5), tick)
+rospy.spin()
+"""
+CALLED = """\
+rosspin: this waits for ever:
+rosspin:   the thread Thread-1 waits for the answer of /work, which the thread Thread-2 (handle) is to give
+rosspin:     at FILE:12: rospy.ServiceProxy("work", Trigger)()
+rosspin:   the thread Thread-2 (handle) waits for a lock that the thread Thread-1 holds
+rosspin:     at FILE:7: with lock: pass
+rosspin: Hold no lock while you wait for somebody who needs it.
+"""
+
 
 @pytest.mark.parametrize(
     ("source", "said"),
-    [(LOCKS.format(kind="Lock"), RING), (LOCKS.format(kind="RLock"), RING), (TWICE, HELD_TWICE), (JOIN, JOINED)],
-    ids=["locks", "rlocks", "twice", "join"],
+    [
+        (CALL, CALLED),
+        (LOCKS.format(kind="Lock"), RING),
+        (LOCKS.format(kind="RLock"), RING),
+        (TWICE, HELD_TWICE),
+        (JOIN, JOINED),
+    ],
+    ids=["call", "locks", "rlocks", "twice", "join"],
 )
 def test_threads_that_wait_for_each_other_are_told(write: Any, source: str, said: str) -> None:
     path = write(source)

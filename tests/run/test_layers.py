@@ -18,6 +18,7 @@ LAYERS = [
     "results",
     "world",
     "messages",
+    "tf2",
     "rospy",
     "rclpy",
     "run",
@@ -115,6 +116,12 @@ def test_the_stand_ins_do_not_know_of_each_other() -> None:
         for module in MODULES:
             if layer(module) == one:
                 assert not {name for name in imports(module) & MODULES.keys() if layer(name) == other}
+
+
+def test_transforms_know_nothing_of_ros() -> None:
+    for module in MODULES:
+        if layer(module) == "tf2":
+            assert {layer(name) for name in imports(module) & MODULES.keys()} <= {"tf2"}
 
 
 def test_data_are_below_the_simulator() -> None:

@@ -12,4 +12,4 @@ say("asks")
 try:
     rclpy.spin_until_future_complete(node, client.call_async(Trigger.Request()))
 except KeyboardInterrupt:
-    say("interrupted", rclpy.ok())
+    say("interrupted")

@@ -22,4 +22,4 @@ node.create_service(Trigger, "work", answer)
 try:
     rclpy.spin(node)
 except KeyboardInterrupt:
-    say("interrupted", rclpy.ok())
+    say("interrupted")

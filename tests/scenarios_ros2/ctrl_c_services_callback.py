@@ -23,5 +23,5 @@ begin()
 try:
     rclpy.spin_until_future_complete(node, future)
 except KeyboardInterrupt:
-    say("interrupted", future.done(), rclpy.ok())
+    say("interrupted", future.done())
 rclpy.try_shutdown()

@@ -123,6 +123,7 @@ def test_every_step_and_node_is_shown() -> None:
     shown = {listing.path for page in PAGES for listing in listings(page)}
     files = {*EXAMPLES.glob("steps/*"), *EXAMPLES.glob("how-to/**/*.py"), *EXAMPLES.glob("threads/**/*.*")}
     files |= {*EXAMPLES.glob("topics/*.*"), *EXAMPLES.glob("my_robotics_pkg_ros2/[ct]*/*.*")}
+    files |= set(EXAMPLES.glob("hangs/*.*"))
     files |= {path for folder in ("src", "launch", "test") for path in PACKAGE.glob(f"{folder}/*.*")}
     files |= {*EXAMPLES.glob("steps_ros2/*"), *PACKAGE_ROS2.glob("*.*"), *PACKAGE_ROS2.glob("*/*_node.py")}
     assert files - shown == set()

@@ -20,7 +20,8 @@ from rosspin.__main__ import main
 NOTEBOOKS = sorted(path.stem for path in (ROOT / "notebooks").glob("*.md"))
 PATH = {"timer": "rate", "rate": "drift", "drift": "slow-callback", "slow-callback": "two-languages"}
 PATH |= {"two-languages": "publish", "publish": "exercises"}
-PATH |= {"ros2-timer": "ros2-rate", "ros2-rate": "ros2-executors", "ros2-executors": "ros2-exercises"}
+PATH |= {"ros2-timer": "ros2-rate", "ros2-rate": "ros2-executors", "ros2-executors": "ros2-services"}
+PATH |= {"ros2-services": "ros2-exercises"}
 
 
 def cells(name: str, kind: str) -> list[str]:
@@ -35,7 +36,7 @@ def test_the_node_is_the_tutorials(name: str) -> None:
     assert first.partition("\n")[2].strip() == node.strip()
 
 
-@pytest.mark.parametrize("name", [*NODES, "ros2-executors"])
+@pytest.mark.parametrize("name", [*NODES, "ros2-executors", "ros2-services"])
 def test_each_node_can_be_run_in_the_page(name: str) -> None:
     notebook = jupytext.read(ROOT / "notebooks" / f"{name}.md")
     nodes = [cell for cell in notebook.cells if cell.cell_type == "code" and cell.source.startswith("%%simulate")]

@@ -11,7 +11,7 @@ from contextlib import contextmanager
 from types import FrameType
 from typing import Any
 
-__all__ = ["Ended", "end_thread", "ending_here", "spare_me"]
+__all__ = ["Ended", "end_thread", "ending_here", "heed", "spare_me"]
 
 # Frames of these modules run to their own end, because other code relies on what they tidy up. So do callbacks of the
 # garbage collector and of weak references: they may run at any time, and Python only prints what is raised in them.
@@ -72,6 +72,12 @@ def ending_here() -> Iterator[None]:
         if get_ident() in _ending:
             _ending.discard(get_ident())
             sys.settrace(trace)
+
+
+def heed() -> None:
+    """Raise :class:`Ended` where code that is to end has caught it, or has put another exception in its place."""
+    if get_ident() in _ending:
+        raise Ended
 
 
 def end_thread(ident: int) -> None:

@@ -17,6 +17,7 @@ from .clock import NS
 from .ending import Ended, end_thread, ending_here
 from .frames import Trail, Whereabouts, places, trail
 from .guard import LastWords, guard
+from .loops import Loops
 from .patches import Builtins
 from .signals import Died, send, simulated_signals
 from .simulation import Simulation
@@ -80,6 +81,7 @@ class SimulatedProgram:
         self._program = program
         self._simulation = simulation
         self._builtins = Builtins()
+        self._loops = Loops()
         self.before_ctrl_c: Callable[[], object] = lambda: None  # called at the end of its time
         simulation.begin(main, program, _main_ident())
 
@@ -118,7 +120,7 @@ class SimulatedProgram:
         simulation = self._simulation
         with watch(simulation.sign_of_life) as watchdog:
             simulation.taking_down = watchdog.taking_down
-            with simulated_threads(self._program), virtual_time(), simulated_signals(), self._builtins:
+            with simulated_threads(self._program), virtual_time(), simulated_signals(), self._builtins, self._loops:
                 yield
 
 

@@ -157,6 +157,9 @@ PATCHES: list[Patch] = [
     (signal, "setitimer", either(_setitimer)),
     (signal, "getitimer", either(_getitimer)),
     (signal, "alarm", either(_alarm)),
+    # asyncio tells the operating system where to report signals and what to do after them; it does not see these.
+    (signal, "set_wakeup_fd", either(lambda stack, descriptor, **options: -1)),
+    (signal, "siginterrupt", either(lambda stack, number, flag: None)),
     *map(_never, ("pause", "sigwait", "sigwaitinfo", "sigtimedwait")),
     (signal, "pthread_sigmask", _mask),
     (_thread, "interrupt_main", either(_interrupt_main)),

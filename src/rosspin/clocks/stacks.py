@@ -22,7 +22,7 @@ if TYPE_CHECKING:
 
 __all__ = [
     *("Program", "Stack", "StackExit", "acting_for", "current", "enter"),
-    *("telling_no_turns", "telling_turns", "whose"),
+    *("Switched", "telling_no_turns", "telling_turns", "waiting_for", "whose"),
 ]
 
 
@@ -118,7 +118,9 @@ class Stack(Switched):
         self.ticket = 0  # the number of its wake-up, while it waits with a time limit
         self.waits = False  # whether it waits for somebody to wake it
         self.lock: Any = None  # the lock for which it waits, or last waited, without a limit
-        self.needs: tuple[str, Stack] | None = None  # what else it waits for, in words, and who is to give it
+        self.needs: tuple[str, Callable[[], Switched | None]] | None = (
+            None  # what else it waits for, and who is to give it
+        )
         self.polled = -1  # when (ns) it last looked in vain for something
         self.polls = 0  # how often it did so at that time
         self.interrupt: Callable[[], None] | None = None  # what it is to call as soon as it goes on
@@ -138,6 +140,20 @@ def whose() -> Program | None:
     """The program that the calling code belongs to; None outside of all runs."""
     stack = current()
     return stack.program if isinstance(stack, Stack) else _here.program
+
+
+@contextmanager
+def waiting_for(what: str, giver: Callable[[], Switched | None]) -> Iterator[None]:
+    """Within this context the calling stack waits for what another, ``giver()``, is to give; ``what`` names it."""
+    me = current()
+    if not isinstance(me, Stack):
+        yield
+        return
+    me.needs = what, giver
+    try:
+        yield
+    finally:
+        me.needs = None
 
 
 def enter(program: Program | None) -> Program | None:

@@ -7,6 +7,7 @@ classes cannot be replaced for stacks alone.
 from __future__ import annotations
 
 import logging
+import selectors
 import sys
 import time
 from collections.abc import Callable, Iterator
@@ -14,6 +15,7 @@ from contextlib import contextmanager
 from typing import Any
 
 from .clock import nanoseconds
+from .loops import LoopSelector
 from .patches import Patch, either, patched
 from .stacks import Stack, current
 
@@ -73,6 +75,7 @@ class _LoggingSince:
 PATCHES: list[Patch] = [
     (logging, "_startTime", _LoggingSince),
     (time, "sleep", either(_sleep)),
+    (selectors, "DefaultSelector", lambda real: LoopSelector),
     *((time, name, either(_seconds)) for name in ("time", "monotonic", "perf_counter")),
     *((time, f"{name}_ns", either(_nanoseconds)) for name in ("time", "monotonic", "perf_counter")),
     *((time, name, _now_by_default) for name in ("localtime", "gmtime", "ctime")),

@@ -54,6 +54,8 @@ def whose(codes: Collection[CodeType]) -> str:
 
 def hint(error: BaseException, whose: str) -> str:
     """Return what may be behind an error that rclpy raises."""
+    if isinstance(error, AttributeError) and error.obj is None:
+        return "This is None. The result of a future is None until the answer has come: use it in a done callback."
     if innermost(error) is None:
         return ""
     if isinstance(error, NotInitializedException) or (isinstance(error, RCLError) and "rcl_init()" in str(error)):

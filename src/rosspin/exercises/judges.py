@@ -442,6 +442,108 @@ def one_image_at_a_time(seen: Seen, when: str, takes: float) -> Finding:
     return Finding(True, f"{what} took {len(begun)} images, one after the other.")
 
 
+# --- what it asks -----------------------------------------------------------------------------------------------------
+
+
+def goes_on(seconds: float, *checks: Check, given: str = "", when: str = "", hint: str) -> Judge:
+    """Run an answer that may hang, and check it first; then it has to end at Ctrl-C. ``hint`` is for one that hangs."""
+
+    def judge(answer: Answer) -> Iterator[Finding]:
+        seen = answer.run(seconds, given, has_to_end=False)
+        said = when or _with(given)
+        yield from _found(seen, said, checks)
+        if seen.killed:
+            start = f"{said}: the" if said else "the"
+            yield Finding(False, f"{start} node did not end at Ctrl-C: {say_kept(seen, 2)}", hint)
+
+    return judge
+
+
+@_check
+def answered(
+    seen: Seen,
+    when: str,
+    service: str,
+    takes: float = 0.0,
+    *,
+    at: Sequence[float] = (),
+    least: int = 1,
+    hint: str,
+    overlap: str = "",
+) -> Finding:
+    """Whether a service answered one request after the other, each in the time that it ``takes`` (s).
+
+    It is to be asked ``at`` these times (s), or else at least so many times, whenever that is. ``hint`` is for a
+    request that is not asked or not answered, ``overlap`` for one that is answered too soon.
+    """
+    start = f"{when}: " if when else ""
+    calls = [call for call in seen.calls if call.service == service and call.asked < seen.seconds]
+    if not calls:
+        return Finding(False, f"{start}nobody asked `{service}`.", "The answer is to come from the service.")
+    wanted, same_often = at or [call.asked for call in calls], "How often it is asked is not to change."
+    due = 0.0
+    for number, time in enumerate(wanted):
+        if number >= len(calls) or calls[number].asked > time + _CLOSE:
+            return Finding(False, f"{start}`{service}` was not asked at {say(time)}.", hint)
+        if calls[number].asked < time - _CLOSE:
+            text = f"{start}`{service}` was asked at {say(calls[number].asked)}, not at {say(time)}."
+            return Finding(False, text, same_often)
+        due = max(due, time) + takes
+        if due >= seen.seconds:
+            continue
+        given = calls[number].answered
+        if given is None:
+            return Finding(False, f"{start}the request of {say(time)} to `{service}` was not answered.", hint)
+        if abs(given - due) > _CLOSE:
+            text = f"{start}the request of {say(time)} to `{service}` was answered at {say(given)}, not at {say(due)}."
+            return Finding(False, text, overlap if given < due else hint)
+    if len(calls) > len(wanted):
+        text = f"{start}`{service}` was asked again at {say(calls[len(wanted)].asked)}."
+        return Finding(False, text, same_often)
+    if len(calls) < least:
+        times = f"asked {len(calls)} times in {say(seen.seconds)}, not {least} times"
+        return Finding(False, f"{start}`{service}` was {times}.", same_often)
+    return Finding(True, f"{start}`{service}` was asked {len(calls)} times, and each answer came in its turn.")
+
+
+def cancels(answer: Answer) -> Iterator[Finding]:
+    """Whether an action server cancels a goal within a step of 0.5 s, and else reaches it."""
+    seen = answer.run(7.0, "cancel_at:=3.2", has_to_end=False)
+    yield _ended(seen, "Cancelled at 3.2 s", "5", 3.5, 7)
+    seen = answer.run(7.0, "cancel_at:=9.0")
+    yield _ended(seen, "Not cancelled", "4", 5.0, 10)
+
+
+_REACHED = {
+    "4": "The server went on to the end. In `execute_callback`, look at `is_cancel_requested` before each number.",
+    "6": "A goal is aborted if its callback returns without saying how it ended: `goal.canceled()`, `goal.succeed()`.",
+}
+_REFUSED = "Unless it has a `cancel_callback` that returns `CancelResponse.ACCEPT`, a server cancels no goal."
+
+
+def _ended(seen: Seen, when: str, status: str, at: float, length: int) -> Finding:
+    """Whether the goal has ended at a time (s), with a status and so many numbers, which the client has printed."""
+    names = {"4": "reached (4)", "5": "cancelled (5)", "6": "aborted (6)"}
+    found, numbers = seen.values("CLIENT", "status"), seen.values("CLIENT", "numbers")
+    cancelled = [line for line in seen.values("CLIENT", "cancelling") if line.time <= seen.seconds]
+    if not found or not numbers:
+        hint = "Does `execute_callback` return a `Fibonacci.Result`? The client is to stay as it is."
+        return Finding(False, f"{when}: the client did not hear how the goal ended.", hint)
+    if found[0].text != status:
+        said = names.get(found[0].text, f"`{plain(found[0].text)}`")
+        hint = _REACHED.get(found[0].text, "Only a goal that is to be cancelled is: look before you call `canceled()`.")
+        if status == "5" and cancelled and cancelled[0].text == "0":
+            hint = _REFUSED
+        return Finding(False, f"{when}: the goal was {said} at {say(found[0].time)}, not {names[status]}.", hint)
+    if abs(found[0].time - at) > _CLOSE:
+        text = f"{when}: the goal was {names[status]} at {say(found[0].time)}, not at {say(at)}."
+        return Finding(False, text, "Look before each number, and take 0.5 s for each, as before.")
+    if numbers[0].text != str(length):
+        text = f"{when}: the result has {plain(numbers[0].text)} numbers, not {length}."
+        return Finding(False, text, "Return the numbers that the server has, also if the goal is cancelled.")
+    return Finding(True, f"{when}: the goal was {names[status]} at {say(at)}, with {length} numbers.")
+
+
 # --- what it publishes ------------------------------------------------------------------------------------------------
 
 

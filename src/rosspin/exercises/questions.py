@@ -496,6 +496,79 @@ _REPAIR_2 = {
     ),
 }
 
+_RING = (
+    "The lines that begin with `rosspin:` say who waits, for what, and who would give that. While a callback waits, it "
+    "keeps its thread and its callback group."
+)
+_SERVING = (
+    "While the camera takes a picture, a single-threaded executor calls nothing, and no executor calls what is in the "
+    "same mutually exclusive group. All callbacks of a node are in one such group unless you give them others."
+)
+_ONE_BY_ONE = "A camera takes one picture at a time, and takes its time for it. Calls of one group do not overlap."
+
+_ASK_2 = {
+    "ask-without-hanging": Exercise(
+        title="Ask without hanging",
+        needs=("notebooks/ros2-services", "docs/how-to/why-does-it-hang"),
+        reveals="A callback may wait for an answer, as in ROS 1. `call_async` returns the answer.",
+        hint="Ask with `call_async`. Print in a function that you give to the future's `add_done_callback`.",
+        judge=by.goes_on(
+            4.3,
+            by.answered("/take_picture", at=[1.0, 2.0, 3.0, 4.0], hint=_RING),
+            by.ticks(1.0, "The pictures", "CAMERA", _RING),
+            by.ticks(0.5, "The heartbeat", "HEARTBEAT", _RING),
+            hint=_RING,
+        ),
+    ),
+    "let-a-callback-wait": Exercise(
+        title="Let a callback wait",
+        needs=("notebooks/ros2-executors", "docs/how-to/why-does-it-hang"),
+        reveals="More threads are enough to let a callback wait. A callback group of its own is enough.",
+        hint="It takes two things: a `MultiThreadedExecutor`, and a callback group of its own for the callback that "
+        "waits.",
+        judge=by.goes_on(
+            3.6,
+            by.answered("/left_eye", 0.1, at=[1.0, 2.0, 3.0], hint=_RING),
+            by.answered("/right_eye", 0.1, at=[1.1, 2.1, 3.1], hint=_RING),
+            by.ticks(1.0, "The robot", "ROBOT", _RING, start=1.2),
+            hint=_RING,
+        ),
+    ),
+    "slow-service": Exercise(
+        title="Keep a timer on time beside a slow service",
+        needs=("notebooks/ros2-services", "notebooks/ros2-executors"),
+        reveals="A service runs beside the other callbacks of its node. Only who asks has to wait for a slow service.",
+        hint="It takes two things: a `MultiThreadedExecutor`, and a callback group in which the service does not keep "
+        "the motor waiting.",
+        judge=by.until_wrong(
+            *(
+                by.goes_on(
+                    5.05,
+                    by.ticks(0.1, "the motor", "MOTOR", _SERVING),
+                    by.answered(
+                        "/take_picture",
+                        takes,
+                        least=least,
+                        hint="Each request is to be answered, in its turn.",
+                        overlap=_ONE_BY_ONE,
+                    ),
+                    given=f"takes:={takes}",
+                    hint=_RING,
+                )
+                for takes, least in ((0.35, 5), (1.3, 4))
+            )
+        ),
+    ),
+    "cancel-a-goal": Exercise(
+        title="Cancel a goal",
+        needs=("notebooks/ros2-services",),
+        reveals="Whoever cancels a goal stops the server. A goal can be cancelled unless the server refuses.",
+        hint="A server is asked whether a goal may be cancelled, by its `cancel_callback`; then it has to stop by "
+        "itself, and say `goal.canceled()`.",
+        judge=by.cancels,
+    ),
+}
+
 # --- all of them ------------------------------------------------------------------------------------------------------
 
 _PARTS = (
@@ -506,6 +579,7 @@ _PARTS = (
     (2, "Predict", _PREDICT_2),
     (2, "Change", _CHANGE_2),
     (2, "Repair", _REPAIR_2),
+    (2, "Ask", _ASK_2),
 )
 _ALL = [question._replace(ros=ros, part=part, name=name) for ros, part, of in _PARTS for name, question in of.items()]
 

@@ -21,7 +21,7 @@ from typing import Any, Protocol, TypeVar
 from ..clocks.clock import NS, nanoseconds
 from ..clocks.programs import send
 from ..clocks.simulation import Simulation
-from ..results.ticks import Message, Tick
+from ..results.ticks import Call, Message, Tick
 from ..run.explain import TimeStandsStill, waits_for_a_rate, where_it_was_kept
 from ..run.host import Result
 from ..run.simulate import run_node
@@ -31,7 +31,7 @@ from ..world.graph import TickLog
 from ..world.world import NotSimulated, World
 from . import in_rospy
 from .judging import not_python, plain, started
-from .seen import Error, Kept, Printed, Seen, SeenTimer, Sent, Value
+from .seen import Called, Error, Kept, Printed, Seen, SeenTimer, Sent, Value
 from .shaking import shake, turns
 from .traces import LONGEST, Failure, Outcome, Request
 
@@ -254,13 +254,15 @@ class Runner:
         kept_at = where_it_was_kept(node, world.waited)
         self.cut |= clock.cut
         errors, timers = self._fitting(map(self._error, world.errors)), self._fitting(clock.timers)
-        sent, printed = self._fitting(map(_sent, result.messages())), self._fitting(clock.printed)
+        sent, calls = self._fitting(map(_sent, result.messages())), self._fitting(map(_called, result.calls()))
+        printed = self._fitting(clock.printed)
         return Seen(
             request.seconds,
             printed,
             timers,
             tuple(clock.loops()[:_MOST]),
             sent,
+            calls,
             result.status,
             errors,
             world.interrupted,
@@ -338,7 +340,7 @@ def _hint_for(error: Exception) -> str:
     if isinstance(error, TimeStandsStill):
         return "Something goes on without ever sleeping: a loop without a `sleep()`, or a period of 0."
     if isinstance(error, NotSimulated):
-        return "Timers, rates, sleeps, topics and log lines are all that an answer needs."
+        return "Timers, rates, sleeps, topics, services, in ROS 2 actions, and log lines are all that an answer needs."
     return ""
 
 
@@ -367,6 +369,10 @@ def _sent(message: Message) -> Sent:
     data = getattr(content, "data", None)
     text = _cut(str(data)) if type(data) in (bool, int, float, str) else ""
     return Sent(topic, time, str(getattr(content, "_type", _type(content))), text)
+
+
+def _called(call: Call) -> Called:
+    return Called(call.service, call.asked, call.answered if call.server else None)
 
 
 def _value(value: Any) -> Value:

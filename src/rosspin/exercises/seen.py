@@ -7,7 +7,7 @@ import signal
 from collections.abc import Collection
 from typing import NamedTuple
 
-__all__ = ["Error", "Kept", "Printed", "Seen", "SeenTimer", "Sent", "Value"]
+__all__ = ["Called", "Error", "Kept", "Printed", "Seen", "SeenTimer", "Sent", "Value"]
 
 
 class Printed(NamedTuple):
@@ -55,6 +55,14 @@ class Sent(NamedTuple):
     data: str
 
 
+class Called(NamedTuple):
+    """A call of a service: the service's full name, when it was asked (s), and when it answered, or None."""
+
+    service: str
+    asked: float
+    answered: float | None
+
+
 class Kept(NamedTuple):
     """Where a node was when it had to be killed: the line of the answer, and the call there that had not returned."""
 
@@ -80,10 +88,10 @@ class Seen(NamedTuple):
 
     ``printed`` are the lines that it printed, even after Ctrl-C; ``timers`` are those that it had started by then.
     ``loops`` are the lines of the answer in which something other than a timer's callback slept again and again.
-    ``sent`` are the messages that it published. ``status`` is its exit status, ``errors`` are the exceptions whose
-    tracebacks were printed, and ``interrupted`` says whether it ran until Ctrl-C. If it had to be killed, ``kept_at``
-    is where it was, and ``kept_by_rate`` says that it waited for a Rate of ROS 2 and nothing else. ``variables`` are
-    the names and values of those requested variables that it has.
+    ``sent`` are the messages that it published, ``calls`` the requests to its services. ``status`` is its exit status,
+    ``errors`` are the exceptions whose tracebacks were printed, and ``interrupted`` says whether it ran until Ctrl-C.
+    If it had to be killed, ``kept_at`` is where it was, and ``kept_by_rate`` says that it waited for a Rate of ROS 2
+    and nothing else. ``variables`` are the names and values of those requested variables that it has.
     """
 
     seconds: float
@@ -91,6 +99,7 @@ class Seen(NamedTuple):
     timers: tuple[SeenTimer, ...]
     loops: tuple[int, ...]
     sent: tuple[Sent, ...]
+    calls: tuple[Called, ...]
     status: int
     errors: tuple[Error, ...]
     interrupted: bool

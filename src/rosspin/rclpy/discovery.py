@@ -50,6 +50,8 @@ class Participants:
                     publisher.fall_silent()
                 for end in (*node._publishers, *node._subscriptions, *node._clients, *node._services, *waited):
                     lose(end, context.left)
+                    if not killed:
+                        end.withdraw()
 
     def all_nodes(self) -> list[Node]:
         """The nodes of all processes, known or not."""

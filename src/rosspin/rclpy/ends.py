@@ -50,9 +50,19 @@ class Owner:
         if self._destroyed:
             raise InvalidHandle()
 
+    @property
+    def is_gone(self) -> bool:
+        """Whether it was destroyed, or its context has ended."""
+        return self._destroyed or self.node.context.left is not None
+
+    def withdraw(self) -> None:
+        """Let nobody find it any more."""
+        raise NotImplementedError()
+
     def _leave(self) -> None:
         """Let the others learn that it is gone: at once in this process, later in others."""
         self._destroyed = True
+        self.withdraw()
         for peer in self.peers:
             if peer.world is self.world:
                 peer.part(self)

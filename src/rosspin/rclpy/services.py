@@ -61,9 +61,10 @@ class Ends:
         return found
 
     def remove(self, end: ServiceEnd) -> None:
-        """Take an end away."""
+        """Take an end away; one that is not there is no error."""
         with self._lock:
-            self._of[end.end.topic].remove(end)
+            if end in self._of[end.end.topic]:
+                self._of[end.end.topic].remove(end)
 
 
 class Header(NamedTuple):
@@ -118,12 +119,15 @@ class ServiceEnd(Owner):
     def destroy(self) -> None:
         """Leave the service."""
         if not self._destroyed:
-            self.world.graph.part(Ends).remove(self)
             self._leave()
+
+    def withdraw(self) -> None:
+        """See the base."""
+        self.world.graph.part(Ends).remove(self)
 
     def meet(self, other: Any) -> None:
         """Learn of another end."""
-        if not self._destroyed and self.node.context.ok():
+        if not self.is_gone and not other.is_gone:
             self.peers.append(other)
 
     def _reaches(self, other: ServiceEnd) -> bool:

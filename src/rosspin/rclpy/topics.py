@@ -95,8 +95,11 @@ class TopicEnd(Owner):
         for handler in self.event_handlers:
             handler.destroy()
             self.node.remove_waitable(handler)
-        self.world.graph.remove(self.end)
         self._leave()
+
+    def withdraw(self) -> None:
+        """See the base."""
+        self.world.graph.remove(self.end)
 
     def is_remote(self, other: Any) -> bool:
         """Whether another end is in another process, where it has to be found."""
@@ -104,7 +107,7 @@ class TopicEnd(Owner):
 
     def meet(self, other: Any, policy: QoSPolicyKind | None) -> None:
         """Learn of an end in another process. ``policy`` is the one by which the two do not match, or None."""
-        if self._destroyed or not self.node.context.ok():
+        if self.is_gone or other.is_gone:
             return
         if policy:
             self.refuse(policy)

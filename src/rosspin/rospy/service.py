@@ -20,7 +20,7 @@ from ..messages import ros1
 from ..messages.genpy import Duration
 from ..messages.ros1 import DeserializationError, Message
 from ..world.graph import CallMade
-from ..world.world import NotSimulated, World, not_simulated
+from ..world.world import NotSimulated, World, current, not_simulated, waiting_for
 from . import names, rosgraph
 from .core import logerr, logwarn, logwarn_throttle
 from .exceptions import (
@@ -139,6 +139,7 @@ class Connection:
         self.reply: dict[str, str] = {}  # the service's header
         self.persists = header.get("persistent", "").lower() in ("1", "true")
         self.is_left = False  # by the thread of the service
+        self.handler: Any = None  # the stack of that thread, once it has begun
         self._is_closed = False
         self._requests: queue.SimpleQueue[tuple[bytes, CallMade] | None] = queue.SimpleQueue()
         self._answers: queue.SimpleQueue[tuple[bool, bytes] | None] = queue.SimpleQueue()
@@ -173,7 +174,9 @@ class Connection:
 
     def next_answer(self) -> tuple[bool, bytes]:
         """Wait for an error (True) or a response. Raises TransportTerminated if none comes."""
-        if (found := self._answers.get()) is None:
+        with waiting_for(f"the answer of {self.name}", lambda: self.handler):
+            found = self._answers.get()
+        if found is None:
             raise TransportTerminated(_HUNG_UP)
         return found
 
@@ -273,6 +276,7 @@ class Service(_Named):
 
     def handle(self, connection: Connection) -> None:
         """Answer what comes through a connection, in its thread."""
+        connection.handler = current()
         try:
             self._answer(connection)
             while connection.persists and not self.node.shutdown:

@@ -39,7 +39,8 @@ def _step(stack: Stack) -> tuple[str, Stack] | None:
     if not stack.waits:
         return None
     if stack.needs:
-        return stack.needs
+        what, giver = stack.needs[0], stack.needs[1]()
+        return (f"{what}, which {_name(giver)} is to give", giver) if isinstance(giver, Stack) else None
     lock = stack.lock
     holder = lock.holder if lock else None
     if holder is None or holder.dead:

@@ -9,6 +9,7 @@ import sys
 from collections.abc import Callable, Iterator, Mapping, Sequence
 from contextlib import ExitStack, contextmanager
 from functools import cached_property
+from importlib import import_module
 from types import ModuleType
 from typing import Any, NamedTuple, Protocol, TextIO
 
@@ -38,7 +39,7 @@ __all__ = ["PATIENCE", "Host", "Result", "Supervisor", "duration", "kept", "repl
 PATIENCE = 17
 
 # How the names of modules begin that may belong to a real ROS.
-_ROOTS = tuple(root for ros in ROSES.values() for root in ros.roots)
+_ROOTS = tuple(root for ros in ROSES.values() for root in (*ros.roots, *ros.beside))
 
 _chdir = os.chdir
 
@@ -71,7 +72,7 @@ class Host:
         self.processes: list[Process] = []
         self.at_graph: list[Callable[[int, Graph], None]] = []  # called when a ROS is used for the first time
         self._graphs: dict[int, Graph] = {}
-        self._stand_ins: dict[int, Mapping[str, ModuleType]] = {}
+        self._stand_ins: dict[str, Mapping[str, ModuleType]] = {}
         self._of: dict[Program, Process] = {}
         self._own = ("__main__", "random") if several else ("__main__",)
         self._differ = False  # whether the environments of processes may differ
@@ -127,14 +128,15 @@ class Host:
                 function(ros, graph)
         return self._graphs[ros]
 
-    def _stand_in(self, ros: int) -> Mapping[str, ModuleType]:
-        """The modules that stand in for a ROS, by their names."""
-        if ros not in self._stand_ins:
-            known = f"rosspin.{ROSES[ros].roots[0]}" in sys.modules
-            self._stand_ins[ros] = dict(ROSES[ros].stand_in.MODULES)
+    def _stand_in(self, ros: int, package: str = "") -> Mapping[str, ModuleType]:
+        """The modules that stand in for a ROS, or for a package beside it, by their names."""
+        home = ROSES[ros].home(package)
+        if home not in self._stand_ins:
+            known = home in sys.modules
+            self._stand_ins[home] = dict(import_module(home).MODULES)
             if not known:  # then its state was not noted with all the rest
                 self._loaded.append(state_of_names())
-        return self._stand_ins[ros]
+        return self._stand_ins[home]
 
     def _bound(self, process: Process) -> None:
         """Give a process what belongs to the ROS that it has imported."""

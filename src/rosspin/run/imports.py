@@ -11,7 +11,7 @@ from typing import Any
 
 from ..messages import MessageFinder
 from ..world.world import World
-from .roses import ros_of
+from .roses import ROSES, ros_of
 from .source import Node, folder_of, names_a_ros
 
 __all__ = ["Imports"]
@@ -28,12 +28,12 @@ class Imports(MetaPathFinder):
         self,
         node: Node,
         world: World,
-        stand_in: Callable[[int], Mapping[str, ModuleType]],
+        stand_in: Callable[[int, str], Mapping[str, ModuleType]],
         hidden: Callable[[Mapping[str, ModuleType]], None],
     ) -> None:
         self._node = node
         self._world = world
-        self._stand_in = stand_in  # the modules of a ROS, by their names
+        self._stand_in = stand_in  # the modules of a ROS, or of a package beside it, by their names
         self._hidden = hidden  # is told of the modules that made way for messages
         self._finder = self._new_finder(node.hint or 1)
 
@@ -54,13 +54,15 @@ class Imports(MetaPathFinder):
         if fullname.startswith("rosspin."):
             return None
         number = self._world.ros or self._node.hint or _named_by_who_asks(sys._getframe(1)) or 1
+        if fullname.partition(".")[0] in ROSES[number].beside:
+            return self._find_ros(fullname, number)
         return self._finder_of(number).find_spec(fullname, path, target)
 
     def _find_ros(self, fullname: str, ros: int) -> ModuleSpec | None:
         if self._finder.library.ros != ros and self._finder.found:
             raise ImportError(f"messages of ROS {3 - ros} were imported before {fullname}", name=fullname)
         self._world.bind(ros)
-        modules = self._stand_in(ros)
+        modules = self._stand_in(ros, fullname.partition(".")[0])
         if fullname in modules:
             sys.modules.pop(fullname, None)  # else it would be loaded anew, by its own spec
             return ModuleSpec(fullname, _Given(modules[fullname]), is_package=True)

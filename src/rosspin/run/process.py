@@ -20,7 +20,7 @@ try:
 except ImportError:  # a web page has no processes
     _posixsubprocess = None  # type: ignore[assignment]
 
-from ..clocks.ending import Ended
+from ..clocks.ending import Ended, heed
 from ..clocks.frames import format_error, is_installed
 from ..clocks.patches import Patch
 from ..clocks.programs import Died, end_program, end_run
@@ -92,7 +92,7 @@ class Process(Slots):
         node: Node,
         args: Sequence[str],
         make_world: Callable[[list[str]], World],
-        stand_in: Callable[[int], Mapping[str, ModuleType]],
+        stand_in: Callable[[int, str], Mapping[str, ModuleType]],
         hidden: Callable[[Mapping[str, ModuleType]], None],
         environment: Mapping[str, str] | None = None,
         folder: str = "",
@@ -167,6 +167,7 @@ class Process(Slots):
         except (NotSimulated, Ended, StackExit, Died):
             raise
         except BaseException as error:
+            heed()
             if lacking := not_simulated(error):
                 raise lacking from error
             status = 128 + signal.SIGINT if type(error) is KeyboardInterrupt else 1

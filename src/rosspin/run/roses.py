@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from collections.abc import Mapping
 from importlib import import_module
 from types import ModuleType
 from typing import Any, NamedTuple
@@ -13,12 +14,14 @@ class Ros(NamedTuple):
     """One of the ROSes, by its number.
 
     Importing one of the packages ``roots`` makes a process one of this ROS; the first root is the stand-in's own.
+    ``beside`` are packages that its nodes may import, too, and the modules here that stand in for them.
     ``needed`` are the modules that its nodes need beside Python's own. The rest completes sentences about a node: what
     kills it if it does not end, what its loops should check, what else is a thread, how its loops should sleep.
     """
 
     number: int
     roots: tuple[str, ...]
+    beside: Mapping[str, str]
     needed: frozenset[str]
     kills: str
     goes_on: str
@@ -28,7 +31,11 @@ class Ros(NamedTuple):
     @property
     def stand_in(self) -> ModuleType:
         """The package that stands in for this ROS, loaded only for nodes that may need it, as rclpy is large."""
-        return import_module(f"rosspin.{self.roots[0]}")
+        return import_module(self.home(self.roots[0]))
+
+    def home(self, package: str) -> str:
+        """The name of the module here that stands in for one of its packages, or has what does."""
+        return f"rosspin.{self.beside.get(package, self.roots[0])}"
 
     @property
     def tester(self) -> Any:
@@ -40,6 +47,7 @@ ROSES = {
     1: Ros(
         1,
         ("rospy", "genpy"),
+        {},
         frozenset({"genpy", "rosgraph", "rosgraph_msgs", "roslib", "rospkg", "rospy", "std_msgs", "yaml"}),
         ", as roslaunch does",
         "rospy.is_shutdown()",
@@ -49,6 +57,7 @@ ROSES = {
     2: Ros(
         2,
         ("rclpy",),
+        {"tf2_py": "rclpy.tf2_ros", "tf2_ros": "rclpy.tf2_ros"},
         frozenset(
             {"builtin_interfaces", "rcl_interfaces", "rclpy", "rosgraph_msgs", "rosidl_runtime_py", "rpyutils", "yaml"}
         ),
