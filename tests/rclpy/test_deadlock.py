@@ -121,6 +121,7 @@ spin_with(4)
             "the callback of the service /second (second) waits for the answer of /first",
             "the request has come, but the callback group of the service lets one callback run at a time:",
             "  the callback of the service /first (first)",
+            "No executor and no group helps here: let one of these callbacks answer without asking.",
         ],
     ),
     "all threads ask": (
@@ -151,7 +152,7 @@ rclpy.spin_until_future_complete(node, client.call_async(Trigger.Request()))
 serve()
 client_of().call(Trigger.Request())
 """,
-        ["the request has come, but nobody spins /n", "Spin the node meanwhile, in another thread."],
+        ["the request has come, but nobody spins /n", "Spin the node meanwhile: with rclpy.spin_until_future_complete"],
     ),
     "a Rate in a callback": (
         """

@@ -364,7 +364,7 @@ def test_a_rate_that_nobody_spins_hangs_until_ctrl_c() -> None:
 
     *why, hung = simulate(node, 3).console.splitlines()
     assert why[1] == "rosspin:   the thread MainThread waits for its Rate"
-    assert why[-1] == "rosspin: Spin the node meanwhile, in another thread."
+    assert why[-1].startswith("rosspin: Spin the node meanwhile")
     assert hung == "hung 3.0"
 
 

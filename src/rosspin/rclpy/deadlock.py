@@ -33,7 +33,8 @@ _DONE = "ask with call_async, or send_goal_async, and go on in a done callback"
 _THREAD = f"{_DONE.capitalize()}. Or spin with a MultiThreadedExecutor, and put {{}} into a callback group of its own."
 _GROUP = f"Put {{}} into a callback group of its own, or {_DONE}."
 _GROUP_OF_AWAIT = "An async callback keeps its group while it awaits: put {} into a group of its own."
-_SPIN = "Spin the node meanwhile, in another thread."
+_RING = "No executor and no group helps here: let one of these callbacks answer without asking."
+_SPIN = "Spin the node meanwhile: with rclpy.spin_until_future_complete, or in another thread."
 _SERVE = "Start the node that offers it, and wait for that with a time limit before you ask."
 _RATE = "Let a timer call what the loop does, or keep the loop in a thread of its own, beside the one that spins."
 
@@ -75,7 +76,7 @@ def explain(graph: Graph) -> str:
         if steps:
             told.update(id(step.next.goal) for step in steps if step.next)
             lines += ["this waits for ever:", *(f"  {line}" for step in steps for line in step.lines)]
-            lines.append(next(step.advice for step in steps if step.advice))
+            lines.append(next((step.advice for step in steps if step.advice), _RING))
         told.add(id(waiter.goal))
     return "".join(f"rosspin: {line}\n" for line in lines)
 
@@ -175,6 +176,8 @@ class _Run:
                 if other is not None and other.callback_group is entity.callback_group and has_begun:
                     if any(each.task is task and each.is_async for each in self.waiters):
                         advice = _GROUP_OF_AWAIT.format(what)
+                    elif other is entity:
+                        advice = _RING
                     line = f"{lines[-1]}, but the callback group of {what} lets one callback run at a time:"
                     return self._after([*lines[:-1], line, f"  {self._name(task)}"], task, advice)
         running = [task for task, (_, its) in self._tasks.items() if its is executor and task.executing()]
