@@ -30,6 +30,8 @@ CONNECTED = {
         "topics_names",
     ),
     *("topics_mismatch", "topics_publish_breaks", "topics_publish_unconnected", "topics_unregister_publisher"),
+    *("qos_best_available", "qos_events_order", "qos_events_raise", "qos_incompatible", "qos_incompatible_callbacks"),
+    "qos_matched",
 }
 
 

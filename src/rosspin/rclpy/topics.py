@@ -147,7 +147,7 @@ class Publisher(TopicEnd):
         if callback_group:
             self._make_handlers(event_callbacks, callback_group)
         subscriptions = [end.owner for end in self.world.graph.advertise(self.end)]
-        self.policies = Policies.offered(qos, [subscription.policies for subscription in subscriptions])
+        self.policies = Policies.offered(qos, [each.policies for each in subscriptions if isinstance(each, TopicEnd)])
         most = qos.kept if self.policies.transient_local else 0
         self.kept = self._queue(most, qos, itemgetter(1))  # the messages, and when (ns) each was sent
         lease = self.policies.lease if self.policies.manual else FOR_EVER
@@ -239,7 +239,7 @@ class Subscription(TopicEnd):
         if event_callbacks:
             self._make_handlers(event_callbacks, callback_group)
         publishers = [end.owner for end in self.world.graph.subscribe(self.end)]
-        self.policies = Policies.requested(qos, [publisher.policies for publisher in publishers])
+        self.policies = Policies.requested(qos, [each.policies for each in publishers if isinstance(each, TopicEnd)])
         self._deadline = self._countdown(self.DEADLINE, self.policies.deadline, again=True)
         self._leases: dict[Any, Countdown] = {}  # of the publishers that have been alive
         self._hears = self.policies.lease < FOR_EVER and self._handler(self.LIVELINESS) is not None

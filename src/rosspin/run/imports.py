@@ -36,6 +36,9 @@ class Imports(MetaPathFinder):
         self._stand_in = stand_in  # the modules of a ROS, or of a package beside it, by their names
         self._hidden = hidden  # is told of the modules that made way for messages
         self._finder = self._new_finder(node.hint or 1)
+        if not node.hint:
+            # It may become one of ROS 2 while it imports something, when it is too late to take anything away.
+            hidden(MessageFinder(2, folder_of(node)).hide())
 
     @property
     def found(self) -> set[str]:
