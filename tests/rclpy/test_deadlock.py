@@ -67,7 +67,7 @@ rclpy.spin(node)
         [
             "the request has come, but the only thread of the executor is in a callback:",
             "  the timer's callback ask",
-            "Or spin with a MultiThreadedExecutor, and put the service into a callback group of its own.",
+            "Or spin with a MultiThreadedExecutor, and put the callback that waits into a callback group of its own.",
         ],
     ),
     "the client in the group of the callback": (
@@ -81,7 +81,7 @@ spin_with(4)
 """,
         [
             "the answer has come, but the callback group of the client lets one callback run at a time:",
-            "Put the client into a callback group of its own, or ask with call_async",
+            "Put the callback that waits into a callback group of its own, or ask with call_async",
         ],
     ),
     "await in the group of the client": (
@@ -96,7 +96,7 @@ rclpy.spin(node)
         [
             "node.py:31: await client.call_async(Trigger.Request())",
             "the answer has come, but the callback group of the client lets one callback run at a time:",
-            "An async callback keeps its group while it awaits: put the client into a group of its own.",
+            "An async callback keeps its group while it awaits: put that callback into a group of its own.",
         ],
     ),
     "two services that ask each other": (
@@ -115,9 +115,9 @@ spin_with(4)
 """,
         [
             "the timer's callback ask waits for the answer of /first",
-            "the callback of the service /first (first) is to give that",
+            "the callback of the service /first (first) has to give that",
             "the callback of the service /first (first) waits for the answer of /second",
-            "the callback of the service /second (second) is to give that",
+            "the callback of the service /second (second) has to give that",
             "the callback of the service /second (second) waits for the answer of /first",
             "the request has come, but the callback group of the service lets one callback run at a time:",
             "  the callback of the service /first (first)",
@@ -134,7 +134,11 @@ node.create_timer(0.5, ask, ReentrantCallbackGroup())
 node.create_timer(0.5, ask, ReentrantCallbackGroup())
 spin_with(2)
 """,
-        ["but each of the 2 threads of the executor is in a callback:", "  the timer's callback ask"],
+        [
+            "but each of the 2 threads of the executor is in a callback:",
+            "  the timer's callback ask",
+            "Give the executor more threads, or ask with call_async",
+        ],
     ),
     "nobody offers it": (
         """
@@ -143,7 +147,7 @@ rclpy.spin_until_future_complete(node, client.call_async(Trigger.Request()))
 """,
         [
             "the thread MainThread waits for the answer of /work",
-            "no node that it knows offers that",
+            "nobody offers that, as far as it knows",
             "Start the node that offers it",
         ],
     ),

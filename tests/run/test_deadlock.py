@@ -69,6 +69,23 @@ rosspin:     at FILE:7: with lock: pass
 rosspin: Hold no lock while you wait for somebody who needs it.
 """
 
+BOTH = """
+import threading, time
+threads = []
+def one(): time.sleep(0.1); threads[1].join()
+def two(): time.sleep(0.1); threads[0].join()
+threads += [threading.Thread(target=work, daemon=True) for work in (one, two)]
+for thread in threads: thread.start()
+time.sleep(9)
+"""
+JOINED_BOTH = """\
+rosspin: this waits for ever:
+rosspin:   the thread Thread-1 (one) waits for the end of the thread Thread-2 (two)
+rosspin:     at FILE:4: threads[1].join()
+rosspin:   the thread Thread-2 (two) waits for the end of the thread Thread-1 (one)
+rosspin:     at FILE:5: threads[0].join()
+rosspin: Let one of them go on without waiting for the other.
+"""
 CALL = """
 import threading, rospy
 from std_srvs.srv import Trigger
@@ -86,7 +103,7 @@ rospy.spin()
 """
 CALLED = """\
 rosspin: this waits for ever:
-rosspin:   the thread Thread-1 waits for the answer of /work, which the thread Thread-2 (handle) is to give
+rosspin:   the thread Thread-1 waits for the answer of /work, which the thread Thread-2 (handle) has to give
 rosspin:     at FILE:12: rospy.ServiceProxy("work", Trigger)()
 rosspin:   the thread Thread-2 (handle) waits for a lock that the thread Thread-1 holds
 rosspin:     at FILE:7: with lock: pass
@@ -98,12 +115,13 @@ rosspin: Hold no lock while you wait for somebody who needs it.
     ("source", "said"),
     [
         (CALL, CALLED),
+        (BOTH, JOINED_BOTH),
         (LOCKS.format(kind="Lock"), RING),
         (LOCKS.format(kind="RLock"), RING),
         (TWICE, HELD_TWICE),
         (JOIN, JOINED),
     ],
-    ids=["call", "locks", "rlocks", "twice", "join"],
+    ids=["call", "both", "locks", "rlocks", "twice", "join"],
 )
 def test_threads_that_wait_for_each_other_are_told(write: Any, source: str, said: str) -> None:
     path = write(source)

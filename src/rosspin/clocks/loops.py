@@ -20,8 +20,8 @@ from .stacks import Stack, current
 
 __all__ = ["LoopSelector", "Loops"]
 
-# What a round of a loop costs (ns) that never waits: about as much as on a real machine. The first are free, more than
-# a loop needs that has something to do.
+# What each round costs (ns) a loop that never waits: about as much as on a real machine. The first rounds are free: a
+# loop with something to do also goes round without waiting.
 _ROUND = 10_000
 _FREE_ROUNDS = 1_000
 

@@ -108,7 +108,7 @@ class GoalIds:
 
 
 class _ActionEnd:
-    """What a server and a client have in common: an entity of an executor that has several ends."""
+    """Base of the server and the client: one entity for the executor, with several ends."""
 
     _word: str
 
@@ -232,10 +232,10 @@ class ServerGoalHandle:
                     "Failed to update goal state: goal_handle attempted invalid transition from state "
                     f"{self._status.name} with event {event}"
                 )
-            self._status = after
-            self._action_server._publish_status()
             if not after.is_active:
                 self.ended = self._action_server._now()
+            self._status = after
+            self._action_server._publish_status()
 
     def execute(self, execute_callback: Callable[[ServerGoalHandle], Any] | None = None) -> None:
         """Let the executor call the server's function, or this one, with the goal."""
@@ -641,7 +641,8 @@ class ActionClient(_ActionEnd):
             self._settle(end, first, second)
 
     def _settle(self, client: Client, number: int, response: Any) -> None:
-        asked = self._pending.get((client, number))
+        with client._lock:
+            asked = self._pending.get((client, number))
         if asked is None:
             what = {self._goals: "goal", self._cancels: "cancel", self._results: "result"}[client]
             self._logger.warning(
@@ -678,7 +679,7 @@ class ActionClient(_ActionEnd):
         return all(client.service_is_ready() for client in clients) and all(each.peers for each in heard)
 
     def wait_for_server(self, timeout_sec: float | None = None) -> bool:
-        """Look for a server every 0.25 s, until ``timeout_sec`` (default: for ever) is used up by these looks."""
+        """Look for a server every 0.25 s, until these pauses add up to ``timeout_sec`` (default: for ever)."""
         left = float("inf") if timeout_sec is None else timeout_sec
         while self._node.context.ok() and not self.server_is_ready() and left > 0.0:
             time.sleep(_LOOK)

@@ -1,9 +1,9 @@
 """Why something waits for ever: who would give it what it waits for, and what keeps that one from it.
 
-A callback, or a thread, waits for a future or a Rate. An executor settles that by calling the next entity on the way: a
-service that has the request, a client that has the answer, the timer of the Rate. Another callback may keep it back,
-because it holds the entity's callback group or the executor's thread. If that one waits, too, the way goes on from
-there, until it comes round, or to something that nobody does.
+A callback, or a thread, waits for a future or a Rate. An executor ends that wait by calling another entity: a service
+that has the request, a client that has the answer, the Rate's timer. Another callback may hold that call up, because it
+holds the entity's callback group or the executor's thread. If that callback waits, too, the search goes on from there,
+until it comes round, or to something that nobody does.
 """
 
 from __future__ import annotations
@@ -30,9 +30,11 @@ if TYPE_CHECKING:
 __all__ = ["explain"]
 
 _DONE = "ask with call_async, or send_goal_async, and go on in a done callback"
-_THREAD = f"{_DONE.capitalize()}. Or spin with a MultiThreadedExecutor, and put {{}} into a callback group of its own."
-_GROUP = f"Put {{}} into a callback group of its own, or {_DONE}."
-_GROUP_OF_AWAIT = "An async callback keeps its group while it awaits: put {} into a group of its own."
+_OWN = "put the callback that waits into a callback group of its own"
+_THREAD = f"{_DONE.capitalize()}. Or spin with a MultiThreadedExecutor, and {_OWN}."
+_GROUP = f"{_OWN.capitalize()}, or {_DONE}."
+_MORE = f"Give the executor more threads, or {_DONE}."
+_GROUP_OF_AWAIT = "An async callback keeps its group while it awaits: put that callback into a group of its own."
 _RING = "No executor and no group helps here: let one of these callbacks answer without asking."
 _SPIN = "Spin the node meanwhile: with rclpy.spin_until_future_complete, or in another thread."
 _SERVE = "Start the node that offers it, and wait for that with a time limit before you ask."
@@ -139,15 +141,15 @@ class _Run:
             if any(sequence == number and answer is not None for sequence, answer in client.messages):
                 return self._kept([*begin, "the answer has come"], entity, waiter, "the client")
             if not client.peers:
-                return _Step([*begin, "no node that it knows offers that"], None, _SERVE)
+                return _Step([*begin, "nobody offers that, as far as it knows"], None, _SERVE)
             for service in client.peers:
                 serving = _entity_of(service)
                 if any((header.client, header.sequence) == (client, number) for _, header in service.messages):
                     what = "the service" if serving is service else "the action server"
                     return self._kept([*begin, "the request has come"], serving, waiter, what)
                 for task, (other, _) in self._tasks.items():
-                    if other is serving or self._executes(task, serving):
-                        return self._after([*begin, f"{self._name(task)} is to give that"], task, "")
+                    if other is serving or self._executes(task, serving, client, number):
+                        return self._after([*begin, f"{self._name(task)} has to give that"], task, "")
         return None
 
     def _asked(self, goal: Any) -> Iterator[tuple[Client, int, Any]]:
@@ -169,13 +171,13 @@ class _Run:
             return None
         executor: Any = node.executor
         threads = executor._executor._max_workers if isinstance(executor, MultiThreadedExecutor) else 1
-        advice = _RATE if isinstance(entity, Timer) else (_THREAD if threads == 1 else _GROUP).format(what)
+        advice = _RATE if isinstance(entity, Timer) else _THREAD if threads == 1 else _GROUP
         if not entity.callback_group.can_execute(entity):
             for task, (other, _) in self._tasks.items():
                 has_begun = task.executing() or task._coroutine is not None
                 if other is not None and other.callback_group is entity.callback_group and has_begun:
                     if any(each.task is task and each.is_async for each in self.waiters):
-                        advice = _GROUP_OF_AWAIT.format(what)
+                        advice = _GROUP_OF_AWAIT
                     elif other is entity:
                         advice = _RING
                     line = f"{lines[-1]}, but the callback group of {what} lets one callback run at a time:"
@@ -184,6 +186,7 @@ class _Run:
         if running and len(running) >= threads:
             whose = "the only thread" if threads == 1 else f"each of the {threads} threads"
             line = f"{lines[-1]}, but {whose} of the executor is in a callback:"
+            advice = _MORE if threads > 1 else advice
             return self._after([*lines[:-1], line, f"  {self._name(running[0])}"], running[0], advice)
         if executor is None or not executor._rosspin_waits:
             line = f"{lines[-1]}, but nobody spins {node.get_fully_qualified_name()}"
@@ -196,9 +199,19 @@ class _Run:
         return following and _Step(lines, following, advice)
 
     @staticmethod
-    def _executes(task: Task, server: Any) -> bool:
-        handler = task._handler
-        return isinstance(server, ActionServer) and getattr(handler, "__self__", None) is server
+    def _executes(task: Task, server: Any, client: Client, number: int) -> bool:
+        """Whether a task executes the goal whose result a client has asked for."""
+        if not (isinstance(server, ActionServer) and getattr(task._handler, "__self__", None) is server):
+            return False
+        goals = (
+            goal_id
+            for waitable in client.node._rosspin_waitables
+            if isinstance(waitable, ActionClient) and client is waitable._results
+            for (_, each), (_, goal_id) in waitable._pending.items()
+            if each == number
+        )
+        _, handle = task._arguments[0]
+        return any(bytes(goal.uuid) == bytes(handle.goal_id.uuid) for goal in goals)
 
     def _name(self, task: Task) -> str:
         entity, _ = self._tasks.get(task, (None, None))

@@ -100,7 +100,7 @@ _INFOS: dict[str, type[Any]] = {
 
 
 class EventHandler:
-    """Lets an executor call ``callback(info)`` after an event of an end. What happens until then is told at once."""
+    """Lets an executor call ``callback(info)`` after events of an end: one call for all since the last."""
 
     ends = ()
     is_rare = False  # whether executors look at it only from its first event on

@@ -16,7 +16,10 @@ __all__ = ["Countdown", "Lasting"]
 
 
 class Countdown:
-    """Calls ``function`` if it is not begun anew within ``period`` (ns); ``again`` and again, or once."""
+    """Calls ``function`` when ``period`` (ns) has passed since the last :meth:`restart`.
+
+    Once, or with ``again`` after each further period, too.
+    """
 
     def __init__(self, world: World, period: int, function: Callable[[], object], again: bool = False) -> None:
         self._world = world

@@ -24,9 +24,10 @@ class InvalidQosOverridesError(Exception):
 
 
 class QoSOverridingOptions:
-    """Which policies of an end parameters may override: ``qos_overrides./topic.publisher.depth``.
+    """Says which policies of a publisher or subscription can be overridden by parameters.
 
-    With ``entity_id`` it is ``publisher_ID``. ``callback(profile)`` returns a SetParametersResult.
+    Such a one is named ``qos_overrides./topic.publisher.depth``, with ``entity_id``
+    ``qos_overrides./topic.publisher_ID.depth``. ``callback(profile)`` returns a SetParametersResult.
     """
 
     def __init__(

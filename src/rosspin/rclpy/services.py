@@ -224,7 +224,7 @@ class Client(ServiceEnd):
         return any(self._reaches(service) and service._reaches_back(self) for service in self.peers)
 
     def wait_for_service(self, timeout_sec: float | None = None) -> bool:
-        """Look for a service every 0.25 s, until ``timeout_sec`` (default: for ever) is used up by these looks.
+        """Look for a service every 0.25 s, until these pauses add up to ``timeout_sec`` (default: for ever).
 
         Return whether it is known. Raises as ``service_is_ready``.
         """
@@ -293,8 +293,8 @@ class Service(ServiceEnd):
     def send_response(self, response: Message, header: Header) -> None:
         """Answer a request. Raises TypeError for what is no response of this service, InvalidHandle if destroyed.
 
-        A client that could not be reached from the first is waited for 0.1 s, with a warning; one that has gone while
-        the callback ran is not.
+        If the client could not be reached when its request was taken, wait 0.1 s for it, and warn. If it has gone
+        since, do nothing.
         """
         if not isinstance(response, self.srv_type.Response):
             raise TypeError()

@@ -103,7 +103,7 @@ class Services:
         """
         before, self._accepted = self._accepted, connection
         if before and before.is_left:
-            before.hang_up()
+            self.close(before)
         if connection is None:
             return
         service, header = self._own[connection.name], connection.header
@@ -223,10 +223,10 @@ class Service(_Named):
     """Answers the calls of the service ``name`` with what ``handler(request)`` returns, each in a thread of its own.
 
     The handler returns a response, or the values of its fields: as a list or tuple, by name in a dict, or the only one
-    by itself. A ServiceException that it raises is told to the caller. So is any other exception, after
-    ``error_handler(exception, type, exception, traceback)`` was called, which by default logs it; and None, which is no
-    answer. ``buff_size`` has no effect. Raises ValueError if the name is empty or not a text, and ServiceException if
-    the node has a service of that name.
+    by itself. A ServiceException that it raises is told to the caller, and so is None, which is no answer. For any
+    other exception ``error_handler(exception, type, exception, traceback)`` is called, which by default logs it; then
+    the caller is told. ``buff_size`` has no effect. Raises ValueError if the name is empty or not a text, and
+    ServiceException if the node has a service of that name.
     """
 
     def __init__(

@@ -14,6 +14,7 @@ _LOCK = "a lock that"
 
 _ORDER = "Take the locks in the same order everywhere."
 _HOLDING = "Hold no lock while you wait for somebody who needs it."
+_NEITHER = "Let one of them go on without waiting for the other."
 _TWICE = "A threading.Lock cannot be taken twice by one thread: release it first, or use an RLock."
 
 
@@ -28,8 +29,10 @@ def explain_threads(clock: Simulation) -> str:
         if stack in path:
             ring = list(path)[list(path).index(stack) :]
             lines += ["this waits for ever:", *(line for each in ring for line in _say(each, path[each]))]
-            locks = all(path[each].startswith(_LOCK) for each in ring)
-            lines.append(_TWICE if len(ring) == 1 else _ORDER if locks else _HOLDING)
+            locks = [path[each].startswith(_LOCK) for each in ring]
+            lines.append(
+                _NEITHER if not any(locks) else _TWICE if len(ring) == 1 else _ORDER if all(locks) else _HOLDING
+            )
         seen |= path.keys()
     return "".join(f"rosspin: {line}\n" for line in lines)
 
@@ -40,7 +43,7 @@ def _step(stack: Stack) -> tuple[str, Stack] | None:
         return None
     if stack.needs:
         what, giver = stack.needs[0], stack.needs[1]()
-        return (f"{what}, which {_name(giver)} is to give", giver) if isinstance(giver, Stack) else None
+        return (f"{what}, which {_name(giver)} has to give", giver) if isinstance(giver, Stack) else None
     lock = stack.lock
     holder = lock.holder if lock else None
     if holder is None or holder.dead:

@@ -183,7 +183,9 @@ def _action(entity: _Entity) -> Any:
         if len(given) == 2:
             raise RuntimeError("if and unless conditions can't be used simultaneously")
         action = _READERS[tag.name](entity)
-    except (TypeError, RuntimeError) as error:
+    except Fault:
+        raise
+    except (TypeError, RuntimeError, ValueError) as error:
         raise tag.fault(str(error)) from None
     entity.end()
     action.place = f"{tag.file}:{tag.line}"
@@ -253,6 +255,8 @@ def _param(entity: _Entity) -> Any:
 def _pair(entity: _Entity) -> tuple[Any, Any]:
     """The name of a parameter with its value, or with those whose names begin with it."""
     type_name = entity.take("type")
+    if type_name is not None and type_name not in _TYPES:
+        raise ValueError(f"{type_name!r} is no type of a parameter: {', '.join(_TYPES)}")
     kind = None if type_name is None else _TYPES[type_name]
     value, nested = entity.typed("value", kind), dict(_pair(child) for child in entity.nested("param"))
     if (value is None) == (not nested):
