@@ -7,14 +7,14 @@ import os
 import sys
 import traceback
 import warnings
-from collections.abc import Callable, Iterable
+from collections.abc import Callable, Iterable, Iterator
 from itertools import islice
 from types import CodeType, FrameType, TracebackType
 from typing import NamedTuple
 
 __all__ = [
     *("Place", "Whereabouts", "called_from", "format_error", "is_installed", "node_frame", "node_frames"),
-    *("node_place", "outer_place", "places", "trail", "trail_of", "warn"),
+    *("node_place", "outer_place", "outwards", "places", "trail", "trail_of", "warn"),
 ]
 
 # This package, whose frames are not the node's.
@@ -119,12 +119,15 @@ Trail = list[tuple[CodeType, int, int]]
 
 def trail(frame: FrameType | None) -> Trail:
     """Note where a stack of frames is, in a form that stays true while the stack goes on."""
-    found = []
+    return [(each.f_code, each.f_lasti, each.f_lineno or 0) for each in outwards(frame)]
+
+
+def outwards(frame: FrameType | None) -> Iterator[FrameType]:
+    """Yield the frames of a stack, innermost first."""
     while frame:
-        found.append((frame.f_code, frame.f_lasti, frame.f_lineno or 0))
+        yield frame
         # In a web page another stack, a suspended one, lies below this frame: its frames cannot be looked at.
         frame = None if frame.f_code.co_name == _BASE else frame.f_back
-    return found
 
 
 def trail_of(trace: TracebackType | None) -> Trail:

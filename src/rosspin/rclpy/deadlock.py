@@ -9,10 +9,9 @@ until it comes round, or to something that nobody does.
 from __future__ import annotations
 
 from collections.abc import Iterator
-from types import FrameType
 from typing import TYPE_CHECKING, Any, NamedTuple
 
-from ..clocks.frames import Place, node_place, places, trail
+from ..clocks.frames import Place, node_place, places
 from .action import ActionClient, ActionServer
 from .discovery import Participants
 from .executors import MultiThreadedExecutor
@@ -96,12 +95,9 @@ class _Run:
         self.waiters += [found for task in self._tasks if (found := self._in_coroutine(task))]
 
     def _in_thread(self, wait: Wait) -> _Waiter:
-        frame: FrameType | None = wait.frame
-        while frame and frame.f_code is not Task.__call__.__code__:
-            frame = frame.f_back
-        task = frame.f_locals["self"] if frame else None
+        task, stack = wait.where()
         name = self._name(task) if task else f"the thread {wait.thread}"
-        return _Waiter(wait.goal, task, name, node_place(places(trail(wait.frame))))
+        return _Waiter(wait.goal, task, name, node_place(stack))
 
     def _in_coroutine(self, task: Task) -> _Waiter | None:
         inner: Any = None if task.executing() else task._coroutine

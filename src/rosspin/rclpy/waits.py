@@ -4,10 +4,13 @@ from __future__ import annotations
 
 import sys
 import threading
-from collections.abc import Iterator
+from collections.abc import Callable, Iterator
 from contextlib import contextmanager
 from types import FrameType
 from typing import TYPE_CHECKING, Any, NamedTuple
+
+from ..clocks.frames import Place, outwards, places, trail
+from .task import Task
 
 if TYPE_CHECKING:
     from ..world.world import World
@@ -16,11 +19,14 @@ __all__ = ["Wait", "Waits", "waiting_for"]
 
 
 class Wait(NamedTuple):
-    """A thread that waits for ``goal``, a future or a Rate's timer. ``frame`` is where."""
+    """A thread that waits for ``goal``, a future or a Rate's timer.
+
+    ``where()`` returns the task of an executor in which it does, or None, and the places of its stack.
+    """
 
     goal: Any
     thread: str
-    frame: FrameType
+    where: Callable[[], tuple[Task | None, list[Place]]]
 
 
 class Waits:
@@ -34,9 +40,20 @@ class Waits:
 def waiting_for(goal: Any, world: World) -> Iterator[None]:
     """Within this context the calling thread waits for a future, or for a Rate's timer."""
     waits = world.graph.part(Waits).current
-    wait = Wait(goal, threading.current_thread().name, sys._getframe(2))
+    frame = sys._getframe(2)
+    if sys.platform == "emscripten":  # a page cannot look at a stack that is suspended
+        seen = _look(frame)
+        wait = Wait(goal, threading.current_thread().name, lambda: seen)
+    else:
+        wait = Wait(goal, threading.current_thread().name, lambda: _look(frame))
     waits.append(wait)
     try:
         yield
     finally:
         waits.remove(wait)
+
+
+def _look(frame: FrameType) -> tuple[Task | None, list[Place]]:
+    calls = (each for each in outwards(frame) if each.f_code is Task.__call__.__code__)
+    found = next(calls, None)
+    return found and found.f_locals["self"], places(trail(frame))

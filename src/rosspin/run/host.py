@@ -289,9 +289,11 @@ class Host:
     def _say_what_waits(self) -> None:
         """Say what waits for ever: threads, and the callbacks of ROS 2."""
         assert isinstance(self.clock, Simulation)
-        sys.stderr.write(explain_threads(self.clock))
+        said = explain_threads(self.clock)
         if graph := self._graphs.get(2):
-            sys.stderr.write(ROSES[2].stand_in.explain_waits(graph))
+            said += ROSES[2].stand_in.explain_waits(graph)
+        if said:
+            sys.stderr.write(said)
 
     @property
     def _patience(self) -> int | None:
