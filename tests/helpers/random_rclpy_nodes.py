@@ -251,8 +251,8 @@ def program(spec: dict[str, Any]) -> Callable[[], None]:
 
 
 def lines(console: str) -> list[list[str]]:
-    """The lines, those of one instant sorted: which of them comes first is nobody's promise."""
-    return sorted(line.split() for line in console.splitlines())
+    """The node's lines, those of one instant sorted: which of them comes first is nobody's promise."""
+    return sorted(line.split() for line in console.splitlines() if not line.startswith("rosspin: "))
 
 
 def do_the_same(folder: Path, spec: dict[str, Any]) -> None:
