@@ -203,6 +203,20 @@ def test_entry_points_are_found_in_setup_cfg_and_below_src(launched: Write, writ
     assert "[talk-1] talked\n" in simulate(path, 1).console
 
 
+def test_entry_points_may_be_one_text(launched: Write, write: Any) -> None:
+    write('from setuptools import setup\nsetup(entry_points={"console_scripts": "talk = talker:speak"})', "setup.py")
+    write("def speak():\n    print('talked')", "talker.py")
+    path = launched("Node(package='pkg', executable='talk', output='screen')")
+    assert "[talk-1] talked\n" in simulate(path, 1).console
+
+
+def test_a_node_that_setup_py_does_not_list_is_not_there(launched: Write, write: Any) -> None:
+    write('from setuptools import setup\nsetup(entry_points={"console_scripts": []})', "setup.py")
+    path = launched("Node(package='pkg', executable='script', output='screen')")
+    with pytest.raises(ValueError, match="executable 'script' not found"):
+        simulate(path, 1)
+
+
 # --- other ways to run one --------------------------------------------------------------------------------------------
 
 

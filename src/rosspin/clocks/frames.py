@@ -104,6 +104,10 @@ class Place(NamedTuple):
     call: str = ""
     function: str = ""
 
+    def shown(self) -> str:
+        """The place as messages name it: the line, and the call if it is known."""
+        return f"{self.filename}:{self.line}" + (f": {self.call}" if self.call else "")
+
 
 class Whereabouts(NamedTuple):
     """Where a thread is: its name, its places (innermost first), and whether Python will end without waiting for it."""

@@ -6,10 +6,8 @@ executor serves all five together, as one entity.
 
 from __future__ import annotations
 
-import inspect
 import sys
 import threading
-import time
 from collections.abc import Callable, Iterable
 from enum import Enum, IntEnum
 from functools import partial
@@ -24,8 +22,9 @@ from ..messages.ros2 import Action, Message
 from ..world.world import current_world
 from .callback_groups import CallbackGroup
 from .exceptions import NameValidationException, RCLError, no_type_support
+from .executors import await_or_execute
 from .qos import QoSProfile, qos_profile_action_status_default, qos_profile_services_default
-from .services import Client, Service
+from .services import Client, Service, look_until
 from .task import Future
 from .topics import Publisher, Subscription
 from .waits import waiting_for
@@ -42,9 +41,6 @@ __all__ = [
     "get_action_names_and_types",
     "get_action_server_names_and_types_by_node",
 ]
-
-# How often (s) wait_for_server looks.
-_LOOK = 0.25
 
 _FEEDBACK_QOS = QoSProfile(depth=10)
 
@@ -119,7 +115,7 @@ class _ActionEnd:
         self._action_type = action_type
         self._action_name = action_name
         try:
-            self._service_name("send_goal")
+            self._names("send_goal", is_service=True)
         except NameValidationException as error:
             text = f"Failed to create action {self._word} due to invalid topic name '{action_name}' : {error.error_msg}"
             raise ValueError(text) from None
@@ -130,11 +126,10 @@ class _ActionEnd:
         self._ready: list[Any] = []
         self._destroyed = False
 
-    def _service_name(self, part: str) -> str:
-        return self._node._rosspin_resolve(f"{self._action_name}/_action/{part}", is_service=True)
-
-    def _topic_name(self, part: str) -> str:
-        return self._node._rosspin_resolve(f"{self._action_name}/_action/{part}")
+    def _names(self, part: str, is_service: bool) -> tuple[str, str]:
+        """Return the name and the full name of one of its services, or topics."""
+        name = f"{self._action_name}/_action/{part}"
+        return name, self._node._rosspin_resolve(name, is_service=is_service)
 
     def _join(self, ends: Iterable[Any]) -> None:
         """Let executors look at the ends: their order is that in which they are served."""
@@ -172,10 +167,6 @@ class _ActionEnd:
             for end in self.ends:
                 end.destroy()
             self._node.remove_waitable(self)
-
-
-async def _await_or_call(callback: Callable[..., Any], *args: Any) -> Any:
-    return await callback(*args) if inspect.iscoroutinefunction(callback) else callback(*args)
 
 
 # --- the server -------------------------------------------------------------------------------------------------------
@@ -315,11 +306,10 @@ class ActionServer(_ActionEnd):
         impl, group = action_type.Impl, self.callback_group
 
         def serve(srv_type: Any, part: str, qos: QoSProfile) -> Service:
-            name = f"{action_name}/_action/{part}"
-            return Service(_unused, node, srv_type, name, self._service_name(part), group, qos)
+            return Service(_unused, node, srv_type, *self._names(part, True), group, qos)
 
         def publish(msg_type: Any, part: str, qos: QoSProfile) -> Publisher:
-            return Publisher(node, msg_type, f"{action_name}/_action/{part}", self._topic_name(part), qos)
+            return Publisher(node, msg_type, *self._names(part, False), qos)
 
         self._goals_asked = serve(impl.SendGoalService, "send_goal", goal_service_qos_profile)
         self._cancels_asked = serve(impl.CancelGoalService, "cancel_goal", cancel_service_qos_profile)
@@ -380,7 +370,7 @@ class ActionServer(_ActionEnd):
         uuid, impl = bytes(request.goal_id.uuid), self._action_type.Impl
         accepted = False
         if uuid not in self._goal_handles:
-            response = await _await_or_call(self._goal_callback, request.goal)
+            response = await await_or_execute(self._goal_callback, request.goal)
             accepted = response is GoalResponse.ACCEPT
             if not isinstance(response, GoalResponse):
                 self._logger.warning("Goal request callback did not return a GoalResponse type. Rejecting goal.")
@@ -395,7 +385,7 @@ class ActionServer(_ActionEnd):
         self._goals_asked.send_response(answer, header)
         if accepted:
             self._publish_status()
-            await _await_or_call(self._handle_accepted_callback, handle)
+            await await_or_execute(self._handle_accepted_callback, handle)
 
     def _start(self, handle: ServerGoalHandle, execute_callback: Callable[[ServerGoalHandle], Any] | None) -> None:
         executor: Any = self._node.executor
@@ -405,7 +395,7 @@ class ActionServer(_ActionEnd):
         self, execute_callback: Callable[[ServerGoalHandle], Any], handle: ServerGoalHandle
     ) -> None:
         try:
-            result = await _await_or_call(execute_callback, handle)
+            result = await await_or_execute(execute_callback, handle)
         except Exception as error:
             result = self._action_type.Result()
             self._logger.error(f"Error raised in execute callback: {error}")
@@ -422,7 +412,7 @@ class ActionServer(_ActionEnd):
         answer = self._action_type.Impl.CancelGoalService.Response()
         found, answer.return_code = self._cancelable(request.goal_info)
         for handle in found:
-            if await _await_or_call(self._cancel_callback, handle) is CancelResponse.ACCEPT:
+            if await await_or_execute(self._cancel_callback, handle) is CancelResponse.ACCEPT:
                 try:
                     handle._update_state("CANCEL_GOAL")
                 except RCLError:
@@ -560,12 +550,10 @@ class ActionClient(_ActionEnd):
         impl, group = action_type.Impl, self.callback_group
 
         def ask(srv_type: Any, part: str, qos: QoSProfile) -> Client:
-            name = f"{action_name}/_action/{part}"
-            return Client(node, srv_type, name, self._service_name(part), group, qos)
+            return Client(node, srv_type, *self._names(part, True), group, qos)
 
         def hear(msg_type: Any, part: str, qos: QoSProfile) -> Subscription:
-            name = f"{action_name}/_action/{part}"
-            return Subscription(node, msg_type, name, self._topic_name(part), lambda _: None, group, qos)
+            return Subscription(node, msg_type, *self._names(part, False), _unused, group, qos)
 
         self._goals = ask(impl.SendGoalService, "send_goal", goal_service_qos_profile)
         self._cancels = ask(impl.CancelGoalService, "cancel_goal", cancel_service_qos_profile)
@@ -634,7 +622,7 @@ class ActionClient(_ActionEnd):
     async def _serve(self, end: Any, first: Any, second: Any) -> None:
         if end is self._feedback:
             if callback := self._feedback_callbacks.get(bytes(first.goal_id.uuid)):
-                await _await_or_call(callback, first)
+                await await_or_execute(callback, first)
         elif end is self._status:
             self._note(first)
         elif second is not None:  # else it is the answer to another client
@@ -680,11 +668,7 @@ class ActionClient(_ActionEnd):
 
     def wait_for_server(self, timeout_sec: float | None = None) -> bool:
         """Look for a server every 0.25 s, until these pauses add up to ``timeout_sec`` (default: for ever)."""
-        left = float("inf") if timeout_sec is None else timeout_sec
-        while self._node.context.ok() and not self.server_is_ready() and left > 0.0:
-            time.sleep(_LOOK)
-            left -= _LOOK
-        return self.server_is_ready()
+        return look_until(self.server_is_ready, self._node.context, timeout_sec)
 
 
 def _check_handle(goal_handle: Any) -> None:

@@ -127,9 +127,7 @@ class _Run:
         return steps
 
     def _step(self, waiter: _Waiter) -> _Step | None:
-        at = []
-        if waiter.place:
-            at = [f"  at {waiter.place.filename}:{waiter.place.line}: {waiter.place.call}".rstrip(": ")]
+        at = [f"  at {waiter.place.shown()}"] if waiter.place else []
         if isinstance(waiter.goal, Timer):
             return self._kept([f"{waiter.name} waits for its Rate", *at, "its timer is due"], waiter.goal, waiter, "it")
         for client, number, entity in self._asked(waiter.goal):

@@ -38,6 +38,7 @@ __all__ = [
     "ShutdownException",
     "SingleThreadedExecutor",
     "TimeoutException",
+    "await_or_execute",
 ]
 
 # How long (ns) a look in vain with a timeout of 0 takes. Without it, a loop that only looks would stop the time.
@@ -373,6 +374,11 @@ class Executor:
 
     def __exit__(self, *error: object) -> None:
         self.shutdown()
+
+
+async def await_or_execute(callback: Callable[..., Any], *args: Any) -> Any:
+    """Call a function, or await a coroutine function, and return the result."""
+    return await callback(*args) if inspect.iscoroutinefunction(callback) else callback(*args)
 
 
 async def _call(entity: Any, executor: Executor) -> None:

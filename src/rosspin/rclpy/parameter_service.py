@@ -6,7 +6,6 @@ from collections.abc import Callable
 from importlib import import_module
 from types import ModuleType
 from typing import TYPE_CHECKING, Any
-from weakref import ref
 
 from .exceptions import ParameterNotDeclaredException, ParameterUninitializedException
 from .parameter import Parameter
@@ -35,29 +34,23 @@ class ParameterService:
     """
 
     def __init__(self, node: Node, types: ModuleType) -> None:
-        self._node = ref(node)
+        self._node = node
         for name, kind in SERVICES.items():
             callback = getattr(self, f"_{name}")
             full_name = f"{node.get_name()}/{name}"
             node.create_service(getattr(types, kind), full_name, callback, qos_profile=qos_profile_parameters)
 
-    def _get_node(self) -> Node:
-        node = self._node()
-        if node is None:
-            raise ReferenceError("Expected valid node weak reference")
-        return node
-
     def _describe_parameters(self, request: Any, response: Any) -> Any:
-        response.descriptors = self._all(request.names, self._get_node().describe_parameter)
+        response.descriptors = self._all(request.names, self._node.describe_parameter)
         return response
 
     def _get_parameters(self, request: Any, response: Any) -> Any:
-        node = self._get_node()
+        node = self._node
         response.values = self._all(request.names, lambda name: node.get_parameter(name).get_parameter_value())
         return response
 
     def _get_parameter_types(self, request: Any, response: Any) -> Any:
-        response.types = self._all(request.names, self._get_node().get_parameter_type)
+        response.types = self._all(request.names, self._node.get_parameter_type)
         return response
 
     @staticmethod
@@ -68,7 +61,7 @@ class ParameterService:
             return []
 
     def _list_parameters(self, request: Any, response: Any) -> Any:
-        response.result = self._get_node().list_parameters(request.prefixes, request.depth)
+        response.result = self._node.list_parameters(request.prefixes, request.depth)
         return response
 
     def _set_parameters(self, request: Any, response: Any) -> Any:
@@ -81,7 +74,7 @@ class ParameterService:
 
     def _set(self, parameters: list[Any]) -> Any:
         try:
-            return self._get_node().set_parameters_atomically(list(map(Parameter.from_parameter_msg, parameters)))
+            return self._node.set_parameters_atomically(list(map(Parameter.from_parameter_msg, parameters)))
         except ParameterNotDeclaredException as error:
             result = import_module("rcl_interfaces.msg").SetParametersResult
             return result(successful=False, reason=str(error))

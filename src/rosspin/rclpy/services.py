@@ -7,7 +7,6 @@ do.
 
 from __future__ import annotations
 
-import inspect
 import threading
 import time
 from collections import deque
@@ -23,12 +22,14 @@ from ..world.world import NotSimulated
 from .discovery import introduce
 from .ends import Owner
 from .exceptions import RCLError
+from .executors import await_or_execute
 from .qos import Policies, QoSProfile, incompatible_policy
 from .task import Future
 from .waits import waiting_for
 
 if TYPE_CHECKING:
     from .callback_groups import CallbackGroup
+    from .context import Context
     from .node import Node
 
 __all__ = ["Client", "Service"]
@@ -36,7 +37,7 @@ __all__ = ["Client", "Service"]
 # How long (ns) a service tries to send an answer to a client that is not there.
 _TRY = 100_000_000
 
-# How often (s) wait_for_service looks.
+# How often (s) wait_for_service and wait_for_server look.
 _LOOK = 0.25
 
 
@@ -228,11 +229,7 @@ class Client(ServiceEnd):
 
         Return whether it is known. Raises as ``service_is_ready``.
         """
-        left = float("inf") if timeout_sec is None else timeout_sec
-        while self.context.ok() and not self.service_is_ready() and left > 0.0:
-            time.sleep(_LOOK)
-            left -= _LOOK
-        return self.service_is_ready()
+        return look_until(self.service_is_ready, self.context, timeout_sec)
 
     def receive(self, sequence: int, response: Message | None) -> None:
         """Take what a service sends. An answer to another client (None) wakes this one, too, for nothing."""
@@ -287,8 +284,7 @@ class Service(ServiceEnd):
         return self._answer, (request, header._replace(is_known=self._reaches(header.client))), None
 
     async def _answer(self, request: Message, header: Header) -> None:
-        response = self.callback(request, self.srv_type.Response())
-        self.send_response(await response if inspect.iscoroutinefunction(self.callback) else response, header)
+        self.send_response(await await_or_execute(self.callback, request, self.srv_type.Response()), header)
 
     def send_response(self, response: Message, header: Header) -> None:
         """Answer a request. Raises TypeError for what is no response of this service, InvalidHandle if destroyed.
@@ -312,3 +308,12 @@ class Service(ServiceEnd):
             if self._reaches(client):
                 own = client is header.client
                 client.receive(header.sequence if own else 0, message if own else None)
+
+
+def look_until(is_ready: Callable[[], bool], context: Context, timeout_sec: float | None) -> bool:
+    """Look every 0.25 s until something is ready, or these pauses add up to ``timeout_sec``. Return whether it is."""
+    left = float("inf") if timeout_sec is None else timeout_sec
+    while context.ok() and not is_ready() and left > 0.0:
+        time.sleep(_LOOK)
+        left -= _LOOK
+    return is_ready()

@@ -58,7 +58,7 @@ def _step(stack: Stack) -> tuple[str, Stack] | None:
 
 def _say(stack: Stack, what: str) -> list[str]:
     place = node_place(places(stack.trail))
-    at = [f"    at {place.filename}:{place.line}: {place.call}".rstrip(": ")] if place else []
+    at = [f"    at {place.shown()}"] if place else []
     return [f"  {_name(stack)} waits for {what}", *at]
 
 

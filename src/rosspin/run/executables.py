@@ -21,7 +21,7 @@ __all__ = ["find_node", "find_python", "is_cpp"]
 
 
 def find_python(package: Path, name: str) -> Path | None:
-    """A Python file of that name, anywhere in a package."""
+    """Find a Python file of that name, anywhere in a package."""
     for place, folders, files in os.walk(package):
         folders[:] = sorted(name for name in folders if not name.startswith("."))
         if name in files and _is_python(Path(place, name)):
@@ -55,7 +55,9 @@ def find_node(package: Path, name: str) -> Code | None:
         if module and path.is_file():
             main = partial(_run_entry_point, module, function, str(path))
             return load(path)._replace(main=main, folder=str(root))
-    script = find_python(package, name) or find_python(package, f"{name}.py")
+    script = find_python(package, name)
+    if script is None and not (package / "setup.py").is_file():  # CMake may install a script without its ending
+        script = find_python(package, f"{name}.py")
     return load(script) if script else None
 
 
@@ -66,7 +68,7 @@ def _run_entry_point(module: str, function: str, path: str) -> None:
 
 
 def _entry_points(package: Path) -> dict[str, str]:
-    """The ``console_scripts`` of a package, as ``module:function`` by their names."""
+    """Return the ``console_scripts`` of a package, as ``module:function`` by their names."""
     found: list[str] = []
     if (file := package / "setup.cfg").is_file():
         config = ConfigParser(interpolation=None)
@@ -80,5 +82,6 @@ def _entry_points(package: Path) -> dict[str, str]:
                     known[node.targets[0].id] = eval(compile(ast.Expression(node.value), str(file), "eval"), known)
                 elif isinstance(node, ast.keyword) and node.arg == "entry_points":
                     value = eval(compile(ast.Expression(node.value), str(file), "eval"), known)
-                    found += value["console_scripts"]
+                    scripts = value["console_scripts"]
+                    found += scripts.splitlines() if isinstance(scripts, str) else scripts
     return {name.strip(): value.strip() for name, equals, value in (each.partition("=") for each in found) if equals}

@@ -48,7 +48,7 @@ def say_where(node: Node, waited: Sequence[Whereabouts]) -> str:
     lines = []
     for thread, places, _ in waited:
         place = _of_nodes([node], places)
-        where = f"was at {_say_place(place)}" if place else "had done its work and waited for other threads"
+        where = f"was at {place.shown()}" if place else "had done its work and waited for other threads"
         lines.append(f"rosspin: {thread} {where}\n")
     return "".join(lines)
 
@@ -83,17 +83,13 @@ def _of_nodes(nodes: Sequence[Node], places: Sequence[Place]) -> Place | None:
     return next((place for place in places if place.filename.startswith(folders)), None)
 
 
-def _say_place(place: Place) -> str:
-    return f"{place.filename}:{place.line}" + (f": {place.call}" if place.call else "")
-
-
 def stands_still(nodes: Sequence[Node], ros: int, error: Standstill | Stuck, clock: Simulation) -> TimeStandsStill:
     now = f"simulated time stands still at {clock.now() / NS} s"
     fallback = clock.failed if isinstance(error, Stuck) else error.place
     place = _of_nodes(nodes, error.places) or (None if fallback else _of_nodes(nodes, clock.left))
     where = f"{place.filename}:{place.line}" if place else fallback
     if isinstance(error, Stuck) and (error.waits or error.computed):
-        where = _say_place(place) if place else fallback
+        where = place.shown() if place else fallback
         why = (
             f"because this has computed for {error.computed:.0f} s and let nothing else run meanwhile. "
             "Compute less at a time, or run the node on the wall clock."

@@ -6,7 +6,7 @@ Times are in ns; the time 0 stands for the latest one.
 from __future__ import annotations
 
 import math
-from bisect import bisect_right
+from bisect import bisect_left, bisect_right
 from collections.abc import Callable, Container, Iterator
 
 from .exceptions import (
@@ -35,7 +35,7 @@ class _Moving:
         stamps, state = self.stamps, (parent, transform)
         if stamps:
             oldest = stamps[-1] - self._keep
-            old = next((at for at, each in enumerate(stamps) if each >= oldest), 0)
+            old = bisect_left(stamps, oldest)
             del stamps[:old], self._states[:old]
             if stamp < oldest:
                 return False
@@ -209,7 +209,7 @@ class Frames:
         down, end, failed = self._climb(target, [top, source], time)
         if end == source != top:
             up = IDENTITY
-        elif end != top or failed:
+        elif end != top:
             if error := failed or failure:
                 raise ExtrapolationException(
                     f"{error}, when looking up transform from frame [{source}] to frame [{target}]"

@@ -131,9 +131,9 @@ class _Entity:
         in_yaml, name = isinstance(self.tag, _YamlTag), self.tag.name
         if self._children:
             raise self.tag.fault(f"Unexpected nested tag(s) found in `{name}`: {{'{self._children[0].name}'}}")
-        for each in self._left:
+        if self._left:
             what = "key" if in_yaml else "attribute"
-            raise self.tag.fault(f"Unexpected {what}(s) found in `{name}`: {{'{each}'}}")
+            raise self.tag.fault(f"Unexpected {what}(s) found in `{name}`: {{'{next(iter(self._left))}'}}")
 
 
 def _typed(value: Any) -> Any:
