@@ -46,7 +46,7 @@ KEEPERS = {
     "pytest": {"pytest_plugin"},
     "yaml": {
         *("run.roslaunch.launch", "run.ros2launch.frontend", "run.ros2launch.parameters"),
-        *("run.ros2launch.substitutions", "rospy.client", "rclpy.arguments", "messages.ros1"),
+        *("run.ros2launch.substitutions", "rospy.client", "rclpy.arguments", "rclpy.parameter", "messages.ros1"),
     },
 }
 

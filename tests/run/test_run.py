@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import inspect
 import logging
 import math
 import os
@@ -296,6 +297,13 @@ def test_a_neighbour_of_the_node_is_imported_anew(write: Any) -> None:
     (node.parent / "neighbour").mkdir()
     write("values = [0]", "neighbour/__init__.py")
     assert simulate(node, 1).console == simulate(node, 1).console == "[0, 1]\n"
+
+
+def test_a_function_finds_the_program_that_it_is_of() -> None:
+    """As ``inspect.stack()`` does."""
+    found = []
+    simulate(lambda: found.append((sys.modules["__main__"], inspect.stack()[0].function)), 0)
+    assert found == [(sys.modules["__main__"], "<lambda>")]
 
 
 def test_a_file_is_main(write: Any) -> None:

@@ -22,9 +22,12 @@ from . import (
     exceptions,
     executors,
     logging,
+    logging_service,
     names,
     node,
     parameter,
+    parameter_client,
+    parameter_event_handler,
     qos,
     qos_event,
     qos_overriding_options,
@@ -32,8 +35,10 @@ from . import (
     signals,
     task,
     time,
+    time_source,
     timer,
     topics,
+    type_description_service,
     utilities,
 )
 from .context import Context, get_default_context
@@ -159,31 +164,29 @@ def spin_until_future_complete(
 
 # The modules of rclpy that are not here: they need a real ROS.
 NOT_SIMULATED = {
-    *("destroyable", "experimental", "lifecycle", "logging_service"),
-    *("parameter_client", "parameter_event_handler", "parameter_service"),
-    *("serialization", "service_introspection", "time_source", "topic_endpoint_info"),
-    *("topic_or_service_is_hidden", "type_description_service", "type_hash", "type_support", "waitable"),
+    *("destroyable", "experimental", "lifecycle", "parameter_service"),
+    *("serialization", "service_introspection", "topic_endpoint_info"),
+    *("type_hash", "type_support", "waitable"),
 }
 
 # The names that the modules here lack.
 LACKING = {
     "rclpy.clock": {"ClockChange", "JumpHandle", "JumpThreshold", "TimeJump"},
-    "rclpy.logging": {"get_logger_level", "get_logging_directory"},
-    "rclpy.signals": {"get_current_signal_handlers_options"},
+    "rclpy.type_description_service": {"TypeDescriptionService"},
 }
 
 # Names that differ from rclpy's, and how.
 IN_PART = {
     "Context": "There is no network: ``domain_id`` has no effect.",
     "MultiThreadedExecutor": "Without ``num_threads`` it has 4 threads, not as many as there are processors.",
-    "Client": "``handle`` and ``configure_introspection`` are not there. What was asked before the service is known "
+    "Client": "``configure_introspection`` is not there. What was asked before the service is known "
     "is lost, also with ``TRANSIENT_LOCAL``.",
-    "Node": "It has no publishers for ``/rosout`` and ``/parameter_events``, and only names the service that describes "
-    "its types. A node that a program drops without ``destroy_node()`` is still there.",
+    "Node": "What it has logged before somebody subscribes to ``/rosout`` cannot be heard there. The service that "
+    "describes its types is only named. A node that a program drops without ``destroy_node()`` is still there.",
     "Publisher": "Fields are always checked, as with ``ROS_PYTHON_CHECK_FIELDS=1``.",
     "PublisherEventCallbacks": "``incompatible_type`` is never called, as with Fast DDS.",
     "QoSProfile": "``avoid_ros_namespace_conventions`` has no effect.",
-    "RcutilsLogger": "On the console only, where rcl itself says little.",
+    "RcutilsLogger": "On the console and on ``/rosout``, not in a file. rcl itself says little.",
     "Service": "As ``Client``.",
     "Subscription": "There are none of raw messages (``raw=True``).",
     "SubscriptionEventCallbacks": "``message_lost`` is never called, as nothing is lost, nor is ``incompatible_type``, "
@@ -215,8 +218,11 @@ MODULES: dict[str, ModuleType] = {
     "rclpy.impl.logging_severity": logging,
     "rclpy.impl.rcutils_logger": logging,
     "rclpy.logging": logging,
+    "rclpy.logging_service": logging_service,
     "rclpy.node": node,
     "rclpy.parameter": parameter,
+    "rclpy.parameter_client": parameter_client,
+    "rclpy.parameter_event_handler": parameter_event_handler,
     "rclpy.publisher": topics,
     "rclpy.qos": qos,
     "rclpy.qos_event": qos_event,
@@ -226,7 +232,10 @@ MODULES: dict[str, ModuleType] = {
     "rclpy.subscription": topics,
     "rclpy.task": task,
     "rclpy.time": time,
+    "rclpy.time_source": time_source,
     "rclpy.timer": timer,
+    "rclpy.topic_or_service_is_hidden": names,
+    "rclpy.type_description_service": type_description_service,
     "rclpy.utilities": utilities,
     "rclpy.validate_full_topic_name": names,
     "rclpy.validate_namespace": names,

@@ -6,6 +6,7 @@ from typing import TYPE_CHECKING, Any, NamedTuple
 
 from .discovery import ENDPOINT, lose
 from .exceptions import InvalidHandle
+from .handle import Handle
 from .qos import QoSProfile
 
 if TYPE_CHECKING:
@@ -45,6 +46,11 @@ class Owner:
         """The name of its node's logger."""
         self._check()
         return self.node.get_logger().name
+
+    @property
+    def handle(self) -> Handle:
+        """Its handle, which can be held and nothing else."""
+        return Handle(self._check)
 
     def _check(self) -> None:
         if self._destroyed:

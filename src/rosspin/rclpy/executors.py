@@ -19,6 +19,7 @@ from .exceptions import (
     TimeoutException,
     invalid_context,
 )
+from .handle import Handle
 from .state import Gate
 from .task import Future, Task
 from .waits import waiting_for
@@ -74,10 +75,18 @@ class GuardCondition:
         self._destroyed = False
         self._executor_triggered = False  # an executor has seen the trigger, and not called yet
 
-    def trigger(self) -> None:
-        """Ask for a call. Raises InvalidHandle if it was destroyed."""
+    @property
+    def handle(self) -> Handle:
+        """Its handle, which can be held and nothing else."""
+        return Handle(self._check)
+
+    def _check(self) -> None:
         if self._destroyed:
             raise InvalidHandle()
+
+    def trigger(self) -> None:
+        """Ask for a call. Raises InvalidHandle if it was destroyed."""
+        self._check()
         self.triggered = True
         if self.nudge:
             self.nudge()

@@ -8,6 +8,7 @@ import re
 import sys
 import time
 from enum import IntEnum
+from pathlib import Path
 from types import FrameType
 from typing import TYPE_CHECKING, Any, NamedTuple
 
@@ -17,9 +18,11 @@ from .state import State, state
 
 if TYPE_CHECKING:
     from .arguments import Arguments
+    from .node import Node
 
 __all__ = [
-    *("LoggingSeverity", "RcutilsLogger", "get_logger", "get_logger_effective_level"),
+    *("LoggingSeverity", "RcutilsLogger", "clear_config", "get_logger", "get_logger_effective_level"),
+    *("get_logger_level", "get_logging_directory"),
     *("get_logging_severity_from_string", "set_logger_level"),
 ]
 
@@ -84,7 +87,7 @@ class RcutilsLogger:
             raise ValueError("Child logger name must not be empty.")
         child = RcutilsLogger(f"{self.name}.{name}" if self.name else name)
         if self._state.rosout and self.name in self._state.rosout:
-            self._state.rosout.add(child.name)
+            self._state.rosout[child.name] = self._state.rosout[self.name]
         return child
 
     def set_level(self, level: int) -> None:
@@ -195,9 +198,17 @@ def _effective(own: State, name: str) -> int:
 
 
 def _write(own: State, severity: LoggingSeverity, name: str, message: str, frame: FrameType) -> None:
-    """Write a line in one go, coloured on a terminal. By default all levels go to stderr."""
-    if not own.console:
-        return
+    """Write a line in one go, coloured on a terminal, and publish it. By default all levels go to stderr."""
+    if own.console:
+        _print(own, severity, name, message, frame)
+    node = own.rosout.get(name) if own.rosout else None
+    if node and own.contexts:
+        node._rosspin_topics.tell_log(severity, name, message, frame)
+    elif node:  # a signal has come, and nobody has shut down
+        sys.stderr.write("Failed to publish log message to rosout: publisher's context is invalid\n")
+
+
+def _print(own: State, severity: LoggingSeverity, name: str, message: str, frame: FrameType) -> None:
     now = own.clock.now()
     form = own.log_form or _read_form(own)
     if form.line == _DEFAULT_FORMAT:
@@ -220,8 +231,6 @@ def _write(own: State, severity: LoggingSeverity, name: str, message: str, frame
     if stream.isatty() if form.coloured is None else form.coloured:
         line = f"{_COLOURS[severity]}{line}\033[0m"
     stream.write(line + "\n")
-    if own.rosout and not own.contexts and name in own.rosout:  # a signal has come, and nobody has shut down
-        sys.stderr.write("Failed to publish log message to rosout: publisher's context is invalid\n")
 
 
 class LogForm(NamedTuple):
@@ -250,29 +259,26 @@ def configure(arguments: Arguments) -> None:
     own.level = own.level if arguments.level is None else arguments.level
     own.levels.update(arguments.levels)
     own.console = arguments.console
-    own.rosout = (own.rosout or set()) if arguments.rosout else None
+    own.rosout = (own.rosout or {}) if arguments.rosout else None
     for word in arguments.deprecated:
         get_logger("rcl").warning(
             f"Found remap rule '{word}'. This syntax is deprecated. Use '--ros-args --remap {word}' instead."
         )
 
 
-def publish_on_rosout(name: str, node_name: str) -> bool:
-    """Register a node's logger for /rosout, and warn of a second one with its name. Return whether it may publish.
-
-    Nothing is published there in a simulated run.
-    """
+def publish_on_rosout(name: str, node: Node) -> bool:
+    """Register a node's logger for /rosout, and warn of a second one with its name. Return whether it may publish."""
     loggers = state().rosout
     if loggers is None:
         return False
     if name in loggers:
         get_logger("rcl.logging_rosout").warning(
-            f"Publisher already registered for node name: '{node_name}'. If this is due to multiple nodes with the "
-            f"same name then all logs for the logger named '{name}' will go out over the existing publisher. As "
+            f"Publisher already registered for node name: '{node.get_name()}'. If this is due to multiple nodes with "
+            f"the same name then all logs for the logger named '{name}' will go out over the existing publisher. As "
             "soon as any node with that name is destructed it will unregister the publisher, preventing any further "
             "logs for that name from being published on the rosout topic."
         )
-    loggers.add(name)
+    loggers.setdefault(name, node)
     return True
 
 
@@ -283,6 +289,26 @@ def get_logger(name: str) -> RcutilsLogger:
     return RcutilsLogger(name)
 
 
+def __getattr__(name: str) -> Any:
+    if name == "_root_logger":
+        own = state()
+        own.root_logger = own.root_logger or RcutilsLogger()
+        return own.root_logger
+    raise AttributeError(f"module 'rclpy.logging' has no attribute '{name}'", name=name)
+
+
+def get_logging_directory() -> Path:
+    """Return the folder in which a real ROS writes log files (source: rcl_logging_interface)."""
+    home = Path(os.environ.get("ROS_HOME") or "~/.ros")
+    return Path(os.environ.get("ROS_LOG_DIR") or home / "log").expanduser()
+
+
+def clear_config() -> None:
+    """Log no more by the command line: levels are as at first, and nothing goes to /rosout."""
+    own = state()
+    own.level, own.levels, own.console, own.rosout = LoggingSeverity.INFO, {}, True, None
+
+
 def set_logger_level(name: str, level: int, detailed_error: bool = False) -> None:
     """Let the logger with this name, and those below it, print only what is at least so serious."""
     own, severity = state(), LoggingSeverity(level)
@@ -290,6 +316,12 @@ def set_logger_level(name: str, level: int, detailed_error: bool = False) -> Non
         own.levels[name] = severity
     else:
         own.level = severity
+
+
+def get_logger_level(name: str) -> LoggingSeverity:
+    """Return the level that was set for the logger with this name, UNSET if none was."""
+    own = state()
+    return LoggingSeverity(own.levels.get(name, 0) if name else own.level)
 
 
 def get_logger_effective_level(name: str) -> LoggingSeverity:

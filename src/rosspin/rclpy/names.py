@@ -99,6 +99,11 @@ def validate_full_topic_name(name: str, *, is_service: bool = False) -> bool:
     return _check(name, _FULL_TOPIC, InvalidServiceNameException if is_service else InvalidTopicNameException)
 
 
+def topic_or_service_is_hidden(name: str) -> bool:
+    """Whether a part of a name begins with an underscore."""
+    return any(part.startswith("_") for part in name.split("/"))
+
+
 def validate_parameter_name(name: str) -> bool:
     """Return True. Raises InvalidParameterException for an empty name."""
     if not name:

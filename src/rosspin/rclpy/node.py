@@ -11,7 +11,7 @@ from typing import TYPE_CHECKING, Any, TypeVar
 from ..messages.ros2 import Action, Message
 from ..messages.ros2 import Service as Interface
 from ..world.world import NotSimulated
-from . import logging, names
+from . import logging, names, own_topics
 from .arguments import Arguments
 from .callback_groups import CallbackGroup, MutuallyExclusiveCallbackGroup, ReentrantCallbackGroup
 from .clock import Clock, ROSClock
@@ -27,14 +27,17 @@ from .exceptions import (
     not_accepted,
 )
 from .executors import GuardCondition
+from .handle import Handle
+from .logging_service import LoggingService
 from .parameter import Parameter, Parameters
 from .parameter_service import SERVICES, ParameterService
-from .qos import DurabilityPolicy, QoSProfile, ReliabilityPolicy, qos_profile_services_default
+from .qos import DurabilityPolicy, QoSProfile, qos_profile_services_default
 from .qos_overriding_options import QoSOverridingOptions, override
 from .services import Client, Ends, Service
-from .time import Time
+from .time_source import TimeSource
 from .timer import Rate, Timer
 from .topics import Publisher, Subscription
+from .type_description_service import START_TYPE_DESCRIPTION_SERVICE_PARAM
 
 if TYPE_CHECKING:
     from .action import ActionClient, ActionServer
@@ -46,10 +49,7 @@ __all__ = ["Node"]
 E = TypeVar("E", bound="Owner")
 
 # The topics that every node publishes.
-_OF_EVERY_NODE = {
-    "/parameter_events": {"rcl_interfaces/msg/ParameterEvent"},
-    "/rosout": {"rcl_interfaces/msg/Log"},
-}
+_OF_EVERY_NODE = {topic: {kind} for topic, kind in own_topics.TYPES.items()}
 
 
 # What rcl says of a service with this durability.
@@ -75,7 +75,6 @@ class Node(Parameters):
     """A node has a name, makes timers, publishers, subscriptions, clients and services, and has to be spun.
 
     ``cli_args`` is a command line for it alone; ``use_global_arguments`` says whether the process's counts, too.
-    The parameter ``enable_logger_service`` has no effect.
     Raises NotInitializedException before ``init``, InvalidNodeNameException and InvalidNamespaceException.
     """
 
@@ -118,7 +117,7 @@ class Node(Parameters):
             self.__name, self.__namespace = arguments.name(self.__name, self.__namespace)
         self.__full_name = f"{self.__namespace.rstrip('/')}/{self.__name}"
         self._logger = logging.get_logger(self.__full_name[1:].replace("/", "."))
-        self.__on_rosout = enable_rosout and logging.publish_on_rosout(self._logger.name, self.__name)
+        self.__on_rosout = enable_rosout and logging.publish_on_rosout(self._logger.name, self)
         self.__executor: Executor | None = None
 
         self._publishers: list[Publisher] = []
@@ -137,19 +136,24 @@ class Node(Parameters):
             values = arguments.parameters(self.__full_name)
             overrides |= {name: Parameter(name, value=value) for name, value in values.items()}
         overrides |= {parameter.name: parameter for parameter in parameter_overrides or ()}
-        super().__init__(overrides, allow_undeclared_parameters, self.__check)
+        self._context.add_node(self)
+        self._rosspin_topics = own_topics.OwnTopics(self, import_module("rcl_interfaces.msg"), self.__on_rosout)
+        super().__init__(overrides, allow_undeclared_parameters, self.__tell_parameters)
         self._clock = ROSClock()
         if automatically_declare_parameters_from_overrides:
             entries = [(name, parameter.value) for name, parameter in overrides.items()]
             self.declare_parameters("", entries, ignore_override=True)
-        self.__listen_to_clock()
-        if not self.has_parameter("start_type_description_service"):
-            self.declare_parameter("start_type_description_service", True)
-        self.__describes = self.get_parameter("start_type_description_service").value
+        self._time_source = TimeSource(node=self)
+        self._time_source.attach_clock(self._clock)
+        if not self.has_parameter(START_TYPE_DESCRIPTION_SERVICE_PARAM):
+            self.declare_parameter(START_TYPE_DESCRIPTION_SERVICE_PARAM, True)
+        self.__describes = self.get_parameter(START_TYPE_DESCRIPTION_SERVICE_PARAM).value
         # Whoever looks for these services first may be another process, which would import classes of its own.
         self.__lacking = import_module("rcl_interfaces.srv") if start_parameter_services else None
         if self.__full_name in self._context.state.world.graph.part(Ends).asked:
             self._rosspin_start_services()
+        if enable_logger_service:
+            LoggingService(self)
 
     # --- what it is ---------------------------------------------------------------------------------------------------
 
@@ -180,8 +184,9 @@ class Node(Parameters):
 
     @property
     def publishers(self) -> Iterator[Publisher]:
-        """Its publishers."""
-        yield from self._publishers
+        """Its publishers, the one of /parameter_events among them."""
+        self._rosspin_topics.make(own_topics.PARAMETER_EVENTS)
+        yield from (publisher for publisher in self._publishers if publisher.end.topic != own_topics.ROSOUT)
 
     @property
     def subscriptions(self) -> Iterator[Subscription]:
@@ -287,9 +292,18 @@ class Node(Parameters):
         """Its logger, named after its namespace and name: ``mrp.spinner``."""
         return self._logger
 
+    @property
+    def handle(self) -> Handle:
+        """Its handle, which can be held and nothing else."""
+        return Handle(self.__check)
+
     def __check(self) -> None:
         if self.__destroyed:
             raise InvalidHandle()
+
+    def __tell_parameters(self, parameters: list[Parameter], declared: bool) -> None:
+        self.__check()
+        self._rosspin_topics.tell_parameters(self._parameters, parameters, declared)
 
     def _rosspin_nudge(self) -> None:
         """Let the executor look again: something may have become due."""
@@ -393,6 +407,7 @@ class Node(Parameters):
         full_name, qos = self.__prepare("subscription", msg_type, topic, qos_profile, qos_overriding_options)
         if self.__other_type(full_name, msg_type) is not None:
             raise RCLError("Failed to create subscription: invalid allocator")
+        own_topics.look(self, full_name)
         group = callback_group or self.default_callback_group
         events = event_callbacks or SubscriptionEventCallbacks()
         subscription = Subscription(self, msg_type, topic, full_name, callback, group, qos, events)
@@ -505,6 +520,7 @@ class Node(Parameters):
         full_name = names.expand_topic_name(name, self.get_name(), self.get_namespace())
         names.validate_full_topic_name(full_name)
         self.__check_context(f"Error in rcl_count_{what}")
+        own_topics.look(self, full_name)
         return sum(owner.end.topic == full_name for node in self.__nodes() for owner in node._rosspin_ends(kind))
 
     def __check_context(self, error: str) -> None:
@@ -700,55 +716,14 @@ class Node(Parameters):
         for entities in (*ends, self._timers, self._guards):
             while entities:
                 self.__destroy(entities[0], entities)
-        if self.__on_rosout and self._context.state.rosout and not self.__destroyed:
-            own = self._context.state
-            own.rosout = {name for name in own.rosout or () if not f"{name}.".startswith(f"{self._logger.name}.")}
+        loggers = self._context.state.rosout
+        if self.__on_rosout and loggers and not self.__destroyed:
+            for name in [name for name in loggers if f"{name}.".startswith(f"{self._logger.name}.")]:
+                del loggers[name]
         self.__destroyed = True
         if self in self._context.nodes:
             self._context.nodes.remove(self)
         self._wake_executor()
-
-    # --- ROS time -----------------------------------------------------------------------------------------------------
-
-    def __listen_to_clock(self) -> None:
-        """Take ROS time from /clock if ``use_sim_time`` is true; it is 0 until the first message comes.
-
-        Source: rclpy/time_source.py.
-        """
-        self.__clock_subscription: Subscription | None = None
-        if not self.has_parameter("use_sim_time"):
-            self.declare_parameter("use_sim_time", False)
-        self._context.add_node(self)
-        given = self.get_parameter("use_sim_time")
-        if given.type_ is Parameter.Type.BOOL:
-            self.__use_sim_time(given.value)
-        else:
-            self._logger.error(f"Invalid type for parameter 'use_sim_time' {given.type_!r} should be bool")
-        self.add_on_set_parameters_callback(self.__on_use_sim_time)
-
-    def __on_use_sim_time(self, parameters: list[Parameter]) -> Any:
-        reason = ""
-        for parameter in parameters:
-            if parameter.name == "use_sim_time":
-                if parameter.type_ is Parameter.Type.BOOL:
-                    self.__use_sim_time(parameter.value)
-                else:
-                    reason = "use_sim_time parameter set to something besides a bool"
-                    self._logger.error(reason)
-        return import_module("rcl_interfaces.msg").SetParametersResult(successful=not reason, reason=reason)
-
-    def __use_sim_time(self, enabled: bool) -> None:
-        self._clock._set_ros_time_is_active(enabled)
-        if enabled and self.__clock_subscription is None:
-            qos = QoSProfile(depth=1, reliability=ReliabilityPolicy.BEST_EFFORT)
-            kind = import_module("rosgraph_msgs.msg").Clock
-            self.__clock_subscription = self.create_subscription(kind, "/clock", self.__tell_time, qos)
-        elif not enabled and self.__clock_subscription is not None:
-            self.destroy_subscription(self.__clock_subscription)
-            self.__clock_subscription = None
-
-    def __tell_time(self, message: Any) -> None:
-        self._clock.set_ros_time_override(Time.from_msg(message.clock))
 
     # --- what needs a real ROS ----------------------------------------------------------------------------------------
 
@@ -761,5 +736,5 @@ class Node(Parameters):
 # Methods of rclpy's Node that are not here.
 NOT_SIMULATED = {
     *("get_node_names_and_namespaces_with_enclaves", "get_publishers_info_by_topic"),
-    *("get_subscriptions_info_by_topic", "handle", "set_descriptor"),
+    *("get_subscriptions_info_by_topic"),
 }

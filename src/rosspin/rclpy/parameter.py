@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import math
 from array import array
-from collections.abc import Callable, Iterable
+from collections.abc import Callable, Iterable, Iterator
 from enum import Enum
 from importlib import import_module
 from typing import Any
@@ -20,7 +20,10 @@ from .exceptions import (
 )
 from .names import validate_parameter_name
 
-__all__ = ["PARAMETER_SEPARATOR_STRING", "Parameter", "parameter_value_to_python"]
+__all__ = [
+    *("PARAMETER_SEPARATOR_STRING", "Parameter", "get_parameter_value", "parameter_dict_from_yaml_file"),
+    "parameter_value_to_python",
+]
 
 PARAMETER_SEPARATOR_STRING = "."
 
@@ -136,21 +139,73 @@ def parameter_value_to_python(parameter_value: Any) -> Any:
     return list(value) if kind.name.endswith("_ARRAY") else value
 
 
+def get_parameter_value(string_value: str) -> Any:
+    """Return what a text says in YAML as a message, rcl_interfaces/ParameterValue. What is no value is a text."""
+    import yaml  # only needed here and on command lines, and many nodes do without
+
+    try:
+        value = yaml.safe_load(string_value)
+        return Parameter("", value=string_value if value is None else value).get_parameter_value()
+    except (yaml.parser.ParserError, TypeError):
+        return Parameter("", value=string_value).get_parameter_value()
+
+
+def parameter_dict_from_yaml_file(
+    parameter_file: str, use_wildcard: bool = False, target_nodes: list[str] | None = None, namespace: str = ""
+) -> dict[str, Any]:
+    """Read the parameters in a file, as messages by name, with ``namespace`` in front of each name.
+
+    They are those of the ``target_nodes`` (none: of all nodes in the file), with ``use_wildcard`` also those of
+    ``/**``. Raises RuntimeError if a node is not in the file, or has no ``ros__parameters``.
+    """
+    import yaml
+
+    with open(parameter_file, encoding="utf-8") as file:
+        tree = yaml.safe_load(file)
+    nodes = ["/**"] if use_wildcard and "/**" in tree else []
+    for node in target_nodes or ():
+        if node not in tree:
+            raise RuntimeError(f"Param file does not contain parameters for {node},only for nodes: {list(tree)} ")
+    nodes += target_nodes or [node for node in tree if node != "/**"]
+    if not nodes:
+        raise RuntimeError("Param file does not contain selected parameters")
+    found: dict[str, Any] = {}
+    for node in nodes:
+        if not isinstance(tree[node], dict) or "ros__parameters" not in tree[node]:
+            raise RuntimeError(f"YAML file is not a valid ROS parameter file for node {node}")
+        found |= tree[node]["ros__parameters"]
+    kind = import_module("rcl_interfaces.msg").Parameter
+    return {name: kind(name=name, value=get_parameter_value(str(value))) for name, value in _flat(namespace, found)}
+
+
+def _flat(prefix: str, tree: dict[str, Any]) -> Iterator[tuple[str, Any]]:
+    for name, value in tree.items():
+        if isinstance(value, dict):
+            yield from _flat(f"{prefix}{name}{PARAMETER_SEPARATOR_STRING}", value)
+        else:
+            yield prefix + name, value
+
+
 class Parameters:
     """Declares, reads and sets the parameters of a node; the base of Node.
 
     A parameter keeps the type with which it is declared and refuses values of other types, even an int for a float. A
-    value on the command line takes precedence over the one in the code. Nothing is published on ``/parameter_events``.
+    value on the command line takes precedence over the one in the code.
+
+    ``tell(parameters, declared)`` is called before parameters are set, or declared; it raises InvalidHandle if the node
+    was destroyed.
     """
 
     PARAM_REL_TOL = 1e-6
 
-    def __init__(self, overrides: dict[str, Parameter], allow_undeclared: bool, check: Callable[[], None]) -> None:
+    def __init__(
+        self, overrides: dict[str, Parameter], allow_undeclared: bool, tell: Callable[[list[Parameter], bool], None]
+    ) -> None:
         self._parameters: dict[str, Parameter] = {}
         self._descriptors: dict[str, Any] = {}
         self._parameter_overrides = overrides
         self._allow_undeclared_parameters = allow_undeclared
-        self.__check = check  # raises InvalidHandle if the node was destroyed; called where an event would be sent
+        self.__tell = tell
         self._pre_set_parameters_callbacks: list[Callable[[list[Parameter]], list[Parameter]]] = []
         self._on_set_parameters_callbacks: list[Callable[[list[Parameter]], Any]] = []
         self._post_set_parameters_callbacks: list[Callable[[list[Parameter]], Any]] = []
@@ -283,6 +338,26 @@ class Parameters:
             return import_module("rcl_interfaces.msg").ParameterDescriptor()
         raise ParameterNotDeclaredException(name)
 
+    def set_descriptor(self, name: str, descriptor: Any, alternative_value: Any = None) -> Any:
+        """Replace a parameter's descriptor. Return the parameter's value, a message.
+
+        If the value does not agree with it, ``alternative_value`` (a message) replaces the value. Raises
+        ParameterNotDeclaredException, ParameterImmutableException, and InvalidParameterValueException if neither does.
+        """
+        if not self.has_parameter(name):
+            return self.get_parameter(name).get_parameter_value()
+        if self._descriptors[name].read_only:
+            raise ParameterImmutableException(name)
+        current = self.get_parameter(name)
+        if self.__set([current], {name: descriptor}) is not None:
+            if alternative_value is not None:
+                kind = import_module("rcl_interfaces.msg").Parameter
+                current = Parameter.from_parameter_msg(kind(name=name, value=alternative_value))
+            reason = self.__set([current], {name: descriptor})
+            if reason is not None:
+                raise InvalidParameterValueException(name, current.value, reason)
+        return self.get_parameter(name).get_parameter_value()
+
     def describe_parameters(self, names: list[str]) -> list[Any]:
         """Several parameters' descriptors."""
         return [self.describe_parameter(name) for name in names]
@@ -350,7 +425,7 @@ class Parameters:
                 return "Callback returned an invalid type"
             if not result.successful:
                 return str(result.reason)
-        self.__check()
+        self.__tell(parameters, descriptors is not None)
         for parameter in parameters:
             name = parameter.name
             if descriptors is None and parameter.type_ is _Type.NOT_SET:

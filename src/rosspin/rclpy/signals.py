@@ -8,7 +8,10 @@ from typing import Any
 
 from .state import state
 
-__all__ = ["SignalHandlerOptions", "install_signal_handlers", "uninstall_signal_handlers"]
+__all__ = [
+    *("SignalHandlerOptions", "get_current_signal_handlers_options", "install_signal_handlers"),
+    "uninstall_signal_handlers",
+]
 
 
 class SignalHandlerOptions(Enum):
@@ -41,6 +44,12 @@ def install_signal_handlers(options: SignalHandlerOptions = SignalHandlerOptions
             except ValueError:
                 return
         own.handled.add(number)
+
+
+def get_current_signal_handlers_options() -> SignalHandlerOptions:
+    """Return which signals shut the contexts down now."""
+    handled = state().handled
+    return next(options for options, numbers in _NUMBERS.items() if handled == {*numbers})
 
 
 def uninstall_signal_handlers() -> None:

@@ -13,7 +13,8 @@ from .discovery import Participants
 if TYPE_CHECKING:
     from .context import Context
     from .executors import Executor
-    from .logging import LogForm
+    from .logging import LogForm, RcutilsLogger
+    from .node import Node
 
 __all__ = ["Gate", "State", "state", "world_here"]
 
@@ -60,7 +61,8 @@ class State:
         self.level = 20  # INFO
         self.levels: dict[str, int] = {}
         self.console = True
-        self.rosout: set[str] | None = set()  # loggers that would publish on /rosout; None: none may
+        self.root_logger: RcutilsLogger | None = None
+        self.rosout: dict[str, Node] | None = {}  # by which node a logger publishes; None: none may
         self.log_form: LogForm | None = None  # None: not looked up yet
 
     def _be_missed(self) -> None:

@@ -12,6 +12,7 @@ from .callback_groups import CallbackGroup
 from .clock import Clock, ROSClock
 from .context import Context, get_default_context
 from .exceptions import InvalidHandle, RCLError, ROSInterruptException, invalid_context, not_accepted
+from .handle import Handle
 from .time import Time
 from .waits import waiting_for
 
@@ -149,6 +150,11 @@ class Timer:
         self._destroyed = True
         if isinstance(self.clock, ROSClock):
             self.clock.timers.pop(self, None)
+
+    @property
+    def handle(self) -> Handle:
+        """Its handle, which can be held and nothing else."""
+        return Handle(self._check)
 
     def _check(self) -> None:
         if self._destroyed:

@@ -2,11 +2,19 @@
 
 from __future__ import annotations
 
+from ..clocks.clock import NS
 from .arguments import remove_ros_args
 from .context import Context, get_default_context
 from .state import state
 
-__all__ = ["get_default_context", "get_rmw_implementation_identifier", "ok", "remove_ros_args", "try_shutdown"]
+__all__ = [
+    "get_default_context",
+    "get_rmw_implementation_identifier",
+    "ok",
+    "remove_ros_args",
+    "timeout_sec_to_nsec",
+    "try_shutdown",
+]
 
 
 def ok(*, context: Context | None = None) -> bool:
@@ -24,6 +32,11 @@ def try_shutdown(*, context: Context | None = None) -> None:
     context.try_shutdown()
     if own.context is context:
         own.context = None
+
+
+def timeout_sec_to_nsec(timeout_sec: float | None) -> int:
+    """Return a timeout in ns; -1 (for ever) for None or one below 0."""
+    return -1 if timeout_sec is None or timeout_sec < 0 else int(float(timeout_sec) * NS)
 
 
 def get_rmw_implementation_identifier() -> str:

@@ -57,7 +57,8 @@ def load(node: NodeLike) -> Node:
             function = inspect.unwrap(function.func)
         name = getattr(function, "__name__", type(function).__name__)
         code = getattr(function, "__code__", None) or getattr(type(function).__call__, "__code__", None)
-        return Node(node, name, code.co_filename if code else "", None, hint=_hint([code] if code else [], None))
+        main = partial(_call, node, sys.modules["__main__"])
+        return Node(main, name, code.co_filename if code else "", None, hint=_hint([code] if code else [], None))
     path = os.fspath(node) if isinstance(node, (str, os.PathLike)) else ""
     if isinstance(node, (list, tuple)) or path.endswith(".launch") or is_launch_of_ros2(path):
         raise ValueError("several nodes and launch files run in simulated time (rosspin.simulate) or on a real ROS")
@@ -86,6 +87,12 @@ def execute(code: CodeType, filename: str) -> None:
     module.__file__ = filename
     sys.modules["__main__"] = module
     exec(code, module.__dict__)
+
+
+def _call(function: Callable[[], Any], main: ModuleType) -> None:
+    """Call a function of a program whose module ``__main__`` it is to find."""
+    sys.modules["__main__"] = main
+    function()
 
 
 def read(path: str) -> str:

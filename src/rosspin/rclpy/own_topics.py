@@ -1,0 +1,93 @@
+"""The topics on which every node publishes (sources: rclpy/node.py, rcl/logging_rosout.c).
+
+Few nodes are listened to there: a publisher is made when somebody subscribes to the topic or counts its publishers.
+"""
+
+from __future__ import annotations
+
+import os
+from types import FrameType, ModuleType
+from typing import TYPE_CHECKING, Any
+
+from .duration import Duration
+from .parameter import Parameter
+from .qos import DurabilityPolicy, QoSProfile, qos_profile_parameter_events
+from .topics import Publisher
+
+if TYPE_CHECKING:
+    from .node import Node
+
+__all__ = ["PARAMETER_EVENTS", "ROSOUT", "TYPES", "OwnTopics", "look"]
+
+PARAMETER_EVENTS = "/parameter_events"
+ROSOUT = "/rosout"
+
+# The type of each.
+TYPES = {PARAMETER_EVENTS: "rcl_interfaces/msg/ParameterEvent", ROSOUT: "rcl_interfaces/msg/Log"}
+
+_QOS = {
+    PARAMETER_EVENTS: qos_profile_parameter_events,
+    ROSOUT: QoSProfile(depth=1000, durability=DurabilityPolicy.TRANSIENT_LOCAL, lifespan=Duration(seconds=10)),
+}
+
+
+class _Looked(set[str]):
+    """The topics at which somebody has looked in this run. Its processes share them."""
+
+
+class OwnTopics:
+    """Those of a node. ``types`` has their classes: the module ``rcl_interfaces.msg`` of the node's process."""
+
+    def __init__(self, node: Node, types: ModuleType, on_rosout: bool) -> None:
+        self._node = node
+        self._types = types
+        self._topics = [PARAMETER_EVENTS, ROSOUT] if on_rosout else [PARAMETER_EVENTS]
+        self._made: dict[str, Publisher] = {}
+        for topic in node.context.state.world.graph.part(_Looked):
+            self.make(topic)
+
+    def make(self, topic: str) -> None:
+        """Make the publisher of a topic, unless there is one. Others find it as if it had always been there."""
+        node = self._node
+        if topic in self._made or topic not in self._topics or not node.context.ok():
+            return
+        with node.context.state.world.acting():
+            kind = getattr(self._types, TYPES[topic].rpartition("/")[2])
+            publisher = self._made[topic] = Publisher(node, kind, topic, topic, _QOS[topic])
+        publisher.made = node.context.born.get(node, publisher.made)
+        node._publishers.append(publisher)
+
+    def tell_parameters(self, before: dict[str, Parameter], parameters: list[Parameter], declared: bool) -> None:
+        """Publish which parameters are set, or ``declared``, now, beside those that were ``before``."""
+        if publisher := self._made.get(PARAMETER_EVENTS):
+            event = self._types.ParameterEvent(node=self._node.get_fully_qualified_name())
+            event.stamp = self._node.get_clock().now().to_msg()
+            unset = Parameter.Type.NOT_SET
+            for parameter in parameters:
+                had = parameter.name in before and before[parameter.name].type_ is not unset
+                if declared or parameter.type_ is not unset:
+                    told = event.changed_parameters if had else event.new_parameters
+                elif had:
+                    told = event.deleted_parameters
+                else:
+                    continue
+                told.append(parameter.to_parameter_msg())
+            publisher.publish(event)
+
+    def tell_log(self, level: int, name: str, message: str, frame: FrameType) -> None:
+        """Publish a message of the node's logger, or of one below it. ``frame`` is the call."""
+        publisher = self._made.get(ROSOUT)
+        if publisher and self._node.context.ok():
+            line: Any = self._types.Log(level=level, name=name, msg=message, line=frame.f_lineno)
+            line.stamp = self._node.get_clock().now().to_msg()
+            line.file, line.function = os.path.abspath(frame.f_code.co_filename), frame.f_code.co_name
+            publisher.publish(line)
+
+
+def look(node: Node, topic: str) -> None:
+    """Let every node of the run, those to come as well, publish on one of these topics."""
+    looked = node.context.state.world.graph.part(_Looked)
+    if topic in TYPES and topic not in looked:
+        looked.add(topic)
+        for each in node.context.state.participants.all_nodes():
+            each._rosspin_topics.make(topic)
