@@ -208,6 +208,24 @@ def test_a_package_keeps_its_python_modules(package: Package) -> None:
         assert Speed(1.5).data == 1.5
 
 
+@pytest.mark.parametrize(("ros", "source"), [(1, "src/tools"), (2, "tools")])
+def test_a_node_imports_modules_of_other_packages(package: Package, ros: int, source: str) -> None:
+    """Those of its workspace, without messages; what is installed under such a name goes first."""
+    folder = package()
+    for name in ("tools", "yaml"):
+        code = package(name).parent / source.replace("tools", name)
+        code.mkdir(parents=True)
+        (code / "__init__.py").touch()
+        (code / "helper.py").write_text("answer = 42\n")
+    with MessageFinder(ros, folder):
+        from tools.helper import answer
+
+        assert answer == 42
+        with pytest.raises(ModuleNotFoundError):
+            import yaml.helper  # noqa: F401
+    assert "tools" not in sys.modules and "yaml" in sys.modules
+
+
 def test_a_file_without_a_package_has_none_of_its_own(tmp_path: Path) -> None:
     (tmp_path / "msg").mkdir()
     (tmp_path / "msg" / "X.msg").write_text("int8 x\n")

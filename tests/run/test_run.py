@@ -306,6 +306,28 @@ def test_a_function_finds_the_program_that_it_is_of() -> None:
     assert found == [(sys.modules["__main__"], "<lambda>")]
 
 
+def test_a_node_of_ros_2_finds_the_folders_of_packages(tmp_path: Any) -> None:
+    """Those of its workspace; a package has one folder, its source."""
+    for name in ("mine", "other"):
+        (tmp_path / "src" / name).mkdir(parents=True)
+        (tmp_path / "src" / name / "package.xml").write_text(f"<package><name>{name}</name></package>")
+    node = tmp_path / "src" / "mine" / "node.py"
+    node.write_text(
+        "import rclpy\nfrom ament_index_python import get_package_share_path\n"
+        "from ament_index_python.packages import PackageNotFoundError, get_package_share_directory as find\n"
+        "print(find('mine'), get_package_share_path('other').name)\n"
+        "for name in ('nobody', 'no package'):\n"
+        "    try:\n        find(name)\n    except (PackageNotFoundError, ValueError) as error:\n        print(error)\n"
+    )
+    found, *errors = simulate(node, 0).console.splitlines()
+    assert found == f"{node.parent} other"
+    missing = f"package 'nobody' not found, searching: {[str(node.parent)]}"
+    assert errors == [repr(missing), "'no package' is not a valid package name"]
+    node.write_text("import rclpy\nimport ament_index_python\nament_index_python.get_resource\n")
+    with pytest.raises(NotSimulated, match=r"ament_index_python\.get_resource"):
+        simulate(node, 0)
+
+
 def test_a_file_is_main(write: Any) -> None:
     path = write("import __main__, sys\nx = 1\nprint(__name__, __file__ == sys.argv[0], __main__.x, sys.argv[1:])")
     assert simulate(path, 1, ["a", "_b:=c"]).console == "__main__ True 1 ['a', '_b:=c']\n"

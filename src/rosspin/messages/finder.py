@@ -5,7 +5,7 @@ from __future__ import annotations
 import sys
 from collections.abc import Sequence
 from importlib.abc import Loader, MetaPathFinder
-from importlib.machinery import ModuleSpec
+from importlib.machinery import ModuleSpec, PathFinder
 from importlib.util import spec_from_file_location
 from pathlib import Path
 from types import ModuleType
@@ -71,7 +71,7 @@ class MessageFinder(MetaPathFinder, Loader):
         """Part of the import system; None for a module that is not a message's."""
         package, *rest = fullname.split(".")
         if not self._is_ours(fullname):
-            return None
+            return None if rest else self._modules_of(package)
         self.found.add(package)
         if not rest:
             return self._package(package)
@@ -86,13 +86,21 @@ class MessageFinder(MetaPathFinder, Loader):
 
     def _package(self, name: str) -> ModuleSpec:
         """A package, whose Python modules are where catkin (ament) has them: in src/NAME (NAME)."""
+        return self._source(name) or ModuleSpec(name, self, origin="rosspin", is_package=True)
+
+    def _source(self, name: str) -> ModuleSpec | None:
         folder = self.library.package(name)
         source = folder / ("src" if self.library.ros == 1 else "") / name if folder else None
         if source and (source / "__init__.py").is_file():
-            spec = spec_from_file_location(name, source / "__init__.py", submodule_search_locations=[str(source)])
-            assert spec
-            return spec
-        return ModuleSpec(name, self, origin="rosspin", is_package=True)
+            return spec_from_file_location(name, source / "__init__.py", submodule_search_locations=[str(source)])
+        return None
+
+    def _modules_of(self, name: str) -> ModuleSpec | None:
+        """Find a package of the workspace that has no messages, unless it can be imported anyway."""
+        if name in sys.stdlib_module_names or not (spec := self._source(name)) or PathFinder.find_spec(name):
+            return None
+        self.found.add(name)
+        return spec
 
     def _class_modules(self, package: str, folder: str) -> dict[str, str]:
         return {self.messages.module(name): name for name in self.library.names(package, folder)}

@@ -57,7 +57,7 @@ ROSES = {
     2: Ros(
         2,
         ("rclpy",),
-        {"tf2_py": "rclpy.tf2_ros", "tf2_ros": "rclpy.tf2_ros"},
+        {"ament_index_python": "rclpy.ament_index", "tf2_py": "rclpy.tf2_ros", "tf2_ros": "rclpy.tf2_ros"},
         frozenset(
             {"builtin_interfaces", "rcl_interfaces", "rclpy", "rosgraph_msgs", "rosidl_runtime_py", "rpyutils", "yaml"}
         ),
