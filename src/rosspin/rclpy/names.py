@@ -16,6 +16,7 @@ from .exceptions import (
 
 __all__ = [
     "expand_topic_name",
+    "topic_or_service_is_hidden",
     "validate_full_topic_name",
     "validate_namespace",
     "validate_node_name",

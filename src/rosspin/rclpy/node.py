@@ -735,6 +735,7 @@ class Node(Parameters):
 
 # Methods of rclpy's Node that are not here.
 NOT_SIMULATED = {
-    *("get_node_names_and_namespaces_with_enclaves", "get_publishers_info_by_topic"),
-    *("get_subscriptions_info_by_topic"),
+    "get_node_names_and_namespaces_with_enclaves",
+    "get_publishers_info_by_topic",
+    "get_subscriptions_info_by_topic",
 }
