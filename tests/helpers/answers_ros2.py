@@ -148,15 +148,15 @@ MAY_CANCEL = """    def may_cancel(self, goal):
 
 # --- right ------------------------------------------------------------------------------------------------------------
 
-RIGHT: dict[int, list[Answer]] = {
-    20: [
+RIGHT: dict[str, list[Answer]] = {
+    "slow-timer": [
         {SHORT: "after_1_0_seconds = (2.2, 2.4, 2.8)"},
         {LONG: "after_1_8_seconds = [3, 3.2, 3.6]"},
         {ALWAYS: "always_slow = [0.4 + 0.6 * n for n in range(3)]"},
         {UNSPUN: "without_spin = ()"},
         {UNSPUN: "without_spin = list()\nprint(without_spin)"},
     ],
-    21: [
+    "call-back-once": [
         {CANCELS + "        self.counter += 1\n" + SAYS: "        self.counter += 1\n" + SAYS + CANCELS},
         {CANCELS: "        self.destroy_timer(self.timer)\n"},
         {CANCELS: "        self.timer.destroy()\n"},
@@ -181,7 +181,7 @@ RIGHT: dict[int, list[Answer]] = {
         },
         {TRY: "    try:\n        rclpy.spin(spinner_py_node)\n    finally:\n        rclpy.shutdown()\n"},
     ],
-    22: [
+    "period-parameter": [
         {
             PERIOD: '        self.declare_parameter("period", 0.5)\n'
             '        period = self.get_parameter("period").value\n'
@@ -218,7 +218,7 @@ RIGHT: dict[int, list[Answer]] = {
         ),
         {REFUSES: REFUSES.replace("sys.exit(1)", "rclpy.shutdown()\n            sys.exit(3)")},
     ],
-    23: [
+    "move-to-ros-2": [
         PLAIN.replace("MADE", f"node.create_timer(1 / {FREQUENCY.replace('self', 'node')}, callback)"),
         {FREQUENCY: 'float(self.declare_parameter("frequency", 2.0).value)'},
         {FREQUENCY: 'self.declare_parameter("frequency", value=2.0).get_parameter_value().double_value'},
@@ -230,7 +230,7 @@ RIGHT: dict[int, list[Answer]] = {
             "    rclpy.init()\n": "    rclpy.init(args=None)\n",
         },
     ],
-    24: [
+    "starving-neighbour": [
         {MOTOR: "self.create_timer(0.1, self.motor_callback)"},
         {CAMERA: "self.create_timer(1.0, self.camera_callback)"},
         {"MultiThreadedExecutor()": "MultiThreadedExecutor(num_threads=2)"},
@@ -282,7 +282,7 @@ threading.Thread(target=spin, daemon=True).start()
 rclpy.spin(motor)
 """,
     ],
-    25: [
+    "wake-a-rate": [
         {SPIN_CAUGHT: f"    try:\n{SPIN}{CAUGHT}    finally:\n        rclpy.try_shutdown()\n"},
         {
             THREAD: THREAD + "    executor = rclpy.executors.SingleThreadedExecutor()\n"
@@ -339,7 +339,7 @@ rclpy.spin(motor)
             "import rclpy\n": "import rclpy\nimport rclpy.executors\n",
         },
     ],
-    26: [
+    "end-without-a-traceback": [
         {
             CAUGHT: "    except (ExternalShutdownException, KeyboardInterrupt):\n        pass\n",
         },
@@ -367,7 +367,7 @@ rclpy.spin(motor)
         },
         {DRIVE_SPIN: "        while rclpy.ok():\n            rclpy.spin_once(driver_py_node)\n"},
     ],
-    27: [
+    "ask-without-hanging": [
         {
             ".add_done_callback(self.done_callback)": ".add_done_callback(\n"
             "            lambda done: self.get_logger().info(done.result().message))"
@@ -378,7 +378,7 @@ rclpy.spin(motor)
         {DONE: CALLS, ASKS_EACH_SECOND: REENTRANT, **GROUPS, **IN_THREADS},
         {DONE: CALLS_IN_A_THREAD, "import rclpy\n": "import threading\nimport rclpy\n"},
     ],
-    28: [
+    "let-a-callback-wait": [
         {"MultiThreadedExecutor()": "MultiThreadedExecutor(2)"},
         {MUTUAL_TIMER: "ReentrantCallbackGroup()", MUTUAL_IMPORT: "import ReentrantCallbackGroup"},
         # Each end in a group of its own.
@@ -408,7 +408,7 @@ rclpy.spin(motor)
             ", MultiThreadedExecutor())": ")",
         },
     ],
-    29: [
+    "slow-service": [
         {"MultiThreadedExecutor()": "MultiThreadedExecutor(2)"},
         {SLOW_GROUP: ")", "self.motor_callback)": f"self.motor_callback, {MUTUAL_TIMER})"},
         {
@@ -432,7 +432,7 @@ rclpy.spin(motor)
             "MultiThreadedExecutor\n": "SingleThreadedExecutor\n",
         },
     ],
-    30: [
+    "cancel-a-goal": [
         {"MultiThreadedExecutor())": "MultiThreadedExecutor(2))"},
         {"cancel_callback=self.may_cancel": "cancel_callback=lambda goal: CancelResponse.ACCEPT"},
         # It looks after each number.
@@ -461,8 +461,8 @@ rclpy.spin(motor)
 
 FOR_ROS_1 = "import rospy\nrospy.init_node('n')\nrospy.spin()\n"
 
-WRONG: dict[int, list[tuple[Answer, str, str]]] = {
-    20: [
+WRONG: dict[str, list[tuple[Answer, str, str]]] = {
+    "slow-timer": [
         (times(SHORT, 2.2, 2.2, 2.4), "Blocked for 1.0 s: not 2.2 s, 2.2 s", "This is what rospy does"),
         (times(SHORT, 2.2, 2.6, 3.0), "Blocked for 1.0 s: not 2.2 s, 2.6 s", "This is what roscpp does"),
         (times(SHORT, 1.6, 2.0, 2.4), "not 1.6 s", "the executor calls nothing"),
@@ -478,7 +478,7 @@ WRONG: dict[int, list[tuple[Answer, str, str]]] = {
         ({SHORT: "after_1_0_seconds = 2.2"}, "a list of times in seconds, not a value of type `float`", "Write it as"),
         (FOR_ROS_1, "This node is for ROS 1", "This exercise is on ROS 2"),
     ],
-    21: [
+    "call-back-once": [
         (
             {CANCELS: "        if self.counter:\n            return\n"},
             "the callback was called 4 times in 6 s",
@@ -521,7 +521,7 @@ WRONG: dict[int, list[tuple[Answer, str, str]]] = {
         ),
         (FOR_ROS_1, "This node is for ROS 1", "This exercise is on ROS 2"),
     ],
-    22: [
+    "period-parameter": [
         ({PERIOD: "        period = 0.5\n"}, "With `period:=0.1`: counter 1 came at 0.5 s", "is called"),
         (
             {PERIOD: '        period = self.get_parameter("period").value\n'},
@@ -584,7 +584,7 @@ WRONG: dict[int, list[tuple[Answer, str, str]]] = {
         ),
         (FOR_ROS_1, "This node is for ROS 1", "This exercise is on ROS 2"),
     ],
-    23: [
+    "move-to-ros-2": [
         (FOR_ROS_1, "This node is for ROS 1: it imports `rospy`", "where a node imports `rclpy`"),
         ("import rospy, rclpy\n", "imports both", "This exercise is on ROS 2"),
         ({"timer_callback(self)": "timer_callback(self, event)"}, "missing 1 required positional", "without arguments"),
@@ -607,7 +607,7 @@ WRONG: dict[int, list[tuple[Answer, str, str]]] = {
             "keeps the type of its default",
         ),
     ],
-    24: [
+    "starving-neighbour": [
         (
             {EXECUTOR: "", SPINS: "        rclpy.spin(robot_py_node)\n"},
             "With `takes:=0.6`, the motor: counter 10 came at 1.6 s",
@@ -658,7 +658,7 @@ WRONG: dict[int, list[tuple[Answer, str, str]]] = {
         ),
         (FOR_ROS_1, "This node is for ROS 1", "This exercise is on ROS 2"),
     ],
-    25: [
+    "wake-a-rate": [
         (
             {THREAD: "", SPIN: "        spinner_py_node.loop()\n"},
             "counter 2, due at 0.5 s, did not come",
@@ -732,7 +732,7 @@ WRONG: dict[int, list[tuple[Answer, str, str]]] = {
         ),
         (FOR_ROS_1, "This node is for ROS 1", "This exercise is on ROS 2"),
     ],
-    26: [
+    "end-without-a-traceback": [
         (
             {"(KeyboardInterrupt, ExternalShutdownException)": "KeyboardInterrupt"},
             "SIGTERM: the node died in line 38:",
@@ -795,7 +795,7 @@ WRONG: dict[int, list[tuple[Answer, str, str]]] = {
         ),
         (FOR_ROS_1, "This node is for ROS 1", "This exercise is on ROS 2"),
     ],
-    27: [
+    "ask-without-hanging": [
         # The answer is used at once.
         (
             {DONE: DONE_AT_ONCE},
@@ -835,7 +835,7 @@ WRONG: dict[int, list[tuple[Answer, str, str]]] = {
         ({"        self.create_timer(0.5, self.heartbeat_callback)\n": ""}, "heartbeat: no counter", ""),
         (FOR_ROS_1, "This node is for ROS 1", "This exercise is on ROS 2"),
     ],
-    28: [
+    "let-a-callback-wait": [
         ({f", {MUTUAL_TIMER}": ""}, "the request of 1 s to `/left_eye` was not answered", "say who waits"),
         ({", MultiThreadedExecutor())": ")"}, "`/left_eye` was not answered", "keeps its thread"),
         ({"MultiThreadedExecutor()": "MultiThreadedExecutor(1)"}, "`/left_eye` was not answered", "say who waits"),
@@ -881,7 +881,7 @@ WRONG: dict[int, list[tuple[Answer, str, str]]] = {
         ({"time.sleep(0.1)": "pass"}, "was answered at 1 s, not at 1.1 s", ""),
         (FOR_ROS_1, "This node is for ROS 1", "This exercise is on ROS 2"),
     ],
-    29: [
+    "slow-service": [
         ({SLOW_GROUP: ")"}, "With `takes:=0.35`, the motor: counter 11 came at 1.35 s", "unless you give them others"),
         ({", MultiThreadedExecutor())": ")"}, "counter 11 came at 1.35 s", "a single-threaded executor calls nothing"),
         ({"MultiThreadedExecutor()": "MultiThreadedExecutor(1)"}, "counter 11 came at 1.35 s", "calls nothing"),
@@ -914,7 +914,7 @@ WRONG: dict[int, list[tuple[Answer, str, str]]] = {
         ),
         (FOR_ROS_1, "This node is for ROS 1", "This exercise is on ROS 2"),
     ],
-    30: [
+    "cancel-a-goal": [
         (
             {"            cancel_callback=self.may_cancel)\n": "            )\n"},
             "Cancelled at 3.2 s: the goal was reached (4) at 5 s, not cancelled (5)",
