@@ -11,7 +11,20 @@ from pathlib import Path
 from typing import Any
 
 import pytest
-from answers import CELLS, NAMES, NOTEBOOKS, ON_PAGE, PAGES, answer_in, number_of, section, solution_of, written
+from answers import (
+    CELLS,
+    LATE,
+    NAMES,
+    NOTEBOOKS,
+    ON_PAGE,
+    PAGES,
+    answer_in,
+    late_listener,
+    number_of,
+    section,
+    solution_of,
+    written,
+)
 from answers_ros1 import RIGHT, WRONG, Answer
 from IPython.core.error import UsageError
 from IPython.core.interactiveshell import InteractiveShell
@@ -96,22 +109,25 @@ def test_exercises_are_what_the_page_says() -> None:
 
 @pytest.mark.parametrize("ros", NOTEBOOKS)
 def test_the_page_says_how_many_they_are(ros: int) -> None:
-    words = {11: "eleven exercises in four parts", 19: "nineteen exercises in four parts"}
-    assert words[len(ON_PAGE[ros])] in " ".join(PAGES[ros].split())
+    assert len(ON_PAGE[ros]) == 19
+    assert f"nineteen exercises in {'five' if ros == 2 else 'four'} parts" in " ".join(PAGES[ros].split())
 
 
 def test_the_page_for_teachers_knows_the_exercises() -> None:
     page = (ROOT / "docs/for-teachers.rst").read_text(encoding="utf-8")
-    table = page.partition("Exercise that reveals it")[2].partition("\n\n")[0]
-    named = re.findall(r"\*([A-Z][^*\n]+)\*", table)
-    assert {exercise.ros for exercise in EXERCISES if exercise.title in named} == {1, 2}
-    assert set(named) == {exercise.title for exercise in EXERCISES}
+    tables = [table.partition("\n\n")[0] for table in page.split("Exercise that reveals it")[1:]]
+    for ros, table in zip((2, 1), tables, strict=True):
+        named = re.findall(r"\*([A-Z][^*\n]+)\*", table)
+        assert set(named) == {exercise.title for exercise in EXERCISES if exercise.ros == ros}
 
 
 def test_the_parts_come_one_after_the_other() -> None:
-    for ros in NOTEBOOKS:
-        order = [exercise.part for exercise in EXERCISES if exercise.ros == ros]
-        assert order == sorted(order, key=["Predict", "Change", "Repair", "Diagnose", "Publish", "Ask"].index)
+    assert [exercise.ros for exercise in EXERCISES] == [2] * len(ON_PAGE[2]) + [1] * len(ON_PAGE[1])
+    assert ON_PAGE[2][0] == "make-it-10-hz"
+    assert ON_PAGE[2][-2:] == ["wake-a-rate", "end-without-a-traceback"]
+    for ros, page in PAGES.items():
+        parts = list(dict.fromkeys(exercise.part for exercise in EXERCISES if exercise.ros == ros))
+        assert re.findall(r"^## (.*)$", page, re.MULTILINE) == ["How it works", *parts, "Where next"]
     assert [exercise.number for exercise in EXERCISES] == list(range(1, len(EXERCISES) + 1))
     assert len({exercise.title for exercise in EXERCISES}) == len(NAMES)
 
@@ -170,7 +186,6 @@ def test_the_node_with_a_slow_callback_does_what_the_solution_says(blocks_for: s
         ("after_1_0_seconds", 4, "", "", ["-p", "blocks_for:=1.0"]),
         ("after_1_8_seconds", 4, "", "", ["-p", "blocks_for:=1.8"]),
         ("always_slow", 1, "        if self.counter == 3:\n            time", "        time", []),
-        ("without_spin", 1, "rclpy.spin(spinner_py_node)", "while rclpy.ok():\n            time.sleep(0.1)", []),
     ],
 )
 def test_the_node_of_ros_2_does_what_the_solution_says(
@@ -182,6 +197,35 @@ def test_the_node_of_ros_2_does_what_the_solution_says(
     node.write_text(text.replace(old, new) if old else text)
     ticks = simulate(node, 5.5, ["--ros-args", *args] if args else []).ticks
     assert [tick.real for tick in ticks][first - 1 : first + 2] == pytest.approx(solution_of("slow-timer")[variable])
+
+
+LOOP = "    while rclpy.ok():\n        time.sleep(0.1)\n"
+SPIN_IN_MAIN = "    rclpy.spin(spinner_py_node)\n"
+SPIN_ONCE = "    rclpy.spin_once(spinner_py_node)\n" + LOOP
+
+
+@pytest.mark.parametrize(("variable", "new"), [("without_spin", LOOP), ("spin_once", SPIN_ONCE)])
+def test_the_node_that_does_not_spin_does_what_the_solution_says(variable: str, new: str, tmp_path: Path) -> None:
+    [text] = re.findall(r"%%simulate [^\n]*\n(.*?)```", section("who-calls"), re.DOTALL)
+    assert new in section("who-calls") and SPIN_IN_MAIN in text
+    node = tmp_path / "node.py"
+    node.write_text(text.replace(SPIN_IN_MAIN, new))
+    assert [tick.real for tick in simulate(node, 2.0).ticks] == pytest.approx(solution_of("who-calls")[variable])
+
+
+@pytest.mark.parametrize(("index", "variable"), [(0, "timer"), (1, "loop")])
+def test_the_first_calls_come_when_the_solution_says(index: int, variable: str, tmp_path: Path) -> None:
+    node = tmp_path / "node.py"
+    node.write_text(re.findall(r"```python\n(.*?)```", section("first-call"), re.DOTALL)[index])
+    assert times_of(simulate(node, 2.0).console, 1) == pytest.approx(solution_of("first-call")[variable])
+
+
+@pytest.mark.parametrize("variable", LATE)
+def test_a_late_subscriber_hears_what_the_solution_says(variable: str, tmp_path: Path) -> None:
+    node = tmp_path / "node.py"
+    node.write_text(late_listener(variable))
+    heard = [tick.number for tick in read_ticks(simulate(node, 4.0).console)]
+    assert heard[:3] == solution_of("late-listener")[variable]
 
 
 AT_ONCE = "        self.timerCallback(None)\n"

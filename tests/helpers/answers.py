@@ -69,3 +69,22 @@ def solution_of(name: str) -> dict[str, list[float]]:
 def number_of(name: str) -> int:
     """The number that is shown of an exercise."""
     return NAMES.index(name) + 1
+
+
+# The cases of the exercise on a late subscriber, each with the sides that have the profile of its page.
+LATE = {
+    "both_plain": [],
+    "both_keep": ["publisher", "subscription"],
+    "only_publisher": ["publisher"],
+    "only_subscription": ["subscription"],
+}
+
+
+def late_listener(variable: str) -> str:
+    """The node of that exercise, as it is in one of its cases."""
+    node, profile = re.findall(r"```python\n(.*?)```", section("late-listener"), re.DOTALL)
+    sides = {"publisher": 'UInt32, "counter", 10)', "subscription": "self.counter_callback, 10)"}
+    for side in LATE[variable]:
+        assert node.count(sides[side]) == 1
+        node = node.replace(sides[side], sides[side].replace("10", profile.strip()))
+    return f"from rclpy.qos import DurabilityPolicy, QoSProfile\n{node}"

@@ -7,7 +7,7 @@ from pathlib import Path
 from typing import Any
 
 import pytest
-from answers import CELLS, answer_in, solution_of
+from answers import CELLS, LATE, answer_in, late_listener, solution_of
 from cpp_nodes import CppNodes
 from launches import NEVER, Until, launch
 from verdicts import control
@@ -45,3 +45,15 @@ def test_the_solution_ends_well_on_the_real_ros_2(name: str, require: Callable[[
         assert run.status == 0
         assert "Traceback" not in run.console
         assert run.console.endswith("speed = 0.0\n") or "counter = 2" in run.console
+
+
+@pytest.mark.parametrize("variable", LATE)
+def test_a_late_subscriber_hears_what_the_solution_says(
+    variable: str, require: Callable[[str], None], tmp_path: Path
+) -> None:
+    require("ros2")
+    node = tmp_path / "node.py"
+    node.write_text(late_listener(variable))
+    with control(bears=0.2):  # it subscribes 0.25 s after one message and before the next
+        heard = [tick.number for tick in read_ticks(launch(node, 3.3).console)]
+        assert heard[:3] == solution_of("late-listener")[variable]

@@ -404,10 +404,11 @@ def name_exercises(app: Sphinx, page: nodes.document) -> None:
     """Let links lead to each exercise by its name, which stays: ``notebooks/exercises.html#ten-hertz``."""
     for listing in page.findall(nodes.literal_block):
         if match := re.match(r"%%answer (\S+)\n", listing.astext()):
-            section = listing
+            section: nodes.Node = listing
             while not isinstance(section, nodes.section):
                 section = section.parent
-            section["ids"] = list(dict.fromkeys([*section["ids"], match[1]]))
+            if match[1] not in section["ids"]:
+                section["ids"].append(match[1])
 
 
 # The space before a unit. After the value of a fact, the unit is in a text of its own.
