@@ -163,20 +163,20 @@ def run(source: str, filename: str, seconds: float, args: str, speed: float, bes
             return dumps({"status": 1})
 
 
-def trace(name: str, text: str) -> str:
-    """Run the answer ``text`` to the exercise ``name``, without its magic, and write down what it did.
+def trace(exercise: str, text: str) -> str:
+    """Run the answer ``text`` to an ``exercise``, given by its name, without its magic, and write down what it did.
 
     Returns the trace for :func:`judge` in another Python: JSON of little more than 2 MB at most, empty if there is no
     such exercise.
     """
     with _left_as_found():
         try:
-            return exercises.trace(name, text)
+            return exercises.trace(exercise, text)
         except ValueError:
             return ""
 
 
-def judge(name: str, text: str, trace: str) -> str:
+def judge(exercise: str, text: str, trace: str) -> str:
     """Judge an answer by its trace, in a Python that has run nobody's code; nothing of the answer is run here.
 
     The result, as JSON: the ``verdict``, which is "solved", "not yet", "open" (not answered yet), "to read" (by the
@@ -184,10 +184,10 @@ def judge(name: str, text: str, trace: str) -> str:
     is the verdict in a line; the ``console`` of the answer; and the feedback that is ``said``.
     """
     try:
-        feedback, found = exercises.judge(name, text, trace), reaches_for(text)
+        feedback, found = exercises.judge(exercise, text, trace), reaches_for(text)
     except Exception as error:  # a trace may be made of anything
         said = str(error if isinstance(error, ValueError) else exercises.Misfit("it is damaged"))
-        status = f"Exercise {name}: not judged."
+        status = f"Exercise {exercise}: not judged."
         return dumps({"verdict": "not judged", "solved": False, "status": status, "console": "", "said": said})
     said = str(feedback).replace("`", "")  # the page does not read it as Markdown
     if found:

@@ -605,7 +605,7 @@ WRONG: dict[str, list[tuple[Answer, str, str]]] = {
         (times(CPP_SHORT, 1.6, 2.0, 2.4), "Blocked for 0.6 s: not 1.6 s", "keeps its timer busy"),
         (times(CPP_SHORT, 1.8, 2.2, 2.6), "not 1.8 s, 2.2 s", "only if the call after the next one is overdue"),
         (times(CPP_LONG, 2.2, 2.2, 2.4), "not 2.2 s, 2.2 s", "This is what rospy does"),
-        (times(CPP_LONG, 2.2, 2.4, 2.8), "not 2.2 s, 2.4 s", "roscpp counts anew after such a delay"),
+        (times(CPP_LONG, 2.2, 2.4, 2.8), "not 2.2 s, 2.4 s", "roscpp begins a new one"),
         (times(CPP_LONG, 1.6, 2.0, 2.4), "Blocked for 1.0 s: not 1.6 s", "keeps its timer busy"),
         (times(KEPT, 0.4, 0.8, 1.2), "that nobody keeps: not 0.4 s", "In C++ a timer ends with the last"),
         (times(KEPT, 0.0), "that nobody keeps: not 0 s", "the last `ros::Timer`"),

@@ -42,6 +42,9 @@ _AT_ONCE = "A loop makes its first pass at once; `rate.sleep()` comes at the end
 _PERIOD = "This takes 0.4 for a frequency. A timer is given its period, in seconds."
 _FREQUENCY = "This takes 4 for a period. A rate is given its frequency, in Hz."
 _UNMOVED = "The slow callback keeps its timer busy until it returns: no other call of it can begin before."
+_MADE_UP = "The two ticks that were due meanwhile both come late: rospy makes up for short delays."
+_NEW_GRID = "The timer does not go back to its old grid: after a long delay rospy begins a new one."
+_NEW_GRID_CPP = "The timer does not go back to its old grid: after such a delay roscpp begins a new one."
 _TOO_LONG = "Calls in a row follow a shorter delay. This one is too long to be made up for."
 
 _PREDICT = {
@@ -104,11 +107,7 @@ _PREDICT = {
                     (2.2, 2.2, 2.4): RIGHT,
                     (1.6, 2.0, 2.4): _UNMOVED,
                     (2.2, 2.6, 3.0): "This is what roscpp does. rospy counts anew only after a longer delay.",
-                    (
-                        2.2,
-                        2.4,
-                        2.8,
-                    ): "The two ticks that were due meanwhile both come late: rospy makes up for short delays.",
+                    (2.2, 2.4, 2.8): _MADE_UP,
                 },
                 (
                     "after_1_8_seconds",
@@ -118,11 +117,7 @@ _PREDICT = {
                     (3.0, 3.4, 3.8): RIGHT,
                     (1.6, 2.0, 2.4): _UNMOVED,
                     (3.0, 3.0, 3.0): "This is what a queue of calls would give. There is none: ticks are lost here.",
-                    (
-                        3.0,
-                        3.2,
-                        3.6,
-                    ): "The timer does not go back to its old grid: rospy counts anew after a long delay.",
+                    (3.0, 3.2, 3.6): _NEW_GRID,
                     (3.0, 3.0, 3.2): _TOO_LONG,
                     (3.0, 3.0, 3.4): _TOO_LONG,
                 },
@@ -154,11 +149,7 @@ _PREDICT = {
                     (2.2, 2.6, 3.0): RIGHT,
                     (1.6, 2.0, 2.4): _UNMOVED,
                     (2.2, 2.2, 2.4): "This is what rospy does. roscpp never has more than one call of a timer waiting.",
-                    (
-                        2.2,
-                        2.4,
-                        2.8,
-                    ): "The timer does not go back to its old grid: roscpp counts anew after such a delay.",
+                    (2.2, 2.4, 2.8): _NEW_GRID_CPP,
                 },
                 (
                     "not_kept",
@@ -503,6 +494,7 @@ _START_2 = {
 # --- ROS 2: predict ---------------------------------------------------------------------------------------------------
 
 _BUSY = "While the callback runs, the executor calls nothing: no other call can begin before it returns."
+_SAME_GRID = "The timer does not count from the call that came late: it goes back to its grid."
 _ONE = "However many ticks are overdue when the callback returns, one of them comes at once, and no more."
 _SPIN_CALLS = "A timer of ROS 2 has no thread of its own. Its callback is called by the thread that spins."
 
@@ -532,7 +524,7 @@ _PREDICT_2 = {
     "slow-timer": Exercise(
         title="When a slow timer ticks again",
         needs=("notebooks/ros2-timer", "docs/ros2/how-timing-works"),
-        reveals="Ticks that were lost are made up for, or a timer counts anew after a delay.",
+        reveals="Ticks that were lost are made up for, or a timer counts on from a late call.",
         hint="When does the callback return? Which tick is overdue then, and which is the next place of the grid 0.4, "
         "0.8, 1.2?",
         judge=predicted(
@@ -545,7 +537,7 @@ _PREDICT_2 = {
                     (2.2, 2.4, 2.8): RIGHT,
                     (1.6, 2.0, 2.4): _BUSY,
                     (2.2, 2.2, 2.4): _ONE,
-                    (2.2, 2.6, 3.0): "The timer does not count from the call that came late: it goes back to its grid.",
+                    (2.2, 2.6, 3.0): _SAME_GRID,
                     (2.4, 2.8, 3.2): "One tick is overdue when the callback returns, and it comes at once.",
                 },
                 (
@@ -555,11 +547,7 @@ _PREDICT_2 = {
                 ): {
                     (3.0, 3.2, 3.6): RIGHT,
                     (1.6, 2.0, 2.4): _BUSY,
-                    (
-                        3.0,
-                        3.4,
-                        3.8,
-                    ): "The timer does not count from the call that came late: it goes back to its grid.",
+                    (3.0, 3.4, 3.8): _SAME_GRID,
                     (3.0, 3.0, 3.0): "There is no queue of calls. However many ticks are overdue, one of them comes.",
                     (3.2, 3.6, 4.0): "One overdue tick still comes, as soon as the callback returns.",
                 },
@@ -589,14 +577,14 @@ _QUEUE = "The last argument of `create_subscription` says how many messages may 
 _PUBLISH_2 = {
     "publish-a-counter": Exercise(
         title="Publish a counter",
-        needs=("docs/ros2/tutorial",),
+        needs=("docs/ros2/publish", "notebooks/ros2-publish"),
         reveals="A number is a message. A publisher can be made when it is needed.",
         hint='Make a `self.create_publisher(UInt32, "counter", 10)` in `__init__`, and let the callback publish.',
         judge=by.published_and_heard,
     ),
     "late-listener": Exercise(
         title="What a late subscriber hears",
-        needs=("docs/ros2/tutorial",),
+        needs=("docs/ros2/publish", "notebooks/ros2-publish"),
         reveals="What is published waits for its subscribers.",
         hint="Who keeps a message that was published before anybody subscribed?",
         judge=predicted(
@@ -630,7 +618,7 @@ _PUBLISH_2 = {
     ),
     "match-the-qos": Exercise(
         title="Make both ends match",
-        needs=("docs/ros2/tutorial",),
+        needs=("docs/ros2/publish", "notebooks/ros2-publish"),
         reveals="The same topic and the same type are enough to connect.",
         hint="The warnings name the policy that does not match. The subscription asks for more than the sensor offers.",
         judge=by.run(
@@ -642,7 +630,7 @@ _PUBLISH_2 = {
     ),
     "only-the-newest": Exercise(
         title="Listen to the newest only",
-        needs=("docs/ros2/tutorial", "notebooks/ros2-executors"),
+        needs=("notebooks/ros2-publish", "notebooks/ros2-executors"),
         reveals="A subscription always gets the newest message. It is the publisher's queue that has to be short.",
         hint=_QUEUE,
         judge=by.run(10.0, by.steers_by_the_newest()),
