@@ -102,15 +102,16 @@ const { metafile } = await build({
 })
 const version = JSON.stringify(sha256(readFileSync(path.join(out, "runs.js"))).slice(0, 16))
 
-// What the exercises are called: number -> title.
+// The exercises: name -> number and title.
 const notebooks = ["exercises", "ros2-exercises"].map((name) => path.join(here, `../notebooks/${name}.md`))
-const headings = notebooks.flatMap((file) => [...readFileSync(file, "utf8").matchAll(/^### (\d+)\. (.+)$/gm)])
-const titles = Object.fromEntries(headings.map(([, number, title]) => [number, title]))
+const headings = /^### (\d+)\. (.+)$[^]*?^%%answer (\S+)$/gm
+const found = notebooks.flatMap((file) => [...readFileSync(file, "utf8").matchAll(headings)])
+const exercises = Object.fromEntries(found.map(([, number, title, name]) => [name, { number: Number(number), title }]))
 // Loaded with the pages of exercises and with that for teachers.
 await build({
   ...common,
   outdir: path.join(out, "../hand-in"),
-  define: { RUNS: version, TITLES: JSON.stringify(titles) },
+  define: { RUNS: version, EXERCISES: JSON.stringify(exercises) },
   entryPoints: ["hand-in.js", "hand-in.css", "judge.js"].map((name) => path.join(here, "src", name)),
 })
 // Loaded with the page, as a classic script: a page opened from a file has no modules, and has to say so.

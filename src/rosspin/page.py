@@ -131,8 +131,8 @@ def run(source: str, filename: str, seconds: float, args: str, speed: float, bes
     """Run the node in the text ``source`` for ``seconds``, ``speed`` times as fast as real time (0: at once).
 
     ``args`` are its command line, split into words as a shell does. A text that begins with ``%%simulate SECONDS --
-    ARGS`` brings its own; one that begins with ``%%answer NUMBER`` belongs to :func:`trace`. ``beside`` lists, as JSON,
-    the texts, file names and arguments of other nodes that run together with it.
+    ARGS`` brings its own. ``beside`` lists, as JSON, the texts, file names and arguments of other nodes that run
+    together with it.
 
     ``page`` is a JavaScript object. Its ``print(text, isError, line)`` is called with what the node prints, and with
     the line that logged it if that is a warning or worse, else 0; its ``tick(source, number, expected, real)`` is
@@ -163,20 +163,20 @@ def run(source: str, filename: str, seconds: float, args: str, speed: float, bes
             return dumps({"status": 1})
 
 
-def trace(number: int, text: str) -> str:
-    """Run the answer ``text`` to an exercise, with an empty line in place of its magic, and write down what it did.
+def trace(exercise: str, text: str) -> str:
+    """Run the answer ``text`` to an ``exercise``, given by its name, without its magic, and write down what it did.
 
     Returns the trace for :func:`judge` in another Python: JSON of little more than 2 MB at most, empty if there is no
     such exercise.
     """
     with _left_as_found():
         try:
-            return exercises.trace(number, text)
+            return exercises.trace(exercise, text)
         except ValueError:
             return ""
 
 
-def judge(number: int, text: str, trace: str) -> str:
+def judge(exercise: str, text: str, trace: str) -> str:
     """Judge an answer by its trace, in a Python that has run nobody's code; nothing of the answer is run here.
 
     The result, as JSON: the ``verdict``, which is "solved", "not yet", "open" (not answered yet), "to read" (by the
@@ -184,10 +184,10 @@ def judge(number: int, text: str, trace: str) -> str:
     is the verdict in a line; the ``console`` of the answer; and the feedback that is ``said``.
     """
     try:
-        feedback, found = exercises.judge(number, text, trace), reaches_for(text)
+        feedback, found = exercises.judge(exercise, text, trace), reaches_for(text)
     except Exception as error:  # a trace may be made of anything
         said = str(error if isinstance(error, ValueError) else exercises.Misfit("it is damaged"))
-        status = f"Exercise {number}: not judged."
+        status = f"Exercise {exercise}: not judged."
         return dumps({"verdict": "not judged", "solved": False, "status": status, "console": "", "said": said})
     said = str(feedback).replace("`", "")  # the page does not read it as Markdown
     if found:
@@ -225,7 +225,7 @@ def _magic(source: str) -> tuple[float, Sequence[str]]:
         magic, seconds, *_ = words
         if magic == "simulate":
             return float(seconds), args
-    raise ValueError(f"{first}: the first line can be %%simulate SECONDS or %%answer NUMBER here")
+    raise ValueError(f"{first}: the first line can be %%simulate SECONDS here")
 
 
 def _split(text: str, name: str) -> list[str]:

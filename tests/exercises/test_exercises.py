@@ -11,7 +11,20 @@ from pathlib import Path
 from typing import Any
 
 import pytest
-from answers import CELLS, NOTEBOOKS, NUMBERS, ON_PAGE, PAGES, answer_in, section, solution_of, written
+from answers import (
+    CELLS,
+    LATE,
+    NAMES,
+    NOTEBOOKS,
+    ON_PAGE,
+    PAGES,
+    answer_in,
+    late_listener,
+    number_of,
+    section,
+    solution_of,
+    written,
+)
 from answers_ros1 import RIGHT, WRONG, Answer
 from IPython.core.error import UsageError
 from IPython.core.interactiveshell import InteractiveShell
@@ -25,53 +38,53 @@ from rosspin.results.recordings import load
 from rosspin.results.roscpp import timer_ticks
 
 
-@pytest.mark.parametrize("number", NUMBERS)
-def test_there_is_a_start_and_a_folded_solution(number: int) -> None:
-    start, solution = CELLS[number]
+@pytest.mark.parametrize("name", NAMES)
+def test_there_is_a_start_and_a_folded_solution(name: str) -> None:
+    start, solution = CELLS[name]
     assert start.metadata["tags"] == ["live"]  # it can be run in the page
     assert solution.metadata["tags"] == ["hide-cell"]
     assert solution.metadata["jupyter"] == {"source_hidden": True, "outputs_hidden": True}
-    assert solution.metadata["mystnb"]["code_prompt_show"] == f"Show the solution of exercise {number}"
-    assert solution.metadata["mystnb"]["code_prompt_hide"] == f"Hide the solution of exercise {number}"
+    assert solution.metadata["mystnb"]["code_prompt_show"] == f"Show the solution of exercise {number_of(name)}"
+    assert solution.metadata["mystnb"]["code_prompt_hide"] == f"Hide the solution of exercise {number_of(name)}"
 
 
-@pytest.mark.parametrize("number", NUMBERS)
-def test_solution_passes(number: int) -> None:
-    feedback = check(number, answer_in(CELLS[number][1]))
+@pytest.mark.parametrize("name", NAMES)
+def test_solution_passes(name: str) -> None:
+    feedback = check(name, answer_in(CELLS[name][1]))
     assert feedback.passed, feedback
 
 
-@pytest.mark.parametrize("number", NUMBERS)
-def test_untouched_start_does_not(number: int) -> None:
-    feedback = check(number, answer_in(CELLS[number][0]))
+@pytest.mark.parametrize("name", NAMES)
+def test_untouched_start_does_not(name: str) -> None:
+    feedback = check(name, answer_in(CELLS[name][0]))
     assert not feedback.passed
     assert "not yet" in repr(feedback)
     assert feedback.hint
 
 
-@pytest.mark.parametrize(("number", "answer"), [(number, answer) for number in NUMBERS for answer in RIGHT[number]])
-def test_right_answer_passes_however_it_is_written(number: int, answer: Answer) -> None:
-    feedback = check(number, written(number, answer))
+@pytest.mark.parametrize(("name", "answer"), [(name, answer) for name in NAMES for answer in RIGHT[name]])
+def test_right_answer_passes_however_it_is_written(name: str, answer: Answer) -> None:
+    feedback = check(name, written(name, answer))
     assert feedback.passed, feedback
 
 
-@pytest.mark.parametrize(("number", "wrong"), [(number, wrong) for number in NUMBERS for wrong in WRONG[number]])
+@pytest.mark.parametrize(("name", "wrong"), [(name, wrong) for name in NAMES for wrong in WRONG[name]])
 def test_wrong_answer_is_told_what_is_wrong_and_how_to_go_on(
-    number: int, wrong: tuple[Answer, str, str], request: pytest.FixtureRequest
+    name: str, wrong: tuple[Answer, str, str], request: pytest.FixtureRequest
 ) -> None:
     answer, said, hint = wrong
     if "stands still" in said:
         request.getfixturevalue("watchful")
-    feedback = check(number, written(number, answer))
+    feedback = check(name, written(name, answer))
     assert not feedback.passed
     assert said.lower() in "\n".join(finding.text for finding in feedback.findings if not finding.right).lower()
     assert hint in feedback.hint
 
 
-@pytest.mark.parametrize("number", NUMBERS)
-def test_every_exercise_has_answers_enough(number: int) -> None:
-    assert len(RIGHT[number]) >= 5
-    assert len(WRONG[number]) >= 8
+@pytest.mark.parametrize("name", NAMES)
+def test_every_exercise_has_answers_enough(name: str) -> None:
+    assert len(RIGHT[name]) >= 5
+    assert len(WRONG[name]) >= 8
 
 
 # --- what the page says of an exercise --------------------------------------------------------------------------------
@@ -86,7 +99,7 @@ def test_exercises_are_what_the_page_says() -> None:
     for exercise in EXERCISES:
         ros = exercise.ros
         assert f"### {exercise.number}. {exercise.title}\n" in of[ros, exercise.part]
-        text = section(exercise.number)
+        text = section(exercise.name)
         line = re.search(r"\*\*You need\*\*:(.*?)\n\n", text, re.DOTALL)
         assert line
         linked = [(NOTEBOOKS[ros].parent / path).resolve() for path in re.findall(r"\]\((.*?)\)", line[1])]
@@ -96,42 +109,45 @@ def test_exercises_are_what_the_page_says() -> None:
 
 @pytest.mark.parametrize("ros", NOTEBOOKS)
 def test_the_page_says_how_many_they_are(ros: int) -> None:
-    words = {11: "eleven exercises in four parts", 19: "nineteen exercises in four parts"}
-    assert words[len(ON_PAGE[ros])] in " ".join(PAGES[ros].split())
+    assert len(ON_PAGE[ros]) == 19
+    assert f"nineteen exercises in {'five' if ros == 2 else 'four'} parts" in " ".join(PAGES[ros].split())
 
 
 def test_the_page_for_teachers_knows_the_exercises() -> None:
     page = (ROOT / "docs/for-teachers.rst").read_text(encoding="utf-8")
-    table = page.partition("Exercise that reveals it")[2].partition("\n\n")[0]
-    named = re.findall(r"\*([A-Z][^*\n]+)\*", table)
-    assert {exercise.ros for exercise in EXERCISES if exercise.title in named} == {1, 2}
-    assert set(named) == {exercise.title for exercise in EXERCISES}
+    tables = [table.partition("\n\n")[0] for table in page.split("Exercise that reveals it")[1:]]
+    for ros, table in zip((2, 1), tables, strict=True):
+        named = re.findall(r"\*([A-Z][^*\n]+)\*", table)
+        assert set(named) == {exercise.title for exercise in EXERCISES if exercise.ros == ros}
 
 
 def test_the_parts_come_one_after_the_other() -> None:
-    for ros in NOTEBOOKS:
-        order = [exercise.part for exercise in EXERCISES if exercise.ros == ros]
-        assert order == sorted(order, key=["Predict", "Change", "Repair", "Diagnose", "Publish", "Ask"].index)
-    assert [exercise.number for exercise in EXERCISES] == NUMBERS
-    assert len({exercise.title for exercise in EXERCISES}) == len(NUMBERS)
+    assert [exercise.ros for exercise in EXERCISES] == [2] * len(ON_PAGE[2]) + [1] * len(ON_PAGE[1])
+    assert ON_PAGE[2][0] == "make-it-10-hz"
+    assert ON_PAGE[2][-2:] == ["wake-a-rate", "end-without-a-traceback"]
+    for ros, page in PAGES.items():
+        parts = list(dict.fromkeys(exercise.part for exercise in EXERCISES if exercise.ros == ros))
+        assert re.findall(r"^## (.*)$", page, re.MULTILINE) == ["How it works", *parts, "Where next"]
+    assert [exercise.number for exercise in EXERCISES] == list(range(1, len(EXERCISES) + 1))
+    assert len({exercise.title for exercise in EXERCISES}) == len(NAMES)
 
 
 def test_each_exercise_has_a_name_of_its_own() -> None:
     names = [exercise.name for exercise in EXERCISES]
-    assert len(set(names)) == len(NUMBERS)
+    assert len(set(names)) == len(NAMES)
     assert all(re.fullmatch("[a-z]+(-[a-z0-9]+)+", name) for name in names)
 
 
 def test_an_exercise_is_named_or_numbered() -> None:
-    answer = answer_in(CELLS[4][1])
-    assert check("ten-hertz", answer) == check(4, answer)
+    answer = answer_in(CELLS["ten-hertz"][1])
+    assert check("ten-hertz", answer) == check(number_of("ten-hertz"), answer)
     with pytest.raises(ValueError, match="there is no exercise 'nine-hertz'"):
         check("nine-hertz", answer)
 
 
-@pytest.mark.parametrize("number", NUMBERS)
-def test_hints_stand_between_the_answer_and_the_solution(number: int) -> None:
-    between = section(number).partition(f"%%answer {number}\n")[2].partition("Show the solution")[0]
+@pytest.mark.parametrize("name", NAMES)
+def test_hints_stand_between_the_answer_and_the_solution(name: str) -> None:
+    between = section(name).partition(f"%%answer {name}\n")[2].partition("Show the solution")[0]
     hints = re.findall(r"<details><summary>Hint (\d+)</summary>\n\n[^<]+\n\n</details>", between)
     assert len(hints) >= 3
     assert hints == [str(n) for n in range(1, len(hints) + 1)]
@@ -142,24 +158,26 @@ def test_the_pages_have_no_roles_that_only_sphinx_reads() -> None:
         assert not re.search(r"\{(term|ref|doc)\}`", page)
 
 
-@pytest.mark.parametrize(("number", "index", "variable"), [(1, 0, "timer"), (1, 1, "loop"), (1, 2, "busy_loop")])
-def test_the_nodes_to_predict_do_what_the_solution_says(number: int, index: int, variable: str, tmp_path: Path) -> None:
-    listings = re.findall(r"```python\n(.*?)```", section(number), re.DOTALL)
+@pytest.mark.parametrize(("index", "variable"), [(0, "timer"), (1, "loop"), (2, "busy_loop")])
+def test_the_nodes_to_predict_do_what_the_solution_says(index: int, variable: str, tmp_path: Path) -> None:
+    listings = re.findall(r"```python\n(.*?)```", section("first-ticks"), re.DOTALL)
     # The third is described in words.
     listings.append(
         listings[1].replace("        loop_rate.sleep()", "        rospy.sleep(0.1)\n        loop_rate.sleep()")
     )
     node = tmp_path / "node.py"
     node.write_text(listings[index])
-    assert times_of(simulate(node, 2.0).console, 1) == pytest.approx(solution_of(number)[variable])
+    assert times_of(simulate(node, 2.0).console, 1) == pytest.approx(solution_of("first-ticks")[variable])
 
 
 @pytest.mark.parametrize("blocks_for", ["1.0", "1.8"])
 def test_the_node_with_a_slow_callback_does_what_the_solution_says(blocks_for: str, tmp_path: Path) -> None:
     node = tmp_path / "node.py"
-    node.write_text(re.findall(r"%%simulate [^\n]*\n(.*?)```", section(2), re.DOTALL)[0])
+    node.write_text(re.findall(r"%%simulate [^\n]*\n(.*?)```", section("after-a-slow-callback"), re.DOTALL)[0])
     console = simulate(node, 5.5, [f"_blocks_for:={blocks_for}"]).console
-    assert times_of(console, 4) == pytest.approx(solution_of(2)[f"after_{blocks_for.replace('.', '_')}_seconds"])
+    assert times_of(console, 4) == pytest.approx(
+        solution_of("after-a-slow-callback")[f"after_{blocks_for.replace('.', '_')}_seconds"]
+    )
 
 
 @pytest.mark.parametrize(
@@ -168,18 +186,46 @@ def test_the_node_with_a_slow_callback_does_what_the_solution_says(blocks_for: s
         ("after_1_0_seconds", 4, "", "", ["-p", "blocks_for:=1.0"]),
         ("after_1_8_seconds", 4, "", "", ["-p", "blocks_for:=1.8"]),
         ("always_slow", 1, "        if self.counter == 3:\n            time", "        time", []),
-        ("without_spin", 1, "rclpy.spin(spinner_py_node)", "while rclpy.ok():\n            time.sleep(0.1)", []),
     ],
 )
 def test_the_node_of_ros_2_does_what_the_solution_says(
     variable: str, first: int, old: str, new: str, args: list[str], tmp_path: Path
 ) -> None:
-    [text] = re.findall(r"%%simulate [^\n]*\n(.*?)```", section(20), re.DOTALL)
+    [text] = re.findall(r"%%simulate [^\n]*\n(.*?)```", section("slow-timer"), re.DOTALL)
     assert old in text
     node = tmp_path / "node.py"
     node.write_text(text.replace(old, new) if old else text)
     ticks = simulate(node, 5.5, ["--ros-args", *args] if args else []).ticks
-    assert [tick.real for tick in ticks][first - 1 : first + 2] == pytest.approx(solution_of(20)[variable])
+    assert [tick.real for tick in ticks][first - 1 : first + 2] == pytest.approx(solution_of("slow-timer")[variable])
+
+
+LOOP = "    while rclpy.ok():\n        time.sleep(0.1)\n"
+SPIN_IN_MAIN = "    rclpy.spin(spinner_py_node)\n"
+SPIN_ONCE = "    rclpy.spin_once(spinner_py_node)\n" + LOOP
+
+
+@pytest.mark.parametrize(("variable", "new"), [("without_spin", LOOP), ("spin_once", SPIN_ONCE)])
+def test_the_node_that_does_not_spin_does_what_the_solution_says(variable: str, new: str, tmp_path: Path) -> None:
+    [text] = re.findall(r"%%simulate [^\n]*\n(.*?)```", section("who-calls"), re.DOTALL)
+    assert new in section("who-calls") and SPIN_IN_MAIN in text
+    node = tmp_path / "node.py"
+    node.write_text(text.replace(SPIN_IN_MAIN, new))
+    assert [tick.real for tick in simulate(node, 2.0).ticks] == pytest.approx(solution_of("who-calls")[variable])
+
+
+@pytest.mark.parametrize(("index", "variable"), [(0, "timer"), (1, "loop")])
+def test_the_first_calls_come_when_the_solution_says(index: int, variable: str, tmp_path: Path) -> None:
+    node = tmp_path / "node.py"
+    node.write_text(re.findall(r"```python\n(.*?)```", section("first-call"), re.DOTALL)[index])
+    assert times_of(simulate(node, 2.0).console, 1) == pytest.approx(solution_of("first-call")[variable])
+
+
+@pytest.mark.parametrize("variable", LATE)
+def test_a_late_subscriber_hears_what_the_solution_says(variable: str, tmp_path: Path) -> None:
+    node = tmp_path / "node.py"
+    node.write_text(late_listener(variable))
+    heard = [tick.number for tick in read_ticks(simulate(node, 4.0).console)]
+    assert heard[:3] == solution_of("late-listener")[variable]
 
 
 AT_ONCE = "        self.timerCallback(None)\n"
@@ -200,14 +246,14 @@ AT_ONCE = "        self.timerCallback(None)\n"
 def test_the_node_that_publishes_at_once_does_what_the_solution_says(
     variable: str, old: str, new: str, tmp_path: Path
 ) -> None:
-    [text] = re.findall(r"```python\n(.*?)```", section(15), re.DOTALL)
+    [text] = re.findall(r"```python\n(.*?)```", section("what-is-heard"), re.DOTALL)
     subscriber = '        rospy.Subscriber("counter", UInt32, self.counterCallback)\n'
     old, new = (part.replace("<SUB>", subscriber) for part in (old, new))
     assert old in text
     node = tmp_path / "node.py"
     node.write_text(text.replace(old, new))
     heard = [tick.number for tick in read_ticks(simulate(node, 1.6).console)]
-    assert heard[:3] == solution_of(15)[variable]
+    assert heard[:3] == solution_of("what-is-heard")[variable]
 
 
 SLOW_SUBSCRIBER = """import rospy
@@ -233,24 +279,24 @@ def test_the_slow_subscriber_hears_what_the_solution_says(tmp_path: Path) -> Non
     node = tmp_path / "node.py"
     node.write_text(SLOW_SUBSCRIBER)
     heard = [tick.number for tick in read_ticks(simulate(node, 2.0).console)]
-    assert heard[:3] == solution_of(15)["slow_callback"]
+    assert heard[:3] == solution_of("what-is-heard")["slow_callback"]
 
 
 @pytest.mark.parametrize(("variable", "blocks_for"), [("after_0_6_seconds", 0.6), ("after_1_0_seconds", 1.0)])
 def test_the_rule_of_roscpp_gives_what_the_solution_says(variable: str, blocks_for: float) -> None:
     ticks = timer_ticks(0.4, lambda number: blocks_for if number == 3 else 0.0, 6.0)
-    assert [tick.real for tick in ticks[3:6]] == pytest.approx(solution_of(3)[variable])
+    assert [tick.real for tick in ticks[3:6]] == pytest.approx(solution_of("cpp-ticks")[variable])
 
 
 def test_the_reports_of_rostopic_hz_are_of_what_the_solution_says() -> None:
     [code] = re.findall(
-        r"```\{code-cell\} ipython3\n---\n.*?\n---\n(from rosspin import.*?)```", section(19), re.DOTALL
+        r"```\{code-cell\} ipython3\n---\n.*?\n---\n(from rosspin import.*?)```", section("rostopic-hz"), re.DOTALL
     )
     names: dict[str, Any] = {}
     with redirect_stdout(io.StringIO()):
         exec(code, names)
     steps = {name: [round(step, 3) for step in periods(ticks)] for name, ticks in names["reports"].items()}
-    solution: Any = solution_of(19)
+    solution: Any = solution_of("rostopic-hz")
     assert {name: solution[name] for name in steps} == {name: cause_of(times) for name, times in steps.items()}
 
 
@@ -274,13 +320,10 @@ def times_of(console: str, first: int) -> list[float]:
 
 
 def test_roscpp_reports_no_ticks_as_missing() -> None:
-    """What the page says below exercise 13: after a long block the call is on time, by roscpp's own account."""
+    """What the page says below "Count the ticks that are missing": to roscpp, a late call is on time."""
     late = load(ROOT / "examples/recordings/timer_cpp_blocks_once_4.4.csv").ticks[3]
     assert late.real > 3.5
     assert late.lateness < 0.1
-
-
-# --- the real ROS 2 -------------------------------------------------------------------------------------------------
 
 
 # --- strange answers --------------------------------------------------------------------------------------------------
@@ -290,9 +333,9 @@ ENDLESS = "import rospy\nrospy.init_node('n')\nwhile True:\n    pass"
 
 
 @pytest.mark.parametrize("answer", [None, ..., 0, [], b"x", "", "\0", "def", print])
-@pytest.mark.parametrize("number", [2, 6])
-def test_no_answer_is_too_strange(number: int, answer: Any) -> None:
-    feedback = check(number, answer)
+@pytest.mark.parametrize("name", ["after-a-slow-callback", "stop-after-five"])
+def test_no_answer_is_too_strange(name: str, answer: Any) -> None:
+    feedback = check(name, answer)
     assert not feedback.passed
     assert feedback.hint
     assert ("Open: " if answer in (None, ..., "") else "Wrong: ") in repr(feedback)
@@ -307,7 +350,7 @@ class Hostile:
 
 @pytest.mark.parametrize("value", ["Hostile()", "[Hostile()]", "[[]]", "[float('nan')]", "0", "print", "iter(int, 1)"])
 def test_no_prediction_is_too_strange(value: str) -> None:
-    assert not check(2, f"{HOSTILE}after_1_0_seconds = after_1_8_seconds = {value}").passed
+    assert not check("after-a-slow-callback", f"{HOSTILE}after_1_0_seconds = after_1_8_seconds = {value}").passed
 
 
 @pytest.mark.parametrize(
@@ -323,7 +366,7 @@ def test_no_prediction_is_too_strange(value: str) -> None:
     ],
 )
 def test_an_error_has_a_hint_of_its_own(wrong: str, hint: str) -> None:
-    good = answer_in(CELLS[6][0])
+    good = answer_in(CELLS["stop-after-five"][0])
     right = {
         "0.5": "rospy.Duration(0.5)",
         "None": "self.timerCallback",
@@ -334,7 +377,7 @@ def test_an_error_has_a_hint_of_its_own(wrong: str, hint: str) -> None:
         "    # init_node": '    rospy.init_node("spinner_py_node")',
     }[wrong]
     assert right in good
-    assert hint in check(6, good.replace(right, wrong)).hint
+    assert hint in check("stop-after-five", good.replace(right, wrong)).hint
 
 
 @pytest.mark.parametrize(
@@ -359,7 +402,7 @@ def test_an_error_has_a_hint_of_its_own(wrong: str, hint: str) -> None:
 def test_node_that_cannot_be_checked(answer: str, said: str, request: pytest.FixtureRequest) -> None:
     if answer == ENDLESS:
         request.getfixturevalue("watchful")
-    feedback = check(4, answer)
+    feedback = check("ten-hertz", answer)
     assert not feedback.passed
     assert said in repr(feedback)
 
@@ -383,7 +426,7 @@ def cell(table):
 
 
 def test_not_each_ellipsis_is_a_gap() -> None:
-    assert check(4, NO_GAPS + answer_in(CELLS[4][1])).passed
+    assert check("ten-hertz", NO_GAPS + answer_in(CELLS["ten-hertz"][1])).passed
 
 
 ODD_PYTHON = """from __future__ import annotations
@@ -429,29 +472,34 @@ assert [field.name for field in dataclasses.fields(Part)] == ["weight"]
 
 
 def test_taking_turns_changes_nothing_else() -> None:
-    assert check(11, ODD_PYTHON + answer_in(CELLS[11][1])).passed
+    assert check("share-data", ODD_PYTHON + answer_in(CELLS["share-data"][1])).passed
 
 
 def test_a_changed_console_or_namespace_does_not_matter(monkeypatch: pytest.MonkeyPatch) -> None:
     monkeypatch.setenv("ROSCONSOLE_FORMAT", "${message}")
     monkeypatch.setenv("ROS_NAMESPACE", "/elsewhere")
-    assert check(4, answer_in(CELLS[4][1])).passed
+    assert check("ten-hertz", answer_in(CELLS["ten-hertz"][1])).passed
 
 
 @pytest.mark.parametrize(
-    ("number", "answer", "said", "hint"),
+    ("name", "answer", "said", "hint"),
     [
-        (21, "import rospy\n", "This node is for ROS 1: it imports `rospy`.", "where a node imports `rclpy`"),
-        (21, "from rospy import spin\n", "This node is for ROS 1", "This exercise is on ROS 2"),
-        (4, "import rclpy\n", "This node is for ROS 2: it imports `rclpy`.", "where a node imports `rospy`"),
-        (4, "from rclpy.node import Node\n", "This node is for ROS 2", "This exercise is on ROS 1"),
-        (4, "import rospy, rclpy\n", "imports both `rospy` (ROS 1) and `rclpy` (ROS 2)", "imports `rospy`"),
-        (21, "import rclpy\nimport rospy\n", "A node has one ROS", "imports `rclpy`"),
-        (20, "import rospy\n", "This node is for ROS 1", "This exercise is on ROS 2"),
+        (
+            "call-back-once",
+            "import rospy\n",
+            "This node is for ROS 1: it imports `rospy`.",
+            "where a node imports `rclpy`",
+        ),
+        ("call-back-once", "from rospy import spin\n", "This node is for ROS 1", "This exercise is on ROS 2"),
+        ("ten-hertz", "import rclpy\n", "This node is for ROS 2: it imports `rclpy`.", "where a node imports `rospy`"),
+        ("ten-hertz", "from rclpy.node import Node\n", "This node is for ROS 2", "This exercise is on ROS 1"),
+        ("ten-hertz", "import rospy, rclpy\n", "imports both `rospy` (ROS 1) and `rclpy` (ROS 2)", "imports `rospy`"),
+        ("call-back-once", "import rclpy\nimport rospy\n", "A node has one ROS", "imports `rclpy`"),
+        ("slow-timer", "import rospy\n", "This node is for ROS 1", "This exercise is on ROS 2"),
     ],
 )
-def test_an_answer_for_the_other_ros_is_told_so(number: int, answer: str, said: str, hint: str) -> None:
-    feedback = check(number, answer)
+def test_an_answer_for_the_other_ros_is_told_so(name: str, answer: str, said: str, hint: str) -> None:
+    feedback = check(name, answer)
     assert not feedback.passed
     assert said in repr(feedback)
     assert hint in feedback.hint
@@ -462,24 +510,27 @@ def test_ros_2_is_loaded_for_its_own_exercises_only() -> None:
     code = """
 import sys
 from rosspin.exercises import check
-for number, answer in ((1, "timer = 0"), (4, "import rclpy"), (4, "import rospy"), (21, "import rospy")):
-    check(number, answer)
-    assert not [name for name in sys.modules if name.startswith("rosspin.rclpy")], number
-check(21, "import rclpy")
+for name, answer in (
+    ("first-ticks", "timer = 0"), ("ten-hertz", "import rclpy"), ("ten-hertz", "import rospy"),
+    ("call-back-once", "import rospy"),
+):
+    check(name, answer)
+    assert not [name for name in sys.modules if name.startswith("rosspin.rclpy")], name
+check("call-back-once", "import rclpy")
 assert "rosspin.rclpy" in sys.modules
 """
     subprocess.run([sys.executable, "-c", code], check=True)
 
 
 def test_wrong_calls() -> None:
-    with pytest.raises(ValueError, match="there is no exercise 99: they are numbered 1 to 30"):
+    with pytest.raises(ValueError, match=f"there is no exercise 99: they are numbered 1 to {len(EXERCISES)}"):
         check(99, "")
 
 
 def test_notebook_shows_feedback_as_markdown() -> None:
-    text = check(2, "after_1_0_seconds = [2.2, 2.2, 2.4]")._repr_markdown_()
+    text = check("after-a-slow-callback", "after_1_0_seconds = [2.2, 2.2, 2.4]")._repr_markdown_()
     assert text.splitlines()[:3] == [
-        "**Exercise 2: not yet.**",
+        f"**Exercise {number_of('after-a-slow-callback')}: not yet.**",
         "",
         "- Right: Blocked for 1.0 s: 2.2 s, 2.2 s, 2.4 s.",
     ]
@@ -496,29 +547,29 @@ def shell() -> InteractiveShell:
 def test_the_magic_shows_the_console_and_returns_the_feedback(
     shell: InteractiveShell, capsys: pytest.CaptureFixture[str]
 ) -> None:
-    feedback = shell.run_cell_magic("answer", "5", answer_in(CELLS[5][1]))
+    feedback = shell.run_cell_magic("answer", "fire-once", answer_in(CELLS["fire-once"][1]))
     assert feedback.passed
     assert "You have solved 1 of 19 exercises." in feedback._repr_markdown_()
     assert capsys.readouterr().out == "[INFO] [1.500000]: [SPINNER PY NODE] counter = 1\n"
 
 
 def test_the_magic_counts_the_exercises_of_each_page_by_themselves(shell: InteractiveShell) -> None:
-    said = shell.run_cell_magic("answer", "20", answer_in(CELLS[20][1]))._repr_markdown_()
+    said = shell.run_cell_magic("answer", "slow-timer", answer_in(CELLS["slow-timer"][1]))._repr_markdown_()
     assert f"You have solved 1 of {len(ON_PAGE[2])} exercises." in said
 
 
 def test_the_magic_counts_as_a_line(shell: InteractiveShell) -> None:
-    assert "died in line 2:" in repr(shell.run_cell_magic("answer", "4", "1 / 0"))
+    assert "died in line 2:" in repr(shell.run_cell_magic("answer", "ten-hertz", "1 / 0"))
 
 
 def test_the_magic_cuts_an_endless_console_short(shell: InteractiveShell, capsys: pytest.CaptureFixture[str]) -> None:
-    shell.run_cell_magic("answer", "4", "for n in range(1000):\n    print(n)")
+    shell.run_cell_magic("answer", "ten-hertz", "for n in range(1000):\n    print(n)")
     lines = capsys.readouterr().out.splitlines()
     assert len(lines) < 100
     assert lines[-1] == f"... and {1001 - len(lines)} more lines"
 
 
-@pytest.mark.parametrize("line", ["", "99", "one"])
-def test_the_magic_needs_the_number_of_an_exercise(shell: InteractiveShell, line: str) -> None:
-    with pytest.raises(UsageError, match="%%answer NUMBER: "):
+@pytest.mark.parametrize("line", ["", "4", "one"])
+def test_the_magic_needs_the_name_of_an_exercise(shell: InteractiveShell, line: str) -> None:
+    with pytest.raises(UsageError, match="%%answer NAME: "):
         shell.run_cell_magic("answer", line, "pass")

@@ -11,7 +11,7 @@ from pathlib import Path
 from typing import Any
 
 import pytest
-from answers import CELLS, NUMBERS, answer_in
+from answers import CELLS, NAMES, answer_in, number_of
 
 from rosspin.exercises import Misfit, check, judge, trace
 from rosspin.exercises.traces import LONGEST
@@ -23,11 +23,11 @@ from unittest.mock import MagicMock
 sys.modules.update({name: MagicMock() for name in ("js", "pyodide", "pyodide.ffi")})
 from rosspin import page
 """
-TRACE = "number, path, given = json.load(sys.stdin)\nopen(path, 'w').write(page.trace(number, given))"
+TRACE = "name, path, given = json.load(sys.stdin)\nopen(path, 'w').write(page.trace(name, given))"
 JUDGE = "for given in json.load(sys.stdin): print(page.judge(*given))"
 
-SOLUTIONS = {number: answer_in(CELLS[number][1]) for number in NUMBERS}
-WRONG = answer_in(CELLS[4][0])  # prints at another rate
+SOLUTIONS = {name: answer_in(CELLS[name][1]) for name in NAMES}
+WRONG = answer_in(CELLS["ten-hertz"][0])  # prints at another rate
 
 
 def in_page(code: str, given: Any) -> subprocess.CompletedProcess[str]:
@@ -35,47 +35,66 @@ def in_page(code: str, given: Any) -> subprocess.CompletedProcess[str]:
     return subprocess.run([sys.executable, "-c", PAGE + code], input=json.dumps(given), capture_output=True, text=True)
 
 
-def judged(*given: tuple[int, str, str]) -> list[dict[str, Any]]:
+def judged(*given: tuple[str, str, str]) -> list[dict[str, Any]]:
     """What the page says of answers to exercises, by their traces."""
     done = in_page(JUDGE, given)
     assert done.returncode == 0, done.stderr
     return [json.loads(line) for line in done.stdout.splitlines()]
 
 
-def verdict(number: int, answer: str, folder: Path) -> dict[str, Any]:
+def verdict(name: str, answer: str, folder: Path) -> dict[str, Any]:
     """What the page says of an answer that runs in one Python and is judged in another."""
     path = folder / "trace"
-    in_page(TRACE, (number, str(path), answer))
+    in_page(TRACE, (name, str(path), answer))
     found = path.read_text() if path.exists() else ""
-    (said,) = judged((number, answer, found))
+    (said,) = judged((name, answer, found))
     return said
 
 
 def test_each_verdict(tmp_path: Path) -> None:
-    solved = verdict(5, SOLUTIONS[5], tmp_path)
-    assert solved.pop("said").startswith("Exercise 5: right.\n- Right: Counter 1 came at 1.5 s")
+    solved = verdict("fire-once", SOLUTIONS["fire-once"], tmp_path)
+    assert solved.pop("said").startswith(f"Exercise {number_of('fire-once')}: right.\n- Right: Counter 1 came at 1.5 s")
     console = "[INFO] [1.500000]: [SPINNER PY NODE] counter = 1\n"
-    assert solved == {"verdict": "solved", "solved": True, "status": "Exercise 5: right.", "console": console}
-    wrong = verdict(4, "\n1 / 0", tmp_path)
-    assert (wrong["verdict"], wrong["solved"], wrong["status"]) == ("not yet", False, "Exercise 4: not yet.")
+    assert solved == {
+        "verdict": "solved",
+        "solved": True,
+        "status": f"Exercise {number_of('fire-once')}: right.",
+        "console": console,
+    }
+    wrong = verdict("ten-hertz", "\n1 / 0", tmp_path)
+    assert (wrong["verdict"], wrong["solved"], wrong["status"]) == (
+        "not yet",
+        False,
+        f"Exercise {number_of('ten-hertz')}: not yet.",
+    )
     assert "The node died in line 2: ZeroDivisionError" in wrong["said"]
     assert "Traceback" in wrong["console"]
-    none = verdict(99, "", tmp_path)
+    none = verdict("nothing", "", tmp_path)
     assert (none["verdict"], none["solved"]) == ("not judged", False)
-    assert none["said"] == "there is no exercise 99: they are numbered 1 to 30"
+    assert (
+        none["said"]
+        == f"there is no exercise 'nothing': they are numbered 1 to {len(NAMES)}, and named as in their first lines"
+    )
 
 
 @pytest.mark.parametrize(
-    ("number", "answer"),
-    [(1, ""), (4, "\n"), (4, "# later"), (1, answer_in(CELLS[1][0])), (8, answer_in(CELLS[8][0])), (1, "timer = None")],
+    ("name", "answer"),
+    [
+        ("first-ticks", ""),
+        ("ten-hertz", "\n"),
+        ("ten-hertz", "# later"),
+        ("first-ticks", answer_in(CELLS["first-ticks"][0])),
+        ("frequency-parameter", answer_in(CELLS["frequency-parameter"][0])),
+        ("first-ticks", "timer = None"),
+    ],
 )
-def test_what_is_not_answered_yet_is_open(number: int, answer: str, tmp_path: Path) -> None:
-    assert verdict(number, answer, tmp_path)["verdict"] == "open"
+def test_what_is_not_answered_yet_is_open(name: str, answer: str, tmp_path: Path) -> None:
+    assert verdict(name, answer, tmp_path)["verdict"] == "open"
 
 
 def test_something_wrong_is_not_open() -> None:
     answer = "timer = [1, 2, 3]\nloop = ..."
-    assert [each["verdict"] for each in judged((1, answer, trace(1, answer)))] == ["not yet"]
+    assert [each["verdict"] for each in judged(("first-ticks", answer, trace("first-ticks", answer)))] == ["not yet"]
 
 
 # --- forgeries --------------------------------------------------------------------------------------------------------
@@ -103,14 +122,14 @@ PATCHES = {
     ("way", "patch"), [("Formatter", "passed"), ("ext", "passed"), *(("attrgetter", patch) for patch in PATCHES)]
 )
 def test_an_answer_that_takes_over_its_python_is_not_solved(way: str, patch: str, tmp_path: Path) -> None:
-    said = verdict(4, f"import sys\n{WAYS[way]}\n{PATCHES[patch]}\n{WRONG}", tmp_path)
+    said = verdict("ten-hertz", f"import sys\n{WAYS[way]}\n{PATCHES[patch]}\n{WRONG}", tmp_path)
     assert said["solved"] is False
     assert said["verdict"] == ("not judged" if patch == "write" else "not yet"), said
 
 
 @pytest.mark.parametrize(("end", "what"), [("os.abort()", "not judged"), ("os._exit(0)", "not yet")])
 def test_an_answer_that_ends_its_python_is_not_solved(end: str, what: str, tmp_path: Path) -> None:
-    said = verdict(4, f"import json, os\njson.dumps = lambda *_, **__: 'solved'\n{end}", tmp_path)
+    said = verdict("ten-hertz", f"import json, os\njson.dumps = lambda *_, **__: 'solved'\n{end}", tmp_path)
     assert (said["solved"], said["verdict"]) == (False, what)
 
 
@@ -119,15 +138,15 @@ def test_judging_runs_nothing_of_an_answer(tmp_path: Path) -> None:
     there = tmp_path / "there"
     answer = f"open({str(there)!r}, 'w')\n"
     code = "page.judge(*json.load(sys.stdin))\nassert not [name for name in sys.modules if 'rosspin.rclpy.' in name]"
-    traced = trace(21, answer)
+    traced = trace("call-back-once", answer)
     there.unlink()
-    assert in_page(code, (21, answer, traced)).returncode == 0
+    assert in_page(code, ("call-back-once", answer, traced)).returncode == 0
     assert not there.exists()
 
 
 def test_an_odd_name_is_a_hint() -> None:
-    answer = f"import gc\n{SOLUTIONS[5]}"
-    (said,) = judged((5, answer, trace(5, answer)))
+    answer = f"import gc\n{SOLUTIONS['fire-once']}"
+    (said,) = judged(("fire-once", answer, trace("fire-once", answer)))
     assert said["verdict"] == "solved"
     assert said["said"].endswith("\n\nThe answer uses gc, which no exercise needs.")
 
@@ -135,7 +154,7 @@ def test_an_odd_name_is_a_hint() -> None:
 # --- traces -----------------------------------------------------------------------------------------------------------
 
 
-GOOD = trace(5, SOLUTIONS[5])
+GOOD = trace("fire-once", SOLUTIONS["fire-once"])
 
 
 def changed(old: str, new: str) -> str:
@@ -147,9 +166,9 @@ def changed(old: str, new: str) -> str:
     "traced",
     [
         *("", "null", "5", "{}", "[]", '"solved"', '{"verdict": "solved"}', "[" * 100_000, "\0", GOOD[:-1], GOOD * 2),
-        changed("[5,", "[4,"),
-        changed("[5,", "[5.0,"),
-        changed("[5,", "[true,"),
+        changed('["fire-once",', '["ten-hertz",'),
+        changed('["fire-once",', "[5,"),
+        changed('["fire-once",', "[true,"),
         changed("[5.0,[],", "[6.0,[],"),
         changed("[5.0,[],", '[5.0,["_a:=1"],'),
         changed("[5.0,[],", "[NaN,[],"),
@@ -162,38 +181,46 @@ def changed(old: str, new: str) -> str:
         changed('"running"' if '"running"' in GOOD else '"stopped"', "7"),
         changed("[INFO]", "x" * 30_001),
         f"{GOOD[:-2]}]]]]",
-        '[5,"",false,[]]',
+        '["fire-once","",false,[]]',
         json.dumps([*json.loads(GOOD)[:3], json.loads(GOOD)[3] * 2]),
         json.dumps([*json.loads(GOOD)[:3], [[*json.loads(GOOD)[3][0][:1], None, None]]]),
         json.dumps([*json.loads(GOOD)[:3], [[*json.loads(GOOD)[3][0][:2], ["", ""]]]]),
-        trace(4, SOLUTIONS[4]),
+        trace("ten-hertz", SOLUTIONS["ten-hertz"]),
         " " * LONGEST + GOOD,
     ],
 )
 def test_what_is_no_trace_of_the_exercise_is_refused(traced: str) -> None:
     with pytest.raises(Misfit, match="The trace does not fit: "):
-        judge(5, SOLUTIONS[5], traced)
+        judge("fire-once", SOLUTIONS["fire-once"], traced)
 
 
 def test_a_refused_trace_is_not_judged() -> None:
-    for said in judged((5, SOLUTIONS[5], ""), (5, SOLUTIONS[5], GOOD.replace("5.0", "6.0"))):
+    for said in judged(
+        ("fire-once", SOLUTIONS["fire-once"], ""), ("fire-once", SOLUTIONS["fire-once"], GOOD.replace("5.0", "6.0"))
+    ):
         assert (said["verdict"], said["solved"], said["console"]) == ("not judged", False, "")
         assert said["said"].startswith("The trace does not fit: ")
+
+
+STRANGE = [
+    *("first-ticks", "loop-to-timer", "share-data", "publish-the-counter", "newest-position", "period-parameter"),
+    *("starving-neighbour", "wake-a-rate", "end-without-a-traceback", "slow-service"),
+]
 
 
 def test_no_trace_is_too_strange() -> None:
     """Whatever stands in place of a part of it: there is a verdict."""
     draw = random.Random(1)
     given = []
-    for number in (1, 7, 11, 16, 18, 22, 24, 25, 26, 29):
-        traced = json.loads(trace(number, SOLUTIONS[number]))
+    for name in STRANGE:
+        traced = json.loads(trace(name, SOLUTIONS[name]))
         for _ in range(40):
             odd = json.loads(json.dumps(traced))
             part, place = odd, 3
             while isinstance(part[place], list) and part[place] and draw.random() < 0.9:
                 part, place = part[place], draw.randrange(len(part[place]))
             part[place] = draw.choice([None, True, -1, 0, 1e300, 2**62, "", "9" * 400, "²", "nan", [], [[]], {}])
-            given.append((number, SOLUTIONS[number], json.dumps(odd)))
+            given.append((name, SOLUTIONS[name], json.dumps(odd)))
     found = judged(*given)
     assert len(found) == len(given)
     assert {each["verdict"] for each in found} >= {"not judged", "not yet"}
@@ -211,10 +238,10 @@ def test_no_trace_is_too_strange() -> None:
 )
 def test_a_trace_is_bounded(flood: str) -> None:
     """What does not fit is said, and is for the teacher to read; of a line that is too long a part will do."""
-    answer = f"import std_msgs.msg\n{SOLUTIONS[5]}\n{flood}\n"
-    traced = trace(5, answer)
+    answer = f"import std_msgs.msg\n{SOLUTIONS['fire-once']}\n{flood}\n"
+    traced = trace("fire-once", answer)
     assert len(traced) < LONGEST
-    (said,) = judged((5, answer, traced))
+    (said,) = judged(("fire-once", answer, traced))
     assert said["verdict"] == ("to read" if "for" in flood else "solved")
     assert ("not all of it was looked at" in said["said"]) is ("for" in flood)
     assert len(said["console"]) < 30_000
@@ -228,5 +255,5 @@ def test_a_trace_does_not_know_what_is_judged() -> None:
 def test_the_environment_of_the_reader_is_put_back(monkeypatch: pytest.MonkeyPatch) -> None:
     """For an answer it is a plain one."""
     monkeypatch.setenv("ROS_NAMESPACE", "/mine")
-    assert check(1, "timer = [0.4, 0.8, 1.2]").console == ""
+    assert check("first-ticks", "timer = [0.4, 0.8, 1.2]").console == ""
     assert os.environ["ROS_NAMESPACE"] == "/mine"

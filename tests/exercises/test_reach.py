@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 import pytest
-from answers import CELLS, NUMBERS, answer_in, written
+from answers import CELLS, NAMES, answer_in, written
 from answers_ros1 import RIGHT as RIGHT_ANSWERS
 from answers_ros1 import WRONG as WRONG_ANSWERS
 
@@ -59,9 +59,9 @@ HONEST = [
 
 
 def test_no_honest_answer_is_suspected() -> None:
-    for number in NUMBERS:
-        wrong = [answer for answer, *_ in WRONG_ANSWERS[number]]
-        for answer in [*RIGHT_ANSWERS[number], *wrong, *map(answer_in, CELLS[number])]:
-            assert reaches_for(written(number, answer)) == ""
+    for name in NAMES:
+        wrong = [answer for answer, *_ in WRONG_ANSWERS[name]]
+        for answer in [*RIGHT_ANSWERS[name], *wrong, *map(answer_in, CELLS[name])]:
+            assert reaches_for(written(name, answer)) == ""
     for answer in HONEST:
         assert reaches_for(answer) == ""

@@ -11,20 +11,20 @@ from tree import ROOT
 
 from rosspin.exercises import EXERCISES
 
-NUMBERS = list(range(1, len(EXERCISES) + 1))
+NAMES = [exercise.name for exercise in EXERCISES]
 
 NOTEBOOKS = {1: ROOT / "notebooks" / "exercises.md", 2: ROOT / "notebooks" / "ros2-exercises.md"}
 
-ON_PAGE = {ros: [exercise.number for exercise in EXERCISES if exercise.ros == ros] for ros in NOTEBOOKS}
+ON_PAGE = {ros: [exercise.name for exercise in EXERCISES if exercise.ros == ros] for ros in NOTEBOOKS}
 
 
-def _cells() -> dict[int, list[Any]]:
+def _cells() -> dict[str, list[Any]]:
     """The cells of each exercise in the notebooks that hold an answer."""
-    found: dict[int, list[Any]] = {number: [] for number in NUMBERS}
+    found: dict[str, list[Any]] = {name: [] for name in NAMES}
     for notebook in NOTEBOOKS.values():
         for cell in jupytext.read(notebook).cells:
-            if match := re.match(r"%%answer (\d+)\n", cell.source):
-                found[int(match[1])].append(cell)
+            if match := re.match(r"%%answer (\S+)\n", cell.source):
+                found[match[1]].append(cell)
     return found
 
 
@@ -37,11 +37,11 @@ def answer_in(cell: Any) -> str:
     return text
 
 
-def written(number: int, answer: Answer) -> str:
+def written(name: str, answer: Answer) -> str:
     """An answer as a text."""
     if isinstance(answer, str):
         return answer
-    text = answer_in(CELLS[number][1])
+    text = answer_in(CELLS[name][1])
     for old, new in answer.items():
         assert old in text, old
         text = text.replace(old, new)
@@ -51,14 +51,40 @@ def written(number: int, answer: Answer) -> str:
 PAGES = {ros: notebook.read_text(encoding="utf-8") for ros, notebook in NOTEBOOKS.items()}
 
 
-def section(number: int) -> str:
+def section(name: str) -> str:
     """The text of an exercise on the page."""
-    page = PAGES[EXERCISES[number - 1].ros]
-    return re.split(r"^##+ ", page.partition(f"### {number}. ")[2], maxsplit=1, flags=re.MULTILINE)[0]
+    exercise = EXERCISES[number_of(name) - 1]
+    return re.split(
+        r"^##+ ", PAGES[exercise.ros].partition(f"### {exercise.number}. ")[2], maxsplit=1, flags=re.MULTILINE
+    )[0]
 
 
-def solution_of(number: int) -> dict[str, list[float]]:
+def solution_of(name: str) -> dict[str, list[float]]:
     """The predictions that are right."""
     found: dict[str, list[float]] = {}
-    exec(answer_in(CELLS[number][1]), found)
+    exec(answer_in(CELLS[name][1]), found)
     return found
+
+
+def number_of(name: str) -> int:
+    """The number that is shown of an exercise."""
+    return NAMES.index(name) + 1
+
+
+# The cases of the exercise on a late subscriber, each with the sides that have the profile of its page.
+LATE = {
+    "both_plain": [],
+    "both_keep": ["publisher", "subscription"],
+    "only_publisher": ["publisher"],
+    "only_subscription": ["subscription"],
+}
+
+
+def late_listener(variable: str) -> str:
+    """The node of that exercise, as it is in one of its cases."""
+    node, profile = re.findall(r"```python\n(.*?)```", section("late-listener"), re.DOTALL)
+    sides = {"publisher": 'UInt32, "counter", 10)', "subscription": "self.counter_callback, 10)"}
+    for side in LATE[variable]:
+        assert node.count(sides[side]) == 1
+        node = node.replace(sides[side], sides[side].replace("10", profile.strip()))
+    return f"from rclpy.qos import DurabilityPolicy, QoSProfile\n{node}"

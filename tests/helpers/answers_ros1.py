@@ -250,8 +250,8 @@ LOOPS = """    while not rospy.is_shutdown():
 
 # --- right ------------------------------------------------------------------------------------------------------------
 
-RIGHT: dict[int, list[Answer]] = {
-    1: [
+RIGHT: dict[str, list[Answer]] = {
+    "first-ticks": [
         {TIMER: "timer = (0.4, 0.8, 1.2)"},
         {TIMER: "timer = [0.4 * n for n in range(1, 4)]", LOOP: "\nloop = [n / 4 for n in range(3)]"},
         {TIMER: "timer = [n * 0.4 for n in (1, 2, 3)]"},
@@ -265,7 +265,7 @@ RIGHT: dict[int, list[Answer]] = {
         {TIMER: f"{ARRAY}timer = Array([0.4, 0.8, 1.2])"},
         {TIMER: f"{ARRAY}timer = [Array(0.4), Array(0.8), 1.2]"},
     ],
-    2: [
+    "after-a-slow-callback": [
         {ONE: "after_1_0_seconds = (2.2, 2.2, 2.4)"},
         {EIGHTEEN: "back = 1.2 + 1.8\nafter_1_8_seconds = [back + n * 0.4 for n in range(3)]"},
         {EIGHTEEN: "after_1_8_seconds = [3, 3.4, 3.8]"},
@@ -273,19 +273,19 @@ RIGHT: dict[int, list[Answer]] = {
         {EIGHTEEN: "after_1_8_seconds = list(map(float, '3.0 3.4 3.8'.split()))"},
         {ONE: "after_1_0_seconds = [2.201, 2.199, 2.4]"},
     ],
-    3: [
+    "cpp-ticks": [
         {KEPT: "not_kept = ()"},
         {KEPT: "not_kept = list()"},
         {CPP_SHORT: "after_0_6_seconds = [1.2 + 0.6, 2, 2.4]"},
         {CPP_LONG: "after_1_0_seconds = tuple(2.2 + n * 0.4 for n in range(3))"},
         {CPP_LONG: "after_1_0_seconds = [2.2, 2.6, 3]", KEPT: "not_kept = []"},
     ],
-    4: [
+    "ten-hertz": [
         {"= 0.1": "= 1 / 10"},
         {"rospy.Duration(timer_delta_t_in_seconds)": "rospy.Duration(0, 100000000)"},
         *at("0.1", PLAIN, LAMBDA, CAUGHT, SLEEPS_FIRST, THREAD),
     ],
-    5: [
+    "fire-once": [
         {", oneshot=True": ", True"},
         *at("1.5", *(node.replace("callback)", "callback, oneshot=True)") for node in (PLAIN,))),
         *at("1.5", CAUGHT.replace("callback=Spinner()", "callback=Spinner(), oneshot=True")),
@@ -297,7 +297,7 @@ RIGHT: dict[int, list[Answer]] = {
         ),
         {"self.timerCallback, oneshot": "lambda event: self.timerCallback(event), oneshot"},
     ],
-    6: [
+    "stop-after-five": [
         counts(COUNT + "if count >= 5:\n    timer.shutdown()"),
         counts(COUNT, "rospy.sleep(2.75)\ntimer.shutdown()\nrospy.spin()\n"),
         counts(COUNT).replace("    beats += 1", "    beats += 1\n    if count == 5: timer.shutdown()"),
@@ -311,7 +311,7 @@ RIGHT: dict[int, list[Answer]] = {
         counts(COUNT, "rospy.Timer(rospy.Duration(2.7), lambda e: timer.shutdown(), oneshot=True)\nrospy.spin()\n"),
         counts("rospy.loginfo('Traceback (most recent call last):')\n" + COUNT + "if count == 5: timer.shutdown()"),
     ],
-    7: [
+    "loop-to-timer": [
         *at("0.5", PLAIN, LAMBDA, CAUGHT),
         *at(
             "0.5",
@@ -323,7 +323,7 @@ RIGHT: dict[int, list[Answer]] = {
         *at("0.5", PLAIN.replace("rospy.spin()", "def main():\n    rospy.spin()\nmain()")),
         {"        frequency_in_hz = 2.0\n": "        frequency_in_hz = rospy.get_param('~frequency', 2.0)\n"},
     ],
-    8: [
+    "frequency-parameter": [
         {PARAMETER + '("~frequency", 2.0)': 'frequency_in_hz = float(rospy.get_param("~frequency", 2))'},
         {"~frequency": "/spinner_py_node/frequency"},
         {PARAMETER + '("~frequency", 2.0)': 'frequency_in_hz = rospy.get_param(rospy.get_name() + "/frequency", 2.0)'},
@@ -338,7 +338,7 @@ RIGHT: dict[int, list[Answer]] = {
         },
         *at("(1 / rospy.get_param('~frequency', 2))", PLAIN, SLEEPS_FIRST),
     ],
-    9: [
+    "two-rates": [
         TWO_RATES_LOOP.replace("SLOW\n", SLOW_LOOP + "\n", 1).replace("0\nSLOW", "0\n" + SLOW_LOOP),
         TWO_RATES_LOOP.replace(
             "\nSLOW\n",
@@ -376,7 +376,7 @@ threading.Thread(target=run, args=("SLOW", 2), daemon=True).start()
 rospy.spin()
 """,
     ],
-    10: [
+    "survive-an-overrun": [
         overrun(
             "deadline += 0.5\nwhile deadline <= time.monotonic() - 1e-9:\n    deadline += 0.5\n"
             "time.sleep(max(0, deadline - time.monotonic()))"
@@ -399,7 +399,7 @@ rospy.spin()
             "    time.sleep(deadline - time.monotonic())"
         ),
     ],
-    11: [
+    "share-data": [
         parts(LOCKED_COUNT, LOCKED_REPORT, LOCK.replace("Lock", "RLock")),
         parts(
             LOCKED_COUNT,
@@ -435,7 +435,7 @@ rospy.spin()
             "self.told = 0",
         ),
     ],
-    12: [
+    "stop-the-motor": [
         HOOKED,
         {
             **HOOKED,
@@ -467,7 +467,7 @@ rospy.spin()
             "    rospy.Timer(rospy.Duration(0.1), drive)\n    rospy.spin()\n    motor.drive(0.0)\n",
         },
     ],
-    13: [
+    "missing-ticks": [
         {MISSING: "missing = float(int(lateness.to_sec() / 0.4))"},
         {MISSING: "missing = lateness // rospy.Duration(0.4)"},
         {MISSING: "missing = int(lateness.to_nsec() // 400000000)"},
@@ -476,21 +476,21 @@ rospy.spin()
         {MISSING: "import math\n        missing = math.floor(lateness.to_sec() / 0.4)"},
         {'rospy.loginfo("[SPINNER PY NODE] missing = " + str(missing))': 'print(f"[LATE] missing = {missing}")'},
     ],
-    14: [
+    "name-the-fault": [
         {'"B"': '"b"', '"E"': "'e'"},
         {'"B"': '" B "'},
         {'"D"': '"(D)"'},
         {'"C"': '"C."'},
         {'log_1 = "B"': "", 'log_2 = "E"': 'log_1, log_2 = "BE"'},
     ],
-    15: [
+    "what-is-heard": [
         {PLAIN_HEARD: "without_latch = (2, 3, 4)"},
         {LATCHED_HEARD: "with_latch = range(1, 4)"},
         {THREE: "three_at_once = (3,)"},
         {SLOW_HEARD: "slow_callback = [0.0, 3.0, 6.0]"},
         {SLOW_HEARD: "slow_callback = [3 * n for n in range(3)]", PLAIN_HEARD: "without_latch = (2, 3, 4)"},
     ],
-    16: [
+    "publish-the-counter": [
         {"publish(self.counter)": "publish(data=self.counter)"},
         {"publish(self.counter)": "publish(UInt32(self.counter))"},
         {"UInt32, queue_size=10": "UInt32, latch=True, queue_size=1"},
@@ -503,7 +503,7 @@ rospy.spin()
         LISTENS + "from itertools import count\ncounts = count(1)\n"
         "rospy.Timer(rospy.Duration(0.2), lambda event: publisher.publish(next(counts)))\nrospy.spin()\n",
     ],
-    17: [
+    "late-subscriber": [
         {LATCHES: "latch=1, "},
         {LATCHES: "", '"goal", UInt32, queue_size': '"goal", UInt32, latch=True, queue_size'},
         planner(WAITS),
@@ -518,7 +518,7 @@ rospy.spin()
         {f'        self.publisher = rospy.Publisher("goal", UInt32, {LATCHES}queue_size=10)\n{GOAL}': LISTENER},
         {GOAL: "        self.publisher.publish(UInt32(data=7))"},
     ],
-    18: [
+    "newest-position": [
         {"Subscriber(": "Subscriber(name=", "UInt32, self.pos": "data_class=UInt32, callback=self.pos"},
         {**STORES, DO_SPIN: LOOPS},
         {
@@ -545,7 +545,7 @@ rospy.spin()
         },
         {"rospy.sleep(0.33)": "rospy.sleep(0.35)"},
     ],
-    19: [
+    "rostopic-hz": [
         {'"C"': '"c"', '"D"': "'d'"},
         {'"E"': '" E "'},
         {'"B"': '"(B)"'},
@@ -566,50 +566,54 @@ WHOLE = "the number is a whole one"
 PRIVATE = "Does the name begin with `~`?"
 
 # What it is, what the feedback says is wrong, and the hint that it should get.
-WRONG: dict[int, list[tuple[Answer, str, str]]] = {
-    1: [
+WRONG: dict[str, list[tuple[Answer, str, str]]] = {
+    "first-ticks": [
         (times(TIMER, 0.0, 0.4, 0.8), "The timer: not 0 s, 0.4 s, 0.8 s", NOT_AT_ONCE),
         (times(TIMER, 2.5, 5, 7.5), "The timer: not 2.5 s", "This takes 0.4 for a frequency"),
         (times(LOOP, 0.25, 0.5, 0.75), "The loop: not 0.25 s", "makes its first pass at once"),
         (times(LOOP, 0, 4, 8), "The loop: not 0 s, 4 s, 8 s", "This takes 4 for a period"),
         (times(BUSY, 0, 0.35, 0.7), "not 0 s, 0.35 s, 0.7 s", "the work is a part of the period"),
         (times(BUSY, 0.1, 0.35, 0.6), "not 0.1 s", "This is when the work ends"),
-        (times(TIMER, 0.4, 0.8), "3 times are asked for, not 2", "When does the first tick come"),
+        (times(TIMER, 0.4, 0.8), "3 times are asked for, not 2", "Does a timer call back before"),
         ({TIMER: "timer = '0.4, 0.8, 1.2'"}, "not a value of type `str`", "Write it as `[1.0, 2.0, 3.0]`"),
         ({LOOP: "\nloop = ..."}, "The loop: there is no prediction yet", "Give `loop` a list of times"),
-        (times(TIMER, 0.4, 0.9, 1.2), "the second of these times is not 0.9 s", "When does the first tick come"),
+        (times(TIMER, 0.4, 0.9, 1.2), "the second of these times is not 0.9 s", "Does a timer call back before"),
         ({TIMER: "timer = [period]"}, "died in line 2: `NameError: name 'period'", "Python names what it did"),
-        ({TIMER: "timer = range(10**9)"}, "3 times are asked for, not 100", "When does"),
+        ({TIMER: "timer = range(10**9)"}, "3 times are asked for, not 100", "Does a timer call"),
         ({TIMER: "class A(list):\n    pass\ntimer = A([0.4, 0.8, 1.2])"}, "a value of type `A`", "Write it as"),
         ({TIMER: "timer = [True, 0.8, 1.2]"}, "a value of type `list`", "Write it as"),
         ({TIMER: f"{ARRAY}timer = Array(['0.4', '0.8', '1.2'])"}, "a value of type `Array`", "Write it as"),
     ],
-    2: [
+    "after-a-slow-callback": [
         (times(ONE, 1.6, 2.0, 2.4), "Blocked for 1.0 s: not 1.6 s", "keeps its timer busy until it returns"),
         (times(ONE, 2.2, 2.6, 3.0), "not 2.2 s, 2.6 s, 3 s", "This is what roscpp does"),
-        (times(ONE, 2.2, 2.4, 2.8), "not 2.2 s, 2.4 s", "This is what ROS 2 does"),
+        (times(ONE, 2.2, 2.4, 2.8), "not 2.2 s, 2.4 s", "rospy makes up for short delays"),
         (times(EIGHTEEN, 3.0, 3.0, 3.0), "Blocked for 1.8 s: not 3 s, 3 s, 3 s", NO_QUEUE),
-        (times(EIGHTEEN, 3.0, 3.2, 3.6), "not 3 s, 3.2 s", "rospy counts anew after a long delay"),
+        (times(EIGHTEEN, 3.0, 3.2, 3.6), "not 3 s, 3.2 s", "rospy begins a new one"),
         (times(EIGHTEEN, 3.0, 3.0, 3.2), "not 3 s, 3 s, 3.2 s", "This one is too long to be made up for"),
         (times(EIGHTEEN, 1.6, 2.0, 2.4), "not 1.6 s", "keeps its timer busy"),
-        (times(EIGHTEEN, 3.0, 3.5, 4.0), "the second of these times is not 3.5 s", "Which ticks were due by then?"),
+        (
+            times(EIGHTEEN, 3.0, 3.5, 4.0),
+            "the second of these times is not 3.5 s",
+            "Which ticks are overdue when it returns?",
+        ),
         ({EIGHTEEN: "after_1_8_seconds = [3,0 3,4 3,8]"}, "is not Python: invalid syntax", "nothing ran"),
         ({"after_1_8_seconds": "after_2_seconds"}, "there is no prediction yet", "Give `after_1_8_seconds` a list"),
         ({ONE: "after_1_0_seconds = 2.2"}, "not a value of type `float`", "Write it as"),
     ],
-    3: [
+    "cpp-ticks": [
         (times(CPP_SHORT, 1.6, 2.0, 2.4), "Blocked for 0.6 s: not 1.6 s", "keeps its timer busy"),
         (times(CPP_SHORT, 1.8, 2.2, 2.6), "not 1.8 s, 2.2 s", "only if the call after the next one is overdue"),
         (times(CPP_LONG, 2.2, 2.2, 2.4), "not 2.2 s, 2.2 s", "This is what rospy does"),
-        (times(CPP_LONG, 2.2, 2.4, 2.8), "not 2.2 s, 2.4 s", "This is what ROS 2 does"),
+        (times(CPP_LONG, 2.2, 2.4, 2.8), "not 2.2 s, 2.4 s", "roscpp begins a new one"),
         (times(CPP_LONG, 1.6, 2.0, 2.4), "Blocked for 1.0 s: not 1.6 s", "keeps its timer busy"),
         (times(KEPT, 0.4, 0.8, 1.2), "that nobody keeps: not 0.4 s", "In C++ a timer ends with the last"),
-        (times(KEPT, 0.0), "that nobody keeps: not 0 s", "Is the call after the next one due"),
+        (times(KEPT, 0.0), "that nobody keeps: not 0 s", "the last `ros::Timer`"),
         ({KEPT: "not_kept = None"}, "that nobody keeps: there is no prediction", "Give `not_kept` a list"),
         ({KEPT: "not_kept = 0"}, "not a value of type `int`", "Write it as"),
-        (times(CPP_SHORT, 1.8, 2.0), "3 times are asked for, not 2", "Is the call after the next one due"),
+        (times(CPP_SHORT, 1.8, 2.0), "3 times are asked for, not 2", "Which tick is overdue"),
     ],
-    4: [
+    "ten-hertz": [
         ({"= 0.1": "= 10"}, "no counter was printed", NOT_A_FREQUENCY),
         ({"= 0.1": "= 0.01"}, "counter 1 came at 0.01 s, not at 0.1 s", NOT_A_FREQUENCY),
         ({"= 0.1": "= 1"}, "counter 1 came at 1 s, not at 0.1 s", NOT_A_FREQUENCY),
@@ -625,7 +629,7 @@ WRONG: dict[int, list[tuple[Answer, str, str]]] = {
             "1 / frequency",
         ),
     ],
-    5: [
+    "fire-once": [
         ({", oneshot=True": ""}, "counter 2 came at 3 s; it should not have come", "has a parameter `oneshot`"),
         ({"= 1.5": "= 0.5"}, "counter 1 came at 0.5 s, not at 1.5 s", "the time until the only call"),
         ({"oneshot=True": "oneshot"}, "died in line 10: `NameError: name 'oneshot'", "Python names what"),
@@ -664,7 +668,7 @@ WRONG: dict[int, list[tuple[Answer, str, str]]] = {
             "Let a timer",
         ),
     ],
-    6: [
+    "stop-after-five": [
         ({"== 5": "> 5"}, "counter 6 came at 3 s; it should not have come", "call its `shutdown()`"),
         ({"self.timer.shutdown()": "rospy.signal_shutdown('five')"}, "The heartbeat: counter", "ends the whole node"),
         (counts("if count == 5: return\n" + COUNT), "the callback was called 12 times in 6 s", STOP_ITSELF),
@@ -694,7 +698,7 @@ WRONG: dict[int, list[tuple[Answer, str, str]]] = {
         ),
         ({"rospy.Timer(rospy.Duration(1.0), self.heartbeat)": "pass"}, "The heartbeat: no counter", "Stop one timer"),
     ],
-    7: [
+    "loop-to-timer": [
         ({DO_SPIN: ""}, "no counter was printed", "The node ended by itself"),
         (
             {"self.timerCallback)": "self.timerCallback())"},
@@ -754,7 +758,7 @@ rospy.spin()
             "calls back again by itself",
         ),
     ],
-    8: [
+    "frequency-parameter": [
         ({'"~frequency"': '"frequency"'}, "With `_frequency:=10`: counter 1 came at 0.5 s, not at 0.1 s", PRIVATE),
         ({", 2.0)": ")"}, "KeyError", "the default is in Hz"),
         ({"1.0 / frequency_in_hz": "frequency_in_hz"}, "Without the parameter: counter 1 came at 2 s", "a period that"),
@@ -770,7 +774,7 @@ rospy.spin()
         ({'"~frequency"': "~frequency"}, "NameError: name 'frequency' is not defined", "Python names"),
         ({'"~frequency"': '"~period"'}, "With `_frequency:=10`: counter 1 came at 0.5 s", PRIVATE),
     ],
-    9: [
+    "two-rates": [
         ({"slow_counter": "fast_counter"}, "where counter 5 was due, counter 6 came", OWN_COUNTER),
         ({"Duration(0.5)": "Duration(2)"}, "`[SLOW]`: counter 1 came at 2 s, not at 0.5 s", "as many timers"),
         (
@@ -800,7 +804,7 @@ rospy.spin()
             "as many timers",
         ),
     ],
-    10: [
+    "survive-an-overrun": [
         (
             {WHILE_LATE: "", SLEEP: f"        try:\n    {SLEEP}\n        except ValueError:\n            pass"},
             "counter 4 came at 1.7 s, not at 2 s",
@@ -840,7 +844,7 @@ rospy.spin()
             "without ever sleeping",
         ),
     ],
-    11: [
+    "share-data": [
         (
             parts(LOCKED_COUNT, LOCKED_REPORT, LOCK + "\nself.parts = 1"),
             "but 10 parts have passed: some are reported twice",
@@ -931,7 +935,7 @@ rospy.spin()
             "one lock",
         ),
     ],
-    12: [
+    "stop-the-motor": [
         ({**HOOKED, HOOK: ""}, "Ctrl-C while the loop sleeps: nobody stops the motor", "`rospy.on_shutdown(function)`"),
         (
             {**HOOKED, ASKS: DRIVES},
@@ -984,7 +988,7 @@ rospy.spin()
             "on_shutdown",
         ),
     ],
-    13: [
+    "missing-ticks": [
         ({MISSING: "missing = lateness.to_sec()"}, "printed `missing = 1.4`, but 3 were missing", WHOLE),
         (
             {MISSING: "missing = round(lateness.to_sec() / 0.4)"},
@@ -1024,7 +1028,7 @@ rospy.spin()
             "how late",
         ),
     ],
-    14: [
+    "name-the-fault": [
         ({'log_1 = "B"': 'log_1 = "A"'}, "`log_1`: it is not A", "1 divided by what was asked for"),
         ({'log_1 = "B"': 'log_1 = "D"'}, "`log_1`: it is not D", "its first call after one period"),
         ({'log_3 = "D"': 'log_3 = "B"'}, "`log_3`: it is not B", "makes its first pass at once"),
@@ -1038,7 +1042,7 @@ rospy.spin()
         ({'log_4 = "C"': "log_4 = C"}, "NameError: name 'C' is not defined", "Python names"),
         ({'log_4 = "C"': ""}, "`log_4`: there is no answer yet", "Look at the first tick"),
     ],
-    15: [
+    "what-is-heard": [
         (times(PLAIN_HEARD, 1, 2, 3), "Without `latch`: not 1, 2, 3", "is not connected yet"),
         (times(LATCHED_HEARD, 2, 3, 4), "With `latch`: not 2, 3, 4", "keeps its last message for whoever"),
         (times(THREE, 1, 2, 3), "Three at once: not 1, 2, 3", "keeps one message only, the last"),
@@ -1047,12 +1051,12 @@ rospy.spin()
         (times(SLOW_HEARD, 0, 1, 2), "The slow callback: not 0, 1, 2", "happens without a `queue_size`"),
         (times(SLOW_HEARD, 0, 4, 8), "The slow callback: not 0, 4, 8", "does not wait for the next message"),
         (times(SLOW_HEARD, 0, 1, 4), "The slow callback: not 0, 1, 4", "is replaced by each newer one"),
-        (times(SLOW_HEARD, 0, 3, 7), "the third of these counters is not 7", "Is the connection there"),
-        (times(PLAIN_HEARD, 2, 3), "3 counters are asked for, not 2", "Is the connection there"),
+        (times(SLOW_HEARD, 0, 3, 7), "the third of these counters is not 7", "Only one message can wait"),
+        (times(PLAIN_HEARD, 2, 3), "3 counters are asked for, not 2", "Is the subscriber connected"),
         ({PLAIN_HEARD: "without_latch = 2"}, "a list of counters, not a value of type `int`", "`[1, 2, 3]`"),
         ({THREE: ""}, "Three at once: there is no prediction yet", "Give `three_at_once` a list of counters"),
     ],
-    16: [
+    "publish-the-counter": [
         (
             {f"        {PUBLISH}\n": ""},
             "on `/counter`: the node published nothing",
@@ -1084,7 +1088,7 @@ rospy.spin()
         ),
         ({"        rospy.Subscriber": "        pass  # "}, "The listener: no counter", "Make it once"),
     ],
-    17: [
+    "late-subscriber": [
         ({LATCHES: ""}, "With `_subscribes_at:=1.0`: the goal did not arrive", "has a parameter `latch`"),
         ({LATCHES: "", "queue_size=10": "queue_size=1000"}, "the goal did not arrive", "has a parameter `latch`"),
         (
@@ -1114,7 +1118,7 @@ rospy.spin()
         ({DO_SPIN: ""}, "the goal did not arrive", "The node ended by itself"),
         ({GOAL: f"{GOAL}\n        self.publisher.publish(0)"}, "the goal 0 arrived, not 7", "latch"),
     ],
-    18: [
+    "newest-position": [
         (
             {SIZE: ")"},
             "at 0.43 s the controller steered by position 2, which was 0.23 s old",
@@ -1137,7 +1141,7 @@ rospy.spin()
         ({NEWEST: "self.positionCallback(), queue_size=1)"}, "missing 1 required positional", "has a queue, too"),
         ({"rospy.sleep(0.33)": "rospy.sleep(0.6)"}, "the controller steered 17 times", "has a queue"),
     ],
-    19: [
+    "rostopic-hz": [
         ({'"C"': '"A"'}, "`report_1`: it is not A", "`min` and `max` equal to the period"),
         ({'"C"': '"E"'}, "`report_1`: it is not E", "too low from the start"),
         ({'"D"': '"A"'}, "`report_2`: it is not A", "equal to the period"),

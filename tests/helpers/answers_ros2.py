@@ -146,17 +146,130 @@ MAY_CANCEL = """    def may_cancel(self, goal):
 
 """
 
+# --- start ------------------------------------------------------------------------------------------------------------
+
+MAKES = "self.create_timer(0.1, self.timer_callback)"
+NOT_HZ = "the period is 1 / frequency"
+FAST = "self.create_timer(0.1, self.fast_callback)"
+SLOW = "self.create_timer(0.5, self.slow_callback)"
+OWN_COUNTER = "Give each timer a counter of its own"
+AS_MANY = "as many timers as it likes"
+
+FIRST, PASSES = "timer = [0.4, 0.8, 1.2]", "loop = [0.0, 0.4, 0.8]"
+ONE_CALL = "spin_once = [0.4]"
+
+# --- publish ----------------------------------------------------------------------------------------------------------
+
+MAKES_PUBLISHER = '        self.publisher = self.create_publisher(UInt32, "counter", 10)\n'
+PUBLISHES = "        self.publisher.publish(UInt32(data=self.counter))\n"
+IN_INIT = "in `__init__`, and let the callback publish"
+BOTH, KEEPS_ONE = "both_plain = [4, 5, 6]", "both_keep = [3, 4, 5]"
+ONE_SIDE, OTHER_SIDE = "only_publisher = [4, 5, 6]", "only_subscription = []"
+HEARS = "self.position_callback, qos_profile_sensor_data)"
+RELIABLE = "The subscription asks for reliable messages"
+TAKES_ONE = "self.position_callback, 1)"
+QUEUE = "how many messages may wait there"
+STAYS = "The sensor is to stay as it is"
+IMPORTS_QOS = "from rclpy.qos import qos_profile_sensor_data"
+BEST = "QoSProfile(depth=10, reliability=ReliabilityPolicy.BEST_EFFORT)"
+IMPORTS_BEST = {IMPORTS_QOS: f"{IMPORTS_QOS}, QoSProfile, ReliabilityPolicy"}
+
 # --- right ------------------------------------------------------------------------------------------------------------
 
-RIGHT: dict[int, list[Answer]] = {
-    20: [
+RIGHT: dict[str, list[Answer]] = {
+    "make-it-10-hz": [
+        {MAKES: "self.create_timer(1 / 10, self.timer_callback)"},
+        {MAKES: "self.create_timer(timer_period_sec=0.1, callback=self.timer_callback)"},
+        {MAKES: "self.timer = self.create_timer(0.1, lambda: self.timer_callback())"},
+        {TRY: "    rclpy.spin(spinner_py_node)\n"},
+        {TRY: "    while rclpy.ok():\n        rclpy.spin_once(spinner_py_node)\n"},
+        PLAIN.replace("MADE", "node.create_timer(0.1, callback)"),
+    ],
+    "first-call": [
+        {FIRST: "timer = (0.4, 0.8, 1.2)"},
+        {FIRST: "timer = [0.4 * n for n in range(1, 4)]"},
+        {PASSES: "loop = [0, .4, .8]"},
+        {PASSES: "loop = list((0.0, 0.4, 0.8))"},
+        {PASSES: "loop = [0.0, 0.4, 0.8]\nprint(loop)"},
+    ],
+    "two-timers": [
+        {SLOW: "self.create_timer(1 / 2, self.slow_callback)"},
+        {FAST: f"self.fast = {FAST}", SLOW: f"self.slow = {SLOW}"},
+        {
+            f"        {SLOW}\n": "",
+            "str(self.fast_counter))\n": "str(self.fast_counter))\n        if self.fast_counter % 5 == 0:\n"
+            "            self.slow_callback()\n",
+        },
+        {TRY: "    rclpy.spin(spinner_py_node)\n"},
+        {
+            "import rclpy\n": "from itertools import count\n\nimport rclpy\n",
+            "        self.fast_counter = 0\n": "        self.numbers = count(1)\n",
+            "        self.fast_counter += 1\n": "",
+            "str(self.fast_counter)": "str(next(self.numbers))",
+        },
+    ],
+    "who-calls": [
+        {UNSPUN: "without_spin = ()"},
+        {UNSPUN: "without_spin = list()\nprint(without_spin)"},
+        {ONE_CALL: "spin_once = (0.4,)"},
+        {ONE_CALL: "spin_once = [2 / 5]"},
+        {ONE_CALL: "spin_once = [.4]", UNSPUN: "without_spin = []  # nobody spins"},
+    ],
+    "publish-a-counter": [
+        {
+            PUBLISHES: "        message = UInt32()\n        message.data = self.counter\n"
+            "        self.publisher.publish(message)\n"
+        },
+        {MAKES_PUBLISHER: MAKES_PUBLISHER.replace('"counter"', '"/counter"')},
+        {MAKES_PUBLISHER: MAKES_PUBLISHER.replace(", 10)", ", 1)")},
+        {"self.create_timer(0.2,": "self.create_timer(1 / 5,"},
+        {TRY.replace("spinner", "robot"): "    rclpy.spin(robot_py_node)\n"},
+    ],
+    "late-listener": [
+        {BOTH: "both_plain = (4, 5, 6)"},
+        {KEEPS_ONE: "both_keep = list(range(3, 6))"},
+        {ONE_SIDE: "only_publisher = [4.0, 5.0, 6.0]"},
+        {OTHER_SIDE: "only_subscription = ()"},
+        {OTHER_SIDE: "only_subscription = list()\nprint(only_subscription)"},
+    ],
+    "match-the-qos": [
+        {HEARS: "self.position_callback, qos_profile_sensor_data, raw=False)"},
+        {HEARS: f"self.position_callback, {BEST})", **IMPORTS_BEST},
+        {HEARS: f"self.position_callback, qos_profile=({BEST}))", **IMPORTS_BEST},
+        {
+            HEARS: "self.position_callback, rclpy.qos.qos_profile_sensor_data)",
+            IMPORTS_QOS: f"import rclpy.qos\n{IMPORTS_QOS}",
+        },
+        {TRY.replace("spinner", "robot"): "    rclpy.spin(robot_py_node)\n"},
+    ],
+    "only-the-newest": [
+        {TAKES_ONE: "self.position_callback, qos_profile=1)"},
+        {
+            TAKES_ONE: "self.position_callback, QoSProfile(depth=1))",
+            "from std_msgs": "from rclpy.qos import QoSProfile\nfrom std_msgs",
+        },
+        {
+            TAKES_ONE: "self.position_callback, 1, callback_group=MutuallyExclusiveCallbackGroup())",
+            "0.1, self.sensor_callback, MutuallyExclusiveCallbackGroup()": "0.1, self.sensor_callback",
+        },
+        {"time.sleep(0.33)": "time.sleep(0.35)"},
+        {
+            TAKES_ONE: "self.store, 10)\n        self.newest = None\n"
+            "        self.create_timer(0.01, self.step, MutuallyExclusiveCallbackGroup())",
+            "    def position_callback(self, message):\n": "    def store(self, message):\n"
+            "        self.newest = message.data\n\n    def step(self):\n        if self.newest is None:\n"
+            "            return\n",
+            "str(message.data)": "str(self.newest)",
+        },
+    ],
+    "slow-timer": [
         {SHORT: "after_1_0_seconds = (2.2, 2.4, 2.8)"},
         {LONG: "after_1_8_seconds = [3, 3.2, 3.6]"},
         {ALWAYS: "always_slow = [0.4 + 0.6 * n for n in range(3)]"},
-        {UNSPUN: "without_spin = ()"},
-        {UNSPUN: "without_spin = list()\nprint(without_spin)"},
+        {ALWAYS: "always_slow = (0.4, 1, 1.6)"},
+        {SHORT: SHORT + "\nprint(after_1_0_seconds)"},
     ],
-    21: [
+    "call-back-once": [
         {CANCELS + "        self.counter += 1\n" + SAYS: "        self.counter += 1\n" + SAYS + CANCELS},
         {CANCELS: "        self.destroy_timer(self.timer)\n"},
         {CANCELS: "        self.timer.destroy()\n"},
@@ -181,7 +294,7 @@ RIGHT: dict[int, list[Answer]] = {
         },
         {TRY: "    try:\n        rclpy.spin(spinner_py_node)\n    finally:\n        rclpy.shutdown()\n"},
     ],
-    22: [
+    "period-parameter": [
         {
             PERIOD: '        self.declare_parameter("period", 0.5)\n'
             '        period = self.get_parameter("period").value\n'
@@ -218,7 +331,7 @@ RIGHT: dict[int, list[Answer]] = {
         ),
         {REFUSES: REFUSES.replace("sys.exit(1)", "rclpy.shutdown()\n            sys.exit(3)")},
     ],
-    23: [
+    "move-to-ros-2": [
         PLAIN.replace("MADE", f"node.create_timer(1 / {FREQUENCY.replace('self', 'node')}, callback)"),
         {FREQUENCY: 'float(self.declare_parameter("frequency", 2.0).value)'},
         {FREQUENCY: 'self.declare_parameter("frequency", value=2.0).get_parameter_value().double_value'},
@@ -230,7 +343,7 @@ RIGHT: dict[int, list[Answer]] = {
             "    rclpy.init()\n": "    rclpy.init(args=None)\n",
         },
     ],
-    24: [
+    "starving-neighbour": [
         {MOTOR: "self.create_timer(0.1, self.motor_callback)"},
         {CAMERA: "self.create_timer(1.0, self.camera_callback)"},
         {"MultiThreadedExecutor()": "MultiThreadedExecutor(num_threads=2)"},
@@ -282,7 +395,7 @@ threading.Thread(target=spin, daemon=True).start()
 rclpy.spin(motor)
 """,
     ],
-    25: [
+    "wake-a-rate": [
         {SPIN_CAUGHT: f"    try:\n{SPIN}{CAUGHT}    finally:\n        rclpy.try_shutdown()\n"},
         {
             THREAD: THREAD + "    executor = rclpy.executors.SingleThreadedExecutor()\n"
@@ -339,7 +452,7 @@ rclpy.spin(motor)
             "import rclpy\n": "import rclpy\nimport rclpy.executors\n",
         },
     ],
-    26: [
+    "end-without-a-traceback": [
         {
             CAUGHT: "    except (ExternalShutdownException, KeyboardInterrupt):\n        pass\n",
         },
@@ -367,7 +480,7 @@ rclpy.spin(motor)
         },
         {DRIVE_SPIN: "        while rclpy.ok():\n            rclpy.spin_once(driver_py_node)\n"},
     ],
-    27: [
+    "ask-without-hanging": [
         {
             ".add_done_callback(self.done_callback)": ".add_done_callback(\n"
             "            lambda done: self.get_logger().info(done.result().message))"
@@ -378,7 +491,7 @@ rclpy.spin(motor)
         {DONE: CALLS, ASKS_EACH_SECOND: REENTRANT, **GROUPS, **IN_THREADS},
         {DONE: CALLS_IN_A_THREAD, "import rclpy\n": "import threading\nimport rclpy\n"},
     ],
-    28: [
+    "let-a-callback-wait": [
         {"MultiThreadedExecutor()": "MultiThreadedExecutor(2)"},
         {MUTUAL_TIMER: "ReentrantCallbackGroup()", MUTUAL_IMPORT: "import ReentrantCallbackGroup"},
         # Each end in a group of its own.
@@ -408,7 +521,7 @@ rclpy.spin(motor)
             ", MultiThreadedExecutor())": ")",
         },
     ],
-    29: [
+    "slow-service": [
         {"MultiThreadedExecutor()": "MultiThreadedExecutor(2)"},
         {SLOW_GROUP: ")", "self.motor_callback)": f"self.motor_callback, {MUTUAL_TIMER})"},
         {
@@ -432,7 +545,7 @@ rclpy.spin(motor)
             "MultiThreadedExecutor\n": "SingleThreadedExecutor\n",
         },
     ],
-    30: [
+    "cancel-a-goal": [
         {"MultiThreadedExecutor())": "MultiThreadedExecutor(2))"},
         {"cancel_callback=self.may_cancel": "cancel_callback=lambda goal: CancelResponse.ACCEPT"},
         # It looks after each number.
@@ -461,24 +574,170 @@ rclpy.spin(motor)
 
 FOR_ROS_1 = "import rospy\nrospy.init_node('n')\nrospy.spin()\n"
 
-WRONG: dict[int, list[tuple[Answer, str, str]]] = {
-    20: [
-        (times(SHORT, 2.2, 2.2, 2.4), "Blocked for 1.0 s: not 2.2 s, 2.2 s", "This is what rospy does"),
-        (times(SHORT, 2.2, 2.6, 3.0), "Blocked for 1.0 s: not 2.2 s, 2.6 s", "This is what roscpp does"),
+WRONG: dict[str, list[tuple[Answer, str, str]]] = {
+    "make-it-10-hz": [
+        ({MAKES: "self.create_timer(10, self.timer_callback)"}, "no counter was printed", NOT_HZ),
+        ({MAKES: "self.create_timer(10.0, self.timer_callback)"}, "no counter was printed", NOT_HZ),
+        ({"(0.1,": "(0.5,"}, "counter 1 came at 0.5 s, not at 0.1 s", NOT_HZ),
+        ({"(0.1,": "(0.01,"}, "counter 1 came at 0.01 s, not at 0.1 s", NOT_HZ),
+        ({"(0.1,": "(1 // 10,"}, "counter 1 came at 0 s, not at 0.1 s", "no more than the exercise asks"),
+        ({"(0.1,": "(-0.1,"}, "timer period must be non-negative", "refuses a negative one"),
+        ({"+= 1": "+= 10"}, "where counter 1 was due, counter 10 came", NOT_HZ),
+        ({TRY: ""}, "no counter was printed", "The node ended by itself"),
+        ({"self.timer_callback)": "self.timer_callback())"}, "'NoneType' object is not callable", "without calling it"),
+        (
+            {"(self):\n        self.counter += 1": "(self, event):\n        self.counter += 1"},
+            "TypeError",
+            "without arguments",
+        ),
+        (FOR_ROS_1, "This node is for ROS 1", "This exercise is on ROS 2"),
+    ],
+    "first-call": [
+        (times(FIRST, 0.0, 0.4, 0.8), "The timer: not 0 s, 0.4 s, 0.8 s", "waits for one period before its first"),
+        (times(FIRST, 2.5, 5.0, 7.5), "The timer: not 2.5 s", "takes the number for a frequency"),
+        (times(FIRST, 0.0, 2.5, 5.0), "The timer: not 0 s, 2.5 s", "takes the number for a frequency"),
+        (times(FIRST, 0.4, 0.8, 1.3), "the third of these times is not 1.3 s", "And before the first one?"),
+        (times(FIRST, 0.4, 0.8), "3 times are asked for, not 2", "And before the first one?"),
+        (times(PASSES, 0.4, 0.8, 1.2), "The loop: not 0.4 s", "makes its first pass at once"),
+        (times(PASSES, 0.0, 0.5, 1.0), "the second of these times is not 0.5 s", "Follow it line by line"),
+        ({PASSES: "loop = 0.4"}, "a list of times in seconds, not a value of type `float`", "Write it as"),
+        ({PASSES: "loop = ..."}, "The loop: there is no prediction yet", "Give `loop`"),
+    ],
+    "two-timers": [
+        ({"slow_counter": "fast_counter"}, "`[SLOW]`: where counter 1 was due, counter 6 came", OWN_COUNTER),
+        ({"(0.5,": "(2.0,"}, "`[SLOW]`: counter 1 came at 2 s, not at 0.5 s", AS_MANY),
+        ({"(0.5,": "(5,"}, "`[SLOW]`: no counter was printed", AS_MANY),
+        ({"(0.1,": "(0.5,"}, "`[FAST]`: counter 1 came at 0.5 s", AS_MANY),
+        ({"[SLOW]": "[slow]"}, "`[SLOW]`: no counter was printed", AS_MANY),
+        ({"self.slow_callback)": "self.fast_callback)"}, "`[SLOW]`: no counter was printed", "callback and counter"),
+        ({"        self.slow_counter = 0\n": ""}, "has no attribute 'slow_counter'", "Python names"),
+        ({f"        {SLOW}\n": ""}, "`[SLOW]`: no counter was printed", AS_MANY),
+        (
+            {
+                "str(self.slow_counter))": "str(self.slow_counter))\n        time.sleep(0.6)",
+                "import rclpy\n": "import time\n\nimport rclpy\n",
+            },
+            "`[FAST]`: counter 6 came at",
+            AS_MANY,
+        ),
+        (FOR_ROS_1, "This node is for ROS 1", "This exercise is on ROS 2"),
+    ],
+    "who-calls": [
+        (times(UNSPUN, 0.4, 0.8, 1.2), "Without spin: not 0.4 s", "has no thread of its own"),
+        (times(UNSPUN, 0.4, 0.8, 1.2, 1.6, 2.0), "Without spin: not 0.4 s", "called by the thread that spins"),
+        (times(UNSPUN, 0.0), "Without spin: not 0 s", "called by the thread that spins"),
+        (times(UNSPUN, 0.1, 0.2), "Without spin: not 0.1 s", "has no thread of its own"),
+        (times(ONE_CALL), "With one `spin_once`: not nothing at all", "waits until something is due"),
+        (times(ONE_CALL, 0.0), "With one `spin_once`: not 0 s", "Nothing is due at the start"),
+        (times(ONE_CALL, 0.4, 0.8, 1.2, 1.6, 2.0), "With one `spin_once`: not 0.4 s, 0.8 s", "starts nothing"),
+        (times(ONE_CALL, 0.4, 0.8, 1.2), "With one `spin_once`: not 0.4 s, 0.8 s", "starts nothing"),
+        (times(ONE_CALL, 0.5), "With one `spin_once`: not 0.5 s", "Then it calls it"),
+        ({UNSPUN: "without_spin = None"}, "Without spin: there is no prediction yet", "Give `without_spin`"),
+        ({ONE_CALL: "spin_once = 0.4"}, "a list of times in seconds, not a value of type `float`", "Write it as"),
+    ],
+    "publish-a-counter": [
+        ({PUBLISHES: ""}, "on `/counter`: the node published nothing", IN_INIT),
+        ({MAKES_PUBLISHER: ""}, "has no attribute 'publisher'", "with its `self.`"),
+        ({MAKES_PUBLISHER: MAKES_PUBLISHER.replace('"counter"', '"count"')}, "it was published on `/count`", IN_INIT),
+        (
+            {MAKES_PUBLISHER: MAKES_PUBLISHER.replace('"counter"', '"~/counter"')},
+            "it was published on `/robot_py_node/counter`",
+            IN_INIT,
+        ),
+        ({"(0.2,": "(5,"}, "nothing was published on `/counter`", IN_INIT),
+        ({"(0.2,": "(0.5,"}, "On `/counter`: counter 1 came at 0.5 s, not at 0.2 s", IN_INIT),
+        ({"UInt32(data=self.counter)": "self.counter"}, "TypeError", IN_INIT),
+        ({"UInt32(data=self.counter)": "UInt32()"}, "where counter 1 was due, counter 0 came", IN_INIT),
+        (
+            {"        self.counter += 1\n" + PUBLISHES: PUBLISHES + "        self.counter += 1\n"},
+            "where counter 1 was due, counter 0 came",
+            IN_INIT,
+        ),
+        ({PUBLISHES: PUBLISHES * 2}, "On `/counter`: where counter 2 was due, counter 1 came", IN_INIT),
+        ({MAKES_PUBLISHER: MAKES_PUBLISHER.replace(", 10)", ")")}, "missing 1 required positional", IN_INIT),
+        (
+            {"        self.create_subscription": "        pass  # "},
+            "The listener: no counter",
+            "Make it once",
+        ),
+        (FOR_ROS_1, "This node is for ROS 1", "This exercise is on ROS 2"),
+    ],
+    "late-listener": [
+        (times(BOTH, 1, 2, 3), "With `10` on both sides: not 1, 2, 3", "nobody keeps the message"),
+        (times(BOTH, 3, 4, 5), "With `10` on both sides: not 3, 4, 5", "nobody keeps the message"),
+        (times(BOTH, 4, 5, 7), "the third of these counters is not 7", "nobody keeps the message"),
+        (times(KEEPS_ONE, 4, 5, 6), "not 4, 5, 6", "keeps its last messages"),
+        (times(KEEPS_ONE, 1, 2, 3), "not 1, 2, 3", "Its depth is 1"),
+        (times(KEEPS_ONE, 1, 4, 5), "not 1, 4, 5", "not the first"),
+        (times(ONE_SIDE, 3, 4, 5), "not 3, 4, 5", "only if it asks for that"),
+        (times(ONE_SIDE), "not nothing at all", "that is enough to connect"),
+        (times(OTHER_SIDE, 4, 5, 6), "not 4, 5, 6", "offers less than it asks for"),
+        (times(OTHER_SIDE, 3, 4, 5), "not 3, 4, 5", "offers less than it asks for"),
+        (times(OTHER_SIDE, 9), "not 9", "offers less than it asks for"),
+        ({OTHER_SIDE: ""}, "there is no prediction yet", "Give `only_subscription`"),
+    ],
+    "match-the-qos": [
+        ({HEARS: "self.position_callback, 10)"}, "The controller: no counter was printed", RELIABLE),
+        ({HEARS: "self.position_callback, 1)"}, "The controller: no counter was printed", RELIABLE),
+        (
+            {
+                HEARS: "self.position_callback, QoSProfile(depth=5, durability=DurabilityPolicy.TRANSIENT_LOCAL))",
+                IMPORTS_QOS: f"{IMPORTS_QOS}, DurabilityPolicy, QoSProfile",
+            },
+            "The controller: no counter was printed",
+            RELIABLE,
+        ),
+        (
+            {'"position", self.position_callback': '"positions", self.position_callback'},
+            "The controller: no counter",
+            RELIABLE,
+        ),
+        ({"0.5, self.sensor": "1.0, self.sensor"}, "The sensor: counter 1 came at 1 s, not at 0.5 s", STAYS),
+        ({"self.position_callback, qos": "self.position_callback(), qos"}, "missing 1 required positional", "match"),
+        ({"str(message.data)": "str(message)"}, "The controller: where counter 1 was due", RELIABLE),
+        ({HEARS: "self.position_callback)"}, "missing 1 required positional", "The warnings name the policy"),
+        (
+            {"        self.publisher.publish": "        # self.publisher.publish"},
+            "The sensor: no counter was printed",
+            STAYS,
+        ),
+    ],
+    "only-the-newest": [
+        (
+            {TAKES_ONE: "self.position_callback, 10)"},
+            "the controller steered by position 2, which was 0.23 s old",
+            QUEUE,
+        ),
+        ({TAKES_ONE: "self.position_callback, 2)"}, "A newer one had arrived", QUEUE),
+        (
+            {TAKES_ONE: "self.position_callback, 10)", '"position", 10)\n': '"position", 1)\n'},
+            "A newer one had arrived",
+            QUEUE,
+        ),
+        ({"time.sleep(0.33)": "time.sleep(0.05)"}, "less than 0.33 s after the last time", "takes 0.33 s"),
+        ({"(0.1, self.sensor": "(0.4, self.sensor"}, "the sensor published 25 positions", "The sensor is as it is"),
+        ({", MultiThreadedExecutor())": ")"}, "the sensor published", "The sensor is as it is"),
+        ({"str(message.data)": "str(message)"}, "is no position that", QUEUE),
+        ({"time.sleep(0.33)": "time.sleep(0.6)"}, "the controller steered 17 times", QUEUE),
+        ({"        self.create_subscription": "        pass  # "}, "the controller steered 0 times", QUEUE),
+        ({TAKES_ONE: "self.position_callback(), 1)"}, "missing 1 required positional", QUEUE),
+    ],
+    "slow-timer": [
+        (times(SHORT, 2.2, 2.2, 2.4), "Blocked for 1.0 s: not 2.2 s, 2.2 s", "one of them comes at once, and no more"),
+        (times(SHORT, 2.2, 2.6, 3.0), "Blocked for 1.0 s: not 2.2 s, 2.6 s", "it goes back to its grid"),
         (times(SHORT, 1.6, 2.0, 2.4), "not 1.6 s", "the executor calls nothing"),
         (times(SHORT, 2.4, 2.8, 3.2), "not 2.4 s", "it comes at once"),
-        (times(LONG, 3.0, 3.4, 3.8), "Blocked for 1.8 s: not 3 s, 3.4 s", "keeps to its grid"),
+        (times(LONG, 3.0, 3.4, 3.8), "Blocked for 1.8 s: not 3 s, 3.4 s", "it goes back to its grid"),
         (times(LONG, 3.0, 3.0, 3.0), "not 3 s, 3 s, 3 s", "There is no queue of calls"),
         (times(LONG, 3.2, 3.6, 4.0), "not 3.2 s", "One overdue tick still comes"),
         (times(ALWAYS, 0.4, 1.2, 2.0), "Each callback takes 0.6 s: not 0.4 s, 1.2 s", "does not wait any longer"),
         (times(ALWAYS, 0.4, 1.4, 2.4), "not 0.4 s, 1.4 s", "does not count from the end"),
-        (times(UNSPUN, 0.4, 0.8, 1.2), "Without spin: not 0.4 s", "only spin calls callbacks"),
-        (times(UNSPUN, 0.0), "Without spin: not 0 s", "When does the callback return?"),
-        ({UNSPUN: "without_spin = None"}, "Without spin: there is no prediction yet", "Give `without_spin`"),
+        (times(ALWAYS, 0.4, 1.1, 1.8), "the second of these times is not 1.1 s", "Which tick is overdue then?"),
+        ({ALWAYS: "always_slow = None"}, "Each callback takes 0.6 s: there is no prediction yet", "Give `always_slow`"),
         ({SHORT: "after_1_0_seconds = 2.2"}, "a list of times in seconds, not a value of type `float`", "Write it as"),
         (FOR_ROS_1, "This node is for ROS 1", "This exercise is on ROS 2"),
     ],
-    21: [
+    "call-back-once": [
         (
             {CANCELS: "        if self.counter:\n            return\n"},
             "the callback was called 4 times in 6 s",
@@ -521,7 +780,7 @@ WRONG: dict[int, list[tuple[Answer, str, str]]] = {
         ),
         (FOR_ROS_1, "This node is for ROS 1", "This exercise is on ROS 2"),
     ],
-    22: [
+    "period-parameter": [
         ({PERIOD: "        period = 0.5\n"}, "With `period:=0.1`: counter 1 came at 0.5 s", "is called"),
         (
             {PERIOD: '        period = self.get_parameter("period").value\n'},
@@ -584,12 +843,12 @@ WRONG: dict[int, list[tuple[Answer, str, str]]] = {
         ),
         (FOR_ROS_1, "This node is for ROS 1", "This exercise is on ROS 2"),
     ],
-    23: [
+    "move-to-ros-2": [
         (FOR_ROS_1, "This node is for ROS 1: it imports `rospy`", "where a node imports `rclpy`"),
         ("import rospy, rclpy\n", "imports both", "This exercise is on ROS 2"),
         ({"timer_callback(self)": "timer_callback(self, event)"}, "missing 1 required positional", "without arguments"),
         ({FREQUENCY: "2.0"}, "With `frequency:=10.0`: counter 1 came at 0.5 s", "is called"),
-        ({'"frequency"': '"~frequency"'}, "With `frequency:=10.0`: counter 1 came at 0.5 s", "without `~`"),
+        ({'"frequency"': '"~frequency"'}, "With `frequency:=10.0`: counter 1 came at 0.5 s", "has no `~` in ROS 2"),
         ({FREQUENCY: 'self.get_parameter("frequency").value'}, "ParameterNotDeclared", "declared before it is read"),
         (
             {"create_timer(1 / frequency": "create_timer(frequency"},
@@ -607,7 +866,7 @@ WRONG: dict[int, list[tuple[Answer, str, str]]] = {
             "keeps the type of its default",
         ),
     ],
-    24: [
+    "starving-neighbour": [
         (
             {EXECUTOR: "", SPINS: "        rclpy.spin(robot_py_node)\n"},
             "With `takes:=0.6`, the motor: counter 10 came at 1.6 s",
@@ -658,7 +917,7 @@ WRONG: dict[int, list[tuple[Answer, str, str]]] = {
         ),
         (FOR_ROS_1, "This node is for ROS 1", "This exercise is on ROS 2"),
     ],
-    25: [
+    "wake-a-rate": [
         (
             {THREAD: "", SPIN: "        spinner_py_node.loop()\n"},
             "counter 2, due at 0.5 s, did not come",
@@ -732,7 +991,7 @@ WRONG: dict[int, list[tuple[Answer, str, str]]] = {
         ),
         (FOR_ROS_1, "This node is for ROS 1", "This exercise is on ROS 2"),
     ],
-    26: [
+    "end-without-a-traceback": [
         (
             {"(KeyboardInterrupt, ExternalShutdownException)": "KeyboardInterrupt"},
             "SIGTERM: the node died in line 38:",
@@ -795,7 +1054,7 @@ WRONG: dict[int, list[tuple[Answer, str, str]]] = {
         ),
         (FOR_ROS_1, "This node is for ROS 1", "This exercise is on ROS 2"),
     ],
-    27: [
+    "ask-without-hanging": [
         # The answer is used at once.
         (
             {DONE: DONE_AT_ONCE},
@@ -835,7 +1094,7 @@ WRONG: dict[int, list[tuple[Answer, str, str]]] = {
         ({"        self.create_timer(0.5, self.heartbeat_callback)\n": ""}, "heartbeat: no counter", ""),
         (FOR_ROS_1, "This node is for ROS 1", "This exercise is on ROS 2"),
     ],
-    28: [
+    "let-a-callback-wait": [
         ({f", {MUTUAL_TIMER}": ""}, "the request of 1 s to `/left_eye` was not answered", "say who waits"),
         ({", MultiThreadedExecutor())": ")"}, "`/left_eye` was not answered", "keeps its thread"),
         ({"MultiThreadedExecutor()": "MultiThreadedExecutor(1)"}, "`/left_eye` was not answered", "say who waits"),
@@ -881,7 +1140,7 @@ WRONG: dict[int, list[tuple[Answer, str, str]]] = {
         ({"time.sleep(0.1)": "pass"}, "was answered at 1 s, not at 1.1 s", ""),
         (FOR_ROS_1, "This node is for ROS 1", "This exercise is on ROS 2"),
     ],
-    29: [
+    "slow-service": [
         ({SLOW_GROUP: ")"}, "With `takes:=0.35`, the motor: counter 11 came at 1.35 s", "unless you give them others"),
         ({", MultiThreadedExecutor())": ")"}, "counter 11 came at 1.35 s", "a single-threaded executor calls nothing"),
         ({"MultiThreadedExecutor()": "MultiThreadedExecutor(1)"}, "counter 11 came at 1.35 s", "calls nothing"),
@@ -914,7 +1173,7 @@ WRONG: dict[int, list[tuple[Answer, str, str]]] = {
         ),
         (FOR_ROS_1, "This node is for ROS 1", "This exercise is on ROS 2"),
     ],
-    30: [
+    "cancel-a-goal": [
         (
             {"            cancel_callback=self.may_cancel)\n": "            )\n"},
             "Cancelled at 3.2 s: the goal was reached (4) at 5 s, not cancelled (5)",

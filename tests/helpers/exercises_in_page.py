@@ -5,7 +5,7 @@ from __future__ import annotations
 from collections.abc import Iterator
 from contextlib import contextmanager
 
-from answers import CELLS, NOTEBOOKS, answer_in
+from answers import CELLS, NOTEBOOKS, answer_in, number_of
 from listings_in_page import exercise, lines_of
 from looks import PATIENCE, faults
 from playwright.sync_api import Browser, Page, expect
@@ -26,15 +26,16 @@ def open_pages(browser: Browser, address: str) -> Iterator[dict[int, Page]]:
         assert not any(wrong)
 
 
-def is_checked(pages: dict[int, Page], number: int) -> None:
+def is_checked(pages: dict[int, Page], name: str) -> None:
     """The page says of the answers to an exercise, as it comes and right, what a notebook says of them."""
-    cell = exercise(pages[EXERCISES[number - 1].ros], number)
-    for answer, status in zip(CELLS[number], ("not yet", "right"), strict=True):
+    number = number_of(name)
+    cell = exercise(pages[EXERCISES[number - 1].ros], name)
+    for answer, status in zip(CELLS[name], ("not yet", "right"), strict=True):
         if status == "right":
             cell.write(answer.source)
         cell.button("Run").click()
         said = cell.ends(f"Exercise {number}: {status}.")
-        feedback = check(number, f"\n{answer_in(answer)}")
+        feedback = check(name, f"\n{answer_in(answer)}")
         console = feedback.console
         words = str(feedback).replace("`", "")
         assert lines_of(said) == lines_of((f"{console}\n" if console else "") + f"{words}\n")

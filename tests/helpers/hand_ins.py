@@ -20,11 +20,11 @@ TEACHERS = "docs/for-teachers.html"
 
 EXERCISES = "notebooks/exercises.html"
 
-RIGHT = CELLS[1][1].source
+RIGHT = CELLS["first-ticks"][1].source
 
-WRONG = "%%answer 1\ntimer = [0, 1, 2]\nloop = [0, 1, 2]\nbusy_loop = [0, 1, 2]\n"
+WRONG = "%%answer first-ticks\ntimer = [0, 1, 2]\nloop = [0, 1, 2]\nbusy_loop = [0, 1, 2]\n"
 
-ENDLESS = "%%answer 1\nsum(iter(int, 1))\n"  # gives way to no interrupt
+ENDLESS = "%%answer first-ticks\nsum(iter(int, 1))\n"  # gives way to no interrupt
 
 # Stands in for Python where a test is about the table: an answer is the verdict on it.
 NO_PYTHON = """
@@ -68,7 +68,7 @@ def _answer(data: bytes, route: Route) -> None:
 
 def handed_in(name: Any = "Ada", **changed: Any) -> str:
     """What is in a file."""
-    made = {"format": "rosspin-answers", "version": 1, "name": name, "id": "a1", "answers": {"1": RIGHT}}
+    made = {"format": "rosspin-answers", "version": 2, "name": name, "id": "a1", "answers": {"first-ticks": RIGHT}}
     return json.dumps(made | changed)
 
 
@@ -128,8 +128,10 @@ class Table:
 
 def solves_nothing(table: Table, names: Iterable[str]) -> None:
     """No such forgery is a solution in the table."""
-    answers = [f"%%answer 1\n{FORGERIES[name]}\n" for name in names]
-    table.drop(**{f"f{number}": handed_in(f"F{number}", answers={"1": text}) for number, text in enumerate(answers)})
+    answers = [f"%%answer first-ticks\n{FORGERIES[name]}\n" for name in names]
+    table.drop(
+        **{f"f{number}": handed_in(f"F{number}", answers={"first-ticks": text}) for number, text in enumerate(answers)}
+    )
     table.done()
     expect(table.rows).to_have_count(len(answers))
     expect(table.page.locator(".judge-scroll button.judge-solved")).to_have_count(0)

@@ -9,7 +9,6 @@ import time
 import zlib
 from typing import Any
 
-from answers import ON_PAGE
 from looks import PATIENCE
 from playwright.sync_api import Locator, Page, expect
 from tree import EXAMPLES
@@ -36,9 +35,9 @@ ROS2 = [
 class Cell:
     """A listing of the page that can be run, as a reader sees it."""
 
-    def __init__(self, page: Page, index: int) -> None:
+    def __init__(self, page: Page, index: int, listings: str = "div.live") -> None:
         self.page = page
-        self.element = page.locator("div.live").nth(index)
+        self.element = page.locator(listings).nth(index)
         self.console = self.element.get_by_role("log", name="Console")
         self.status = self.element.get_by_role("status")
         self.plot = self.element.locator("figure:not(.live-made) svg[role=img]")
@@ -71,9 +70,9 @@ class Cell:
         return self.console.locator(".of-tick").all_text_contents()
 
 
-def exercise(page: Page, number: int) -> Cell:
-    """The cell of an exercise: one before the 2nd, and one before the first on ROS 2, is no exercise."""
-    return Cell(page, {1: 0}.get(number, number) if number in ON_PAGE[1] else number - ON_PAGE[2][0] + 1)
+def exercise(page: Page, name: str) -> Cell:
+    """The cell of an exercise."""
+    return Cell(page, 0, f"div.live:has([aria-label='Run answer {name}'])")
 
 
 def open_tutorial(page: Page, address: str) -> None:

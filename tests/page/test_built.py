@@ -46,7 +46,7 @@ def test_plot_of_a_listing_that_says_for_how_long(watchful: None) -> None:
     )
     assert "print: 4 ticks" in plot(f"%%simulate 2 -- _p:=0.5\n{text}")
     assert "the first 2 s" in plot(f"%%simulate 2 -- _p:=0.5\n{text}")
-    for other in (f"%%answer 1\n{text}", "print(1)\n", "import rospy\n1 / 0\n", "while True: pass", "print("):
+    for other in (f"%%answer first-ticks\n{text}", "print(1)\n", "import rospy\n1 / 0\n", "while True: pass", "print("):
         assert plot(other) == ""
 
 

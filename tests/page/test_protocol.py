@@ -38,16 +38,18 @@ JOBS = {
     "two nodes": run_job(PUBLISHER, "", (SUBSCRIBER, "subscriber.py", "__ns:=/")),
     "an error in the other one": run_job(PUBLISHER, "", ("import rospy\n1 / 0", "subscriber.py", "")),
     "no Python in the other one": run_job(PUBLISHER, "", ("print(", "subscriber.py", "")),
-    "an answer to nothing": {"kind": "trace", "number": 99, "text": ""},
-    "a verdict on no trace": {"kind": "judge", "number": 1, "text": "", "trace": "{"},
+    "an answer to nothing": {"kind": "trace", "exercise": "nothing", "text": ""},
+    "a verdict on no trace": {"kind": "judge", "exercise": "first-ticks", "text": "", "trace": "{"},
 }
 
 
 def judging() -> dict[str, Message]:
     """Answers to the first exercise that are to be judged, by their verdicts."""
-    start, right = map(answer_in, CELLS[1])
+    start, right = map(answer_in, CELLS["first-ticks"])
     answers = {"solved": right, "not yet": "timer = [0, 1, 2]\n", "open": start}
-    given: list[Message] = [{"kind": "trace", "number": 1, "text": f"\n{text}"} for text in answers.values()]
+    given: list[Message] = [
+        {"kind": "trace", "exercise": "first-ticks", "text": f"\n{text}"} for text in answers.values()
+    ]
     traces = [end["result"] for _, end in said(given)]
     return {
         verdict: job | {"kind": "judge"} | trace for verdict, job, trace in zip(answers, given, traces, strict=True)

@@ -8,7 +8,7 @@ import pytest
 from listings_in_page import node, node2
 from page_python import Message, run_job, said
 
-FIRST_LINE = "the first line can be %%simulate SECONDS or %%answer NUMBER"
+FIRST_LINE = "the first line can be %%simulate SECONDS here"
 
 # A text, the status and the number of errors with which its run ends, and what is said.
 CASES = [

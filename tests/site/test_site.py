@@ -22,6 +22,7 @@ from docutils import nodes
 from tree import DOCTREES, ROOT, SITE
 
 from rosspin.__main__ import main
+from rosspin.exercises import EXERCISES
 
 NOTEBOOKS = sorted(path.stem for path in (ROOT / "notebooks").glob("*.md"))
 SOURCES = [page.relative_to(ROOT).with_suffix("").as_posix() for page in PAGES]
@@ -122,6 +123,13 @@ def test_the_contents_of_a_page_show_its_exercises(pages: dict[Path, BeautifulSo
     """Elsewhere "On this page" stops at the headings of the second level."""
     shown = {path.stem for path, page in pages.items() if page.select(".toc-h2 > .pst-show_toc_level > .toc-h3")}
     assert shown == {"exercises", "ros2-exercises"}
+
+
+def test_each_exercise_is_linked_to_by_its_name(pages: dict[Path, BeautifulSoup]) -> None:
+    for path, page in pages.items():
+        if path.stem.endswith("exercises"):
+            names = {exercise.name for exercise in EXERCISES if (exercise.ros == 2) is path.stem.startswith("ros2")}
+            assert names <= {tag["id"] for tag in page.select("article [id]")}
 
 
 def test_nobody_has_solved_an_exercise_when_the_site_is_built(site: Path) -> None:

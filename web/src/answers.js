@@ -1,7 +1,12 @@
 // The file in which a student hands in answers: JSON with a name, a date and the texts. What else it says is not read.
 
+import { nameOf } from "./names.js"
+
 const FORMAT = "rosspin-answers"
-const VERSION = 1
+const VERSION = 2
+
+/** The name of an exercise, or in files of version 1 its old number. */
+const NAME = { 1: /^\d{1,3}$/, 2: /^[a-z0-9]+(-[a-z0-9]+)*$/ }
 
 /** What is read at most: of a file (bytes), of an answer and a name (characters), and so many answers. */
 export const MOST = { file: 1_000_000, answer: 50_000, name: 100, answers: 100 }
@@ -9,7 +14,7 @@ export const MOST = { file: 1_000_000, answer: 50_000, name: 100, answers: 100 }
 /**
  * What such a file holds.
  *
- * @typedef {{file: string, name: string, id: string, date: Date | null, answers: [number: number, text: string][]}} Answers
+ * @typedef {{file: string, name: string, id: string, date: Date | null, answers: [exercise: string, text: string][]}} Answers
  */
 
 /**
@@ -17,7 +22,7 @@ export const MOST = { file: 1_000_000, answer: 50_000, name: 100, answers: 100 }
  *
  * @param {string} name
  * @param {string} id what tells students of the same name apart
- * @param {Record<string, string>} answers number of the exercise -> text
+ * @param {Record<string, string>} answers name of the exercise -> text
  */
 export function write(name, id, answers) {
   const date = new Date().toISOString()
@@ -46,18 +51,20 @@ export async function read(file) {
     refuse("it is not a file that Hand in saved (it is not JSON)")
   }
   if (found?.format !== FORMAT) refuse("it is not a file of answers to these exercises")
-  if (found.version !== VERSION) refuse("another version of this site wrote it")
+  const isName = NAME[/** @type {1 | 2} */ (found.version)]
+  if (!isName) refuse("another version of this site wrote it")
   const { name, id, answers } = found
   if (typeof name !== "string" || typeof id !== "string" || typeof answers !== "object" || !answers) {
     refuse("its name or its answers are missing")
   }
-  const pairs = Object.entries(answers).map(([number, answer]) => /** @type {[number, any]} */ ([Number(number), answer]))
+  const pairs = Object.entries(answers)
   if (pairs.length > MOST.answers) refuse(`it has ${pairs.length} answers, and at most ${MOST.answers} are read`)
-  if (!pairs.every(([number, answer]) => number > 0 && number < 1000 && Number.isInteger(number) && typeof answer === "string")) {
-    refuse("one of its answers is not a text with the number of an exercise")
+  if (!pairs.every(([name, answer]) => name.length <= MOST.name && isName.test(name) && typeof answer === "string")) {
+    refuse("one of its answers is not a text with the name of an exercise")
   }
+  const known = pairs.map(([exercise, answer]) => /** @type {[string, string]} */ ([nameOf(exercise), answer]))
   const date = new Date(typeof found.date === "string" ? found.date : NaN)
-  return { file: file.name, name: plain(name) || "(no name)", id, date: isNaN(Number(date)) ? null : date, answers: pairs }
+  return { file: file.name, name: plain(name) || "(no name)", id, date: isNaN(Number(date)) ? null : date, answers: known }
 }
 
 /**

@@ -3,6 +3,7 @@
 import { Console } from "./console.js"
 import { Kept } from "./kept.js"
 import { find, make } from "./make.js"
+import { named } from "./names.js"
 import { Plot } from "./plot.js"
 import { start, warmUp } from "./python.js"
 
@@ -89,7 +90,6 @@ export class Cell {
   /** @type {Keeping | null} */
   #own = null // what the reader has written, while the other is shown
   #name
-  #answers // whether it is an answer to an exercise, which is checked rather than run
   #simulates // whether its first line says for how long it runs
   /** @type {HTMLElement | null} */
   #made = null // the plot that was made with the page, if there is one
@@ -115,14 +115,13 @@ export class Cell {
     this.#original = /** @type {string} */ (this.#pre.textContent)
     this.#highlighted = [...this.#pre.childNodes]
     const caption = listing.parentElement?.querySelector(".code-block-caption .caption-text")
-    const [, magic, number] = this.#original.match(/^%%(\w+) (\S+)/) ?? []
-    this.#answers = magic === "answer"
-    this.#simulates = magic === "simulate"
+    this.exercise = named(this.#original) ?? "" // that it answers; a text is then checked rather than run
+    this.#simulates = this.#original.startsWith("%%simulate ")
     // hand-in.js, which is on each page that has exercises, keeps the answers to all of them.
-    const answer = this.#answers && window.rosspinStore?.of(number)
+    const answer = this.exercise && window.rosspinStore?.of(this.exercise)
     this.#kept = answer || new Kept(`${location.pathname}:${index}`, this.#original)
     this.#kept.changed = (said) => this.#own || this.#follow(said)
-    this.#name = this.#answers ? `answer ${number}` : (caption?.textContent ?? "node.py").trim().replace(/.*\//, "")
+    this.#name = this.exercise ? `answer ${this.exercise}` : (caption?.textContent ?? "node.py").trim().replace(/.*\//, "")
     this.#output = listing.closest(".cell")?.querySelector(".cell_output")
     this.#made = made(listing)
     const button = (/** @type {string} */ text, /** @type {() => void} */ act) => {
@@ -154,7 +153,7 @@ export class Cell {
     }
     this.status = make("span", { role: "status" })
     this.pin.hidden = true
-    const file = this.#answers ? "" : this.#name
+    const file = this.exercise ? "" : this.#name
     this.console = new Console(`Console of ${this.#name}`, file, (line) => this.#edit(line))
     this.plot = new Plot(`Ticks of ${this.#name}`, (chunks) => this.console.mark(chunks))
     this.notice = make("p", { className: "live-notice", hidden: true })
@@ -169,9 +168,9 @@ export class Cell {
   #arranged() {
     const bar = make("div", { className: "live-bar", role: "group", ariaLabel: `Run ${this.#name} in this page` })
     bar.append(this.run, this.both, this.stop, this.edit, this.reset, this.earlier, this.share, this.copy, this.pin)
-    const isNode = !this.#answers && !this.#simulates
+    const isNode = !this.exercise && !this.#simulates
     if (isNode) bar.append(make("label", {}, this.seconds, " s"))
-    if (!this.#answers) bar.append(this.speed)
+    if (!this.exercise) bar.append(this.speed)
     if (isNode) bar.append(this.arguments)
     bar.append(this.status)
     const parts = [this.notice, bar, this.copied, this.console.element, this.plot.element, this.#made ?? ""]
@@ -392,7 +391,7 @@ export class Cell {
   }
 
   #warmUp() {
-    warmUp(this.#base, this.#answers)
+    warmUp(this.#base, this.exercise !== "")
   }
 
   /** @type {import("./protocol.js").Beside} */
@@ -406,10 +405,6 @@ export class Cell {
     const number = ++this.#runs
     const seconds = this.seconds.valueAsNumber
     this.#clear(true)
-    if (this.#answers && !this.#text.startsWith(`%%${this.#name}\n`)) {
-      this.#say(`error: the first line must be %%${this.#name}`)
-      return
-    }
     if (!this.seconds.checkValidity() || Number.isNaN(seconds)) {
       this.#say("error: seconds must be a number from 0 to 3600")
       return
@@ -417,7 +412,7 @@ export class Cell {
     const [source, filename, args] = this.#beside
     this.#ran = source
     const beside = others.filter((other) => other !== this).map((other) => other.#beside)
-    const job = { source, filename, seconds, args, speed: Number(this.speed.value), beside }
+    const job = { source, filename, seconds, args, speed: Number(this.speed.value), beside, exercise: this.exercise }
     this.#worker = start(this.#base, job, (message) => number === this.#runs && this.#hear(message))
     this.#say("starting Python")
   }

@@ -6,8 +6,8 @@ declare const FILES: Record<string, string>
 /** The version of runs.js that belongs to this page. */
 declare const RUNS: string
 
-/** What the exercises are called: number -> title. */
-declare const TITLES: Record<string, string>
+/** The exercises by their names, with what is shown of them. */
+declare const EXERCISES: Record<string, { number: number; title: string }>
 
 interface Window {
   /** The answers to exercises; on pages that have some. */

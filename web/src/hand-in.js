@@ -5,7 +5,8 @@ import { MOST, write } from "./answers.js"
 import { HAS_JSPI, LACKS_JSPI } from "./jspi.js"
 import { fingerprint } from "./kept.js"
 import { find, here, make, save } from "./make.js"
-import { FIRST_LINE, Store } from "./store.js"
+import { named, numberOf, withNumber } from "./names.js"
+import { Store } from "./store.js"
 
 /** Under this, for all pages, the reader's name and what tells readers of the same name apart. */
 const KEY = "rosspin:hand-in"
@@ -20,8 +21,8 @@ window.rosspinStore = store
 
 // The cells are here as they came with the page: live.js shows the reader's own texts in their place later.
 for (const { textContent } of document.querySelectorAll("div.live pre")) {
-  const number = textContent.match(FIRST_LINE)?.[1]
-  if (number) store.adopt(number, fingerprint(textContent))
+  const name = named(textContent)
+  if (name) store.adopt(name, fingerprint(withNumber(textContent)))
 }
 
 addEventListener("storage", ({ key }) => key && store.heard(key))
@@ -48,8 +49,8 @@ function handIn(event) {
     return
   }
   const found = Object.fromEntries(store.texts())
-  const numbers = Object.keys(found)
-  if (!numbers.length) {
+  const exercises = Object.keys(found)
+  if (!exercises.length) {
     const nothing = store.solvedBefore().length ? "no answer stands changed." : "you have not changed an answer yet."
     status.textContent = [`There is nothing to hand in: ${nothing}`, ...doubts(found, "")].join(" ")
     return
@@ -63,7 +64,7 @@ function handIn(event) {
   const file = `rosspin-answers-${name.replace(/[^\p{L}\p{N}]+/gu, "-")}.json`
   const text = write(name, id, found)
   save(file, "application/json", text)
-  const which = `your answer${numbers.length === 1 ? "" : "s"} to ${list(numbers)}`
+  const which = `your answer${exercises.length === 1 ? "" : "s"} to ${list(exercises)}`
   const said = [`Saved as ${file}, with ${which}. Give this file to your teacher.`, ...doubts(found, text)]
   status.textContent = said.join(" ")
 }
@@ -76,7 +77,7 @@ function handIn(event) {
  */
 function doubts(found, text) {
   const changed = store.solvedBefore()
-  const long = Object.keys(found).filter((number) => found[number].length > MOST.answer)
+  const long = Object.keys(found).filter((exercise) => found[exercise].length > MOST.answer)
   return [
     changed.length && `You have solved ${list(changed)} with another text, which Earlier version brings back.`,
     long.length && `Too long to be judged, with more than ${MOST.answer} characters: ${list(long)}.`,
@@ -85,11 +86,12 @@ function doubts(found, text) {
 }
 
 /**
- * Some numbers of exercises, in words.
+ * Some exercises by their numbers, in words.
  *
- * @param {string[]} numbers
+ * @param {string[]} names
  */
-function list(numbers) {
+function list(names) {
+  const numbers = names.map(numberOf)
   numbers.sort(new Intl.Collator("en", { numeric: true }).compare)
   if (numbers.length === 1) return `exercise ${numbers}`
   return `exercises ${numbers.slice(0, -1).join(", ")} and ${numbers.at(-1)}`

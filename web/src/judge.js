@@ -4,6 +4,7 @@ import { csv } from "./csv.js"
 import { HAS_JSPI, LACKS_JSPI } from "./jspi.js"
 import { judge } from "./judging.js"
 import { find, here, make, save } from "./make.js"
+import { numberOf } from "./names.js"
 import { notHere } from "./python.js"
 import { NOT_JUDGED, Table } from "./table.js"
 import { reveal } from "./unseen.js"
@@ -64,11 +65,12 @@ function mark(answer) {
 }
 
 function draw() {
-  const columns = known.numbers
+  const columns = known.exercises
   const head = make("tr", {}, make("th", { scope: "col", textContent: "Name" }))
   head.append(make("th", { scope: "col", textContent: "Solved" }))
-  /** @type {(number: number) => HTMLElement} */
-  const heading = (number) => make("th", { scope: "col", textContent: String(number), title: exercise(number, "Exercise") })
+  /** @type {(name: string) => HTMLElement} */
+  const heading = (name) =>
+    make("th", { scope: "col", textContent: numberOf(name), title: titleOf(name, "Exercise") })
   head.append(...columns.map(heading))
   const body = known.rows.map((row) => {
     const [others, namesakes] = [known.others(row), known.namesakes(row)]
@@ -77,7 +79,7 @@ function draw() {
     if (namesakes.length) said.push(`same name as ${namesakes.join(", ")}, another browser`)
     const name = make("th", { scope: "row" }, row.name)
     name.append(...said.filter(Boolean).map((textContent) => make("small", { textContent })))
-    const answers = columns.map((number) => row.answers.get(number))
+    const answers = columns.map((name) => row.answers.get(name))
     const cells = answers.map((answer) => make("td", {}, answer ? mark(answer) : nothing()))
     return make("tr", {}, name, make("td"), ...cells)
   })
@@ -104,8 +106,8 @@ function tell() {
 }
 
 /** An exercise with its title, if it has one. */
-const exercise = (/** @type {number} */ number, word = "exercise") =>
-  [`${word} ${number}`, TITLES[number]].filter(Boolean).join(": ")
+const titleOf = (/** @type {string} */ name, word = "exercise") =>
+  [`${word} ${numberOf(name)}`, EXERCISES[name]?.title].filter(Boolean).join(": ")
 
 /**
  * Show what the checker said of an answer, and the answer.
@@ -115,10 +117,10 @@ const exercise = (/** @type {number} */ number, word = "exercise") =>
 function show(answer, go = true) {
   const focused = [...detail.children].indexOf(/** @type {Element} */ (document.activeElement))
   shown = answer
-  const { row, number, verdict, said } = answer
+  const { row, exercise, verdict, said } = answer
   const text = reveal(answer.text.slice(0, 50_000))
   detail.replaceChildren(
-    make("p", {}, make("strong", { textContent: `${row.name}, ${exercise(number)}: ${verdict}` })),
+    make("p", {}, make("strong", { textContent: `${row.name}, ${titleOf(exercise)}: ${verdict}` })),
     reveal(said || "Nothing is known yet.").pre,
     make("p", { textContent: [`The answer, from ${row.source}:`, text.said].filter(Boolean).join(" ") }),
     Object.assign(text.pre, { tabIndex: 0 }),
@@ -153,7 +155,7 @@ const status = make("span", { role: "status" })
 const progress = make("progress", { ariaLabel: "Answers judged" })
 const stopButton = button("Stop", () => known.stop())
 const bar = make("div", { className: "judge-bar" })
-const saveButton = button("Save as CSV", () => save("answers.csv", "text/csv", csv(known.save(exercise))))
+const saveButton = button("Save as CSV", () => save("answers.csv", "text/csv", csv(known.save(titleOf))))
 bar.append(progress, stopButton, saveButton, status)
 const notes = make("ul")
 const table = make("table", { className: "table" })

@@ -74,12 +74,12 @@ function result(sandbox, job, stopped) {
  * The verdict on an answer, and what was said of it.
  *
  * @param {string} base the address of the folder that runs.js is in
- * @param {number} number
+ * @param {string} exercise
  * @param {string} text
  * @param {AbortSignal} stopped
  * @returns {Promise<Judgement>}
  */
-export async function judge(base, number, text, stopped) {
+export async function judge(base, exercise, text, stopped) {
   if (text.length > MOST.answer) {
     return { verdict: NOT_JUDGED, said: `It has ${text.length} characters; at most ${MOST.answer} are judged.` }
   }
@@ -91,9 +91,9 @@ export async function judge(base, number, text, stopped) {
     })
     const [running, judging] = [new Sandbox(), new Sandbox()]
     sandboxes.push(running, judging)
-    const { trace } = await result(running, { kind: "trace", number, text }, stopped)
+    const { trace } = await result(running, { kind: "trace", exercise, text }, stopped)
     running.end()
-    const { verdict, console, said } = await result(judging, { kind: "judge", number, text, trace }, stopped)
+    const { verdict, console, said } = await result(judging, { kind: "judge", exercise, text, trace }, stopped)
     const shown = console.slice(0, Math.max(MOST_SAID - said.length, 0))
     return { verdict, said: [shown, said].filter(Boolean).join("\n").slice(0, MOST_SAID) }
   } catch (error) {

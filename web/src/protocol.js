@@ -6,8 +6,8 @@
  * @typedef {[source: string, filename: string, args: string]} Beside a node that runs together with the one of the job
  * @typedef {{kind: "run", source: string, filename: string, seconds: number, args: string, speed: number,
  *   beside: Beside[]}} RunJob
- * @typedef {{kind: "trace", number: number, text: string}} TraceJob
- * @typedef {{kind: "judge", number: number, text: string, trace: string}} JudgeJob
+ * @typedef {{kind: "trace", exercise: string, text: string}} TraceJob
+ * @typedef {{kind: "judge", exercise: string, text: string, trace: string}} JudgeJob
  * @typedef {RunJob | TraceJob | JudgeJob} Job
  * @typedef {{kind: "file", name: string, bytes: ArrayBuffer | null}} File what a sandbox needed; null: it cannot be had
  * @typedef {Job | File} ToSandbox
@@ -50,8 +50,8 @@
  * }} Shown of a run, as it happens
  * @typedef {{
  *   run: Python<[source: string, filename: string, seconds: number, args: string, speed: number, beside: string, page: Shown]>,
- *   trace: Python<[number: number, text: string]>,
- *   judge: Python<[number: number, text: string, trace: string]>,
+ *   trace: Python<[exercise: string, text: string]>,
+ *   judge: Python<[exercise: string, text: string, trace: string]>,
  *   wake(supply: (path: string) => Promise<void> | undefined): void,
  * }} PythonPage
  */

@@ -1,6 +1,7 @@
 // Runs of code, each in a sandbox of its own, which finds nothing of earlier ones there. The next one is started meanwhile.
 // Where that cannot be, as when the server has gone, one that has done its job takes its place.
 
+import { code } from "./names.js"
 import { Sandbox } from "./sandboxes.js"
 
 export { Sandbox }
@@ -8,7 +9,8 @@ export { Sandbox }
 /**
  * @typedef {import("./protocol.js").Failed} Failed
  * @typedef {import("./protocol.js").Results} Results
- * @typedef {Omit<import("./protocol.js").RunJob, "kind">} Text to be run: a node, or an answer to an exercise
+ * @typedef {Omit<import("./protocol.js").RunJob, "kind"> & {exercise: string}} Text to be run: a node, or an answer to an
+ *   exercise
  * @typedef {{verdict: string, solved: boolean}} Judged the verdict in a line; "" if there is none
  * @typedef {import("./protocol.js").Word<"run"> | import("./protocol.js").End<Judged> | {kind: "begun"}} Told of that
  * @typedef {{end(): void}} Run that goes on
@@ -124,9 +126,6 @@ export function warmUp(answers) {
   if (answers) judges.warmUp()
 }
 
-/** The first line of an answer to an exercise. */
-const ANSWER = /^%%answer[ \t]+(\d+)[^\n]*\n?/
-
 /**
  * Run a job; `hear(message)` is called with what comes of it. `end()` of what is returned ends it at once.
  *
@@ -135,25 +134,25 @@ const ANSWER = /^%%answer[ \t]+(\d+)[^\n]*\n?/
  * @returns {Run}
  */
 export function start(job, hear) {
-  const [first, number] = job.source.match(ANSWER) ?? []
-  if (first) return answer(Number(number), `\n${job.source.slice(first.length)}`, hear)
+  const { exercise, ...node } = job
+  if (exercise) return answer(exercise, code(job.source), hear)
   const runner = runs.take()
-  runner.do({ kind: "run", ...job }, hear)
+  runner.do({ kind: "run", ...node }, hear)
   return runner
 }
 
 /**
  * Run an answer in one sandbox, and have what came of that judged in another.
  *
- * @param {number} number
+ * @param {string} exercise
  * @param {string} text
  * @param {(message: Told) => void} hear
  */
-function answer(number, text, hear) {
+function answer(exercise, text, hear) {
   const [running, judging] = [runs.take(), judges.take()]
-  running.do({ kind: "trace", number, text }, (message) => {
+  running.do({ kind: "trace", exercise, text }, (message) => {
     if (message.kind !== "end") return hear(message)
-    judging.do({ kind: "judge", number, text, trace: message.result.trace }, (message) => {
+    judging.do({ kind: "judge", exercise, text, trace: message.result.trace }, (message) => {
       if (message.kind === "begun") return
       hear(message.kind === "end" ? { kind: "end", result: told(message.result, hear) } : message)
     })

@@ -1,6 +1,7 @@
 // A listing in the address of its page: what follows the # is never sent to a server.
 
 import { pack, unpack } from "./link.js"
+import { named } from "./names.js"
 import { reveal } from "./unseen.js"
 
 /** In place of what is kept of a listing: of what came with a link, nothing is. */
@@ -38,7 +39,10 @@ export async function address(element, listing) {
  */
 export async function receive(cells) {
   const { cell, text, seconds, args } = await unpack(location.hash)
-  if (!cells[cell]) throw new Error("The code in this link belongs to a listing that this page no longer has.")
+  // Exercises change their places, but not their names.
+  const exercise = named(text)
+  const place = cells.find((other) => exercise && other.exercise === exercise) ?? cells[cell]
+  if (!place) throw new Error("The code in this link belongs to a listing that this page no longer has.")
   const { pre, said } = reveal(text)
-  cells[cell].receive({ kept: { ...UNKEPT, text }, seconds, args, notice: `${NOTICE} ${said}`, shown: pre })
+  place.receive({ kept: { ...UNKEPT, text }, seconds, args, notice: `${NOTICE} ${said}`, shown: pre })
 }

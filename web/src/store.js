@@ -5,6 +5,7 @@
 // unseen. A version whose text is null is the cell as it comes with its page.
 
 import { PREFIX, why } from "./kept.js"
+import { named, nameOf, withName } from "./names.js"
 
 /** So many versions are kept, and the newest that solved the exercise. */
 const MOST = 6
@@ -26,9 +27,6 @@ const NONE = { solved: false, versions: [] }
 
 /** How the keys of earlier versions of the site end: number of the listing on its page, fingerprint; solved or not. */
 const OLD = /:\d+:([0-9a-f]+)(:solved)?$/
-
-/** The first line of an answer names the exercise. */
-export const FIRST_LINE = /^%%answer (\S+)\n/
 
 /**
  * Versions in their order, each text once, without those that are too many.
@@ -198,9 +196,18 @@ export class Answer {
    * @param {boolean} solved
    */
   adopt(texts, solved) {
+    return this.take({ solved, versions: texts.map((text) => ({ id: this.#newId(), time: 0, text })) })
+  }
+
+  /**
+   * Take over a record that was kept in another place. Whether it is kept here.
+   *
+   * @param {Known} record
+   */
+  take({ solved, versions }) {
     const latest = this.#latest()
-    const versions = texts.map((text) => ({ id: this.#newId(), time: 0, text }))
-    this.#save({ solved: latest.solved || solved, versions: inOrder([...versions, ...latest.versions]) })
+    const taken = versions.map((version) => ({ ...version, text: version.text && withName(version.text) }))
+    this.#save({ solved: latest.solved || solved, versions: inOrder([...taken, ...latest.versions]) })
     const isKept = !this.unkept
     this.unkept = "" // it still is where it was before
     return isKept
@@ -254,6 +261,7 @@ export class Store {
     this.#old = PREFIX + root
     this.#before = `${this.#old}:answer:`
     this.#browser = { storage, now, page, begun: 0 }
+    this.#rename()
   }
 
   /**
@@ -273,9 +281,10 @@ export class Store {
    * @returns {[id: string, text: string][]}
    */
   texts() {
-    const ids = this.#keys().filter((key) => key.startsWith(this.#before)).map((key) => key.slice(this.#before.length))
+    this.#rename()
+    const ids = this.#ids()
     /** @type {[string, string | null][]} */
-    const old = this.#oldTexts().map(({ id, text }) => [String(id), text])
+    const old = this.#oldTexts().map(({ id, text }) => [String(id), withName(text)])
     ids.forEach((id) => this.of(id))
     this.refresh()
     /** @type {[string, string | null][]} */
@@ -300,7 +309,18 @@ export class Store {
    * @param {string} key
    */
   heard(key) {
-    if (key.startsWith(this.#before)) this.#answers.get(key.slice(this.#before.length))?.refresh()
+    if (!key.startsWith(this.#before)) return
+    this.#rename()
+    this.#answers.get(key.slice(this.#before.length))?.refresh()
+  }
+
+  /** Give the answers to exercises that had numbers, as earlier versions of the site keep them, their names. */
+  #rename() {
+    for (const id of this.#ids()) {
+      const [name, key] = [nameOf(id), this.#before + id]
+      const record = name !== id && parsed(this.#browser.storage().getItem(key))
+      if (record && this.of(name).take(record)) this.#browser.storage().removeItem(key)
+    }
   }
 
   /**
@@ -330,6 +350,11 @@ export class Store {
     }
   }
 
+  /** The exercises of which a record is kept. */
+  #ids() {
+    return this.#keys().filter((key) => key.startsWith(this.#before)).map((key) => key.slice(this.#before.length))
+  }
+
   #oldKeys() {
     return this.#keys().filter((key) => key.startsWith(this.#old) && OLD.test(key))
   }
@@ -338,7 +363,7 @@ export class Store {
     return this.#oldKeys()
       .filter((key) => !key.endsWith(":solved"))
       .map((key) => ({ key, text: this.#browser.storage().getItem(key) ?? "" }))
-      .map((old) => ({ ...old, id: old.text.match(FIRST_LINE)?.[1] }))
+      .map((old) => ({ ...old, id: named(old.text) }))
       .filter(({ key, id }) => id || isOfCell(key))
   }
 }

@@ -3,13 +3,14 @@
 
 import { read } from "./answers.js"
 import { STOPPED } from "./judging.js"
+import { code, numberOf } from "./names.js"
 
 /** Of these it is said how many there are, where there are any. */
 export const NOT_JUDGED = /** @type {const} */ (["to read", "not judged", "stopped"])
 
 /**
  * @typedef {import("./judging.js").Found | "waiting" | "being judged"} Verdict
- * @typedef {(number: number, text: string, stopped: AbortSignal) => Promise<import("./judging.js").Judgement>} Judge
+ * @typedef {(exercise: string, text: string, stopped: AbortSignal) => Promise<import("./judging.js").Judgement>} Judge
  */
 
 /** A row of the table: what one student has handed in. */
@@ -22,7 +23,7 @@ class HandIn {
     this.date = date ? local(date) : ""
     this.time = date?.getTime() ?? 0
     this.source = [this.date, file].filter(Boolean).join(", ")
-    this.answers = new Map(answers.map(([number, text]) => [number, new Answer(this, number, text)]))
+    this.answers = new Map(answers.map(([exercise, text]) => [exercise, new Answer(this, exercise, text)]))
   }
 
   get solved() {
@@ -41,26 +42,21 @@ export class Answer {
 
   /**
    * @param {HandIn} row
-   * @param {number} number
+   * @param {string} exercise
    * @param {string} text
    */
-  constructor(row, number, text) {
+  constructor(row, exercise, text) {
     this.row = row
-    this.number = number
+    this.exercise = exercise
     this.text = text
   }
 
   get title() {
-    return `${this.row.name}, exercise ${this.number}: ${this.verdict}`
+    return `${this.row.name}, exercise ${numberOf(this.exercise)}: ${this.verdict}`
   }
 
   get isOpen() {
     return this.verdict === "waiting" || this.verdict === "being judged"
-  }
-
-  /** What the checker is given: the first line only says which exercise it is, and that is known. */
-  get code() {
-    return this.text.startsWith("%%") ? `\n${this.text.split("\n").slice(1).join("\n")}` : this.text
   }
 }
 
@@ -143,7 +139,7 @@ export class Table {
     this.#lanes++
     for (let answer = this.#waiting.shift(); answer; answer = this.#waiting.shift()) {
       this.#become(answer, { verdict: "being judged", said: "" })
-      const found = await this.#judge(answer.number, answer.code, this.#stop.signal)
+      const found = await this.#judge(answer.exercise, code(answer.text), this.#stop.signal)
       this.isSaved = false
       this.#become(answer, found)
     }
@@ -173,8 +169,10 @@ export class Table {
   }
 
   /** The exercises that somebody has answered. */
-  get numbers() {
-    return [...new Set(this.answers.map(({ number }) => number))].sort((a, b) => a - b)
+  get exercises() {
+    const place = (/** @type {string} */ name) => EXERCISES[name]?.number ?? Infinity
+    const names = new Set(this.answers.map(({ exercise }) => exercise))
+    return [...names].sort((one, other) => place(one) - place(other) || one.localeCompare(other))
   }
 
   /**
@@ -209,18 +207,18 @@ export class Table {
   /**
    * The table as rows of cells, to be saved.
    *
-   * @param {(number: number) => string} title of an exercise
+   * @param {(exercise: string) => string} title of an exercise
    * @returns {(string | number)[][]}
    */
   save(title) {
-    const { numbers } = this
+    const { exercises } = this
     const marks = ["same browser as", "same name in another browser"]
     this.isSaved = true
     return [
-      ["name", "file", "note", "date", ...marks, "answers", "solved", ...numbers.map((number) => title(number))],
+      ["name", "file", "note", "date", ...marks, "answers", "solved", ...exercises.map((name) => title(name))],
       ...this.rows.map((row) => {
         const { name, file, date, solved, answers } = row
-        const verdicts = numbers.map((number) => answers.get(number)?.verdict ?? "")
+        const verdicts = exercises.map((name) => answers.get(name)?.verdict ?? "")
         const [others, namesakes] = [this.others(row), this.namesakes(row)].map((list) => list.join(", "))
         return [name, file, "", date, others, namesakes, answers.size, solved, ...verdicts]
       }),

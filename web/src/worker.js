@@ -275,8 +275,8 @@ async function act({ run, trace, judge }, job, page) {
     const { source, filename, seconds, args, speed, beside } = job
     return JSON.parse(await run.callPromising(source, filename, seconds, args, speed, JSON.stringify(beside), page))
   }
-  if (job.kind === "trace") return { trace: await trace.callPromising(job.number, job.text) }
-  return JSON.parse(await judge.callPromising(job.number, job.text, job.trace))
+  if (job.kind === "trace") return { trace: await trace.callPromising(job.exercise, job.text) }
+  return JSON.parse(await judge.callPromising(job.exercise, job.text, job.trace))
 }
 
 const fail = (/** @type {string} */ reason) => say({ kind: "failed", reason })

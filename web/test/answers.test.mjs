@@ -5,20 +5,28 @@ import { test } from "node:test"
 
 import { MOST, read, write } from "../src/answers.js"
 
-const MADE = { format: "rosspin-answers", version: 1, name: "Ada", id: "a1", answers: { 1: "x" } }
+const MADE = { format: "rosspin-answers", version: 2, name: "Ada", id: "a1", answers: { "ten-hertz": "x" } }
 const file = (text) => new File([text], "a.json")
 const holding = (changed) => file(JSON.stringify({ ...MADE, ...changed }))
 
 test("what is written is read", async () => {
-  const found = await read(file(write("Ada <Lovelace>/2", "a1", { 10: "%%answer 10\nä", 2: "" })))
+  const found = await read(file(write("Ada <Lovelace>/2", "a1", { "ten-hertz": "%%answer ten-hertz\nä", "cpp-ticks": "" })))
   assert.ok(Math.abs(found.date - new Date()) < 60_000 * 60)
   assert.deepEqual({ ...found, date: null }, {
     file: "a.json",
     name: "Ada <Lovelace>/2",
     id: "a1",
     date: null,
-    answers: [[2, ""], [10, "%%answer 10\nä"]],
+    answers: [["ten-hertz", "%%answer ten-hertz\nä"], ["cpp-ticks", ""]],
   })
+})
+
+test("a file from before exercises had names is read, by the numbers that they had then", async () => {
+  const answers = { 1: "a", 4: "%%answer 4\nb", 20: "c", 30: "d", 99: "e" }
+  const names = ["first-ticks", "ten-hertz", "slow-timer", "cancel-a-goal", "99"]
+  const found = await read(holding({ version: 1, answers }))
+  assert.deepEqual(found.answers.map(([name]) => name), names)
+  assert.deepEqual(found.answers[1], ["ten-hertz", "%%answer 4\nb"])
 })
 
 const NAMES = [
@@ -40,7 +48,7 @@ for (const date of [undefined, null, 5, "yesterday", {}]) {
 const NOT_JSON = "it is not a file that Hand in saved (it is not JSON)"
 const NOT_THESE = "it is not a file of answers to these exercises"
 const LACKING = "its name or its answers are missing"
-const NO_ANSWER = "one of its answers is not a text with the number of an exercise"
+const NO_ANSWER = "one of its answers is not a text with the name of an exercise"
 const REFUSED = [
   [file("x".repeat(3_000_000)), "it is 3.0 MB; the limit is 1 MB"],
   [file("PK\x03\x04" + "x".repeat(3_000_000)), "it is a zip archive; unpack it first"],
@@ -50,16 +58,16 @@ const REFUSED = [
   [file("null"), NOT_THESE],
   [file("[]"), NOT_THESE],
   [holding({ format: "other" }), NOT_THESE],
-  [holding({ version: 2 }), "another version of this site wrote it"],
+  [holding({ version: 3 }), "another version of this site wrote it"],
   [holding({ name: null }), LACKING],
   [holding({ id: 5 }), LACKING],
   [holding({ answers: null }), LACKING],
-  [holding({ answers: { one: "x" } }), NO_ANSWER],
-  [file(JSON.stringify(MADE).replace('"1"', '"__proto__"')), NO_ANSWER],
-  [holding({ answers: { 0: "x" } }), NO_ANSWER],
-  [holding({ answers: { 1000: "x" } }), NO_ANSWER],
-  [holding({ answers: { 1.5: "x" } }), NO_ANSWER],
-  [holding({ answers: { 1: ["x"] } }), NO_ANSWER],
+  [holding({ answers: { "One two": "x" } }), NO_ANSWER],
+  [file(JSON.stringify(MADE).replace('"ten-hertz"', '"__proto__"')), NO_ANSWER],
+  [holding({ answers: { "a--b": "x" } }), NO_ANSWER],
+  [holding({ answers: { ["a".repeat(101)]: "x" } }), NO_ANSWER],
+  [holding({ version: 1, answers: { 1.5: "x" } }), NO_ANSWER],
+  [holding({ answers: { a: ["x"] } }), NO_ANSWER],
   [holding({ answers: Object.fromEntries(Array.from({ length: 101 }, (_, n) => [n + 1, ""])) }), "it has 101 answers, and at most 100 are read"],
 ]
 for (const [number, [odd, said]] of REFUSED.entries()) {

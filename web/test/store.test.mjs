@@ -58,67 +58,67 @@ function type(answer, text) {
 
 test("an answer is there after a reload, whichever page asks, and only it is handed in", () => {
   const store = open()
-  type(store.of("4"), "mine")
-  store.of("5")
+  type(store.of("ten-hertz"), "mine")
+  store.of("fire-once")
   const later = open()
-  assert.equal(later.of("4").text, "mine")
-  assert.equal(later.of("4").said, "as you edited it")
-  assert.equal(later.of("5").text, null)
-  assert.equal(later.of("5").said, "")
-  assert.deepEqual(handedIn(open()), { 4: "mine" })
+  assert.equal(later.of("ten-hertz").text, "mine")
+  assert.equal(later.of("ten-hertz").said, "as you edited it")
+  assert.equal(later.of("fire-once").text, null)
+  assert.equal(later.of("fire-once").said, "")
+  assert.deepEqual(handedIn(open()), { "ten-hertz": "mine" })
 })
 
 test("typing makes no versions, a visit makes one", () => {
-  type(open().of("4"), "first")
-  const answer = open().of("4")
+  type(open().of("ten-hertz"), "first")
+  const answer = open().of("ten-hertz")
   assert.equal(answer.hasEarlier, false)
   type(answer, "second")
   assert.deepEqual(round(answer), ["first", "second"])
-  type(open().of("4"), "third")
-  assert.deepEqual(round(open().of("4")), ["second", "first", "third"])
+  type(open().of("ten-hertz"), "third")
+  assert.deepEqual(round(open().of("ten-hertz")), ["second", "first", "third"])
 })
 
 test("Reset can be taken back, also after a reload", () => {
-  const answer = open().of("4")
+  const answer = open().of("ten-hertz")
   type(answer, "mine")
   answer.write(null)
   assert.equal(answer.text, null)
   assert.deepEqual(handedIn(open()), {})
-  const later = open().of("4")
+  const later = open().of("ten-hertz")
   later.bringBack()
   assert.equal(later.text, "mine")
-  assert.equal(open().of("4").text, "mine")
+  assert.equal(open().of("ten-hertz").text, "mine")
 })
 
 test("what was typed back to an earlier text leaves that one alone", () => {
-  open().of("4").write("mine")
-  const answer = open().of("4")
+  open().of("ten-hertz").write("mine")
+  const answer = open().of("ten-hertz")
   for (const text of ["mine!", "mine", "mine?"]) answer.write(text)
   assert.deepEqual(round(answer), ["mine", "mine?"])
 })
 
 test("not all versions are kept, but the newest that solved the exercise is", () => {
-  const first = open().of("4")
+  const first = open().of("ten-hertz")
   first.write("solution")
   first.solve("solution")
-  for (let visit = 0; visit < 20; visit++) open().of("4").write(`attempt ${visit}`)
-  const texts = round(open().of("4"))
+  for (let visit = 0; visit < 20; visit++) open().of("ten-hertz").write(`attempt ${visit}`)
+  const texts = round(open().of("ten-hertz"))
   assert.equal(texts.length, 7)
   assert.ok(texts.includes("solution"))
   assert.equal(texts.at(-1), "attempt 19")
 })
 
 test("a clock that is set back makes nothing newer older", () => {
-  open().of("4").write("first")
+  open().of("ten-hertz").write("first")
   clock = 0
-  open().of("4").write("second")
-  assert.equal(open().of("4").text, "second")
+  open().of("ten-hertz").write("second")
+  assert.equal(open().of("ten-hertz").text, "second")
 })
 
-test("ids need not be numbers, and nobody's key is another's", () => {
+test("ids can be any names, and nobody's key is another's", () => {
   const store = open("/course/")
-  for (const id of ["1", "11", "the-first-ticks", "constructor", "__proto__"]) store.of(id).write(`of ${id}`)
-  open("/").of("1").write("another site's")
+  for (const id of ["first-ticks", "first", "the-first-ticks", "constructor", "__proto__"]) store.of(id).write(`of ${id}`)
+  open("/").of("first-ticks").write("another site's")
   assert.equal(open("/course/").texts().length, 5)
   for (const [id, text] of open("/course/").texts()) assert.equal(text, `of ${id}`)
 })
@@ -126,7 +126,7 @@ test("ids need not be numbers, and nobody's key is another's", () => {
 // --- solved ---
 
 test("solved is the text that solved it", () => {
-  const answer = open().of("4")
+  const answer = open().of("ten-hertz")
   answer.write("right")
   assert.equal(answer.solve("right"), undefined)
   assert.equal(answer.said, "solved, as you edited it")
@@ -135,25 +135,25 @@ test("solved is the text that solved it", () => {
   assert.deepEqual([answer.solved, answer.wasSolved, answer.wasBetter], [false, true, true])
   assert.deepEqual(open().solvedBefore(), [])
   const later = open()
-  assert.equal(later.of("4").said, "as you edited it; an earlier version was solved")
-  assert.deepEqual(later.solvedBefore(), ["4"])
+  assert.equal(later.of("ten-hertz").said, "as you edited it; an earlier version was solved")
+  assert.deepEqual(later.solvedBefore(), ["ten-hertz"])
   assert.equal(answer.write("right"), true)
   assert.equal(answer.said, "solved, as you edited it")
   answer.write(null)
-  assert.equal(open().of("4").said, "an earlier version was solved")
+  assert.equal(open().of("ten-hertz").said, "an earlier version was solved")
 })
 
 test("the current text is handed in, not the one that solved it", () => {
-  const answer = open().of("4")
+  const answer = open().of("ten-hertz")
   answer.write("right")
   answer.solve("right")
   answer.write("wrong")
-  assert.deepEqual(handedIn(open()), { 4: "wrong" })
+  assert.deepEqual(handedIn(open()), { "ten-hertz": "wrong" })
   assert.deepEqual(round(answer), ["right", "wrong"])
 })
 
 test("a text that was changed while it was checked is solved, the one in its place is not", () => {
-  const answer = open().of("4")
+  const answer = open().of("ten-hertz")
   answer.write("right")
   answer.write("right, and more")
   answer.solve("right")
@@ -169,14 +169,14 @@ test("a text that was changed while it was checked is solved, the one in its pla
 test("what one tab writes is seen in the other", () => {
   const [one, other] = [open(), open()]
   const said = []
-  other.of("4").changed = (words) => said.push(words)
-  one.of("4").write("one's")
-  other.heard("rosspin:/:answer:4")
-  assert.equal(other.of("4").text, "one's")
-  one.of("4").solve("one's")
-  other.heard("rosspin:/:answer:4")
-  other.heard("rosspin:/:answer:4")
-  other.heard("rosspin:/:answer:5")
+  other.of("ten-hertz").changed = (words) => said.push(words)
+  one.of("ten-hertz").write("one's")
+  other.heard("rosspin:/:answer:ten-hertz")
+  assert.equal(other.of("ten-hertz").text, "one's")
+  one.of("ten-hertz").solve("one's")
+  other.heard("rosspin:/:answer:ten-hertz")
+  other.heard("rosspin:/:answer:ten-hertz")
+  other.heard("rosspin:/:answer:fire-once")
   other.heard("another")
   assert.deepEqual(said, ["as you changed it in another tab", "solved, as you edited it"])
 })
@@ -184,46 +184,46 @@ test("what one tab writes is seen in the other", () => {
 for (const asleep of [false, true]) {
   test(`of two tabs the newest text wins, and no text is lost${asleep ? ", even of one that was asleep" : ""}`, () => {
     const [one, other] = [open(), open()]
-    for (const store of [one, other]) store.of("4")
+    for (const store of [one, other]) store.of("ten-hertz")
     const wake = () => asleep || [one, other].forEach((store) => store.refresh())
-    type(one.of("4"), "one's")
+    type(one.of("ten-hertz"), "one's")
     wake()
-    type(other.of("4"), "other's")
+    type(other.of("ten-hertz"), "other's")
     wake()
-    type(one.of("4"), "again one's")
+    type(one.of("ten-hertz"), "again one's")
     wake()
     const later = open()
-    assert.equal(later.of("4").text, "again one's")
-    assert.deepEqual(round(later.of("4")), ["other's", "one's", "again one's"])
-    assert.deepEqual(handedIn(open()), { 4: "again one's" })
+    assert.equal(later.of("ten-hertz").text, "again one's")
+    assert.deepEqual(round(later.of("ten-hertz")), ["other's", "one's", "again one's"])
+    assert.deepEqual(handedIn(open()), { "ten-hertz": "again one's" })
   })
 }
 
 test("a tab that is open, that runs or is handed in from, writes nothing over", () => {
   const [one, other] = [open(), open()]
-  one.of("4").write("old")
+  one.of("ten-hertz").write("old")
   other.refresh()
-  other.of("4").write("new")
-  one.of("4").solve("old")
-  assert.deepEqual(handedIn(one), { 4: "new" })
-  assert.deepEqual(handedIn(open()), { 4: "new" })
-  assert.deepEqual(round(open().of("4")), ["old", "new"])
+  other.of("ten-hertz").write("new")
+  one.of("ten-hertz").solve("old")
+  assert.deepEqual(handedIn(one), { "ten-hertz": "new" })
+  assert.deepEqual(handedIn(open()), { "ten-hertz": "new" })
+  assert.deepEqual(round(open().of("ten-hertz")), ["old", "new"])
 })
 
 test("of two texts that are written at the same moment none is lost", () => {
   const [one, other] = [open(), open()]
-  one.of("4").write("one's")
-  delete storage["rosspin:/:answer:4"] // the other tab does not see it yet
-  other.of("4").write("other's")
-  for (const store of [one, other, one, other]) store.heard("rosspin:/:answer:4")
-  assert.equal(one.of("4").text, "other's")
-  assert.equal(other.of("4").text, "other's")
-  assert.deepEqual(round(open().of("4")), ["one's", "other's"])
+  one.of("ten-hertz").write("one's")
+  delete storage["rosspin:/:answer:ten-hertz"] // the other tab does not see it yet
+  other.of("ten-hertz").write("other's")
+  for (const store of [one, other, one, other]) store.heard("rosspin:/:answer:ten-hertz")
+  assert.equal(one.of("ten-hertz").text, "other's")
+  assert.equal(other.of("ten-hertz").text, "other's")
+  assert.deepEqual(round(open().of("ten-hertz")), ["one's", "other's"])
 })
 
 test("tabs do not answer each other without end", () => {
   const stores = [open(), open(), open()]
-  stores.forEach((store, number) => store.of("4").write(`text ${number}`))
+  stores.forEach((store, number) => store.of("ten-hertz").write(`text ${number}`))
   let writes = 0
   storage.setItem = (key, value) => (writes++, (storage[key] = value))
   for (let times = 0; times < 10; times++) stores.forEach((store) => store.refresh())
@@ -232,70 +232,70 @@ test("tabs do not answer each other without end", () => {
 
 test("a reset in one tab is one in the other, where it can be taken back", () => {
   const [one, other] = [open(), open()]
-  one.of("4").write("mine")
-  other.of("4").write(null)
+  one.of("ten-hertz").write("mine")
+  other.of("ten-hertz").write(null)
   one.refresh()
-  assert.equal(one.of("4").text, null)
-  one.of("4").bringBack()
-  assert.equal(open().of("4").text, "mine")
+  assert.equal(one.of("ten-hertz").text, null)
+  one.of("ten-hertz").bringBack()
+  assert.equal(open().of("ten-hertz").text, "mine")
 })
 
 // --- storage that is full, gone, cleared or spoilt ---
 
 test("what is not kept is said, handed in from this page, and kept as soon as that can be", () => {
-  const answer = open().of("4")
+  const answer = open().of("ten-hertz")
   answer.write("kept")
   const store = open()
   state.full = 1000
-  assert.equal(store.of("4").write("x".repeat(2000)), true)
-  assert.equal(store.of("4").unkept, "the browser's storage is full")
-  assert.deepEqual(handedIn(store), { 4: "x".repeat(2000) })
-  assert.deepEqual(handedIn(open()), { 4: "kept" })
+  assert.equal(store.of("ten-hertz").write("x".repeat(2000)), true)
+  assert.equal(store.of("ten-hertz").unkept, "the browser's storage is full")
+  assert.deepEqual(handedIn(store), { "ten-hertz": "x".repeat(2000) })
+  assert.deepEqual(handedIn(open()), { "ten-hertz": "kept" })
   state.full = 0
   store.refresh()
-  assert.equal(store.of("4").unkept, "")
-  assert.deepEqual(handedIn(open()), { 4: "x".repeat(2000) })
-  assert.deepEqual(round(open().of("4")), ["kept", "x".repeat(2000)])
+  assert.equal(store.of("ten-hertz").unkept, "")
+  assert.deepEqual(handedIn(open()), { "ten-hertz": "x".repeat(2000) })
+  assert.deepEqual(round(open().of("ten-hertz")), ["kept", "x".repeat(2000)])
 })
 
 test("without a storage answers last as long as the page", () => {
   state.gone = true
   const store = open()
-  store.adopt("4", "1a")
-  assert.equal(store.of("4").text, null)
-  assert.equal(store.of("4").write("mine"), true)
-  assert.equal(store.of("4").unkept, "this browser keeps nothing here")
-  store.of("4").solve("mine")
-  assert.equal(store.of("4").solved, true)
-  assert.deepEqual(handedIn(store), { 4: "mine" })
+  store.adopt("ten-hertz", "1a")
+  assert.equal(store.of("ten-hertz").text, null)
+  assert.equal(store.of("ten-hertz").write("mine"), true)
+  assert.equal(store.of("ten-hertz").unkept, "this browser keeps nothing here")
+  store.of("ten-hertz").solve("mine")
+  assert.equal(store.of("ten-hertz").solved, true)
+  assert.deepEqual(handedIn(store), { "ten-hertz": "mine" })
 })
 
 test("what is in view stays the student's when the storage is cleared", () => {
   const store = open()
-  store.of("4").write("mine")
-  storage.removeItem("rosspin:/:answer:4")
+  store.of("ten-hertz").write("mine")
+  storage.removeItem("rosspin:/:answer:ten-hertz")
   store.refresh()
-  assert.equal(store.of("4").text, "mine")
-  assert.deepEqual(handedIn(store), { 4: "mine" })
-  store.of("4").write("mine, too")
-  assert.equal(open().of("4").text, "mine, too")
+  assert.equal(store.of("ten-hertz").text, "mine")
+  assert.deepEqual(handedIn(store), { "ten-hertz": "mine" })
+  store.of("ten-hertz").write("mine, too")
+  assert.equal(open().of("ten-hertz").text, "mine, too")
 })
 
 const SPOILT = ["", "{", "null", "5", '"text"', "{}", '{"versions": 5}', '{"versions": [null]}', '{"versions": [{}]}']
 for (const spoilt of SPOILT) {
   test(`a record that is none is no answer: ${spoilt}`, () => {
-    storage["rosspin:/:answer:4"] = spoilt
+    storage["rosspin:/:answer:ten-hertz"] = spoilt
     const store = open()
-    assert.equal(store.of("4").text, null)
+    assert.equal(store.of("ten-hertz").text, null)
     assert.deepEqual(handedIn(store), {})
-    store.of("4").write("mine")
-    assert.equal(open().of("4").text, "mine")
+    store.of("ten-hertz").write("mine")
+    assert.equal(open().of("ten-hertz").text, "mine")
   })
 }
 
 // --- earlier versions of the site ---
 
-const answered = (number, text) => `%%answer ${number}\n${text}\n`
+const answered = (name, text) => `%%answer ${name}\n${text}\n`
 
 test("what earlier versions of the site kept is taken over, that of the cell as it is now first", () => {
   Object.assign(storage, {
@@ -308,26 +308,26 @@ test("what earlier versions of the site kept is taken over, that of the cell as 
     "rosspin:progress:/notebooks/exercises.html": "1 of 19 solved",
   })
   const store = open()
-  store.adopt("4", "bb")
-  const answer = store.of("4")
-  assert.ok([answered(4, "newest"), "no first line"].includes(answer.text))
-  const texts = ["newest", "oldest", "other page's"].map((text) => answered(4, text))
+  store.adopt("ten-hertz", "bb")
+  const answer = store.of("ten-hertz")
+  assert.ok([answered("ten-hertz", "newest"), "no first line"].includes(answer.text))
+  const texts = ["newest", "oldest", "other page's"].map((text) => answered("ten-hertz", text))
   assert.deepEqual(round(answer).sort(), [...texts, "no first line"])
   assert.equal(answer.wasSolved, true)
   assert.deepEqual(Object.keys(storage).sort(), [
-    "rosspin:/:answer:4",
+    "rosspin:/:answer:ten-hertz",
     "rosspin:/notebooks/exercises.html:5:dd",
     "rosspin:progress:/notebooks/exercises.html",
   ])
-  assert.deepEqual(open().of("4").text, answer.text)
+  assert.deepEqual(open().of("ten-hertz").text, answer.text)
 })
 
 test("one that was solved and reset is still solved", () => {
   storage["rosspin:/notebooks/exercises.html:4:bb:solved"] = "yes"
   const store = open()
-  store.adopt("5", "cc")
-  store.adopt("4", "bb")
-  assert.deepEqual([store.of("4").said, store.of("5").said], ["an earlier version was solved", ""])
+  store.adopt("fire-once", "cc")
+  store.adopt("ten-hertz", "bb")
+  assert.deepEqual([store.of("ten-hertz").said, store.of("fire-once").said], ["an earlier version was solved", ""])
   assert.deepEqual(handedIn(store), {})
 })
 
@@ -335,34 +335,69 @@ test("those of other pages are handed in before their page is opened, and of oth
   storage["rosspin:/course/notebooks/ros2-exercises.html:0:1a"] = answered(20, "mine")
   storage["rosspin:/other/notebooks/ros2-exercises.html:0:1a"] = answered(21, "another site's")
   const store = open("/course/")
-  assert.deepEqual(handedIn(store), { 20: answered(20, "mine") })
-  store.of("20").write(null)
+  assert.deepEqual(handedIn(store), { "slow-timer": answered("slow-timer", "mine") })
+  store.of("slow-timer").write(null)
   assert.deepEqual(handedIn(store), {})
 })
 
 test("what is not kept anew is not taken away", () => {
-  const text = answered(4, "x".repeat(500))
-  storage["rosspin:/notebooks/exercises.html:4:bb"] = text
+  const old = answered(4, "x".repeat(500))
+  const text = answered("ten-hertz", "x".repeat(500))
+  storage["rosspin:/notebooks/exercises.html:4:bb"] = old
   state.full = 100
   const store = open()
-  store.adopt("4", "bb")
-  assert.equal(store.of("4").text, text)
-  assert.equal(store.of("4").unkept, "")
-  assert.equal(storage["rosspin:/notebooks/exercises.html:4:bb"], text)
+  store.adopt("ten-hertz", "bb")
+  assert.equal(store.of("ten-hertz").text, text)
+  assert.equal(store.of("ten-hertz").unkept, "")
+  assert.equal(storage["rosspin:/notebooks/exercises.html:4:bb"], old)
 })
 
 test("an earlier version of the site in another tab goes on writing: nothing is lost, no newer text hidden", () => {
   const key = "rosspin:/notebooks/exercises.html:4:bb"
   storage[key] = answered(4, "first")
-  open().adopt("4", "bb")
+  open().adopt("ten-hertz", "bb")
   storage[key] = answered(4, "second")
   let store = open()
-  store.adopt("4", "bb")
-  assert.equal(store.of("4").text, answered(4, "second"))
-  store.of("4").write("third")
+  store.adopt("ten-hertz", "bb")
+  assert.equal(store.of("ten-hertz").text, answered("ten-hertz", "second"))
+  store.of("ten-hertz").write("third")
   storage[key] = answered(4, "fourth")
   store = open()
-  store.adopt("4", "bb")
-  assert.equal(store.of("4").text, "third")
-  assert.deepEqual(round(store.of("4")), [...["fourth", "second", "first"].map((text) => answered(4, text)), "third"])
+  store.adopt("ten-hertz", "bb")
+  assert.equal(store.of("ten-hertz").text, "third")
+  assert.deepEqual(round(store.of("ten-hertz")), [...["fourth", "second", "first"].map((text) => answered("ten-hertz", text)), "third"])
+})
+
+// --- before exercises had names ---
+
+/** What an earlier version of the site keeps of an exercise that it knows by a number. */
+function numbered(number, ...texts) {
+  const versions = texts.map((text, place) => ({ id: `old.${place}`, time: 500 - place, text: answered(number, text) }))
+  storage[`rosspin:/:answer:${number}`] = JSON.stringify({ solved: true, versions })
+}
+
+test("an answer that was kept by its number is there by its name, with its versions", () => {
+  numbered(20, "newest", "oldest")
+  const answer = open().of("slow-timer")
+  assert.equal(answer.text, answered("slow-timer", "newest"))
+  assert.equal(answer.wasSolved, true)
+  assert.deepEqual(round(answer), ["oldest", "newest"].map((text) => answered("slow-timer", text)))
+  assert.deepEqual(Object.keys(storage), ["rosspin:/:answer:slow-timer"])
+  assert.deepEqual(handedIn(open()), { "slow-timer": answered("slow-timer", "newest") })
+})
+
+test("what an earlier version of the site writes in another tab is taken over, and hides no newer text", () => {
+  const store = open()
+  store.of("ten-hertz").write("newer")
+  numbered(4, "older")
+  store.heard("rosspin:/:answer:4")
+  assert.deepEqual(round(store.of("ten-hertz")), [answered("ten-hertz", "older"), "newer"])
+  assert.deepEqual(Object.keys(storage), ["rosspin:/:answer:ten-hertz"])
+})
+
+test("what cannot be kept by its name stays where it is, and is there all the same", () => {
+  numbered(4, "x".repeat(500))
+  state.full = 100
+  assert.equal(open().of("ten-hertz").text, answered("ten-hertz", "x".repeat(500)))
+  assert.deepEqual(Object.keys(storage), ["rosspin:/:answer:4"])
 })

@@ -3,17 +3,21 @@
 import assert from "node:assert/strict"
 import { beforeEach, test } from "node:test"
 
+globalThis.EXERCISES = Object.fromEntries(
+  Array.from({ length: 12 }, (_, n) => [`e-${String.fromCharCode(97 + n)}`, { number: n + 1, title: "" }]),
+)
+
 import { Table } from "../src/table.js"
 
 /** A file that a student hands in. */
-function handedIn(name, { as = `${name}.json`, id = "a1", date, answers = { 1: "solved" } } = {}) {
-  return new File([JSON.stringify({ format: "rosspin-answers", version: 1, name, id, date, answers })], as)
+function handedIn(name, { as = `${name}.json`, id = "a1", date, answers = { "e-a": "solved" } } = {}) {
+  return new File([JSON.stringify({ format: "rosspin-answers", version: 2, name, id, date, answers })], as)
 }
 
 /** Judges an answer by what it says: its text is the verdict; one that says "endless" is judged until it is stopped. */
-function judge(number, text, stopped) {
-  judged.push(number)
-  const said = `said of ${number}`
+function judge(exercise, text, stopped) {
+  judged.push(exercise)
+  const said = `said of ${exercise}`
   if (text !== "endless") return Promise.resolve({ verdict: text, said })
   return new Promise((resolve) => stopped.addEventListener("abort", () => resolve({ verdict: "stopped", said: "" })))
 }
@@ -39,10 +43,10 @@ const day = (number) => `2026-11-${number}T12:00:00.000Z`
 // --- which files count ---
 
 test("of one student's files the newest counts, whichever comes last", async () => {
-  await drop(handedIn("Sam", { as: "b.json", date: day(21), answers: { 1: "solved" } }))
-  const older = await drop(handedIn("Sam", { as: "a.json", date: day(20), answers: { 2: "solved" } }))
+  await drop(handedIn("Sam", { as: "b.json", date: day(21), answers: { "e-a": "solved" } }))
+  const older = await drop(handedIn("Sam", { as: "a.json", date: day(20), answers: { "e-b": "solved" } }))
   assert.deepEqual(older, ["a.json is left out: Sam handed in b.json after it."])
-  const newer = await drop(handedIn("Sam", { as: "c.json", date: day(22), answers: { 3: "not yet" } }))
+  const newer = await drop(handedIn("Sam", { as: "c.json", date: day(22), answers: { "e-c": "not yet" } }))
   assert.deepEqual(newer, ["c.json takes the place of b.json, which Sam handed in before."])
   assert.deepEqual(verdicts(), ["Sam, exercise 3: not yet"])
 })
@@ -55,12 +59,12 @@ test("the same file again takes its own place, and seconds count", async () => {
 })
 
 test("what waits of a file whose place was taken is not judged", async () => {
-  const answers = { 1: "endless", 2: "endless", 3: "solved" }
+  const answers = { "e-a": "endless", "e-b": "endless", "e-c": "solved" }
   await drop(handedIn("Sam", { date: day(20), answers }))
-  await drop(handedIn("Sam", { date: day(21), answers: { 4: "solved" } }))
+  await drop(handedIn("Sam", { date: day(21), answers: { "e-d": "solved" } }))
   table.stop()
   await drop(handedIn("Al", { id: "b" }))
-  assert.deepEqual(judged, [1, 2, 1])
+  assert.deepEqual(judged, ["e-a", "e-b", "e-a"])
 })
 
 test("students of the same name or in the same browser stay apart, and are told of", async () => {
@@ -96,7 +100,7 @@ test("answers are judged one after the other in so many lanes, without their fir
   let now = 0
   const texts = []
   table = new Table(
-    async (number, text) => {
+    async (_, text) => {
       texts.push(text)
       most = Math.max(most, ++now)
       await new Promise(setImmediate)
@@ -106,7 +110,7 @@ test("answers are judged one after the other in so many lanes, without their fir
     2,
     () => {},
   )
-  await table.add([handedIn("Ada", { answers: { 1: "%%answer 1\nx = 1\ny", 2: "x", 3: "%%answer 9", 4: "" } })])
+  await table.add([handedIn("Ada", { answers: { "e-a": "%%answer 1\nx = 1\ny", "e-b": "x", "e-c": "%%answer 9", "e-d": "" } })])
   assert.equal(table.said, "Judging the answers of 1 file")
   for (let turn = 0; turn < 10; turn++) await new Promise(setImmediate)
   assert.deepEqual(texts, ["\nx = 1\ny", "x", "\n", ""])
@@ -115,21 +119,21 @@ test("answers are judged one after the other in so many lanes, without their fir
 })
 
 test("Stop ends what is judged and what waits; a file that is dropped again is judged again", async () => {
-  const answers = { 1: "solved", 2: "to read", 3: "endless", 4: "endless", 5: "solved", 6: "solved" }
+  const answers = { "e-a": "solved", "e-b": "to read", "e-c": "endless", "e-d": "endless", "e-e": "solved", "e-f": "solved" }
   await drop(handedIn("Eve", { answers }))
   assert.equal(table.said, "Judging the answers of 1 file")
   table.stop()
   await drop()
   assert.equal(table.said, "Done: 1 judged, 1 to read, 4 stopped")
-  assert.deepEqual(judged, [1, 2, 3, 4])
+  assert.deepEqual(judged, ["e-a", "e-b", "e-c", "e-d"])
   assert.match(table.answers.at(-1).said, /^Stopped before it was judged/)
-  await drop(handedIn("Eve", { answers: { 1: "not yet" } }))
+  await drop(handedIn("Eve", { answers: { "e-a": "not yet" } }))
   assert.deepEqual(verdicts(), ["Eve, exercise 1: not yet"])
   assert.equal(table.said, "Done: 1 judged")
 })
 
 test("files are dropped while others are judged, and one is slow to read", async () => {
-  await drop(handedIn("Slow", { id: "s", answers: { 1: "endless", 2: "solved" } }))
+  await drop(handedIn("Slow", { id: "s", answers: { "e-a": "endless", "e-b": "solved" } }))
   const late = handedIn("Late", { id: "c" })
   const { promise, resolve } = Promise.withResolvers()
   const { text } = late
@@ -148,7 +152,7 @@ test("files are dropped while others are judged, and one is slow to read", async
 })
 
 test("each change is told, and that there are other rows", async () => {
-  await drop(handedIn("Ada", { answers: { 1: "solved", 2: "open" } }))
+  await drop(handedIn("Ada", { answers: { "e-a": "solved", "e-b": "open" } }))
   const [first, ...others] = changes
   assert.equal(first, "rows")
   assert.deepEqual(others.toSorted(), [
@@ -164,14 +168,14 @@ test("each change is told, and that there are other rows", async () => {
 test("what is saved has a line for each student, and a column for each exercise that somebody answered", async () => {
   assert.equal(table.isSaved, true)
   await drop(
-    handedIn("Ada", { date: day(21), answers: { 10: "not yet", 4: "solved" } }),
-    handedIn("Zoë", { id: "a2", answers: { 1: "not judged" } }),
+    handedIn("Ada", { date: day(21), answers: { "e-j": "not yet", "e-d": "solved" } }),
+    handedIn("Zoë", { id: "a2", answers: { "e-a": "not judged" } }),
   )
   assert.equal(table.isSaved, false)
-  const [head, ada, zoe] = table.save((number) => `exercise ${number}`)
+  const [head, ada, zoe] = table.save((name) => `exercise ${name}`)
   assert.equal(table.isSaved, true)
   const marks = ["same browser as", "same name in another browser"]
-  const exercises = ["exercise 1", "exercise 4", "exercise 10"]
+  const exercises = ["exercise e-a", "exercise e-d", "exercise e-j"]
   assert.deepEqual(head, ["name", "file", "note", "date", ...marks, "answers", "solved", ...exercises])
   assert.match(ada[3], /^2026-11-2\d \d\d:\d\d$/)
   assert.deepEqual(ada.toSpliced(3, 1), ["Ada", "Ada.json", "", "", "", 2, 1, "", "solved", "not yet"])

@@ -46,7 +46,7 @@ def trace(which: int | str, answer: Any) -> str:
         return outcomes[-1]
 
     _find(exercise, Answer(answer, exercise.ros, ask))  # to hear what it asks for
-    return write(Trace(exercise.number, run.console, run.cut, tuple(outcomes)))
+    return write(Trace(exercise.name, run.console, run.cut, tuple(outcomes)))
 
 
 def judge(which: int | str, answer: Any, traced: str) -> Feedback:
@@ -56,7 +56,7 @@ def judge(which: int | str, answer: Any, traced: str) -> Feedback:
     took over the Python in which it ran can have forged its trace, which then describes the runs of another answer.
     """
     exercise = _exercise(which)
-    _, console, cut, outcomes = read(traced, exercise.number)
+    _, console, cut, outcomes = read(traced, exercise.name)
     left = list(reversed(outcomes))
 
     def ask(request: Request) -> Outcome:
@@ -81,7 +81,9 @@ def _exercise(which: int | str) -> Exercise:
     for exercise in EXERCISES:
         if which in (exercise.number, exercise.name):
             return exercise
-    raise ValueError(f"there is no exercise {which!r}: they are numbered 1 to {len(EXERCISES)}")
+    raise ValueError(
+        f"there is no exercise {which!r}: they are numbered 1 to {len(EXERCISES)}, and named as in their first lines"
+    )
 
 
 def _find(exercise: Exercise, answer: Answer) -> list[Finding]:

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import re
 from dataclasses import dataclass, field
 from typing import NamedTuple
 
@@ -13,12 +14,14 @@ _WORDS = {True: "Right", False: "Wrong", None: "Open"}
 class Finding(NamedTuple):
     """One thing about an answer: whether it is right, and what it is in words (Markdown). ``hint`` says how to go on.
 
-    If nothing has been answered yet, ``right`` is None.
+    If nothing has been answered yet, ``right`` is None. ``ticks`` are the lines of a picture in plain text: what came
+    above what should have come.
     """
 
     right: bool | None
     text: str
     hint: str = ""
+    ticks: tuple[str, ...] = ()
 
 
 @dataclass(frozen=True)
@@ -54,13 +57,19 @@ class Feedback:
 
     def _repr_markdown_(self) -> str:
         lines = [f"**{self.verdict}**", ""]
-        for right, text, _ in self.findings:
+        said = set()
+        for right, text, hint, ticks in self.findings:
             lines.append(f"- {_WORDS[right]}: {text[0].upper()}{text[1:]}")
-        if not self.passed:
+            if ticks:
+                lines += ["", *(f"      {line}" for line in ticks), ""]
+            if right is False and hint and hint not in said:
+                lines += ["", f"  **Hint:** {hint}", ""]
+                said.add(hint)
+        if not self.passed and self.hint not in said:
             lines += ["", f"**Hint:** {self.hint}"]
         if self.progress:
             lines += ["", self.progress]
-        return "\n".join(lines)
+        return re.sub(r"\n{3,}", "\n\n", "\n".join(lines)).strip()
 
     def __repr__(self) -> str:
         return self._repr_markdown_().replace("**", "").replace("\n\n", "\n")

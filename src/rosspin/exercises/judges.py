@@ -11,7 +11,7 @@ from itertools import pairwise
 from typing import Concatenate, ParamSpec
 
 from .feedback import Finding
-from .judging import Answer, Judge, hint_for_kept, plain, say, say_error, say_kept
+from .judging import Answer, Judge, above, hint_for_kept, plain, say, say_error, say_kept
 from .predictions import same
 from .seen import Printed, Seen
 
@@ -125,18 +125,29 @@ def on_time(found: Sequence[Printed], wanted: Sequence[float], what: str = "", h
             text = f"{start}where counter {number} was due, counter {plain(line.text)} came."
             return Finding(False, text, hint)
         if abs(line.time - time) > _CLOSE:
-            return Finding(False, f"{start}counter {number} came at {say(line.time)}, not at {say(time)}.", hint)
+            text = f"{start}counter {number} came at {say(line.time)}, not at {say(time)}."
+            return Finding(False, text, hint, _around(number - 1, found, wanted))
     if len(found) > len(wanted):
         extra = found[len(wanted)]
         text = f"{start}counter {plain(extra.text)} came at {say(extra.time)}; it should not have come."
-        return Finding(False, text, hint)
+        return Finding(False, text, hint, _around(len(wanted), found, wanted))
     if len(found) < len(wanted):
         text = f"{start}counter {len(found) + 1}, due at {say(wanted[len(found)])}, did not come."
-        return Finding(False, text, hint)
+        return Finding(False, text, hint, _around(len(found), found, wanted))
     if len(wanted) == 1:
         return Finding(True, f"{start}counter 1 came at {say(wanted[0])}, and no other.")
     text = f"{start}counters 1 to {len(wanted)} came from {say(wanted[0])} to {say(wanted[-1])}, each at its time."
     return Finding(True, text)
+
+
+def _around(place: int, found: Sequence[Printed], wanted: Sequence[float]) -> tuple[str, ...]:
+    """Show when counters came above when they were due, around the first that differs."""
+    part = slice(max(place - 2, 0), place + 3)
+    return above(
+        counter=[str(number) for number, _ in enumerate(wanted if len(wanted) > len(found) else found, 1)][part],
+        came=[say(line.time) for line in found[part]],
+        due=[say(time) for time in wanted[part]],
+    )
 
 
 Hint = Callable[[Sequence[Printed], Sequence[float]], str]
@@ -557,8 +568,8 @@ def published_and_heard(answer: Answer) -> Iterator[Finding]:
         text = f"it was published on {', '.join(others)}" if others else "the node published nothing"
         yield Finding(False, f"nothing was published on `/counter`: {text}.")
         return
-    if wrong := {message.type for message in sent} - {"std_msgs/UInt32"}:
-        text = f"the messages on `/counter` are of the type {plain(', '.join(sorted(wrong)))}, not std_msgs/UInt32."
+    if wrong := {message.type for message in sent} - {"std_msgs/UInt32", "UInt32"}:
+        text = f"the messages on `/counter` are of the type {plain(', '.join(sorted(wrong)))}, not UInt32."
         yield Finding(False, text, "Both ends of a topic have to name the same type: otherwise they do not connect.")
         return
     on_topic = on_time([Printed(message.time, message.data) for message in sent], wanted, "On `/counter`")
@@ -581,6 +592,16 @@ def arrives_once(seen: Seen, when: str, goal: str, at: float) -> Finding:
     if not at <= heard[0].time <= at + 0.5:
         return Finding(False, f"{when}: the goal arrived only at {say(heard[0].time)}.")
     return Finding(True, f"{when}: the goal arrived once, at {say(heard[0].time)}.")
+
+
+@_check
+def hears_all(seen: Seen, when: str, period: float, hint: str) -> Finding:
+    """Whether the controller hears each position at once, one of which the sensor publishes each period (s)."""
+    sent = [Printed(message.time, message.data) for message in seen.sent if message.topic == "/position"]
+    published = on_time(sent, grid(period, seen.seconds), "The sensor", "The sensor is to stay as it is.")
+    if not published.right:
+        return published
+    return on_time(seen.values("CONTROLLER", "position"), grid(period, seen.seconds), "The controller", hint)
 
 
 @_check

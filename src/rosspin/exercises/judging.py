@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import ast
 from collections.abc import Callable, Collection, Iterator, Sequence
+from itertools import zip_longest
 from typing import Any
 
 from .feedback import Finding
@@ -15,6 +16,7 @@ __all__ = [
     "Fails",
     "Judge",
     "a_value",
+    "above",
     "hint_for_kept",
     "not_python",
     "plain",
@@ -204,6 +206,13 @@ def plain(text: str) -> str:
 def a_value(kind: str) -> str:
     """Say what a value is to a reader who gave one of the wrong type."""
     return f"a value of type `{plain(kind)}`"
+
+
+def above(**rows: Sequence[str]) -> tuple[str, ...]:
+    """Write the values of rows below each other, each row after its name."""
+    table = [[name.replace("_", " "), *values] for name, values in rows.items()]
+    widths = [max(map(len, column)) for column in zip_longest(*table, fillvalue="")]
+    return tuple("  ".join(map(str.ljust, row, widths)).rstrip() for row in table)
 
 
 def say(seconds: float) -> str:

@@ -2,10 +2,10 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterator, Mapping, Sequence
+from collections.abc import Callable, Iterator, Mapping, Sequence
 
 from .feedback import Finding
-from .judging import Answer, Judge, a_value, plain, say
+from .judging import Answer, Judge, a_value, above, plain, say
 from .seen import Value
 
 __all__ = ["RIGHT", "chosen", "predicted", "same"]
@@ -23,16 +23,17 @@ _ASKED = {
 _NTH = ("the first", "the second", "the third")
 
 
-def predicted(predictions: Mapping[tuple[str, str], Meanings], asked: str = "times") -> Judge:
+def predicted(predictions: Mapping[tuple[str, str, str], Meanings], asked: str = "times") -> Judge:
     """Judge whether variables are lists of the right numbers, which are "times" (s) or "counters", as ``asked``.
 
-    ``predictions`` maps each variable, given by its name and in words, to numbers that somebody may give: the right
-    ones, and those that follow from a wrong belief, with what to say to whoever holds it.
+    ``predictions`` maps each variable, given by its name, in words and with a hint, to numbers that somebody may give:
+    the right ones, and those that follow from a wrong belief, with what to say to whoever holds it. The hint is for
+    whoever gives other numbers.
     """
 
     def judge(answer: Answer) -> Iterator[Finding]:
-        variables = answer.variables(*(variable for variable, _ in predictions))
-        for (variable, what), meanings in predictions.items():
+        variables = answer.variables(*(variable for variable, *_ in predictions))
+        for (variable, what, hint), meanings in predictions.items():
             value = variables.get(variable)
             if value is None or value.is_open:
                 yield Finding(None, f"{what}: there is no prediction yet.", f"Give `{variable}` a list of {asked}.")
@@ -41,24 +42,37 @@ def predicted(predictions: Mapping[tuple[str, str], Meanings], asked: str = "tim
                 text = f"{what}: the prediction is a list of {listed}, not {a_value(value.type)}."
                 yield Finding(False, text, f"Write it as `{example}`.")
             else:
-                yield _compare(what, value.numbers, meanings, asked)
+                yield _compare(what, value.numbers, meanings, asked, hint)
 
     return judge
 
 
-def _compare(what: str, given: Sequence[float], meanings: Meanings, asked: str) -> Finding:
+def _compare(what: str, given: Sequence[float], meanings: Meanings, asked: str, hint: str) -> Finding:
     say_one = _ASKED[asked][0]
     said = ", ".join(map(say_one, given)) or "nothing at all"
-    for numbers, why in meanings.items():
-        if same(given, numbers):
-            return Finding(False, f"{what}: not {said}.", why) if why else Finding(True, f"{what}: {said}.")
     right = next(numbers for numbers, why in meanings.items() if why == RIGHT)
-    if not right:
-        return Finding(False, f"{what}: not {said}.")
-    if len(given) != len(right):
-        return Finding(False, f"{what}: {len(right)} {asked} are asked for, not {len(given)}.")
-    wrong = next(n for n, pair in enumerate(zip(given, right, strict=True)) if not same(pair[:1], pair[1:]))
-    return Finding(False, f"{what}: {_NTH[wrong]} of these {asked} is not {say_one(given[wrong])}.")
+    if same(given, right):
+        return Finding(True, f"{what}: {said}.")
+    why = next((why for numbers, why in meanings.items() if same(given, numbers)), "")
+    if not why and len(given) != len(right) == len(_NTH):
+        return Finding(False, f"{what}: {len(right)} {asked} are asked for, not {len(given)}.", hint)
+    pairs = zip(given, right, strict=False)
+    first = next((n for n, (one, other) in enumerate(pairs) if not same([one], [other])), min(len(given), len(right)))
+    known = why or first >= len(given) or len(right) < len(_NTH)
+    text = f"not {said}" if known else f"{_NTH[first]} of these {asked} is not {say_one(given[first])}"
+    return Finding(False, f"{what}: {text}.", why or hint, _beside(given, right, first, say_one))
+
+
+def _beside(
+    given: Sequence[float], right: Sequence[float], first: int, say_one: Callable[[float], str]
+) -> tuple[str, ...]:
+    """Show what a run gives above what was given, up to the ``first`` that differs: the others are left to find."""
+    come = [say_one(number) for number in right[: first + 1]]
+    if len(right) <= first:
+        come.append("nothing more" if first else "nothing")
+    elif len(right) > first + 1:
+        come.append("...")
+    return above(**{"the run": come, "you": [say_one(number) for number in given] or ["nothing"]})
 
 
 def same(one: Sequence[float], other: Sequence[float]) -> bool:

@@ -18,10 +18,11 @@ __all__ = ["EXERCISES", "Exercise"]
 class Exercise(NamedTuple):
     """An exercise of the site.
 
-    ``name`` stays when exercises are added before it; ``number`` is what is shown, and ``part`` the heading below which
-    it stands, such as "Predict". ``needs`` are the pages to read first, as paths without a suffix. ``reveals`` is the
-    misconception that a wrong answer gives away, as its holder would put it. ``hint`` is for answers about which there
-    is nothing more to say. ``ros`` is 1 or 2: each has a page of exercises.
+    ``name`` stays, whatever comes before it: answers, files and links know it. ``number`` is what is shown, and
+    ``part`` the heading below which it stands, such as "Predict". ``needs`` are the pages to read first, as paths
+    without a suffix. ``reveals`` is the misconception that a wrong answer gives away, as its holder would put it.
+    ``hint`` is for answers about which there is nothing more to say. ``ros`` is 1 or 2: each has a page of
+    exercises.
     """
 
     title: str
@@ -41,7 +42,9 @@ _AT_ONCE = "A loop makes its first pass at once; `rate.sleep()` comes at the end
 _PERIOD = "This takes 0.4 for a frequency. A timer is given its period, in seconds."
 _FREQUENCY = "This takes 4 for a period. A rate is given its frequency, in Hz."
 _UNMOVED = "The slow callback keeps its timer busy until it returns: no other call of it can begin before."
-_GRID = "This is what ROS 2 does: it leaves ticks out and keeps to the grid."
+_MADE_UP = "The two ticks that were due meanwhile both come late: rospy makes up for short delays."
+_NEW_GRID = "The timer does not go back to its old grid: after a long delay rospy begins a new one."
+_NEW_GRID_CPP = "The timer does not go back to its old grid: after such a delay roscpp begins a new one."
 _TOO_LONG = "Calls in a row follow a shorter delay. This one is too long to be made up for."
 
 _PREDICT = {
@@ -53,19 +56,31 @@ _PREDICT = {
         hint="When does the first tick come: at the start, or one period later? How far apart are the ticks?",
         judge=predicted(
             {
-                ("timer", "the timer"): {
+                (
+                    "timer",
+                    "the timer",
+                    "A `rospy.Duration` is a time in seconds. Does a timer call back before it has waited?",
+                ): {
                     (0.4, 0.8, 1.2): RIGHT,
                     (0.0, 0.4, 0.8): "A timer waits for one period before its first call.",
                     (2.5, 5.0, 7.5): _PERIOD,
                     (0.0, 2.5, 5.0): _PERIOD,
                 },
-                ("loop", "the loop"): {
+                (
+                    "loop",
+                    "the loop",
+                    "4 Hz are 4 passes a second. What does the loop do before it sleeps for the first time?",
+                ): {
                     (0.0, 0.25, 0.5): RIGHT,
                     (0.25, 0.5, 0.75): _AT_ONCE,
                     (0.0, 4.0, 8.0): _FREQUENCY,
                     (4.0, 8.0, 12.0): _FREQUENCY,
                 },
-                ("busy_loop", "the loop with 0.1 s of work"): {
+                (
+                    "busy_loop",
+                    "the loop with 0.1 s of work",
+                    "`rate.sleep()` sleeps until the next period begins. How long is that after 0.1 s of work?",
+                ): {
                     (0.0, 0.25, 0.5): RIGHT,
                     (0.25, 0.5, 0.75): _AT_ONCE,
                     (0.0, 0.35, 0.7): "`rate.sleep()` sleeps until the next period begins: the work is a part of the "
@@ -84,17 +99,25 @@ _PREDICT = {
         hint="The callback ends at 1.2 s plus the time for which it blocks. Which ticks were due by then?",
         judge=predicted(
             {
-                ("after_1_0_seconds", "blocked for 1.0 s"): {
+                (
+                    "after_1_0_seconds",
+                    "blocked for 1.0 s",
+                    "The callback begins at 1.2 s and blocks for 1.0 s. Which ticks are overdue when it returns?",
+                ): {
                     (2.2, 2.2, 2.4): RIGHT,
                     (1.6, 2.0, 2.4): _UNMOVED,
                     (2.2, 2.6, 3.0): "This is what roscpp does. rospy counts anew only after a longer delay.",
-                    (2.2, 2.4, 2.8): f"{_GRID} rospy makes up for short delays.",
+                    (2.2, 2.4, 2.8): _MADE_UP,
                 },
-                ("after_1_8_seconds", "blocked for 1.8 s"): {
+                (
+                    "after_1_8_seconds",
+                    "blocked for 1.8 s",
+                    "The callback begins at 1.2 s and blocks for 1.8 s. Which ticks are overdue when it returns?",
+                ): {
                     (3.0, 3.4, 3.8): RIGHT,
                     (1.6, 2.0, 2.4): _UNMOVED,
                     (3.0, 3.0, 3.0): "This is what a queue of calls would give. There is none: ticks are lost here.",
-                    (3.0, 3.2, 3.6): f"{_GRID} rospy counts anew after a long delay.",
+                    (3.0, 3.2, 3.6): _NEW_GRID,
                     (3.0, 3.0, 3.2): _TOO_LONG,
                     (3.0, 3.0, 3.4): _TOO_LONG,
                 },
@@ -109,18 +132,30 @@ _PREDICT = {
         "then, too?",
         judge=predicted(
             {
-                ("after_0_6_seconds", "blocked for 0.6 s"): {
+                (
+                    "after_0_6_seconds",
+                    "blocked for 0.6 s",
+                    "The callback begins at 1.2 s and blocks for 0.6 s. Which tick is overdue when it returns?",
+                ): {
                     (1.8, 2.0, 2.4): RIGHT,
                     (1.6, 2.0, 2.4): _UNMOVED,
                     (1.8, 2.2, 2.6): "roscpp counts anew only if the call after the next one is overdue as well.",
                 },
-                ("after_1_0_seconds", "blocked for 1.0 s"): {
+                (
+                    "after_1_0_seconds",
+                    "blocked for 1.0 s",
+                    "The callback begins at 1.2 s and blocks for 1.0 s. Which ticks are overdue when it returns?",
+                ): {
                     (2.2, 2.6, 3.0): RIGHT,
                     (1.6, 2.0, 2.4): _UNMOVED,
                     (2.2, 2.2, 2.4): "This is what rospy does. roscpp never has more than one call of a timer waiting.",
-                    (2.2, 2.4, 2.8): f"{_GRID} roscpp counts anew.",
+                    (2.2, 2.4, 2.8): _NEW_GRID_CPP,
                 },
-                ("not_kept", "with a timer that nobody keeps"): {
+                (
+                    "not_kept",
+                    "with a timer that nobody keeps",
+                    "What becomes of a timer when the last `ros::Timer` that stands for it is gone?",
+                ): {
                     (): RIGHT,
                     (0.4, 0.8, 1.2): "This is what rospy does. In C++ a timer ends with the last `ros::Timer` that "
                     "stands for it.",
@@ -283,21 +318,33 @@ _PUBLISH = {
         "is free?",
         judge=predicted(
             {
-                ("without_latch", "without `latch`"): {
+                (
+                    "without_latch",
+                    "without `latch`",
+                    "Is the subscriber connected when the first message is published?",
+                ): {
                     (2, 3, 4): RIGHT,
                     (1, 2, 3): "When 1 is published, the subscriber is not connected yet: nobody keeps it for later.",
                 },
-                ("with_latch", "with `latch`"): {
+                (
+                    "with_latch",
+                    "with `latch`",
+                    "Which message does a publisher that latches keep for whoever connects later?",
+                ): {
                     (1, 2, 3): RIGHT,
                     (2, 3, 4): _LATCHES,
                 },
-                ("three_at_once", "three at once"): {
+                ("three_at_once", "three at once", "How many messages does a publisher that latches keep?"): {
                     (3,): RIGHT,
                     (1, 2, 3): "A publisher that latches keeps one message only, the last.",
                     (1,): "It is the last message that is kept, not the first.",
                     (): _LATCHES,
                 },
-                ("slow_callback", "the slow callback"): {
+                (
+                    "slow_callback",
+                    "the slow callback",
+                    "Only one message can wait in the queue. Which one is it when the callback is free again?",
+                ): {
                     (0, 3, 6): RIGHT,
                     (0, 1, 2): "This is what happens without a `queue_size`. With 1, all but the newest are dropped.",
                     (0, 4, 8): "The callback does not wait for the next message: the newest one is there already.",
@@ -350,60 +397,56 @@ _PUBLISH = {
     ),
 }
 
-# --- ROS 2 ------------------------------------------------------------------------------------------------------------
+# --- ROS 2: start -----------------------------------------------------------------------------------------------------
 
-_BUSY = "While the callback runs, the executor calls nothing: no other call can begin before it returns."
-_ROSPY = "This is what rospy does. In ROS 2 a timer always keeps to its grid, however late it was."
+_STOPS_ALL = "Stop one timer, and no more: what ends the node, or keeps its callback from returning, stops them all."
+_DECLARED = 'The parameter is called "frequency". Its name has no `~` in ROS 2, and it is declared before it is read.'
+_IN_SECONDS = 'The parameter is called "period". Is it what the timer is given, in seconds?'
+_IN_HZ = "This takes the number for a frequency. `create_timer` is given the period, in seconds."
 
-_PREDICT_2 = {
-    "slow-timer": Exercise(
-        title="When a slow timer ticks again",
-        needs=("notebooks/ros2-timer", "docs/ros2/how-timing-works"),
-        reveals="ROS 2 makes up for ticks that were lost, or counts anew. A timer calls back by itself, whether "
-        "anybody spins or not.",
-        hint="When does the callback return? Which tick is overdue then, and which is the next place of the grid 0.4, "
-        "0.8, 1.2?",
+_START_2 = {
+    "make-it-10-hz": Exercise(
+        title="Make it 10 Hz",
+        needs=("notebooks/ros2-timer",),
+        reveals="A timer is given a frequency.",
+        hint="`create_timer` takes a period in seconds, not a frequency: the period is 1 / frequency.",
+        judge=by.run(1.0, by.ticks(0.1)),
+    ),
+    "first-call": Exercise(
+        title="When the first call comes",
+        needs=("notebooks/ros2-timer",),
+        reveals="A timer calls back at once.",
+        hint="Does a timer call back before it has waited? What does the loop do before it sleeps?",
         judge=predicted(
             {
-                ("after_1_0_seconds", "blocked for 1.0 s"): {
-                    (2.2, 2.4, 2.8): RIGHT,
-                    (1.6, 2.0, 2.4): _BUSY,
-                    (2.2, 2.2, 2.4): _ROSPY,
-                    (
-                        2.2,
-                        2.6,
-                        3.0,
-                    ): "This is what roscpp does: it counts anew. In ROS 2 a timer goes back to its grid.",
-                    (2.4, 2.8, 3.2): "One tick is overdue when the callback returns, and it comes at once.",
+                (
+                    "timer",
+                    "the timer",
+                    "`create_timer(0.4, ...)` waits for 0.4 s from one call to the next. And before the first one?",
+                ): {
+                    (0.4, 0.8, 1.2): RIGHT,
+                    (0.0, 0.4, 0.8): "A timer waits for one period before its first call.",
+                    (2.5, 5.0, 7.5): _IN_HZ,
+                    (0.0, 2.5, 5.0): _IN_HZ,
                 },
-                ("after_1_8_seconds", "blocked for 1.8 s"): {
-                    (3.0, 3.2, 3.6): RIGHT,
-                    (1.6, 2.0, 2.4): _BUSY,
-                    (3.0, 3.4, 3.8): _ROSPY,
-                    (3.0, 3.0, 3.0): "There is no queue of calls. However many ticks are overdue, one of them comes.",
-                    (3.2, 3.6, 4.0): "One overdue tick still comes, as soon as the callback returns.",
-                },
-                ("always_slow", "each callback takes 0.6 s"): {
-                    (0.4, 1.0, 1.6): RIGHT,
-                    (0.4, 0.8, 1.2): _BUSY,
-                    (0.4, 1.2, 2.0): "When the callback returns, a tick is overdue, and it does not wait any longer.",
-                    (0.4, 1.4, 2.4): "The timer does not count from the end of a callback.",
-                },
-                ("without_spin", "without spin"): {
-                    (): RIGHT,
-                    (0.4, 0.8, 1.2): "This is what rospy does, where each timer has a thread. In ROS 2 only spin calls "
-                    "callbacks.",
+                ("loop", "the loop", "Follow it line by line. What does it do before it sleeps for the first time?"): {
+                    (0.0, 0.4, 0.8): RIGHT,
+                    (0.4, 0.8, 1.2): "A loop makes its first pass at once; it sleeps at the end of a pass.",
                 },
             }
         ),
     ),
-}
-
-_STOPS_ALL = "Stop one timer, and no more: what ends the node, or keeps its callback from returning, stops them all."
-_DECLARED = 'The parameter is called "frequency", without `~`, and is declared before it is read.'
-_IN_SECONDS = 'The parameter is called "period". Is it what the timer is given, in seconds?'
-
-_CHANGE_2 = {
+    "two-timers": Exercise(
+        title="Give a node two timers",
+        needs=("notebooks/ros2-timer",),
+        reveals="Two rates need two nodes.",
+        hint="A node can have as many timers as it likes, each with its own period, callback and counter.",
+        judge=by.run(
+            2.0,
+            by.ticks(0.1, "`[FAST]`", "FAST", by.shared_counter),
+            by.ticks(0.5, "`[SLOW]`", "SLOW", by.shared_counter),
+        ),
+    ),
     "call-back-once": Exercise(
         title="Call back once",
         needs=("notebooks/ros2-timer",),
@@ -448,19 +491,170 @@ _CHANGE_2 = {
     ),
 }
 
+# --- ROS 2: predict ---------------------------------------------------------------------------------------------------
+
+_BUSY = "While the callback runs, the executor calls nothing: no other call can begin before it returns."
+_SAME_GRID = "The timer does not count from the call that came late: it goes back to its grid."
+_ONE = "However many ticks are overdue when the callback returns, one of them comes at once, and no more."
+_SPIN_CALLS = "A timer of ROS 2 has no thread of its own. Its callback is called by the thread that spins."
+
+_PREDICT_2 = {
+    "who-calls": Exercise(
+        title="Who calls the callback",
+        needs=("notebooks/ros2-timer",),
+        reveals="A timer calls back by itself, whether anybody spins or not.",
+        hint="In ROS 2 a timer has no thread of its own. Who calls the callback?",
+        judge=predicted(
+            {
+                ("without_spin", "without spin", _SPIN_CALLS): {
+                    (): RIGHT,
+                    (0.4, 0.8, 1.2, 1.6, 2.0): _SPIN_CALLS,
+                    (0.4, 0.8, 1.2): _SPIN_CALLS,
+                },
+                ("spin_once", "with one `spin_once`", "`spin_once` waits until something is due. Then it calls it."): {
+                    (0.4,): RIGHT,
+                    (): "`spin_once` waits until something is due, and calls one callback.",
+                    (0.0,): "Nothing is due at the start. `spin_once` waits until something is.",
+                    (0.4, 0.8, 1.2, 1.6, 2.0): "`spin_once` starts nothing: it calls one callback, and returns.",
+                    (0.4, 0.8, 1.2): "`spin_once` starts nothing: it calls one callback, and returns.",
+                },
+            }
+        ),
+    ),
+    "slow-timer": Exercise(
+        title="When a slow timer ticks again",
+        needs=("notebooks/ros2-timer", "docs/ros2/how-timing-works"),
+        reveals="Ticks that were lost are made up for, or a timer counts on from a late call.",
+        hint="When does the callback return? Which tick is overdue then, and which is the next place of the grid 0.4, "
+        "0.8, 1.2?",
+        judge=predicted(
+            {
+                (
+                    "after_1_0_seconds",
+                    "blocked for 1.0 s",
+                    "The callback begins at 1.2 s and blocks for 1.0 s. Which ticks are overdue when it returns?",
+                ): {
+                    (2.2, 2.4, 2.8): RIGHT,
+                    (1.6, 2.0, 2.4): _BUSY,
+                    (2.2, 2.2, 2.4): _ONE,
+                    (2.2, 2.6, 3.0): _SAME_GRID,
+                    (2.4, 2.8, 3.2): "One tick is overdue when the callback returns, and it comes at once.",
+                },
+                (
+                    "after_1_8_seconds",
+                    "blocked for 1.8 s",
+                    "The callback begins at 1.2 s and blocks for 1.8 s. Which ticks are overdue when it returns?",
+                ): {
+                    (3.0, 3.2, 3.6): RIGHT,
+                    (1.6, 2.0, 2.4): _BUSY,
+                    (3.0, 3.4, 3.8): _SAME_GRID,
+                    (3.0, 3.0, 3.0): "There is no queue of calls. However many ticks are overdue, one of them comes.",
+                    (3.2, 3.6, 4.0): "One overdue tick still comes, as soon as the callback returns.",
+                },
+                (
+                    "always_slow",
+                    "each callback takes 0.6 s",
+                    "A callback that begins at 0.4 s returns at 1.0 s. Which tick is overdue then?",
+                ): {
+                    (0.4, 1.0, 1.6): RIGHT,
+                    (0.4, 0.8, 1.2): _BUSY,
+                    (0.4, 1.2, 2.0): "When the callback returns, a tick is overdue, and it does not wait any longer.",
+                    (0.4, 1.4, 2.4): "The timer does not count from the end of a callback.",
+                },
+            }
+        ),
+    ),
+}
+
+# --- ROS 2: publish ---------------------------------------------------------------------------------------------------
+
+_LOST = "When 3 is published, there is no subscription yet, and nobody keeps the message for later."
+_ASKED_FOR = "A subscription hears what the publisher has kept only if it asks for that, with the same durability."
+_KEPT = "A publisher with `TRANSIENT_LOCAL` keeps its last messages for whoever comes later: as many as its depth."
+_OFFERED = "A subscription is not connected to a publisher that offers less than it asks for."
+_QUEUE = "The last argument of `create_subscription` says how many messages may wait there."
+
+_PUBLISH_2 = {
+    "publish-a-counter": Exercise(
+        title="Publish a counter",
+        needs=("docs/ros2/publish", "notebooks/ros2-publish"),
+        reveals="A number is a message. A publisher can be made when it is needed.",
+        hint='Make a `self.create_publisher(UInt32, "counter", 10)` in `__init__`, and let the callback publish.',
+        judge=by.published_and_heard,
+    ),
+    "late-listener": Exercise(
+        title="What a late subscriber hears",
+        needs=("docs/ros2/publish", "notebooks/ros2-publish"),
+        reveals="What is published waits for its subscribers.",
+        hint="Who keeps a message that was published before anybody subscribed?",
+        judge=predicted(
+            {
+                ("both_plain", "with `10` on both sides", _LOST): {
+                    (4, 5, 6): RIGHT,
+                    (1, 2, 3): _LOST,
+                    (3, 4, 5): _LOST,
+                },
+                ("both_keep", "with the profile on both sides", _KEPT): {
+                    (3, 4, 5): RIGHT,
+                    (4, 5, 6): _KEPT,
+                    (1, 2, 3): "The publisher keeps as many messages as its depth says, the last ones. Its depth is 1.",
+                    (1, 4, 5): "It is the last message that is kept, not the first.",
+                },
+                ("only_publisher", "with the profile on the publisher's side", _ASKED_FOR): {
+                    (4, 5, 6): RIGHT,
+                    (3, 4, 5): _ASKED_FOR,
+                    (1, 2, 3): _ASKED_FOR,
+                    (): "The publisher offers more than the subscription asks for, and that is enough to connect.",
+                },
+                ("only_subscription", "with the profile on the subscription's side", _OFFERED): {
+                    (): RIGHT,
+                    (4, 5, 6): _OFFERED,
+                    (3, 4, 5): _OFFERED,
+                    (1, 2, 3): _OFFERED,
+                },
+            },
+            asked="counters",
+        ),
+    ),
+    "match-the-qos": Exercise(
+        title="Make both ends match",
+        needs=("docs/ros2/publish", "notebooks/ros2-publish"),
+        reveals="The same topic and the same type are enough to connect.",
+        hint="The warnings name the policy that does not match. The subscription asks for more than the sensor offers.",
+        judge=by.run(
+            5.0,
+            by.hears_all(
+                0.5, "The subscription asks for reliable messages, unless you say otherwise. The sensor offers less."
+            ),
+        ),
+    ),
+    "only-the-newest": Exercise(
+        title="Listen to the newest only",
+        needs=("notebooks/ros2-publish", "notebooks/ros2-executors"),
+        reveals="A subscription always gets the newest message. It is the publisher's queue that has to be short.",
+        hint=_QUEUE,
+        judge=by.run(10.0, by.steers_by_the_newest()),
+    ),
+}
+
+# --- ROS 2: wait ------------------------------------------------------------------------------------------------------
+
 _STARVED = (
     "While the camera's callback runs, a single-threaded executor calls nothing, and no executor calls what is in the "
     "same mutually exclusive group. A node's timers are in one such group unless you give them others."
 )
 _COMMANDED = by.ticks(0.1, "the motor", "MOTOR", _STARVED)
-_SWALLOWED = "Catch what a signal raises, and nothing else: an error is to end the node with its traceback."
-_drives_until_2 = partial(
-    by.drives_until,
-    again="Stop the motor last, when no callback can run any more: after `spin`, in a `finally`.",
-    late=_SWALLOWED,
+_RING = (
+    "The lines that begin with `rosspin:` say who waits, for what, and who would give that. While a callback waits, it "
+    "keeps its thread and its callback group."
 )
+_SERVING = (
+    "While the camera takes a picture, a single-threaded executor calls nothing, and no executor calls what is in the "
+    "same mutually exclusive group. All callbacks of a node are in one such group unless you give them others."
+)
+_ONE_BY_ONE = "A camera takes one picture at a time, and takes its time for it. Calls of one group do not overlap."
 
-_REPAIR_2 = {
+_WAIT_2 = {
     "starving-neighbour": Exercise(
         title="Free a starving neighbour",
         needs=("notebooks/ros2-executors",),
@@ -473,44 +667,10 @@ _REPAIR_2 = {
             by.shaken(2, 5.0, _COMMANDED, by.one_image_at_a_time(0.6), given="takes:=0.6"),
         ),
     ),
-    "wake-a-rate": Exercise(
-        title="Wake a Rate that sleeps for ever",
-        needs=("notebooks/ros2-rate", "docs/ros2/how-timing-works"),
-        reveals="A Rate needs nobody, as in ROS 1. Ctrl-C wakes everybody who sleeps.",
-        hint="A Rate is a timer that wakes whoever is asleep in `sleep()`: while one thread sleeps, another has to "
-        "spin.",
-        judge=by.makes_passes_until_signalled,
-    ),
-    "end-without-a-traceback": Exercise(
-        title="End without a traceback",
-        needs=("docs/ros2/tutorial", "docs/ros2/how-timing-works"),
-        reveals="Ctrl-C makes `rclpy.spin` return. What stands after `spin` is done in any case.",
-        hint="`try:` around `spin`, `except (KeyboardInterrupt, ExternalShutdownException): pass`, and in a `finally:` "
-        "what has to be done in any case.",
-        judge=by.every(
-            by.run(2.08, _drives_until_2(2.08), by.ends_well, when="Ctrl-C while the node waits"),
-            by.run(2.03, _drives_until_2(2.03), by.ends_well, when="Ctrl-C while the sensor is read"),
-            by.ending(5.08, _drives_until_2(2.08), by.ends_at_sigterm(2.08), when="SIGTERM", terminated_at=2.08),
-            by.ending(5.0, _drives_until_2(1.06), by.fails(_SWALLOWED), given="fails_at:=10", when="The sensor fails"),
-        ),
-    ),
-}
-
-_RING = (
-    "The lines that begin with `rosspin:` say who waits, for what, and who would give that. While a callback waits, it "
-    "keeps its thread and its callback group."
-)
-_SERVING = (
-    "While the camera takes a picture, a single-threaded executor calls nothing, and no executor calls what is in the "
-    "same mutually exclusive group. All callbacks of a node are in one such group unless you give them others."
-)
-_ONE_BY_ONE = "A camera takes one picture at a time, and takes its time for it. Calls of one group do not overlap."
-
-_ASK_2 = {
     "ask-without-hanging": Exercise(
         title="Ask without hanging",
         needs=("notebooks/ros2-services", "docs/how-to/why-does-it-hang"),
-        reveals="A callback may wait for an answer, as in ROS 1. `call_async` returns the answer.",
+        reveals="A callback may wait for an answer. `call_async` returns the answer.",
         hint="Ask with `call_async`. Print in a function that you give to the future's `add_done_callback`.",
         judge=by.goes_on(
             4.3,
@@ -569,19 +729,53 @@ _ASK_2 = {
     ),
 }
 
+# --- ROS 2: end -------------------------------------------------------------------------------------------------------
+
+_SWALLOWED = "Catch what a signal raises, and nothing else: an error is to end the node with its traceback."
+_drives_until_2 = partial(
+    by.drives_until,
+    again="Stop the motor last, when no callback can run any more: after `spin`, in a `finally`.",
+    late=_SWALLOWED,
+)
+
+_END_2 = {
+    "wake-a-rate": Exercise(
+        title="Wake a Rate that sleeps for ever",
+        needs=("notebooks/ros2-rate", "docs/ros2/how-timing-works"),
+        reveals="A Rate needs nobody who spins. Ctrl-C wakes everybody who sleeps.",
+        hint="A Rate is a timer that wakes whoever is asleep in `sleep()`: while one thread sleeps, another has to "
+        "spin.",
+        judge=by.makes_passes_until_signalled,
+    ),
+    "end-without-a-traceback": Exercise(
+        title="End without a traceback",
+        needs=("docs/ros2/tutorial", "docs/ros2/how-timing-works"),
+        reveals="Ctrl-C makes `rclpy.spin` return. What stands after `spin` is done in any case.",
+        hint="`try:` around `spin`, `except (KeyboardInterrupt, ExternalShutdownException): pass`, and in a `finally:` "
+        "what has to be done in any case.",
+        judge=by.every(
+            by.run(2.08, _drives_until_2(2.08), by.ends_well, when="Ctrl-C while the node waits"),
+            by.run(2.03, _drives_until_2(2.03), by.ends_well, when="Ctrl-C while the sensor is read"),
+            by.ending(5.08, _drives_until_2(2.08), by.ends_at_sigterm(2.08), when="SIGTERM", terminated_at=2.08),
+            by.ending(5.0, _drives_until_2(1.06), by.fails(_SWALLOWED), given="fails_at:=10", when="The sensor fails"),
+        ),
+    ),
+}
+
 # --- all of them ------------------------------------------------------------------------------------------------------
 
 _PARTS = (
+    (2, "Start", _START_2),
+    (2, "Predict", _PREDICT_2),
+    (2, "Publish", _PUBLISH_2),
+    (2, "Wait", _WAIT_2),
+    (2, "End", _END_2),
     (1, "Predict", _PREDICT),
     (1, "Change", _CHANGE),
     (1, "Diagnose", _DIAGNOSE),
     (1, "Publish", _PUBLISH),
-    (2, "Predict", _PREDICT_2),
-    (2, "Change", _CHANGE_2),
-    (2, "Repair", _REPAIR_2),
-    (2, "Ask", _ASK_2),
 )
 _ALL = [question._replace(ros=ros, part=part, name=name) for ros, part, of in _PARTS for name, question in of.items()]
 
 EXERCISES = tuple(exercise._replace(number=number) for number, exercise in enumerate(_ALL, 1))
-"""All exercises, numbered in the order of their pages."""
+"""All exercises, those on ROS 2 first, numbered in the order of their pages."""

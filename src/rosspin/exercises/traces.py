@@ -63,12 +63,12 @@ class Outcome(NamedTuple):
 
 
 class Trace(NamedTuple):
-    """The outcomes of all requests to an answer to the exercise ``number``, in their order.
+    """The outcomes of all requests to an answer to the exercise called ``name``, in their order.
 
     ``console`` is what the first run printed, as far as it is worth showing. ``cut`` says that something else did not.
     """
 
-    number: int
+    name: str
     console: str
     cut: bool
     outcomes: tuple[Outcome, ...]
@@ -79,7 +79,7 @@ def write(trace: Trace) -> str:
     return dumps(trace, allow_nan=False, separators=(",", ":"))
 
 
-def read(text: str, number: int) -> Trace:
+def read(text: str, name: str) -> Trace:
     """Read the trace of an answer to an exercise. Raises :class:`Misfit` for anything else."""
     if not isinstance(text, str) or len(text) > LONGEST:
         raise Misfit("it is too long")
@@ -88,7 +88,7 @@ def read(text: str, number: int) -> Trace:
     except (ValueError, TypeError, OverflowError, RecursionError) as error:
         raise Misfit("it is damaged") from error
     assert isinstance(trace, Trace)
-    if trace.number != number:
+    if trace.name != name:
         raise Misfit("it belongs to another exercise")
     for request, seen, failure in trace.outcomes:
         if (seen is None) is (failure is None) or (seen and seen.seconds != request.seconds):

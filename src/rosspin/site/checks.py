@@ -132,12 +132,12 @@ def _not_yet(output: dict[str, Any]) -> str:
 def missing_exercises(root: Path) -> Iterator[Stale]:
     """Yield the exercises that have a check but no answer on their page in ``root``/notebooks."""
     for page in sorted(root.glob("notebooks/*.md")):
-        found = re.findall(r"^%%answer (\d+)$", page.read_text(encoding="utf-8"), re.MULTILINE)
-        on_page = {exercise.ros for exercise in EXERCISES if str(exercise.number) in found}
+        found = re.findall(r"^%%answer (\S+)$", page.read_text(encoding="utf-8"), re.MULTILINE)
+        on_page = {exercise.ros for exercise in EXERCISES if exercise.name in found}
         for exercise in EXERCISES:
-            if exercise.ros in on_page and str(exercise.number) not in found:
+            if exercise.ros in on_page and exercise.name not in found:
                 now = f'rosspin.exercises checks exercise {exercise.number}, "{exercise.title}"'
-                yield Stale(page.relative_to(root).as_posix(), 1, f"no cell with %%answer {exercise.number}", now)
+                yield Stale(page.relative_to(root).as_posix(), 1, f"no cell with %%answer {exercise.name}", now)
 
 
 def _line_of(traceback: list[str]) -> int:

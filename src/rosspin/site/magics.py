@@ -64,11 +64,11 @@ class Magics(BaseMagics):
 
     @cell_magic
     def answer(self, line: str, cell: str) -> Feedback:
-        """``%%answer NUMBER``: check the cell, a node file, as the answer to an exercise."""
+        """``%%answer NAME``: check the cell, a node file, as the answer to an exercise."""
         try:
-            feedback = check(int(line), _below_its_magic(cell))
+            feedback = check(line.strip(), _below_its_magic(cell))
         except ValueError as error:
-            raise UsageError(f"%%answer NUMBER: {error}") from None
+            raise UsageError(f"%%answer NAME: {error}") from None
         print(feedback.console, end="")
         if not (feedback.passed and self._is_attended()):
             return feedback

@@ -400,6 +400,17 @@ def list_exercises(
         context["theme_show_toc_level"] = 2
 
 
+def name_exercises(app: Sphinx, page: nodes.document) -> None:
+    """Let links lead to each exercise by its name, which stays: ``notebooks/exercises.html#ten-hertz``."""
+    for listing in page.findall(nodes.literal_block):
+        if match := re.match(r"%%answer (\S+)\n", listing.astext()):
+            section: nodes.Node = listing
+            while not isinstance(section, nodes.section):
+                section = section.parent
+            if match[1] not in section["ids"]:
+                section["ids"].append(match[1])
+
+
 # The space before a unit. After the value of a fact, the unit is in a text of its own.
 _SPACE_BEFORE_UNIT = re.compile(r"(?<=\d)\s(?=(?:s|ms|Hz)\b)")
 
@@ -432,6 +443,7 @@ def setup(app: Sphinx) -> ExtensionMetadata:
     app.connect("source-read", offer_download)
     app.connect("doctree-read", name_terms)
     app.connect("doctree-read", keep_units)
+    app.connect("doctree-read", name_exercises)
     app.connect("env-updated", name_pages)
     app.connect("html-page-context", list_exercises)
     return {"parallel_read_safe": False, "parallel_write_safe": True}

@@ -5,7 +5,7 @@ from __future__ import annotations
 from collections.abc import Iterator
 
 import pytest
-from answers import NUMBERS
+from answers import NAMES
 from exercises_in_page import is_checked, open_pages
 from playwright.sync_api import Browser, Page
 
@@ -16,6 +16,6 @@ def pages_of_exercises(browser: Browser, address: str) -> Iterator[dict[int, Pag
         yield pages
 
 
-@pytest.mark.parametrize("number", NUMBERS)
-def test_exercise_is_checked(pages_of_exercises: dict[int, Page], number: int) -> None:
-    is_checked(pages_of_exercises, number)
+@pytest.mark.parametrize("name", NAMES)
+def test_exercise_is_checked(pages_of_exercises: dict[int, Page], name: str) -> None:
+    is_checked(pages_of_exercises, name)

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import pytest
+from answers import number_of
 from axe import in_both_schemes
 from hand_ins import HTML, WRONG, Table, handed_in
 from listings_in_page import TIMER, TUTORIAL, Cell, link, node, open_tutorial
@@ -39,7 +40,7 @@ def test_shared_code(page: Page, address: str, cell: int) -> None:
 
 def test_judged_answers(table: Table) -> None:
     """A right one, a wrong one, one that was not judged, and a file that was refused."""
-    table.drop(ada=handed_in(), ben=handed_in(HTML, answers={"1": WRONG, "99": ""}), odd="")
+    table.drop(ada=handed_in(), ben=handed_in(HTML, answers={"first-ticks": WRONG, "99": ""}), odd="")
     table.done()
-    table.said("Ada, exercise 1: solved")
+    table.said(f"Ada, exercise {number_of('first-ticks')}: solved")
     assert in_both_schemes(table.page) == []

@@ -74,13 +74,6 @@ def test_errors_of_ros2_end_in_a_sentence_that_helps(tutorial: Page, body: str, 
     assert "rosspin/" not in console and "pyodide" not in console
 
 
-def test_answer_to_no_exercise(tutorial: Page) -> None:
-    cell = Cell(tutorial, TIMER)
-    cell.write("%%answer 99\nimport rospy\n")
-    cell.run(1)
-    assert "there is no exercise 99" in cell.ends("error")
-
-
 def test_traceback_shows_the_readers_lines_only(tutorial: Page) -> None:
     cell = Cell(tutorial, TIMER)
     cell.write(node("def f(event):\n    g()\ndef g():\n    raise KeyError('mine')\nf(None)"))

@@ -6,7 +6,7 @@ import re
 from collections.abc import Iterator
 
 import pytest
-from answers import CELLS, NOTEBOOKS, ON_PAGE
+from answers import CELLS, NOTEBOOKS, ON_PAGE, answer_in, number_of
 from exercises_in_page import is_checked, open_pages
 from listings_in_page import (
     Cell,
@@ -27,26 +27,26 @@ def exercises(pages_of_exercises: dict[int, Page]) -> Page:
     return pages_of_exercises[1]
 
 
-@pytest.mark.parametrize("number", [4, 14, ON_PAGE[2][-1]])
-def test_exercise_is_checked(pages_of_exercises: dict[int, Page], number: int) -> None:
+@pytest.mark.parametrize("name", ["ten-hertz", "name-the-fault", ON_PAGE[2][-1]])
+def test_exercise_is_checked(pages_of_exercises: dict[int, Page], name: str) -> None:
     """A few; all of them are in judge/."""
-    is_checked(pages_of_exercises, number)
+    is_checked(pages_of_exercises, name)
 
 
 @pytest.mark.parametrize("ros", NOTEBOOKS)
 def test_what_was_solved_is_kept(pages_of_exercises: dict[int, Page], ros: int) -> None:
     """Told after each right answer, and known when the reader comes back."""
-    page, numbers = pages_of_exercises[ros], ON_PAGE[ros]
-    cell = exercise(page, numbers[0])
-    cell.write(CELLS[numbers[0]][1].source)
+    page, names = pages_of_exercises[ros], ON_PAGE[ros]
+    cell = exercise(page, names[0])
+    cell.write(CELLS[names[0]][1].source)
     cell.button("Run").click()
-    cell.ends(rf"Exercise {numbers[0]}: right\. You have solved \d+ of {len(numbers)}\.")
+    cell.ends(rf"Exercise {number_of(names[0])}: right\. You have solved \d+ of {len(names)}\.")
     page.reload()
     expect(cell.status).to_have_text("solved, as you edited it")
-    made = page.locator(f".cell:has([aria-label='Run answer {numbers[0]}']) > .cell_output")
+    made = page.locator(f".cell:has([aria-label='Run answer {names[0]}']) > .cell_output")
     expect(made).to_be_hidden()  # it is about the text that came with the page
     said = page.locator("article .live-progress").text_content() or ""
-    assert re.fullmatch(rf"[1-9]\d* of {len(numbers)} solved", said)
+    assert re.fullmatch(rf"[1-9]\d* of {len(names)} solved", said)
     assert beside_its_link(page, ros) == said
     cell.button("Reset").click()
     expect(cell.status).to_have_text("an earlier version was solved")
@@ -59,11 +59,11 @@ def test_each_page_of_exercises_counts_its_own(pages_of_exercises: dict[int, Pag
         cell = exercise(page, ON_PAGE[ros][0])
         cell.write(CELLS[ON_PAGE[ros][0]][1].source)
         cell.button("Run").click()
-        cell.ends(f"Exercise {ON_PAGE[ros][0]}: right")
+        cell.ends(f"Exercise {number_of(ON_PAGE[ros][0])}: right")
     page = pages_of_exercises[1].context.new_page()
     page.goto(address + "docs/tutorial.html")
-    for ros, numbers in ON_PAGE.items():
-        assert beside_its_link(page, ros).endswith(f" of {len(numbers)} solved")
+    for ros, names in ON_PAGE.items():
+        assert beside_its_link(page, ros).endswith(f" of {len(names)} solved")
     expect(page.locator(".live-progress")).to_have_count(2)
     page.close()
 
@@ -85,20 +85,25 @@ def test_hints_are_asked_for_one_at_a_time(exercises: Page) -> None:
         expect(shown[number]).to_be_visible()
 
 
-def test_answer_has_its_first_line(exercises: Page) -> None:
-    cell = exercise(exercises, 1)
-    for first in ("%%answer 2", "%%answer", "# mine", ""):
-        cell.write(f"{first}\nimport rospy\n")
+def test_a_whole_node_that_is_pasted_is_an_answer(exercises: Page) -> None:
+    """The cell knows which exercise it answers; its first line need not be there, and its lines keep their numbers."""
+    cell = exercise(exercises, "ten-hertz")
+    right = answer_in(CELLS["ten-hertz"][1])
+    for text in (right, f"%%answer\n{right}", f"%%answer 4\n{right}", f"# mine\n{right}"):
+        cell.write(text)
         cell.button("Run").click()
-        assert cell.ends("error: the first line must be %%answer 1") == ""
+        cell.ends(rf"Exercise {number_of('ten-hertz')}: right\.")
+    cell.write("import rospy\n1 / 0\n")
+    cell.button("Run").click()
+    assert "in line 2" in cell.ends("Exercise")
     cell.button("Reset").click()
 
 
 def test_verdict_leads_to_the_line_that_it_names(exercises: Page) -> None:
-    cell = exercise(exercises, 6)
-    cell.write("%%answer 6\nimport rospy\nrospy.init_node('a_node')\n1 / 0\n")
+    cell = exercise(exercises, "stop-after-five")
+    cell.write("%%answer stop-after-five\nimport rospy\nrospy.init_node('a_node')\n1 / 0\n")
     cell.button("Run").click()
-    cell.ends("Exercise 6: not yet")
+    cell.ends(f"Exercise {number_of('stop-after-five')}: not yet")
     for place in ('"<answer>", line 4', "in line 4"):
         cell.console.get_by_role("button", name=place).first.click()
         expect(cell.editor).to_be_focused()

@@ -8,6 +8,7 @@ from datetime import datetime
 from pathlib import Path
 from typing import Any
 
+from answers import number_of
 from hand_ins import EXERCISES, RIGHT, TEACHERS, WRONG, Table
 from listings_in_page import Cell
 from playwright.sync_api import Browser, BrowserContext, Download, FilePayload, Page, expect
@@ -36,15 +37,17 @@ def test_what_was_answered_is_saved(page: Page, address: str) -> None:
     expect(status).to_have_text("There is nothing to hand in: you have not changed an answer yet.")
 
     Cell(page, 0).write(RIGHT)
-    other = "%%answer 20\nticks = [1]\n"
-    page.evaluate("text => localStorage.setItem('rosspin:/notebooks/ros2-exercises.html:0:1a', text)", other)
+    other = "%%answer slow-timer\nticks = [1]\n"
+    record = json.dumps({"solved": False, "versions": [{"id": "a.0", "time": 1, "text": other}]})
+    page.evaluate("record => localStorage.setItem('rosspin:/:answer:slow-timer', record)", record)
     name, found = _hand_in(page, " Ada <Lovelace>/2 ")
     assert name == "rosspin-answers-Ada-Lovelace-2.json"
     assert found.pop("id")
     assert abs((datetime.fromisoformat(found.pop("date")) - datetime.now().astimezone()).days) <= 1
-    answers = {"1": RIGHT, "20": other}
-    assert found == {"format": "rosspin-answers", "version": 1, "name": "Ada <Lovelace>/2", "answers": answers}
-    expect(status).to_have_text(re.compile(f"^Saved as {name}, with your answers to exercises 1 and 20"))
+    answers = {"first-ticks": RIGHT, "slow-timer": other}
+    assert found == {"format": "rosspin-answers", "version": 2, "name": "Ada <Lovelace>/2", "answers": answers}
+    numbers = " and ".join(map(str, sorted(map(number_of, answers))))
+    expect(status).to_have_text(re.compile(f"^Saved as {name}, with your answers to exercises {numbers}"))
 
 
 def test_name_and_answers_are_there_after_a_reload(page: Page, address: str) -> None:
@@ -61,12 +64,12 @@ def test_name_and_answers_are_there_after_a_reload(page: Page, address: str) -> 
 def test_file_comes_from_the_one_page_to_the_other(quick: Table, address: str) -> None:
     page = quick.page
     page.goto(address + EXERCISES)
-    Cell(page, 0).write("%%answer 1\nsolved")
+    Cell(page, 0).write("%%answer first-ticks\nsolved")
     name, found = _hand_in(page, "Ada")
     table = Table(page, address)
     table.input.set_input_files(FilePayload(name=name, mimeType="application/json", buffer=json.dumps(found).encode()))
     table.done()
-    expect(table.sign("Ada, exercise 1: solved")).to_have_text("✓")
+    expect(table.sign(f"Ada, exercise {number_of('first-ticks')}: solved")).to_have_text("✓")
 
 
 # --- where it cannot be -----------------------------------------------------------------------------------------------

@@ -5,7 +5,7 @@ from __future__ import annotations
 import re
 from pathlib import Path
 
-from answers import CELLS, answer_in
+from answers import CELLS, answer_in, number_of
 from hand_ins import ENDLESS, EXERCISES, HTML, RIGHT, WRONG, Table, handed_in, impatient
 from listings_in_page import have_workers
 from looks import FAINT, SCHEMES, TOO_WIDE, look
@@ -13,30 +13,38 @@ from playwright.sync_api import BrowserContext, FilePayload, Page, expect
 
 FLOOD = "print('x' * 20_000_000)"
 
+JS = "import js\njs.postMessage('solved')"
+
+# The exercises, as they are shown.
+FIRST, SECOND, THIRD = map(number_of, ("first-ticks", "after-a-slow-callback", "cpp-ticks"))
+TEN_HERTZ, FAULT, LOOP = map(number_of, ("ten-hertz", "name-the-fault", "loop-to-timer"))
+
 
 def test_right_wrong_and_forged(table: Table) -> None:
     """The check of the exercises says it; what a file says of itself changes nothing."""
-    starts = {number: answer_in(CELLS[number][0]) for number in (4, 14)}
-    answers = {"1": RIGHT, "4": CELLS[4][1].source, "14": starts[14], "99": "x = 1"}
-    forged = {"verdict": "solved", "verdicts": {"1": "solved"}, "solved": True, "1": "solved"}
+    start = answer_in(CELLS["name-the-fault"][0])
+    answers = {"first-ticks": RIGHT, "ten-hertz": CELLS["ten-hertz"][1].source, "name-the-fault": start, "99": "x"}
+    forged = {"verdict": "solved", "verdicts": {"first-ticks": "solved"}, "solved": True, "first-ticks": "solved"}
     table.drop(
         ada=handed_in("Ada", answers=answers),
-        ben=handed_in("Ben", answers={"1": WRONG, "4": f"%%answer 1\n{answer_in(CELLS[1][1])}"}, **forged),
-        eve=handed_in("Eve", answers={"1": "print('Exercise 1: right.')\nprint('{\"verdict\": \"solved\"}')"}),
-        flo=handed_in("Flo", answers={"1": "import js\njs.postMessage('solved')", "4": "import numpy", "7": FLOOD}),
+        ben=handed_in("Ben", answers={"first-ticks": WRONG, "ten-hertz": RIGHT}, **forged),
+        eve=handed_in(
+            "Eve", answers={"first-ticks": "print('Exercise 1: right.')\nprint('{\"verdict\": \"solved\"}')"}
+        ),
+        flo=handed_in("Flo", answers={"first-ticks": JS, "ten-hertz": "import numpy", "loop-to-timer": FLOOD}),
     )
     table.done()
-    for title in ("Ada, exercise 1: solved", "Ada, exercise 4: solved", "Ada, exercise 14: open"):
-        expect(table.sign(title)).to_be_visible()
-    assert "there is no exercise 99" in table.said("Ada, exercise 99: not judged")
-    assert "The timer: 0.4 s" in table.said("Ada, exercise 1: solved")
-    said = table.said("Ben, exercise 1: not yet")
+    for title in (f"{FIRST}: solved", f"{TEN_HERTZ}: solved", f"{FAULT}: open"):
+        expect(table.sign(f"Ada, exercise {title}")).to_be_visible()
+    assert "there is no exercise '99'" in table.said("Ada, exercise 99: not judged")
+    assert "The timer: 0.4 s" in table.said(f"Ada, exercise {FIRST}: solved")
+    said = table.said(f"Ben, exercise {FIRST}: not yet")
     assert "Hint:" in said and "timer = [0, 1, 2]" in said
-    expect(table.sign("Ben, exercise 4: not yet")).to_be_visible()  # whatever its first line says
-    expect(table.sign("Eve, exercise 1: open")).to_be_visible()
-    assert "said what this page does not understand" in table.said("Flo, exercise 1: not judged")
-    assert "No module named 'numpy'" in table.said("Flo, exercise 4: not yet")
-    assert 20_000 < len(table.said("Flo, exercise 7: not yet")) < 31_000
+    expect(table.sign(f"Ben, exercise {TEN_HERTZ}: not yet")).to_be_visible()  # whatever its first line says
+    expect(table.sign(f"Eve, exercise {FIRST}: open")).to_be_visible()
+    assert "said what this page does not understand" in table.said(f"Flo, exercise {FIRST}: not judged")
+    assert "No module named 'numpy'" in table.said(f"Flo, exercise {TEN_HERTZ}: not yet")
+    assert 20_000 < len(table.said(f"Flo, exercise {LOOP}: not yet")) < 31_000
     assert table.rows.locator("td:nth-child(2)").all_text_contents() == ["2 of 4", "0 of 2", "0 of 1", "0 of 3"]
     expect(table.status).to_have_text("Done: 8 judged, 2 not judged")
     have_workers(table.page, 0)
@@ -46,40 +54,48 @@ def test_an_answer_that_never_ends_is_ended(context: BrowserContext, table: Tabl
     """And the next one is judged."""
     context.route("**/judge.js*", lambda route: route.fulfill(body=impatient(site)))
     table = Table(table.page, address)
-    table.drop(eve=handed_in("Eve", answers={"1": ENDLESS}), ada=handed_in("Ada", answers={"98": "x"}))
+    table.drop(eve=handed_in("Eve", answers={"first-ticks": ENDLESS}), ada=handed_in("Ada", answers={"98": "x"}))
     table.done()
-    assert "It was ended after" in table.said("Eve, exercise 1: did not end")
+    assert "It was ended after" in table.said(f"Eve, exercise {FIRST}: did not end")
     expect(table.sign("Ada, exercise 98: not judged")).to_be_visible()
     have_workers(table.page, 0)
 
 
 def test_what_comes_out_of_a_sandbox_is_not_trusted(quick: Table) -> None:
     """Only a text of JSON that is not too long is read, and only what a verdict is made of."""
-    answers = {"1": "huge", "2": "number", "3": "object", "4": "no such verdict", "5": "not solved"}
-    answers |= {"6": "#" * 50_001, "7": "solved", "8": "long"}
+    answers = {"e-1": "huge", "e-2": "number", "e-3": "object", "e-4": "no such verdict", "e-5": "not solved"}
+    answers |= {"e-6": "#" * 50_001, "e-7": "solved", "e-8": "long"}
     quick.drop(eve=handed_in("Eve", answers=answers))
     expect(quick.status).to_have_text("Done: 2 judged, 6 not judged")
     for number in range(1, 6):
-        said = quick.said(f"Eve, exercise {number}: not judged")
+        said = quick.said(f"Eve, exercise e-{number}: not judged")
         assert ("sent more than this page takes" if number in (1, 3) else "what this page does not understand") in said
-    assert "It has 50001 characters; at most 50000 are judged" in quick.said("Eve, exercise 6: not judged")
-    assert len(quick.said("Eve, exercise 8: solved")) < 31_000
+    assert "It has 50001 characters; at most 50000 are judged" in quick.said("Eve, exercise e-6: not judged")
+    assert len(quick.said("Eve, exercise e-8: solved")) < 31_000
 
 
 # --- files that are no answers ----------------------------------------------------------------------------------------
 
 
+def test_a_file_from_before_exercises_had_names(table: Table) -> None:
+    """Its numbers are those that exercises had then; what is shown are those of today."""
+    table.drop(ada=handed_in("Ada", version=1, answers={"1": RIGHT.replace("first-ticks", "1"), "4": "x"}))
+    table.done()
+    expect(table.sign(f"Ada, exercise {FIRST}: solved")).to_be_visible()
+    expect(table.sign(f"Ada, exercise {TEN_HERTZ}: not yet")).to_be_visible()
+
+
 def test_stop(quick: Table) -> None:
     """Ends what runs and what waits; a file that is dropped again is judged again."""
-    quick.drop(eve=handed_in("Eve", answers={"1": "solved", "2": "endless"}))
-    for title in ("Eve, exercise 1: solved", "Eve, exercise 2: being judged"):
-        expect(quick.sign(title)).to_be_visible()
+    quick.drop(eve=handed_in("Eve", answers={"first-ticks": "solved", "after-a-slow-callback": "endless"}))
+    for title in (f"{FIRST}: solved", f"{SECOND}: being judged"):
+        expect(quick.sign(f"Eve, exercise {title}")).to_be_visible()
     quick.page.get_by_role("button", name="Stop").click()
     expect(quick.status).to_have_text("Done: 1 judged, 1 stopped")
-    assert "Stopped before it was judged" in quick.said("Eve, exercise 2: stopped")
-    quick.drop(again=handed_in("Eve", answers={"1": "not yet"}))
+    assert "Stopped before it was judged" in quick.said(f"Eve, exercise {SECOND}: stopped")
+    quick.drop(again=handed_in("Eve", answers={"first-ticks": "not yet"}))
     expect(quick.status).to_have_text("Done: 1 judged")
-    expect(quick.sign("Eve, exercise 1: not yet")).to_be_visible()
+    expect(quick.sign(f"Eve, exercise {FIRST}: not yet")).to_be_visible()
 
 
 def test_what_was_refused_is_not_forgotten(quick: Table) -> None:
@@ -106,18 +122,17 @@ def test_what_was_refused_is_not_forgotten(quick: Table) -> None:
 def test_who_is_who(quick: Table) -> None:
     """Of one student's files the newest counts; students of the same name, or on the same computer, stay apart."""
     days = [f"2026-11-{day}T12:00:00.000Z" for day in (20, 21, 22)]
-    quick.drop(
-        b=handed_in("Sam", date=days[1], answers={"1": "solved"}), c=handed_in("Sam", id="a2"), d=handed_in("Al")
-    )
+    first = handed_in("Sam", date=days[1], answers={"first-ticks": "solved"})
+    quick.drop(b=first, c=handed_in("Sam", id="a2"), d=handed_in("Al"))
     expect(quick.rows).to_have_count(3)
     expect(quick.notes).to_have_count(0)
-    quick.drop(a=handed_in("Sam", date=days[0], answers={"2": "solved"}))
+    quick.drop(a=handed_in("Sam", date=days[0], answers={"after-a-slow-callback": "solved"}))
     expect(quick.notes).to_have_text("a.json is left out: Sam handed in b.json after it.")
-    quick.drop(b=handed_in("Sam", date=days[2], answers={"3": "solved"}))
+    quick.drop(b=handed_in("Sam", date=days[2], answers={"cpp-ticks": "solved"}))
     expect(quick.notes.nth(1)).to_have_text("b.json takes the place of b.json, which Sam handed in before.")
-    quick.drop(b=handed_in("Sam", date=days[2].replace(":00.000", ":30.000"), answers={"3": "solved"}))
+    quick.drop(b=handed_in("Sam", date=days[2].replace(":00.000", ":30.000"), answers={"cpp-ticks": "solved"}))
     expect(quick.notes.nth(2)).to_have_text("b.json takes the place of b.json, which Sam handed in before.")
-    quick.drop(b=handed_in("Sam", date=days[2], answers={"3": "not yet"}))  # in the same minute, but before it
+    quick.drop(b=handed_in("Sam", date=days[2], answers={"cpp-ticks": "not yet"}))  # in the same minute, but before it
     expect(quick.notes.nth(3)).to_have_text("b.json is left out: Sam handed in b.json after it.")
     quick.done()
     al, c, b = quick.rows.locator("th").all_inner_texts()
@@ -125,20 +140,20 @@ def test_who_is_who(quick: Table) -> None:
     assert c == "Sam\nc.json\nsame name as b.json, another browser"
     source = r"2026-11-2\d \d\d:\d\d, b\.json"
     assert re.fullmatch(rf"Sam\n{source}\nsame browser as Al\nsame name as c\.json, another browser", b)
-    said = quick.said("Sam, exercise 3: solved")
-    assert said.startswith("Sam, exercise 3: The ticks of a C++ node: solved\n")
+    said = quick.said(f"Sam, exercise {THIRD}: solved")
+    assert said.startswith(f"Sam, exercise {THIRD}: The ticks of a C++ node: solved\n")
     assert re.search(rf"^The answer, from {source}:$", said, re.MULTILINE)
     assert [row[4:6] for row in quick.csv()[1:]] == [["Sam", ""], ["", "b.json"], ["Al", "c.json"]]
-    expect(quick.sign("Sam, exercise 3: solved")).to_be_visible()
+    expect(quick.sign(f"Sam, exercise {THIRD}: solved")).to_be_visible()
     expect(quick.page.get_by_role("columnheader", name="3")).to_have_attribute(
-        "title", "Exercise 3: The ticks of a C++ node"
+        "title", f"Exercise {THIRD}: The ticks of a C++ node"
     )
 
 
 def test_what_is_in_a_file_is_text(table: Table) -> None:
-    table.drop(**{"<b>a": handed_in(HTML, answers={"1": f"print({HTML!r})", "4": HTML})})
+    table.drop(**{"<b>a": handed_in(HTML, answers={"first-ticks": f"print({HTML!r})", "ten-hertz": HTML})})
     table.done()
-    said = table.said(f"{HTML}, exercise 1: open")
+    said = table.said(f"{HTML}, exercise {FIRST}: open")
     assert said.count(HTML) >= 2  # as the name, and on the console
     assert table.page.title() != "taken"
     assert table.page.locator(".rosspin-judge").locator("img, script, b").count() == 0
@@ -153,12 +168,13 @@ def test_csv(quick: Table) -> None:
     for number, name in enumerate(names):
         quick.drop(**{f"{number}": handed_in(name, id=name, answers={"99": "to read"})})
     date = "2026-11-21T12:00:00.000Z"
-    quick.drop(ada=handed_in(answers={"1": "solved", "4": "not yet"}, date=date), **{"=x": handed_in("Al")})
+    answers = {"first-ticks": "solved", "ten-hertz": "not yet"}
+    quick.drop(ada=handed_in(answers=answers, date=date), **{"=x": handed_in("Al")})
     expect(quick.status).to_have_text("Done: 2 judged, 5 to read, 1 not judged")
     assert not quick.page.evaluate(may_leave)
     head, *rows = quick.csv()
     assert quick.page.evaluate(may_leave)
-    exercises = ["exercise 1: The first ticks", "exercise 4: Change the rate", "exercise 99"]
+    exercises = [f"exercise {FIRST}: The first ticks", f"exercise {TEN_HERTZ}: Change the rate", "exercise 99"]
     marks = ["same browser as", "same name in another browser"]
     assert head == ["name", "file", "note", "date", *marks, "answers", "solved", *exercises]
     assert sorted(row[0] for row in rows[:4]) == ["'+1", "'-1", "'=1+1", "'@SUM(A1)"]
@@ -194,12 +210,12 @@ def test_keyboard_alone(quick: Table) -> None:
 
 
 def test_the_focus_stays_where_it_is_when_the_verdict_comes(table: Table) -> None:
-    table.drop(ada=handed_in("Ada", answers={"1": RIGHT}))
-    table.sign("Ada, exercise 1: being judged").click()
+    table.drop(ada=handed_in("Ada", answers={"first-ticks": RIGHT}))
+    table.sign(f"Ada, exercise {FIRST}: being judged").click()
     back = table.page.get_by_role("button", name="Back to the table")
     back.focus()
     table.done()
-    expect(table.detail).to_contain_text("Ada, exercise 1: The first ticks: solved")
+    expect(table.detail).to_contain_text(f"Ada, exercise {FIRST}: The first ticks: solved")
     expect(back).to_be_focused()
 
 
@@ -208,7 +224,7 @@ def test_the_focus_stays_where_it_is_when_the_verdict_comes(table: Table) -> Non
 
 def test_names_stay_in_view(quick: Table) -> None:
     """Wherever the table is scrolled to; nothing shows through, in light and in dark."""
-    quick.drop(ada=handed_in("Ada", answers={str(number): "solved" for number in range(1, 40)}))
+    quick.drop(ada=handed_in("Ada", answers={f"e-{number}": "solved" for number in range(1, 40)}))
     quick.done()
     for width in (1280, 390):
         quick.page.set_viewport_size({"width": width, "height": 900})
@@ -228,10 +244,11 @@ def test_names_stay_in_view(quick: Table) -> None:
 def test_looks(quick: Table, address: str) -> None:
     """The table and what is said fit a phone, and their text stands out in light and in dark."""
     page = quick.page
-    answers = {str(number): "not judged" for number in range(30, 50)} | {"1": "solved", "2": "to read"}
-    quick.drop(ada=handed_in("Ada " * 10, answers=answers), b=handed_in("B", answers={"1": "solved"}))
+    answers = {f"e-{number}": "not judged" for number in range(30, 50)}
+    answers |= {"first-ticks": "solved", "after-a-slow-callback": "to read"}
+    quick.drop(ada=handed_in("Ada " * 10, answers=answers), b=handed_in("B", answers={"first-ticks": "solved"}))
     quick.done()
-    quick.said("B, exercise 1: solved")
+    quick.said(f"B, exercise {FIRST}: solved")
     _stands_out(page)
     page.goto(address + EXERCISES)
     expect(page.get_by_role("button", name="Hand in")).to_be_visible()

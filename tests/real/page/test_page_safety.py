@@ -7,7 +7,7 @@ from pathlib import Path
 from typing import Any
 
 import pytest
-from answers import CELLS
+from answers import CELLS, number_of
 from attacks import ATTACK, FORGERIES, SANDBOX, SCRIPT, WAYS, attempts, succeeded, tried
 from hand_ins import EXERCISES, TEACHERS, Table, exchange, handed_in, solves_nothing
 from in_chromium import served
@@ -235,13 +235,13 @@ def test_no_message_solves_an_exercise(context: BrowserContext, address: str) ->
     page.goto(address + EXERCISES)
     cell = Cell(page, 0)
     for name, text in FORGERIES.items():
-        cell.write(f"%%answer 1\n{text}\n")
+        cell.write(f"%%answer first-ticks\n{text}\n")
         cell.button("Run").click()
-        cell.ends("Exercise 1: not|error")
+        cell.ends(f"Exercise {number_of('first-ticks')}: not|error")
         assert page.evaluate("Object.keys(localStorage).filter((key) => key.includes('solved')).length") == 0, name
-    cell.write(CELLS[1][1].source)
+    cell.write(CELLS["first-ticks"][1].source)
     cell.button("Run").click()
-    cell.ends("Exercise 1: right")
+    cell.ends(f"Exercise {number_of('first-ticks')}: right")
 
 
 def test_no_message_solves_an_exercise_in_the_table(table: Table) -> None:
@@ -296,9 +296,9 @@ def test_what_is_not_seen_is_marked_in_a_shared_listing(context: BrowserContext,
 def test_what_is_not_seen_is_marked_in_the_table(context: BrowserContext, address: str, site: Path) -> None:
     exchange(context, site, worker_js=b"postMessage(JSON.stringify({ kind: 'failed', reason: 'no\\u202e' }))")
     table = Table(context.new_page(), address)
-    table.drop(eve=handed_in("Eve", answers={"1": f"%%answer 1\n{ODD}"}))
+    table.drop(eve=handed_in("Eve", answers={"first-ticks": f"%%answer first-ticks\n{ODD}"}))
     table.done()
-    said = table.said("Eve, exercise 1: not judged")
+    said = table.said(f"Eve, exercise {number_of('first-ticks')}: not judged")
     assert "Its long lines are wrapped." in said
     signs = table.detail.locator(".unseen").evaluate_all("all => all.map(mark => mark.dataset.sign)")
     assert signs == ["U+202E", *MARKS]

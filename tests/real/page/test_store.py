@@ -6,12 +6,12 @@ import json
 import re
 from pathlib import Path
 
-from answers import CELLS
+from answers import CELLS, number_of
 from hand_ins import EXERCISES, RIGHT, WRONG
 from listings_in_page import TIMER, Cell, link, node, open_tutorial
 from playwright.sync_api import BrowserContext, Page, expect
 
-RECORD = "rosspin:/:answer:1"
+RECORD = "rosspin:/:answer:first-ticks"
 
 # As where the reader lets pages keep nothing.
 NO_STORAGE = """
@@ -73,16 +73,16 @@ def test_two_tabs(context: BrowserContext, page: Page, address: str) -> None:
     expect(other.status).to_have_text("as you changed it in another tab")
     other.write(RIGHT)
     one.shows(RIGHT)
-    assert one.handed_in() == other.handed_in() == {"1": RIGHT}
+    assert one.handed_in() == other.handed_in() == {"first-ticks": RIGHT}
     assert one.student == other.student
     one.button("Earlier version").click()
     other.shows(WRONG)
     one.shows(WRONG)
     expect(one.status).to_have_text(re.compile(r"^an earlier version, last changed 2\d{3}-"))
     other.button("Reset").click()
-    expect(one.element.locator("pre").first).to_have_text(CELLS[1][0].source)
+    expect(one.element.locator("pre").first).to_have_text(CELLS["first-ticks"][0].source)
     one.page.reload()
-    expect(one.element.locator("pre").first).to_have_text(CELLS[1][0].source)
+    expect(one.element.locator("pre").first).to_have_text(CELLS["first-ticks"][0].source)
     one.button("Earlier version").click()
     other.shows(WRONG)
 
@@ -91,13 +91,13 @@ def test_a_tab_that_was_asleep_writes_nothing_over(page: Page, address: str) -> 
     """No event has told it what another tab wrote meanwhile."""
     answer = Answer(page, address)
     answer.write(WRONG)
-    newer = "%%answer 1\nnewer = 1\n"
+    newer = "%%answer first-ticks\nnewer = 1\n"
     record = {"solved": False, "versions": [{"id": "another.0", "time": 9e15, "text": newer}]}
     page.evaluate("([key, text]) => localStorage.setItem(key, text)", [RECORD, json.dumps(record)])
     answer.shows(WRONG)
     page.evaluate("dispatchEvent(new PageTransitionEvent('pageshow', { persisted: true }))")
     answer.shows(newer)
-    assert answer.handed_in() == {"1": newer}
+    assert answer.handed_in() == {"first-ticks": newer}
     answer.button("Earlier version").click()
     answer.shows(WRONG)
 
@@ -113,11 +113,11 @@ def test_a_link_leaves_the_readers_own_answer_alone(page: Page, address: str) ->
     expect(answer.element.locator(".live-notice")).to_contain_text("neither kept nor handed in")
     answer.shows(RIGHT)
     answer.button("Run").click()
-    answer.ends(r"Exercise 1: right\. The code came with the link, so it does not count\.$")
+    answer.ends(rf"Exercise {number_of('first-ticks')}: right\. The code came with the link, so it does not count\.$")
     assert answer.progress == "0 of 19 solved"
     answer.write(RIGHT + "# changed\n")
     expect(answer.button("Earlier version")).to_be_hidden()
-    assert answer.handed_in() == {"1": WRONG}
+    assert answer.handed_in() == {"first-ticks": WRONG}
     assert page.evaluate("key => localStorage.getItem(key)", RECORD) == kept
     answer.button("Reset").click()
     answer.shows(WRONG)
@@ -130,19 +130,21 @@ def test_solved_is_the_text_that_solved_it(page: Page, address: str) -> None:
     answer = Answer(page, address)
     answer.write(RIGHT)
     answer.button("Run").click()
-    answer.ends(r"Exercise 1: right\. You have solved 1 of 19\.")
+    answer.ends(rf"Exercise {number_of('first-ticks')}: right\. You have solved 1 of 19\.")
     answer.editor.press("Control+End")
     page.keyboard.type("# and more")
     expect(answer.status).to_have_text("as you edited it; an earlier version was solved")
     page.reload()
     expect(answer.status).to_have_text("as you edited it; an earlier version was solved")
     assert answer.progress == "1 of 19 solved"
-    assert answer.handed_in() == {"1": RIGHT + "# and more"}
+    assert answer.handed_in() == {"first-ticks": RIGHT + "# and more"}
     status = page.locator(".hand-in").get_by_role("status")
-    expect(status).to_contain_text("You have solved exercise 1 with another text, which Earlier version brings back.")
+    expect(status).to_contain_text(
+        f"You have solved exercise {number_of('first-ticks')} with another text, which Earlier version brings back."
+    )
     answer.button("Earlier version").click()
     expect(answer.status).to_have_text(re.compile("^an earlier version, last changed .*, solved$"))
-    assert answer.handed_in() == {"1": RIGHT}
+    assert answer.handed_in() == {"first-ticks": RIGHT}
     expect(status).not_to_contain_text("Earlier version")
 
 
@@ -152,7 +154,7 @@ def test_a_reload_while_one_types(page: Page, address: str) -> None:
     answer.editor.press("Control+End")
     page.keyboard.type("# half a wo")
     page.reload()
-    answer.shows(CELLS[1][0].source + "\n# half a wo")
+    answer.shows(CELLS["first-ticks"][0].source + "\n# half a wo")
 
 
 def test_full_storage_is_said(page: Page, address: str) -> None:
@@ -165,7 +167,7 @@ def test_full_storage_is_said(page: Page, address: str) -> None:
     answer.button("Copy text").click()
     expect(answer.status).to_have_text("copied; your text is not kept: the browser's storage is full")
     assert page.evaluate("navigator.clipboard.readText()") == RIGHT
-    assert answer.handed_in() == {"1": RIGHT}
+    assert answer.handed_in() == {"first-ticks": RIGHT}
     page.evaluate(EMPTY)
     answer.editor.press("Control+End")
     page.keyboard.insert_text("# kept\n")
@@ -183,7 +185,7 @@ def test_a_browser_that_keeps_nothing(context: BrowserContext, address: str) -> 
     expect(answer.status).to_have_text("")
     answer.write(WRONG)
     expect(answer.status).to_have_text("as you edited it; your text is not kept: this browser keeps nothing here")
-    assert answer.handed_in() == {"1": WRONG}
+    assert answer.handed_in() == {"first-ticks": WRONG}
     open_tutorial(page, address)
     cell = Cell(page, TIMER)
     cell.write(node("print('mine')"))
@@ -195,7 +197,7 @@ def test_answers_of_an_earlier_version_of_the_site(page: Page, address: str) -> 
     """They are shown, handed in and counted; their keys go once they are kept anew."""
     answer = Answer(page, address)
     old = {
-        "rosspin:/notebooks/exercises.html:0:1a": WRONG,
+        "rosspin:/notebooks/exercises.html:0:1a": WRONG.replace("first-ticks", "1"),
         "rosspin:/notebooks/exercises.html:0:1a:solved": "yes",
         "rosspin:/notebooks/ros2-exercises.html:1:1b": "%%answer 20\nticks = [1]\n",
     }
@@ -204,14 +206,29 @@ def test_answers_of_an_earlier_version_of_the_site(page: Page, address: str) -> 
     answer.shows(WRONG)
     expect(answer.status).to_have_text("as you edited it; an earlier version was solved")
     assert answer.progress == "1 of 19 solved"
-    assert answer.handed_in() == {"1": WRONG, "20": "%%answer 20\nticks = [1]\n"}
+    assert answer.handed_in() == {"first-ticks": WRONG, "slow-timer": "%%answer slow-timer\nticks = [1]\n"}
     keys = page.evaluate("Object.keys(localStorage).filter((key) => key.includes('exercises.html:'))")
     assert keys == ["rosspin:/notebooks/ros2-exercises.html:1:1b"]
 
 
+def test_answers_from_before_exercises_had_names(page: Page, address: str) -> None:
+    """What was kept by a number is shown and handed in by the name of that exercise, and is solved as it was."""
+    answer = Answer(page, address)
+    versions = [{"id": "a.0", "time": 1, "text": RIGHT.replace("first-ticks", "1"), "solved": True}]
+    record = json.dumps({"solved": True, "versions": versions})
+    page.evaluate("record => localStorage.setItem('rosspin:/:answer:1', record)", record)
+    page.reload()
+    answer.shows(RIGHT)
+    expect(answer.status).to_have_text("solved, as you edited it")
+    assert answer.handed_in() == {"first-ticks": RIGHT}
+    assert page.evaluate("Object.keys(localStorage).filter((key) => key.includes(':answer:'))") == [RECORD]
+
+
 def test_what_no_teacher_could_read_is_said(page: Page, address: str) -> None:
     answer = Answer(page, address)
-    answer.write("%%answer 1\n# " + "x" * 50_000)
+    answer.write("%%answer first-ticks\n# " + "x" * 50_000)
     answer.handed_in()
     status = page.locator(".hand-in").get_by_role("status")
-    expect(status).to_contain_text("Too long to be judged, with more than 50000 characters: exercise 1.")
+    expect(status).to_contain_text(
+        f"Too long to be judged, with more than 50000 characters: exercise {number_of('first-ticks')}."
+    )
