@@ -21,6 +21,7 @@ from . import (
     event_handler,
     exceptions,
     executors,
+    experimental,
     logging,
     names,
     node,
@@ -159,7 +160,7 @@ def spin_until_future_complete(
 
 # The modules of rclpy that are not here: they need a real ROS.
 NOT_SIMULATED = {
-    *("destroyable", "experimental", "lifecycle", "logging_service"),
+    *("destroyable", "lifecycle", "logging_service"),
     *("parameter_client", "parameter_event_handler", "parameter_service"),
     *("serialization", "service_introspection", "time_source", "topic_endpoint_info"),
     *("topic_or_service_is_hidden", "type_description_service", "type_hash", "type_support", "waitable"),
@@ -168,6 +169,7 @@ NOT_SIMULATED = {
 # The names that the modules here lack.
 LACKING = {
     "rclpy.clock": {"ClockChange", "JumpHandle", "JumpThreshold", "TimeJump"},
+    "rclpy.experimental": {"EventsExecutor"},
     "rclpy.logging": {"get_logger_level", "get_logging_directory"},
     "rclpy.signals": {"get_current_signal_handlers_options"},
 }
@@ -190,7 +192,7 @@ IN_PART = {
     "as with Fast DDS.",
     "Timer": "A period of less than 1 µs calls every 0.1 ms, about as often as a real machine can.",
     "TimerInfo": "It is there; on a real ROS 2 only from Kilted on.",
-    "signals": "A handler that the node sets itself is called at once, not when the executor wakes.",
+    "signals": "A handler that the node sets itself is called immediately, not when the executor wakes.",
     "wait_for_message": "It gets the message even if another thread spins the node; on a real ROS the two race.",
 }
 
@@ -211,6 +213,8 @@ MODULES: dict[str, ModuleType] = {
     "rclpy.exceptions": exceptions,
     "rclpy.executors": executors,
     "rclpy.expand_topic_name": names,
+    "rclpy.experimental": experimental,
+    "rclpy.experimental.events_executor": experimental,
     "rclpy.guard_condition": executors,
     "rclpy.impl.logging_severity": logging,
     "rclpy.impl.rcutils_logger": logging,
