@@ -25,6 +25,7 @@ from leftovers import processes, shared_memory
 from tree import ROOT
 from verdicts import control
 
+from rosspin import simulate
 from rosspin.__main__ import main
 from rosspin.measures import by_source
 from rosspin.real import ros2
@@ -286,6 +287,21 @@ def test_a_console_that_is_closed_ends_the_run(ros: None, write: Any) -> None:
 
     run = ros2.launch(write(WAITING), onward=Closed())
     assert (run.status, run.console) == (0, "begun\nover\n")
+
+
+@pytest.mark.parametrize("killed", [False, True], ids=["at Ctrl-C", "at SIGTERM"])
+def test_the_last_message_of_the_node_on_the_page_is_heard(ros: None, write: Any, killed: bool) -> None:
+    """The node listens to itself, also for a while after the signal."""
+    text = (EXAMPLES / "ros2" / "last_message_py_node.py").read_text(encoding="utf-8")
+    listens = "    node.create_subscription(Float64, 'speed', lambda message: print('heard', message.data), 10)\n"
+    kills = "    import os, threading\n    threading.Timer(1.2, os.kill, (os.getpid(), signal.SIGTERM)).start()\n"
+    made, sent = "    node = DriverPyNode()\n", "        node.publisher.publish(Float64(data=0.0))\n"
+    assert made in text and sent in text
+    text = text.replace(made, made + listens + kills * killed)
+    text = text.replace(sent, f"{sent}        for _ in range(3):\n            rclpy.spin_once(node, timeout_sec=0.4)\n")
+    for run in (launch(write(text), NEVER if killed else 1.2), simulate(write(text), NEVER if killed else 1.2)):
+        assert run.status == 0, run.console
+        assert "heard 0.0" in run.console.splitlines()
 
 
 # --- what goes wrong --------------------------------------------------------------------------------------------------
