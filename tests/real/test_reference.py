@@ -65,7 +65,7 @@ def test_the_releases_that_were_checked_are_the_newest_that_can_be_installed(req
     """If this fails, a newer wheel is there: check the site on it, and say so on the page of rclpy's names."""
     require("ros2")
     page = " ".join((ROOT / "docs/reference/rclpy-names.rst").read_text(encoding="utf-8").split())
-    checked = re.search(r"\*\*Jazzy\*\*, with (rclpy ([\d.]+)), and \*\*Kilted\*\*, with rclpy ([\d.]+)", page)
+    checked = re.search(r"\*\*Jazzy\*\*, with (rclpy ([\d.]+)), and \*\*Kilted\*\*, with rclpy ([\d.]+)\.", page)
     assert checked
     assert ros2.version() == f"Jazzy, {checked[1]}"
     for wheel, version in {"jazzy": checked[2], "kilted": checked[3], "lyrical": ""}.items():
