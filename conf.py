@@ -27,6 +27,7 @@ nb_execution_allow_errors = True  # a cell that fails is listed with all else th
 nb_execution_timeout = 300  # only a hang should end here, not a busy machine
 nb_render_markdown_format = "gfm"  # CommonMark has no tables
 nb_merge_streams = True  # a console mixes stdout and stderr
+nb_code_prompt_show, nb_code_prompt_hide = "Show the code", "Hide the code"  # of cells that are folded
 nb_ipywidgets_js = {}  # the default loads scripts from another host
 
 # As Sphinx has them, but the message of an error is compared, too.

@@ -138,14 +138,14 @@ def _say_beside(seconds: float, other: float) -> str:
 
 
 def describe_timeline(name: str, group: Sequence[Tick]) -> str:
-    """Describe the ticks of one source in a few sentences: how many, from when to when, how late, how many at once."""
+    """Describe the ticks of one source in a few sentences: their number, first and last time, lateness and overlap."""
     if not group:
         return f"{name}: no ticks."
     span = f"{len(group)} ticks from {group[0].real:.3f} s to {group[-1].real:.3f} s"
     if len(group) == 1:
         span = f"1 tick at {group[0].real:.3f} s"
     most = at_once(group)
-    return f"{name}: {span}. {describe_lateness(group)}{f' Up to {most} calls ran at once.' if most > 1 else ''}"
+    return f"{name}: {span}. {describe_lateness(group)}{f' Up to {most} calls ran side by side.' if most > 1 else ''}"
 
 
 def describe_pace(ticks: Sequence[Tick]) -> str:

@@ -388,7 +388,7 @@ def _hint(error: BaseException) -> str:
         return "A part of Python could not be loaded from this site. Is its server still there?"
     if isinstance(error, KeyboardInterrupt) and _is_of_a_rate_that_nobody_wakes(error):
         return (
-            "The timer that wakes this Rate was due, but nobody called it: while this thread sleeps, another one has "
+            "The timer that wakes this Rate was due, but nothing called it: while this thread sleeps, another one has "
             "to spin the node."
         )
     return advice(error)

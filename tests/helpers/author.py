@@ -114,7 +114,7 @@ def go_the_way(tree: Path, runs_timer: bool) -> str:
     assert re.search(r"stands (.*\n)+.*\[1\.500000\]: .* counter = 3\n", entry)
     assert re.search(r"now (.*\n)+.*\[1\.200000\]: .* counter = 3\n", entry)
     fact = entry_of(listed, f"docs/tutorial.rst:{lines.index('   assert period == 0.5') + 1}\n")
-    assert re.search(r"text +In this tutorial .* twice a second", fact) and "now     period is 0.4" in fact
+    assert re.search(r"text +Write two small ROS 1 nodes.* twice a second", fact) and "now     period is 0.4" in fact
     cell = entry_of(listed, "notebooks/rate.md:")
     assert "stands  assert" in cell and "(0.0, 0.4)" in cell
     for place in (r"README\.md:\d+ \(make", r"notebooks/timer\.md:\d+ \(make"):

@@ -147,7 +147,7 @@ rclpy.spin_until_future_complete(node, client.call_async(Trigger.Request()))
 """,
         [
             "the thread MainThread waits for the answer of /work",
-            "nobody offers that, as far as it knows",
+            "no node offers that, as far as it knows",
             "Start the node that offers it",
         ],
     ),
@@ -156,7 +156,7 @@ rclpy.spin_until_future_complete(node, client.call_async(Trigger.Request()))
 serve()
 client_of().call(Trigger.Request())
 """,
-        ["the request has come, but nobody spins /n", "Spin the node meanwhile: with rclpy.spin_until_future_complete"],
+        ["the request has come, but no thread spins /n", "Spin the node meanwhile: with rclpy.spin_until_future"],
     ),
     "a Rate in a callback": (
         """

@@ -3,12 +3,14 @@
 from __future__ import annotations
 
 import json
+import re
 import subprocess
 from collections.abc import Callable
 from pathlib import Path
 
 import pytest
 from names_of_rclpy import names_on_page
+from tree import ROOT
 
 from rosspin import rclpy, rospy
 from rosspin.real import ros2
@@ -57,3 +59,18 @@ def test_every_module_of_the_real_rclpy_and_every_name_of_its_node_is_known(
     assert all(names <= set(real_rclpy[module]) for module, names in rclpy.LACKING.items())
     unknown = [name for name in real_rclpy["Node"] if not hasattr(rclpy.node.Node, name)]
     assert set(unknown) == rclpy.node.NOT_SIMULATED
+
+
+def test_the_releases_that_were_checked_are_the_newest_that_can_be_installed(require: Callable[[str], None]) -> None:
+    """If this fails, a newer wheel is there: check the site on it, and say so on the page of rclpy's names."""
+    require("ros2")
+    page = " ".join((ROOT / "docs/reference/rclpy-names.rst").read_text(encoding="utf-8").split())
+    checked = re.search(r"\*\*Jazzy\*\*, with (rclpy ([\d.]+)), and \*\*Kilted\*\*, with rclpy ([\d.]+)\.", page)
+    assert checked
+    assert ros2.version() == f"Jazzy, {checked[1]}"
+    for wheel, version in {"jazzy": checked[2], "kilted": checked[3], "lyrical": ""}.items():
+        command = [ros2.python(), "-m", "pip", "index", "versions", f"ros-{wheel}-rclpy"]
+        run = subprocess.run(command, capture_output=True, text=True)
+        if run.returncode and version:
+            pytest.skip("pip can reach no package index")
+        assert run.stdout.partition("\n")[0] == (f"ros-{wheel}-rclpy ({version})" if version else "")

@@ -202,4 +202,4 @@ def test_calls_at_once_are_counted() -> None:
     assert at_once([]) == 0
     assert [at_once(calls(*each)) for each in ((0.5, 0.5), (0.5005, 0.1), (math.nan, 0.1))] == [1, 1, 1]
     assert [at_once(calls(*each)) for each in ((0.6, 0.1), (1.2, 1.2, 1.2), (2.0, 0.1, 0.1))] == [2, 3, 2]
-    assert describe_timeline("A", calls(0.6, 0.6)).endswith(" were on time. Up to 2 calls ran at once.")
+    assert describe_timeline("A", calls(0.6, 0.6)).endswith(" were on time. Up to 2 calls ran side by side.")

@@ -66,7 +66,7 @@ rosspin:   the thread MainThread waits for the end of the thread worker
 rosspin:     at FILE:11: thread.join()
 rosspin:   the thread worker waits for a lock that the thread MainThread holds
 rosspin:     at FILE:7: with lock: pass
-rosspin: Hold no lock while you wait for somebody who needs it.
+rosspin: Hold no lock while you wait for a thread that needs it.
 """
 
 BOTH = """
@@ -107,7 +107,7 @@ rosspin:   the thread Thread-1 waits for the answer of /work, which the thread T
 rosspin:     at FILE:12: rospy.ServiceProxy("work", Trigger)()
 rosspin:   the thread Thread-2 (handle) waits for a lock that the thread Thread-1 holds
 rosspin:     at FILE:7: with lock: pass
-rosspin: Hold no lock while you wait for somebody who needs it.
+rosspin: Hold no lock while you wait for a thread that needs it.
 """
 
 

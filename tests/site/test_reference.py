@@ -57,7 +57,7 @@ def test_every_name_of_the_stand_in_is_listed_once(site: Path) -> None:
 
 def test_every_name_of_the_stand_in_for_rclpy_is_listed_once(site: Path) -> None:
     page, found = _page(site, "reference/rclpy-names"), names_on_page(site)
-    assert found.keys() == rclpy.MODULES.keys()
+    assert found.keys() == {module for module, file in rclpy.MODULES.items() if file.__all__}
     assert all(found.values())
     assert {name for names in found.values() for name in names} == {
         name for file in rclpy.MODULES.values() for name in file.__all__

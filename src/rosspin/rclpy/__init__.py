@@ -21,6 +21,7 @@ from . import (
     event_handler,
     exceptions,
     executors,
+    experimental,
     logging,
     logging_service,
     names,
@@ -164,14 +165,14 @@ def spin_until_future_complete(
 
 # The modules of rclpy that are not here: they need a real ROS.
 NOT_SIMULATED = {
-    *("destroyable", "experimental", "lifecycle", "parameter_service"),
-    *("serialization", "service_introspection", "topic_endpoint_info"),
-    *("type_hash", "type_support", "waitable"),
+    *("destroyable", "lifecycle", "parameter_service", "serialization", "service_introspection"),
+    *("topic_endpoint_info", "type_hash", "type_support", "waitable"),
 }
 
 # The names that the modules here lack.
 LACKING = {
     "rclpy.clock": {"ClockChange", "JumpHandle", "JumpThreshold", "TimeJump"},
+    "rclpy.experimental": {"EventsExecutor"},
     "rclpy.type_description_service": {"TypeDescriptionService"},
 }
 
@@ -193,7 +194,7 @@ IN_PART = {
     "as with Fast DDS.",
     "Timer": "A period of less than 1 µs calls every 0.1 ms, about as often as a real machine can.",
     "TimerInfo": "It is there; on a real ROS 2 only from Kilted on.",
-    "signals": "A handler that the node sets itself is called at once, not when the executor wakes.",
+    "signals": "A handler that the node sets itself is called immediately, not when the executor wakes.",
     "wait_for_message": "It gets the message even if another thread spins the node; on a real ROS the two race.",
 }
 
@@ -214,6 +215,8 @@ MODULES: dict[str, ModuleType] = {
     "rclpy.exceptions": exceptions,
     "rclpy.executors": executors,
     "rclpy.expand_topic_name": names,
+    "rclpy.experimental": experimental,
+    "rclpy.experimental.events_executor": experimental,
     "rclpy.guard_condition": executors,
     "rclpy.impl.logging_severity": logging,
     "rclpy.impl.rcutils_logger": logging,

@@ -135,7 +135,7 @@ class _Run:
             if any(sequence == number and answer is not None for sequence, answer in client.messages):
                 return self._kept([*begin, "the answer has come"], entity, waiter, "the client")
             if not client.peers:
-                return _Step([*begin, "nobody offers that, as far as it knows"], None, _SERVE)
+                return _Step([*begin, "no node offers that, as far as it knows"], None, _SERVE)
             for service in client.peers:
                 serving = _entity_of(service)
                 if any((header.client, header.sequence) == (client, number) for _, header in service.messages):
@@ -183,7 +183,7 @@ class _Run:
             advice = _MORE if threads > 1 else advice
             return self._after([*lines[:-1], line, f"  {self._name(running[0])}"], running[0], advice)
         if executor is None or not executor._rosspin_waits:
-            line = f"{lines[-1]}, but nobody spins {node.get_fully_qualified_name()}"
+            line = f"{lines[-1]}, but no thread spins {node.get_fully_qualified_name()}"
             return _Step([*lines[:-1], line], None, _SPIN)
         return None
 

@@ -20,7 +20,7 @@ def timer_ticks(period: float, duration: Callable[[int], float], seconds: float)
 
     ``period`` is the timer's (s); ``duration(number)`` is how long call ``number``, counted from 1, takes (s).
 
-    A timer is armed anew only after its callback has returned. Its next call is due one period after the last one was;
+    A timer is armed again only after its callback has returned. Its next call is due one period after the last one was;
     if even the call after that would have been due already, the next one is due now (source:
     ros/timer_manager.h, ``updateNext``).
 

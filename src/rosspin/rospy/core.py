@@ -223,7 +223,7 @@ logdebug_throttle, loginfo_throttle, logwarn_throttle, logerr_throttle, logfatal
 ) = _family(
     "_throttle_identical",
     _throttled_identical,
-    "Like {name}_throttle, but log at once a message that differs from the last one of this line.",
+    "Like {name}_throttle, but log a message that differs from the last one of this line without waiting.",
 )
 logdebug_once, loginfo_once, logwarn_once, logerr_once, logfatal_once = _family(
     "_once", _once, "Like {name}, but this line of the node logs only the first time."
@@ -270,7 +270,7 @@ def is_shutdown_requested() -> bool:
 
 
 def add_client_shutdown_hook(h: Callable[[], Any]) -> None:
-    """Call ``h`` at shutdown, or at once after it. Raises TypeError if it is not callable."""
+    """Call ``h`` at shutdown, or immediately if that has been. Raises TypeError if it is not callable."""
     if not callable(h):
         raise TypeError(f"shutdown hook [{h}] must be a function or callable object: {type(h)}")
     node = state()

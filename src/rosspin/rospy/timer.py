@@ -22,7 +22,7 @@ class Rate:
     """Sleeps in a loop so that its passes begin ``hz`` times a second.
 
     Raises ROSInitException before ``init_node``, ZeroDivisionError if ``hz`` is 0, and TypeError if it is not a number.
-    A negative rate never sleeps. With ``reset``, it starts anew when ROS time moves backwards, instead of raising.
+    A negative rate never sleeps. With ``reset``, it starts again when ROS time moves backwards, instead of raising.
     """
 
     def __init__(self, hz: float, reset: bool = False) -> None:
@@ -62,7 +62,7 @@ class Rate:
         return self._period - (now - self._last)
 
     def sleep(self) -> None:
-        """Sleep until the next period begins; return at once if it has begun already.
+        """Sleep until the next period begins; return immediately if it has begun already.
 
         Called at most 3 periods after its pass was due to begin, it makes up for the missed periods by such immediate
         returns. Called later, it gives them up and counts the next period from this call.
@@ -105,7 +105,7 @@ class Rate:
 
 
 def sleep(duration: float | genpy.Duration) -> None:
-    """Sleep for ``duration`` (seconds or a Duration); return at once if it is negative.
+    """Sleep for ``duration`` (seconds or a Duration); return immediately if it is negative.
 
     A shutdown does not cut short a sleep on the node's own clock. A sleep on ROS time, as told by /clock, drops
     fractions of a nanosecond, and raises ROSInterruptException at shutdown, ROSTimeMovedBackwardsException when the
@@ -194,7 +194,7 @@ def _event(*in_ns: int | None) -> TimerEvent:
 class Timer(threading.Thread):
     """Calls ``callback(TimerEvent)`` every ``period``, for the first time after one period, in a thread of its own.
 
-    The thread is a daemon; it starts at once and runs even if you keep no reference to the timer. It sleeps on a Rate
+    The thread is a daemon; it starts now, and runs even if you keep no reference to the timer. It sleeps on a Rate
     and treats overruns as that does, but never adjusts ``current_expected`` after one. With ``oneshot`` there is only
     one call. An exception in the callback is printed and ends this timer alone. So does a wrong period: 0
     (ZeroDivisionError), a Time (TypeError), or anything else that is not a Duration (AttributeError).

@@ -196,7 +196,7 @@ class StartedNode:
             pass
 
     def publish(self, topic: str, /, *args: Any, **fields: Any) -> None:
-        """Publish a message to the node, which receives it at once: at the present time, in the next ``advance``.
+        """Publish a message to the node, which receives it without delay: at the present time, in the next ``advance``.
 
         Give it as to ``rospy.Publisher.publish``: as a whole message, as all its fields, or as some of them by name.
         Its class is that of the node's subscriber. By name, a dict stands for a nested message, and a number of seconds

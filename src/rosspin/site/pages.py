@@ -301,6 +301,7 @@ def _rclpy_names() -> dict[str, list[str]]:
             or getattr(getattr(file, name), "__module__", "") == module
         ]
         for module, file in sorted(rclpy.MODULES.items())
+        if file.__all__
     }
 
 
