@@ -38,6 +38,7 @@ from ..run.source import load, load_source
 from .checks import note
 from .claims import Facts, one_line
 from .outputs import differences
+from .vehicle import figure
 
 __all__ = ["setup"]
 
@@ -232,6 +233,18 @@ class ListingDirective(LiteralInclude):
         return Path(path).read_text(encoding="utf-8").splitlines()
 
 
+class VehicleDirective(SphinxDirective):
+    """``.. vehicle::``: the figure of the first page, a vehicle that nodes steer in simulated time."""
+
+    def run(self) -> list[nodes.Node]:
+        """The figure, as inline SVG with all its positions."""
+        try:
+            return [nodes.raw("", figure(Path(self.env.srcdir)), format="html")]
+        except Exception as error:  # of a node that the author has changed
+            note(self.env, self.lineno, self.block_text, one_line(error))
+            return []
+
+
 class UsageDirective(SphinxDirective):
     """``.. usage:: run``: what ``rosspin run --help`` prints, in 72 columns."""
 
@@ -422,6 +435,7 @@ def setup(app: Sphinx) -> ExtensionMetadata:
     app.setup_extension("rosspin.site.checks")
     app.add_directive("facts", FactsDirective)
     app.add_directive("literalinclude", ListingDirective, override=True)
+    app.add_directive("vehicle", VehicleDirective)
     app.add_directive("usage", UsageDirective)
     app.add_directive("names", NamesDirective)
     app.add_directive("machine", MachineDirective)
