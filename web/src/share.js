@@ -32,13 +32,17 @@ export async function address(element, listing) {
 }
 
 /**
- * Show the code in the address of the page in one of its cells. Error: why not, in words.
+ * Show the code in the address of the page in one of its cells, in colours if these can be loaded. Error: why not, in
+ * words.
  *
  * @param {import("./cell.js").Cell[]} cells
+ * @param {string} base the address of the folder that our files are in
  */
-export async function receive(cells) {
+export async function receive(cells, base) {
   const { cell, text, seconds, args } = await unpack(location.hash)
   if (!cells[cell]) throw new Error("The code in this link belongs to a listing that this page no longer has.")
-  const { pre, said } = reveal(text)
+  /** @type {typeof import("./editor.js") | null} */
+  const editor = await import(`${base}editor.js`).catch(() => null)
+  const { pre, said } = reveal(text, editor?.coloured(text))
   cells[cell].receive({ kept: { ...UNKEPT, text }, seconds, args, notice: `${NOTICE} ${said}`, shown: pre })
 }

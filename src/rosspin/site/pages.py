@@ -395,6 +395,15 @@ def name_terms(app: Sphinx, page: nodes.document) -> None:
             labels.note_hyperlink_target(name, app.env.docname, name)
 
 
+def link_by_label(app: Sphinx, page: nodes.document) -> None:
+    """Let the link of a heading be its label, if it has one: it stays when the words of the heading change."""
+    labels = {page.nameids[name] for name, is_explicit in page.nametypes.items() if is_explicit}
+    for section in page.findall(nodes.section):
+        if labels & {*section["ids"]}:
+            section["ids"].sort(key=lambda name: name not in labels)
+            section["classes"].append("labelled")
+
+
 def name_pages(app: Sphinx, env: BuildEnvironment) -> list[str]:
     """Write all pages again when one comes, goes or changes its name: each page lists and links them."""
     titles = {page: title.astext() for page, title in env.titles.items()}
@@ -446,6 +455,7 @@ def setup(app: Sphinx) -> ExtensionMetadata:
     app.connect("source-read", offer_download)
     app.connect("doctree-read", name_terms)
     app.connect("doctree-read", keep_units)
+    app.connect("doctree-read", link_by_label, priority=400)  # before Sphinx collects the headings
     app.connect("env-updated", name_pages)
     app.connect("html-page-context", list_exercises)
     return {"parallel_read_safe": False, "parallel_write_safe": True}

@@ -121,7 +121,7 @@ def test_a_figure_needs_no_python(context: BrowserContext, address: str) -> None
     figure.check()
     assert len(asked) == already
     ours = [url for url in asked if re.search(r"live/|handles/|pyodide", url)]
-    assert ours == ["_static/handles/handles.js"]
+    assert ours == ["_static/handles/handles.js", "_static/handles/vehicle.js"]
 
 
 # --- how it looks -----------------------------------------------------------------------------------------------------
