@@ -6,11 +6,11 @@ The rule is compared with recordings of the real one, and with the real one wher
 from __future__ import annotations
 
 import math
-from collections.abc import Callable, Sequence
+from collections.abc import Callable, Mapping, Sequence
 
 from .ticks import Tick
 
-__all__ = ["timer_probe", "timer_ticks"]
+__all__ = ["call_lengths", "timer_probe", "timer_ticks"]
 
 _NS = 1_000_000_000
 
@@ -50,7 +50,12 @@ def timer_probe(seconds: float, args: Sequence[str]) -> list[Tick]:
     given = dict(word.removeprefix("_").split(":=", 1) for word in args)
     if unknown := given.keys() - {"period", "block", "block_call", "block_calls", "blocks"}:
         raise ValueError(f"the rule of roscpp's timer knows no {', '.join(sorted(unknown))}")
-    blocks = [float(length) for length in given.get("blocks", "").split(",") if length]
+    return timer_ticks(float(given.get("period", 0.5)), call_lengths(given), seconds)
+
+
+def call_lengths(given: Mapping[str, str]) -> Callable[[int], float]:
+    """How long (s) each call of a probe takes, counted from 1, by the probe's parameters."""
+    blocks = [float(length) for length in given.get("blocks", "").strip("[]").split(",") if length]
     block, first = float(given.get("block", 0)), int(given.get("block_call", 0))
     calls = int(given.get("block_calls", 1))
 
@@ -59,4 +64,4 @@ def timer_probe(seconds: float, args: Sequence[str]) -> list[Tick]:
             return blocks[number - 1]
         return block if first == 0 or first <= number < first + calls else 0.0
 
-    return timer_ticks(float(given.get("period", 0.5)), duration, seconds)
+    return duration
