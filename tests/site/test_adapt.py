@@ -52,7 +52,7 @@ _WRONG_FIGURES = {
     f"\n:seconds: 2\n\nrospy {_NODE}": f"a row is NAME: FILE ARGS, not 'rospy {_NODE}'",
     f"\n:seconds: 2\n\nrospy: {_PROBE}.py\nrospy: {_NODE}": "two rows have the name rospy",
     "../examples/my_robotics_pkg/src/spinner_cpp_node.cpp\n:seconds: 2": (
-        "C++ cannot be run here: the only rule that is known is that of timer_probe.cpp"
+        "C++ cannot be run here: the only rules that are known are those of the timing probes"
     ),
     f"{_NODE}\n:seconds: 0.1": "there is no tick in 0.1 s",
     f"{_NODE}\n:seconds: 2\n:handle: Delta, 0 to 1 by 0.5 s\n{_SETS}": "there is no tick in 2 s at 0 s",

@@ -6,13 +6,13 @@ The rule is compared with recordings of the real one, and with the real one wher
 from __future__ import annotations
 
 import math
-from collections.abc import Callable, Sequence
+from collections.abc import Callable, Mapping, Sequence
 from heapq import heappop, heappush
 from itertools import count
 
 from .ticks import Tick
 
-__all__ = ["timer_probe", "timer_ticks"]
+__all__ = ["call_lengths", "timer_probe", "timer_ticks"]
 
 _NS = 1_000_000_000
 
@@ -57,7 +57,13 @@ def timer_probe(seconds: float, args: Sequence[str]) -> list[Tick]:
     given = dict(word.removeprefix("_").split(":=", 1) for word in args)
     if unknown := given.keys() - {"period", "block", "block_call", "block_calls", "blocks", "second_timer"}:
         raise ValueError(f"the rule of roscpp's timer knows no {', '.join(sorted(unknown))}")
-    blocks = [float(length) for length in given.get("blocks", "").split(",") if length]
+    second = given.get("second_timer", "").lower() == "true"
+    return timer_ticks(float(given.get("period", 0.5)), call_lengths(given), seconds, second=second)
+
+
+def call_lengths(given: Mapping[str, str]) -> Callable[[int], float]:
+    """How long (s) each call of a probe takes, counted from 1, by the probe's parameters."""
+    blocks = [float(length) for length in given.get("blocks", "").strip("[]").split(",") if length]
     block, first = float(given.get("block", 0)), int(given.get("block_call", 0))
     calls = int(given.get("block_calls", 1))
 
@@ -66,5 +72,4 @@ def timer_probe(seconds: float, args: Sequence[str]) -> list[Tick]:
             return blocks[number - 1]
         return block if first == 0 or first <= number < first + calls else 0.0
 
-    second = given.get("second_timer", "").lower() == "true"
-    return timer_ticks(float(given.get("period", 0.5)), duration, seconds, second=second)
+    return duration

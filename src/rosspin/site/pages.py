@@ -29,8 +29,7 @@ from ..clocks.simulation import Simulation
 from ..measures import topic_ticks
 from ..plots import picture, with_handle
 from ..plots.pictures import page
-from ..results import machine
-from ..results.roscpp import timer_probe
+from ..results import machine, rclcpp, roscpp
 from ..results.ticks import Tick
 from ..run.host import kept, replaced
 from ..run.simulate import run_captured
@@ -55,7 +54,7 @@ class TicksDirective(SphinxDirective):
     ``:at:``, or as the file has it. ``:lines: FROM-TO`` shows these lines of the file beside the plot, where the number
     follows the handle.
 
-    The only C++ file can be ``timer_probe.cpp``, whose rule is known.
+    The only C++ files can be the probes whose rules are known.
     """
 
     has_content = True
@@ -135,9 +134,11 @@ class TicksDirective(SphinxDirective):
 
     def _run(self, path: str, args: list[str], value: float | None) -> Sequence[Tick]:
         if path.endswith(".cpp"):
-            if os.path.basename(path) != "timer_probe.cpp":
-                raise ValueError("C++ cannot be run here: the only rule that is known is that of timer_probe.cpp")
-            return timer_probe(self.options["seconds"], args)
+            if path.endswith("timing_probes/src/timer_probe.cpp"):
+                return roscpp.timer_probe(self.options["seconds"], args)
+            if path.endswith(("ros2/timer_probe.cpp", "ros2/rate_probe.cpp")):
+                return rclcpp.probe(path, self.options["seconds"], args)
+            raise ValueError("C++ cannot be run here: the only rules that are known are those of the timing probes")
         node = load(path)
         if value is not None and "sets" in self.options:
             at = self._assignment(self.options["sets"])
