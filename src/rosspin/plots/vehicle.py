@@ -30,11 +30,11 @@ _EDGE = 0.25  # farther than this from its line, it has left it
 _STEP = 0.01  # between points of the line
 _BOX = "-0.5 -1.75 12.4 4.2"  # what a picture shows: left, top, width, height; y points down there
 _PX = 760  # how wide a file is
-_BLUE, _RED = "#0072b2", "#d55e00"
+_BLUE, _ORANGE = "#0072b2", "#d55e00"
 _BODY = ((-0.34, -0.2), (0.2, -0.2), (0.42, -0.09), (0.42, 0.09), (0.2, 0.2), (-0.34, 0.2))  # heading to the right
 _VEHICLE = (
     '<path d="M-.22 -.24h.16M.14 -.24h.16M-.22 .24h.16M.14 .24h.16" stroke="currentColor" stroke-width=".13"/>'
-    f'<path d="M{"L".join(f"{x:g} {y:g}" for x, y in _BODY)}Z" fill="{_RED}" stroke="currentColor"'
+    f'<path d="M{"L".join(f"{x:g} {y:g}" for x, y in _BODY)}Z" fill="{_ORANGE}" stroke="currentColor"'
     ' stroke-width=".04" stroke-linejoin="round"/>'
 )
 
@@ -153,7 +153,7 @@ def svg(drive: Drive, alternative: str, standalone: bool = False) -> str:
 <path d="{line}" stroke="currentColor" stroke-opacity="0.12" stroke-width="0.5"/>
 <path d="{line}" stroke="currentColor" stroke-opacity="0.5" stroke-width="0.03" stroke-dasharray="0.12"/>
 <path class="way" d="{drive.path}" stroke="{_BLUE}" stroke-width="0.07" marker-mid="url(#rosspin-tick)"/>
-<path class="way overdue" d="{drive.path}" stroke="{_RED}" stroke-width="0.13" stroke-linecap="butt"
+<path class="way overdue" d="{drive.path}" stroke="{_ORANGE}" stroke-width="0.13" stroke-linecap="butt"
   pathLength="{SECONDS:g}" stroke-dasharray="{drive.dashes}"/>
 <g class="vehicle" transform="translate({x:.3f} {-y:.3f}) rotate({-math.degrees(heading):.1f})">{_VEHICLE}</g>
 </svg>"""
@@ -175,11 +175,11 @@ def preview(drive: Drive, title: str, words: str) -> Figure:
     ax.plot(*zip(*way, strict=True), c=_BLUE, lw=5)
     for first, last in drive.overdue:
         late = [place for time, place in zip(times, way, strict=True) if first <= time <= last]
-        ax.plot(*zip(*late, strict=True), c=_RED, lw=9, solid_capstyle="round")
+        ax.plot(*zip(*late, strict=True), c=_ORANGE, lw=9, solid_capstyle="round")
     ax.plot([arc.x for arc in drive.arcs[1:]], [arc.y for arc in drive.arcs[1:]], "o", c=_BLUE, ms=11, mew=0)
     x, y, heading = drive.at(drive.when)
     turned = [complex(x, y) + complex(*point) * cmath.rect(1, heading) for point in _BODY]
-    ax.fill([point.real for point in turned], [point.imag for point in turned], fc=_RED, ec="black", lw=2, zorder=3)
+    ax.fill([point.real for point in turned], [point.imag for point in turned], fc=_ORANGE, ec="black", lw=2, zorder=3)
     figure.text(0.05, 0.86, title, size=36, weight="bold")
     figure.text(0.05, 0.07, words, size=20)
     return figure
