@@ -6,7 +6,7 @@ import os
 import sys
 from pathlib import Path
 
-from rosspin.site.published import BRANCH, where
+from rosspin.site.published import BRANCH, PREVIEW, where
 
 # Where JupyterLab is installed, jsonschema finds this and needs a second for its grammars, which no notebook uses.
 sys.modules.setdefault("rfc3987_syntax", None)
@@ -54,6 +54,7 @@ html_theme_options = {
     "secondary_sidebar_items": ["page-toc"],
     "footer_start": ["copyright"],
     "footer_end": [],
+    "back_to_top_button": False,  # it would float above plots and consoles
 }
 html_context = {"default_mode": "auto"}  # light or dark as the reader's system is
 html_show_sourcelink = False
@@ -69,7 +70,10 @@ notfound_context = {
 if published.address:
     extensions.append("sphinxext.opengraph")
     html_baseurl = ogp_site_url = published.address
-    ogp_social_cards = {"enable": False}  # text only
+    ogp_social_cards = {"enable": False}  # one picture for all pages
+    ogp_image = PREVIEW
+    ogp_image_alt = "A vehicle that follows a winding line, and leaves it where a tick is overdue"
+    ogp_custom_meta_tags = ('<meta name="twitter:card" content="summary_large_image" />',)
     ogp_enable_meta_description = True
 if published.repository:
     user, _, name = published.repository.partition("/")

@@ -1,7 +1,7 @@
 """Record a fixed set of runs on the real ROS 2 into examples/recordings/ros2, each with its provenance.
 
 `make record` runs all of it, `python benchmarks/record_ros2.py NAME...` what is named. What is timed runs alone; the
-endings and signals, whose times do not matter, some at a time.
+endings and signals, whose times do not matter, some at a time. What is in C++ is recorded where CMake finds rclcpp.
 """
 
 from __future__ import annotations
@@ -9,12 +9,13 @@ from __future__ import annotations
 import csv
 import math
 import os
+import random
 import re
 import signal
 import sys
 import time
 from collections import Counter, defaultdict
-from collections.abc import Iterator
+from collections.abc import Callable, Iterator, Sequence
 from concurrent.futures import ThreadPoolExecutor
 from itertools import product
 from pathlib import Path
@@ -23,10 +24,12 @@ from typing import Any, NamedTuple
 
 from arrivals import Arrivals
 from provenance import write_provenance
+from rclcpp_nodes import build, compiler, missing, read_ticks
 
 from rosspin import Tick
 from rosspin.real import ros2
 from rosspin.real.children import Patience
+from rosspin.results import rclcpp
 from rosspin.results.recordings import COLUMNS
 
 EXAMPLES = Path(__file__).parents[1] / "examples" / "ros2"
@@ -44,7 +47,7 @@ ENDS_ITSELF = ("exception", "shutdown_in_callback", "system_exit")
 
 
 class Plan(NamedTuple):
-    """A run of a probe: its parameters, how long (s), and what is to be seen."""
+    """A run of a probe, a C++ one if it has no suffix: its parameters, how long (s), and what is to be seen."""
 
     program: str
     parameters: dict[str, Any]
@@ -82,7 +85,66 @@ def _plans() -> Iterator[tuple[str, Plan]]:
     yield "timer_overlaps", Plan("timer_probe.py", overlap, 4.2, what)
 
 
-PLANS = dict(_plans())
+def _cpp_plans() -> Iterator[tuple[str, Plan]]:
+    for kind, what in (("timer", "a timer"), ("rate", "a Rate loop")):
+        program = f"{kind}_probe"
+        yield f"{kind}_cpp_2hz", Plan(program, {"period": PERIOD}, 5.2, f"{what} at 2 Hz")
+        for periods in (1.4, 2.4, 3.4, 4.4):
+            parameters = {"period": PERIOD, "block": periods * PERIOD, "block_call": 3}
+            seen = f"{what} at 2 Hz whose call or pass number 3 takes {periods} periods"
+            yield f"{kind}_cpp_blocks_once_{periods}", Plan(program, parameters, 6.2, seen)
+        for seed in (1, 2):
+            lengths: dict[str, Any] = {"period": PERIOD, "blocks": random_blocks(program, seed, 20)}
+            seen = f"{what} at 2 Hz whose calls or passes take random times"
+            yield f"{kind}_cpp_blocks_random_{seed}", Plan(program, lengths, 20.2, seen)
+    works = {"period": PERIOD, "blocks": [0.2, 0.2, 1.7], "block": 0.2}
+    what = "a Rate loop at 2 Hz whose passes take 0.2 s, and number 3 takes 3.4 periods"
+    yield "rate_cpp_works", Plan("rate_probe", works, 5.6, what)  # while it sleeps: see endings_cpp
+    once: dict[str, Any] = {"period": PERIOD, "block": 3.4 * PERIOD, "block_call": 3}
+    what = "a timer at 2 Hz whose call number 3 takes 3.4 periods"
+    yield "timer_cpp_wall", Plan("timer_probe", {**once, "wall": True}, 6.2, f"{what}; made by create_wall_timer")
+    yield "timer_cpp_multi", Plan("timer_probe", {**once, "executor": "multi"}, 6.2, f"{what}; four threads")
+    wait = {"period": PERIOD, "wait": 4.4 * PERIOD}
+    yield "timer_cpp_waits", Plan("timer_probe", wait, 5.2, "a timer at 2 Hz in a node that spins after 4.4 periods")
+    for name, wall in (("timer_cpp_without_clock", False), ("timer_cpp_wall_without_clock", True)):
+        parameters = {"period": PERIOD, "use_sim_time": True, "wall": wall}
+        what = f"a timer of create_{'wall_' * wall}timer with use_sim_time and no clock"
+        yield name, Plan("timer_probe", parameters, 3.2, what)
+    two: dict[str, Any] = {"period": PERIOD, "block": BLOCK, "second_timer": True}
+    turns = {**two, "second_period": 0.7, "second_block": BLOCK}
+    what = "two timers at 2 Hz, the callback of the first always takes 1.6 periods"
+    both = f"timers of 0.5 and 0.7 s, both callbacks always take {BLOCK} s"
+    for name, words, more in (
+        ("spin", "one thread", {}),
+        ("multi_default", "four threads, the node's default group", {"executor": "multi"}),
+        ("multi_own", "four threads, a group of its own for each", {"executor": "multi", "group": "own"}),
+        ("multi_reentrant", "four threads, one reentrant group", {"executor": "multi", "group": "reentrant"}),
+    ):
+        yield f"two_timers_cpp_{name}", Plan("timer_probe", {**two, **more}, 6.2, f"{what}; {words}")
+        yield f"slow_timers_cpp_{name}", Plan("timer_probe", {**turns, **more}, 6.2, f"{both}; {words}")
+
+
+def random_blocks(program: str, seed: int, count: int) -> list[float]:
+    """How long (s) the calls or passes of a C++ probe at 2 Hz take: drawn so that a little lateness changes little.
+
+    A call may take a fifth of the period more or less, and what follows is as much earlier or later.
+    """
+    draw = random.Random(seed)
+    lengths: list[float] = []
+
+    def following(length: float) -> list[float]:
+        args = [f"period:={PERIOD}", f"blocks:=[{','.join(map(str, [*lengths, length]))}]"]
+        return [tick.real for tick in rclcpp.probe(program, 5 * PERIOD * (count + 1), args)][: len(lengths) + 4]
+
+    while len(lengths) < count:
+        length = round(draw.uniform(0.25, 4.5) * PERIOD, 2)
+        times = zip(*(following(length + more) for more in (-0.1, 0.0, 0.1)), strict=True)
+        if all(max(found) - min(found) < 0.201 for found in times):
+            lengths.append(length)
+    return lengths
+
+
+PLANS = {**dict(_plans()), **dict(_cpp_plans())}
 
 
 def record_probe(name: str) -> None:
@@ -90,58 +152,89 @@ def record_probe(name: str) -> None:
     plan = PLANS[name]
     load = os.getloadavg()
     command = [plan.program, *_ros_args(plan.parameters)]
-    run = ros2.launch(EXAMPLES / plan.program, plan.seconds, command[1:])
-    if run.status:
-        raise RuntimeError(f"{name} failed with status {run.status}:\n{run.console}")
+    if plan.program.endswith(".py"):
+        run = ros2.launch(EXAMPLES / plan.program, plan.seconds, command[1:])
+        console, ticks, status, start = run.console, run.ticks, run.status, run.start
+    else:
+        with ros2.Nodes() as nodes:
+            output = build().run(nodes, plan.program, plan.seconds, command[1:])
+        console, ticks, status, start = output.console, read_ticks(output.console), output.status, output.start
+    if status:
+        raise RuntimeError(f"{name} failed with status {status}:\n{console}")
     last: dict[str, Tick] = {}
     with (RECORDINGS / f"{name}.csv").open("w", newline="") as text:
         writer = csv.writer(text, lineterminator="\n")
         writer.writerow(COLUMNS)
-        for tick in run.ticks:
+        for tick in ticks:
             before = last.get(tick.source)
             past = [before.expected, before.real, before.duration] if before else [None] * 3
             times = [*past[:2], tick.expected, tick.real, past[2]]
             row = [f"{time:.6f}" if time is not None else "" for time in times]
             writer.writerow([tick.source, tick.number, *row])
             last[tick.source] = tick
-    _write_provenance(name, plan.what, command, run.start, plan.seconds, run.status, load)
+    _write_provenance(name, plan.what, command, start, plan.seconds, status, load)
 
 
 def _ros_args(parameters: dict[str, Any]) -> list[str]:
-    texts = {key: str(value).lower() if isinstance(value, bool) else str(value) for key, value in parameters.items()}
-    return ["--ros-args", *(word for key, text in texts.items() for word in ("-p", f"{key}:={text}"))]
+    words = {key: str(value).replace(" ", "") for key, value in parameters.items()}
+    words |= {key: words[key].lower() for key, value in parameters.items() if isinstance(value, (bool, list, tuple))}
+    return ["--ros-args", *(word for key in words for word in ("-p", f"{key}:={words[key]}"))]
 
 
 def record_endings() -> None:
-    """End each node of the endings many times: how it ended, how often, and how soon after the signal.
+    """End each node of the endings in Python."""
+    with ros2.Nodes() as nodes:
+
+        def run(file: Path, seconds: float | None, patience: Patience) -> tuple[int, float]:
+            run = nodes.launch(file, seconds, patience=patience)
+            return run.status, run.start
+
+        _record_endings("endings", sorted(EXAMPLES.glob("endings/*.py")), run)
+
+
+def record_endings_cpp() -> None:
+    """End each node of the endings in C++."""
+    with ros2.Nodes() as nodes:
+
+        def run(file: Path, seconds: float | None, patience: Patience) -> tuple[int, float]:
+            output = build().run(nodes, file.stem, seconds, patience=patience)
+            return output.status, output.start
+
+        _record_endings("endings_cpp", sorted(EXAMPLES.glob("endings/*.cpp")), run)
+
+
+def _record_endings(
+    name: str, files: Sequence[Path], run: Callable[[Path, float | None, Patience], tuple[int, float]]
+) -> None:
+    """End each node many times: how it ended, how often, and how soon after the signal; ``run`` gives status and start.
 
     A node that needs SIGKILL, 4 s later, hangs. A node that ends by itself gets no signal.
     """
     load, start = os.getloadavg(), time.time()
     jobs = [
         (file, number)
-        for file in sorted(EXAMPLES.glob("endings/*.py"))
+        for file in files
         for number in ([None] if file.stem in ENDS_ITSELF else [signal.SIGINT, signal.SIGTERM])
         for _ in range(ENDING_RUNS)
     ]
     counts: dict[tuple[str, str, int], list[float]] = defaultdict(list)
-    with ros2.Nodes() as nodes, ThreadPoolExecutor(4) as pool:
 
-        def end(job: tuple[Path, signal.Signals | None]) -> tuple[tuple[str, str, int], float]:
-            file, number = job
-            patience: Patience = ((number or signal.SIGINT, 4.0), (signal.SIGKILL, 5.0))
-            run = nodes.launch(file, ENDING_AFTER if number else None, patience=patience)
-            late = time.time() - run.start - ENDING_AFTER if number else math.nan
-            return (file.stem, number.name if number else "", run.status), late
+    def end(job: tuple[Path, signal.Signals | None]) -> tuple[tuple[str, str, int], float]:
+        file, number = job
+        patience: Patience = ((number or signal.SIGINT, 4.0), (signal.SIGKILL, 5.0))
+        status, begun = run(file, ENDING_AFTER if number else None, patience)
+        late = time.time() - begun - ENDING_AFTER if number else math.nan
+        return (file.stem, number.name if number else "", status), late
 
+    with ThreadPoolExecutor(4) as pool:
         for key, late in pool.map(end, jobs):
             counts[key].append(late)
-    with (RECORDINGS / "endings.csv").open("w", newline="") as text:
+    with (RECORDINGS / f"{name}.csv").open("w", newline="") as text:
         writer = csv.writer(text, lineterminator="\n")
         writer.writerow(["node", "signal", "status", "runs", "seconds_after_signal"])
         for key, times in counts.items():
             writer.writerow([*key, len(times), f"{median(times):.2f}" if key[1] else ""])
-    _write_provenance("endings", "nodes at Ctrl-C and SIGTERM", ["NODE"], start, ENDING_AFTER, 0, load)
+    _write_provenance(name, "nodes at Ctrl-C and SIGTERM", ["NODE"], start, ENDING_AFTER, 0, load)
 
 
 SIGNALLED = EXAMPLES / "signalled.py"
@@ -229,6 +322,16 @@ def record_spinner() -> None:
     run = ros2.launch(NODE, 2.2, command[1:])
     (RECORDINGS / "spinner.txt").write_text(run.console)
     _write_provenance("spinner", "the tutorial's node", command, run.start, run.seconds, run.status, load)
+
+
+def record_spinner_cpp() -> None:
+    """Keep the console of the tutorial's C++ node."""
+    load = os.getloadavg()
+    command = ["spinner_cpp_node", "--ros-args", "-r", "__ns:=/mrp"]
+    with ros2.Nodes() as nodes:
+        output = build().run(nodes, command[0], 2.2, command[1:])
+    (RECORDINGS / "spinner_cpp.txt").write_text(output.console)
+    _write_provenance("spinner_cpp", "the tutorial's C++ node", command, output.start, 2.2, output.status, load)
 
 
 def record_clock_jump() -> None:
@@ -325,31 +428,40 @@ def record_publish() -> None:
 def _write_provenance(
     name: str, what: str, command: list[str], start: float, seconds: float, status: int, load: tuple[float, ...]
 ) -> None:
-    python = ".".join(map(str, sys.version_info[:3]))  # `make ros2` and the rest are of one Python
-    versions = {"ros": f"2 {ros2.version()}", "runtime": "ros2", "python": python}
-    write_provenance(RECORDINGS / f"{name}.json", what, ["python3", *command], start, seconds, status, load, versions)
+    versions = {"ros": f"2 {ros2.version()}", "runtime": "ros2"}
+    if "_cpp" in name:
+        versions |= {"ros": f"2 {build().version}", "compiler": compiler()}
+    else:
+        versions["python"] = ".".join(map(str, sys.version_info[:3]))  # `make ros2` and the rest are of one Python
+        command = ["python3", *command]
+    write_provenance(RECORDINGS / f"{name}.json", what, command, start, seconds, status, load, versions)
 
 
 OTHERS = {
     "claims": record_claims,
     "clock_jump": record_clock_jump,
     "endings": record_endings,
+    "endings_cpp": record_endings_cpp,
     "pipe": record_pipe,
     "publish": record_publish,
     "signals": record_signals,
     "spinner": record_spinner,
     "topics": record_topics,
+    "spinner_cpp": record_spinner_cpp,
 }
 
 
 def main(names: list[str]) -> None:
-    """Record what is named, all if nothing is."""
+    """Record what is named; if nothing is, all that can be."""
     if ros2.missing():
         raise SystemExit(f"record: {ros2.Ros2Missing()}")
     if unknown := set(names) - {*OTHERS, *PLANS}:
         raise SystemExit(f"record: there is no {', '.join(sorted(unknown))}; there are {', '.join([*OTHERS, *PLANS])}")
     RECORDINGS.mkdir(exist_ok=True)
     for name in names or [*PLANS, *OTHERS]:
+        if "_cpp" in name and missing():
+            print(f"{name}: left as it is. {missing()}", flush=True)
+            continue
         print(name, flush=True)
         if name in OTHERS:
             OTHERS[name]()

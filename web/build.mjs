@@ -33,7 +33,8 @@ const common = {
   logLevel: "warning",
 }
 // Loaded with each page that has a figure to move, for that alone.
-await build({ ...common, outdir: path.join(out, "../handles"), entryPoints: [path.join(here, "src/handles.js")] })
+const moving = ["handles.js", "vehicle.js"].map((name) => path.join(here, "src", name))
+await build({ ...common, outdir: path.join(out, "../handles"), entryPoints: moving })
 for (const name of ["pyodide.asm.wasm", "python_stdlib.zip"]) {
   cpSync(path.join(pyodide, name), path.join(out, name))
 }

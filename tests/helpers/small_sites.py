@@ -57,7 +57,7 @@ HEADS = {"index.rst": "Page\n====\n\n.. toctree::\n\n   notebooks/book\n", "note
 
 def site(folder: Path, examples: dict[str, list[tuple[str, str, str]]], bare: str = "") -> Path:
     """A folder with a page and a notebook, each with all of the examples, and with what each build looks at."""
-    for name in ("README.md", "docs/timing.svg", "examples/my_robotics_pkg/src/spinner_py_node.py"):
+    for name in ("README.md", "docs/vehicle.svg", "examples/ros2/timer_probe.py"):
         (folder / name).parent.mkdir(parents=True, exist_ok=True)
         shutil.copy(ROOT / name, folder / name)
     (folder / "notebooks").mkdir()

@@ -19,8 +19,8 @@ from rosspin.real.ros1 import Workspace
 from rosspin.results.recordings import load
 from rosspin.results.roscpp import timer_probe, timer_ticks
 
-# The recordings of a timer of timer_probe.cpp alone, in a node that spins at once.
-RECORDINGS = sorted(ROOT.glob("examples/recordings/timer_cpp_blocks_*.csv"))
+# The recordings of timers of timer_probe.cpp, in a node that spins at once in one thread.
+RECORDINGS = sorted(ROOT.glob("examples/recordings/t*_cpp_[bs]*.csv"))
 LATE = 0.1  # s: a fifth of the period; no two rules are that close
 
 
@@ -28,14 +28,15 @@ def differences(rule: Sequence[Tick], real: Sequence[Tick]) -> list[str]:
     """Where the ticks are not those of the rule, by the clock or by their own account."""
     found = [f"{len(rule)} ticks, not {len(real)}"] if abs(len(rule) - len(real)) > 1 else []
     for ours, theirs in zip(rule, real, strict=False):
-        if max(abs(ours.real - theirs.real), abs(ours.expected - theirs.expected)) > LATE:
+        off = max(abs(ours.real - theirs.real), abs(ours.expected - theirs.expected))
+        if ours.source != theirs.source or off > LATE:
             found.append(f"{ours}, not {theirs}")
     return found
 
 
 def test_there_are_recordings_of_random_lengths() -> None:
     assert sum("_random_" in file.name for file in RECORDINGS) == 3
-    assert len(RECORDINGS) == 9
+    assert len(RECORDINGS) == 10
 
 
 @pytest.mark.parametrize("file", RECORDINGS, ids=lambda file: file.stem)
@@ -54,7 +55,7 @@ def test_another_rule_would_be_noticed() -> None:
 
 
 def test_the_real_roscpp_follows_the_rule(cpp_nodes: CppNodes) -> None:
-    """Over lengths drawn anew."""
+    """Over lengths drawn anew, with one timer and with two."""
     seconds = 12.0
     with Workspace() as workspace:
         workspace.start_master()
@@ -62,10 +63,11 @@ def test_the_real_roscpp_follows_the_rule(cpp_nodes: CppNodes) -> None:
 
         def compare(seed: int) -> list[str]:
             args = [f"_period:={PERIOD}", f"_blocks:={','.join(map(str, random_blocks(seed, 20)))}"]
+            args += ["_second_timer:=true"] * (seed % 2)
             command = [program, *args, f"__name:=probe_{seed}"]
             lines = workspace.run(command, seconds, begins=re.compile("^start,")).console.splitlines()
             start = next(float(line.partition(",")[2]) for line in lines if line.startswith("start,"))
-            rows = [line.split(",") for line in lines if line.startswith("timerCallback,")]
+            rows = [line.split(",") for line in lines if "Callback," in line]
             real = [Tick(row[0], int(row[1]), float(row[4]) - start, float(row[5]) - start, 0.0) for row in rows]
             return differences(timer_probe(seconds, args), real)
 
@@ -84,5 +86,5 @@ def test_the_rule_by_itself() -> None:
 
 
 def test_what_is_not_about_the_timer_is_refused() -> None:
-    with pytest.raises(ValueError, match="knows no second_timer, threads"):
-        timer_probe(1.0, ["_period:=0.5", "_threads:=2", "_second_timer:=true"])
+    with pytest.raises(ValueError, match="knows no threads, wait"):
+        timer_probe(1.0, ["_period:=0.5", "_threads:=2", "_second_timer:=true", "_wait:=1"])

@@ -9,7 +9,7 @@ from typing import Any
 import pytest
 from tree import EXAMPLES
 
-from rosspin import simulate
+from rosspin import Tick, simulate
 from rosspin.results.pinned import as_test
 
 
@@ -66,3 +66,31 @@ def test_another_period_is_found(monkeypatch: pytest.MonkeyPatch, tmp_path: Path
     assert names["NODE"] != source
     with pytest.raises(AssertionError):
         test(tmp_path, monkeypatch)
+
+
+def ticks_of(text: str) -> str:
+    """What such a test says of the ticks."""
+    _, _, said = text.partition("in run.ticks] == ")
+    return said.partition("\n    assert run.console")[0]
+
+
+@pytest.mark.parametrize(
+    ("period", "grid"),
+    [
+        (0.5, "[('f', n, 0.5 * n, 0.5 * n) for n in range(1, 9)]"),
+        (0.1, "[('f', n, round(0.1 * n, 9), round(0.1 * n, 9)) for n in range(1, 9)]"),
+    ],
+)
+def test_ticks_on_a_grid_are_an_expression(period: float, grid: str) -> None:
+    ticks = [Tick("f", n, round(period * n, 9), round(period * n, 9), 0.0) for n in range(1, 9)]
+    said = ticks_of(as_test("", "a.py", 4.0, [], "", ticks))
+    assert said == grid
+    assert eval(said) == [tick[:4] for tick in ticks]
+
+
+@pytest.mark.parametrize("change", [{"real": 1.6}, {"expected": 1.4}, {"source": "g"}, {"number": 7}])
+def test_ticks_off_the_grid_are_a_list(change: dict[str, Any]) -> None:
+    ticks = [Tick("f", n, 0.5 * n, 0.5 * n, 0.0) for n in range(1, 9)]
+    ticks[2] = ticks[2]._replace(**change)
+    said = ticks_of(as_test("", "a.py", 4.0, [], "", ticks))
+    assert " for n in " not in said and eval(said) == [tick[:4] for tick in ticks]

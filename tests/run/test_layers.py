@@ -38,7 +38,7 @@ LAYERS = [
 KEEPERS = {
     "greenlet": {"clocks.stacks"},
     "IPython": {"site.magics"},
-    "matplotlib": {"plots", "plots.pictures"},
+    "matplotlib": {"plots", "plots.pictures", "plots.vehicle"},
     "js": {"clocks.jspi", "page"},
     "pyodide": {"clocks.jspi", "page"},
     "sphinx": {"site.pages", "site.live", "site.checks", "site.doctests", "site.published"},

@@ -52,7 +52,7 @@ _WRONG_FIGURES = {
     f"\n:seconds: 2\n\nrospy {_NODE}": f"a row is NAME: FILE ARGS, not 'rospy {_NODE}'",
     f"\n:seconds: 2\n\nrospy: {_PROBE}.py\nrospy: {_NODE}": "two rows have the name rospy",
     "../examples/my_robotics_pkg/src/spinner_cpp_node.cpp\n:seconds: 2": (
-        "C++ cannot be run here: the only rule that is known is that of timer_probe.cpp"
+        "C++ cannot be run here: the only rules that are known are those of the timing probes"
     ),
     f"{_NODE}\n:seconds: 0.1": "there is no tick in 0.1 s",
     f"{_NODE}\n:seconds: 2\n:handle: Delta, 0 to 1 by 0.5 s\n{_SETS}": "there is no tick in 2 s at 0 s",
@@ -209,7 +209,7 @@ def test_the_list_is_by_page_and_line() -> None:
 @pytest.fixture
 def site(tmp_path: Path) -> Path:
     """A folder with what the outputs are looked for in."""
-    for name in ("README.md", "docs/timing.svg", "examples/my_robotics_pkg/src/spinner_py_node.py"):
+    for name in ("README.md", "docs/vehicle.svg", "examples/ros2/timer_probe.py"):
         (tmp_path / name).parent.mkdir(parents=True, exist_ok=True)
         shutil.copy(ROOT / name, tmp_path / name)
     (tmp_path / "notebooks").mkdir()
@@ -227,18 +227,20 @@ def test_a_copy_follows_its_file(site: Path) -> None:
     assert notebook.read_text() == "# Book\n\n" + cell.format("import rospy\n\nnew = 2\n")
 
 
-@pytest.mark.parametrize(
-    ("change", "now"),
-    [
-        (("= 0.5", "= 6.0"), "the node has no tick in 5 s"),
-        (("= 0.5", "= 0.0"), "the node has no tick in 5 s"),
-        (("import rospy", "import rospy ("), "SyntaxError: "),
-    ],
-)
-def test_a_node_without_ticks_has_no_picture(site: Path, change: tuple[str, str], now: str) -> None:
-    node = site / "examples/my_robotics_pkg/src/spinner_py_node.py"
-    node.write_text(node.read_text().replace(*change))
+def test_a_node_that_is_broken_has_no_picture(site: Path) -> None:
+    node = site / "examples/ros2/timer_probe.py"
+    node.write_text(node.read_text().replace("import rclpy", "import rclpy (", 1))
     (picture,) = stale_picture(site)
     line = (site / "README.md").read_text().splitlines()[picture.line - 1]
     assert (picture.page, picture.stands, picture.edits, picture.failed) == ("README.md", line, (), True)
-    assert now in picture.now
+    assert "SyntaxError: " in picture.now
+
+
+def test_the_picture_follows_its_node(site: Path) -> None:
+    assert stale_picture(site) == []
+    node = site / "examples/ros2/timer_probe.py"
+    node.write_text(node.read_text().replace("self.block)", "self.block / 2)"))
+    (picture,) = stale_picture(site)
+    assert "1.8 s: the vehicle keeps to its line" in picture.now
+    write(site, picture.edits)
+    assert stale_picture(site) == []

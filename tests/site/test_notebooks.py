@@ -3,10 +3,8 @@
 from __future__ import annotations
 
 import gzip
-import io
 import json
 import re
-from contextlib import redirect_stdout
 from pathlib import Path
 
 import jupytext
@@ -14,8 +12,6 @@ import pytest
 from built_pages import parsed
 from notebook_nodes import NODES
 from tree import ROOT
-
-from rosspin.__main__ import main
 
 NOTEBOOKS = sorted(path.stem for path in (ROOT / "notebooks").glob("*.md"))
 PATH = {"timer": "rate", "rate": "drift", "drift": "slow-callback", "slow-callback": "two-languages"}
@@ -95,14 +91,3 @@ def test_its_plots_are_matplotlibs_and_on_the_page_as_svg(site: Path, name: str)
             wide, narrow = plot.select(":scope > svg")
             assert wide["aria-label"] == narrow["aria-label"] and len(wide["aria-label"]) > 40
             assert len(gzip.compress(str(plot).encode())) < (30_000 if plot.has_attr("data-positions") else 12_000)
-
-
-def test_the_readmes_picture_is_what_its_command_draws(tmp_path: Path) -> None:
-    picture = tmp_path / "timing.svg"
-    node = ROOT / "examples/my_robotics_pkg/src/spinner_py_node.py"
-    with redirect_stdout(io.StringIO()):
-        assert main(["run", str(node), "--simulated", "--seconds", "5", "--plot", str(picture)]) == 0
-    drawn = picture.read_text(encoding="utf-8")
-    assert drawn == (ROOT / "docs/timing.svg").read_text(encoding="utf-8")
-    label = re.search(r'aria-label="([^"]*)"', drawn)
-    assert label and f"![{label[1]}](docs/timing.svg)" in (ROOT / "README.md").read_text(encoding="utf-8")

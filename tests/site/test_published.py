@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import os
 import shutil
+import struct
 import subprocess
 import sys
 from pathlib import Path
@@ -51,7 +52,7 @@ def published(tmp_path_factory: pytest.TempPathFactory) -> Path:
     for name in ("conf.py", "docs/_static", "docs/_templates"):
         (folder / name).parent.mkdir(exist_ok=True)
         (shutil.copytree if (ROOT / name).is_dir() else shutil.copy)(ROOT / name, folder / name)
-    for name in ("README.md", "docs/timing.svg", "examples/my_robotics_pkg/src/spinner_py_node.py"):
+    for name in ("README.md", "docs/vehicle.svg", "examples/ros2/timer_probe.py"):
         (folder / name).parent.mkdir(parents=True, exist_ok=True)
         shutil.copy(ROOT / name, folder / name)
     (folder / "index.rst").write_text("Spin\n====\n\nOnce a second.\n\n.. toctree::\n\n   docs/page\n")
@@ -73,6 +74,16 @@ def test_each_page_tells_its_address(published: Path) -> None:
     assert card["og:url"] == canonical["href"]
     assert (card["og:title"], card["og:description"], card["og:site_name"]) == ("A page", "What it says.", "rosspin")
     assert page.select_one("meta[name=description]")
+
+
+def test_a_link_to_a_page_has_a_picture(published: Path) -> None:
+    """From the site itself, 1200 by 630 px, with its text alternative."""
+    page = _page(published, "docs/page.html")
+    card = {str(tag.get("property") or tag.get("name")): tag["content"] for tag in page.select("meta[content]")}
+    assert card["og:image"] == "https://someone.github.io/spin/_static/preview.png"
+    assert len(card["og:image:alt"]) > 40 and card["twitter:card"] == "summary_large_image"
+    png = (published / "_static/preview.png").read_bytes()
+    assert png.startswith(b"\x89PNG") and struct.unpack(">II", png[16:24]) == (1200, 630)
 
 
 def test_each_page_can_be_edited(published: Path) -> None:

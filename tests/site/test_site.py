@@ -310,6 +310,18 @@ def test_headings_on_how_timing_works_show_the_verdict(name: str, least: int) ->
     assert [claim for claim in claims if not VERDICT.match(claim)] == []
 
 
+def test_each_claim_has_a_short_link_that_stays() -> None:
+    """Links are given to others: ``links.txt`` may get new lines, and loses none."""
+    given = (ROOT / "tests/site/links.txt").read_text(encoding="utf-8").splitlines()
+    found = []
+    for name in ("docs/how-timing-works", "docs/ros2/how-timing-works"):
+        for heading in _page(name).select("article h2, article h3"):
+            if "\u201c" in heading.get_text():
+                (link,) = heading.select("a.headerlink")
+                found.append(f"{name}.html{link['href']}")
+    assert found == given
+
+
 @pytest.mark.parametrize("name", ["docs/ros2/how-timing-works", "docs/ros2/from-ros-1"])
 def test_no_line_ends_between_a_number_and_its_unit(name: str) -> None:
     article = copy(_page(name).select("article")[0])

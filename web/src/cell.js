@@ -173,7 +173,7 @@ export class Cell {
     if (!this.exercise) bar.append(this.speed)
     if (isNode) bar.append(this.arguments)
     bar.append(this.status)
-    const parts = [this.notice, bar, this.copied, this.console.element, this.plot.element, this.#made ?? ""]
+    const parts = [this.notice, bar, this.copied, this.plot.element, this.#made ?? "", this.console.element]
     return make("div", { className: "live-cell" }, ...parts)
   }
 

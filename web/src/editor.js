@@ -1,11 +1,11 @@
 // The editor, loaded when a reader first wants to change a listing.
 
 import { defaultKeymap, history, historyKeymap, indentWithTab } from "@codemirror/commands"
-import { python } from "@codemirror/lang-python"
+import { python, pythonLanguage } from "@codemirror/lang-python"
 import { bracketMatching, indentUnit, syntaxHighlighting } from "@codemirror/language"
 import { EditorState } from "@codemirror/state"
 import { EditorView, highlightSpecialChars, keymap } from "@codemirror/view"
-import { tagHighlighter, tags } from "@lezer/highlight"
+import { highlightCode, tagHighlighter, tags } from "@lezer/highlight"
 import { make } from "./make.js"
 import { UNSEEN, sign } from "./unseen.js"
 
@@ -22,6 +22,19 @@ const likeTheListing = tagHighlighter([
   { tag: tags.definition(tags.className), class: "nc" },
   { tag: tags.meta, class: "nd" },
 ])
+
+/**
+ * A text in pieces, each with the class of its colour.
+ *
+ * @param {string} text
+ */
+export function coloured(text) {
+  /** @type {[piece: string, colour: string][]} */
+  const pieces = []
+  const put = (/** @type {string} */ piece, colour = "") => pieces.push([piece, colour])
+  highlightCode(text, pythonLanguage.parser.parse(text), likeTheListing, put, () => put("\n"))
+  return pieces
+}
 
 // It stands where the listing stood, and looks like it.
 const looksLikeIt = EditorView.theme({

@@ -21,7 +21,7 @@ async function receive() {
   if (!location.hash.startsWith("#code=")) return
   try {
     if (why) throw new Error(why)
-    await (await loadShare(base)).receive(cells)
+    await (await loadShare(base)).receive(cells, base)
   } catch (error) {
     const textContent = /** @type {Error} */ (error).message
     find("article").prepend(make("p", { className: "live-notice of-page", textContent, role: "alert" }))

@@ -33,16 +33,20 @@ export async function address(element, listing) {
 }
 
 /**
- * Show the code in the address of the page in one of its cells. Error: why not, in words.
+ * Show the code in the address of the page in one of its cells, in colours if these can be loaded. Error: why not, in
+ * words.
  *
  * @param {import("./cell.js").Cell[]} cells
+ * @param {string} base the address of the folder that our files are in
  */
-export async function receive(cells) {
+export async function receive(cells, base) {
   const { cell, text, seconds, args } = await unpack(location.hash)
   // Exercises change their places, but not their names.
   const exercise = named(text)
   const place = cells.find((other) => exercise && other.exercise === exercise) ?? cells[cell]
   if (!place) throw new Error("The code in this link belongs to a listing that this page no longer has.")
-  const { pre, said } = reveal(text)
+  /** @type {typeof import("./editor.js") | null} */
+  const editor = await import(`${base}editor.js`).catch(() => null)
+  const { pre, said } = reveal(text, editor?.coloured(text))
   place.receive({ kept: { ...UNKEPT, text }, seconds, args, notice: `${NOTICE} ${said}`, shown: pre })
 }

@@ -17,25 +17,32 @@ const LONG = 150
 export const sign = (character) => `U+${Number(character.codePointAt(0)).toString(16).toUpperCase().padStart(4, "0")}`
 
 /**
- * What to show of a text: `pre`, an element whose textContent it is, and what is to be `said` of it, maybe nothing.
+ * What to show of a text: `pre`, an element whose textContent it is, and what is to be `said` of it, maybe nothing. Its
+ * `pieces` are that text, each with the class of its colour.
  *
  * @param {string} text
+ * @param {[piece: string, colour: string][]} pieces
  */
-export function reveal(text) {
+export function reveal(text, pieces = [[text, ""]]) {
   const pre = make("pre")
-  let from = 0
-  const found = [...text.matchAll(UNSEEN)]
-  for (const { 0: character, index } of found) {
-    const mark = make("span", { className: "unseen" }, character)
-    mark.dataset.sign = sign(character)
-    pre.append(text.slice(from, index), mark)
-    from = index + character.length
+  let found = 0
+  for (const [piece, className] of pieces) {
+    const span = make("span", { className })
+    let from = 0
+    for (const { 0: character, index } of piece.matchAll(UNSEEN)) {
+      const mark = make("span", { className: "unseen" }, character)
+      mark.dataset.sign = sign(character)
+      span.append(piece.slice(from, index), mark)
+      from = index + character.length
+      found++
+    }
+    span.append(piece.slice(from))
+    pre.append(...(className ? [span] : span.childNodes))
   }
-  pre.append(text.slice(from))
   const isLong = text.split("\n").some((line) => line.length > LONG)
   if (isLong) pre.className = "wraps"
   const said = [
-    found.length && "It has characters that are not seen or that turn the direction of the text: they are marked.",
+    found && "It has characters that are not seen or that turn the direction of the text: they are marked.",
     isLong && "Its long lines are wrapped.",
   ]
   return { pre, said: said.filter(Boolean).join(" ") }

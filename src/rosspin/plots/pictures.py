@@ -22,7 +22,7 @@ if TYPE_CHECKING:
     from matplotlib.axes import Axes
     from matplotlib.figure import Figure
 
-__all__ = ["SUFFIXES", "alternative", "drawing", "figure_of", "missing", "new_axes", "page", "save"]
+__all__ = ["STANDALONE", "SUFFIXES", "alternative", "drawing", "figure_of", "missing", "new_axes", "page", "save"]
 
 SUFFIXES = (".pdf", ".png", ".svg")
 
@@ -35,7 +35,7 @@ _CSS = (
     "@container(min-width:530.01px){.rosspin-narrow{display:none!important}}</style>"
 )
 _MARGIN = 10  # px, in a file of its own
-_STANDALONE = (
+STANDALONE = (  # the style of an SVG that is a file
     "svg{color:#1b1b1b;background:#fff;font-family:system-ui,sans-serif}"
     "@media(prefers-color-scheme:dark){svg{color:#eee;background:#14181e}}"
 )
@@ -164,7 +164,7 @@ def _svg(figure: Figure, name: str, standalone: bool = False) -> str:
     picture = _element("svg", attributes, *(part for child in root for part in _plain(child, shapes)))
     if standalone:
         picture.insert(0, _element("style", {}))
-        picture[0].text = _STANDALONE
+        picture[0].text = STANDALONE
     return ElementTree.tostring(picture, encoding="unicode")
 
 

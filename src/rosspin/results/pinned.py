@@ -24,7 +24,7 @@ def as_test(
     name = PurePath(filename).stem
     source = _COOKIE.sub(r"\1utf-8", source)
     words = f", {list(args)!r}" if args else ""
-    seen = [f"        {(tick.source, tick.number, tick.expected, tick.real)!r}," for tick in ticks]
+    seen = _grid(ticks) or "\n".join(["[", *(f"        {_seen(tick)!r}," for tick in ticks), "    ]"])
     return "\n".join(
         [
             f"# {filename} still does what it did. Run this with pytest, where rosspin is installed.",
@@ -39,13 +39,27 @@ def as_test(
             '    node.write_text(NODE, encoding="utf-8")',
             f"    run = simulate(node.name, {seconds!r}{words})",
             "    assert run.status == 0",
-            "    assert [(tick.source, tick.number, tick.expected, tick.real) for tick in run.ticks] == [",
-            *seen,
-            "    ]",
+            f"    assert [(tick.source, tick.number, tick.expected, tick.real) for tick in run.ticks] == {seen}",
             f"    assert run.console == {_text(console, '    ')}",
             "",
         ]
     )
+
+
+def _seen(tick: Tick) -> tuple[str, int, float, float]:
+    return tick.source, tick.number, tick.expected, tick.real
+
+
+def _grid(ticks: Sequence[Tick]) -> str:
+    """The ticks of one source as an expression, if each came on time on a grid that begins with the run; else ""."""
+    if len(ticks) < 3:
+        return ""
+    source, last = ticks[0].source, len(ticks)
+    for time in (f"{ticks[0].expected!r} * n", f"round({ticks[0].expected!r} * n, 9)"):
+        grid = f"[({source!r}, n, {time}, {time}) for n in range(1, {last + 1})]"
+        if eval(grid) == [_seen(tick) for tick in ticks]:
+            return grid
+    return ""
 
 
 def _text(text: str, indent: str) -> str:

@@ -36,6 +36,7 @@ __all__ = ["plot", "setup"]
 _SCRIPT = "live/live.js"
 _STYLE = "live/live.css"
 _HANDLES = "handles/handles.js"
+_VEHICLE = "handles/vehicle.js"
 _HAND_IN = "hand-in/hand-in.js"
 _JUDGE = "hand-in/judge.js"
 _HAND_IN_STYLE = "hand-in/hand-in.css"
@@ -129,6 +130,8 @@ def _add_files(app: Sphinx, page: str, template: str, context: dict[str, Any], d
         app.add_css_file(_HAND_IN_STYLE)
     if " data-positions='" in context.get("body", "") and _is_built(app, _HANDLES):
         app.add_js_file(_HANDLES, loading_method="defer")
+    if " data-vehicle='" in context.get("body", "") and _is_built(app, _VEHICLE):
+        app.add_js_file(_VEHICLE, loading_method="defer")
 
 
 def _finish_pages(app: Sphinx, error: Exception | None) -> None:

@@ -7,21 +7,17 @@ from __future__ import annotations
 
 import difflib
 import re
-import tempfile
 from collections import defaultdict
 from collections.abc import Iterable, Iterator
 from contextlib import chdir
 from pathlib import Path
 
-from ..plots import picture
-from ..plots.pictures import alternative, save
-from ..run.simulate import simulate
 from .claims import Edit, Stale, one_line
+from .vehicle import drawing
 
 __all__ = ["differences", "stale_copies", "stale_picture", "write"]
 
-# The README shows the plot of this run.
-_PICTURE, _PICTURED = "docs/timing.svg", ("examples/my_robotics_pkg/src/spinner_py_node.py", 5.0)
+_PICTURE = "docs/vehicle.svg"  # in the README
 
 # A notebook's cell with the option `copy-of`, the path of the copied file. The cell's first line may be a magic.
 _COPY = re.compile(
@@ -63,27 +59,18 @@ def differences(old: list[str], new: list[str]) -> list[tuple[str, int, int, int
 
 def _picture(readme: str) -> Iterator[Stale]:
     """Compare the picture, and its text alternative in the README, with the run."""
-    node, seconds = _PICTURED
     lines = Path(readme).read_text(encoding="utf-8").splitlines()
     number = next(number for number, line in enumerate(lines) if f"]({_PICTURE})" in line)
     try:
-        ticks = simulate(node, seconds).ticks
+        new, alternative = drawing(Path())
     except Exception as error:  # whatever the author's node raises, all else is listed, too
         yield Stale(readme, number + 1, lines[number], one_line(error), failed=True)
         return
-    if not ticks:
-        yield Stale(readme, number + 1, lines[number], f"the node has no tick in {seconds:g} s", failed=True)
-        return
-    plot = picture(ticks)
-    with tempfile.TemporaryDirectory() as folder:
-        drawn = Path(folder, "plot.svg")
-        save(plot, drawn)
-        new = drawn.read_text(encoding="utf-8")
-    old = Path(_PICTURE).read_text(encoding="utf-8")
-    words = f"![{alternative(plot)}]({_PICTURE})"
-    if (old, lines[number]) != (new, words):
-        drawing = Edit(_PICTURE, 0, len(old.splitlines()), tuple(new.splitlines()))
-        edits = drawing, Edit(readme, number, number + 1, (words,))
+    old = Path(_PICTURE).read_text(encoding="utf-8").splitlines()
+    words = f"![{alternative}]({_PICTURE})"
+    if (old, lines[number]) != (new.splitlines(), words):
+        drawn = Edit(_PICTURE, 0, len(old), tuple(new.splitlines()))
+        edits = drawn, Edit(readme, number, number + 1, (words,))
         yield Stale(readme, number + 1, lines[number], words, edits=edits)
 
 

@@ -29,8 +29,7 @@ from ..clocks.simulation import Simulation
 from ..measures import topic_ticks
 from ..plots import picture, with_handle
 from ..plots.pictures import page
-from ..results import machine
-from ..results.roscpp import timer_probe
+from ..results import machine, rclcpp, roscpp
 from ..results.ticks import Tick
 from ..run.host import kept, replaced
 from ..run.simulate import run_captured
@@ -38,6 +37,7 @@ from ..run.source import load, load_source
 from .checks import note
 from .claims import Facts, one_line
 from .outputs import differences
+from .vehicle import figure
 
 __all__ = ["setup"]
 
@@ -54,7 +54,7 @@ class TicksDirective(SphinxDirective):
     ``:at:``, or as the file has it. ``:lines: FROM-TO`` shows these lines of the file beside the plot, where the number
     follows the handle.
 
-    The only C++ file can be ``timer_probe.cpp``, whose rule is known.
+    The only C++ files can be the probes whose rules are known.
     """
 
     has_content = True
@@ -134,9 +134,11 @@ class TicksDirective(SphinxDirective):
 
     def _run(self, path: str, args: list[str], value: float | None) -> Sequence[Tick]:
         if path.endswith(".cpp"):
-            if os.path.basename(path) != "timer_probe.cpp":
-                raise ValueError("C++ cannot be run here: the only rule that is known is that of timer_probe.cpp")
-            return timer_probe(self.options["seconds"], args)
+            if path.endswith("timing_probes/src/timer_probe.cpp"):
+                return roscpp.timer_probe(self.options["seconds"], args)
+            if path.endswith(("ros2/timer_probe.cpp", "ros2/rate_probe.cpp")):
+                return rclcpp.probe(path, self.options["seconds"], args)
+            raise ValueError("C++ cannot be run here: the only rules that are known are those of the timing probes")
         node = load(path)
         if value is not None and "sets" in self.options:
             at = self._assignment(self.options["sets"])
@@ -230,6 +232,18 @@ class ListingDirective(LiteralInclude):
         relative, path = self.env.relfn2path(name)
         self.env.note_dependency(relative)
         return Path(path).read_text(encoding="utf-8").splitlines()
+
+
+class VehicleDirective(SphinxDirective):
+    """``.. vehicle::``: the figure of the first page, a vehicle that nodes steer in simulated time."""
+
+    def run(self) -> list[nodes.Node]:
+        """The figure, as inline SVG with all its positions."""
+        try:
+            return [nodes.raw("", figure(Path(self.env.srcdir)), format="html")]
+        except Exception as error:  # of a node that the author has changed
+            note(self.env, self.lineno, self.block_text, one_line(error))
+            return []
 
 
 class UsageDirective(SphinxDirective):
@@ -383,6 +397,15 @@ def name_terms(app: Sphinx, page: nodes.document) -> None:
             labels.note_hyperlink_target(name, app.env.docname, name)
 
 
+def link_by_label(app: Sphinx, page: nodes.document) -> None:
+    """Let the link of a heading be its label, if it has one: it stays when the words of the heading change."""
+    labels = {page.nameids[name] for name, is_explicit in page.nametypes.items() if is_explicit}
+    for section in page.findall(nodes.section):
+        if labels & {*section["ids"]}:
+            section["ids"].sort(key=lambda name: name not in labels)
+            section["classes"].append("labelled")
+
+
 def name_pages(app: Sphinx, env: BuildEnvironment) -> list[str]:
     """Write all pages again when one comes, goes or changes its name: each page lists and links them."""
     titles = {page: title.astext() for page, title in env.titles.items()}
@@ -434,6 +457,7 @@ def setup(app: Sphinx) -> ExtensionMetadata:
     app.setup_extension("rosspin.site.checks")
     app.add_directive("facts", FactsDirective)
     app.add_directive("literalinclude", ListingDirective, override=True)
+    app.add_directive("vehicle", VehicleDirective)
     app.add_directive("usage", UsageDirective)
     app.add_directive("names", NamesDirective)
     app.add_directive("machine", MachineDirective)
@@ -445,6 +469,7 @@ def setup(app: Sphinx) -> ExtensionMetadata:
     app.connect("doctree-read", name_terms)
     app.connect("doctree-read", keep_units)
     app.connect("doctree-read", name_exercises)
+    app.connect("doctree-read", link_by_label, priority=400)  # before Sphinx collects the headings
     app.connect("env-updated", name_pages)
     app.connect("html-page-context", list_exercises)
     return {"parallel_read_safe": False, "parallel_write_safe": True}

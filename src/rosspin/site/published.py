@@ -16,7 +16,11 @@ from docutils import nodes
 from sphinx.application import Sphinx
 from sphinx.util.typing import ExtensionMetadata
 
-__all__ = ["Published", "setup", "where"]
+from .vehicle import save_preview
+
+__all__ = ["PREVIEW", "Published", "setup", "where"]
+
+PREVIEW = "_static/preview.png"  # the picture of links to the site
 
 BRANCH = "main"  # the one that readers are asked to edit
 
@@ -56,6 +60,7 @@ def setup(app: Sphinx) -> ExtensionMetadata:
     """Connect the functions below."""
     app.connect("html-page-context", _set_root)
     app.connect("build-finished", _write_sitemap)
+    app.connect("build-finished", _draw_preview)
     return {"parallel_read_safe": True, "parallel_write_safe": True}
 
 
@@ -78,3 +83,8 @@ def _write_sitemap(app: Sphinx, error: Exception | None) -> None:
     ElementTree.indent(urls)
     path = Path(app.outdir, "sitemap.xml")
     ElementTree.ElementTree(urls).write(path, encoding="utf-8", xml_declaration=True)
+
+
+def _draw_preview(app: Sphinx, error: Exception | None) -> None:
+    if error is None and app.builder.format == "html" and app.config.html_baseurl:
+        save_preview(Path(app.srcdir), Path(app.outdir, PREVIEW), app.env.titles[app.config.root_doc].astext())

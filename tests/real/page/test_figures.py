@@ -121,7 +121,7 @@ def test_a_figure_needs_no_python(context: BrowserContext, address: str) -> None
     figure.check()
     assert len(asked) == already
     ours = [url for url in asked if re.search(r"live/|handles/|pyodide", url)]
-    assert ours == ["_static/handles/handles.js"]
+    assert ours == ["_static/handles/handles.js", "_static/handles/vehicle.js"]
 
 
 # --- how it looks -----------------------------------------------------------------------------------------------------
@@ -165,7 +165,7 @@ def test_moved_figures(page: Page, address: str, name: str) -> None:
 @pytest.mark.parametrize("scheme", ["light", "dark"])
 @pytest.mark.parametrize(("width", "height"), [(390, 844), (1280, 800)])
 def test_the_first_screen(browser: Browser, address: str, width: int, height: int, scheme: Scheme) -> None:
-    """What this is, a node that ticks beside its code, and the ways in: nobody has to scroll for them."""
+    """What one will learn, the vehicle and what moves it, and the ways in: nobody has to scroll for them."""
     with browser.new_context(viewport={"width": width, "height": height}, color_scheme=scheme) as context:
         page = context.new_page()
         page.goto(address)
@@ -177,7 +177,7 @@ def test_the_first_screen(browser: Browser, address: str, width: int, height: in
             return box["y"] + box["height"]
 
         article = page.locator("article")
-        seen = [article.locator(what) for what in ("p >> nth=0", ".rosspin-beside pre", "figure svg[role=img]:visible")]
-        names = "ROS 2 in Python", "ROS 1 in Python", "ROS 1 in C++", "Try an exercise"
+        seen = [article.locator(what) for what in ("p >> nth=0", "[data-vehicle] svg", "[data-vehicle] [type=range]")]
+        names = "ROS 2 in Python", "ROS 2 in C++", "ROS 1 in Python", "ROS 1 in C++", "Try an exercise"
         ways = [article.get_by_role("link", name=name) for name in names]
         assert max(map(ends, [*seen, *ways])) < height

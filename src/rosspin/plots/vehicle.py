@@ -1,0 +1,185 @@
+"""A vehicle on a winding line, steered at the ticks of a run: what a late tick does.
+
+At each tick it looks for the point of the line that is a metre ahead, and turns its wheels so that it would reach that
+point ("pure pursuit"). Until the next tick the wheels stay as they are, so it drives along an arc. Lengths are in
+metres, y points up; times are in seconds.
+"""
+
+from __future__ import annotations
+
+import cmath
+import html
+import math
+from collections.abc import Iterable
+from itertools import pairwise
+from typing import TYPE_CHECKING, NamedTuple
+
+from . import pictures
+
+if TYPE_CHECKING:
+    from matplotlib.figure import Figure
+
+__all__ = ["PERIOD", "SECONDS", "Drive", "drive", "preview", "svg"]
+
+PERIOD = 0.5  # of the ticks, if none is late
+SECONDS = 12.0  # of each run
+_SPEED = 1.2  # m/s
+_AHEAD = 1.0  # how far it looks along the line
+_EDGE = 0.25  # farther than this from its line, it has left it
+
+_STEP = 0.01  # between points of the line
+_BOX = "-0.5 -1.75 12.4 4.2"  # what a picture shows: left, top, width, height; y points down there
+_PX = 760  # how wide a file is
+_BLUE, _ORANGE = "#0072b2", "#d55e00"
+_BODY = ((-0.34, -0.2), (0.2, -0.2), (0.42, -0.09), (0.42, 0.09), (0.2, 0.2), (-0.34, 0.2))  # heading to the right
+_VEHICLE = (
+    '<path d="M-.22 -.24h.16M.14 -.24h.16M-.22 .24h.16M.14 .24h.16" stroke="currentColor" stroke-width=".13"/>'
+    f'<path d="M{"L".join(f"{x:g} {y:g}" for x, y in _BODY)}Z" fill="{_ORANGE}" stroke="currentColor"'
+    ' stroke-width=".04" stroke-linejoin="round"/>'
+)
+
+
+def _winding() -> list[tuple[float, float]]:
+    points, x = list[tuple[float, float]](), 0.0
+    while x < 20:
+        points.append((x, 1.2 * math.sin(x * math.tau / 7)))
+        x += _STEP / math.hypot(1, 1.2 * math.tau / 7 * math.cos(x * math.tau / 7))
+    return points
+
+
+_LINE = _winding()
+
+
+class _Arc(NamedTuple):
+    """From ``time`` on it drives from (x, y), heading in radians, along a curve of this curvature (1/m)."""
+
+    time: float
+    x: float
+    y: float
+    heading: float
+    curvature: float
+
+    def after(self, seconds: float) -> tuple[float, float, float]:
+        """Where it is then, and its heading."""
+        way = _SPEED * seconds
+        heading = self.heading + self.curvature * way
+        # The chord of the arc, which points where it headed halfway.
+        half = self.curvature * way / 2
+        chord, middle = way * (math.sin(half) / half if half else 1.0), self.heading + half
+        return self.x + chord * math.cos(middle), self.y + chord * math.sin(middle), heading
+
+
+class Drive(NamedTuple):
+    """A drive: the ``arcs`` from the start and from each tick on, and where and when it was ``off`` its line most."""
+
+    arcs: list[_Arc]
+    off: float
+    when: float
+
+    @property
+    def overdue(self) -> list[tuple[float, float]]:
+        """From when to when it should have been steered, and was not."""
+        times = [*(arc.time for arc in self.arcs), SECONDS]
+        return [(a + PERIOD, b) for a, b in pairwise(times) if b > a + PERIOD + 1e-3]
+
+    @property
+    def dashes(self) -> str:
+        """What is overdue as the dashes of a path that is as long as the run."""
+        times = [time for both in self.overdue for time in both]
+        return " ".join(f"{b - a:.4g}" for a, b in pairwise([0, 0, *times, 2 * SECONDS]))
+
+    @property
+    def words(self) -> str:
+        """What is seen of it."""
+        if self.off <= _EDGE:
+            return f"keeps to its line: at most {100 * self.off:.0f} cm off"
+        return f"leaves its line by {self.off:.1f} m, at {self.when:.1f} s"
+
+    @property
+    def path(self) -> str:
+        """The way as SVG, where y points down."""
+        parts = [f"M{self.arcs[0].x:g} {-self.arcs[0].y:g}"]
+        for arc, end in zip(self.arcs, [*(arc.time for arc in self.arcs[1:]), SECONDS], strict=True):
+            x, y, _ = arc.after(end - arc.time)
+            radius = min(1 / abs(arc.curvature), 1e3) if arc.curvature else 1e3
+            is_large = abs(arc.curvature) * _SPEED * (end - arc.time) > math.pi
+            parts.append(f"A{radius:.4g} {radius:.4g} 0 {is_large:d} {arc.curvature < 0:d} {x:.3f} {-y:.3f}")
+        return "".join(parts)
+
+    def at(self, time: float) -> tuple[float, float, float]:
+        """Where it is at a time, and its heading."""
+        arc = next(arc for arc in reversed(self.arcs) if arc.time <= time)
+        return arc.after(time - arc.time)
+
+
+def drive(ticks: Iterable[float]) -> Drive:
+    """Drive along the line for :data:`SECONDS`, steering at these times (s, in order)."""
+    place, arc = 0, _Arc(0.0, 0.0, 0.0, math.atan2(_LINE[1][1], _LINE[1][0]), 0.0)
+    arcs, off, when = [], 0.0, 0.0
+    for tick in [*(tick for tick in ticks if tick < SECONDS), SECONDS]:
+        arcs.append(arc)
+        steps = math.ceil((tick - arc.time) / 0.02)
+        for seconds in (step * (tick - arc.time) / steps for step in range(1, steps + 1)):
+            x, y, heading = arc.after(seconds)
+            place = _nearest(x, y, place)
+            if (distance := math.dist((x, y), _LINE[place])) > off:
+                off, when = distance, arc.time + seconds
+        ahead, up = _LINE[place + round(_AHEAD / _STEP)]
+        across = math.cos(heading) * (up - y) - math.sin(heading) * (ahead - x)
+        arc = _Arc(tick, x, y, heading, 2 * across / math.dist((x, y), (ahead, up)) ** 2)
+    return Drive(arcs, off, when)
+
+
+def _nearest(x: float, y: float, place: int) -> int:
+    """The index of the nearest point of the line, found from where it was last: the line may come near twice."""
+    for step in (1, -1):
+        while math.dist((x, y), _LINE[place + step]) < math.dist((x, y), _LINE[place]):
+            place += step
+    return place
+
+
+def svg(drive: Drive, alternative: str, standalone: bool = False) -> str:
+    """Draw the line, the way with a dot for each tick, where a tick is overdue, and the vehicle where it is off most.
+
+    ``web/src/vehicle.js`` moves the parts that have a class. ``standalone``: as a file, light or dark as its viewer is.
+    """
+    x, y, heading = drive.at(drive.when)
+    file = f' xmlns="http://www.w3.org/2000/svg" width="{_PX}"' if standalone else ' width="100%"'
+    line = "M" + "L".join(f"{x:.2f} {-y:.2f}" for x, y in _LINE[::15] if x < 12)
+    return f"""\
+<svg{file} class="rosspin-road" role="img" aria-label="{html.escape(alternative)}" viewBox="{_BOX}" fill="none"
+  stroke-linecap="round">{f"<style>{pictures.STANDALONE}</style>" if standalone else ""}
+<marker id="rosspin-tick" viewBox="-1 -1 2 2" markerWidth="2.2"><circle r="1" fill="{_BLUE}"/></marker>
+<path d="{line}" stroke="currentColor" stroke-opacity="0.12" stroke-width="0.5"/>
+<path d="{line}" stroke="currentColor" stroke-opacity="0.5" stroke-width="0.03" stroke-dasharray="0.12"/>
+<path class="way" d="{drive.path}" stroke="{_BLUE}" stroke-width="0.07" marker-mid="url(#rosspin-tick)"/>
+<path class="way overdue" d="{drive.path}" stroke="{_ORANGE}" stroke-width="0.13" stroke-linecap="butt"
+  pathLength="{SECONDS:g}" stroke-dasharray="{drive.dashes}"/>
+<g class="vehicle" transform="translate({x:.3f} {-y:.3f}) rotate({-math.degrees(heading):.1f})">{_VEHICLE}</g>
+</svg>"""
+
+
+def preview(drive: Drive, title: str, words: str) -> Figure:
+    """Draw the same as the picture of a link, with words above and below it: 1200 by 630 px at 100 dpi."""
+    ax = pictures.new_axes(630)
+    figure = pictures.figure_of(ax)
+    figure.set_size_inches(12, 6.3)
+    figure.set_layout_engine("none")
+    left, top, width, height = map(float, _BOX.split())
+    ax.set(position=(0, 0.14, 1, 0.66), xlim=(left, left + width), ylim=(-top - height, -top), aspect="equal")
+    ax.set_axis_off()
+    times = [n * 0.02 for n in range(round(SECONDS / 0.02) + 1)]
+    way = [drive.at(time)[:2] for time in times]
+    ax.plot(*zip(*_LINE, strict=True), c="black", alpha=0.12, lw=36, solid_capstyle="round")
+    ax.plot(*zip(*_LINE, strict=True), c="black", alpha=0.5, lw=1.5, ls=(0, (5, 5)))
+    ax.plot(*zip(*way, strict=True), c=_BLUE, lw=5)
+    for first, last in drive.overdue:
+        late = [place for time, place in zip(times, way, strict=True) if first <= time <= last]
+        ax.plot(*zip(*late, strict=True), c=_ORANGE, lw=9, solid_capstyle="round")
+    ax.plot([arc.x for arc in drive.arcs[1:]], [arc.y for arc in drive.arcs[1:]], "o", c=_BLUE, ms=11, mew=0)
+    x, y, heading = drive.at(drive.when)
+    turned = [complex(x, y) + complex(*point) * cmath.rect(1, heading) for point in _BODY]
+    ax.fill([point.real for point in turned], [point.imag for point in turned], fc=_ORANGE, ec="black", lw=2, zorder=3)
+    figure.text(0.05, 0.86, title, size=36, weight="bold")
+    figure.text(0.05, 0.07, words, size=20)
+    return figure
