@@ -17,6 +17,7 @@ import time
 from collections import Counter, defaultdict
 from collections.abc import Callable, Iterator, Sequence
 from concurrent.futures import ThreadPoolExecutor
+from itertools import product
 from pathlib import Path
 from statistics import median
 from typing import Any, NamedTuple
@@ -32,7 +33,9 @@ from rosspin.results import rclcpp
 from rosspin.results.recordings import COLUMNS
 
 EXAMPLES = Path(__file__).parents[1] / "examples" / "ros2"
-NODE = Path(__file__).parents[1] / "examples/my_robotics_pkg_ros2/my_robotics_pkg/spinner_py_node.py"
+TOPICS = Path(__file__).parents[1] / "examples" / "topics" / "ros2"
+PACKAGE = Path(__file__).parents[1] / "examples/my_robotics_pkg_ros2/my_robotics_pkg"
+NODE = PACKAGE / "spinner_py_node.py"
 RECORDINGS = Path(__file__).parents[1] / "examples" / "recordings" / "ros2"
 
 PERIOD = 0.5  # s, at 2 Hz
@@ -173,8 +176,9 @@ def record_probe(name: str) -> None:
 
 
 def _ros_args(parameters: dict[str, Any]) -> list[str]:
-    words = {key: str(value).lower().replace(" ", "") for key, value in parameters.items()}
-    return ["--ros-args", *(word for key in words for word in ("-p", f"{key}:={words[key]}"))]
+    texts = {key: str(value).lower() if isinstance(value, bool) else str(value) for key, value in parameters.items()}
+    words = {key: text.replace(" ", "") for key, text in texts.items()}
+    return ["--ros-args", *(word for key, word in words.items() for word in ("-p", f"{key}:={word}"))]
 
 
 def record_endings() -> None:
@@ -343,6 +347,98 @@ def record_clock_jump() -> None:
     _write_provenance("clock_jump", what, ["clock_jump.py"], run.start, 5.0, run.status, load)
 
 
+FIRST_RUNS = 20  # in which the first message may be lost
+
+
+class Talk(NamedTuple):
+    """Two nodes in two processes: who speaks and who listens, with their parameters; how long they run (s).
+
+    The listener is there ``before`` (s) the other one starts. Without one, the talker is alone. Recorded so many
+    ``times``.
+    """
+
+    talker: tuple[str, dict[str, Any]]
+    listener: tuple[str, dict[str, Any]] | None
+    seconds: float
+    before: float = 0.0
+    times: int = 1
+
+
+def _talks() -> Iterator[tuple[str, Talk]]:
+    policies = {"durability": ("VOLATILE", "TRANSIENT_LOCAL"), "reliability": ("RELIABLE", "BEST_EFFORT")}
+    for policy, values in policies.items():
+        for offered, requested in product(values, values):
+            talker, listener = ("eager", {policy: offered}), ("late", {policy: requested})
+            yield f"late {offered} {requested}", Talk(talker, listener, 5.2)
+    for durability in policies["durability"]:
+        listener = ("late", {"durability": durability, "late": 0.01})
+        yield f"first {durability}", Talk(("eager", {"durability": durability}), listener, 4.2, 2.0, FIRST_RUNS)
+    for depth, seconds in ((1, 9.0), (3, 11.0), (10, 16.0), (100, 29.0)):
+        yield f"depth {depth}", Talk(("thirty", {}), ("slow", {"depth": depth}), seconds)
+    yield "asks", Talk(("eager", {}), ("asking", {}), 6.2)
+    yield "begins", Talk(("eager", {}), ("begin", {}), 4.2)
+    yield "whole", Talk(("whole", {}), None, 2.2)
+
+
+TALKS = dict(_talks())
+
+LOGGED = re.compile(r"\[\w+\] \[([\d.]+)\] \[(\w+)\]: (.*)")
+
+
+def record_topics() -> None:
+    """Let two nodes talk, and keep what each of them logs, and when (s after the talker was there)."""
+    load, start = os.getloadavg(), time.time()
+    with (RECORDINGS / "topics.csv").open("w", newline="") as text:
+        writer = csv.writer(text, lineterminator="\n")
+        writer.writerow(["run", "number", "node", "seconds", "what"])
+        for name, talk in TALKS.items():
+            for number in range(1, talk.times + 1):
+                writer.writerows([name, number, *row] for row in _converse(talk))
+    _write_provenance("topics", "a publisher and a subscriber in two processes", ["NODE"], start, 5.2, 0, load)
+
+
+def _converse(talk: Talk) -> list[tuple[str, str, str]]:
+    with ros2.Nodes(meet=True) as nodes, ThreadPoolExecutor(2) as pool:
+
+        def launch(node: tuple[str, dict[str, Any]], seconds: float) -> Any:
+            name, parameters = node
+            return nodes.launch(TOPICS / f"{name}_py_node.py", seconds, _ros_args(parameters))
+
+        listeners = [pool.submit(launch, node, talk.before + talk.seconds) for node in filter(None, [talk.listener])]
+        time.sleep(talk.before)
+        talker = launch(talk.talker, talk.seconds)
+        runs = [talker, *(listener.result() for listener in listeners)]
+    logged = [found for run in runs for found in LOGGED.findall(run.console)]
+    return [(node, f"{float(at) - talker.start:.3f}", what) for at, node, what in sorted(logged)]
+
+
+def record_publish() -> None:
+    """Keep the consoles of the tutorial's publisher and subscriber, each in a terminal of its own."""
+    load = os.getloadavg()
+    args = ["--ros-args", "-r", "__ns:=/mrp"]
+    with ros2.Nodes(meet=True) as nodes, ThreadPoolExecutor(2) as pool:
+        files = [PACKAGE / f"{name}_py_node.py" for name in ("publisher", "subscriber")]
+        publisher, subscriber = pool.map(lambda file: nodes.launch(file, 4.7, args), files)
+    (RECORDINGS / "publish.txt").write_text(publisher.console + subscriber.console)
+    command = ["subscriber_py_node.py", *args]
+    status = max(publisher.status, subscriber.status)
+    what = "the tutorial's publisher and subscriber"
+    _write_provenance("publish", what, command, subscriber.start, subscriber.seconds, status, load)
+
+
+def record_publish_cpp() -> None:
+    """Keep the consoles of the same nodes in C++."""
+    load = os.getloadavg()
+    args = ["--ros-args", "-r", "__ns:=/mrp"]
+    programs, names = build(), ("publisher_cpp_node", "subscriber_cpp_node")
+    with ros2.Nodes(meet=True) as nodes, ThreadPoolExecutor(2) as pool:
+        publisher, subscriber = pool.map(lambda name: programs.run(nodes, name, 4.7, args), names)
+    (RECORDINGS / "publish_cpp.txt").write_text(publisher.console + subscriber.console)
+    status = max(publisher.status, subscriber.status)
+    what = "the tutorial's publisher and subscriber in C++"
+    _write_provenance("publish_cpp", what, [names[1], *args], subscriber.start, 4.7, status, load)
+
+
 def _write_provenance(
     name: str, what: str, command: list[str], start: float, seconds: float, status: int, load: tuple[float, ...]
 ) -> None:
@@ -361,9 +457,12 @@ OTHERS = {
     "endings": record_endings,
     "endings_cpp": record_endings_cpp,
     "pipe": record_pipe,
+    "publish": record_publish,
+    "publish_cpp": record_publish_cpp,
     "signals": record_signals,
     "spinner": record_spinner,
     "spinner_cpp": record_spinner_cpp,
+    "topics": record_topics,
 }
 
 

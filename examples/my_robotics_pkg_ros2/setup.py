@@ -26,6 +26,10 @@ setup(
             'my_robotics_pkg.spinner_rate_py_node:main',
             'spinner_param_py_node = '
             'my_robotics_pkg.spinner_param_py_node:main',
+            'publisher_py_node = my_robotics_pkg.publisher_py_node:main',
+            'subscriber_py_node = my_robotics_pkg.subscriber_py_node:main',
+            'both_py_nodes = my_robotics_pkg.both_py_nodes:main',
+            'stamped_py_node = my_robotics_pkg.stamped_py_node:main',
         ],
     },
 )

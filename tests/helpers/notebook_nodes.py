@@ -9,4 +9,5 @@ NODES = {
     "publish": f"{ROS1}/pubsub_py_node.py",
     "ros2-timer": f"{ROS2}/spinner_py_node.py",
     "ros2-rate": f"{ROS2}/spinner_rate_py_node.py",
+    "ros2-publish": "topics/ros2/pubsub_py_node.py",
 }

@@ -25,6 +25,7 @@ from leftovers import processes, shared_memory
 from tree import ROOT
 from verdicts import control
 
+from rosspin import simulate
 from rosspin.__main__ import main
 from rosspin.measures import by_source
 from rosspin.real import ros2
@@ -360,6 +361,21 @@ def test_the_tutorial_builds_its_package_and_runs_it(ros: None) -> None:
             assert output.status == 0
             assert "] [mrp.spinner_py_node]: [SPINNER PY NODE] counter = 2\n" in output.console
             assert (nodes.folder / "stdout").read_text() == ""
+
+
+def test_both_nodes_of_the_second_tutorial_are_installed_as_one_program(ros: None) -> None:
+    with ros2.Nodes() as nodes:
+        shutil.copytree(PACKAGE, nodes.folder / "src/my_robotics_pkg", ignore=shutil.ignore_patterns("__pycache__"))
+        path = {"PATH": f"{Path(ros2.python()).parent}:{os.environ['PATH']}"}
+        built = nodes.run(["bash", "-c", f"cd {nodes.folder} && colcon build"], 300, more=path)
+        assert built.status == 0, built.console
+        program = "install/my_robotics_pkg/lib/my_robotics_pkg/both_py_nodes"
+        start = f"cd {nodes.folder} && source install/setup.bash && exec {program}"
+        run = nodes.run(["bash", "-c", start], 0.25, begins=re.compile("counter = 2"), more=path)
+        simulated = simulate(NODES / "both_py_nodes.py", 1.0)
+        said, wanted = ([line.partition("]: ")[2] for line in each.console.splitlines()] for each in (run, simulated))
+        assert said[:4] == wanted
+        assert run.status == 0
 
 
 def test_a_node_may_import_its_own_package_and_is_told_what_messages_there_are(ros: None, tmp_path: Path) -> None:

@@ -18,7 +18,7 @@ PACKAGE = EXAMPLES / "my_robotics_pkg"
 PACKAGE_ROS2 = EXAMPLES / "my_robotics_pkg_ros2"
 PAGES = sorted((ROOT / "docs").rglob("*.rst"))
 TUTORIAL, PUBLISH = ROOT / "docs" / "tutorial.rst", ROOT / "docs" / "publish.rst"
-TUTORIAL_ROS2 = ROOT / "docs" / "ros2" / "tutorial.rst"
+TUTORIAL_ROS2, PUBLISH_ROS2 = ROOT / "docs" / "ros2" / "tutorial.rst", ROOT / "docs" / "ros2" / "publish.rst"
 
 # Each step of a tutorial and the listing that it starts from, below examples/.
 SPIN_FROM = {
@@ -47,7 +47,16 @@ SPIN_FROM_ROS2 = {
     f"{_NODES_ROS2}/spinner_py_node.py": "steps_ros2/2_callback.py",
     f"{_NODES_ROS2}/spinner_rate_py_node.py": f"{_NODES_ROS2}/plain_py_node.py",
 }
-STARTS_FROM = {TUTORIAL: SPIN_FROM, PUBLISH: PUBLISH_FROM, TUTORIAL_ROS2: SPIN_FROM_ROS2}
+PUBLISH_FROM_ROS2 = {
+    f"{_NODES_ROS2}/{new}_py_node.py": f"{_NODES_ROS2}/{old}_py_node.py"
+    for new, old in (("publisher", "spinner"), ("subscriber", "plain"), ("stamped", "publisher"))
+}
+STARTS_FROM = {
+    TUTORIAL: SPIN_FROM,
+    PUBLISH: PUBLISH_FROM,
+    TUTORIAL_ROS2: SPIN_FROM_ROS2,
+    PUBLISH_ROS2: PUBLISH_FROM_ROS2,
+}
 MANIFESTS = ("CMakeLists.txt", "package.xml")
 # Not what pytest and setuptools run.
 PYTHON = sorted(path for path in EXAMPLES.rglob("*.py") if not path.name.startswith(("test_", "setup", "__init__")))
@@ -103,8 +112,8 @@ def test_each_step_names_the_listing_that_it_starts_from(page: Path) -> None:
     }
     assert named == STARTS_FROM[page]
     # By number only in listings that are no step.
-    numbered = {listing.path.parent.name for listing in listings(page) if "emphasize-lines" in listing.options}
-    assert numbered <= {"topics"}
+    numbered = {listing.name for listing in listings(page) if "emphasize-lines" in listing.options}
+    assert all(name.startswith("topics/") for name in numbered)
 
 
 @pytest.mark.parametrize("page", STARTS_FROM, ids=name_of)
@@ -122,10 +131,11 @@ def test_marked_lines_are_the_ones_that_the_step_adds(site: Path, page: Path) ->
 def test_every_step_and_node_is_shown() -> None:
     shown = {listing.path for page in PAGES for listing in listings(page)}
     files = {*EXAMPLES.glob("steps/*"), *EXAMPLES.glob("how-to/**/*.py"), *EXAMPLES.glob("threads/**/*.*")}
-    files |= {*EXAMPLES.glob("topics/*.*"), *EXAMPLES.glob("my_robotics_pkg_ros2/[ct]*/*.*")}
+    files |= {*EXAMPLES.glob("topics/*.*"), *EXAMPLES.glob("my_robotics_pkg_ros2/[clt]*/*.*")}
+    files |= set(EXAMPLES.glob("my_robotics_interfaces/**/*.*"))
     files |= set(EXAMPLES.glob("hangs/*.*"))
     files |= {path for folder in ("src", "launch", "test") for path in PACKAGE.glob(f"{folder}/*.*")}
-    files |= {*EXAMPLES.glob("steps_ros2/*"), *PACKAGE_ROS2.glob("*.*"), *PACKAGE_ROS2.glob("*/*_node.py")}
+    files |= {*EXAMPLES.glob("steps_ros2/*"), *PACKAGE_ROS2.glob("*.*"), *PACKAGE_ROS2.glob("*/*_node*.py")}
     assert files - shown == set()
 
 

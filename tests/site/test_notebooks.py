@@ -20,8 +20,8 @@ from rosspin.__main__ import main
 NOTEBOOKS = sorted(path.stem for path in (ROOT / "notebooks").glob("*.md"))
 PATH = {"timer": "rate", "rate": "drift", "drift": "slow-callback", "slow-callback": "two-languages"}
 PATH |= {"two-languages": "publish", "publish": "exercises"}
-PATH |= {"ros2-timer": "ros2-rate", "ros2-rate": "ros2-executors", "ros2-executors": "ros2-services"}
-PATH |= {"ros2-services": "ros2-exercises"}
+PATH |= {"ros2-timer": "ros2-rate", "ros2-rate": "ros2-publish", "ros2-publish": "ros2-executors"}
+PATH |= {"ros2-executors": "ros2-services", "ros2-services": "ros2-exercises"}
 
 
 def cells(name: str, kind: str) -> list[str]:

@@ -235,6 +235,7 @@ def test_every_prompt_on_the_site_is_run(site: Path, name: str) -> None:
         ("docs/tutorial", ["SPINNER PY NODE"]),
         ("docs/ros2/tutorial", ["SPINNER PY NODE"]),
         ("docs/publish", ["PUBSUB PY NODE", "SUBSCRIBER PY NODE"]),
+        ("docs/ros2/publish", ["SUBSCRIBER PY NODE"]),
     ],
 )
 def test_the_counters_that_a_page_shows_are_examples(site: Path, name: str, kinds: list[str]) -> None:

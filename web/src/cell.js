@@ -28,7 +28,7 @@ const exercises = []
 /** How many of them are solved. */
 const progress = () => `${exercises.filter(({ wasSolved }) => wasSolved).length} of ${exercises.length}`
 
-/** @type {Cell[]} those whose nodes run together, if the reader wants it */
+/** @type {Cell[]} those whose nodes run together, if the reader wants it: the first two, the next two, and so on */
 const together = []
 
 /** Under this and the path of a page, how many of its exercises are solved. */
@@ -132,7 +132,8 @@ export class Cell {
     }
     this.run = button("Run", () => this.#run())
     for (const sign of ["pointerenter", "focus"]) this.run.addEventListener(sign, () => this.#warmUp())
-    this.both = button("Run both", () => this.#run(together))
+    const first = together.length & ~1
+    this.both = button("Run both", () => this.#run(together.slice(first, first + 2)))
     this.both.hidden = !listing.matches(".together")
     if (!this.both.hidden) together.push(this)
     this.stop = button("Stop", () => this.#stop())

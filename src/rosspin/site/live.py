@@ -1,8 +1,9 @@
 """Sphinx extension: listings that run in the page, and the policy on what a page may load.
 
 A listing of the class ``live`` (``:class: live`` on its literalinclude, the tag ``live`` on a notebook cell) is found
-and run by ``web/``; of the class ``together``, also at once with the others of that class in its page. Below it stands
-the plot of a run that is made with the page. ``web/`` also moves the figures with a handle.
+and run by ``web/``. Those of the class ``together`` also run in pairs: the page's first with its second, its third with
+its fourth. Below a listing stands the plot of a run that is made with the page. ``web/`` also moves the figures with a
+handle.
 """
 
 from __future__ import annotations
