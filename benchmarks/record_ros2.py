@@ -366,13 +366,12 @@ class Talk(NamedTuple):
 
 def _talks() -> Iterator[tuple[str, Talk]]:
     policies = {"durability": ("VOLATILE", "TRANSIENT_LOCAL"), "reliability": ("RELIABLE", "BEST_EFFORT")}
-    for policy, values in policies.items():
+    for name, values in policies.items():
         for offered, requested in product(values, values):
-            talker, listener = ("eager", {policy: offered}), ("late", {policy: requested})
-            yield f"late {offered} {requested}", Talk(talker, listener, 5.2)
+            yield f"late {offered} {requested}", Talk(("eager", {name: offered}), ("late", {name: requested}), 5.2)
     for durability in policies["durability"]:
-        listener = ("late", {"durability": durability, "late": 0.01})
-        yield f"first {durability}", Talk(("eager", {"durability": durability}), listener, 4.2, 2.0, FIRST_RUNS)
+        policy: dict[str, Any] = {"durability": durability}
+        yield f"first {durability}", Talk(("eager", policy), ("late", {**policy, "late": 0.01}), 4.2, 2.0, FIRST_RUNS)
     for depth, seconds in ((1, 9.0), (3, 11.0), (10, 16.0), (100, 29.0)):
         yield f"depth {depth}", Talk(("thirty", {}), ("slow", {"depth": depth}), seconds)
     yield "asks", Talk(("eager", {}), ("asking", {}), 6.2)

@@ -378,6 +378,18 @@ def test_both_nodes_of_the_second_tutorial_are_installed_as_one_program(ros: Non
         assert run.status == 0
 
 
+def test_a_whole_number_for_a_float_is_garbage_unless_fields_are_checked(
+    ros: None, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    """As the tutorial on topics warns, and says what to do. The stand-in always checks."""
+    node = EXAMPLES / "topics/ros2/whole_py_node.py"
+    launch_past("speed = 5e-324\n", node)
+    monkeypatch.setenv("ROS_PYTHON_CHECK_FIELDS", "1")
+    checked = ros2.launch(node, NEVER)
+    assert checked.status == 1
+    assert checked.console.splitlines()[-1] == simulate(node, 0.8).console.splitlines()[-1]
+
+
 def test_a_node_may_import_its_own_package_and_is_told_what_messages_there_are(ros: None, tmp_path: Path) -> None:
     package = tmp_path / "own_pkg"
     package.mkdir()

@@ -69,7 +69,7 @@ SPINNER_PARAM = PACKAGE, "src/spinner_param_py_node.py"
 SPINNER_ROS2 = PACKAGE_ROS2, "my_robotics_pkg/spinner_py_node.py"
 
 AS_THEY_ARE = {Changed(*CONTROLLER_NODE): 2, Changed(*CONTROLLER_NODE_ROS2): 2}
-AS_THEY_ARE |= {Changed(*SPINNER): 7, Changed(*SPINNER_ROS2): 11}
+AS_THEY_ARE |= {Changed(*SPINNER): 7, Changed(*SPINNER_ROS2): 10}
 
 IGNORES_SILENCE = Changed(
     *CONTROLLER_NODE, "return rospy.Time.now() - self.last_heard < rospy.Duration(0.2)", "return True"

@@ -16,6 +16,7 @@ from listings_in_page import (
     node2,
 )
 from notebook_nodes import NODES
+from notebook_nodes import ROS2 as NODES_ROS2
 from playwright.sync_api import BrowserContext, Page, expect
 from tree import EXAMPLES
 
@@ -221,6 +222,22 @@ def test_they_run_as_they_stand_there(both: tuple[Cell, Cell]) -> None:
     publisher.write("import rospy\nrospy.init_node('faulty')\n1 / 0\n")
     subscriber.button("Run both").click()
     assert "ZeroDivisionError" in subscriber.ends("done, but with an error")
+
+
+def test_a_page_may_have_several_pairs(context: BrowserContext, address: str) -> None:
+    page = context.new_page()
+    page.goto(f"{address}docs/ros2/publish.html")
+    cells = [Cell(page, index) for index in range(page.locator("div.live").count())]
+    names = ["publisher", "subscriber", "thirty", "slow", "eager", "late"]
+    folders = [EXAMPLES / NODES_ROS2] * 2 + [EXAMPLES / "topics/ros2"] * 4
+    paths = [folder / f"{name}_py_node.py" for folder, name in zip(folders, names, strict=True)]
+    assert len(cells) == len(paths)
+    for index, beside in enumerate((1, 0, 3, 2, 5, 4)):
+        cells[index].run(0.1)
+        assert cells[index].ends("done")
+        cells[index].element.get_by_role("spinbutton").fill("3")
+        cells[index].button("Run both").click()
+        assert cells[index].ends("done") == simulate([paths[index], paths[beside]], 3).console
 
 
 # --- cells of notebooks -----------------------------------------------------------------------------------------------
