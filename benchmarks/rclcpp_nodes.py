@@ -123,4 +123,6 @@ def read_ticks(console: str) -> tuple[Tick, ...]:
                 yield (source, int(number)), [float(time) for time in times]
 
     durations = dict(told("done"))
-    return tuple(Tick(*key, *times, durations.get(key, [math.nan])[0]) for key, times in told("tick"))
+    return tuple(
+        Tick(*key, expected, real, durations.get(key, [math.nan])[0]) for key, (expected, real) in told("tick")
+    )

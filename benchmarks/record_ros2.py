@@ -176,9 +176,9 @@ def record_probe(name: str) -> None:
 
 
 def _ros_args(parameters: dict[str, Any]) -> list[str]:
-    words = {key: str(value).replace(" ", "") for key, value in parameters.items()}
-    words |= {key: words[key].lower() for key, value in parameters.items() if isinstance(value, (bool, list, tuple))}
-    return ["--ros-args", *(word for key in words for word in ("-p", f"{key}:={words[key]}"))]
+    texts = {key: str(value).lower() if isinstance(value, bool) else str(value) for key, value in parameters.items()}
+    words = {key: text.replace(" ", "") for key, text in texts.items()}
+    return ["--ros-args", *(word for key, word in words.items() for word in ("-p", f"{key}:={word}"))]
 
 
 def record_endings() -> None:
@@ -425,6 +425,19 @@ def record_publish() -> None:
     _write_provenance("publish", what, command, subscriber.start, subscriber.seconds, status, load)
 
 
+def record_publish_cpp() -> None:
+    """Keep the consoles of the same nodes in C++."""
+    load = os.getloadavg()
+    args = ["--ros-args", "-r", "__ns:=/mrp"]
+    programs, names = build(), ("publisher_cpp_node", "subscriber_cpp_node")
+    with ros2.Nodes(meet=True) as nodes, ThreadPoolExecutor(2) as pool:
+        publisher, subscriber = pool.map(lambda name: programs.run(nodes, name, 4.7, args), names)
+    (RECORDINGS / "publish_cpp.txt").write_text(publisher.console + subscriber.console)
+    status = max(publisher.status, subscriber.status)
+    what = "the tutorial's publisher and subscriber in C++"
+    _write_provenance("publish_cpp", what, [names[1], *args], subscriber.start, 4.7, status, load)
+
+
 def _write_provenance(
     name: str, what: str, command: list[str], start: float, seconds: float, status: int, load: tuple[float, ...]
 ) -> None:
@@ -444,10 +457,11 @@ OTHERS = {
     "endings_cpp": record_endings_cpp,
     "pipe": record_pipe,
     "publish": record_publish,
+    "publish_cpp": record_publish_cpp,
     "signals": record_signals,
     "spinner": record_spinner,
-    "topics": record_topics,
     "spinner_cpp": record_spinner_cpp,
+    "topics": record_topics,
 }
 
 

@@ -7,6 +7,7 @@ import subprocess
 from collections.abc import Callable
 from functools import cache
 
+import rclcpp_nodes
 from firefox import firefox
 from message_probe import PACKAGES
 from runtimes import KILTED_PYTHON
@@ -29,6 +30,7 @@ def _lacks_ros1() -> str:
 LACKS: dict[str, Callable[[], str]] = {
     "ros1": _lacks_ros1,
     "ros2": lambda: str(ros2.Ros2Missing()) if ros2.missing() else "",
+    "rclcpp": rclcpp_nodes.missing,
     "kilted": lambda: "" if KILTED_PYTHON.exists() else "Kilted is not installed (make ros2 DISTRO=kilted)",
     "browser": lambda: "" if doctor.chromium() else "Chromium is not installed",
     "firefox": lambda: "" if firefox() else "Firefox is not installed",

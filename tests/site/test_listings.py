@@ -16,6 +16,7 @@ from tree import ROOT
 EXAMPLES = ROOT / "examples"
 PACKAGE = EXAMPLES / "my_robotics_pkg"
 PACKAGE_ROS2 = EXAMPLES / "my_robotics_pkg_ros2"
+PACKAGE_ROS2_CPP = EXAMPLES / "my_robotics_pkg_ros2_cpp"
 PAGES = sorted((ROOT / "docs").rglob("*.rst"))
 TUTORIAL, PUBLISH = ROOT / "docs" / "tutorial.rst", ROOT / "docs" / "publish.rst"
 TUTORIAL_ROS2, PUBLISH_ROS2 = ROOT / "docs" / "ros2" / "tutorial.rst", ROOT / "docs" / "ros2" / "publish.rst"
@@ -41,7 +42,11 @@ PUBLISH_FROM = {
     },
 }
 _NODES_ROS2 = "my_robotics_pkg_ros2/my_robotics_pkg"
+_CPP_ROS2 = "my_robotics_pkg_ros2_cpp/src"
 SPIN_FROM_ROS2 = {
+    "steps_ros2/1_class.cpp": f"{_CPP_ROS2}/plain_cpp_node.cpp",
+    "steps_ros2/2_callback.cpp": "steps_ros2/1_class.cpp",
+    f"{_CPP_ROS2}/spinner_cpp_node.cpp": "steps_ros2/2_callback.cpp",
     "steps_ros2/1_class.py": f"{_NODES_ROS2}/plain_py_node.py",
     "steps_ros2/2_callback.py": "steps_ros2/1_class.py",
     f"{_NODES_ROS2}/spinner_py_node.py": "steps_ros2/2_callback.py",
@@ -50,6 +55,10 @@ SPIN_FROM_ROS2 = {
 PUBLISH_FROM_ROS2 = {
     f"{_NODES_ROS2}/{new}_py_node.py": f"{_NODES_ROS2}/{old}_py_node.py"
     for new, old in (("publisher", "spinner"), ("subscriber", "plain"), ("stamped", "publisher"))
+}
+PUBLISH_FROM_ROS2 |= {
+    f"{_CPP_ROS2}/{new}_cpp_node.cpp": f"{_CPP_ROS2}/{old}_cpp_node.cpp"
+    for new, old in (("publisher", "spinner"), ("subscriber", "plain"))
 }
 STARTS_FROM = {
     TUTORIAL: SPIN_FROM,
@@ -136,6 +145,7 @@ def test_every_step_and_node_is_shown() -> None:
     files |= set(EXAMPLES.glob("hangs/*.*"))
     files |= {path for folder in ("src", "launch", "test") for path in PACKAGE.glob(f"{folder}/*.*")}
     files |= {*EXAMPLES.glob("steps_ros2/*"), *PACKAGE_ROS2.glob("*.*"), *PACKAGE_ROS2.glob("*/*_node*.py")}
+    files |= {path for path in PACKAGE_ROS2_CPP.rglob("*.*") if path.is_file()}
     assert files - shown == set()
 
 
@@ -169,6 +179,28 @@ def test_cmake_and_package_lines_of_the_second_tutorial() -> None:
     needs = "find_package(catkin REQUIRED COMPONENTS roscpp rospy std_msgs)"
     assert shown["CMakeLists.txt"] == [lines, [needs], lines]
     assert shown["package.xml"] == [["  <depend>std_msgs</depend>"]]
+
+
+def cmake_lines_of_ros_2(node: str, needs: str = "") -> list[str]:
+    return [f"add_executable({node} src/{node}.cpp)", f"target_link_libraries({node} rclcpp::rclcpp{needs})"]
+
+
+def test_cmake_lines_of_ros_2() -> None:
+    shown = [
+        [each.shown for each in listings(page) if each.path.name == "CMakeLists.txt" and "start-at" in each.options]
+        for page in (TUTORIAL_ROS2, PUBLISH_ROS2)
+    ]
+    launch = ["install(DIRECTORY launch DESTINATION share/${PROJECT_NAME})"]
+    nodes = [cmake_lines_of_ros_2(f"{name}_cpp_node", " ${std_msgs_TARGETS}") for name in ("publisher", "subscriber")]
+    assert shown[0] == [cmake_lines_of_ros_2("spinner_cpp_node"), launch]
+    assert shown[1] == [["find_package(std_msgs REQUIRED)"], [*nodes[0], "", *nodes[1]]]
+
+
+def test_every_cpp_node_of_ros_2_is_built_and_installed() -> None:
+    cmake = (PACKAGE_ROS2_CPP / "CMakeLists.txt").read_text()
+    for node in PACKAGE_ROS2_CPP.glob("src/*.cpp"):
+        assert f"add_executable({node.stem} src/{node.name})" in cmake
+        assert re.search(rf"install\(TARGETS [^)]*\b{node.stem}\b", cmake)
 
 
 def test_every_cpp_node_is_built_and_every_node_installed() -> None:
@@ -282,6 +314,29 @@ def test_launch_file_of_the_second_tutorial() -> None:
                 "loop_rate = self.create_rate(loop_frequency_in_hz)",
                 '"[SPINNER PY NODE] counter = " + str(self.counter)',
                 "loop_rate.sleep()",
+            ],
+        ),
+        (
+            "my_robotics_pkg_ros2_cpp/src/spinner_cpp_node.cpp",
+            [
+                "class SpinnerCppNode : public rclcpp::Node",
+                'Node("spinner_cpp_node")',
+                '"[SPINNER CPP NODE] namespace of node = " << get_namespace()',
+                "void timerCallback()",
+                '"[SPINNER CPP NODE] counter = " << counter_',
+                "timer_delta_t_in_seconds(0.5);",
+                "timer_for_counting_ = create_timer(",
+            ],
+        ),
+        (
+            "my_robotics_pkg_ros2_cpp/src/spinner_rate_cpp_node.cpp",
+            [
+                "loop_frequency_in_hz = 2.0;",
+                "rclcpp::Rate loop_rate(loop_frequency_in_hz)",
+                "while (rclcpp::ok())",
+                '"[SPINNER CPP NODE] counter = " << counter',
+                "rclcpp::spin_some(node);",
+                "loop_rate.sleep();",
             ],
         ),
     ],
