@@ -18,7 +18,7 @@ const { zipSync } = require("fflate")
 
 const sha256 = (content, form = "hex") => createHash("sha256").update(content).digest(form)
 
-for (const folder of [out, ...["hand-in", "handles"].map((name) => path.join(out, "..", name))]) {
+for (const folder of [out, ...["hand-in", "handles", "stepper"].map((name) => path.join(out, "..", name))]) {
   rmSync(folder, { recursive: true, force: true })
 }
 mkdirSync(out, { recursive: true })
@@ -34,6 +34,12 @@ const common = {
 }
 // Loaded with each page that has a figure to move, for that alone.
 await build({ ...common, outdir: path.join(out, "../handles"), entryPoints: [path.join(here, "src/handles.js")] })
+// Likewise where a run can be gone through step by step.
+await build({
+  ...common,
+  outdir: path.join(out, "../stepper"),
+  entryPoints: ["steps.js", "stepper.css"].map((name) => path.join(here, "src", name)),
+})
 for (const name of ["pyodide.asm.wasm", "python_stdlib.zip"]) {
   cpSync(path.join(pyodide, name), path.join(out, name))
 }

@@ -5,6 +5,8 @@ import { Kept } from "./kept.js"
 import { find, make } from "./make.js"
 import { Plot } from "./plot.js"
 import { start, warmUp } from "./python.js"
+import { drawRing } from "./ring.js"
+import { Stepper } from "./stepper.js"
 
 /** For how long (s) a node runs, unless the reader says otherwise. */
 const SECONDS = "10"
@@ -97,6 +99,10 @@ export class Cell {
   #output // of a notebook's cell: what it printed when the site was built
   #test = "" // pins what the last run showed
   #ran = "" // what the last run ran
+  /** @type {import("./protocol.js").Scenes | null} */
+  #scenes = null // what it did, step by step
+  /** @type {Stepper | null} */
+  #stepper = null
   /** @type {import("./editor.js").Editor | null} */
   #editor = null
   /** @type {import("./runs.js").Run | null} */
@@ -140,6 +146,7 @@ export class Cell {
     this.reset = button("Reset", () => this.#reset())
     this.share = button("Share", () => this.#share())
     this.pin = button("Copy as test", () => this.#copy(this.#test, "the test is copied: save it in a file for pytest"))
+    this.step = button("Step through this run", () => this.#step())
     this.earlier = button("Earlier version", () => this.#bringBack())
     this.copy = button("Copy text", () => this.#copy(this.#text, "copied"))
     this.seconds = make("input", { type: "number", min: "0", max: "3600", step: "any", value: SECONDS })
@@ -152,7 +159,8 @@ export class Cell {
       this.speed.append(make("option", { textContent, value }))
     }
     this.status = make("span", { role: "status" })
-    this.pin.hidden = true
+    this.pin.hidden = this.step.hidden = true
+    this.steps = make("div", { className: "live-steps", hidden: true })
     const file = this.#answers ? "" : this.#name
     this.console = new Console(`Console of ${this.#name}`, file, (line) => this.#edit(line))
     this.plot = new Plot(`Ticks of ${this.#name}`, (chunks) => this.console.mark(chunks))
@@ -167,13 +175,13 @@ export class Cell {
   /** All that the reader can press and see, below the listing. */
   #arranged() {
     const bar = make("div", { className: "live-bar", role: "group", ariaLabel: `Run ${this.#name} in this page` })
-    bar.append(this.run, this.both, this.stop, this.edit, this.reset, this.earlier, this.share, this.copy, this.pin)
+    bar.append(this.run, this.both, this.stop, this.edit, this.reset, this.earlier, this.share, this.copy, this.pin, this.step)
     const isNode = !this.#answers && !this.#simulates
     if (isNode) bar.append(make("label", {}, this.seconds, " s"))
     if (!this.#answers) bar.append(this.speed)
     if (isNode) bar.append(this.arguments)
     bar.append(this.status)
-    const parts = [this.notice, bar, this.copied, this.console.element, this.plot.element, this.#made ?? ""]
+    const parts = [this.notice, bar, this.copied, this.steps, this.console.element, this.plot.element, this.#made ?? ""]
     return make("div", { className: "live-cell" }, ...parts)
   }
 
@@ -386,7 +394,10 @@ export class Cell {
   #clear(runs) {
     this.console.clear()
     this.plot.clear()
-    this.copied.hidden = this.pin.hidden = true
+    this.#stepper?.end()
+    this.#stepper = null
+    this.steps.replaceChildren()
+    this.copied.hidden = this.pin.hidden = this.step.hidden = this.steps.hidden = true
     this.#showMade(!runs)
   }
 
@@ -441,15 +452,28 @@ export class Cell {
   }
 
   /** @param {import("./protocol.js").RunResult} result */
-  #finish({ status, errors, count, ticks, chunks, alternative, end, test }) {
+  #finish({ status, errors, count, ticks, chunks, alternative, end, test, scenes }) {
     this.#test = test
     this.pin.hidden = !test
+    this.#scenes = scenes
+    this.step.hidden = !scenes?.steps.length
+    this.steps.append(...(scenes?.rings.map(drawRing) ?? []))
+    this.steps.hidden = !this.steps.childElementCount
     if (count) this.plot.finish(ticks, alternative, chunks, end)
     const ticked = count ? `: ${count} tick${count === 1 ? "" : "s"}` : ""
     if (status === 0 && errors) this.#say(`done, but with an ${SEE_CONSOLE}`)
     else if (status === 0) this.#say(`done${ticked}`)
     else if (status === BY_CTRL_C) this.#say(`done${ticked}, ended by Ctrl-C with a traceback`)
     else this.#say(SEE_CONSOLE)
+  }
+
+  /** Let the reader go through what the last run did. */
+  #step() {
+    if (!this.#scenes) return
+    this.#stepper ??= new Stepper(this.#name, this.#scenes, this.#pre, this.#ran)
+    this.steps.prepend(this.#stepper.element)
+    this.steps.hidden = false
+    this.#stepper.forward.focus()
   }
 
   /**

@@ -1,0 +1,173 @@
+// Goes through a run step by step: what is ready, who is called, what waits; and marks the lines that run.
+
+import { make } from "./make.js"
+import { scene } from "./scenes.js"
+
+/** How long (ms) a step is shown while they play, and how long something moves. */
+const SHOWN = 1400
+const MOVES = 350
+
+const calm = matchMedia("(prefers-reduced-motion: reduce)")
+
+/** @typedef {import("./scenes.js").Callback} Callback */
+
+/**
+ * Mark lines of a listing, and no others.
+ *
+ * @param {HTMLElement | null | undefined} pre
+ * @param {number[]} lines
+ */
+export function mark(pre, lines) {
+  pre?.querySelectorAll(".stepper-line").forEach((element) => element.remove())
+  if (!pre?.offsetParent) return // it makes way for the editor
+  const { paddingTop, paddingBottom } = getComputedStyle(pre)
+  const count = (pre.textContent ?? "").replace(/\n$/, "").split("\n").length
+  const height = (pre.scrollHeight - parseFloat(paddingTop) - parseFloat(paddingBottom)) / count
+  for (const line of lines) {
+    const element = make("span", { className: "stepper-line", ariaHidden: "true" })
+    element.style.top = `${parseFloat(paddingTop) + (line - 1) * height}px`
+    element.style.height = `${height}px`
+    element.style.width = `${pre.scrollWidth}px`
+    pre.append(element)
+  }
+}
+
+export class Stepper {
+  #scenes
+  #text
+  #pre
+  #at = 0
+  /** @type {ReturnType<typeof setInterval> | undefined} */
+  #playing
+  #picture = make("div", { className: "stepper-picture", role: "img" })
+  #said = make("p", { className: "stepper-said", ariaLive: "polite" })
+  #count = make("span", { ariaHidden: "true" }) // it is the slider's value
+
+  /**
+   * @param {string} name of the run
+   * @param {import("./protocol.js").Scenes} scenes with at least one step
+   * @param {HTMLElement | null} pre the listing
+   * @param {string} text of the listing
+   */
+  constructor(name, scenes, pre, text) {
+    this.#scenes = scenes
+    this.#text = text.split("\n")
+    this.#pre = pre
+    const button = (/** @type {string} */ textContent, /** @type {() => void} */ act) => {
+      const element = make("button", { type: "button", textContent })
+      element.addEventListener("click", act)
+      return element
+    }
+    const go = (/** @type {number} */ index) => {
+      this.stop()
+      this.show(index)
+    }
+    this.back = button("Back", () => go(this.#at - 1))
+    this.play = button("Play", () => (this.#playing ? this.stop() : this.#start()))
+    this.forward = button("Forward", () => go(this.#at + 1))
+    this.slider = make("input", { type: "range", min: "1", max: `${scenes.steps.length}`, value: "1", ariaLabel: "Step" })
+    this.slider.addEventListener("input", () => go(this.slider.valueAsNumber - 1))
+    const bar = make("div", { className: "stepper-bar", role: "group", ariaLabel: `Steps of ${name}` })
+    bar.append(this.back, this.play, this.forward, this.slider, this.#count)
+    this.element = make("div", { className: "stepper" }, bar, this.#said, this.#picture)
+    this.show(0)
+  }
+
+  /** End the playing, if there is some. */
+  stop() {
+    clearInterval(this.#playing)
+    this.#playing = undefined
+    this.play.textContent = "Play"
+  }
+
+  /** Take away what it shows elsewhere. */
+  end() {
+    this.stop()
+    mark(this.#pre, [])
+  }
+
+  #start() {
+    const last = this.#scenes.steps.length - 1
+    this.show(this.#at < last ? this.#at + 1 : 0)
+    this.#playing = setInterval(() => (this.#at < last ? this.show(this.#at + 1) : this.stop()), SHOWN)
+    this.play.textContent = "Pause"
+  }
+
+  /**
+   * Show a step; the first or the last if there is none of that number.
+   *
+   * @param {number} index
+   */
+  show(index) {
+    const last = this.#scenes.steps.length - 1
+    this.#at = Math.min(Math.max(index, 0), last)
+    const { time, said, ready, threads, lanes, alternative } = scene(this.#scenes, this.#at)
+    const places = this.#places()
+    this.#picture.replaceChildren(
+      box("Groups", ...lanes.map(({ name, callbacks }) => box(name, ...callbacks.map(row)))),
+      box("Ready, in this order", ...ready.map(token), ready.length ? "" : "nothing"),
+      box("Threads", ...threads.map(({ name, callback, line }) => {
+        const code = line ? make("code", { textContent: `${line}: ${this.#text[line - 1]?.trim() ?? ""}` }) : ""
+        return box(name, callback ? token(callback) : make("span", { textContent: "no callback" }), code)
+      })),
+    )
+    this.#picture.ariaLabel = alternative
+    this.#said.textContent = said
+    this.#count.textContent = `${this.#at + 1} of ${last + 1}, at ${time}`
+    this.slider.value = `${this.#at + 1}`
+    this.slider.ariaValueText = `step ${this.#at + 1} of ${last + 1}, at ${time}`
+    this.back.ariaDisabled = String(this.#at === 0)
+    this.forward.ariaDisabled = String(this.#at === last)
+    mark(this.#pre, [...new Set(threads.map(({ line }) => line).filter(Boolean))])
+    this.#move(places)
+  }
+
+  /**
+   * Where the tokens are, by their callbacks, or else the rows of the callbacks.
+   *
+   * @returns {Map<string, DOMRect>}
+   */
+  #places() {
+    const found = [...this.#picture.querySelectorAll(".stepper-row, .stepper-token")]
+    return new Map(found.map((element) => [String(/** @type {HTMLElement} */ (element).dataset.of), element.getBoundingClientRect()]))
+  }
+
+  /**
+   * Let what stood elsewhere come from there.
+   *
+   * @param {Map<string, DOMRect>} before
+   */
+  #move(before) {
+    if (calm.matches) return
+    /** @type {NodeListOf<HTMLElement>} */
+    const tokens = this.#picture.querySelectorAll(".stepper-token")
+    for (const element of tokens) {
+      const from = before.get(String(element.dataset.of))
+      const to = element.getBoundingClientRect()
+      if (!from || (from.x === to.x && from.y === to.y)) continue
+      const transform = [`translate(${from.x - to.x}px, ${from.y - to.y}px)`, "none"]
+      element.animate({ transform }, { duration: MOVES, easing: "ease-in-out" })
+    }
+  }
+}
+
+/**
+ * @param {string} name
+ * @param {(Node | string)[]} children
+ */
+const box = (name, ...children) => make("div", { className: "stepper-box" }, make("b", { textContent: name }), ...children)
+
+/** A callback that is ready or runs. */
+const token = (/** @type {Callback} */ { number, name }) => {
+  const element = make("span", { className: "stepper-token", textContent: name })
+  element.dataset.of = `${number}`
+  return element
+}
+
+/** How a callback is, in its group. */
+const row = (/** @type {Callback} */ { number, name, how }) => {
+  const element = make("span", { className: "stepper-row" }, name, make("small", { textContent: how }))
+  element.dataset.of = `${number}`
+  element.dataset.how = how.split(" ")[0]
+  return element
+}
