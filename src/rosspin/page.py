@@ -39,13 +39,13 @@ from .clocks.stacks import whose
 from .exercises.advice import advice
 from .exercises.reach import reaches_for
 from .measures import by_source, describe_timeline
-from .rclpy.scenes import Scenes
 from .results.pinned import as_test
 from .run.explain import TimeStandsStill, say_error
 from .run.process import starter
 from .run.roses import ROSES
 from .run.roslaunch.launch import Launch
 from .run.roslaunch.launch import Node as LaunchNode
+from .run.scenes import Scenes
 from .run.simulate import run_node, run_nodes
 from .run.source import Node, load_source, split_words
 from .world.graph import TickLog
@@ -279,7 +279,7 @@ def _run(
         "chunks": [list(chunks) for chunks in printed.chunks[-_MOST_TICKS:]],
         "end": min(pacer.simulation.seconds(), seconds),
         "alternative": " ".join(describe_timeline(source, group) for source, group in groups.items()),
-        "scenes": {} if others else pacer.scenes.data(),
+        "scenes": None if others else pacer.scenes.data(result.status),
         "test": as_test(_node(source), filename, seconds, args, console, result.ticks) if pins else "",
     }
 

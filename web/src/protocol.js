@@ -115,15 +115,14 @@ function isScenes({ threads, groups, callbacks, steps, rings }) {
  * @type {{[K in keyof Results]: (result: Unknown) => Results[K] | false}}
  */
 const RESULTS = {
-  run({ status, errors = 0, count = 0, ticks = [], chunks = [], end = 0, alternative = "", test = "", scenes: seen }) {
-    const scenes = seen?.steps ? seen : null
+  run({ status, errors = 0, count = 0, ticks = [], chunks = [], end = 0, alternative = "", test = "", scenes = null }) {
     const right =
       [status, errors, count, end].every(isNumber) &&
       [alternative, test].every(isText) &&
       isList(ticks, isTick) &&
       isList(chunks, (of) => isList(of, isNumber)) &&
       ticks.length > 0 === count > 0 &&
-      (!scenes || isScenes(scenes))
+      (scenes === null || isScenes(scenes))
     return right && { status, errors, count, ticks, chunks, end, alternative, test, scenes }
   },
   trace: ({ trace }) => isText(trace) && { trace },

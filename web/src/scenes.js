@@ -1,4 +1,4 @@
-// What a stepper shows: the scenes of a run of ROS 2, as rosspin/rclpy/scenes.py has noted them. No drawing is done here.
+// What a stepper shows: the scenes of a run of ROS 2, as rosspin/run/scenes.py has noted them. No drawing is done here.
 
 /** @typedef {import("./protocol.js").Scenes} Scenes */
 

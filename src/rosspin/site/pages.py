@@ -31,11 +31,11 @@ from ..clocks.simulation import Simulation
 from ..measures import topic_ticks
 from ..plots import picture, with_handle
 from ..plots.pictures import page
-from ..rclpy.scenes import Scenes
 from ..results import machine
 from ..results.roscpp import timer_probe
 from ..results.ticks import Tick
 from ..run.host import kept, replaced
+from ..run.scenes import Scenes
 from ..run.simulate import run_captured, run_node
 from ..run.source import load, load_source
 from ..run.streams import capture
@@ -177,8 +177,8 @@ class TicksDirective(SphinxDirective):
         yield nodes.raw("", "</div>", format="html")
 
 
-class StepsDirective(TicksDirective):
-    """``.. steps:: FILE ARGS`` with ``:seconds: S``: runs a node of ROS 2 in simulated time, to be gone through.
+class ScenesDirective(TicksDirective):
+    """``.. scenes:: FILE ARGS`` with ``:seconds: S``: runs a node of ROS 2 in simulated time, to be gone through.
 
     The file stands beside what its executor does, step by step. Where no script runs, the steps are a list.
     """
@@ -192,16 +192,16 @@ class StepsDirective(TicksDirective):
         path, log = self._file(file), TickLog()
         scenes = Scenes(log, path)
         with capture():
-            run_node(load(path), self._seconds(), args, scenes.clock, log)
-        data = scenes.data()
+            status = run_node(load(path), self._seconds(), args, scenes.clock, log).status
+        data = scenes.data(status)
         if not data:
-            raise ValueError(f"no executor of ROS 2 spins in {self._seconds():g} s")
+            raise ValueError("no executor of ROS 2 has spun")
         name = os.path.basename(path)
         carried = html.escape(json.dumps(data | {"name": name}, separators=(",", ":")), quote=False)
         carried = carried.replace("'", "&#39;")
         told = "".join(f"<li>{time:g} s: {html.escape(said)}</li>" for time, said, *_ in data["steps"])
         caption = f"<figcaption>simulated: {name}, {self._seconds():g} s</figcaption>"
-        return f"<figure class='rosspin-steps' data-scenes='{carried}'><ol>{told}</ol>{caption}</figure>"
+        return f"<figure class='rosspin-scenes' data-scenes='{carried}'><ol>{told}</ol>{caption}</figure>"
 
     def _shown(self, plot: str) -> Iterator[nodes.Node]:
         ((file, *_),) = self._commands().values()
@@ -462,7 +462,7 @@ def keep_units(app: Sphinx, page: nodes.document) -> None:
 def setup(app: Sphinx) -> ExtensionMetadata:
     """Add the directives and the role above, the checks, and the highlighting of notebook cells."""
     app.add_directive("ticks", TicksDirective)
-    app.add_directive("steps", StepsDirective)
+    app.add_directive("scenes", ScenesDirective)
     app.setup_extension("rosspin.site.checks")
     app.add_directive("facts", FactsDirective)
     app.add_directive("literalinclude", ListingDirective, override=True)

@@ -12,13 +12,13 @@ from ..clocks.clock import NS
 from ..clocks.frames import trail
 from ..clocks.simulation import PacedSimulation
 from ..clocks.stacks import current
+from ..rclpy.callback_groups import ReentrantCallbackGroup
+from ..rclpy.executors import Executor, MultiThreadedExecutor
+from ..rclpy.parameter_service import ParameterService
+from ..rclpy.services import Client
+from ..rclpy.task import Task
+from ..rclpy.timer import Rate, Timer
 from ..world.graph import TickLog
-from .callback_groups import ReentrantCallbackGroup
-from .executors import Executor, MultiThreadedExecutor
-from .parameter_service import ParameterService
-from .services import Client
-from .task import Task
-from .timer import Rate, Timer
 
 __all__ = ["Scenes"]
 
@@ -60,25 +60,31 @@ class Scenes:
         self._steps: list[list[Any]] = []
         self._rings: list[list[Any]] = []
 
-    def data(self) -> dict[str, Any]:
-        """Return what a page draws, ready for JSON: see web/src/protocol.js. It is empty where nobody spins or waits.
+    def data(self, status: int) -> dict[str, Any] | None:
+        """Return what a page draws of a run that has ended with ``status``, ready for JSON: see web/src/protocol.js.
+
+        It is None where nobody spins or waits.
 
         A step is a time (s), a sentence, the ready ones in their order, for each thread its number, the callback in it
         (-1: none) and its line (0: none of the file), and for each callback so far how it is.
         """
         if not (self._steps or self._rings):
-            return {}
+            return None
+        end = [self.clock.seconds(), f"The node has ended, with status {status}.", [], [], []]
+        steps = self._steps if self._is_full else [*self._steps, end]
         return {
             "threads": [name for _, name in self._threads.values()],
             "groups": [name for _, name in self._groups.values()],
             "callbacks": self._names,
-            "steps": self._steps,
+            "steps": steps,
             "rings": self._rings,
         }
 
     def tell(self, what: str, subject: Any, more: Any = None) -> None:
         """Note what an executor, a thread or a signal does. This is called on the thread that it happens on."""
-        if self.clock.is_over:
+        if what == "ring":
+            self._rings.append(subject)
+        if what == "ring" or self._is_full or self.clock.is_over:
             return
         here = threading.current_thread().name
         match what:
@@ -105,11 +111,13 @@ class Scenes:
                 self._note(f"{here} goes on: {why}.")
             case "says":
                 self._note(f"{here} {subject}")
-            case "ring":
-                self._rings.append(subject)
+
+    @property
+    def _is_full(self) -> bool:
+        return len(self._steps) >= _MOST or len(self._callbacks) > _MOST_CALLBACKS
 
     def _before(self, when: int) -> None:
-        if when > self.clock.now() and self._ready:
+        if when > self.clock.now() and self._ready and not self._is_full:
             running = self._say(dict.fromkeys(call.entity for call in self._calls if call.task.executing()))
             what = f"{running} at work" if running else "No callback runs"
             self._note(f"{what} until {when / NS:g} s.", until=when)
@@ -119,8 +127,6 @@ class Scenes:
         """Note a step, after which nothing changes ``until`` then. ``line`` is the calling thread's, if it is known."""
         for executor in self._ready:
             self._say(_entities(executor))  # which gives them numbers
-        if len(self._steps) >= _MOST or len(self._callbacks) > _MOST_CALLBACKS:
-            return
         executors = {entity: executor for executor in self._ready for entity in _entities(executor)}
         handed = [each for each in self._callbacks if each._executor_event and each in executors]
         ready = [each for found in self._ready.values() for each in found if each not in handed]
