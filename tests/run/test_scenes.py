@@ -53,7 +53,7 @@ def test_on_one_thread_the_quick_callback_waits_for_the_slow_one() -> None:
         "0: No callback runs until 0.5 s.",
         "0.5: The executor finds what is ready: slow_callback, quick_callback.",
         "0.5: MainThread calls slow_callback.",
-        "0.5: slow_callback at work until 1.3 s.",
+        "0.5: slow_callback is at work until 1.3 s.",
         "1.3: slow_callback ends.",
         "1.3: MainThread calls quick_callback, 0.8 s late.",
         "1.3: quick_callback ends.",
@@ -103,7 +103,7 @@ def test_who_wakes_a_rate() -> None:
 
 def test_a_rate_in_a_callback_waits_for_the_thread_that_sleeps() -> None:
     run = told("hangs/rate", 2.5)
-    _, threads, how = run.at(1.0, "at work until 2.5 s")
+    _, threads, how = run.at(1.0, "is at work until 2.5 s")
     assert threads == {"MainThread": ("timer_callback", "rate.sleep()")}
     assert how["the Rate's timer"] == "waits from 1.2 s on for the thread, which is in timer_callback"
     (ring,) = run.data["rings"]

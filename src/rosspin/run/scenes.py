@@ -118,8 +118,9 @@ class Scenes:
 
     def _before(self, when: int) -> None:
         if when > self.clock.now() and self._ready and not self._is_full:
-            running = self._say(dict.fromkeys(call.entity for call in self._calls if call.task.executing()))
-            what = f"{running} at work" if running else "No callback runs"
+            running = list(dict.fromkeys(call.entity for call in self._calls if call.task.executing()))
+            verb = "is" if len(running) == 1 else "are"
+            what = f"{self._say(running)} {verb} at work" if running else "No callback runs"
             self._note(f"{what} until {when / NS:g} s.", until=when)
         self._pace(when)
 

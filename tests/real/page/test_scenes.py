@@ -105,7 +105,7 @@ def test_a_run_in_the_page(page: Page, address: str) -> None:
     expect(forward).to_be_focused()
     for _ in range(3):
         page.keyboard.press("Enter")
-    expect(cell.element.locator(".stepper-said")).to_have_text("timer_callback at work until 2.5 s.")
+    expect(cell.element.locator(".stepper-said")).to_have_text("timer_callback is at work until 2.5 s.")
     assert marked(page, cell.element) == ["self.client.call(Trigger.Request())"]
     assert in_both_schemes(page) == []
     cell.button("Reset").click()
