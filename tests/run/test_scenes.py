@@ -181,6 +181,49 @@ rclpy.spin(rclpy.create_node("node"))
     ]
 
 
+TWO_EXECUTORS = """
+import threading
+import time
+
+import rclpy
+from rclpy.executors import SingleThreadedExecutor
+
+
+def work():
+    time.sleep(0.3)
+
+
+def quick():
+    pass
+
+
+rclpy.init()
+for callbacks in ((work,), (quick, work)):
+    node = rclpy.create_node(f"node_{len(callbacks)}")
+    for callback in callbacks:
+        node.create_timer(0.2, callback)
+    executor = SingleThreadedExecutor()
+    executor.add_node(node)
+    if len(callbacks) == 1:
+        threading.Thread(target=executor.spin, daemon=True).start()
+guard = node.create_guard_condition(quick)
+guard.trigger()
+executor.spin()
+"""
+
+
+def test_an_executor_waits_for_its_own_thread_only(tmp_path: Path) -> None:
+    """And two callbacks of one name are told apart."""
+    node = tmp_path / "node.py"
+    node.write_text(TWO_EXECUTORS)
+    run = Told(node, 0.6)
+    assert sorted(run.names) == ["quick", "quick #2", "work", "work #2"]
+    quick = run.names.index("quick")
+    how = {(time, step[quick]) for time, said, _, _, step in run.data["steps"] if "at work" in said}
+    assert (0.2, "waits from 0.4 s on for the thread, which is in work #2") in how, how
+    assert "0: MainThread calls quick #2." in run.said
+
+
 @pytest.mark.parametrize("name", ["executors/one_thread", "executors/own_groups", "hangs/ring"])
 def test_a_run_that_is_watched_goes_as_any_other(name: str) -> None:
     watched = told(name, 2.2)

@@ -19,14 +19,14 @@ const calm = matchMedia("(prefers-reduced-motion: reduce)")
  */
 export function mark(pre, lines) {
   pre?.querySelectorAll(".stepper-line").forEach((element) => element.remove())
-  if (!pre?.offsetParent) return // it makes way for the editor
+  if (!pre || pre.hidden) return // it makes way for the editor
   const { paddingTop, paddingBottom } = getComputedStyle(pre)
   const count = (pre.textContent ?? "").replace(/\n$/, "").split("\n").length
-  const height = (pre.scrollHeight - parseFloat(paddingTop) - parseFloat(paddingBottom)) / count
+  const height = `(100% - ${paddingTop} - ${paddingBottom}) / ${count}` // whatever becomes of its layout
   for (const line of lines) {
     const element = make("span", { className: "stepper-line", ariaHidden: "true" })
-    element.style.top = `${parseFloat(paddingTop) + (line - 1) * height}px`
-    element.style.height = `${height}px`
+    element.style.top = `calc(${paddingTop} + ${line - 1} * ${height})`
+    element.style.height = `calc(${height})`
     element.style.width = `${pre.scrollWidth}px`
     pre.append(element)
   }

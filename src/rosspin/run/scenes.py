@@ -27,14 +27,11 @@ _MOST = 300
 _MOST_CALLBACKS = 30
 
 
-def _pass(when: int) -> None:
-    pass
-
-
 class _Call(NamedTuple):
-    """A call that has begun: of what, in which thread, and in which task, which awaits if it is not executing."""
+    """A call that has begun: of what, by whom, in which thread and task. A task that is not executing awaits."""
 
     entity: Any
+    executor: Executor
     thread: int
     task: Task
 
@@ -46,7 +43,7 @@ class Scenes:
     ``pace(when)`` is called before the time becomes ``when`` (ns).
     """
 
-    def __init__(self, log: TickLog, filename: str, pace: Callable[[int], None] = _pass) -> None:
+    def __init__(self, log: TickLog, filename: str, pace: Callable[[int], object] = lambda when: None) -> None:
         log.tell = self.tell
         self.clock = PacedSimulation(self._before)
         self._filename = filename
@@ -63,10 +60,8 @@ class Scenes:
     def data(self, status: int) -> dict[str, Any] | None:
         """Return what a page draws of a run that has ended with ``status``, ready for JSON: see web/src/protocol.js.
 
-        It is None where nobody spins or waits.
-
-        A step is a time (s), a sentence, the ready ones in their order, for each thread its number, the callback in it
-        (-1: none) and its line (0: none of the file), and for each callback so far how it is.
+        It is None where nobody spins or waits. A step is a time (s), a sentence, the ready ones in their order, of each
+        thread its number, the callback in it (-1: none) and its line (0: none of the file), and how each callback is.
         """
         if not (self._steps or self._rings):
             return None
@@ -91,16 +86,17 @@ class Scenes:
             case "looks":
                 self._ready[subject] = []
             case "finds":
+                self._say(_entities(subject))  # which gives them numbers in their order
                 self._ready[subject] = [entity for entity in _entities(subject) if entity in more]
                 if self._ready[subject]:
                     self._note(f"The executor finds what is ready: {self._say(self._ready[subject])}.")
             case "calls":
                 self._ready[more] = [each for each in self._ready.get(more, ()) if each is not subject]
                 task = next(task for task, entity, _ in more._tasks if entity is subject and task.executing())
-                self._calls.append(_Call(subject, threading.get_ident(), task))
+                self._calls.append(_Call(subject, more, threading.get_ident(), task))
                 late = self.clock.now() - subject.expected if isinstance(subject, Timer) else 0
                 lateness = f", {late / NS:g} s late" if late > 0 else ""
-                sets = ". That sets the event for which the loop sleeps" if _wakes(subject) else ""
+                sets = ". That sets the event for which the loop sleeps" if isinstance(_owner(subject), Rate) else ""
                 self._note(f"{here} calls {self._say([subject])}{lateness}{sets}.", _begin(subject, self._filename))
             case "ends" if calls := [call for call in self._calls if call.entity is subject]:
                 # A coroutine may end in another thread than the one in which it began.
@@ -126,9 +122,8 @@ class Scenes:
 
     def _note(self, said: str, line: int = 0, until: int = 0) -> None:
         """Note a step, after which nothing changes ``until`` then. ``line`` is the calling thread's, if it is known."""
-        for executor in self._ready:
-            self._say(_entities(executor))  # which gives them numbers
         executors = {entity: executor for executor in self._ready for entity in _entities(executor)}
+        self._say(executors)
         handed = [each for each in self._callbacks if each._executor_event and each in executors]
         ready = [each for found in self._ready.values() for each in found if each not in handed]
         order = [self._callbacks[each] for each in (*handed, *ready)]
@@ -173,7 +168,7 @@ class Scenes:
 
     def _how(self, entity: Any, executor: Executor | None, until: int) -> str:
         """Say how a callback is if nothing changes ``until`` then: it runs, waits and why, or when it is due."""
-        calls = [call.entity for call in self._calls if call.task.executing()]
+        calls = [call.entity for call in self._calls if call.executor is executor and call.task.executing()]
         if entity in calls or executor is None:
             return "runs" if entity in calls else ""
         if any(call.entity is entity for call in self._calls):
@@ -183,7 +178,7 @@ class Scenes:
             return "ready" if len(calls) < threads else "waits for a free thread"
         since = ""
         if not isinstance(entity, Timer):
-            is_due = bool(getattr(entity, "messages", ()))
+            is_due = bool(getattr(entity, "messages", ()) or getattr(entity, "triggered", False))
         elif not (is_due := entity.is_due()) and entity.is_flowing():
             due = entity.time_left() + self.clock.now()
             since, is_due = f"from {due / NS:g} s on ", due < until
@@ -205,17 +200,17 @@ def _entities(executor: Executor) -> list[Any]:
     found = [waitable for node in nodes for waitable in node._rosspin_waitables if waitable not in node._rosspin_events]
     for node in nodes:
         found += [*node._timers, *node._subscriptions, *node._guards, *node._clients]
-        found += [each for each in node._services if each.callback.__module__ != ParameterService.__module__]
+        found += [each for each in node._services if not isinstance(_owner(each), ParameterService)]
     return found
 
 
-def _wakes(entity: Any) -> bool:
-    """Whether it is the timer of a Rate."""
-    return isinstance(getattr(getattr(entity, "callback", None), "__self__", None), Rate)
+def _owner(entity: Any) -> Any:
+    """What the callback is a method of."""
+    return getattr(getattr(entity, "callback", None), "__self__", None)
 
 
 def _name(entity: Any) -> str:
-    if _wakes(entity):
+    if isinstance(_owner(entity), Rate):
         return "the Rate's timer"
     if isinstance(entity, Client):
         return f"the answer of {entity.end.topic}"

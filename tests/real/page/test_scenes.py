@@ -37,6 +37,8 @@ def test_by_keyboard(page: Page, address: str) -> None:
     figure = opened(page, address)
     said, slider = figure.locator("[aria-live=polite]"), figure.get_by_role("slider")
     expect(said).to_have_text("No callback runs until 0.5 s.")
+    beside = page.locator(".rosspin-beside", has=figure)
+    assert marked(page, beside) == ["rclpy.spin(two_timers_py_node)"]
     figure.get_by_role("button", name="Forward").focus()
     page.keyboard.press("Enter")
     expect(said).to_have_text("The executor finds what is ready: slow_callback, quick_callback.")
@@ -46,7 +48,6 @@ def test_by_keyboard(page: Page, address: str) -> None:
     picture = figure.get_by_role("img")
     expect(picture).to_have_attribute("aria-label", re.compile("quick_callback waits for the thread"))
     expect(slider).to_have_attribute("aria-valuetext", re.compile(r"^step 4 of \d+, at 0\.5 s$"))
-    beside = page.locator(".rosspin-beside", has=figure)
     assert marked(page, beside) == ["time.sleep(0.8)  # the work"]
     figure.get_by_role("button", name="Back").press("Enter")
     expect(said).to_have_text("MainThread calls slow_callback.")
@@ -106,7 +107,7 @@ def test_a_run_in_the_page(page: Page, address: str) -> None:
     for _ in range(3):
         page.keyboard.press("Enter")
     expect(cell.element.locator(".stepper-said")).to_have_text("timer_callback is at work until 2.5 s.")
-    assert marked(page, cell.element) == ["self.client.call(Trigger.Request())"]
+    assert marked(page, cell.element) == ["answer = self.client.call(Trigger.Request())"]
     assert in_both_schemes(page) == []
     cell.button("Reset").click()
     expect(ring).to_have_count(0)
