@@ -122,28 +122,24 @@ export class Stepper {
     this.#move(places)
   }
 
-  /**
-   * Where the tokens are, by their callbacks, or else the rows of the callbacks.
-   *
-   * @returns {Map<string, DOMRect>}
-   */
+  /** Where the callbacks are: a token rather than a row. */
   #places() {
-    const found = [...this.#picture.querySelectorAll(".stepper-row, .stepper-token")]
-    return new Map(found.map((element) => [String(/** @type {HTMLElement} */ (element).dataset.of), element.getBoundingClientRect()]))
+    /** @type {NodeListOf<HTMLElement>} */
+    const found = this.#picture.querySelectorAll(".stepper-row, .stepper-token")
+    return new Map([...found].map((element) => [element.dataset.of, element.getBoundingClientRect()]))
   }
 
   /**
-   * Let what stood elsewhere come from there.
+   * Let tokens come from where their callbacks were.
    *
-   * @param {Map<string, DOMRect>} before
+   * @param {Map<string | undefined, DOMRect>} before
    */
   #move(before) {
     if (calm.matches) return
     /** @type {NodeListOf<HTMLElement>} */
     const tokens = this.#picture.querySelectorAll(".stepper-token")
     for (const element of tokens) {
-      const from = before.get(String(element.dataset.of))
-      const to = element.getBoundingClientRect()
+      const [from, to] = [before.get(element.dataset.of), element.getBoundingClientRect()]
       if (!from || (from.x === to.x && from.y === to.y)) continue
       const transform = [`translate(${from.x - to.x}px, ${from.y - to.y}px)`, "none"]
       element.animate({ transform }, { duration: MOVES, easing: "ease-in-out" })
@@ -157,17 +153,17 @@ export class Stepper {
  */
 const box = (name, ...children) => make("div", { className: "stepper-box" }, make("b", { textContent: name }), ...children)
 
-/** A callback that is ready or runs. */
-const token = (/** @type {Callback} */ { number, name }) => {
-  const element = make("span", { className: "stepper-token", textContent: name })
-  element.dataset.of = `${number}`
+/**
+ * A callback, known by its number wherever it stands.
+ *
+ * @param {string} className
+ * @param {Callback} callback
+ * @param {string} [how]
+ */
+function named(className, { number, name }, how) {
+  const element = make("span", { className }, name, how === undefined ? "" : make("small", { textContent: how }))
+  Object.assign(element.dataset, { of: number, how: how?.split(" ")[0] ?? "" })
   return element
 }
-
-/** How a callback is, in its group. */
-const row = (/** @type {Callback} */ { number, name, how }) => {
-  const element = make("span", { className: "stepper-row" }, name, make("small", { textContent: how }))
-  element.dataset.of = `${number}`
-  element.dataset.how = how.split(" ")[0]
-  return element
-}
+const token = (/** @type {Callback} */ callback) => named("stepper-token", callback)
+const row = (/** @type {Callback} */ callback) => named("stepper-row", callback, callback.how)
