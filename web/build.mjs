@@ -104,7 +104,7 @@ const { metafile } = await build({
   format: "esm",
   define: { FILES: JSON.stringify(Object.fromEntries(sealed)) },
   external: ["./sha256.js"],
-  entryPoints: ["editor.js", "runs.js", "sha256.js", "share.js"].map((name) => path.join(here, "src", name)),
+  entryPoints: ["editor.js", "runs.js", "sha256.js", "share.js", "stepper.js"].map((name) => path.join(here, "src", name)),
 })
 const version = JSON.stringify(sha256(readFileSync(path.join(out, "runs.js"))).slice(0, 16))
 

@@ -5,8 +5,6 @@ import { Kept } from "./kept.js"
 import { find, make } from "./make.js"
 import { Plot } from "./plot.js"
 import { start, warmUp } from "./python.js"
-import { drawRing } from "./ring.js"
-import { Stepper } from "./stepper.js"
 
 /** For how long (s) a node runs, unless the reader says otherwise. */
 const SECONDS = "10"
@@ -101,7 +99,7 @@ export class Cell {
   #ran = "" // what the last run ran
   /** @type {import("./protocol.js").Scenes | null} */
   #scenes = null // what it did, step by step
-  /** @type {Stepper | null} */
+  /** @type {import("./stepper.js").Stepper | null} */
   #stepper = null
   /** @type {import("./editor.js").Editor | null} */
   #editor = null
@@ -395,7 +393,7 @@ export class Cell {
     this.console.clear()
     this.plot.clear()
     this.#stepper?.end()
-    this.#stepper = null
+    this.#stepper = this.#scenes = null
     this.steps.replaceChildren()
     this.copied.hidden = this.pin.hidden = this.step.hidden = this.steps.hidden = true
     this.#showMade(!runs)
@@ -457,8 +455,7 @@ export class Cell {
     this.pin.hidden = !test
     this.#scenes = scenes
     this.step.hidden = !scenes?.steps.length
-    this.steps.append(...(scenes?.rings.map(drawRing) ?? []))
-    this.steps.hidden = !this.steps.childElementCount
+    if (scenes?.rings.length) this.#step(true)
     if (count) this.plot.finish(ticks, alternative, chunks, end)
     const ticked = count ? `: ${count} tick${count === 1 ? "" : "s"}` : ""
     if (status === 0 && errors) this.#say(`done, but with an ${SEE_CONSOLE}`)
@@ -467,13 +464,17 @@ export class Cell {
     else this.#say(SEE_CONSOLE)
   }
 
-  /** Let the reader go through what the last run did. */
-  #step() {
-    if (!this.#scenes) return
-    this.#stepper ??= new Stepper(this.#name, this.#scenes, this.#pre, this.#ran)
-    this.steps.prepend(this.#stepper.element)
-    this.steps.hidden = false
-    this.#stepper.forward.focus()
+  /**
+   * Let the reader go through what the last run did; with `rings`, only draw who waits for whom.
+   *
+   * @param {boolean} [rings]
+   */
+  async #step(rings) {
+    const scenes = this.#scenes
+    /** @type {typeof import("./stepper.js")} */
+    const { show } = await import(`${this.#base}stepper.js`)
+    if (!scenes || scenes !== this.#scenes) return
+    this.#stepper ??= show(this.steps, this.#name, scenes, rings ? null : this.#pre, this.#ran, this.#base)
   }
 
   /**

@@ -1,6 +1,7 @@
 // Goes through a run step by step: what is ready, who is called, what waits; and marks the lines that run.
 
 import { make } from "./make.js"
+import { drawRing } from "./ring.js"
 import { scene } from "./scenes.js"
 
 /** How long (ms) a step is shown while they play, and how long something moves. */
@@ -167,3 +168,23 @@ function named(className, { number, name }, how) {
 }
 const token = (/** @type {Callback} */ callback) => named("stepper-token", callback)
 const row = (/** @type {Callback} */ callback) => named("stepper-row", callback, callback.how)
+
+/**
+ * Show in a place below a listing what a run did; without the listing, only who waits for whom.
+ *
+ * @param {HTMLElement} place
+ * @param {string} name
+ * @param {import("./protocol.js").Scenes} scenes
+ * @param {HTMLElement | null} pre
+ * @param {string} text
+ * @param {string} base the address of the folder that our files are in
+ */
+export function show(place, name, scenes, pre, text, base) {
+  const href = `${base}../stepper/stepper.css`
+  if (!document.querySelector(`link[href="${href}"]`)) document.head.append(make("link", { rel: "stylesheet", href }))
+  const stepper = pre && new Stepper(name, scenes, pre, text)
+  place.replaceChildren(...(stepper ? [stepper.element] : []), ...scenes.rings.map(drawRing))
+  place.hidden = false
+  stepper?.forward.focus()
+  return stepper
+}
