@@ -18,7 +18,7 @@ const { zipSync } = require("fflate")
 
 const sha256 = (content, form = "hex") => createHash("sha256").update(content).digest(form)
 
-for (const folder of [out, ...["hand-in", "handles"].map((name) => path.join(out, "..", name))]) {
+for (const folder of [out, ...["hand-in", "handles", "stepper"].map((name) => path.join(out, "..", name))]) {
   rmSync(folder, { recursive: true, force: true })
 }
 mkdirSync(out, { recursive: true })
@@ -35,6 +35,9 @@ const common = {
 // Loaded with each page that has a figure to move, for that alone.
 const moving = ["handles.js", "vehicle.js"].map((name) => path.join(here, "src", name))
 await build({ ...common, outdir: path.join(out, "../handles"), entryPoints: moving })
+// Likewise where a run can be gone through step by step.
+const stepping = ["steps.js", "stepper.css"].map((name) => path.join(here, "src", name))
+await build({ ...common, outdir: path.join(out, "../stepper"), entryPoints: stepping })
 for (const name of ["pyodide.asm.wasm", "python_stdlib.zip"]) {
   cpSync(path.join(pyodide, name), path.join(out, name))
 }
@@ -99,7 +102,7 @@ const { metafile } = await build({
   format: "esm",
   define: { FILES: JSON.stringify(Object.fromEntries(sealed)) },
   external: ["./sha256.js"],
-  entryPoints: ["editor.js", "runs.js", "sha256.js", "share.js"].map((name) => path.join(here, "src", name)),
+  entryPoints: ["editor.js", "runs.js", "sha256.js", "share.js", "stepper.js"].map((name) => path.join(here, "src", name)),
 })
 const version = JSON.stringify(sha256(readFileSync(path.join(out, "runs.js"))).slice(0, 16))
 

@@ -35,7 +35,6 @@ from . import exercises
 from .clocks.clock import NS
 from .clocks.frames import trail
 from .clocks.patches import patched
-from .clocks.simulation import PacedSimulation, Simulation
 from .clocks.stacks import whose
 from .exercises.advice import advice
 from .exercises.reach import reaches_for
@@ -46,6 +45,7 @@ from .run.process import starter
 from .run.roses import ROSES
 from .run.roslaunch.launch import Launch
 from .run.roslaunch.launch import Node as LaunchNode
+from .run.scenes import Scenes
 from .run.simulate import run_node, run_nodes
 from .run.source import Node, load_source, split_words
 from .world.graph import TickLog
@@ -140,7 +140,7 @@ def run(source: str, filename: str, seconds: float, args: str, speed: float, bes
     JSON: the exit ``status``, the number of ``errors`` in its threads, the last ``ticks`` with their durations, their
     ``count``, the ``chunks`` that each printed (a call of ``print`` is one, counted from 0), the ``end`` of the run
     (s), a text ``alternative`` to their plot, and a ``test`` that pins it all, empty if that would be long or if there
-    was an error. Errors are printed and give status 1.
+    was an error; and of a node of ROS 2 that runs alone its ``scenes``. Errors are printed and give status 1.
     """
     printed = _Printed()
     streams = [_Stream(page, is_error, printed, filename) for is_error in (False, True)]
@@ -151,7 +151,8 @@ def run(source: str, filename: str, seconds: float, args: str, speed: float, bes
             else:
                 node_args = _split(args, "arguments")
             others = [(load_source(*code), _split(words, "arguments")) for *code, words in loads(beside)]
-            return dumps(_run(source, filename, seconds, node_args, others, _Pacer(page, speed, printed), printed))
+            pacer = _Pacer(page, speed, printed, filename)
+            return dumps(_run(source, filename, seconds, node_args, others, pacer, printed))
         except (ValueError, SyntaxError, NotSimulated, TimeStandsStill) as error:
             print(say_error(error), file=sys.stderr)
             if isinstance(error, SyntaxError):
@@ -278,6 +279,7 @@ def _run(
         "chunks": [list(chunks) for chunks in printed.chunks[-_MOST_TICKS:]],
         "end": min(pacer.simulation.seconds(), seconds),
         "alternative": " ".join(describe_timeline(source, group) for source, group in groups.items()),
+        "scenes": None if others else pacer.scenes.data(result.status),
         "test": as_test(_node(source), filename, seconds, args, console, result.ticks) if pins else "",
     }
 
@@ -337,8 +339,9 @@ def _deque(items: Iterable[Any] = ()) -> deque[Any]:
 class _Pacer:
     """Makes a simulation keep pace with the page's clock, and shows the page each tick as it begins."""
 
-    def __init__(self, page: Any, speed: float, ticks: TickLog) -> None:
-        self.simulation: Simulation = PacedSimulation(self._wait) if speed else Simulation()
+    def __init__(self, page: Any, speed: float, ticks: TickLog, filename: str) -> None:
+        self.scenes = Scenes(ticks, filename, *([self._wait] if speed else []))
+        self.simulation = self.scenes.clock
         self._page = page
         self._speed = speed
         self._ticks = ticks

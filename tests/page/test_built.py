@@ -104,6 +104,23 @@ def test_only_pages_with_such_a_figure_load_the_script(site: Path) -> None:
             assert loads == (path.relative_to(site).as_posix() in PAGES), path
 
 
+def test_scenes_are_small_and_a_list_without_the_script(site: Path) -> None:
+    """Each with the script and its style: 30 kB at most; only the pages that have some load these."""
+    loaded = b"".join((site / f"_static/stepper/{name}").read_bytes() for name in ("steps.js", "stepper.css"))
+    found = []
+    for path in site.rglob("*.html"):
+        if "_static" not in path.parts:
+            text = path.read_text(encoding="utf-8")
+            figures = parsed(path).select("figure[data-scenes]") if " data-scenes='" in text else []
+            assert ("stepper/steps.js" in text) == bool(figures), path
+            found += figures
+    assert found
+    for figure in found:
+        assert len(gzip.compress(str(figure).encode() + loaded)) < 30_000
+        steps = json.loads(str(figure["data-scenes"]))["steps"]
+        assert [item.text for item in figure.select("ol > li")] == [f"{time:g} s: {said}" for time, said, *_ in steps]
+
+
 def test_policy_of_the_sandbox(site: Path) -> None:
     """It may ask for nothing. There is no other page without the policy of all."""
     text = (site / SANDBOX).read_text(encoding="utf-8")

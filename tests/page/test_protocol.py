@@ -28,6 +28,8 @@ PUBLISHER, SUBSCRIBER = (
 SPINNER = (EXAMPLES / "my_robotics_pkg/src/spinner_py_node.py").read_text(encoding="utf-8")
 JOBS = {
     "ticks": run_job(SPINNER),
+    "scenes": run_job((EXAMPLES / "executors/own_groups_py_node.py").read_text(encoding="utf-8")),
+    "a ring": run_job((EXAMPLES / "hangs/call_py_node.py").read_text(encoding="utf-8")),
     "no ticks": run_job("print('a')"),
     "a warning": run_job(node("rospy.logwarn('late')")),
     "an error in a thread": run_job(node("rospy.Timer(rospy.Duration(0.5), lambda event: 1 / 0)\nrospy.spin()")),

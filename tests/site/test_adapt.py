@@ -65,6 +65,11 @@ _WRONG_FIGURES = {
 }
 
 
+_WRONG_SCENES = {
+    _NODE: ":seconds: is missing: how long the node runs",
+    f"{_NODE}\n:seconds: 1": "no executor of ROS 2 has spun",
+}
+
 _START = "```{code-cell} ipython3\n%load_ext rosspin\n```\n\n"
 _SOLUTION = "```{code-cell} ipython3\n:tags: [hide-cell]\n\n%%answer slow-timer\nafter_1_0_seconds = [1]\n```\n"
 
@@ -74,7 +79,8 @@ def wrong(few: Path) -> str:
     """What is listed where figures cannot be made, a solution is wrong, and an exercise has no cell."""
     figures, exercises = few / "docs" / "glossary.rst", few / EXERCISES
     with open(figures, "a") as page:
-        page.writelines("\n.. ticks:: " + text.replace("\n", "\n   ") + "\n" for text in _WRONG_FIGURES)
+        for directive, texts in (("ticks", _WRONG_FIGURES), ("scenes", _WRONG_SCENES)):
+            page.writelines(f"\n.. {directive}:: " + text.replace("\n", "\n   ") + "\n" for text in texts)
     text = without_runs((ROOT / EXERCISES).read_text()).replace("%%answer call-back-once\n", "%%answer\n")
     reader = _SOLUTION.replace("hide-cell", "live")
     exercises.write_text(text + _START + _SOLUTION + reader)
@@ -82,10 +88,11 @@ def wrong(few: Path) -> str:
 
 
 def test_a_figure_that_cannot_be_made_is_in_the_list(wrong: str) -> None:
-    for why in _WRONG_FIGURES.values():
+    reasons = [*_WRONG_FIGURES.values(), *_WRONG_SCENES.values()]
+    for why in reasons:
         entry = rf"docs/glossary\.rst:\d+\n  stands  a plot of .*\n  now     {re.escape(why)}\n"
         assert re.search(entry, wrong), why
-    assert len([page for page, _ in places_in(wrong) if page == "docs/glossary.rst"]) == len(_WRONG_FIGURES)
+    assert len([page for page, _ in places_in(wrong) if page == "docs/glossary.rst"]) == len(reasons)
 
 
 def test_the_cell_with_a_slider_makes_a_figure(monkeypatch: pytest.MonkeyPatch) -> None:

@@ -391,7 +391,7 @@ def test_citation() -> None:
 def test_no_number_in_how_timing_works_is_typed(name: str) -> None:
     """Each is filled in from a run or a recording."""
     text = (ROOT / "docs" / f"{name}.rst").read_text(encoding="utf-8")
-    prose = re.sub(r"^\.\. (?:facts|ticks|literalinclude)::.*\n(?:\n|   .*\n)+", "", text, flags=re.MULTILINE)
+    prose = re.sub(r"^ *\.\. (?:facts|ticks|scenes|literalinclude)::.*\n(?:\n|   .*\n)+", "", text, flags=re.MULTILINE)
     prose = re.sub(
         r":\w+:`[^`]*`|``[^`]*``|^ +:[\w-]+: [\d ]+$|^\.\. _.*:$|ROS [12]|31 May 2025", "", prose, flags=re.MULTILINE
     )

@@ -97,6 +97,10 @@ export class Cell {
   #output // of a notebook's cell: what it printed when the site was built
   #test = "" // pins what the last run showed
   #ran = "" // what the last run ran
+  /** @type {import("./protocol.js").Scenes | null} */
+  #scenes = null // what it did, step by step
+  /** @type {import("./stepper.js").Stepper | null} */
+  #stepper = null
   /** @type {import("./editor.js").Editor | null} */
   #editor = null
   /** @type {import("./runs.js").Run | null} */
@@ -140,6 +144,7 @@ export class Cell {
     this.reset = button("Reset", () => this.#reset())
     this.share = button("Share", () => this.#share())
     this.pin = button("Copy as test", () => this.#copy(this.#test, "the test is copied: save it in a file for pytest"))
+    this.step = button("Step through this run", () => this.#step())
     this.earlier = button("Earlier version", () => this.#bringBack())
     this.copy = button("Copy text", () => this.#copy(this.#text, "copied"))
     this.seconds = make("input", { type: "number", min: "0", max: "3600", step: "any", value: SECONDS })
@@ -152,7 +157,8 @@ export class Cell {
       this.speed.append(make("option", { textContent, value }))
     }
     this.status = make("span", { role: "status" })
-    this.pin.hidden = true
+    this.pin.hidden = this.step.hidden = true
+    this.steps = make("div", { className: "live-steps", hidden: true })
     const file = this.exercise ? "" : this.#name
     this.console = new Console(`Console of ${this.#name}`, file, (line) => this.#edit(line))
     this.plot = new Plot(`Ticks of ${this.#name}`, (chunks) => this.console.mark(chunks))
@@ -167,13 +173,13 @@ export class Cell {
   /** All that the reader can press and see, below the listing. */
   #arranged() {
     const bar = make("div", { className: "live-bar", role: "group", ariaLabel: `Run ${this.#name} in this page` })
-    bar.append(this.run, this.both, this.stop, this.edit, this.reset, this.earlier, this.share, this.copy, this.pin)
+    bar.append(this.run, this.both, this.stop, this.edit, this.reset, this.earlier, this.share, this.copy, this.pin, this.step)
     const isNode = !this.exercise && !this.#simulates
     if (isNode) bar.append(make("label", {}, this.seconds, " s"))
     if (!this.exercise) bar.append(this.speed)
     if (isNode) bar.append(this.arguments)
     bar.append(this.status)
-    const parts = [this.notice, bar, this.copied, this.plot.element, this.#made ?? "", this.console.element]
+    const parts = [this.notice, bar, this.copied, this.plot.element, this.#made ?? "", this.steps, this.console.element]
     return make("div", { className: "live-cell" }, ...parts)
   }
 
@@ -386,7 +392,10 @@ export class Cell {
   #clear(runs) {
     this.console.clear()
     this.plot.clear()
-    this.copied.hidden = this.pin.hidden = true
+    this.#stepper?.end()
+    this.#stepper = this.#scenes = null
+    this.steps.replaceChildren()
+    this.copied.hidden = this.pin.hidden = this.step.hidden = this.steps.hidden = true
     this.#showMade(!runs)
   }
 
@@ -437,15 +446,31 @@ export class Cell {
   }
 
   /** @param {import("./protocol.js").RunResult} result */
-  #finish({ status, errors, count, ticks, chunks, alternative, end, test }) {
+  #finish({ status, errors, count, ticks, chunks, alternative, end, test, scenes }) {
     this.#test = test
     this.pin.hidden = !test
+    this.#scenes = scenes
+    this.step.hidden = !scenes?.steps.length
+    if (scenes?.rings.length) this.#step(true)
     if (count) this.plot.finish(ticks, alternative, chunks, end)
     const ticked = count ? `: ${count} tick${count === 1 ? "" : "s"}` : ""
     if (status === 0 && errors) this.#say(`done, but with an ${SEE_CONSOLE}`)
     else if (status === 0) this.#say(`done${ticked}`)
     else if (status === BY_CTRL_C) this.#say(`done${ticked}, ended by Ctrl-C with a traceback`)
     else this.#say(SEE_CONSOLE)
+  }
+
+  /**
+   * Let the reader go through what the last run did; with `rings`, only draw who waits for whom.
+   *
+   * @param {boolean} [rings]
+   */
+  async #step(rings) {
+    const scenes = this.#scenes
+    /** @type {typeof import("./stepper.js")} */
+    const { show } = await import(`${this.#base}stepper.js`)
+    if (!scenes || scenes !== this.#scenes) return
+    this.#stepper ??= show(this.steps, this.#name, scenes, rings ? null : this.#pre, this.#ran, this.#base)
   }
 
   /**

@@ -16,7 +16,12 @@
  * @typedef {[isError: boolean, text: string, number: number, line: number]} Chunk of what is printed
  * @typedef {[source: string, number: number, expected: number, real: number, duration: number]} Tick
  * @typedef {{status: number, errors: number, count: number, ticks: Tick[], chunks: number[][], end: number,
- *   alternative: string, test: string}} RunResult
+ *   alternative: string, test: string, scenes: Scenes | null}} RunResult
+ * @typedef {[thread: number, callback: number, line: number]} Where a thread is; callback -1: in none; line 0: in none
+ * @typedef {[time: number, said: string, ready: number[], threads: Where[], how: string[]]} Step
+ * @typedef {{links: [name: string, waits: string][], to: number}} Ring of waits; to: for whom the last waits, -1: nobody
+ * @typedef {{threads: string[], groups: string[], callbacks: [name: string, group: number][], steps: Step[],
+ *   rings: Ring[]}} Scenes of a run of ROS 2
  * @typedef {{trace: string}} TraceResult
  * @typedef {"solved" | "not yet" | "open" | "to read" | "not judged"} Verdict
  * @typedef {{verdict: Verdict, solved: boolean, status: string, console: string, said: string}} JudgeResult
@@ -82,20 +87,43 @@ const isChunk = (/** @type {Unknown} */ value) =>
 const isTick = (/** @type {Unknown} */ value) =>
   isList(value, () => true) && isText(value[0]) && isList(value.slice(1), isNumber) && value.length === 5
 
+/** @type {(...isPart: ((part: Unknown) => boolean)[]) => (value: Unknown) => boolean} */
+const isTuple = (...isPart) => (value) =>
+  Array.isArray(value) && value.length === isPart.length && isPart.every((is, index) => is(value[index]))
+/** @type {(end: number, first?: number) => (value: Unknown) => boolean} */
+const isBelow = (end, first = 0) => (value) => Number.isInteger(value) && value >= first && value < end
+
+/** @type {(scenes: Unknown) => boolean} whether each number in them is that of something in them */
+function isScenes({ threads, groups, callbacks, steps, rings }) {
+  const isWhere = isTuple(isBelow(threads.length), isBelow(callbacks.length, -1), isNumber)
+  const isStep = (/** @type {Unknown} */ step) =>
+    isTuple(isNumber, isText, Array.isArray, (where) => isList(where, isWhere), (how) => isList(how, isText))(step) &&
+    isList(step[2], isBelow(step[4].length)) && step[4].length <= callbacks.length
+  const isRing = (/** @type {Unknown} */ { links, to }) =>
+    isList(links, isTuple(isText, isText)) && links.length > 0 && isBelow(links.length, -1)(to)
+  return (
+    [threads, groups].every((names) => isList(names, isText)) &&
+    isList(callbacks, isTuple(isText, isBelow(groups.length))) &&
+    isList(steps, isStep) &&
+    isList(rings, isRing)
+  )
+}
+
 /**
  * What is known of the result of a job, by its kind; false if that is not right.
  *
  * @type {{[K in keyof Results]: (result: Unknown) => Results[K] | false}}
  */
 const RESULTS = {
-  run({ status, errors = 0, count = 0, ticks = [], chunks = [], end = 0, alternative = "", test = "" }) {
+  run({ status, errors = 0, count = 0, ticks = [], chunks = [], end = 0, alternative = "", test = "", scenes = null }) {
     const right =
       [status, errors, count, end].every(isNumber) &&
       [alternative, test].every(isText) &&
       isList(ticks, isTick) &&
       isList(chunks, (of) => isList(of, isNumber)) &&
-      ticks.length > 0 === count > 0
-    return right && { status, errors, count, ticks, chunks, end, alternative, test }
+      ticks.length > 0 === count > 0 &&
+      (scenes === null || isScenes(scenes))
+    return right && { status, errors, count, ticks, chunks, end, alternative, test, scenes }
   },
   trace: ({ trace }) => isText(trace) && { trace },
   judge({ verdict, solved, status, console, said }) {

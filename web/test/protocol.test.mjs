@@ -6,7 +6,14 @@ import { test } from "node:test"
 import { LONGEST, read } from "../src/protocol.js"
 
 const BATCH = { kind: "batch", chunks: [[false, "a\n", 0, 0]], leftOut: 0, ticks: [["timer", 1, 0.5, 0.5, 0]] }
-const RUN = { status: 0, errors: 0, count: 1, ticks: [["t", 1, 0.5, 0.5, 0]], chunks: [[0]], end: 1, alternative: "a", test: "" }
+const RUN = { status: 0, errors: 0, count: 1, ticks: [["t", 1, 0.5, 0.5, 0]], chunks: [[0]], end: 1, alternative: "a", test: "", scenes: null }
+const SCENES = {
+  threads: ["MainThread"],
+  groups: ["Default group"],
+  callbacks: [["slow", 0]],
+  steps: [[0.5, "said", [0], [[0, -1, 3]], ["runs"]]],
+  rings: [{ links: [["slow", "waits"]], to: 0 }],
+}
 const VERDICT = { verdict: "solved", solved: true, status: "right", console: "", said: "" }
 const end = (result) => ({ kind: "end", result })
 
@@ -16,6 +23,7 @@ const RIGHT = [
   [null, { kind: "failed", reason: "why" }],
   ["run", BATCH],
   ["run", end(RUN)],
+  ["run", end({ ...RUN, scenes: SCENES })],
   ["trace", end({ trace: "{}" })],
   ["judge", end(VERDICT)],
   ["judge", end({ ...VERDICT, verdict: "to read", solved: false })],
@@ -29,7 +37,7 @@ for (const [job, message] of RIGHT) {
 
 test("a run that went wrong says no more than its status", () => {
   const { result } = read('{"kind": "end", "result": {"status": 1}}', "run")
-  assert.deepEqual(result, { status: 1, errors: 0, count: 0, ticks: [], chunks: [], end: 0, alternative: "", test: "" })
+  assert.deepEqual(result, { status: 1, errors: 0, count: 0, ticks: [], chunks: [], end: 0, alternative: "", test: "", scenes: null })
 })
 
 test("a reason is short", () => {
@@ -60,6 +68,22 @@ const WRONG = [
   ["run", JSON.stringify(end({ ...RUN, ticks: [] }))],
   ["run", JSON.stringify(end({ ...RUN, chunks: [0] }))],
   ["run", JSON.stringify(end({ ...RUN, test: 5 }))],
+  ...[
+    { threads: [5] },
+    { groups: null },
+    { callbacks: [["a", 1]] },
+    { callbacks: undefined },
+    { steps: [[0.5, "said", [1], [[0, 0, 3]], ["runs"]]] },
+    { steps: [[0.5, "said", [0], [[1, 0, 3]], ["runs"]]] },
+    { steps: [[0.5, "said", [0], [[0, 1, 3]], ["runs"]]] },
+    { steps: [[0.5, "said", [0], [[0, 0, 3]], ["runs", "runs"]]] },
+    { steps: [[0.5, 7, [], [], []]] },
+    { steps: [[0.5, "said", [], []]] },
+    { rings: [{ links: [], to: -1 }] },
+    { rings: [{ links: [["a", "waits"]], to: 1 }] },
+    { rings: [null] },
+  ].map((wrong) => ["run", JSON.stringify(end({ ...RUN, scenes: { ...SCENES, ...wrong } }))]),
+  ["run", JSON.stringify(end({ ...RUN, scenes: "" }))],
   ["run", JSON.stringify(end(VERDICT))],
   ["trace", JSON.stringify(end(VERDICT))],
   ["trace", JSON.stringify(end({ trace: {} }))],

@@ -69,6 +69,9 @@ class Context:
 
     def try_shutdown(self) -> None:
         """End, and call the hooks, unless it has ended."""
+        if self.state.world.recording.tell:
+            has = "" if self.valid else ", which the signal has done already"
+            self.state.world.recording.tell("says", f"shuts rclpy down{has}.")
         if not self.valid:
             return
         self.end()

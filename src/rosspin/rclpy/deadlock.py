@@ -8,7 +8,7 @@ until it comes round, or to something that nobody does.
 
 from __future__ import annotations
 
-from collections.abc import Iterator
+from collections.abc import Callable, Iterator
 from typing import TYPE_CHECKING, Any, NamedTuple
 
 from ..clocks.frames import Place, node_place, places
@@ -65,8 +65,11 @@ class _Step(NamedTuple):
     advice: str
 
 
-def explain(graph: Graph) -> str:
-    """Say which callbacks and threads of a run wait for ever, as lines; nothing if all may go on."""
+def explain(graph: Graph, tell: Callable[..., None] | None = None) -> str:
+    """Say which callbacks and threads of a run wait for ever, as lines; nothing if all may go on.
+
+    ``tell("ring", way)`` is called with each way that is followed, for a picture of it.
+    """
     run = _Run(graph)
     lines: list[str] = []
     told: set[int] = set()
@@ -78,8 +81,21 @@ def explain(graph: Graph) -> str:
             told.update(id(step.next.goal) for step in steps if step.next)
             lines += ["this waits for ever:", *(f"  {line}" for step in steps for line in step.lines)]
             lines.append(next((step.advice for step in steps if step.advice), _RING))
+            if tell:
+                tell("ring", _links(waiter, steps))
         told.add(id(waiter.goal))
     return "".join(f"rosspin: {line}\n" for line in lines)
+
+
+def _links(first: _Waiter, steps: list[_Step]) -> dict[str, Any]:
+    """A way as a picture shows it: who waits, and for what. ``to`` is the number of the one that the last waits for."""
+    waiters = [first, *(step.next for step in steps if step.next)]
+    goals = [id(waiter.goal) for waiter in waiters]
+    said = []
+    for waiter, step in zip(waiters, steps):
+        waits, *reasons = [line for line in step.lines if not line.startswith("  ")]
+        said.append([waiter.name, "; ".join([waits.removeprefix(waiter.name).strip(), *reasons]).rstrip(":")])
+    return {"links": said, "to": goals.index(goals[-1]) if steps[-1].next else -1}
 
 
 class _Run:

@@ -122,6 +122,7 @@ class Executor:
         if not self._context.ok():
             raise invalid_context("create guard_condition")
         self._clock = self._context.state.clock
+        self._rosspin_tell = self._context.state.world.recording.tell
         self._nodes: dict[Node, None] = {}  # in the order of their addition
         self._tasks: list[Entry] = []
         self._is_shutdown = False
@@ -344,6 +345,8 @@ class Executor:
         for watchers in watched:
             watchers.append(self.__gate)
         self.__waits = True
+        if self._rosspin_tell:
+            self._rosspin_tell("looks", self)
         is_last = False
         try:
             while True:
@@ -367,6 +370,8 @@ class Executor:
                 watchers.remove(self.__gate)
         for guard in triggered:
             guard.triggered, guard._executor_triggered = False, True
+        if self._rosspin_tell:
+            self._rosspin_tell("finds", self, {*ready, *triggered})
         self.__waited_until = self._clock.now()
         return ready, is_over or timeout == 0
 
@@ -402,6 +407,8 @@ async def _call(entity: Any, executor: Executor) -> None:
         executor.wake()
         if call is not None:
             callback, args, tick = call
+            if executor._rosspin_tell:
+                executor._rosspin_tell("calls", entity, executor)
             if inspect.iscoroutinefunction(callback):
                 await callback(*args)
             else:
@@ -410,6 +417,8 @@ async def _call(entity: Any, executor: Executor) -> None:
                 entity.end(tick)
     finally:
         group.ending_execution(entity)
+        if executor._rosspin_tell:
+            executor._rosspin_tell("ends", entity)
         executor.wake()
 
 

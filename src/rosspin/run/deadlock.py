@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import threading
+from collections.abc import Callable
 
 from ..clocks.frames import node_place, outer_place, places
 from ..clocks.simulation import Simulation
@@ -18,8 +19,11 @@ _NEITHER = "Let one of them go on without waiting for the other."
 _TWICE = "A threading.Lock cannot be taken twice by one thread: release it first, or use an RLock."
 
 
-def explain_threads(clock: Simulation) -> str:
-    """Say which threads wait for each other, as lines; nothing if none do."""
+def explain_threads(clock: Simulation, tell: Callable[..., None] | None = None) -> str:
+    """Say which threads wait for each other, as lines; nothing if none do.
+
+    ``tell("ring", way)`` is called with each ring, for a picture of it.
+    """
     lines: list[str] = []
     seen: set[Stack] = set()
     for stack in clock.suspended():
@@ -29,6 +33,8 @@ def explain_threads(clock: Simulation) -> str:
         if stack in path:
             ring = list(path)[list(path).index(stack) :]
             lines += ["this waits for ever:", *(line for each in ring for line in _say(each, path[each]))]
+            if tell:
+                tell("ring", {"links": [[_name(each), f"waits for {path[each]}"] for each in ring], "to": 0})
             locks = [path[each].startswith(_LOCK) for each in ring]
             lines.append(
                 _NEITHER if not any(locks) else _TWICE if len(ring) == 1 else _ORDER if all(locks) else _HOLDING

@@ -289,9 +289,9 @@ class Host:
     def _say_what_waits(self) -> None:
         """Say what waits for ever: threads, and the callbacks of ROS 2."""
         assert isinstance(self.clock, Simulation)
-        said = explain_threads(self.clock)
+        said = explain_threads(self.clock, self.recording.tell)
         if graph := self._graphs.get(2):
-            said += ROSES[2].stand_in.explain_waits(graph)
+            said += ROSES[2].stand_in.explain_waits(graph, self.recording.tell)
         if said:
             sys.stderr.write(said)
 

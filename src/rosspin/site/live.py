@@ -37,6 +37,8 @@ _SCRIPT = "live/live.js"
 _STYLE = "live/live.css"
 _HANDLES = "handles/handles.js"
 _VEHICLE = "handles/vehicle.js"
+_STEPS = "stepper/steps.js"
+_STEPS_STYLE = "stepper/stepper.css"
 _HAND_IN = "hand-in/hand-in.js"
 _JUDGE = "hand-in/judge.js"
 _HAND_IN_STYLE = "hand-in/hand-in.css"
@@ -132,6 +134,9 @@ def _add_files(app: Sphinx, page: str, template: str, context: dict[str, Any], d
         app.add_js_file(_HANDLES, loading_method="defer")
     if " data-vehicle='" in context.get("body", "") and _is_built(app, _VEHICLE):
         app.add_js_file(_VEHICLE, loading_method="defer")
+    if " data-scenes='" in context.get("body", "") and _is_built(app, _STEPS):
+        app.add_js_file(_STEPS, loading_method="defer")
+        app.add_css_file(_STEPS_STYLE)
 
 
 def _finish_pages(app: Sphinx, error: Exception | None) -> None:

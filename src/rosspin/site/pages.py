@@ -2,6 +2,8 @@
 
 from __future__ import annotations
 
+import html
+import json
 import os
 import re
 import shlex
@@ -32,8 +34,11 @@ from ..plots.pictures import page
 from ..results import machine, rclcpp, roscpp
 from ..results.ticks import Tick
 from ..run.host import kept, replaced
-from ..run.simulate import run_captured
+from ..run.scenes import Scenes
+from ..run.simulate import run_captured, run_node
 from ..run.source import load, load_source
+from ..run.streams import capture
+from ..world.graph import TickLog
 from .checks import note
 from .claims import Facts, one_line
 from .outputs import differences
@@ -121,16 +126,20 @@ class TicksDirective(SphinxDirective):
         return with_handle(found[1], found[5], runs, at, period, sets, caption=self._caption()).html
 
     def _ticks(self, value: float | None, where: str = "") -> dict[str, Sequence[Tick]]:
-        if "seconds" not in self.options:
-            raise ValueError(":seconds: is missing: how long the node runs")
         ticks = {}
+        seconds = self._seconds()
         for name, (file, *args) in self._commands().items():
             given = [word.replace("{}", str(value)) for word in args]
             found = self._run(self._file(file), given, value)
             ticks[name or (found[0].source if found else "")] = found
         if not any(ticks.values()):
-            raise ValueError(f"there is no tick in {self.options['seconds']:g} s{where}")
+            raise ValueError(f"there is no tick in {seconds:g} s{where}")
         return ticks
+
+    def _seconds(self) -> float:
+        if "seconds" not in self.options:
+            raise ValueError(":seconds: is missing: how long the node runs")
+        return float(self.options["seconds"])
 
     def _run(self, path: str, args: list[str], value: float | None) -> Sequence[Tick]:
         if path.endswith(".cpp"):
@@ -168,6 +177,40 @@ class TicksDirective(SphinxDirective):
         yield nodes.literal_block(text, text, language="python")
         yield drawn
         yield nodes.raw("", "</div>", format="html")
+
+
+class ScenesDirective(TicksDirective):
+    """``.. scenes:: FILE ARGS`` with ``:seconds: S``: runs a node of ROS 2 in simulated time, to be gone through.
+
+    The file stands beside what its executor does, step by step. Where no script runs, the steps are a list.
+    """
+
+    has_content = False
+    required_arguments, optional_arguments = 1, 0
+    option_spec: ClassVar = {name: TicksDirective.option_spec[name] for name in ("seconds",)}
+
+    def _plot(self) -> str:
+        ((file, *args),) = self._commands().values()
+        path, log = self._file(file), TickLog()
+        scenes = Scenes(log, path)
+        with capture():
+            status = run_node(load(path), self._seconds(), args, scenes.clock, log).status
+        data = scenes.data(status)
+        if not data:
+            raise ValueError("no executor of ROS 2 has spun")
+        name = os.path.basename(path)
+        carried = html.escape(json.dumps(data | {"name": name}, separators=(",", ":")), quote=False)
+        carried = carried.replace("'", "&#39;")
+        told = "".join(f"<li>{time:g} s: {html.escape(said)}</li>" for time, said, *_ in data["steps"])
+        caption = f"<figcaption>simulated: {name}, {self._seconds():g} s</figcaption>"
+        return f"<figure class='rosspin-scenes' data-scenes='{carried}'><ol>{told}</ol>{caption}</figure>"
+
+    def _shown(self, plot: str) -> Iterator[nodes.Node]:
+        ((file, *_),) = self._commands().values()
+        text = Path(self._file(file)).read_text(encoding="utf-8")
+        yield nodes.raw("", '<div class="rosspin-beside">', format="html")
+        yield nodes.literal_block(text, text, language="python")
+        yield nodes.raw("", f"{plot}</div>", format="html")
 
 
 class FactsDirective(SphinxDirective):
@@ -454,6 +497,7 @@ def keep_units(app: Sphinx, page: nodes.document) -> None:
 def setup(app: Sphinx) -> ExtensionMetadata:
     """Add the directives and the role above, the checks, and the highlighting of notebook cells."""
     app.add_directive("ticks", TicksDirective)
+    app.add_directive("scenes", ScenesDirective)
     app.setup_extension("rosspin.site.checks")
     app.add_directive("facts", FactsDirective)
     app.add_directive("literalinclude", ListingDirective, override=True)

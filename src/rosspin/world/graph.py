@@ -62,6 +62,9 @@ class TickLog:
 
     _FIELDS = 5
 
+    # Called with what executors do and of what, if the run is to be gone through step by step.
+    tell: Callable[..., None] | None = None
+
     def __init__(self) -> None:
         self._fields: list[Any] = []  # source, number, expected, real, duration, source, number, ...
 
@@ -141,6 +144,7 @@ class Recording:
     def __init__(self, clock: Clock, log: TickLog | None, several: bool = False, start: int = 0) -> None:
         self.several = several
         self.log = log
+        self.tell = None if log is None else log.tell
         self.published: list[Published] | None = None if log is None else []
         self.start = start
         self._clock = clock

@@ -1,0 +1,121 @@
+"""Runs that the reader goes through step by step, by keyboard and by touch, on a page and after a run in it."""
+
+from __future__ import annotations
+
+import re
+
+import pytest
+from axe import in_both_schemes
+from listings_in_page import Cell
+from looks import PATIENCE
+from playwright.sync_api import Browser, Locator, Page, expect
+
+TIMING, HANGS = "docs/ros2/how-timing-works.html", "docs/how-to/why-does-it-hang.html"
+
+
+def opened(page: Page, address: str) -> Locator:
+    page.goto(address + TIMING)
+    figure = page.locator("figure[data-scenes]").first
+    figure.scroll_into_view_if_needed()
+    return figure
+
+
+def marked(page: Page, within: Locator) -> list[str]:
+    """The lines of a listing that are marked, found by where the marks are."""
+    lines: list[str] = within.locator("pre").first.evaluate(
+        """pre => [...pre.querySelectorAll(".stepper-line")].map(mark => {
+             const lines = pre.textContent.split("\\n"), { paddingTop, paddingBottom } = getComputedStyle(pre)
+             const height = pre.scrollHeight - parseFloat(paddingTop) - parseFloat(paddingBottom)
+             const down = mark.getBoundingClientRect().y + mark.offsetHeight / 2 - pre.getBoundingClientRect().y
+             return lines[Math.floor((down - parseFloat(paddingTop)) / (height / (lines.length - 1)))].trim()
+           })"""
+    )
+    return lines
+
+
+def test_by_keyboard(page: Page, address: str) -> None:
+    figure = opened(page, address)
+    said, slider = figure.locator("[aria-live=polite]"), figure.get_by_role("slider")
+    expect(said).to_have_text("No callback runs until 0.5 s.")
+    beside = page.locator(".rosspin-beside", has=figure)
+    assert marked(page, beside) == ["rclpy.spin(two_timers_py_node)"]
+    figure.get_by_role("button", name="Forward").focus()
+    page.keyboard.press("Enter")
+    expect(said).to_have_text("The executor finds what is ready: slow_callback, quick_callback.")
+    page.keyboard.press("Space")
+    expect(said).to_have_text("MainThread calls slow_callback.")
+    slider.press("ArrowRight")
+    picture = figure.get_by_role("img")
+    expect(picture).to_have_attribute("aria-label", re.compile("quick_callback waits for the thread"))
+    expect(slider).to_have_attribute("aria-valuetext", re.compile(r"^step 4 of \d+, at 0\.5 s$"))
+    assert marked(page, beside) == ["time.sleep(0.8)  # the work"]
+    figure.get_by_role("button", name="Back").press("Enter")
+    expect(said).to_have_text("MainThread calls slow_callback.")
+    assert marked(page, beside) == ["def slow_callback(self):"]
+    slider.press("End")
+    expect(said).to_have_text("The node has ended, with status 0.")
+
+
+def test_it_plays_until_it_is_stopped(page: Page, address: str) -> None:
+    figure = opened(page, address)
+    figure.get_by_role("button", name="Play").click()
+    expect(figure.locator("[aria-live=polite]")).to_have_text("MainThread calls slow_callback.")
+    figure.get_by_role("button", name="Pause").click()
+    expect(figure.get_by_role("button", name="Play")).to_be_visible()
+
+
+@pytest.mark.parametrize("motion", ["no-preference", "reduce"])
+def test_by_touch(browser: Browser, address: str, motion: str) -> None:
+    """On a phone nothing is wider than the screen; callbacks move to their threads if motion is wanted."""
+    with browser.new_context(
+        viewport={"width": 390, "height": 844},
+        has_touch=True,
+        reduced_motion=motion,  # type: ignore[arg-type]
+    ) as context:
+        context.set_default_timeout(PATIENCE)
+        page = context.new_page()
+        figure = opened(page, address)
+        for _ in range(2):
+            figure.get_by_role("button", name="Forward").tap()
+        moves = figure.evaluate("element => element.getAnimations({ subtree: true }).length")
+        assert (moves > 0) == (motion == "no-preference")
+        expect(figure.locator(".stepper-token", has_text="slow_callback")).to_be_visible()
+        assert page.evaluate("document.documentElement.scrollWidth") == 390
+        assert all(box["height"] >= 24 for each in figure.get_by_role("button").all() if (box := each.bounding_box()))
+
+
+def test_a_page_with_scenes_is_accessible(page: Page, address: str) -> None:
+    figure = opened(page, address)
+    for _ in range(3):
+        figure.get_by_role("button", name="Forward").click()
+    assert in_both_schemes(page) == []
+
+
+def test_a_run_in_the_page(page: Page, address: str) -> None:
+    """A node that hangs: who waits for whom is drawn below it, and the reader can see how it came to that."""
+    page.goto(address + HANGS)
+    cell = Cell(page, 0)
+    assert cell.button("Step through this").is_hidden()
+    cell.run(2.5)
+    cell.ends("done")
+    ring = cell.element.locator("svg.stepper-ring")
+    said = re.compile(r"^A ring of waits\. .* waits for the answer of /take_picture")
+    expect(ring).to_have_attribute("aria-label", said)
+    cell.button("Step through this").click()
+    forward = cell.element.get_by_role("button", name="Forward")
+    expect(forward).to_be_focused()
+    for _ in range(3):
+        page.keyboard.press("Enter")
+    expect(cell.element.locator(".stepper-said")).to_have_text("timer_callback is at work until 2.5 s.")
+    assert marked(page, cell.element) == ["answer = self.client.call(Trigger.Request())"]
+    assert in_both_schemes(page) == []
+    cell.button("Reset").click()
+    expect(ring).to_have_count(0)
+    assert cell.button("Step through this").is_hidden() and not marked(page, cell.element)
+
+
+def test_a_node_of_ros_1_has_no_steps(tutorial: Page) -> None:
+    cell = Cell(tutorial, 3)
+    cell.run(2)
+    cell.ends("done")
+    assert cell.button("Step through this").is_hidden()

@@ -1,0 +1,243 @@
+"""What executors do, step by step: told as it happens, in simulated time, and only if somebody asks for it."""
+
+from __future__ import annotations
+
+from pathlib import Path
+from typing import Any
+
+import pytest
+from tree import EXAMPLES
+
+from rosspin.clocks.simulation import Simulation
+from rosspin.run.scenes import Scenes
+from rosspin.run.simulate import run_node
+from rosspin.run.source import load
+from rosspin.run.streams import capture
+from rosspin.world.graph import TickLog
+
+
+class Told:
+    """The scenes of a run, with names in place of numbers."""
+
+    def __init__(self, path: Path, seconds: float) -> None:
+        log = TickLog()
+        scenes = Scenes(log, str(path))
+        with capture() as console:
+            result = run_node(load(path), seconds, (), scenes.clock, log)
+        self.console, self.ticks = console.text(), result.ticks
+        self.data: dict[str, Any] = scenes.data(result.status) or {}
+        self.names = [name for name, _ in self.data.get("callbacks", ())]
+        self.lines = path.read_text().splitlines()
+        self.said = [f"{time:g}: {said}" for time, said, *_ in self.data.get("steps", ())]
+
+    def at(self, time: float, said: str) -> tuple[list[str], dict[str, tuple[str, str]], dict[str, str]]:
+        """What is ready, in which thread runs what and in which line, and how each callback is."""
+        ready, where, how = next(step[2:] for step in self.data["steps"] if step[0] == time and said in step[1])
+        threads = {
+            self.data["threads"][thread]: (
+                "" if callback < 0 else self.names[callback],
+                self.lines[line - 1].strip() if line else "",
+            )
+            for thread, callback, line in where
+        }
+        return [self.names[number] for number in ready], threads, dict(zip(self.names, how))
+
+
+def told(name: str, seconds: float) -> Told:
+    return Told(EXAMPLES / f"{name}_py_node.py", seconds)
+
+
+def test_on_one_thread_the_quick_callback_waits_for_the_slow_one() -> None:
+    run = told("executors/one_thread", 2.2)
+    assert run.said[:7] == [
+        "0: No callback runs until 0.5 s.",
+        "0.5: The executor finds what is ready: slow_callback, quick_callback.",
+        "0.5: MainThread calls slow_callback.",
+        "0.5: slow_callback is at work until 1.3 s.",
+        "1.3: slow_callback ends.",
+        "1.3: MainThread calls quick_callback, 0.8 s late.",
+        "1.3: quick_callback ends.",
+    ]
+    _, threads, _ = run.at(0.5, "calls")
+    assert threads == {"MainThread": ("slow_callback", "def slow_callback(self):")}
+    ready, threads, how = run.at(0.5, "at work")
+    assert ready == ["quick_callback"]
+    assert threads == {"MainThread": ("slow_callback", "time.sleep(0.8)  # the work")}
+    waits = "waits for the thread, which is in slow_callback"
+    assert how == {"slow_callback": "runs", "quick_callback": waits}
+    _, threads, how = run.at(1.3, "slow_callback ends")
+    assert threads == {"MainThread": ("", "rclpy.spin(two_timers_py_node)")}
+    assert how["slow_callback"] == "waits for the next round"
+
+
+def test_a_second_thread_does_not_help_within_a_group() -> None:
+    run = told("executors/two_threads", 2.2)
+    ready, threads, how = run.at(0.5, "at work")
+    assert ready == [] and "quick_callback" not in {callback for callback, _ in threads.values()}
+    assert how["quick_callback"] == "waits for its group, which is taken by slow_callback"
+    assert run.data["groups"] == ["Default group: one at a time"]
+
+
+def test_with_a_group_each_nothing_waits() -> None:
+    run = told("executors/own_groups", 2.2)
+    assert [group for _, group in run.data["callbacks"]] == [0, 1]
+    before = [how for time, said, _, _, how in run.data["steps"] if "at work" in said]
+    assert not any("waits" in words for how in before for words in how if "from" not in words)
+    _, threads, _ = run.at(1.0, "calls quick_callback")
+    assert {callback for callback, _ in threads.values()} == {"", "slow_callback", "quick_callback"}
+
+
+def test_who_wakes_a_rate() -> None:
+    """The thread that spins calls the Rate's timer; the loop in another thread goes on after that."""
+    run = told("my_robotics_pkg_ros2/my_robotics_pkg/spinner_rate", 0.7)
+    steps = [said for said in run.said if said.startswith("0.5")]
+    assert [step.partition(": ")[2] for step in steps[:4]] == [
+        "The executor finds what is ready: the Rate's timer.",
+        "MainThread calls the Rate's timer. That sets the event for which the loop sleeps.",
+        "the Rate's timer ends.",
+        "Thread-1 (loop) goes on: the event is set.",
+    ]
+    _, threads, _ = run.at(0.0, "No callback runs")
+    assert threads["Thread-1 (loop)"] == ("", "self.loop_rate.sleep()")
+
+
+def test_a_rate_in_a_callback_waits_for_the_thread_that_sleeps() -> None:
+    run = told("hangs/rate", 2.5)
+    _, threads, how = run.at(1.0, "is at work until 2.5 s")
+    assert threads == {"MainThread": ("timer_callback", "rate.sleep()")}
+    assert how["the Rate's timer"] == "waits from 1.2 s on for the thread, which is in timer_callback"
+    (ring,) = run.data["rings"]
+    assert ring["to"] == 0
+    assert ring["links"][0][1].startswith("waits for its Rate; its timer is due, but the only thread of the executor")
+
+
+def test_the_way_of_ctrl_c() -> None:
+    run = told("my_robotics_pkg_ros2/my_robotics_pkg/spinner", 0.7)
+    assert run.said[-4:] == [
+        "0.7: MainThread gets the signal: rclpy shuts its contexts down and wakes the executors.",
+        "0.7: MainThread goes on with what the signal does in Python: at Ctrl-C it raises KeyboardInterrupt here.",
+        "0.7: MainThread shuts rclpy down, which the signal has done already.",
+        "0.7: The node has ended, with status 0.",
+    ]
+    assert run.at(0.7, "KeyboardInterrupt")[1] == {"MainThread": ("", "rclpy.spin(spinner_py_node)")}
+    assert run.at(0.7, "shuts rclpy down")[1] == {"MainThread": ("", "rclpy.try_shutdown()")}
+
+
+def test_a_callback_that_awaits_has_no_thread_and_keeps_its_group() -> None:
+    _, threads, how = told("hangs/await", 2.5).at(1.0, "No callback runs")
+    assert threads["MainThread"][0] == ""
+    assert how["timer_callback"] == "awaits, and keeps its group"
+    assert how["picture_callback"] == "waits for its group, which is taken by timer_callback"
+
+
+RINGS = {
+    "call": (["/take_picture"], 0),
+    "ring": (["/plan", "/locate", "/plan"], 1),
+    "nobody_spins": (["/take_picture"], -1),
+    "call_async": ([], None),
+}
+
+
+@pytest.mark.parametrize("name", RINGS)
+def test_who_waits_for_whom_for_ever(name: str) -> None:
+    asked, to = RINGS[name]
+    rings = told(f"hangs/{name}", 2.5).data["rings"]
+    assert [ring["to"] for ring in rings] == ([] if to is None else [to])
+    for ring in rings:
+        answers = [waits.partition(";")[0].removeprefix("waits for the answer of ") for _, waits in ring["links"]]
+        assert answers == asked
+
+
+def test_threads_that_wait_for_each_others_locks(tmp_path: Path) -> None:
+    node = tmp_path / "node.py"
+    node.write_text(
+        """
+import threading
+import time
+
+import rclpy
+
+rclpy.init()
+one, other = threading.Lock(), threading.Lock()
+
+
+def take(first, second):
+    with first:
+        time.sleep(0.1)
+        with second:
+            pass
+
+
+threads = [threading.Thread(target=take, args=args, daemon=True) for args in ((one, other), (other, one))]
+for thread in threads:
+    thread.start()
+rclpy.spin(rclpy.create_node("node"))
+"""
+    )
+    (ring,) = Told(node, 1.0).data["rings"]
+    assert [waits for _, waits in ring["links"]] == [
+        "waits for a lock that the thread Thread-2 (take) holds",
+        "waits for a lock that the thread Thread-1 (take) holds",
+    ]
+
+
+TWO_EXECUTORS = """
+import threading
+import time
+
+import rclpy
+from rclpy.executors import SingleThreadedExecutor
+
+
+def work():
+    time.sleep(0.3)
+
+
+def quick():
+    pass
+
+
+rclpy.init()
+for callbacks in ((work,), (quick, work)):
+    node = rclpy.create_node(f"node_{len(callbacks)}")
+    for callback in callbacks:
+        node.create_timer(0.2, callback)
+    executor = SingleThreadedExecutor()
+    executor.add_node(node)
+    if len(callbacks) == 1:
+        threading.Thread(target=executor.spin, daemon=True).start()
+guard = node.create_guard_condition(quick)
+guard.trigger()
+executor.spin()
+"""
+
+
+def test_an_executor_waits_for_its_own_thread_only(tmp_path: Path) -> None:
+    """And two callbacks of one name are told apart."""
+    node = tmp_path / "node.py"
+    node.write_text(TWO_EXECUTORS)
+    run = Told(node, 0.6)
+    assert sorted(run.names) == ["quick", "quick #2", "work", "work #2"]
+    quick = run.names.index("quick")
+    how = {(time, step[quick]) for time, said, _, _, step in run.data["steps"] if "at work" in said}
+    assert (0.2, "waits from 0.4 s on for the thread, which is in work #2") in how, how
+    assert "0: MainThread calls quick #2." in run.said
+
+
+@pytest.mark.parametrize("name", ["executors/one_thread", "executors/own_groups", "hangs/ring"])
+def test_a_run_that_is_watched_goes_as_any_other(name: str) -> None:
+    watched = told(name, 2.2)
+    log = TickLog()
+    with capture() as console:
+        result = run_node(load(EXAMPLES / f"{name}_py_node.py"), 2.2, (), Simulation(), log)
+    assert log.tell is None
+    assert (watched.console, repr(watched.ticks)) == (console.text(), repr(result.ticks))
+
+
+def test_a_node_of_ros_1_has_no_scenes() -> None:
+    assert told("my_robotics_pkg/src/spinner", 1.0).data == {}
+
+
+def test_a_long_run_keeps_its_first_steps() -> None:
+    run = told("executors/one_thread", 1000.0)
+    assert len(run.data["steps"]) == 300 and run.said[0].startswith("0: ")
