@@ -3,9 +3,8 @@
 import { Console } from "./console.js"
 import { Kept } from "./kept.js"
 import { find, make } from "./make.js"
-import { named } from "./names.js"
 import { Plot } from "./plot.js"
-import { start, warmUp } from "./python.js"
+import { IS_IT_THERE, start, warmUp } from "./python.js"
 
 /** For how long (s) a node runs, unless the reader says otherwise. */
 const SECONDS = "10"
@@ -97,10 +96,7 @@ export class Cell {
   #output // of a notebook's cell: what it printed when the site was built
   #test = "" // pins what the last run showed
   #ran = "" // what the last run ran
-  /** @type {import("./protocol.js").Scenes | null} */
-  #scenes = null // what it did, step by step
-  /** @type {import("./stepper.js").Stepper | null} */
-  #stepper = null
+  #endSteps = () => {} // takes away what goes through it step by step
   /** @type {import("./editor.js").Editor | null} */
   #editor = null
   /** @type {import("./runs.js").Run | null} */
@@ -119,7 +115,7 @@ export class Cell {
     this.#original = /** @type {string} */ (this.#pre.textContent)
     this.#highlighted = [...this.#pre.childNodes]
     const caption = listing.parentElement?.querySelector(".code-block-caption .caption-text")
-    this.exercise = named(this.#original) ?? "" // that it answers; a text is then checked rather than run
+    this.exercise = this.#original.match(/^%%answer (\S+)/)?.[1] ?? "" // that it answers; a text is then checked rather than run
     this.#simulates = this.#original.startsWith("%%simulate ")
     // hand-in.js, which is on each page that has exercises, keeps the answers to all of them.
     const answer = this.exercise && window.rosspinStore?.of(this.exercise)
@@ -144,11 +140,10 @@ export class Cell {
     this.reset = button("Reset", () => this.#reset())
     this.share = button("Share", () => this.#share())
     this.pin = button("Copy as test", () => this.#copy(this.#test, "the test is copied: save it in a file for pytest"))
-    this.step = button("Step through this run", () => this.#step())
     this.earlier = button("Earlier version", () => this.#bringBack())
     this.copy = button("Copy text", () => this.#copy(this.#text, "copied"))
     this.seconds = make("input", { type: "number", min: "0", max: "3600", step: "any", value: SECONDS })
-    this.args = make("input", { type: "text", spellcheck: false, autocomplete: "off", autocapitalize: "off" })
+    this.args = make("input", { spellcheck: false, autocomplete: "off", autocapitalize: "off" })
     this.arguments = make("label", { className: "live-arguments" }, "Arguments ", this.args)
     this.args.addEventListener("keydown", (event) => event.key === "Enter" && this.#run())
     this.args.addEventListener("input", () => this.#offer())
@@ -157,8 +152,7 @@ export class Cell {
       this.speed.append(make("option", { textContent, value }))
     }
     this.status = make("span", { role: "status" })
-    this.pin.hidden = this.step.hidden = true
-    this.steps = make("div", { className: "live-steps", hidden: true })
+    this.pin.hidden = true
     const file = this.exercise ? "" : this.#name
     this.console = new Console(`Console of ${this.#name}`, file, (line) => this.#edit(line))
     this.plot = new Plot(`Ticks of ${this.#name}`, (chunks) => this.console.mark(chunks))
@@ -173,13 +167,13 @@ export class Cell {
   /** All that the reader can press and see, below the listing. */
   #arranged() {
     const bar = make("div", { className: "live-bar", role: "group", ariaLabel: `Run ${this.#name} in this page` })
-    bar.append(this.run, this.both, this.stop, this.edit, this.reset, this.earlier, this.share, this.copy, this.pin, this.step)
+    bar.append(this.run, this.both, this.stop, this.edit, this.reset, this.earlier, this.share, this.copy, this.pin)
     const isNode = !this.exercise && !this.#simulates
     if (isNode) bar.append(make("label", {}, this.seconds, " s"))
     if (!this.exercise) bar.append(this.speed)
     if (isNode) bar.append(this.arguments)
     bar.append(this.status)
-    const parts = [this.notice, bar, this.copied, this.plot.element, this.#made ?? "", this.steps, this.console.element]
+    const parts = [this.notice, bar, this.copied, this.plot.element, this.#made ?? "", this.console.element]
     return make("div", { className: "live-cell" }, ...parts)
   }
 
@@ -192,12 +186,9 @@ export class Cell {
   #offer() {
     this.arguments.hidden = !READS_ARGUMENTS.test(this.#text) && !this.args.value
     this.args.placeholder = EXAMPLE[String(this.#text.match(/\brospy\b|\brclpy\b/))] ?? ""
-    this.reset.ariaDisabled = String(!this.#own && this.#untouched && this.console.empty)
+    const isUntouched = this.#text === this.#original && this.seconds.value === SECONDS && !this.args.value
+    this.reset.ariaDisabled = String(isUntouched && !this.#own && this.console.empty)
     this.earlier.hidden = !this.#kept.hasEarlier
-  }
-
-  get #untouched() {
-    return this.#text === this.#original && this.seconds.value === SECONDS && !this.args.value
   }
 
   /**
@@ -284,7 +275,7 @@ export class Cell {
     if (!this.#editor) {
       /** @type {typeof import("./editor.js") | null} */
       const loaded = await import(`${this.#base}editor.js`).catch(() => null)
-      if (!loaded) return this.#say("error: the editor could not be loaded. Is the site still there?")
+      if (!loaded) return this.#say(`error: the editor could not be loaded. ${IS_IT_THERE}`)
       if (this.#editor) return
       this.#editor = loaded.open(this.#text, `Code of ${this.#name}. Escape leaves the editor.`, {
         wraps: this.#pre.className !== "",
@@ -358,7 +349,7 @@ export class Cell {
       const { address } = await loadShare(this.#base)
       await this.#copy(await address(this.#pre, listing), "the link is copied; the code is in it")
     } catch (error) {
-      const { said = "the link could not be made. Is the site still there?" } = /** @type {{said?: string}} */ (error)
+      const { said = `the link could not be made. ${IS_IT_THERE}` } = /** @type {{said?: string}} */ (error)
       this.#say(`error: ${said}`)
     }
   }
@@ -392,10 +383,8 @@ export class Cell {
   #clear(runs) {
     this.console.clear()
     this.plot.clear()
-    this.#stepper?.end()
-    this.#stepper = this.#scenes = null
-    this.steps.replaceChildren()
-    this.copied.hidden = this.pin.hidden = this.step.hidden = this.steps.hidden = true
+    this.#endSteps()
+    this.copied.hidden = this.pin.hidden = true
     this.#showMade(!runs)
   }
 
@@ -414,9 +403,8 @@ export class Cell {
     const number = ++this.#runs
     const seconds = this.seconds.valueAsNumber
     this.#clear(true)
-    if (!this.seconds.checkValidity() || Number.isNaN(seconds)) {
-      this.#say("error: seconds must be a number from 0 to 3600")
-      return
+    if (!this.seconds.checkValidity() || !(seconds >= 0)) {
+      return this.#say("error: seconds must be a number from 0 to 3600")
     }
     const [source, filename, args] = this.#beside
     this.#ran = source
@@ -449,28 +437,17 @@ export class Cell {
   #finish({ status, errors, count, ticks, chunks, alternative, end, test, scenes }) {
     this.#test = test
     this.pin.hidden = !test
-    this.#scenes = scenes
-    this.step.hidden = !scenes?.steps.length
-    if (scenes?.rings.length) this.#step(true)
+    const number = this.#runs
+    if (scenes) {
+      import(`${this.#base}stepper.js`).then(({ offer }) => {
+        if (number !== this.#runs) return
+        this.#endSteps = offer(this.console.element, this.#name, scenes, this.#pre, this.#ran)
+      })
+    }
     if (count) this.plot.finish(ticks, alternative, chunks, end)
     const ticked = count ? `: ${count} tick${count === 1 ? "" : "s"}` : ""
-    if (status === 0 && errors) this.#say(`done, but with an ${SEE_CONSOLE}`)
-    else if (status === 0) this.#say(`done${ticked}`)
-    else if (status === BY_CTRL_C) this.#say(`done${ticked}, ended by Ctrl-C with a traceback`)
-    else this.#say(SEE_CONSOLE)
-  }
-
-  /**
-   * Let the reader go through what the last run did; with `rings`, only draw who waits for whom.
-   *
-   * @param {boolean} [rings]
-   */
-  async #step(rings) {
-    const scenes = this.#scenes
-    /** @type {typeof import("./stepper.js")} */
-    const { show } = await import(`${this.#base}stepper.js`)
-    if (!scenes || scenes !== this.#scenes) return
-    this.#stepper ??= show(this.steps, this.#name, scenes, rings ? null : this.#pre, this.#ran, this.#base)
+    const done = status === BY_CTRL_C ? `done${ticked}, ended by Ctrl-C with a traceback` : SEE_CONSOLE
+    this.#say(status ? done : errors ? `done, but with an ${SEE_CONSOLE}` : `done${ticked}`)
   }
 
   /**

@@ -144,7 +144,7 @@ export class Plot {
   #paint(alternative, end = 0) {
     const { rows, scale, places } = layOut(this.#ticks, end)
     this.#places = places
-    const textContent = "simulated: this clock has no jitter, at whichever speed it runs"
+    const textContent = "simulated: this clock has no jitter, at any speed"
     const caption = make("figcaption", { textContent })
     this.element.replaceChildren(drawTimeline(rows, scale, alternative), caption)
     this.element.hidden = false

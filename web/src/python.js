@@ -1,5 +1,8 @@
 // What runs code is loaded when it is first needed: see runs.js. `base` is the address of the folder that it is in.
 
+/** What to ask a reader for whom a file of the site cannot be loaded. */
+export const IS_IT_THERE = "Is the site still there?"
+
 /**
  * The module runs.js, in the version that belongs to this page.
  *
@@ -35,7 +38,7 @@ export function start(base, job, hear) {
   let ended = false
   load(base).then(
     (runs) => ended || (run = runs.start(job, hear)),
-    () => hear({ kind: "failed", reason: "Python could not be loaded. Is the site still there?" }),
+    () => hear({ kind: "failed", reason: `Python could not be loaded. ${IS_IT_THERE}` }),
   )
   return {
     end() {

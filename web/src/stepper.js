@@ -170,21 +170,29 @@ const token = (/** @type {Callback} */ callback) => named("stepper-token", callb
 const row = (/** @type {Callback} */ callback) => named("stepper-row", callback, callback.how)
 
 /**
- * Show in a place below a listing what a run did; without the listing, only who waits for whom.
+ * Let the reader go through what a run did; who waits for whom is drawn at once. Returned is what takes that away.
  *
- * @param {HTMLElement} place
+ * @param {HTMLElement} next what it is to stand before
  * @param {string} name
  * @param {import("./protocol.js").Scenes} scenes
- * @param {HTMLElement | null} pre
+ * @param {HTMLElement | null} pre the listing
  * @param {string} text
- * @param {string} base the address of the folder that our files are in
  */
-export function show(place, name, scenes, pre, text, base) {
-  const href = `${base}../stepper/stepper.css`
+export function offer(next, name, scenes, pre, text) {
+  const { href } = new URL("../stepper/stepper.css", import.meta.url)
   if (!document.querySelector(`link[href="${href}"]`)) document.head.append(make("link", { rel: "stylesheet", href }))
-  const stepper = pre && new Stepper(name, scenes, pre, text)
-  place.replaceChildren(...(stepper ? [stepper.element] : []), ...scenes.rings.map(drawRing))
-  place.hidden = false
-  stepper?.forward.focus()
-  return stepper
+  /** @type {Stepper | null} */
+  let stepper = null
+  const button = make("button", { type: "button", textContent: "Step through this run" })
+  button.addEventListener("click", () => {
+    stepper = new Stepper(name, scenes, pre, text)
+    button.replaceWith(stepper.element)
+    stepper.forward.focus()
+  })
+  const steps = make("div", { className: "live-steps" }, scenes.steps.length ? button : "", ...scenes.rings.map(drawRing))
+  if (steps.firstChild) next.before(steps)
+  return () => {
+    stepper?.end()
+    steps.remove()
+  }
 }
