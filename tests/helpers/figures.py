@@ -16,6 +16,7 @@ from tree import ROOT
 
 from rosspin import Tick, rclpy, simulate
 from rosspin.clocks.simulation import Simulation
+from rosspin.results import rclcpp
 from rosspin.results.roscpp import timer_probe
 from rosspin.run.simulate import run_captured
 from rosspin.run.source import load_source
@@ -54,6 +55,17 @@ def ros_2(*words: str, seconds: float) -> Callable[[float], Runs]:
     def run(block: float) -> Runs:
         parameters = [part for word in (f"block:={block}", *words) for part in ("-p", word)]
         return {"rclpy": simulate(PROBE_2, seconds, ["--ros-args", *parameters]).ticks}
+
+    return run
+
+
+def both_of_ros_2(name: str) -> Callable[[float], Runs]:
+    """A probe whose third call, or pass, blocks, in rclpy and rclcpp."""
+
+    def run(block: float) -> Runs:
+        args = ["--ros-args", "-p", f"block:={block}", "-p", "block_call:=3"]
+        rclpy_ticks = simulate(PROBE_2.with_name(f"{name}.py"), 6, args).ticks
+        return {"rclpy": rclpy_ticks, "rclcpp": rclcpp.probe(f"{name}.cpp", 6, args)}
 
     return run
 
@@ -153,7 +165,8 @@ FIGURES = [
     Kind("notebooks/ros2-executors.html", 0, "Work of the slow timer", executors),
     Kind("docs/how-timing-works.html", 0, "Every call takes", probes(seconds=6)),
     Kind("docs/how-timing-works.html", 1, "The third call takes", probes("_block_call:=3", seconds=6)),
-    Kind("docs/ros2/how-timing-works.html", 0, "The third call takes", ros_2("block_call:=3", seconds=6)),
+    Kind("docs/ros2/how-timing-works.html", 0, "The third call takes", both_of_ros_2("timer_probe")),
+    Kind("docs/ros2/how-timing-works.html", 1, "The third pass takes", both_of_ros_2("rate_probe")),
     Kind("docs/ros2/from-ros-1.html", 0, "The third call takes", three("block_call:=3", seconds=6)),
     Kind("docs/ros2/from-ros-1.html", 1, "Every call takes", three(seconds=6)),
     Kind("docs/ros2/tutorial.html", 0, "Time delta", spinner(SPINNER_ROS2, "timer_callback")),
