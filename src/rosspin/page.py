@@ -26,7 +26,7 @@ from contextlib import contextmanager, redirect_stderr, redirect_stdout, suppres
 from functools import wraps
 from json import dumps, loads
 from traceback import walk_tb
-from typing import Any
+from typing import TYPE_CHECKING, Any
 
 from js import performance
 from pyodide.ffi import can_run_sync, run_sync
@@ -35,6 +35,7 @@ from . import exercises
 from .clocks.clock import NS
 from .clocks.frames import trail
 from .clocks.patches import patched
+from .clocks.simulation import PacedSimulation, Simulation
 from .clocks.stacks import whose
 from .exercises.advice import advice
 from .exercises.reach import reaches_for
@@ -45,11 +46,13 @@ from .run.process import starter
 from .run.roses import ROSES
 from .run.roslaunch.launch import Launch
 from .run.roslaunch.launch import Node as LaunchNode
-from .run.scenes import Scenes
 from .run.simulate import run_node, run_nodes
 from .run.source import Node, load_source, split_words
 from .world.graph import TickLog
 from .world.world import NotSimulated, World
+
+if TYPE_CHECKING:
+    from .run.scenes import Scenes
 
 __all__ = ["judge", "run", "trace", "wake"]
 
@@ -151,7 +154,8 @@ def run(source: str, filename: str, seconds: float, args: str, speed: float, bes
             else:
                 node_args = _split(args, "arguments")
             others = [(load_source(*code), _split(words, "arguments")) for *code, words in loads(beside)]
-            pacer = _Pacer(page, speed, printed, filename)
+            of_ros_2 = load_source(_node(source), filename).hint == 2
+            pacer = _Pacer(page, speed, printed, filename if of_ros_2 and not others else "")
             return dumps(_run(source, filename, seconds, node_args, others, pacer, printed))
         except (ValueError, SyntaxError, NotSimulated, TimeStandsStill) as error:
             print(say_error(error), file=sys.stderr)
@@ -279,7 +283,7 @@ def _run(
         "chunks": [list(chunks) for chunks in printed.chunks[-_MOST_TICKS:]],
         "end": min(pacer.simulation.seconds(), seconds),
         "alternative": " ".join(describe_timeline(source, group) for source, group in groups.items()),
-        "scenes": None if others else pacer.scenes.data(result.status),
+        "scenes": pacer.scenes and pacer.scenes.data(result.status),
         "test": as_test(_node(source), filename, seconds, args, console, result.ticks) if pins else "",
     }
 
@@ -337,11 +341,19 @@ def _deque(items: Iterable[Any] = ()) -> deque[Any]:
 
 
 class _Pacer:
-    """Makes a simulation keep pace with the page's clock, and shows the page each tick as it begins."""
+    """Makes a simulation keep pace with the page's clock, and shows the page each tick as it begins.
+
+    Of the node of ROS 2 in the file ``filename``, if one is given, it keeps the scenes.
+    """
 
     def __init__(self, page: Any, speed: float, ticks: TickLog, filename: str) -> None:
-        self.scenes = Scenes(ticks, filename, *([self._wait] if speed else []))
-        self.simulation = self.scenes.clock
+        self.scenes: Scenes | None = None
+        if filename:
+            from .run.scenes import Scenes  # which loads rclpy
+
+            self.scenes = Scenes(ticks, filename, *([self._wait] if speed else []))
+        paced = self.scenes.clock if self.scenes else PacedSimulation(self._wait) if speed else None
+        self.simulation: Simulation = paced or Simulation()
         self._page = page
         self._speed = speed
         self._ticks = ticks
