@@ -210,7 +210,9 @@ def test_a_package_keeps_its_python_modules(package: Package) -> None:
 
 
 @pytest.mark.parametrize(("ros", "source"), [(1, "src/tools"), (2, "tools")])
-def test_a_node_imports_modules_of_other_packages(package: Package, ros: int, source: str) -> None:
+def test_a_node_imports_modules_of_other_packages(
+    package: Package, ros: int, source: str, monkeypatch: pytest.MonkeyPatch
+) -> None:
     """Those of its workspace, without messages; what is installed under such a name goes first."""
     folder = package()
     for name in ("tools", "yaml"):
@@ -218,6 +220,7 @@ def test_a_node_imports_modules_of_other_packages(package: Package, ros: int, so
         code.mkdir(parents=True)
         (code / "__init__.py").touch()
         (code / "helper.py").write_text("answer = 42\n")
+    monkeypatch.syspath_prepend(folder.parent.parent)  # where any folder would be a package, without what is in it
     with MessageFinder(ros, folder):
         assert import_module("tools.helper").answer == 42
         with pytest.raises(ModuleNotFoundError):

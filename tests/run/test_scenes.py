@@ -240,4 +240,5 @@ def test_a_node_of_ros_1_has_no_scenes() -> None:
 
 def test_a_long_run_keeps_its_first_steps() -> None:
     run = told("executors/one_thread", 1000.0)
-    assert len(run.data["steps"]) == 300 and run.said[0].startswith("0: ")
+    assert len(run.data["steps"]) == 301 and run.said[0].startswith("0: ")
+    assert run.said[-1].endswith("The rest is not shown.")

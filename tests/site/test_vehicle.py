@@ -105,7 +105,7 @@ def test_it_leaves_its_line_where_one_thread_makes_all_calls(site: Path) -> None
         name: [length for length, (words, *_) in zip(lengths, found, strict=True) if "leaves" in words]
         for name, found in zip(NODES, positions, strict=True)
     }
-    assert leaves["ROS 2, two threads"] == leaves["ROS 1 in Python"] == []
+    assert leaves["ROS 2, two threads, a group each"] == leaves["ROS 1 in Python"] == []
     assert leaves["ROS 2 in Python"] == leaves["ROS 1 in C++"] == [n / 10 for n in range(12, 21)]
 
 

@@ -6,7 +6,10 @@ const FORMAT = "rosspin-answers"
 const VERSION = 2
 
 /** The name of an exercise, or in files of version 1 its old number. */
-const NAME = { 1: /^\d{1,3}$/, 2: /^[a-z0-9]+(-[a-z0-9]+)*$/ }
+const NAME = new Map([
+  [1, /^[1-9]\d{0,2}$/],
+  [2, /^[a-z0-9]+(-[a-z0-9]+)*$/],
+])
 
 /** What is read at most: of a file (bytes), of an answer and a name (characters), and so many answers. */
 export const MOST = { file: 1_000_000, answer: 50_000, name: 100, answers: 100 }
@@ -51,7 +54,7 @@ export async function read(file) {
     refuse("it is not a file that Hand in saved (it is not JSON)")
   }
   if (found?.format !== FORMAT) refuse("it is not a file of answers to these exercises")
-  const isName = NAME[/** @type {1 | 2} */ (found.version)]
+  const isName = NAME.get(found.version)
   if (!isName) refuse("another version of this site wrote it")
   const { name, id, answers } = found
   if (typeof name !== "string" || typeof id !== "string" || typeof answers !== "object" || !answers) {

@@ -384,6 +384,7 @@ export class Cell {
     this.console.clear()
     this.plot.clear()
     this.#endSteps()
+    this.#endSteps = () => {}
     this.copied.hidden = this.pin.hidden = true
     this.#showMade(!runs)
   }
@@ -437,11 +438,10 @@ export class Cell {
   #finish({ status, errors, count, ticks, chunks, alternative, end, test, scenes }) {
     this.#test = test
     this.pin.hidden = !test
-    const number = this.#runs
+    const none = this.#endSteps
     if (scenes) {
       import(`${this.#base}stepper.js`).then(({ offer }) => {
-        if (number !== this.#runs) return
-        this.#endSteps = offer(this.console.element, this.#name, scenes, this.#pre, this.#ran)
+        if (this.#endSteps === none) this.#endSteps = offer(this.console.element, this.#name, scenes, this.#pre, this.#ran)
       })
     }
     if (count) this.plot.finish(ticks, alternative, chunks, end)

@@ -1,5 +1,5 @@
-// The names by which answers are kept, handed in and judged; numbers are only shown. What older versions of the site kept
-// knows numbers.
+// The names by which answers are kept, handed in and judged; numbers are only shown. Records kept by older versions of
+// the site use numbers.
 
 /** The exercises that had numbers before they had names, in that order: from 1 on. This list never changes. */
 const NUMBERED = [
@@ -20,7 +20,7 @@ const FIRST_LINE = /^%%answer[ \t]+(\S+)[^\n]*(?:\n|$)/
  */
 export const nameOf = (known) => NUMBERED[Number(known) - 1] ?? known
 
-/** The number of an exercise, as it is shown now; the name of one that there is not. */
+/** The number of an exercise, as it is shown now; its name if there is no such exercise. */
 export const numberOf = (/** @type {string} */ name) => String(EXERCISES[name]?.number ?? name)
 
 /**

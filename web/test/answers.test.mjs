@@ -59,6 +59,8 @@ const REFUSED = [
   [file("[]"), NOT_THESE],
   [holding({ format: "other" }), NOT_THESE],
   [holding({ version: 3 }), "another version of this site wrote it"],
+  [holding({ version: "constructor" }), "another version of this site wrote it"],
+  [holding({ version: 1, answers: { "04": "x" } }), NO_ANSWER],
   [holding({ name: null }), LACKING],
   [holding({ id: 5 }), LACKING],
   [holding({ answers: null }), LACKING],

@@ -82,7 +82,8 @@ def _exercise(which: int | str) -> Exercise:
         if which in (exercise.number, exercise.name):
             return exercise
     raise ValueError(
-        f"there is no exercise {which!r}: they are numbered 1 to {len(EXERCISES)}, and named as in their first lines"
+        f"there is no exercise {which!r}: they are numbered 1 to {len(EXERCISES)}, and have the names in the first "
+        "lines of their cells"
     )
 
 

@@ -97,7 +97,9 @@ class MessageFinder(MetaPathFinder, Loader):
 
     def _modules_of(self, name: str) -> ModuleSpec | None:
         """Find a package of the workspace that has no messages, unless it can be imported anyway."""
-        if name in sys.stdlib_module_names or not (spec := self._source(name)) or PathFinder.find_spec(name):
+        if name in sys.stdlib_module_names or not (spec := self._source(name)):
+            return None
+        if (other := PathFinder.find_spec(name)) and other.origin:  # without one, it is any folder of that name
             return None
         self.found.add(name)
         return spec

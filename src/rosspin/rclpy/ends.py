@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from functools import cached_property
 from typing import TYPE_CHECKING, Any, NamedTuple
 
 from .discovery import ENDPOINT, lose
@@ -47,7 +48,7 @@ class Owner:
         self._check()
         return self.node.get_logger().name
 
-    @property
+    @cached_property
     def handle(self) -> Handle:
         """Its handle, which can be held and nothing else."""
         return Handle(self._check)

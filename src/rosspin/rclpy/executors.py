@@ -6,6 +6,7 @@ import inspect
 import time
 from collections.abc import Callable, Iterator
 from concurrent.futures import ThreadPoolExecutor
+from functools import cached_property
 from itertools import chain
 from typing import TYPE_CHECKING, Any, TypeAlias, TypeVar
 
@@ -75,7 +76,7 @@ class GuardCondition:
         self._destroyed = False
         self._executor_triggered = False  # an executor has seen the trigger, and not called yet
 
-    @property
+    @cached_property
     def handle(self) -> Handle:
         """Its handle, which can be held and nothing else."""
         return Handle(self._check)

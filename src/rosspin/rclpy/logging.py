@@ -304,7 +304,7 @@ def get_logging_directory() -> Path:
 
 
 def clear_config() -> None:
-    """Log no more by the command line: levels are as at first, and nothing goes to /rosout."""
+    """Forget what the command line said about logging: levels are as at first, and nothing goes to /rosout."""
     own = state()
     own.level, own.levels, own.console, own.rosout = LoggingSeverity.INFO, {}, True, None
 

@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import time
 from collections.abc import Callable, Iterable, Iterator, Mapping, Set
+from functools import cached_property
 from importlib import import_module
 from types import ModuleType
 from typing import TYPE_CHECKING, Any, TypeVar
@@ -47,10 +48,6 @@ if TYPE_CHECKING:
 __all__ = ["Node"]
 
 E = TypeVar("E", bound="Owner")
-
-# The topics that every node publishes.
-_OF_EVERY_NODE = {topic: {kind} for topic, kind in own_topics.TYPES.items()}
-
 
 # What rcl says of a service with this durability.
 _TRANSIENT_LOCAL = (
@@ -117,7 +114,6 @@ class Node(Parameters):
             self.__name, self.__namespace = arguments.name(self.__name, self.__namespace)
         self.__full_name = f"{self.__namespace.rstrip('/')}/{self.__name}"
         self._logger = logging.get_logger(self.__full_name[1:].replace("/", "."))
-        self.__on_rosout = enable_rosout and logging.publish_on_rosout(self._logger.name, self)
         self.__executor: Executor | None = None
 
         self._publishers: list[Publisher] = []
@@ -136,17 +132,22 @@ class Node(Parameters):
             values = arguments.parameters(self.__full_name)
             overrides |= {name: Parameter(name, value=value) for name, value in values.items()}
         overrides |= {parameter.name: parameter for parameter in parameter_overrides or ()}
+        self.__on_rosout = enable_rosout and logging.publish_on_rosout(self._logger.name, self)
         self._context.add_node(self)
         self._rosspin_topics = own_topics.OwnTopics(self, import_module("rcl_interfaces.msg"), self.__on_rosout)
         super().__init__(overrides, allow_undeclared_parameters, self.__tell_parameters)
         self._clock = ROSClock()
-        if automatically_declare_parameters_from_overrides:
-            entries = [(name, parameter.value) for name, parameter in overrides.items()]
-            self.declare_parameters("", entries, ignore_override=True)
-        self._time_source = TimeSource(node=self)
-        self._time_source.attach_clock(self._clock)
-        if not self.has_parameter(START_TYPE_DESCRIPTION_SERVICE_PARAM):
-            self.declare_parameter(START_TYPE_DESCRIPTION_SERVICE_PARAM, True)
+        try:
+            if automatically_declare_parameters_from_overrides:
+                entries = [(name, parameter.value) for name, parameter in overrides.items()]
+                self.declare_parameters("", entries, ignore_override=True)
+            self._time_source = TimeSource(node=self)
+            self._time_source.attach_clock(self._clock)
+            if not self.has_parameter(START_TYPE_DESCRIPTION_SERVICE_PARAM):
+                self.declare_parameter(START_TYPE_DESCRIPTION_SERVICE_PARAM, True)
+        except BaseException:  # a value that the command line gives may be refused
+            self.destroy_node()
+            raise
         self.__describes = self.get_parameter(START_TYPE_DESCRIPTION_SERVICE_PARAM).value
         # Whoever looks for these services first may be another process, which would import classes of its own.
         self.__lacking = import_module("rcl_interfaces.srv") if start_parameter_services else None
@@ -243,7 +244,7 @@ class Node(Parameters):
         self._rosspin_nudge()
 
     def remove_waitable(self, waitable: Any) -> None:
-        """Serve an action, or an event, no more."""
+        """Stop serving an action or an event."""
         for waitables in (self._rosspin_events, self._rosspin_waitables):
             if waitable in waitables:
                 waitables.remove(waitable)
@@ -292,7 +293,7 @@ class Node(Parameters):
         """Its logger, named after its namespace and name: ``mrp.spinner``."""
         return self._logger
 
-    @property
+    @cached_property
     def handle(self) -> Handle:
         """Its handle, which can be held and nothing else."""
         return Handle(self.__check)
@@ -479,7 +480,7 @@ class Node(Parameters):
         """
         self.__check()
         own = [owner for context in self._context.state.contexts for node in context.nodes for owner in node.__ends()]
-        return _by_name([*own, *(owner for node in self.__nodes() for owner in node.__ends())], _OF_EVERY_NODE)
+        return _by_name([*own, *(owner for node in self.__nodes() for owner in node.__ends())], own_topics.TYPES)
 
     def __ends(self) -> list[Publisher | Subscription]:
         return [*self._rosspin_ends(Publisher), *self._rosspin_ends(Subscription)]
@@ -493,7 +494,7 @@ class Node(Parameters):
         self, node_name: str, node_namespace: str, no_demangle: bool = False
     ) -> list[tuple[str, list[str]]]:
         """Return the topics that a node publishes, and their types. Raises NodeNameNonExistentError if unknown."""
-        return _by_name(self.__find("publisher", node_name, node_namespace)._rosspin_ends(Publisher), _OF_EVERY_NODE)
+        return _by_name(self.__find("publisher", node_name, node_namespace)._rosspin_ends(Publisher), own_topics.TYPES)
 
     def get_subscriber_names_and_types_by_node(
         self, node_name: str, node_namespace: str, no_demangle: bool = False
@@ -718,7 +719,8 @@ class Node(Parameters):
                 self.__destroy(entities[0], entities)
         loggers = self._context.state.rosout
         if self.__on_rosout and loggers and not self.__destroyed:
-            for name in [name for name in loggers if f"{name}.".startswith(f"{self._logger.name}.")]:
+            publishing = loggers.get(self._logger.name)
+            for name in [name for name, node in loggers.items() if node is publishing]:
                 del loggers[name]
         self.__destroyed = True
         if self in self._context.nodes:

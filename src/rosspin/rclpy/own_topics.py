@@ -12,6 +12,7 @@ from typing import TYPE_CHECKING, Any
 from .duration import Duration
 from .parameter import Parameter
 from .qos import DurabilityPolicy, QoSProfile, qos_profile_parameter_events
+from .time import Time
 from .topics import Publisher
 
 if TYPE_CHECKING:
@@ -22,8 +23,8 @@ __all__ = ["PARAMETER_EVENTS", "ROSOUT", "TYPES", "OwnTopics", "look"]
 PARAMETER_EVENTS = "/parameter_events"
 ROSOUT = "/rosout"
 
-# The type of each.
-TYPES = {PARAMETER_EVENTS: "rcl_interfaces/msg/ParameterEvent", ROSOUT: "rcl_interfaces/msg/Log"}
+# The type of each, as the graph names it.
+TYPES = {PARAMETER_EVENTS: {"rcl_interfaces/msg/ParameterEvent"}, ROSOUT: {"rcl_interfaces/msg/Log"}}
 
 _QOS = {
     PARAMETER_EVENTS: qos_profile_parameter_events,
@@ -49,10 +50,10 @@ class OwnTopics:
     def make(self, topic: str) -> None:
         """Make the publisher of a topic, unless there is one. Others find it as if it had always been there."""
         node = self._node
-        if topic in self._made or topic not in self._topics or not node.context.ok():
+        if topic in self._made or topic not in self._topics or node not in node.context.nodes or not node.context.ok():
             return
         with node.context.state.world.acting():
-            kind = getattr(self._types, TYPES[topic].rpartition("/")[2])
+            kind = self._types.Log if topic == ROSOUT else self._types.ParameterEvent
             publisher = self._made[topic] = Publisher(node, kind, topic, topic, _QOS[topic])
         publisher.made = node.context.born.get(node, publisher.made)
         node._publishers.append(publisher)
@@ -79,7 +80,7 @@ class OwnTopics:
         publisher = self._made.get(ROSOUT)
         if publisher and self._node.context.ok():
             line: Any = self._types.Log(level=level, name=name, msg=message, line=frame.f_lineno)
-            line.stamp = self._node.get_clock().now().to_msg()
+            line.stamp = Time(nanoseconds=self._node.context.state.clock.now()).to_msg()
             line.file, line.function = os.path.abspath(frame.f_code.co_filename), frame.f_code.co_name
             publisher.publish(line)
 

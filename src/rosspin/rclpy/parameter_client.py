@@ -7,6 +7,7 @@ from collections.abc import Callable, Sequence
 from importlib import import_module
 from typing import TYPE_CHECKING, Any
 
+from .own_topics import PARAMETER_EVENTS
 from .parameter import Parameter, parameter_dict_from_yaml_file
 from .parameter_service import SERVICES
 from .qos import QoSProfile, qos_profile_parameter_events, qos_profile_services_default
@@ -115,7 +116,7 @@ class AsyncParameterClient:
     ) -> Subscription:
         """Subscribe to the events of all nodes; the options are those of ``create_subscription``."""
         kind = import_module("rcl_interfaces.msg").ParameterEvent
-        return self.node.create_subscription(kind, "/parameter_events", callback, qos_profile, **options)
+        return self.node.create_subscription(kind, PARAMETER_EVENTS, callback, qos_profile, **options)
 
 
 def _messages(parameters: Sequence[Any]) -> list[Any]:

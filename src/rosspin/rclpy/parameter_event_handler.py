@@ -9,6 +9,7 @@ from importlib import import_module
 from itertools import chain
 from typing import TYPE_CHECKING, Any, NoReturn
 
+from .own_topics import PARAMETER_EVENTS
 from .qos import QoSProfile, qos_profile_parameter_events
 
 if TYPE_CHECKING:
@@ -70,7 +71,7 @@ class ParameterEventHandler:
             return handle
 
         def remove_parameter_callback(self, handle: ParameterCallbackHandle) -> None:
-            """Call it no more. Raises RuntimeError if it is not there."""
+            """Stop calling it. Raises RuntimeError if it is not there."""
             key = handle.parameter_name, handle.node_name
             with self.mutex:
                 if handle not in self.parameter_callbacks.get(key, ()):
@@ -87,7 +88,7 @@ class ParameterEventHandler:
             return handle
 
         def remove_parameter_event_callback(self, handle: ParameterEventCallbackHandle) -> None:
-            """Call it no more. Raises RuntimeError if it is not there."""
+            """Stop calling it. Raises RuntimeError if it is not there."""
             with self.mutex:
                 if handle not in self.event_callbacks:
                     _refuse()
@@ -99,11 +100,11 @@ class ParameterEventHandler:
         self._callbacks = ParameterEventHandler.Callbacks()
         kind = import_module("rcl_interfaces.msg").ParameterEvent
         self.parameter_event_subscription = node.create_subscription(
-            kind, "/parameter_events", self._callbacks.event_callback, qos_profile, **options
+            kind, PARAMETER_EVENTS, self._callbacks.event_callback, qos_profile, **options
         )
 
     def destroy(self) -> None:
-        """Call back no more."""
+        """Stop calling back."""
         self.node.destroy_subscription(self.parameter_event_subscription)
 
     @staticmethod
@@ -130,7 +131,7 @@ class ParameterEventHandler:
         return self._callbacks.add_parameter_callback(parameter_name, self._resolve_path(node_name), callback)
 
     def remove_parameter_callback(self, handle: ParameterCallbackHandle) -> None:
-        """Call it no more. Raises RuntimeError if it is not there."""
+        """Stop calling it. Raises RuntimeError if it is not there."""
         self._callbacks.remove_parameter_callback(handle)
 
     def add_parameter_event_callback(self, callback: Callable[[Any], None]) -> ParameterEventCallbackHandle:
@@ -138,7 +139,7 @@ class ParameterEventHandler:
         return self._callbacks.add_parameter_event_callback(callback)
 
     def remove_parameter_event_callback(self, handle: ParameterEventCallbackHandle) -> None:
-        """Call it no more. Raises RuntimeError if it is not there."""
+        """Stop calling it. Raises RuntimeError if it is not there."""
         self._callbacks.remove_parameter_event_callback(handle)
 
     def _resolve_path(self, node_path: str | None = None) -> str:

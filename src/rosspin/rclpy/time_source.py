@@ -70,7 +70,7 @@ class TimeSource:
         node.add_on_set_parameters_callback(self._on_set)
 
     def detach_node(self) -> None:
-        """Follow the node no more."""
+        """Stop following the node."""
         self._unsubscribe()
         self._node = None
 

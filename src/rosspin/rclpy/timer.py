@@ -5,6 +5,7 @@ from __future__ import annotations
 import inspect
 import threading
 from collections.abc import Callable, Iterable
+from functools import cached_property
 from typing import Any, NamedTuple
 
 from ..clocks.frames import Place
@@ -151,7 +152,7 @@ class Timer:
         if isinstance(self.clock, ROSClock):
             self.clock.timers.pop(self, None)
 
-    @property
+    @cached_property
     def handle(self) -> Handle:
         """Its handle, which can be held and nothing else."""
         return Handle(self._check)

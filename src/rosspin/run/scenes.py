@@ -65,8 +65,8 @@ class Scenes:
         """
         if not (self._steps or self._rings):
             return None
-        end = [self.clock.seconds(), f"The node has ended, with status {status}.", [], [], []]
-        steps = self._steps if self._is_full else [*self._steps, end]
+        end = "The rest is not shown." if self._is_full else f"The node has ended, with status {status}."
+        steps = [*self._steps, [self.clock.seconds(), end, [], [], []]]
         return {
             "threads": [name for _, name in self._threads.values()],
             "groups": [name for _, name in self._groups.values()],

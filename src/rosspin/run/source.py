@@ -57,7 +57,7 @@ def load(node: NodeLike) -> Node:
             function = inspect.unwrap(function.func)
         name = getattr(function, "__name__", type(function).__name__)
         code = getattr(function, "__code__", None) or getattr(type(function).__call__, "__code__", None)
-        main = partial(_call, node)
+        main = partial(_call, node, sys.modules.get("__main__"))
         return Node(main, name, code.co_filename if code else "", None, hint=_hint([code] if code else [], None))
     path = os.fspath(node) if isinstance(node, (str, os.PathLike)) else ""
     if isinstance(node, (list, tuple)) or path.endswith(".launch") or is_launch_of_ros2(path):
@@ -89,12 +89,10 @@ def execute(code: CodeType, filename: str) -> None:
     exec(code, module.__dict__)
 
 
-# The program's own, which its functions are to find: a node in a file has another one.
-_MAIN = sys.modules["__main__"]
-
-
-def _call(function: Callable[[], Any]) -> None:
-    sys.modules["__main__"] = _MAIN
+def _call(function: Callable[[], Any], main: ModuleType | None) -> None:
+    """Call a function of a program whose module ``__main__`` it is to find, if that could be seen."""
+    if main:
+        sys.modules["__main__"] = main
     function()
 
 

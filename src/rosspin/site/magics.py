@@ -65,6 +65,8 @@ class Magics(BaseMagics):
     @cell_magic
     def answer(self, line: str, cell: str) -> Feedback:
         """``%%answer NAME``: check the cell, a node file, as the answer to an exercise."""
+        if line.strip().isdecimal():  # it may be from an older version, in which the numbers were others
+            raise UsageError("%%answer NAME: an exercise is given by its name, as in %%answer ten-hertz")
         try:
             feedback = check(line.strip(), _below_its_magic(cell))
         except ValueError as error:

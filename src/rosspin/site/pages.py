@@ -42,7 +42,7 @@ from ..world.graph import TickLog
 from .checks import note
 from .claims import Facts, one_line
 from .outputs import differences
-from .vehicle import figure
+from .vehicle import NODES, figure
 
 __all__ = ["setup"]
 
@@ -197,7 +197,7 @@ class ScenesDirective(TicksDirective):
             status = run_node(load(path), self._seconds(), args, scenes.clock, log).status
         data = scenes.data(status)
         if not data:
-            raise ValueError("no executor of ROS 2 has spun")
+            raise ValueError("no executor of ROS 2 has spun, or the node has too many callbacks")
         name = os.path.basename(path)
         carried = html.escape(json.dumps(data | {"name": name}, separators=(",", ":")), quote=False)
         carried = carried.replace("'", "&#39;")
@@ -282,6 +282,8 @@ class VehicleDirective(SphinxDirective):
 
     def run(self) -> list[nodes.Node]:
         """The figure, as inline SVG with all its positions."""
+        for file, _ in NODES.values():
+            self.env.note_dependency(file)
         try:
             return [nodes.raw("", figure(Path(self.env.srcdir)), format="html")]
         except Exception as error:  # of a node that the author has changed

@@ -14,7 +14,7 @@ from ..results.roscpp import timer_probe
 from ..results.ticks import Tick
 from ..run.simulate import simulate
 
-__all__ = ["drawing", "figure", "save_preview"]
+__all__ = ["NODES", "drawing", "figure", "save_preview"]
 
 _PROBE1 = "_second_timer:=true _block:={} _block_call:=8"
 _PROBE2 = "--ros-args -p second_timer:=true -p block:={} -p block_call:=8"
@@ -22,7 +22,7 @@ _PROBE2 = "--ros-args -p second_timer:=true -p block:={} -p block_call:=8"
 # By the name to show: a node with two timers, and its arguments. The second steers; one call of the first takes {} s.
 NODES = {
     "ROS 2 in Python": ("examples/ros2/timer_probe.py", _PROBE2),
-    "ROS 2, two threads": ("examples/ros2/timer_probe.py", f"{_PROBE2} -p executor:=multi -p group:=own"),
+    "ROS 2, two threads, a group each": ("examples/ros2/timer_probe.py", f"{_PROBE2} -p executor:=multi -p group:=own"),
     "ROS 1 in Python": ("examples/timing_probes/src/timer_probe.py", _PROBE1),
     "ROS 1 in C++": ("examples/timing_probes/src/timer_probe.cpp", _PROBE1),
 }
