@@ -145,7 +145,7 @@ def test_who_is_who(quick: Table) -> None:
     assert re.search(rf"^The answer, from {source}:$", said, re.MULTILINE)
     assert [row[4:6] for row in quick.csv()[1:]] == [["Sam", ""], ["", "b.json"], ["Al", "c.json"]]
     expect(quick.sign(f"Sam, exercise {THIRD}: solved")).to_be_visible()
-    expect(quick.page.get_by_role("columnheader", name="3")).to_have_attribute(
+    expect(quick.page.get_by_role("columnheader", name=f"{THIRD}")).to_have_attribute(
         "title", f"Exercise {THIRD}: The ticks of a C++ node"
     )
 

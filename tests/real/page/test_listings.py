@@ -36,10 +36,11 @@ def test_the_language_is_asked_and_remembered(
     """A link on the first page chooses it, for each later page too; where the text says Run, there is one."""
     page = context.new_page()
     page.goto(address)
-    page.locator(f"article a[href$='lang={language}']").click()
-    words, run = page.get_by_text("You can run the Python listings on this page"), Cell(page, 0).button("Run")
-    expect(words).to_be_visible(visible=shown)
-    expect(run).to_be_visible(visible=shown)
+    page.locator(f"article a[href$='ros=1&lang={language}']").click()
+    expect(Cell(page, 0).button("Run")).to_be_visible(visible=shown)
+    page.goto(address + "docs/ros2/tutorial.html")
+    expect(page.get_by_text("You can run the Python listings on this page")).to_be_visible(visible=shown)
+    expect(Cell(page, 0).button("Run")).to_be_visible(visible=shown)
     page.goto(address + "docs/how-to/frequency-from-parameter.html")
     expect(Cell(page, 1).button("Run")).to_be_visible(visible=shown)
 
