@@ -37,6 +37,7 @@ def test_the_language_is_asked_and_remembered(
     page = context.new_page()
     page.goto(address)
     page.locator(f"article a[href$='ros=1&lang={language}']").click()
+    page.wait_for_url(re.compile(rf"tutorial\.html\?.*lang={language}$"))
     expect(Cell(page, 0).button("Run")).to_be_visible(visible=shown)
     page.goto(address + "docs/ros2/tutorial.html")
     expect(page.get_by_text("You can run the Python listings on this page")).to_be_visible(visible=shown)
