@@ -71,9 +71,9 @@ def test_each_verdict(tmp_path: Path) -> None:
     assert "Traceback" in wrong["console"]
     none = verdict("nothing", "", tmp_path)
     assert (none["verdict"], none["solved"]) == ("not judged", False)
-    assert (
-        none["said"]
-        == f"there is no exercise 'nothing': they are numbered 1 to {len(NAMES)}, and named as in their first lines"
+    assert none["said"] == (
+        f"there is no exercise 'nothing': they are numbered 1 to {len(NAMES)}, and have the names in the first lines "
+        "of their cells"
     )
 
 

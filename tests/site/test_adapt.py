@@ -67,7 +67,7 @@ _WRONG_FIGURES = {
 
 _WRONG_SCENES = {
     _NODE: ":seconds: is missing: how long the node runs",
-    f"{_NODE}\n:seconds: 1": "no executor of ROS 2 has spun",
+    f"{_NODE}\n:seconds: 1": "no executor of ROS 2 has spun, or the node has too many callbacks",
 }
 
 _START = "```{code-cell} ipython3\n%load_ext rosspin\n```\n\n"
