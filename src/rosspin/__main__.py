@@ -16,6 +16,7 @@ from .clocks.frames import Whereabouts, node_place
 from .clocks.guard import guard_threads
 from .clocks.simulation import Simulation
 from .doctor import report
+from .faults import read
 from .measures import by_source, describe_periods, describe_timeline
 from .plots import picture, pictures
 from .real import ros1, ros2
@@ -58,7 +59,7 @@ def _parser() -> argparse.ArgumentParser:
         "run",
         help="run a node file",
         description="Run a node file on the wall clock until Ctrl-C, in simulated time, or on the real ROS 1 or 2.",
-        usage="%(prog)s FILE... [--seconds S] [--simulated [--skip-cpp] [--start S] | --ros1 | --ros2] [--plot FILE] "
+        usage="%(prog)s FILE... [--seconds S] [--simulated [--skip-cpp] [--start S] [--fault FAULT]... | --ros1 | --ros2] [--plot FILE] "
         "[-- NODE ARGS]",
         epilog="Everything after -- is passed to the node: __ns:=/mrp _rate:=10, or on ROS 2 --ros-args -r __ns:=/mrp.",
         allow_abbrev=False,
@@ -80,6 +81,13 @@ def _parser() -> argparse.ArgumentParser:
         type=float,
         metavar="S",
         help="with --simulated: what the node's clocks tell at first, in s (default: 0)",
+    )
+    run.add_argument(
+        "--fault",
+        action="append",
+        default=[],
+        metavar="FAULT",
+        help="with --simulated: what is to go wrong, as in --fault 'Topic(\"/scan\", drop=0.1)'; may be repeated",
     )
     run.add_argument(
         "--plot", metavar="FILE", help="plot the ticks to this .pdf, .png or .svg, and describe them on stderr"
@@ -118,6 +126,8 @@ def _run(options: argparse.Namespace, args: Sequence[str]) -> int:
         raise ValueError("--skip-cpp is for launch files in simulated time")
     if options.start is not None and not options.simulated:
         raise ValueError("--start is for simulated time: --simulated")
+    if options.fault and not options.simulated:
+        raise ValueError("--fault is for simulated time: --simulated")
     if options.plot is not None:
         _check_plot(options.plot)
     guarded = guard_threads(_say_where_it_computed) if options.simulated and options.alone else nullcontext()
@@ -142,11 +152,12 @@ def _result(options: argparse.Namespace, args: Sequence[str], record: bool) -> R
         real = ros1.launch if options.ros1 else ros2.launch
         return real(options.file, options.seconds, args, sys.stdout)
     ticks = TickLog() if record else None
+    faults = [read(text) for text in options.fault]
     launched = several(options.files if len(options.files) > 1 else options.file, args, options.skip_cpp)
     clock: Clock = Simulation(duration(options.start or 0.0, "start")) if options.simulated else WallClock()
     if launched:
         assert isinstance(clock, Simulation)
-        return run_nodes(launched, options.seconds, clock, ticks)
+        return run_nodes(launched, options.seconds, clock, ticks, faults=faults)
     if options.alone:
         adopt_orphans()
     before = descendants(os.getpid())  # the children of a shell that this process replaced
@@ -160,7 +171,7 @@ def _result(options: argparse.Namespace, args: Sequence[str], record: bool) -> R
         end_others()
 
     try:
-        return run_node(load(options.file), options.seconds, args, clock, ticks, give_up)
+        return run_node(load(options.file), options.seconds, args, clock, ticks, give_up, faults)
     finally:
         end_others()
 

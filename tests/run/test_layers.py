@@ -17,6 +17,7 @@ LAYERS = [
     "clocks",
     "results",
     "world",
+    "faults",
     "messages",
     "tf2",
     "rospy",

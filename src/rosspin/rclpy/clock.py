@@ -32,7 +32,7 @@ class Clock:
         self.clock_type = clock_type
         self._state = state()
         # The time in ns: looked up once, as each tick asks several times.
-        self.ns: Callable[[], int] = self._state.clock.now
+        self.ns: Callable[[], int] = self._state.clock.system
         if clock_type is ClockType.STEADY_TIME:
             self.ns = time.monotonic_ns
         self.flows = True  # whether its time goes on by itself
@@ -72,6 +72,8 @@ class Clock:
 
         context.on_shutdown(stop)
         self.watchers.append(gate)
+        if self.clock_type is not ClockType.STEADY_TIME:
+            own.sleepers.append(gate)
         deaf = threading.current_thread() is threading.main_thread()
         own.asleep = own.asleep or deaf
         try:
@@ -80,6 +82,8 @@ class Clock:
         finally:
             context.forget(stop)
             self.watchers.remove(gate)
+            if self.clock_type is not ClockType.STEADY_TIME:
+                own.sleepers.remove(gate)
             if deaf:
                 own.asleep = False
         if deaf and own.pending:
@@ -115,7 +119,7 @@ class ROSClock(Clock):
                 timer.before_switch()
             self.flows = not enabled
             self.changes += 1
-            self.ns = (lambda: self._told) if enabled else self._state.clock.now
+            self.ns = (lambda: self._told) if enabled else self._state.clock.system
             for timer in timers:
                 timer.after_switch()
             self._open_gates()

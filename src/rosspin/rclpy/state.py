@@ -52,6 +52,8 @@ class State:
         self.contexts: list[Context] = []  # those that were initialised
         self.participants = world.graph.part(Participants)
         world.at_end.append(self._be_missed)
+        self.sleepers: list[Gate] = []  # who sleeps until a time of the system's clock
+        world.at_jump.append(lambda: [gate.open() for gate in self.sleepers] and None)
         self.waiting: WeakKeyDictionary[Gate, None] = WeakKeyDictionary()  # the gates that a signal opens
         self.handled: set[int] = set()  # signals that shut the contexts down
         self.before: dict[int, Any] = {}  # signal handlers that were there before rclpy's

@@ -10,10 +10,13 @@ import inspect
 import time
 from collections import deque
 from collections.abc import Callable
+from functools import partial
 from operator import itemgetter
 from typing import TYPE_CHECKING, Any
 
 from ..messages.ros2 import Message, received, transfer
+from ..world.graph import Wire
+from ..world.tester import NAME as TESTER
 from .callback_groups import ReentrantCallbackGroup
 from .discovery import KEPT, discover
 from .ends import Owner
@@ -170,7 +173,7 @@ class Publisher(TopicEnd):
         if not self.node.context.ok():
             raise RCLError("Failed to publish: publisher's context is invalid")
         message = transfer(msg, self.msg_type)
-        sent = self.world.clock.now()
+        sent = self.world.clock.system()
         self.kept.append((message, sent))
         for watch in self._watches:
             watch.restart()
@@ -235,6 +238,7 @@ class Subscription(TopicEnd):
         self.nudge: Callable[[], None] | None = None  # tells the executor that waits
         self._executor_event = False
         self._received = 0
+        self._wires: dict[Any, Wire] = {}  # by the publishers whose messages a fault of the run befalls
         self._early: dict[Publisher, list[tuple[Message, int]] | None] = {}
         if event_callbacks:
             self._make_handlers(event_callbacks, callback_group)
@@ -322,11 +326,27 @@ class Subscription(TopicEnd):
     def join(self, other: Any) -> None:
         """See the base. A publisher of another process is alive at once, unless by hand."""
         super().join(other)
+        faults = self.world.graph.faults
+        if faults and (self.is_remote(other) or not isinstance(other, Owner)):
+            sender = other.node.get_fully_qualified_name() if isinstance(other, Owner) else TESTER
+            receiver, reliable = self.node.get_fully_qualified_name(), self.policies.reliable
+            if wire := faults.wire(self.end.topic, sender, receiver, self.world, reliable):
+                self._wires[other] = wire
+                self.receive = self._receive_by_wire  # type: ignore[method-assign]
         if self._lease_of(other) == FOR_EVER:
             self.hear(other)
 
+    def _receive_by_wire(self, publisher: Any, message: Message, sent: int) -> None:
+        receive = partial(Subscription.receive, self, publisher, message, sent)
+        wire = self._wires.get(publisher)
+        if wire is None or publisher in self._early:  # what is kept for it comes in its own way
+            receive()
+        else:
+            wire.send(lambda: message, lambda: publisher in self.peers and receive())
+
     def part(self, other: Any) -> None:
         super().part(other)
+        self._wires.pop(other, None)
         if lease := self._leases.pop(other, None):
             alive = int(lease.runs)
             self.tell(self.LIVELINESS, alive=-alive, not_alive=alive - 1)
@@ -340,7 +360,7 @@ class Subscription(TopicEnd):
         self._received += 1
         info = {
             "source_timestamp": sent,
-            "received_timestamp": self.world.clock.now(),
+            "received_timestamp": self.world.clock.system(),
             "publication_sequence_number": self._received,
             "reception_sequence_number": None,
         }
