@@ -17,10 +17,10 @@ from .clocks.guard import guard_threads
 from .clocks.simulation import Simulation
 from .doctor import report
 from .faults import read
-from .measures import by_source, describe_periods, describe_timeline
+from .measures import by_source, describe_faults, describe_periods, describe_timeline
 from .plots import picture, pictures
 from .real import ros1, ros2
-from .results.ticks import Run, Tick
+from .results.ticks import Mishap, Run, Tick
 from .run.explain import say_error
 from .run.host import Result, duration
 from .run.process import leave
@@ -59,8 +59,8 @@ def _parser() -> argparse.ArgumentParser:
         "run",
         help="run a node file",
         description="Run a node file on the wall clock until Ctrl-C, in simulated time, or on the real ROS 1 or 2.",
-        usage="%(prog)s FILE... [--seconds S] [--simulated [--skip-cpp] [--start S] [--fault FAULT]... | --ros1 | --ros2] [--plot FILE] "
-        "[-- NODE ARGS]",
+        usage="%(prog)s FILE... [--seconds S] [--simulated [--skip-cpp] [--start S] [--fault FAULT]... | --ros1 | "
+        "--ros2] [--plot FILE] [-- NODE ARGS]",
         epilog="Everything after -- is passed to the node: __ns:=/mrp _rate:=10, or on ROS 2 --ros-args -r __ns:=/mrp.",
         allow_abbrev=False,
     )
@@ -134,9 +134,13 @@ def _run(options: argparse.Namespace, args: Sequence[str]) -> int:
     with guarded:
         result = _result(options, args, record=options.plot is not None)
     status = result.status
+    faults = result.host.recording.mishaps() if options.fault and isinstance(result, Result) else ()
+    if faults:
+        sys.stdout.flush()
+        print(f"rosspin: {describe_faults(faults)}", file=sys.stderr)
     if options.plot is not None:
         sys.stdout.flush()
-        failed = _plot(result.ticks, options.plot)
+        failed = _plot(result.ticks, faults, options.plot)
         status = status or failed
     if isinstance(result, Result) and result.host.processes:
         leave(status, result.world)
@@ -201,12 +205,12 @@ def _check_plot(path: str) -> None:
         raise ValueError(f"--plot {path}: {advice}")
 
 
-def _plot(ticks: Sequence[Tick], path: str) -> int:
+def _plot(ticks: Sequence[Tick], faults: Sequence[Mishap], path: str) -> int:
     """Save and describe the plot, or say why not: the run is over and counts all the same. Returns an exit status."""
     try:
         if not ticks:
             raise ValueError("the node did not tick")
-        pictures.save(picture(ticks), path)
+        pictures.save(picture(ticks, faults=faults), path)
     except (ImportError, OSError, ValueError) as error:
         reason = error.strerror if isinstance(error, OSError) else error
         print(f"rosspin: {path} was not written: {reason}", file=sys.stderr)

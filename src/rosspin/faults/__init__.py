@@ -194,7 +194,7 @@ def read(text: str) -> Fault:
         args = [ast.literal_eval(each) for each in call.args]
         named = {each.arg or "**": ast.literal_eval(each.value) for each in call.keywords}
     except (SyntaxError, ValueError):
-        raise ValueError(f"{text}: a fault is written as in Python, as in Topic(\"/scan\", drop=0.1)") from None
+        raise ValueError(f'{text}: a fault is written as in Python, as in Topic("/scan", drop=0.1)') from None
     if call.func.id not in KINDS:
         raise ValueError(f"{text}: there is no fault {call.func.id}; there are {', '.join(KINDS)}")
     try:

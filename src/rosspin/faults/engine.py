@@ -1,4 +1,4 @@
-"""Lets the faults of a run happen: the stand-ins ask it about each connection and each call, the clock does the rest."""
+"""Lets the faults of a run happen: the stand-ins ask about each connection and each call, the clock does the rest."""
 
 from __future__ import annotations
 
@@ -44,19 +44,18 @@ class Engine:
         self._faults = checked(faults)
         self._worlds, self._graphs = worlds, graphs
         self._happened: set[int] = set()  # the identities of those that have done something
-        self._carried: Counter[int] = Counter()  # by the identities of faults of topics: messages that they could befall
-        self._wires: Counter[tuple[str, ...]] = Counter()
+        self._carried: Counter[int] = Counter()  # messages that those of topics could befall, by their identities
+        self._wires: Counter[tuple[str, str, str]] = Counter()
         self._late: set[frozenset[str]] = set()  # the pairs of nodes that were late to find each other
         self._called: dict[str, dict[str, None]] = {}  # by node: the callbacks that were called
         ahead = 0
         for fault in sorted(self._of(ClockJump), key=lambda fault: fault.at):
             ahead += nanoseconds(fault.by)
             if recording.start + nanoseconds(fault.at) + ahead < 0:
-                raise ValueError(f"{fault!r}: the clock would tell a time before 0; let the run begin later: start=1.7e9")
+                raise ValueError(f"{fault!r}: the clock would tell a time before 0; begin later, with start=1.7e9")
         for fault in self._faults:
             if isinstance(fault, (Crash, ClockJump)):
-                act = self._crash if isinstance(fault, Crash) else self._jump
-                clock.at(recording.start + nanoseconds(fault.at), partial(act, fault))
+                clock.at(recording.start + nanoseconds(fault.at), partial(self._act, fault))
 
     def _of(self, kind: type[Any]) -> list[Any]:
         return [fault for fault in self._faults if isinstance(fault, kind)]
@@ -128,6 +127,12 @@ class Engine:
                 self.note(fault, "slowed", f"{node} {names[0]}", by)
                 self.clock.sleep(by)
 
+    def _act(self, fault: Crash | ClockJump) -> None:
+        if isinstance(fault, Crash):
+            self._crash(fault)
+        else:
+            self._jump(fault)
+
     def _crash(self, fault: Crash) -> None:
         world = next((each for each in self._worlds() if fault.node in each.nodes and not each.over), None)
         if world is None or world.exit_status is not None:
@@ -184,13 +189,16 @@ class Engine:
 class Wire:
     """Carries messages of a topic from one node to another, late or not at all, as ``faults`` say."""
 
-    def __init__(self, engine: Engine, faults: Sequence[Topic], key: tuple[str, ...], number: int, world: World) -> None:
+    def __init__(
+        self, engine: Engine, faults: Sequence[Topic], key: tuple[str, str, str], number: int, world: World
+    ) -> None:
         self._engine = engine
         self._topic, self._sender, receiver = key
         self._which = f"{self._topic} from {self._sender} to {receiver}"
         self._world = world
         # Each fault draws from a row of its own, and as often whatever the others do.
-        self._faults = [(fault, *(Random(repr((fault.seed, *key, number, what))) for what in "dt")) for fault in faults]
+        rows = [[Random(repr((fault.seed, *key, number, what))) for what in ("drop", "delay")] for fault in faults]
+        self._faults = [(fault, drops, times) for fault, (drops, times) in zip(faults, rows, strict=True)]
         self._reorders = any(fault.reorder for fault in faults)
         self._sent = self._newest = 0  # how many messages were sent, and which of them has arrived
         self._under_way = 0
@@ -257,8 +265,8 @@ def _why_not(fault: Topic, sender: str, receiver: str, reliable: bool | None) ->
             f"small: Slow({receiver!r}, callback=..., by=...)"
         )
     return (
-        f"the connection from {sender} to {receiver} is reliable: what is lost on its way is sent again, comes late, and "
-        f"in order. {loses}, or let the subscription be best effort, as with {_UNRELIABLE}"
+        f"the connection from {sender} to {receiver} is reliable: what is lost on its way is sent again, comes late, "
+        f"and in order. {loses}, or let the subscription be best effort, as with {_UNRELIABLE}"
     )
 
 

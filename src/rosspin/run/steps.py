@@ -53,8 +53,9 @@ def start(
     ``node`` and ``args`` are as for :func:`simulate`; ``parameters`` are set before a node runs, as by a launch file:
     in ROS 1 private ones by names such as ``"~rate"``, in ROS 2 those that it declares. What is due at 0 s has run when
     this returns; the time then waits for :meth:`StartedNode.advance`. ``faults`` are as for :func:`simulate`; a node
-    that one of them kills has not failed. Raises what :func:`simulate` and ``advance`` raise, TypeError for a value that no parameter can have, and ValueError for parameters of several nodes: give each
-    of them its own on its command line.
+    that one of them kills has not failed. Raises what :func:`simulate` and ``advance`` raise, TypeError for a value
+    that no parameter can have, and ValueError for parameters of several nodes: give each of them its own on its command
+    line.
     """
     __tracebackhide__ = True  # pytest shows the lines of the test and of the node, not these
     refuse_text(args)
@@ -102,6 +103,7 @@ class StartedNode:
         self._testers: dict[int, Any] = {}
         self._now = 0
         self._messages: list[Message] = []  # all of the run
+        self._mishaps = 0  # how many were told
         self._closed = False
         self._raised: set[int] = set()  # the identities of the nodes' errors that were raised
         self._status_raised = False
@@ -156,7 +158,8 @@ class StartedNode:
     def _failed(self, process: Process) -> bool:
         """Whether a process has ended with a status that means failure. In ROS 2, most nodes end with 130 at Ctrl-C."""
         status = self._status_of(process)
-        return bool(status) and not process.world.crashed and not (status == _INTERRUPTED and self._closed and process.world.ros == 2)
+        is_end = status == _INTERRUPTED and self._closed and process.world.ros == 2
+        return bool(status) and not process.world.crashed and not is_end
 
     def _status_of(self, process: Process) -> int | None:
         world = process.world
@@ -255,10 +258,12 @@ class StartedNode:
     def _step(self, until: int, go_on: Callable[[], None]) -> Run:
         __tracebackhide__ = True
         recording = self._host.recording
-        before = len(self._capture), len(recording.log or ()), len(self._messages), len(recording), recording.mishap_count, self._now
+        before = len(self._capture), len(recording.log or ()), len(self._messages), len(recording)
+        mishaps, time = self._mishaps, self._now
         with self._inside():
             go_on()
         self._messages += recording.messages(len(self._messages))
+        self._mishaps = recording.mishap_count
         failed = [(process, error) for process in self._host.processes for error in process.world.errors]
         failed = [each for each in failed if id(each[1]) not in self._raised]
         self._raised |= {id(error) for _, error in failed}  # unique: the worlds keep these errors
@@ -282,7 +287,7 @@ class StartedNode:
             when = f"after Ctrl-C at {self.time} s" if self._closed else f"at {self.time} s"
             lines = self._capture.text().splitlines()[-_LINES:]
             raise NodeFailed("\n".join([f"{name} {how} {when}", *lines])) from (errors[0] if errors else None)
-        return self._run_since(*before)
+        return self._run_since(*before, mishaps, time)
 
     def _is_end(self, process: Process, error: BaseException) -> bool:
         """Whether an error is how a node of ROS 2 ends at Ctrl-C."""
