@@ -17,7 +17,7 @@ __all__ = ["ClockJump", "Crash", "Fault", "Late", "Slow", "Topic", "checked", "r
 
 
 class Fault:
-    """Base of the faults."""
+    """Base of the faults. Two that say the same are equal."""
 
     def __repr__(self) -> str:
         """As it is written, without what is left at its default."""
@@ -184,6 +184,7 @@ def checked(faults: Iterable[Fault]) -> tuple[Fault, ...]:
 def read(text: str) -> Fault:
     """Make the fault that is written in ``text``, as in Python; nothing in it is run. Raises ValueError if it is none.
 
+    >>> from rosspin.faults import read
     >>> read('Topic("/scan", drop=0.1)')
     Topic('/scan', drop=0.1)
     """

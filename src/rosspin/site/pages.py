@@ -28,12 +28,13 @@ from sphinx.util.typing import ExtensionMetadata
 
 from .. import rclpy, rospy
 from ..clocks.simulation import Simulation
+from ..faults import read
 from ..measures import topic_ticks
 from ..plots import picture, with_handle
 from ..plots.pictures import page
 from ..results import machine
 from ..results.rules import calculated
-from ..results.ticks import Tick
+from ..results.ticks import Run, Tick
 from ..run.host import kept, replaced
 from ..run.scenes import Scenes
 from ..run.simulate import run_captured, run_node
@@ -55,6 +56,8 @@ class TicksDirective(SphinxDirective):
     With ``:period: S`` the plot shows the whole grid of that period, and crosses for lost ticks. With ``:topic: /NAME``
     it shows the messages that the node published on a topic, in place of its ticks.
 
+    ``:faults:`` are what is to go wrong with the one FILE, each on a line, as in ``Crash("/node", at=2.0)``.
+
     ``:handle: LABEL, FROM to TO by STEP UNIT`` lets the reader move a number; a run is made now for each value. The
     number replaces ``{}`` in ARGS, or what the file assigns to the variable named by ``:sets:``. It begins with
     ``:at:``, or as the file has it. ``:lines: FROM-TO`` shows these lines of the file beside the plot, where the number
@@ -68,7 +71,7 @@ class TicksDirective(SphinxDirective):
     final_argument_whitespace = True
     option_spec: ClassVar = {
         **dict.fromkeys(("seconds", "period", "at"), lambda text: float(directives.unchanged_required(text))),
-        **dict.fromkeys(("handle", "sets", "lines", "topic"), directives.unchanged_required),
+        **dict.fromkeys(("handle", "sets", "lines", "topic", "faults"), directives.unchanged_required),
     }
 
     def run(self) -> list[nodes.Node]:
@@ -108,6 +111,8 @@ class TicksDirective(SphinxDirective):
 
     def _plot(self) -> str:
         period = self.options.get("period")
+        if "faults" in self.options:
+            return page(picture(self._broken(), period, caption=self._caption()))
         if "handle" not in self.options:
             return page(picture(self._ticks(None), period, caption=self._caption()))
         found = re.fullmatch(r"(.+), (\S+) to (\S+) by (\S+) (.+)", self.options["handle"])
@@ -125,6 +130,13 @@ class TicksDirective(SphinxDirective):
         values = {at, *(round(first + number * step, 9) for number in range(round((last - first) / step) + 1))}
         runs = {value: self._ticks(value, f" at {value:g} {found[5]}") for value in sorted(values)}
         return with_handle(found[1], found[5], runs, at, period, sets, caption=self._caption()).html
+
+    def _broken(self) -> Run:
+        if len(self._commands()) > 1 or "handle" in self.options or "topic" in self.options:
+            raise ValueError(":faults: is for the ticks of one FILE, without a handle")
+        ((file, *args),) = self._commands().values()
+        faults = [read(line) for line in self.options["faults"].splitlines()]
+        return run_captured(Simulation(), load(self._file(file)), self._seconds(), args, faults=faults)
 
     def _ticks(self, value: float | None, where: str = "") -> dict[str, Sequence[Tick]]:
         ticks = {}
