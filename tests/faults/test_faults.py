@@ -277,7 +277,7 @@ def test_a_test_of_several_nodes_goes_on_after_a_crash(write: Write) -> None:
 
 
 def test_a_launcher_restarts_what_has_crashed(write: Write, tmp_path: Path) -> None:
-    nodes = [rosspin.Node(write(1, "talker"), respawn=True), write(1, "robot")]
+    nodes: list[Any] = [rosspin.Node(write(1, "talker"), respawn=True), write(1, "robot")]
     run = rosspin.simulate(nodes, 1.5, faults=[Crash("/talker", at=0.55)])
     assert "process has died [exit code -9" in run.console and "restarting process" in run.console
     numbers = [number for _, number in heard(run)]

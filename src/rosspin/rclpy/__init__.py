@@ -171,7 +171,6 @@ NOT_SIMULATED = {
 
 # The names that the modules here lack.
 LACKING = {
-    "rclpy.clock": {"ClockChange", "JumpHandle", "JumpThreshold", "TimeJump"},
     "rclpy.experimental": {"EventsExecutor"},
     "rclpy.type_description_service": {"TypeDescriptionService"},
 }

@@ -4,10 +4,11 @@ from __future__ import annotations
 
 import threading
 import time
-from collections.abc import Callable
+from collections.abc import Callable, Iterator
+from contextlib import contextmanager
+from enum import Enum, IntEnum
 from typing import TYPE_CHECKING, Any
 
-from ..world.world import NotSimulated
 from .context import Context, get_default_context
 from .duration import Duration
 from .exceptions import NotInitializedException
@@ -17,7 +18,117 @@ from .time import ClockType, Time
 if TYPE_CHECKING:
     from .timer import Timer
 
-__all__ = ["Clock", "ClockType", "ROSClock"]
+__all__ = ["Clock", "ClockChange", "ClockType", "JumpHandle", "JumpThreshold", "ROSClock", "TimeJump"]
+
+
+class ClockChange(IntEnum):
+    """Whether a jump comes from another source of ROS time, by number."""
+
+    ROS_TIME_NO_CHANGE = 1
+    ROS_TIME_ACTIVATED = 2
+    ROS_TIME_DEACTIVATED = 3
+    SYSTEM_TIME_NO_CHANGE = 4
+
+    # As those that come with a jump are printed.
+    __str__ = Enum.__str__
+    __format__ = Enum.__format__
+
+
+class JumpThreshold:
+    """Of which jumps somebody wants to be told: of at least this much forward, or back, and of changes of the source.
+
+    Raises ValueError if the one is not above 0, if the other is not below, and if there is neither, nor a change.
+    """
+
+    def __init__(
+        self, *, min_forward: Duration | None, min_backward: Duration | None, on_clock_change: bool = True
+    ) -> None:
+        if min_forward is not None and min_forward.nanoseconds <= 0:
+            raise ValueError("min_forward must be a positive non-zero duration")
+        if min_backward is not None and min_backward.nanoseconds >= 0:
+            raise ValueError("min_backward must be a negative non-zero duration")
+        if min_forward is None and min_backward is None and not on_clock_change:
+            raise ValueError("At least one jump threshold must be enabled")
+        self.min_forward = min_forward
+        self.min_backward = min_backward
+        self.on_clock_change = on_clock_change
+
+    def _is_met(self, jump: TimeJump) -> bool:
+        delta = jump.delta
+        return (
+            (self.on_clock_change and jump.clock_change is not ClockChange.ROS_TIME_NO_CHANGE)
+            or (self.min_backward is not None and delta <= self.min_backward)
+            or (self.min_forward is not None and delta >= self.min_forward)
+        )
+
+
+class TimeJump:
+    """A jump of ROS time: by how much, and whether its source has changed. Raises TypeError for what is no change."""
+
+    def __init__(self, clock_change: ClockChange, delta: Duration) -> None:
+        if not isinstance(clock_change, ClockChange):
+            raise TypeError("clock_change must be an instance of rclpy.clock.ClockChange")
+        self._clock_change = clock_change
+        self._delta = delta
+
+    @property
+    def clock_change(self) -> ClockChange:
+        """Whether its source has changed."""
+        return self._clock_change
+
+    @property
+    def delta(self) -> Duration:
+        """By how much it jumps: negative for back, 0 for a change of the source."""
+        return self._delta
+
+
+class JumpHandle:
+    """Who is told of a clock's jumps. Made by ``Clock.create_jump_callback``; a ``with`` block ends with unregister.
+
+    Raises ValueError if there is nothing that can be called.
+    """
+
+    def __init__(
+        self,
+        *,
+        clock: Clock,
+        threshold: JumpThreshold,
+        pre_callback: Callable[[], Any] | None,
+        post_callback: Callable[[TimeJump], Any] | None,
+    ) -> None:
+        if pre_callback is None and post_callback is None:
+            raise ValueError("One of pre_callback or post_callback must be callable")
+        if pre_callback is not None and not callable(pre_callback):
+            raise ValueError("pre_callback must be callable if given")
+        if post_callback is not None and not callable(post_callback):
+            raise ValueError("post_callback must be callable if given")
+        self._clock: Clock | None = clock
+        self._threshold = threshold
+        self._pre_callback = pre_callback
+        self._post_callback = post_callback
+        clock.jump_handles.append(self)
+
+    def before(self, jump: TimeJump) -> None:
+        """Call what is to be called before a jump, if the threshold is met."""
+        if self._pre_callback and self._threshold._is_met(jump):
+            self._pre_callback()
+
+    def after(self, jump: TimeJump) -> None:
+        """Call what is to be called after it."""
+        if self._post_callback and self._threshold._is_met(jump):
+            self._post_callback(jump)
+
+    def unregister(self) -> None:
+        """Tell nothing any more. A second call does nothing."""
+        if self._clock is not None:
+            self._clock.jump_handles.remove(self)
+            self._clock = None
+
+    def __enter__(self) -> JumpHandle:
+        return self
+
+    def __exit__(self, *error: object) -> None:
+        self.unregister()
 
 
 class Clock:
@@ -38,6 +149,7 @@ class Clock:
         self.flows = True  # whether its time goes on by itself
         self.changes = 0  # how often the source of its time has changed
         self.watchers: list[Gate] = []  # opened when the time jumps
+        self.jump_handles: list[JumpHandle] = []  # who is told of it
 
     def __repr__(self) -> str:
         return f"Clock(clock_type={self.clock_type.name})"
@@ -46,9 +158,30 @@ class Clock:
         """The time."""
         return Time(nanoseconds=self.ns(), clock_type=self.clock_type)
 
-    def create_jump_callback(self, *args: Any, **kwargs: Any) -> Any:
-        """Raises NotSimulated."""
-        raise NotSimulated("Clock.create_jump_callback")
+    def create_jump_callback(
+        self,
+        threshold: JumpThreshold,
+        *,
+        pre_callback: Callable[[], Any] | None = None,
+        post_callback: Callable[[TimeJump], Any] | None = None,
+    ) -> JumpHandle:
+        """Call ``pre_callback()`` before a jump that meets the threshold, and ``post_callback(jump)`` after it.
+
+        Only ROS time jumps in this way, when /clock tells it or ceases to: nobody is told that a system's clock is set.
+        Raises ValueError if neither can be called.
+        """
+        post = post_callback if callable(post_callback) else None
+        return JumpHandle(clock=self, threshold=threshold, pre_callback=pre_callback, post_callback=post)
+
+    @contextmanager
+    def _jumping(self, change: ClockChange, delta: int = 0) -> Iterator[None]:
+        """Within this context the time jumps, by so many ns. Those who want to be told are told before and after."""
+        jump = TimeJump(change, Duration(nanoseconds=delta))
+        for handle in list(self.jump_handles):
+            handle.before(jump)
+        yield
+        for handle in list(self.jump_handles):
+            handle.after(jump)
 
     def sleep_until(self, until: Time, context: Context | None = None) -> bool:
         """Sleep until a time of this clock, or until the context is shut down. Return whether the time was reached.
@@ -114,22 +247,26 @@ class ROSClock(Clock):
 
     def _set_ros_time_is_active(self, enabled: bool) -> None:
         if enabled == self.flows:
-            timers = list(self.timers)
-            for timer in timers:
-                timer.before_switch()
-            self.flows = not enabled
-            self.changes += 1
-            self.ns = (lambda: self._told) if enabled else self._state.clock.system
-            for timer in timers:
-                timer.after_switch()
-            self._open_gates()
+            with self._jumping(ClockChange.ROS_TIME_ACTIVATED if enabled else ClockChange.ROS_TIME_DEACTIVATED):
+                timers = list(self.timers)
+                for timer in timers:
+                    timer.before_switch()
+                self.flows = not enabled
+                self.changes += 1
+                self.ns = (lambda: self._told) if enabled else self._state.clock.system
+                for timer in timers:
+                    timer.after_switch()
+                self._open_gates()
 
     def set_ros_time_override(self, time: Time) -> None:
         """Set the time. Raises TypeError for what is no Time."""
         if not isinstance(time, Time):
             raise TypeError(f"Time must be specified as rclpy.time.Time. Received type: {type(time)}")
-        self._told = time.nanoseconds
-        if self.ros_time_is_active:
+        if not self.ros_time_is_active:
+            self._told = time.nanoseconds
+            return
+        with self._jumping(ClockChange.ROS_TIME_NO_CHANGE, time.nanoseconds - self._told):
+            self._told = time.nanoseconds
             for timer in list(self.timers):
                 timer.after_jump()
             self._open_gates()
