@@ -337,10 +337,12 @@ def test_the_others_see_at_once_that_a_connection_of_ros_1_breaks(real_1: Starte
 
 # --- the clock --------------------------------------------------------------------------------------------------------
 
-# Stands before the C library's, and sets the time of day for the one process that asks it to.
+# Stands before the C library's, and sets the time of day for the one process that asks it to. The kernel's stays as it
+# is, so who waits for a time of day is to wait for that one. A monotonic time is known by being small.
 SHIM = """
     #define _GNU_SOURCE
     #include <dlfcn.h>
+    #include <pthread.h>
     #include <time.h>
 
     static volatile long long ahead;
@@ -357,6 +359,20 @@ SHIM = """
             time->tv_nsec = ns % 1000000000LL;
         }
         return status;
+    }
+
+    int pthread_cond_timedwait(pthread_cond_t *cond, pthread_mutex_t *mutex, const struct timespec *until) {
+        static int (*real)(pthread_cond_t *, pthread_mutex_t *, const struct timespec *);
+        if (!real)
+            real = (int (*)(pthread_cond_t *, pthread_mutex_t *, const struct timespec *))dlsym(
+                RTLD_NEXT, "pthread_cond_timedwait");
+        struct timespec kernel = *until;
+        if (until->tv_sec > 1000000000LL) {
+            long long ns = until->tv_sec * 1000000000LL + until->tv_nsec - ahead;
+            kernel.tv_sec = ns / 1000000000LL;
+            kernel.tv_nsec = ns % 1000000000LL;
+        }
+        return real(cond, mutex, &kernel);
     }
 """
 SET = """
