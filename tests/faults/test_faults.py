@@ -235,6 +235,28 @@ def test_what_is_under_way_when_a_talker_is_killed_arrives(pair: Callable[..., R
     assert heard(run)[-1] == (0.75, 5)
 
 
+def test_a_publisher_waits_for_what_is_under_way(write: Write, tmp_path: Path) -> None:
+    talker = tmp_path / "waits.py"
+    waits = """
+        import time
+        from rclpy.duration import Duration
+        publisher = node.create_publisher(UInt32, "scan", profile)
+        for _ in range(20):
+            rclpy.spin_once(node, timeout_sec=0.01)
+        publisher.publish(UInt32(data=7))
+        for timeout in Duration(seconds=0.1), Duration(seconds=-1):
+            print("acked", publisher.wait_for_all_acked(timeout), time.monotonic())
+    """
+    text = dedent(ROS_2).replace("NAME", "talker").replace("QOS", "RELIABLE").replace("QUEUE", "5") + dedent(waits)
+    talker.write_text(text, encoding="utf-8")
+    run = rosspin.simulate([talker, write(2, "robot", qos="RELIABLE")], 1.0, faults=[Topic("/scan", delay=0.3)])
+    assert [line for line in run.console.splitlines() if line.startswith("acked")] == [
+        "acked False 0.3",
+        "acked True 0.5",
+    ]
+    assert heard(run) == [(0.5, 7)]
+
+
 def test_a_kept_message_comes_once(tmp_path: Path) -> None:
     """Whoever comes late is sent what is kept and what is published meanwhile: neither is lost, nor comes twice."""
     text = dedent(ROS_2).replace("depth=QUEUE", "depth=3, durability=1").replace("QOS", "RELIABLE")
@@ -283,6 +305,21 @@ def test_a_launcher_restarts_what_has_crashed(write: Write, tmp_path: Path) -> N
     numbers = [number for _, number in heard(run)]
     assert numbers == [1, 2, 3, 4, 5, *range(1, 10)]
     assert what(run) == {"killed": 1}
+
+
+def test_ros2_launch_restarts_it_too(write: Write, tmp_path: Path) -> None:
+    path = tmp_path / "two.launch.py"
+    start = f"ExecuteProcess(cmd=['python3', {str(write(2, 'both'))!r}], output='screen', respawn=True)"
+    path.write_text(
+        "from launch import LaunchDescription\nfrom launch.actions import ExecuteProcess\n\n"
+        f"def generate_launch_description():\n    return LaunchDescription([{start}])\n",
+        encoding="utf-8",
+    )
+    run = rosspin.simulate(path, 0.75, faults=[Crash("/both", at=0.25), Late("/both", 1.0)])
+    lines = run.console.splitlines()
+    assert "process has died [exit code -9" in run.console
+    assert [line.split()[-1] for line in lines if line.startswith("[python3-1] 0.")] == ["1", "2", "1", "2", "3", "4", "5"]
+    assert lines[-1] == "rosspin: Late('/both', by=1.0): /both met no node of another process"
 
 
 @pytest.mark.parametrize("ros", [1, 2])

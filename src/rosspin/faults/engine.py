@@ -202,7 +202,7 @@ class Wire:
         self._reorders = any(fault.reorder for fault in faults)
         self._sent = self._newest = 0  # how many messages were sent, and which of them has arrived
         self._under_way = 0
-        self._last = 0  # when (ns) the last of those under way arrives
+        self.last = 0  # when (ns) the last of those under way arrives
 
     def send(self, make: Callable[[], Any], arrive: Callable[[], object]) -> None:
         """Send a message now: it arrives by ``arrive()``, or never. ``make()`` makes a copy of it."""
@@ -222,15 +222,15 @@ class Wire:
             engine.note(lost, "dropped", self._which, message=message)
             return
         if not self._reorders:
-            arrival = max(arrival, self._last)
-        self._last = max(arrival, self._last)
+            arrival = max(arrival, self.last)
+        self.last = max(arrival, self.last)
         if late and arrival > now:
             engine.note(late, "delayed", self._which, arrival - now, message)
         self._at(arrival, partial(self._arrive, self._sent, message, arrive))
 
     def follow(self, function: Callable[[], object]) -> None:
         """Call a function after all that is under way has arrived."""
-        self._at(self._last, function)
+        self._at(self.last, function)
 
     def _at(self, when: int, function: Callable[[], object]) -> None:
         clock = self._engine.clock

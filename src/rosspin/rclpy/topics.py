@@ -204,9 +204,18 @@ class Publisher(TopicEnd):
                 subscription.hear(self)
 
     def wait_for_all_acked(self, timeout: Any = None) -> bool:
-        """Return True: what was published has arrived."""
+        """Wait until what was published has arrived, which it has at once unless a fault delays it.
+
+        Return whether it has; ``timeout`` is a Duration, for ever if None or negative.
+        """
         self._check()
-        return True
+        clock = self.world.clock
+        last = max((peer.expects(self) for peer in self.peers if isinstance(peer, Subscription)), default=0)
+        left = max(last - clock.now(), 0)
+        most = left if timeout is None or timeout.nanoseconds < 0 else min(left, timeout.nanoseconds)
+        if most:
+            clock.sleep(most)
+        return most == left
 
 
 class Subscription(TopicEnd):
@@ -278,6 +287,11 @@ class Subscription(TopicEnd):
             self.deliver(publisher, message, sent)
         elif self.policies.reliable and (early := self._early[publisher]) is not None:
             early.append((message, sent))
+
+    def expects(self, publisher: Publisher) -> int:
+        """Return when (ns) the last message of a publisher arrives that is under way and needs to be acknowledged."""
+        wire = self._wires.get(publisher) if self.policies.reliable else None
+        return wire.last if wire else 0
 
     def expect(self, publisher: Publisher) -> None:
         """Expect a publisher of another process: until it is known here, reliable messages from it wait."""

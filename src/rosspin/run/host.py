@@ -351,10 +351,11 @@ class Host:
         """Say which faults have done nothing. Raises ValueError for a name that nothing has, if no process failed."""
         idle = self.faults.idle() if self.faults else []
         ends = [process.world.exit_status for process in self.processes if not process.world.crashed]
-        for words, is_wrong in idle:
-            if is_wrong and all(status in _FINE for status in ends):
-                raise ValueError(words)
-            sys.stderr.write(f"rosspin: {words}\n")
+        with self.outside():
+            for words, is_wrong in idle:
+                if is_wrong and all(status in _FINE for status in ends):
+                    raise ValueError(words)
+                sys.stderr.write(f"rosspin: {words}\n")
 
     def run_on_the_wall(self, seconds: float | None, give_up: Callable[[Result], object] | None) -> None:
         """Run the only process on the wall clock, until Ctrl-C if ``seconds`` is None. Call it within :meth:`inside`.

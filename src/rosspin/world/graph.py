@@ -44,7 +44,12 @@ class Tester(Protocol):
 
 
 class Wire(Protocol):
-    """Carries the messages from one end of a topic to another, on which a fault of the run acts."""
+    """Carries the messages from one end of a topic to another, on which a fault of the run acts.
+
+    ``last`` is when (ns) the last of those that were sent arrives.
+    """
+
+    last: int
 
     def send(self, make: Callable[[], Any], arrive: Callable[[], object]) -> None:
         """Send a message now: it arrives by ``arrive()``, or never. ``make()`` makes a copy of it."""
