@@ -315,11 +315,32 @@ def test_ros2_launch_restarts_it_too(write: Write, tmp_path: Path) -> None:
         f"def generate_launch_description():\n    return LaunchDescription([{start}])\n",
         encoding="utf-8",
     )
-    run = rosspin.simulate(path, 0.75, faults=[Crash("/both", at=0.25), Late("/both", 1.0)])
-    lines = run.console.splitlines()
+    run = rosspin.simulate(path, 0.75, faults=[Crash("/both", at=0.25)])
     assert "process has died [exit code -9" in run.console
-    assert [line.split()[-1] for line in lines if line.startswith("[python3-1] 0.")] == ["1", "2", "1", "2", "3", "4", "5"]
-    assert lines[-1] == "rosspin: Late('/both', by=1.0): /both met no node of another process"
+    numbers = [line.split()[-1] for line in run.console.splitlines() if line.startswith("[python3-1] 0.")]
+    assert numbers == ["1", "2", "1", "2", "3", "4", "5"]
+
+
+def test_what_did_nothing_is_said_by_no_process(write: Write, tmp_path: Path) -> None:
+    path = tmp_path / "one.launch.xml"
+    path.write_text(
+        f'<launch><executable cmd="python3 {write(2, "robot")}" output="screen"/></launch>', encoding="utf-8"
+    )
+    run = rosspin.simulate(path, 1.0, faults=[Late("/robot", 1.0)])
+    assert run.console.endswith("\nrosspin: Late('/robot', by=1.0): /robot met no node of another process\n")
+
+
+def test_an_anonymous_node_draws_the_same_in_each_run(write: Write, monkeypatch: pytest.MonkeyPatch) -> None:
+    """Its name has the number of the process, which is another one each time."""
+    node = write(1, "robot")
+    node.write_text(node.read_text().replace('init_node("robot"', 'init_node("robot", anonymous=True'))
+    times = []
+    for pid in 4711, 4712:
+        monkeypatch.setattr("rosspin.rospy.client.os.getpid", lambda pid=pid: pid)
+        run = rosspin.simulate([write(1, "talker"), node], 1.0, faults=[Topic("/scan", delay=(0.0, 0.1))])
+        times.append(heard(run))
+        assert f"/robot_{pid + 2}_" in run.faults[0].which
+    assert times[0] == times[1] != []
 
 
 @pytest.mark.parametrize("ros", [1, 2])

@@ -145,6 +145,13 @@ def test_a_topic_is_drawn_from_its_messages() -> None:
     assert labels == ["Timeline. /counter: 4 ticks from 0.500 s to 2.000 s. All 4 ticks were on time."]
 
 
+def test_a_fault_is_drawn_below_the_ticks() -> None:
+    """By ``ticks`` with ``:faults:``."""
+    (plot,) = _page("docs/how-to/break-things-on-purpose").select("figure > svg.rosspin-wide")
+    assert str(plot["aria-label"]).endswith("Faults: the clock set by -0.1 s at 0.200 s.")
+    assert "the clock set" in plot.get_text()
+
+
 def _loaded(page: BeautifulSoup) -> list[str]:
     """The addresses that a browser loads by itself."""
     tags = page.find_all(True)

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import re
 import signal
 from collections import Counter
 from collections.abc import Callable, Iterable, Sequence
@@ -20,7 +21,7 @@ from . import ClockJump, Crash, Fault, Late, Slow, Topic, checked
 
 __all__ = ["Engine", "Wire"]
 
-_UNRELIABLE = "qos_profile_sensor_data"
+_ANONYMOUS = re.compile(r"_\d+_\d+$")
 
 
 class Engine:
@@ -46,7 +47,7 @@ class Engine:
         self._happened: set[int] = set()  # the identities of those that have done something
         self._carried: Counter[int] = Counter()  # messages that those of topics could befall, by their identities
         self._wires: Counter[tuple[str, str, str]] = Counter()
-        self._late: set[frozenset[str]] = set()  # the pairs of nodes that were late to find each other
+        self._late: set[tuple[int, frozenset[str]]] = set()  # which pairs of nodes a fault has made late
         self._called: dict[str, dict[str, None]] = {}  # by node: the callbacks that were called
         ahead = 0
         for fault in sorted(self._of(ClockJump), key=lambda fault: fault.at):
@@ -85,9 +86,10 @@ class Engine:
             if (fault.drop or fault.reorder) and reliable is not False:
                 self._fail(ValueError(f"{fault!r}: {_why_not(fault, sender, receiver, reliable)}"))
             self._carried[id(fault)] += 0
-        key = topic, sender, receiver
+        # The name of an anonymous node of ROS 1 is another one in each run.
+        key = topic, _ANONYMOUS.sub("", sender), _ANONYMOUS.sub("", receiver)
         self._wires[key] += 1
-        return Wire(self, faults, key, self._wires[key], world)
+        return Wire(self, faults, (topic, sender, receiver), repr((*key, self._wires[key])), world)
 
     def carry(self, fault: Topic) -> None:
         """Count a message that a fault could befall."""
@@ -105,10 +107,11 @@ class Engine:
         for fault in self._of(Late):
             if fault.node in (one, other) and TESTER not in (one, other):
                 late += nanoseconds(fault.by)
-                pair = frozenset((one, other))
+                pair = id(fault), frozenset((one, other))
                 if pair not in self._late:
                     self._late.add(pair)
-                    self.note(fault, "late", f"{fault.node} to {one if other == fault.node else other}", late)
+                    which = f"{fault.node} to {one if other == fault.node else other}"
+                    self.note(fault, "late", which, nanoseconds(fault.by))
         return late
 
     @property
@@ -190,14 +193,14 @@ class Wire:
     """Carries messages of a topic from one node to another, late or not at all, as ``faults`` say."""
 
     def __init__(
-        self, engine: Engine, faults: Sequence[Topic], key: tuple[str, str, str], number: int, world: World
+        self, engine: Engine, faults: Sequence[Topic], names: tuple[str, str, str], key: str, world: World
     ) -> None:
         self._engine = engine
-        self._topic, self._sender, receiver = key
+        self._topic, self._sender, receiver = names
         self._which = f"{self._topic} from {self._sender} to {receiver}"
         self._world = world
         # Each fault draws from a row of its own, and as often whatever the others do.
-        rows = [[Random(repr((fault.seed, *key, number, what))) for what in ("drop", "delay")] for fault in faults]
+        rows = [[Random(f"{fault.seed} {key} {what}") for what in ("drop", "delay")] for fault in faults]
         self._faults = [(fault, drops, times) for fault, (drops, times) in zip(faults, rows, strict=True)]
         self._reorders = any(fault.reorder for fault in faults)
         self._sent = self._newest = 0  # how many messages were sent, and which of them has arrived
@@ -266,7 +269,7 @@ def _why_not(fault: Topic, sender: str, receiver: str, reliable: bool | None) ->
         )
     return (
         f"the connection from {sender} to {receiver} is reliable: what is lost on its way is sent again, comes late, "
-        f"and in order. {loses}, or let the subscription be best effort, as with {_UNRELIABLE}"
+        f"and in order. {loses}, or let the subscription be best effort, as with qos_profile_sensor_data"
     )
 
 
