@@ -430,6 +430,29 @@ def test_rospy_s_timer_goes_on_and_says_that_it_is_early(write: Write) -> None:
     assert [tick.lateness for tick in run.ticks] == pytest.approx([0.0] * 5 + [-0.3] * 5)
 
 
+def test_rospy_takes_the_length_of_a_callback_from_the_system_s_clock(tmp_path: Path) -> None:
+    path = tmp_path / "node.py"
+    path.write_text(
+        dedent(
+            """
+            import rospy
+
+            def tick(event):
+                print(event.last_duration)
+                rospy.sleep(0.25)
+
+            rospy.init_node("node")
+            rospy.Timer(rospy.Duration(0.5), tick)
+            rospy.spin()
+            """
+        ),
+        encoding="utf-8",
+    )
+    run = rosspin.simulate(path, 1.1, faults=[ClockJump(at=0.625, by=0.125)])
+    assert run.console == "None\n0.375\n"
+    assert [tick.duration for tick in run.ticks][0] == 0.25
+
+
 def test_rclpy_s_timer_on_ros_time_waits_for_its_time(write: Write) -> None:
     back = rosspin.simulate(write(2, "talker"), 1.0, faults=[ClockJump(at=0.5, by=-0.3)])
     assert [tick.real for tick in back.ticks] == pytest.approx([0.1, 0.2, 0.3, 0.4, 0.5, 0.9, 1.0])

@@ -250,8 +250,8 @@ class Timer(threading.Thread):
                 raise
             if self._shutdown or world.interrupted:
                 break
-            began = clock.now()
-            ahead = clock.ahead if node.ros_time is None else 0
+            began, set_to = clock.now(), clock.ahead
+            ahead = set_to if node.ros_time is None else 0
             real = began + ahead if node.ros_time is None else node.now()
             number += 1
             if ticks is not None:
@@ -263,6 +263,7 @@ class Timer(threading.Thread):
             duration = clock.now() - began
             if ticks is not None:
                 ticks.end(tick, duration)
+            duration += clock.ahead - set_to  # rospy asks the system's clock
             if self._oneshot:
                 break
             last_expected, last_real = expected, real
