@@ -53,7 +53,8 @@ class TicksDirective(SphinxDirective):
 
     FILE is relative to the page. Several files, each on a line of the content as ``NAME: FILE ARGS``, share one plot.
     With ``:period: S`` the plot shows the whole grid of that period, and crosses for lost ticks. With ``:topic: /NAME``
-    it shows the messages that the node published on a topic, in place of its ticks.
+    it shows the messages that the node published on a topic, in place of its ticks. ``:callbacks: NAMES`` gives each of
+    these callbacks of one file a row, also one that is never called.
 
     ``:handle: LABEL, FROM to TO by STEP UNIT`` lets the reader move a number; a run is made now for each value. The
     number replaces ``{}`` in ARGS, or what the file assigns to the variable named by ``:sets:``. It begins with
@@ -68,7 +69,7 @@ class TicksDirective(SphinxDirective):
     final_argument_whitespace = True
     option_spec: ClassVar = {
         **dict.fromkeys(("seconds", "period", "at"), lambda text: float(directives.unchanged_required(text))),
-        **dict.fromkeys(("handle", "sets", "lines", "topic"), directives.unchanged_required),
+        **dict.fromkeys(("handle", "sets", "lines", "topic", "callbacks"), directives.unchanged_required),
     }
 
     def run(self) -> list[nodes.Node]:
@@ -127,12 +128,15 @@ class TicksDirective(SphinxDirective):
         return with_handle(found[1], found[5], runs, at, period, sets, caption=self._caption()).html
 
     def _ticks(self, value: float | None, where: str = "") -> dict[str, Sequence[Tick]]:
-        ticks = {}
+        ticks: dict[str, Sequence[Tick]] = {}
         seconds = self._seconds()
         for name, (file, *args) in self._commands().items():
             given = [word.replace("{}", str(value)) for word in args]
             found = self._run(self._file(file), given, value)
-            ticks[name or (found[0].source if found else "")] = found
+            if callbacks := self.options.get("callbacks", "").split():
+                ticks |= {callback: [tick for tick in found if tick.source == callback] for callback in callbacks}
+            else:
+                ticks[name or (found[0].source if found else "")] = found
         if not any(ticks.values()):
             raise ValueError(f"there is no tick in {seconds:g} s{where}")
         return ticks
