@@ -41,6 +41,10 @@ function begin() {
     next.textContent = now + 1 < slides.length ? `Next: ${titles[now + 1]}` : "The last slide"
     history.replaceState(null, "", `#${slides[now].id}`)
     slides[now].focus()
+    // As the theme does with what it sees when the page comes: what scrolls can be reached by Tab.
+    for (const box of slides[now].querySelectorAll("pre")) {
+      box.tabIndex = box.scrollWidth > box.clientWidth || box.scrollHeight > box.clientHeight ? 0 : -1
+    }
     tellTime()
     if (tell) channel.postMessage(now)
   }
@@ -93,9 +97,11 @@ function begin() {
     event.preventDefault()
     show(now + step)
   })
-  channel.onmessage = ({ data }) => show(data, false)
+  // A window that has just come asks where the other one is.
+  channel.onmessage = ({ data }) => (data === "where?" ? channel.postMessage(now) : show(data, false))
   addEventListener("hashchange", () => show(fromHash()))
   show(fromHash(), false)
+  channel.postMessage("where?")
 }
 
 /** @param {Element} heading */

@@ -134,6 +134,7 @@ def test_the_speaker_s_window_follows_and_leads(context: BrowserContext, page: P
         page.get_by_role("button", name="Notes").click()
     notes = popup.value
     wrong = faults(notes, address)
+    expect(notes.get_by_role("navigation", name="Slides")).to_be_visible()
     expect(notes.locator(".rosspin-notes:visible")).to_contain_text("Hands up for each answer")
     expect(notes.get_by_text("Next: Run it")).to_be_visible()
     expect(notes.get_by_text(re.compile("^0 min gone; this slide: 2 to 6 of 90 min$"))).to_be_visible()
