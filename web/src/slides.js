@@ -100,6 +100,8 @@ function begin() {
   // A window that has just come asks where the other one is.
   channel.onmessage = ({ data }) => (data === "where?" ? channel.postMessage(now) : show(data, false))
   addEventListener("hashchange", () => show(fromHash()))
+  addEventListener("beforeprint", () => slides.forEach((slide) => slide.classList.add("now")))
+  addEventListener("afterprint", () => show(now, false))
   show(fromHash(), false)
   channel.postMessage("where?")
 }
