@@ -2,13 +2,13 @@
 
 The role ``minutes`` gives those of one or several pages, ``:minutes:`/notebooks/timer /notebooks/rate```, rounded to
 five; with the word ``building`` at its end also those for the commands on them. JupyterLab shows a notebook without
-Sphinx, so a notebook has its number as text. The build lists one that is not the rule's, and ``make outputs`` writes it.
+Sphinx, so a notebook has its number as text. The build lists one that is not the rule's; ``make outputs`` writes it.
 """
 
 from __future__ import annotations
 
 import re
-from collections.abc import Iterator, Sequence
+from collections.abc import Sequence
 from pathlib import Path
 from typing import NamedTuple, cast
 
@@ -20,6 +20,7 @@ from sphinx.util.typing import ExtensionMetadata
 
 from .checks import noted
 from .claims import Edit, Stale
+from .live import SECONDS
 
 __all__ = ["Seconds", "rounded", "seconds", "setup"]
 
@@ -34,9 +35,6 @@ HANDLE = 60
 RUN = 60
 COMMAND = 60
 EXERCISE = 600
-
-# How long (s) a listing runs unless it says otherwise: rosspin.site.live has the same number.
-SECONDS = 10.0
 
 _COMMANDS = {"bash", "console"}
 _TIME = re.compile(r"\*\*Time\*\*: (\d+) minutes")
@@ -150,12 +148,9 @@ def _write_again(app: Sphinx, env: BuildEnvironment) -> list[str]:
 
 
 def _fill_in(app: Sphinx, doctree: nodes.document, name: str) -> None:
-    def numbers() -> Iterator[tuple[_Minutes, int]]:
-        for node in list(doctree.findall(_Minutes)):
-            yield node, rounded([_all(app.env)[page] for page in node["pages"]], node["building"])
-
-    for node, number in numbers():
-        node.replace_self(nodes.Text(str(number)))
+    for node in list(doctree.findall(_Minutes)):
+        pages = [_all(app.env)[page] for page in node["pages"]]
+        node.replace_self(nodes.Text(str(rounded(pages, node["building"]))))
 
 
 def setup(app: Sphinx) -> ExtensionMetadata:
