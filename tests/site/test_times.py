@@ -79,3 +79,15 @@ def test_a_page_gives_the_minutes_of_others_as_they_are_now(tmp_path: Path) -> N
     assert build(folder, "outputs").returncode == 0
     assert "**Time**: 10 minutes" in book.read_text()
     assert build(folder, "html").returncode == 0
+
+
+def test_a_page_that_is_not_there_is_listed(tmp_path: Path) -> None:
+    folder = site(tmp_path / "site", {})
+    conf = folder / "conf.py"
+    conf.write_text(conf.read_text().replace('"rosspin.site.pages"', '"rosspin.site.pages", "rosspin.site.times"'))
+    index = folder / "index.rst"
+    index.write_text(f"{index.read_text()}\n:minutes:`notebooks/gone`\n")
+    run = build(folder, "dummy")
+    assert run.returncode == 1
+    ((place, entry),) = listed(run).items()
+    assert place[0] == "index.rst" and "there is no page notebooks/gone" in run.stdout, entry

@@ -133,13 +133,19 @@ class TicksDirective(SphinxDirective):
         for name, (file, *args) in self._commands().items():
             given = [word.replace("{}", str(value)) for word in args]
             found = self._run(self._file(file), given, value)
-            if callbacks := self.options.get("callbacks", "").split():
-                ticks |= {callback: [tick for tick in found if tick.source == callback] for callback in callbacks}
+            if "callbacks" in self.options:
+                ticks |= {own: [tick for tick in found if tick.source == own] for own in self._callbacks(file)}
             else:
                 ticks[name or (found[0].source if found else "")] = found
         if not any(ticks.values()):
             raise ValueError(f"there is no tick in {seconds:g} s{where}")
         return ticks
+
+    def _callbacks(self, file: str) -> list[str]:
+        text, names = Path(self._file(file)).read_text(encoding="utf-8"), str(self.options["callbacks"]).split()
+        if lacking := [name for name in names if f"def {name}(" not in text]:
+            raise ValueError(f"{file} defines no {lacking[0]}")
+        return names
 
     def _seconds(self) -> float:
         if "seconds" not in self.options:

@@ -18,7 +18,7 @@ from sphinx.environment import BuildEnvironment
 from sphinx.util.docutils import SphinxRole
 from sphinx.util.typing import ExtensionMetadata
 
-from .checks import noted
+from .checks import note, noted
 from .claims import Edit, Stale
 from .live import SECONDS
 
@@ -110,6 +110,9 @@ class MinutesRole(SphinxRole):
         *names, last = self.text.split()
         building = last == "building"
         pages = [self.env.relfn2path(f"{name}.rst")[0][:-4] for name in (names if building else [*names, last])]
+        if lacking := [page for page in pages if page not in self.env.found_docs]:
+            note(self.env, self.get_source_info()[1], self.rawtext, f"there is no page {lacking[0]}")
+            return [], []
         self.env.metadata[self.env.docname]["timed"] = True
         return [_Minutes(pages=pages, building=building)], []
 
