@@ -19,15 +19,16 @@ from looks import TOO_WIDE, faults, look
 from playwright.sync_api import BrowserContext, Page, expect
 from tree import ROOT
 
-from rosspin.site.zipped import START, zipped
+from rosspin.site.zipped import START
 
 
 @pytest.fixture(scope="module")
 def folder(site: Path, tmp_path_factory: pytest.TempPathFactory) -> Path:
-    """The folder that a teacher has after unpacking."""
+    """The folder that a teacher has after `make zip`, of which this is the last line, and unpacking."""
+    run = subprocess.run([sys.executable, "-m", "rosspin.site.zipped"], cwd=ROOT, capture_output=True, text=True)
+    assert re.fullmatch(r"build/rosspin-site\.zip: \d+\.\d MB\n", run.stdout), run.stderr
     target = tmp_path_factory.mktemp("stick")
-    zipped(site, ROOT / "docs/start-here.html", target / "site.zip")
-    with ZipFile(target / "site.zip") as archive:
+    with ZipFile(ROOT / "build/rosspin-site.zip") as archive:
         archive.extractall(target)
     return target / "rosspin-site"
 
