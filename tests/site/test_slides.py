@@ -18,7 +18,7 @@ DECKS = ["ros2", "ros1"]
 def test_a_session_takes_90_minutes(site: Path, deck: str) -> None:
     """Each slide has its notes, and they say how long it takes."""
     page = parsed(site / f"docs/slides/{deck}.html")
-    minutes = [int(str(notes["data-minutes"])) for notes in page.select("aside.rosspin-notes")]
+    minutes = [int(str(notes["data-minutes"])) for notes in page.select(".rosspin-notes")]
     assert sum(minutes) == 90 and min(minutes) > 0
     assert len(minutes) == len(page.select("article h1, article h2"))
 
@@ -30,7 +30,7 @@ def test_a_session_keeps_to_the_plan_for_teachers(site: Path, deck: str) -> None
         tag for tag in parsed(site / "docs/for-teachers.html").select("table") if "What to do" in tag.get_text()
     )
     plan = [int(row.select("td")[0].get_text()) for row in table.select("tbody tr")]
-    notes = parsed(site / f"docs/slides/{deck}.html").select("aside.rosspin-notes")
+    notes = parsed(site / f"docs/slides/{deck}.html").select(".rosspin-notes")
     begins = {sum(int(str(note["data-minutes"])) for note in notes[:count]) for count in range(len(notes) + 1)}
     assert {sum(plan[:count]) for count in range(len(plan) + 1)} <= begins
 
@@ -55,5 +55,5 @@ def test_a_page_and_a_notebook_are_marked(tmp_path: Path) -> None:
         assert ("slides/slides.js" in (folder / "build/html/notebooks/book.html").read_text()) == found
     page = parsed(folder / "build/html/index.html")
     assert "slides/slides.js" in str(page)
-    (notes,) = page.select("aside.rosspin-notes")
+    (notes,) = page.select(".rosspin-notes")
     assert notes["data-minutes"] == "3" and notes.select("em")[0].get_text() == "why"

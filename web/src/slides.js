@@ -21,7 +21,7 @@ function begin() {
   first.append(...[...root.children].filter((part) => part !== first && part.tagName !== "SECTION"))
   const slides = [first, .../** @type {HTMLElement[]} */ ([...root.children].slice(1))]
   const titles = slides.map((slide) => titleOf(find("h1, h2", slide)))
-  const minutes = slides.map((slide) => Number(slide.querySelector("aside")?.dataset.minutes ?? 0))
+  const minutes = slides.map((slide) => Number(slide.querySelector("[data-minutes]")?.getAttribute("data-minutes") ?? 0))
   const channel = new BroadcastChannel(`slides ${location.pathname}`)
   document.documentElement.classList.add("slides", ...(asked === "notes" ? ["speaker"] : []))
 

@@ -36,11 +36,11 @@ class NotesDirective(SphinxDirective):
         """The notes, under a line that gives the minutes."""
         minutes = self.options.get("minutes", 0)
         title = f"For the speaker, {minutes} min" if minutes else "For the speaker"
-        begins = f"<aside class='rosspin-notes' data-minutes='{minutes}' aria-label='{title}'><p><b>{title}</b></p>"
+        begins = f"<div class='rosspin-notes' role='note' data-minutes='{minutes}'><p><b>{title}</b></p>"
         return [
             nodes.raw("", begins, format="html"),
             *self.parse_content_to_nodes(),
-            nodes.raw("", "</aside>", format="html"),
+            nodes.raw("", "</div>", format="html"),
         ]
 
 
