@@ -22,6 +22,7 @@ LAYERS = [
     "rospy",
     "rclpy",
     "run",
+    "orders",
     "measures",
     "plots",
     "real",

@@ -5,9 +5,10 @@ from __future__ import annotations
 import os
 import sys
 from collections.abc import Callable, Iterable, Sequence
-from typing import TextIO
+from typing import NamedTuple, TextIO
 
 from ..clocks.clock import Clock
+from ..clocks.explored import ExploredSimulation, Order
 from ..clocks.simulation import Simulation
 from ..results.ticks import Run
 from ..world.graph import TickLog
@@ -15,11 +16,15 @@ from .host import Host, Result, Supervisor, duration
 from .ros2launch.launch_file import LaunchFile
 from .roslaunch import launch
 from .roslaunch.monitor import Monitor
+from .shaking import shaken as shake
 from .source import Node, NodeLike, is_launch_of_ros2, load, refuse_text, warn_of_files
 from .streams import capture
 from .together import Together
 
-__all__ = ["Launched", "run_captured", "run_node", "run_nodes", "several", "simulate", "supervisor"]
+__all__ = [
+    *("Launched", "Prepared", "prepare", "run_captured", "run_node", "run_nodes", "run_prepared"),
+    *("several", "simulate", "supervisor"),
+]
 
 Launched = launch.Launch | LaunchFile
 
@@ -31,6 +36,7 @@ def simulate(
     skip_cpp: bool = False,
     *,
     start: float = 0.0,
+    schedule: str = "",
 ) -> Run:
     """Run a node for ``seconds`` of simulated time, which begins at 0 and takes almost no real time.
 
@@ -56,18 +62,54 @@ def simulate(
     are not in Python are left out.
 
     Raises OSError if the file cannot be read, SyntaxError if it is not Python, ValueError if ``seconds`` or ``start``
-    is negative, too large or not a number, :class:`TimeStandsStill` if the node never lets the time go on, and
+    is negative, too large or not a number, or if the ``schedule`` is none of this node, :class:`TimeStandsStill` if the node never lets the time go on, and
     :class:`NotSimulated` if it needs a real ROS.
+    """
+    prepared = prepare(node, args, skip_cpp, "d" in schedule)
+    began = duration(start, "start")
+    if not schedule:
+        return run_prepared(prepared, seconds, Simulation(began))[0]
+    order = Order.of(schedule)
+    run, _ = run_prepared(prepared, seconds, ExploredSimulation(order, began))
+    order.has_to_fit()
+    return run
+
+
+class Prepared(NamedTuple):
+    """What is to run, loaded: several nodes, or a launch file, or one node, whose command line is ``args``."""
+
+    launched: Launched | None
+    codes: list[Node]
+    args: Sequence[str]
+
+
+def prepare(
+    node: NodeLike | Sequence[NodeLike | launch.Node], args: Sequence[str], skip_cpp: bool, shaken: bool
+) -> Prepared:
+    """Load what is to run, once for many runs. Raises what :func:`simulate` raises for it.
+
+    Nodes that are to be ``shaken`` raise ValueError if they are functions, or nodes of a launch file of ROS 2.
     """
     refuse_text(args)
     launched = several(node, args, skip_cpp)
-    clock = Simulation(duration(start, "start"))
-    if launched is None:
-        return run_captured(clock, load(node), seconds, args)  # type: ignore[arg-type]
+    if isinstance(launched, LaunchFile):
+        if shaken:
+            raise ValueError(f"{launched.path}: deep is for node files, one or several")
+        return Prepared(launched, [], args)
+    codes = [load(each) for each in ([node] if launched is None else [each.node for each in launched.nodes])]  # type: ignore[list-item]
+    return Prepared(launched, [shake(code) for code in codes] if shaken else codes, args)
+
+
+def run_prepared(prepared: Prepared, seconds: float, clock: Simulation) -> tuple[Run, Result]:
+    """Run what was prepared."""
+    launched, codes, args = prepared
     duration(seconds)
     with capture() as console:
-        result = run_nodes(launched, seconds, clock, TickLog())
-    return result.run(console.text(), "simulated", seconds)
+        if launched is None:
+            result = run_node(codes[0], seconds, args, clock, TickLog())
+        else:
+            result = run_nodes(launched, seconds, clock, TickLog(), codes)
+    return result.run(console.text(), "simulated", seconds), result
 
 
 def several(

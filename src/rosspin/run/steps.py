@@ -10,6 +10,7 @@ from types import NoneType, TracebackType
 from typing import Any
 
 from ..clocks.clock import NS
+from ..clocks.explored import ExploredSimulation, Order
 from ..clocks.frames import node_frames
 from ..clocks.programs import end_run
 from ..clocks.simulation import Simulation
@@ -22,11 +23,11 @@ from .process import Process
 from .ros2launch.launch_file import LaunchFile
 from .roses import ROSES
 from .roslaunch.launch import Node
-from .simulate import several, supervisor
-from .source import NodeLike, load, refuse_text, warn_of_files
+from .simulate import prepare, supervisor
+from .source import NodeLike, refuse_text, warn_of_files
 from .streams import Capture
 
-__all__ = ["NodeFailed", "StartedNode", "start"]
+__all__ = ["NodeFailed", "StartedNode", "start", "start_in_order"]
 
 _INTERRUPTED = 128 + signal.SIGINT
 
@@ -56,6 +57,14 @@ def start(
     return StartedNode(node, args, parameters or {})
 
 
+def start_in_order(
+    order: Order, node: NodeLike | Sequence[NodeLike | Node], args: Sequence[str], parameters: Mapping[str, Any] | None
+) -> StartedNode:
+    """Do what :func:`start` does, in an order of events that may be another than the usual one."""
+    __tracebackhide__ = True
+    return StartedNode(node, args, parameters or {}, order)
+
+
 class StartedNode:
     """A node that :func:`start` has started. Use it as a context: at the end it presses Ctrl-C, see :meth:`close`.
 
@@ -68,10 +77,14 @@ class StartedNode:
     """
 
     def __init__(
-        self, node: NodeLike | Sequence[NodeLike | Node], args: Sequence[str], parameters: Mapping[str, Any]
+        self,
+        node: NodeLike | Sequence[NodeLike | Node],
+        args: Sequence[str],
+        parameters: Mapping[str, Any],
+        order: Order | None = None,
     ) -> None:
         __tracebackhide__ = True
-        launched = several(node, args)
+        launched, codes, _ = prepare(node, args, skip_cpp=False, shaken=order is not None and order.deep)
         if launched and parameters:
             raise ValueError(
                 "give each of several nodes its parameters on its own command line: rosspin.Node(node, args)"
@@ -79,12 +92,11 @@ class StartedNode:
         if isinstance(launched, LaunchFile):
             names = [launched.path]
         else:
-            codes = [load(node)] if launched is None else [load(each.node) for each in launched.nodes]  # type: ignore[arg-type]
             names = [code.argv0 for code in codes]
         self.name = ", ".join(Path(name).name for name in names)  # of files, or of functions
         self._parameters = parameters
         self._capture = Capture()
-        self._clock = Simulation()
+        self._clock = ExploredSimulation(order) if order else Simulation()
         self._host = Host(self._clock, TickLog(), several=launched is not None)
         self._host.on_failure = self._clock.pause
         self._host.at_graph.append(self._take_part)
@@ -96,7 +108,7 @@ class StartedNode:
         self._status_raised = False
         with self._inside():
             if launched:
-                self._host.supervisor = supervisor(launched, self._host)
+                self._host.supervisor = supervisor(launched, self._host, codes)
             else:
                 warn_of_files(codes)
                 world = self._host.add(codes[0], args).world
