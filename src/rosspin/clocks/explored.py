@@ -74,8 +74,8 @@ class Order:
         version, deep, pairs = found.groups()
         if int(version) != _VERSION:
             raise ValueError(f"the schedule {token} is of another version of rosspin: explore again")
-        deviations = dict(tuple(map(int, pair.split("."))) for pair in pairs.split("-")[1:])
-        return cls(deviations, deep=bool(deep))
+        points = [pair.partition(".") for pair in pairs.split("-")[1:]]
+        return cls({int(point): int(choice) for point, _, choice in points}, deep=bool(deep))
 
     @property
     def token(self) -> str:
@@ -183,7 +183,9 @@ class ExploredSimulation(Simulation):
             entry = heap[place]
             if entry[1] < LAST and entry[1] not in cancelled:
                 due.append(entry)
-            places += [below for below in (2 * place + 1, 2 * place + 2) if below < len(heap) and heap[below][0] == when]
+            places += [
+                below for below in (2 * place + 1, 2 * place + 2) if below < len(heap) and heap[below][0] == when
+            ]
         due.sort()
         return due
 

@@ -25,8 +25,8 @@ from ..clocks.programs import send
 from ..results.ticks import Call, Message, Tick
 from ..run.explain import TimeStandsStill, waits_for_a_rate, where_it_was_kept
 from ..run.host import Result
-from ..run.simulate import run_node
 from ..run.shaking import shaken
+from ..run.simulate import run_node
 from ..run.source import Node, load_source
 from ..run.streams import capture
 from ..world.graph import TickLog

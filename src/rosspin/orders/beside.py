@@ -27,7 +27,7 @@ def side_by_side(usual: tuple[Order, str], failing: tuple[Order, str]) -> Iterat
     instants = dict.fromkeys(deviation.time for deviation in failing[0].said)
     for time in list(instants)[:_INSTANTS]:
         columns = [_turns(order.turns or (), time) for order in orders]
-        rows = list(zip_longest(*columns, fillvalue=""))
+        rows = list(zip_longest(columns[0], columns[1], fillvalue=""))
         differ = next((place for place, (one, other) in enumerate(rows) if one != other), None)
         if differ is not None:
             start = max(differ - 2, 0)
@@ -39,7 +39,7 @@ def side_by_side(usual: tuple[Order, str], failing: tuple[Order, str]) -> Iterat
         yield from _table("the consoles, from where they differ", rows)
 
 
-def _table(what: str, rows: Sequence[tuple[str, ...]]) -> Iterator[str]:
+def _table(what: str, rows: Sequence[tuple[str, str]]) -> Iterator[str]:
     yield ""
     yield f"{f'{what}: the usual order':<{_WIDTH}} | this order"
     for one, other in rows:

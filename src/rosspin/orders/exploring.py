@@ -16,6 +16,8 @@ from ..run.explain import TimeStandsStill
 from ..run.roslaunch.launch import Node
 from ..run.simulate import Prepared, prepare, run_prepared
 from ..run.source import NodeLike
+from ..run.streams import capture
+from ..world.graph import TickLog
 from ..world.world import NotSimulated
 from .beside import side_by_side
 from .strategies import STRATEGIES, bound_of_pct
@@ -119,7 +121,9 @@ def explore(
             *_beside(node, seconds, args, order),
         ]
         said = "\n".join(lines)
-    return Exploration(found.failure, token, found.schedules, found.bound, runs.get(token), runs.get(_USUAL[deep]), said)
+    return Exploration(
+        found.failure, token, found.schedules, found.bound, runs.get(token), runs.get(_USUAL[deep]), said
+    )
 
 
 _USUAL = {deep: Order(deep=deep).token for deep in (False, True)}
@@ -130,12 +134,13 @@ def _run(
 ) -> tuple[str, Run | None]:
     """Run in an order. Return how that fails (empty if it does not), and the run."""
     try:
-        run, result = run_prepared(prepared, seconds, ExploredSimulation(order))
+        with capture() as console:
+            result = run_prepared(prepared, seconds, ExploredSimulation(order), TickLog())
     except NotSimulated:
         raise
     except TimeStandsStill as error:
         return str(error), None
-    host = result.host
+    run, host = result.run(console.text(), "simulated", seconds), result.host
     if host.failed:
         return f"uncaught: {_say(host.failed[0])}", run
     if host.waits:

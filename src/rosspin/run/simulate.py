@@ -5,7 +5,7 @@ from __future__ import annotations
 import os
 import sys
 from collections.abc import Callable, Iterable, Sequence
-from typing import NamedTuple, TextIO
+from typing import Any, NamedTuple, TextIO
 
 from ..clocks.clock import Clock
 from ..clocks.explored import ExploredSimulation, Order
@@ -22,8 +22,8 @@ from .streams import capture
 from .together import Together
 
 __all__ = [
-    *("Launched", "Prepared", "prepare", "run_captured", "run_node", "run_nodes", "run_prepared"),
-    *("several", "simulate", "supervisor"),
+    *("Launched", "Prepared", "prepare", "run_captured", "run_in_order", "run_node", "run_nodes"),
+    *("run_prepared", "several", "simulate", "supervisor"),
 ]
 
 Launched = launch.Launch | LaunchFile
@@ -62,17 +62,17 @@ def simulate(
     are not in Python are left out.
 
     Raises OSError if the file cannot be read, SyntaxError if it is not Python, ValueError if ``seconds`` or ``start``
-    is negative, too large or not a number, or if the ``schedule`` is none of this node, :class:`TimeStandsStill` if the node never lets the time go on, and
-    :class:`NotSimulated` if it needs a real ROS.
+    is negative, too large or not a number, or if the ``schedule`` is none of this node, :class:`TimeStandsStill` if the
+    node never lets the time go on, and :class:`NotSimulated` if it needs a real ROS.
     """
-    prepared = prepare(node, args, skip_cpp, "d" in schedule)
-    began = duration(start, "start")
-    if not schedule:
-        return run_prepared(prepared, seconds, Simulation(began))[0]
-    order = Order.of(schedule)
-    run, _ = run_prepared(prepared, seconds, ExploredSimulation(order, began))
-    order.has_to_fit()
-    return run
+    shaken = bool(schedule) and Order.of(schedule).deep
+    prepared = prepare(node, args, skip_cpp, shaken)
+    with capture() as console:
+        if schedule:
+            result = run_in_order(prepared, seconds, schedule, start, TickLog())
+        else:
+            result = run_prepared(prepared, seconds, Simulation(duration(start, "start")), TickLog())
+    return result.run(console.text(), "simulated", seconds)
 
 
 class Prepared(NamedTuple):
@@ -96,20 +96,26 @@ def prepare(
         if shaken:
             raise ValueError(f"{launched.path}: deep is for node files, one or several")
         return Prepared(launched, [], args)
-    codes = [load(each) for each in ([node] if launched is None else [each.node for each in launched.nodes])]  # type: ignore[list-item]
+    nodes: list[Any] = [node] if launched is None else [each.node for each in launched.nodes]
+    codes = [load(each) for each in nodes]
     return Prepared(launched, [shake(code) for code in codes] if shaken else codes, args)
 
 
-def run_prepared(prepared: Prepared, seconds: float, clock: Simulation) -> tuple[Run, Result]:
-    """Run what was prepared."""
-    launched, codes, args = prepared
+def run_prepared(prepared: Prepared, seconds: float, clock: Simulation, ticks: TickLog | None) -> Result:
+    """Run what was prepared, as :func:`run_node` and :func:`run_nodes` do."""
     duration(seconds)
-    with capture() as console:
-        if launched is None:
-            result = run_node(codes[0], seconds, args, clock, TickLog())
-        else:
-            result = run_nodes(launched, seconds, clock, TickLog(), codes)
-    return result.run(console.text(), "simulated", seconds), result
+    launched, codes, args = prepared
+    if launched is None:
+        return run_node(codes[0], seconds, args, clock, ticks)
+    return run_nodes(launched, seconds, clock, ticks, codes)
+
+
+def run_in_order(prepared: Prepared, seconds: float, schedule: str, start: float, ticks: TickLog | None) -> Result:
+    """Run what was prepared in the order of a token. Raises ValueError if that is none, or none of this node."""
+    order = Order.of(schedule)
+    result = run_prepared(prepared, seconds, ExploredSimulation(order, duration(start, "start")), ticks)
+    order.has_to_fit()
+    return result
 
 
 def several(
