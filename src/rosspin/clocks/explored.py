@@ -10,11 +10,11 @@ from __future__ import annotations
 import re
 import threading
 from collections.abc import Callable, Hashable, Mapping, Sequence
-from heapq import heapify
+from heapq import heappop, heappush
 from typing import Any, NamedTuple
 
 from .frames import node_place, places
-from .simulation import LAST, Simulation
+from .simulation import LAST, STANDSTILL, Simulation
 from .stacks import Stack, current
 
 __all__ = ["Decide", "Deviation", "ExploredSimulation", "Order", "Turn", "name_of"]
@@ -26,6 +26,9 @@ _TOKEN = re.compile(r"(\d+)(d?)((?:-\d+\.\d+)*)")
 # So many wake-ups at one instant may pass over one that is due then; more would not be fair. On a real computer a
 # thread that only looks again and again does not keep another one from its turn.
 _PATIENCE = 200
+
+Due = tuple[int, int, Stack]
+"""A wake-up, as it is on a simulation's heap."""
 
 Decide = Callable[[int, Sequence[Hashable]], int]
 """Is given the number of a point and what may be next there, the usual first. Returns the place of what is next."""
@@ -90,10 +93,8 @@ class Order:
         if self._decide:
             self._known.update(options)
             choice = self._decide(point, options)
-        else:
-            choice = self.planned.get(point, 0)
-            if choice >= len(options):
-                choice = 0
+        elif (choice := self.planned.get(point, 0)) >= len(options):
+            choice = 0
         if choice:
             self.made[point] = choice
             if self.turns is not None:
@@ -116,7 +117,7 @@ class Order:
                     else f"the run has only {len(self.options)} points at which the order is open"
                 )
                 raise ValueError(
-                    f"the schedule does not fit, from {at} on: {there}. It is of another node, of other seconds, or the "
+                    f"the schedule does not fit, from {at} on: {there}. It is of another node, or other seconds, or the "
                     "node has changed: explore again"
                 )
 
@@ -133,6 +134,7 @@ class ExploredSimulation(Simulation):
     def __init__(self, order: Order, start: int = 0) -> None:
         super().__init__(start)
         self.order = order
+        self._due: list[Due] = []  # wake-ups that are due together, off the heap, in their usual order
 
     def sleep(self, ns: int) -> None:
         me = current()
@@ -148,69 +150,97 @@ class ExploredSimulation(Simulation):
         return self.order.choose(options, self._now) if self._is_open else 0
 
     def give_way(self) -> None:
-        heap, now, me = self._heap, self._now, current()
-        if not (heap and heap[0][0] == now and isinstance(me, Stack) and self._is_open):
+        me, now = current(), self._now
+        if self._closed or not isinstance(me, Stack):
             return
-        others = [due for due in self._due() if due[2].owner is me.owner]
+        self._collect(now)
+        if not (self._due and self._is_open):
+            return
+        others = [entry for entry in self._due if entry[2].owner is me.owner]
         if others and not self._has_waited_enough(others[0]):
             if choice := self.order.choose([me, *(stack for _, _, stack in others)], now):
-                self._put_first(others[choice - 1])
+                self._due.remove(others[choice - 1])
+                heappush(self._heap, _now(others[choice - 1]))
                 self._schedule(now, me)
                 self._go_on(me)
                 if me.interrupt:
                     self._handle_interrupt(me)
 
+    def interrupt(self, stack: Stack, handler: Callable[[], None]) -> None:
+        self._put_back()
+        super().interrupt(stack, handler)
+
+    def close(self) -> None:
+        super().close()
+        self._due.clear()
+
     @property
     def _is_open(self) -> bool:
         return not (self._closed or self.main.owner.interrupted)
 
-    def _next(self) -> tuple[int, int, Stack] | None:
+    def _next(self) -> Due | None:
         self._drop_cancelled()
-        heap = self._heap
-        if len(heap) > 1 and 0 <= heap[0][1] < LAST:
+        heap, due = self._heap, self._due
+        if heap and heap[0][1] < 0:
+            return super()._next()
+        if due:
+            when = due[0][0]
+        elif len(heap) > 1 and heap[0][0] in (heap[1][0], heap[-1][0] if len(heap) == 2 else heap[2][0]):
             when = heap[0][0]
-            if (heap[1][0] == when or (len(heap) > 2 and heap[2][0] == when)) and self._is_open:
-                due = self._due()
-                if len(due) > 1 and not (when == self._now and self._has_waited_enough(due[0])):
-                    self._put_first(due[self.order.choose([stack for _, _, stack in due], when)])
-        return super()._next()
+        else:
+            return super()._next()
+        self._collect(when)
+        if not due:
+            return super()._next()
+        choice = 0
+        if len(due) > 1 and self._is_open and not self._has_waited_enough(due[0]):
+            choice = self.order.choose([stack for _, _, stack in due], when)
+        chosen = due.pop(choice)
+        if when > self._now:
+            self._move(when)
+        elif self._order - self._last_move > STANDSTILL:
+            self._stand_still(chosen[2])
+        return chosen if chosen[2] else _now(chosen)
 
-    def _due(self) -> list[tuple[int, int, Stack]]:
-        """The wake-ups of stacks at the time of the first, in their usual order."""
-        heap, cancelled = self._heap, self._cancelled
-        when, places, due = heap[0][0], [0], []
-        for place in places:  # in a heap they are all right below each other
-            entry = heap[place]
-            if entry[1] < LAST and entry[1] not in cancelled:
-                due.append(entry)
-            places += [
-                below for below in (2 * place + 1, 2 * place + 2) if below < len(heap) and heap[below][0] == when
-            ]
-        due.sort()
-        return due
+    def _collect(self, when: int) -> None:
+        """Take the wake-ups of stacks that are due at a time off the heap."""
+        heap, due, cancelled = self._heap, self._due, self._cancelled
+        while heap and heap[0][0] == when and heap[0][1] < LAST:
+            due.append(heappop(heap))
+        if cancelled:
+            gone = [entry for entry in due if entry[1] in cancelled]
+            for entry in gone:
+                due.remove(entry)
+                cancelled.remove(entry[1])
 
-    def _has_waited_enough(self, due: tuple[int, int, Stack]) -> bool:
-        return self._order - max(due[1], self._last_move) > _PATIENCE + 2 * len(self._heap)
+    def _put_back(self) -> None:
+        for entry in self._due:
+            heappush(self._heap, entry)
+        self._due.clear()
 
-    def _put_first(self, due: tuple[int, int, Stack]) -> None:
-        """Let a wake-up be the next, whatever else is due. Nothing more is chosen before."""
-        heap = self._heap
-        place = 0 if heap[0] is due else heap.index(due)
-        heap[place] = (due[0], -1, due[2])
-        if place:
-            heapify(heap)
+    def _keep(self, is_wanted: Callable[[Stack], bool]) -> None:
+        self._put_back()
+        super()._keep(is_wanted)
+
+    def _has_waited_enough(self, due: Due) -> bool:
+        return due[0] == self._now and self._order - max(due[1], self._last_move) > _PATIENCE + 2 * len(self._heap)
 
 
-def name_of(stack: Any) -> str:
-    """The name of a stack's thread."""
-    thread = threading._active.get(stack.ident) or threading.main_thread()  # type: ignore[attr-defined]
-    return str(thread.name)
+def _now(due: Due) -> Due:
+    """Change a wake-up so that it is the next one on the heap, and nothing more is chosen before."""
+    return due[0], -1, due[2]
+
+
+def name_of(stack: Stack) -> str:
+    """The name of a stack's thread; if it is the main one, that of its node, as soon as it has one."""
+    if stack is stack.owner.main:
+        return stack.owner.name or "MainThread"
+    thread = threading._active.get(stack.ident)  # type: ignore[attr-defined]
+    return str(thread.name) if thread else "a thread"
 
 
 def _say(option: Hashable) -> str:
     if not isinstance(option, Stack):
         return str(option)
-    place = node_place(places(option.trail)) if option else None
-    if option is current():
-        return f"{name_of(option)} goes on"
-    return f"{name_of(option)} goes on in line {place.line}" if place else f"{name_of(option)} begins, or goes on"
+    place = None if option is current() else node_place(places(option.trail))
+    return f"{name_of(option)} in line {place.line}" if place else name_of(option)

@@ -117,7 +117,7 @@ def explore(
     if order:
         lines = [
             f"{found.failure}",
-            f"In {said}. It deviates from the usual order {_times(len(order.made))}: {token}",
+            f"In {said}: {token}",
             *_beside(node, seconds, args, order),
         ]
         said = "\n".join(lines)
@@ -210,7 +210,8 @@ def search(attempt: Try, schedules: int, strategy: str, seed: int, deep: bool) -
         failure = attempt(order)
         if failure:
             shortest, failure = _shorten(attempt, order, failure, usual)
-            return Found(shortest, failure, tried, 0, f"the order number {tried} of {schedules}")
+            times = f"that deviates {_times(len(shortest.made))} from the usual one"
+            return Found(shortest, failure, tried, 0, f"the shortest order found, {times}, after {tried} orders")
         different.add(order.token)
         points, threads = max(points, len(order.options)), max(threads, order.forget())
     else:
@@ -309,7 +310,7 @@ def explored(
                     return error  # type: ignore[no-any-return]
                 return None
 
-            said = "schedule"
+            said = "the order of its schedule"
             if schedule:
                 order = Order.of(schedule)
             else:
@@ -322,8 +323,7 @@ def explored(
                 test(*args, start_node=start_node, **fixtures)
             except start_node.failures as error:
                 error.add_note(
-                    f"in {said}, which deviates {_times(len(order.made))} from the usual order; again in this order: "
-                    f'@rosspin.explored(schedule="{order.token}")'
+                    f'in {said}; to run the test in this order alone: @rosspin.explored(schedule="{order.token}")'
                 )
                 raise
             order.has_to_fit()
