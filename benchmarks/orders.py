@@ -75,4 +75,5 @@ def _plant(name: str, schedules: int) -> str:
     numbers = [usual, *found.values()]
     shown = " ".join(f"{each.schedules if each.failure else '-':>7}" for each in numbers)
     deviations = min(each.token.count(".") for each in found.values() if each.failure)
-    return f"  {name:<30} {shown} {deviations:>10}  {'FAILS: ' + twin.token if twin.failure else f'{twin.schedules:,} well'}"
+    said = f"FAILS: {twin.token}" if twin.failure else f"{twin.schedules:,} well"
+    return f"  {name:<30} {shown} {deviations:>10}  {said}"

@@ -11,7 +11,7 @@ import re
 import threading
 from collections.abc import Callable, Hashable, Mapping, Sequence
 from heapq import heappop, heappush
-from typing import Any, NamedTuple
+from typing import NamedTuple
 
 from .frames import node_place, places
 from .simulation import LAST, STANDSTILL, Simulation
@@ -117,8 +117,8 @@ class Order:
                     else f"the run has only {len(self.options)} points at which the order is open"
                 )
                 raise ValueError(
-                    f"the schedule does not fit, from {at} on: {there}. It is of another node, or other seconds, or the "
-                    "node has changed: explore again"
+                    f"the schedule does not fit, from {at} on: {there}. It is of another node, or other seconds, or "
+                    "the node has changed: explore again"
                 )
 
 

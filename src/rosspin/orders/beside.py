@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import linecache
 from collections.abc import Iterator, Sequence
-from itertools import dropwhile, groupby, zip_longest
+from itertools import groupby, islice, zip_longest
 from pathlib import Path
 
 from ..clocks.clock import NS
@@ -34,9 +34,9 @@ def side_by_side(usual: tuple[Order, str], failing: tuple[Order, str]) -> Iterat
             yield from _table(f"at {time / NS:.10g} s", rows[start : start + _LINES])
             if len(rows) > start + _LINES:
                 yield f"  ... and {len(rows) - start - _LINES} more lines at this time"
-    consoles = zip_longest(usual[1].splitlines(), failing[1].splitlines(), fillvalue="")
-    if rows := [row for row in dropwhile(lambda row: row[0] == row[1], consoles)][:2]:
-        yield from _table("the consoles, from where they differ", rows)
+    consoles = zip_longest(usual[1].splitlines(), failing[1].splitlines(), fillvalue="nothing more")
+    for one, other in islice((row for row in consoles if row[0] != row[1]), 1):
+        yield from ("", "the first line in which the consoles differ", f"  usually  {one}", f"  here     {other}")
 
 
 def _table(what: str, rows: Sequence[tuple[str, str]]) -> Iterator[str]:

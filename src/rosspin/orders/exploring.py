@@ -5,8 +5,10 @@ from __future__ import annotations
 import dataclasses
 import functools
 import inspect
+import linecache
 import math
 import signal
+import traceback
 from collections.abc import Callable, Iterator, Sequence
 from typing import Any, TypeVar
 
@@ -157,6 +159,9 @@ def _run(
 
 def _say(error: BaseException) -> str:
     said = str(error)
+    if not said and error.__traceback__:  # an assert without words: its line
+        frame, line = list(traceback.walk_tb(error.__traceback__))[-1]
+        said = linecache.getline(frame.f_code.co_filename, line).strip()
     return f"{type(error).__name__}: {said}" if said else type(error).__name__
 
 
@@ -227,10 +232,10 @@ def _all_well(strategy: str, tried: int, different: int, bound: float, threads: 
         deviations = f"deviate at most {_times(int(bound))}" if bound else "are the usual one"
         return f"{said} These are all that {deviations}, and some more: for those this is proved."
     if strategy == "pct":
-        chances = (f"{bound_of_pct(threads, points, tried, depth):.0%} for {depth}" for depth in (1, 2, 3))
+        chances = [min(99, int(100 * bound_of_pct(threads, points, tried, depth))) for depth in (1, 2, 3)]
         return (
-            f"{said} A fault that needs so many things in a certain order would have been found with a probability of "
-            f"at least {', '.join(chances)}, at {points} points among {threads}."
+            f"{said} There were up to {points} points, and {threads} things to choose among: a fault of depth 1, 2 or "
+            f"3 would have been found with a probability of at least {chances[0]}, {chances[1]} or {chances[2]} %."
         )
     return said
 
