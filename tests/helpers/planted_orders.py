@@ -319,8 +319,10 @@ PLANTS = {
                     for _ in range(2):
                         self.create_timer(0.1, self.tick, callback_group=group)
                 def tick(self):
-                    self.count += 1
+                    self.count += self.read()
                     print("count", self.count)
+                def read(self):
+                    return 1
             """)
             + _MANY_2,
         ),
@@ -338,16 +340,21 @@ PLANTS = {
                     self.create_timer(0.1, self.plan, callback_group=ReentrantCallbackGroup())
                     self.create_timer(0.1, self.localise, callback_group=ReentrantCallbackGroup())
                 def plan(self):
-                    with self.map, self.pose:
-                        pass
+                    with self.map:
+                        print("plans")
+                        with self.pose:
+                            pass
                 def localise(self):
-                    with self.pose, self.map:  #-
-                    with self.map, self.pose:  #+
+                    with self.pose:  #-
+                    with self.map:  #+
                         print("localised")
+                        with self.map:  #-
+                        with self.pose:  #+
+                            pass
             """)
             + _MANY_2,
         ),
-        "(localised\n){5}",
+        "(localised.*){10}",
         deep=True,
     ),
     "ros2-stop-or-step": Plant(
@@ -463,6 +470,7 @@ PLANTS = {
                     self.create_timer(0.5, lambda: print("docked", self.docked))
                 def dock(self):
                     if self.free:
+                        self.get_logger().debug("docks")
                         self.free = False
                         self.docked += 1
             """)
@@ -547,7 +555,7 @@ PLANTS = {
                     self.go.wait()
                     with self.lock:  #+
                     if True:  #-
-                        if self.work:
+                        if len(self.work):
                             self.work.pop()
                     print("consumed")
             """)

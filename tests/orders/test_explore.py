@@ -82,7 +82,8 @@ def test_all_says_so_when_it_has_seen_all(tmp_path: Path) -> None:
     )
     part = rosspin.explore(planted, 0.2, strategy="all", schedules=seen.schedules - 1)
     assert part.bound < math.inf
-    assert f"deviate at most {'once' if part.bound == 1 else 'twice'}" in str(part)
+    assert f"All that deviate at most {'once' if part.bound == 1 else 'twice'} are among them" in str(part)
+    assert "not even all that deviate once" in str(rosspin.explore(planted, 0.2, strategy="all", schedules=2))
     (mended,) = plant.write(tmp_path, mended=True)
     assert str(rosspin.explore(mended, 0.2)) == "There is only one order: nothing is open at any instant. It is well."
 

@@ -6,6 +6,11 @@ from rclpy.executors import ExternalShutdownException, MultiThreadedExecutor
 from rclpy.node import Node
 
 
+# The light barrier sees a part
+def read_barrier():
+    return 1
+
+
 class PartsPyNode(Node):
     def __init__(self):
         super().__init__("parts_py_node")
@@ -18,11 +23,11 @@ class PartsPyNode(Node):
 
     # A part passes on the left belt
     def left_callback(self):
-        self.parts += 1
+        self.parts += read_barrier()
 
     # A part passes on the right belt
     def right_callback(self):
-        self.parts += 1
+        self.parts += read_barrier()
 
     def report_callback(self):
         self.get_logger().info(f"[PARTS] parts = {self.parts}")

@@ -16,7 +16,7 @@ __all__ = ["side_by_side"]
 _INSTANTS = 3
 _LINES = 16
 
-_WIDTH = 54
+_WIDTH = 60
 
 
 def side_by_side(usual: tuple[Order, str], failing: tuple[Order, str]) -> Iterator[str]:

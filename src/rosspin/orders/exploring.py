@@ -10,7 +10,7 @@ import math
 import signal
 import traceback
 from collections.abc import Callable, Iterator, Sequence
-from typing import Any, TypeVar
+from typing import Any
 
 from ..clocks.explored import ExploredSimulation, Order
 from ..results.ticks import Run
@@ -32,7 +32,6 @@ _SHRINKING = 500
 # A failing order that deviates more than once is followed by a look at all that deviate once, if they are not more.
 _ONCE = 300
 
-Test = TypeVar("Test", bound=Callable[..., None])
 Try = Callable[[Order], object]
 """Runs something in an order. Returns how it fails; None, or something else that is false, if it does not."""
 
@@ -89,8 +88,9 @@ def explore(
     * whether two processes of rclpy, or a publisher and a subscriber of rospy, are connected when they usually are or
       one second later.
 
-    With ``deep`` it is also where a thread loses its turn to another one of its process: between any two statements of
-    the node's file, and after any value that it has looked up or calculated.
+    With ``deep`` it is also where Python takes its turn from a thread of the node's file, for another one of its
+    process. In ROS 1 (Python 3.8) that may be between any two statements, and after any value that was looked up or
+    calculated; in ROS 2 (from 3.10 on) where a function begins, a call has returned, or a loop goes round.
 
     Not open are the order of the messages of one publisher on a topic, of the calls of one executor in one round, of
     what one thread does, and all that comes after Ctrl-C. Not tried: that code takes time, that messages do, or get
@@ -229,8 +229,9 @@ def _all_well(strategy: str, tried: int, different: int, bound: float, threads: 
         return f"There are {tried:,} orders. All were run, and all are well: this is proved for what may differ."
     said = f"{tried:,} orders were run, of which {different:,} were different, and all are well."
     if strategy == "all":
-        deviations = f"deviate at most {_times(int(bound))}" if bound else "are the usual one"
-        return f"{said} These are all that {deviations}, and some more: for those this is proved."
+        if not bound:
+            return f"{said} They are not even all that deviate once from the usual one: give it more schedules."
+        return f"{said} All that deviate at most {_times(int(bound))} are among them: for those this is proved."
     if strategy == "pct":
         chances = [min(99, int(100 * bound_of_pct(threads, points, tried, depth))) for depth in (1, 2, 3)]
         return (
@@ -286,7 +287,7 @@ def _times(number: int) -> str:
 
 def explored(
     *, schedules: int = 1000, strategy: str = "pct", seed: int = 0, deep: bool = False, schedule: str = ""
-) -> Callable[[Test], Test]:
+) -> Callable[[Callable[..., None]], Callable[..., None]]:
     """Run a test of pytest once for each of many orders of events in the nodes that it starts.
 
     The test takes the fixture ``start_node``, which is as new each time; its other fixtures are made once. It is run in
@@ -299,7 +300,7 @@ def explored(
     if schedule:
         deep = Order.of(schedule).deep
 
-    def decorate(test: Test) -> Test:
+    def decorate(test: Callable[..., None]) -> Callable[..., None]:
         if "start_node" not in inspect.signature(test).parameters:
             raise TypeError(f"{getattr(test, '__name__', 'an explored test')} has to take the fixture start_node")
 
@@ -333,6 +334,6 @@ def explored(
                 raise
             order.has_to_fit()
 
-        return run  # type: ignore[return-value]
+        return run
 
     return decorate
