@@ -268,3 +268,60 @@ def test_a_thread_that_only_looks_again_does_not_keep_others_for_ever(tmp_path: 
     )
     for strategy in ("pct", "random", "all"):
         assert not rosspin.explore(str(path), 1.0, strategy=strategy, schedules=20).failure
+
+
+def test_a_status_is_a_failure_under_roslaunch_too(tmp_path: Path) -> None:
+    for name, ros in (("one", "rospy"), ("two", "rospy")):
+        (tmp_path / f"{name}.py").write_text(f"import sys, {ros}\nsys.exit({3 * (name == 'two')})\n")
+    found = rosspin.explore([str(tmp_path / "one.py"), str(tmp_path / "two.py")], 1.0)
+    assert found.failure == "two ended with status 3"
+
+
+def test_each_ros_loses_turns_where_its_python_does(tmp_path: Path) -> None:
+    """CPython 3.8 between any two instructions, from 3.10 on not within ``+= 1``."""
+    for ros, is_found in ((1, True), (2, False)):
+        path = tmp_path / f"ros{ros}.py"
+        path.write_text(
+            dedent(f"""
+            import threading, {"rospy" if ros == 1 else "rclpy"}
+            class Count:
+                number = 0
+            def count():
+                Count.number += 1
+            threads = [threading.Thread(target=count) for _ in range(2)]
+            for thread in threads:
+                thread.start()
+            for thread in threads:
+                thread.join()
+            print(Count.number)
+            """)
+        )
+
+        def counts_both(run: rosspin.Run) -> None:
+            assert run.console == "2\n"
+
+        found = rosspin.explore(str(path), 1.0, counts_both, deep=True, schedules=100, strategy="random")
+        assert bool(found.failure) is is_found
+
+
+def test_a_loop_of_asyncio_stays_on_its_thread(tmp_path: Path) -> None:
+    path = tmp_path / "node.py"
+    path.write_text(
+        dedent("""
+        import asyncio, threading
+        async def work(number):
+            for _ in range(3):
+                await asyncio.sleep(0.1)
+            return number
+        async def main():
+            print(sum(await asyncio.gather(*(work(number) for number in range(3)))))
+        for _ in range(2):
+            threading.Thread(target=lambda: asyncio.run(main())).start()
+        """)
+    )
+
+    def says_all(run: rosspin.Run) -> None:
+        assert run.console == "3\n3\n"
+
+    found = rosspin.explore(str(path), 1.0, says_all, deep=True, schedules=40, strategy="random")
+    assert not found.failure, found

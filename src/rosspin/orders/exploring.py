@@ -32,6 +32,9 @@ _SHRINKING = 500
 # A failing order that deviates more than once is followed by a look at all that deviate once, if they are not more.
 _ONCE = 300
 
+# How a node may end: by itself, or by Ctrl-C, caught or not, or not at all.
+_WELL = (0, 128 + signal.SIGINT, -signal.SIGINT, None)
+
 Try = Callable[[Order], object]
 """Runs something in an order. Returns how it fails; None, or something else that is false, if it does not."""
 
@@ -147,8 +150,12 @@ def _run(
         return f"uncaught: {_say(host.failed[0])}", run
     if host.waits:
         return host.waits.replace("rosspin: ", "").rstrip(), run
-    if run.status not in (0, 128 + signal.SIGINT):
-        return f"the exit status is {run.status}", run
+    for status, name in [
+        (run.status, "the run"),
+        *((each.world.exit_status, each.node.name) for each in host.processes),
+    ]:
+        if status not in _WELL:
+            return f"{name} ended with status {status}", run
     try:
         if check:
             check(run)

@@ -4,8 +4,8 @@ Simulated threads give way to each other only where they wait, so a node can lac
 node can also give way where Python can take its turn from a thread: in ROS 1, whose Python is 3.8, between any two
 instructions, so here between statements and after each value that was looked up or calculated. From CPython 3.10 on,
 as in ROS 2, that is where a function of the node begins, where a call has returned, and where a loop goes round:
-``self.count += 1`` is not taken apart there, ``self.count += self.read()`` is. (Measured with CPython 3.8 to 3.13, whose
-GIL was asked for every microsecond.)
+``self.count += 1`` is not taken apart there, ``self.count += self.read()`` is. (Measured with CPython 3.8 to 3.13, with
+a switch interval of a microsecond.)
 """
 
 from __future__ import annotations
