@@ -45,8 +45,8 @@ def at_random(usual: Order, seed: int, deep: bool) -> Iterator[Order]:
 def by_priority(usual: Order, seed: int, deep: bool) -> Iterator[Order]:
     """Orders in which the thread with the highest priority goes on. Priorities are random, and change at random points.
 
-    Source: PCT, in Burckhardt, Kothari, Musuvathi and Nagarakatte, a "scheduler with probabilistic guarantees of finding
-    bugs" (ASPLOS 2010), algorithm 1. Of things that are no threads, such as what an executor has seen, one has
+    Source: PCT, in Burckhardt, Kothari, Musuvathi and Nagarakatte, a "scheduler with probabilistic guarantees of
+    finding bugs" (ASPLOS 2010), algorithm 1. Of things that are no threads, such as what an executor has seen, one has
     the highest priority likewise.
     """
     draw = random.Random(seed)
