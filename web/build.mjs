@@ -55,7 +55,7 @@ const files = {}
 for (const folder of [path.join(here, "../src/rosspin"), yaml]) {
   for (const file of readdirSync(folder, { recursive: true }).sort()) {
     const name = file.split(path.sep).join("/")
-    if (!/\.(py|txt)$/.test(name) || /^(faults|plots|real|site)\//.test(name)) continue
+    if (!/\.(py|txt)$/.test(name) || /^(faults|orders|plots|real|site)\//.test(name)) continue
     files[`${path.basename(folder)}/${name}`] = readFileSync(path.join(folder, file))
   }
 }

@@ -23,6 +23,7 @@ LAYERS = [
     "rospy",
     "rclpy",
     "run",
+    "orders",
     "measures",
     "plots",
     "real",

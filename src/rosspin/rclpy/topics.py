@@ -382,6 +382,10 @@ class Subscription(TopicEnd):
         if self.nudge:
             self.nudge()
 
+    def came_at(self, now: int) -> bool:
+        """Whether the message that is the next to be taken has come at a time (ns)."""
+        return bool(self.messages) and self.messages[0][1]["received_timestamp"] == now
+
     def take(self) -> Any:
         """Return the call to make, or None if there is no message any more."""
         if self._destroyed:
