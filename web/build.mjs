@@ -47,7 +47,7 @@ const files = {}
 for (const folder of [path.join(here, "../src/rosspin"), yaml]) {
   for (const file of readdirSync(folder, { recursive: true }).sort()) {
     const name = file.split(path.sep).join("/")
-    if (!/\.(py|txt)$/.test(name) || /^(site|plots|real)\//.test(name)) continue
+    if (!/\.(py|txt)$/.test(name) || /^(site|plots|real|grading)\//.test(name)) continue
     files[`${path.basename(folder)}/${name}`] = readFileSync(path.join(folder, file))
   }
 }

@@ -27,6 +27,7 @@ LAYERS = [
     "real",
     "doctor",
     "exercises",
+    "grading",
     "page",
     "site",
     "pytest_plugin",
