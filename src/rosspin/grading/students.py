@@ -117,7 +117,8 @@ class Class:
             except Refused as refused:
                 left.append((owner.person, file, str(refused)))
                 continue
-            having.add(owner.person)
+            if owner.sent or owner.name != top or not hand_in.name:
+                having.add(owner.person)
             if hand_in.name:
                 key = owner.key if owner.sent else ("", hand_in.name, hand_in.id)
                 row = Row(hand_in.name, plain(file.path), hand_in.student, owner.sender, owner.late, hand_in.date)
@@ -167,8 +168,8 @@ class Class:
         if owner in having and not (name.startswith("rosspin-answers") or name.endswith(".zip")):
             return
         self.refused.append((plain(file.path), why))
-        if owner not in having and owner.name != top:
-            # A student is missed in the table, whatever was handed in.
+        if owner not in having and owner.name != top and _Owner(top) not in having:
+            # A student is missed in the table, whatever was handed in. What lies among answers is no student's folder.
             row = Row(plain(owner.name), plain(file.path), sender=owner.sender, note=f"refused: {why}")
             self._rows.setdefault(owner.key, row)
 

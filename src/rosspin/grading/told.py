@@ -59,7 +59,7 @@ def as_words(found: Class) -> Iterator[str]:
         yield "What was hard:"
         for name, _, answered, solved, hints in missed:
             yield f"  {name}: {solved} of {answered} solved"
-            yield from (f"    {count} were told: {hint}" for hint, count in hints[:3])
+            yield from (f"    {count} × {hint}" for hint, count in hints[:3])
 
 
 def _line(row: Row) -> str:
