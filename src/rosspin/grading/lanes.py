@@ -14,6 +14,7 @@ import json
 import os
 import pkgutil
 import selectors
+import shutil
 import signal
 import sys
 import sysconfig
@@ -59,12 +60,13 @@ class Task(NamedTuple):
 class _Child:
     """A process at work on a task."""
 
-    def __init__(self, pid: int, read: int, number: int, task: Task, trace: str | None) -> None:
+    def __init__(self, pid: int, read: int, number: int, task: Task, trace: str | None, folder: str) -> None:
         self.pid = pid
         self.read = read
         self.number = number
         self.task = task
         self.trace = trace  # what it judges; None: it runs the answer
+        self.folder = folder
         self.deadline = time.monotonic() + TIME
         self.sent = bytearray()
 
@@ -74,7 +76,8 @@ class Lanes:
 
     def __init__(self) -> None:
         """Import all that answers need, and find out how processes can be sealed here: ``seals``."""
-        importlib.import_module("yaml")  # of what is installed, answers get this and nothing else
+        for name in ("yaml", "xmlrpc.client"):  # which are else loaded when a node needs them
+            importlib.import_module(name)
         for package in (rospy, rclpy, exercises):
             for module in pkgutil.iter_modules(package.__path__, f"{package.__name__}."):
                 importlib.import_module(module.name)
@@ -83,11 +86,12 @@ class Lanes:
         self.lanes = len(os.sched_getaffinity(0)) if hasattr(os, "sched_getaffinity") else os.cpu_count() or 1
         self._selector = selectors.DefaultSelector()
         self._folder = tempfile.mkdtemp(prefix="rosspin-judge-")
+        os.chmod(self._folder, 0o711)
         self.seals = frozenset(self._tried().split())
 
     def _tried(self) -> str:
         """Find out which seals there are, in a process that is sealed for that."""
-        pid, read = self._fork(lambda: "", sealed=True)
+        pid, read = self._fork(lambda: "", self._folder)
         with open(read, "rb") as file:
             said = file.read()
         os.waitpid(pid, 0)
@@ -123,25 +127,27 @@ class Lanes:
 
     def close(self) -> None:
         """Take the folder of the answers away."""
-        with suppress(OSError):
-            os.rmdir(self._folder)
+        shutil.rmtree(self._folder, ignore_errors=True)
 
     def _stop(self, number: int, frame: object) -> None:
         self.stopped = True
 
     def _start(self, number: int, task: Task, trace: str | None) -> None:
         work = (lambda: _trace(task)) if trace is None else (lambda: _judge(task, trace))
-        pid, read = self._fork(work, sealed=trace is None)
-        self._selector.register(read, selectors.EVENT_READ, _Child(pid, read, number, task, trace))
+        folder = self._folder if trace is None else ""
+        if folder and "disk" not in self.seals:  # else each has a folder in memory in its place
+            folder = tempfile.mkdtemp(dir=folder)
+        pid, read = self._fork(work, folder)
+        self._selector.register(read, selectors.EVENT_READ, _Child(pid, read, number, task, trace, folder))
 
-    def _fork(self, work: Callable[[], str], sealed: bool) -> tuple[int, int]:
+    def _fork(self, work: Callable[[], str], folder: str) -> tuple[int, int]:
         read, write = os.pipe()
         sys.stdout.flush()
         sys.stderr.flush()
         if pid := os.fork():
             os.close(write)
             return pid, read
-        _work(work, write, self._folder if sealed else "")
+        _work(work, write, folder)
 
     def _look(self, done: Callable[[int, Verdict], None]) -> None:
         for key, _ in self._selector.select(_LOOK):
@@ -165,7 +171,10 @@ class Lanes:
         for kill in (os.killpg, os.kill):
             with suppress(ProcessLookupError, PermissionError):
                 kill(child.pid, signal.SIGKILL)
-        return os.waitstatus_to_exitcode(os.waitpid(child.pid, 0)[1])
+        status = os.waitstatus_to_exitcode(os.waitpid(child.pid, 0)[1])
+        if child.folder not in ("", self._folder):
+            shutil.rmtree(child.folder, ignore_errors=True)
+        return status
 
     def _go_on(self, child: _Child, status: int, done: Callable[[int, Verdict], None]) -> None:
         """Have what was noted judged, or tell the verdict."""
