@@ -165,7 +165,8 @@ def judge(exercise: str, text: str, trace: str) -> str:
 
     The result is a :class:`rosspin.exercises.Verdict` as JSON.
     """
-    return dumps(exercises.verdict(exercise, text, trace)._asdict())
+    with _left_as_found():
+        return dumps(exercises.verdict(exercise, text, trace)._asdict())
 
 
 @contextmanager
