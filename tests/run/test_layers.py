@@ -42,8 +42,8 @@ KEEPERS = {
     "matplotlib": {"plots", "plots.pictures", "plots.vehicle"},
     "js": {"clocks.jspi", "page"},
     "pyodide": {"clocks.jspi", "page"},
-    "sphinx": {"site.pages", "site.live", "site.checks", "site.doctests", "site.published"},
-    "docutils": {"site.pages", "site.live", "site.checks", "site.doctests", "site.published"},
+    "sphinx": {"site.pages", "site.live", "site.checks", "site.doctests", "site.published", "site.lessons"},
+    "docutils": {"site.pages", "site.live", "site.checks", "site.doctests", "site.published", "site.lessons"},
     "pytest": {"pytest_plugin"},
     "yaml": {
         *("run.roslaunch.launch", "run.ros2launch.frontend", "run.ros2launch.parameters"),

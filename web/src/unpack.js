@@ -4,7 +4,7 @@
 /** @typedef {File | Unread} Dropped */
 
 /** What is read of archives at most: so many within each other, files in all, and of one within another (bytes). */
-const MOST = { depth: 4, files: 20_000, archive: 200_000_000, file: 1_000_001 }
+const MOST = { depth: 4, files: 10_000, archive: 200_000_000, file: 1_000_001 }
 
 /** What systems and programs leave in folders and archives. */
 const LEFT_BEHIND = /(^|\/)(\.[^/]*|__MACOSX|Thumbs\.db|desktop\.ini)(\/|$)/i

@@ -1,4 +1,4 @@
-"""The checks of the exercises in ``notebooks/exercises.md`` and ``notebooks/ros2-exercises.md``.
+"""The checks of the exercises in ``notebooks/exercises.md`` and ``notebooks/ros2-exercises.md``, and of a teacher's.
 
 An answer is a text: a node file, or predictions as assignments. A check runs it in simulated time and says what is
 right, what is wrong, and how to go on. It raises nothing, whatever the answer is. It looks at what the node did, such
@@ -14,7 +14,8 @@ from typing import Any, NamedTuple
 
 from .feedback import Feedback, Finding
 from .judging import Answer, Fails
-from .questions import EXERCISES, Exercise
+from .questions import EXERCISES as _OF_THE_SITE
+from .questions import Exercise
 from .reach import reaches_for
 from .running import Runner
 from .traces import Misfit, Outcome, Request, Trace, read, write
@@ -144,3 +145,13 @@ def _find(exercise: Exercise, answer: Answer) -> list[Finding]:
     except Fails as failure:
         findings.append(failure.finding)
     return findings
+
+
+# These import what is above.
+from .own import LESSONS  # noqa: E402
+
+EXERCISES: tuple[Exercise, ...] = (
+    *_OF_THE_SITE,
+    *(each.exercise._replace(number=number) for number, each in enumerate(LESSONS, len(_OF_THE_SITE) + 1)),
+)
+"""All exercises: those of the site, and then those of the teacher."""
