@@ -180,7 +180,7 @@ def in_archive(data: bytes, folder: Path) -> list[Found]:
 def test_archives_within_archives(tmp_path: Path) -> None:
     inner = zipped({"a.json": saved(), "deep.zip": zipped({"b.json": "x"})})
     found = in_archive(zipped({"Zoë Ö.zip": inner, "__MACOSX/._a.json": "x", ".DS_Store": "x", "c/": ""}), tmp_path)
-    assert [file.parts for file in found] == [("Zoë Ö", "a.json"), ("Zoë Ö", "deep", "b.json")]
+    assert [file.parts for file in found] == [("Zoë Ö.zip", "a.json"), ("Zoë Ö.zip", "deep.zip", "b.json")]
     assert found[0].data == saved()
 
 
@@ -290,6 +290,7 @@ def test_moodle_canvas_and_gradescope_say_who_sent_it(tmp_path: Path) -> None:
             "doeeve_LATE_5001_70001_slow-timer.py": "x = 1",
             "doeeve_5001_70002_slow-timer-1.py": "x = 2",
             "submission_77/answers.json": saved(name="Flo"),
+            "roegus_5002_70003_all.zip": zipped({"answers/slow-timer.py": "x = 3"}),
         },
     )
     told = [(row.name, row.sender, row.late, list(row.answers), row.note) for row in found.rows]
@@ -300,6 +301,7 @@ def test_moodle_canvas_and_gradescope_say_who_sent_it(tmp_path: Path) -> None:
         ("Di D", "Di D", False, [], "refused: it is no file of answers"),
         ("doeeve", "doeeve", True, ["slow-timer"], ""),
         ("Flo", "submission_77", False, ["ten-hertz"], ""),
+        ("roegus", "roegus", False, ["slow-timer"], ""),
     ]
     assert found.rows[4].answers == {"slow-timer": "x = 2"}
     assert found.notes == [

@@ -82,7 +82,7 @@ def _file(place: Path, parts: tuple[str, ...], budget: _Budget) -> Iterator[Foun
             yield Found(parts, why="it is a link, or no file")
         elif place.suffix.lower() == ".zip":
             with open(place, "rb") as file:
-                yield from _unzipped((*parts[:-1], _stem(parts[-1])), file, budget, 1)
+                yield from _unzipped(parts, file, budget, 1)
         else:
             with open(place, "rb") as file:
                 yield _content(parts, file, budget)
@@ -147,15 +147,11 @@ def _entry(
         if budget.bytes < 0:
             yield Found(place, why="there is too much in all; have it judged in parts")
         else:
-            yield from _unzipped((*place[:-1], _stem(place[-1])), io.BytesIO(data), budget, depth + 1)
+            yield from _unzipped(place, io.BytesIO(data), budget, depth + 1)
 
 
 def _holds_answers(name: str) -> bool:
     return name.lower().endswith(SUFFIXES)
-
-
-def _stem(name: str) -> str:
-    return name[: -len(".zip")]
 
 
 def _name(entry: zipfile.ZipInfo) -> str:

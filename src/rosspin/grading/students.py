@@ -109,7 +109,9 @@ class Class:
         left: list[tuple[_Owner, Found, str]] = []
         having: set[_Owner] = set()
         for file in found:
-            owner = _sender(file.parts) or _Owner(file.parts[skipped] if len(file.parts) > skipped + 1 else top)
+            owner = _sender(file.parts) or _Owner(
+                _folder(file.parts[skipped]) if len(file.parts) > skipped + 1 else top
+            )
             try:
                 if file.why:
                     raise Refused(file.why)
@@ -176,21 +178,27 @@ class Class:
 
 def _sender(parts: Sequence[str]) -> _Owner | None:
     """Find out from the names of its folders, and from its own, who sent a file; None if they do not say it."""
-    *folders, name = parts
     for part in parts:
-        if match := _MOODLE.fullmatch(part) or _GRADESCOPE.fullmatch(part):
-            return _Owner(match["name"], match["id"], sent=True, rest=match["rest"] if part is name else "")
-    if match := _CANVAS.fullmatch(name):
-        version = re.search(r"-(\d+)\.\w+$", name)
-        number = int(version[1]) if version else 0
-        return _Owner(match["name"], match["id"], True, bool(match["late"]), match["rest"], number)
+        is_last, folder = part is parts[-1], _folder(part)
+        if match := _MOODLE.fullmatch(folder) or _GRADESCOPE.fullmatch(folder):
+            return _Owner(match["name"], match["id"], sent=True, rest=match["rest"] if is_last else "")
+        # Canvas has no folders, whose names could be anything.
+        if (is_last or folder != part) and (match := _CANVAS.fullmatch(folder)):
+            version = re.search(r"-(\d+)\.\w+$", part)
+            number, rest = int(version[1]) if version else 0, match["rest"] if is_last else ""
+            return _Owner(match["name"], match["id"], True, bool(match["late"]), rest, number)
     return None
+
+
+def _folder(part: str) -> str:
+    """Return the name of a folder, or of an archive that stands for one."""
+    return part[:-4] if part.lower().endswith(".zip") else part
 
 
 def _name_of(path: Path, skipped: Sequence[str]) -> str:
     """Whose files these are if nothing else says it: the folder's, or that in which the file is."""
     if skipped:
-        return skipped[0]
+        return _folder(skipped[0])
     place = path.resolve()
     return place.name if place.is_dir() else place.stem if place.suffix == ".zip" else place.parent.name
 

@@ -69,6 +69,8 @@ def _line(row: Row) -> str:
     by_verdict.pop("solved", None)
     rest = "".join(f"; {verdict}: {', '.join(names)}" for verdict, names in by_verdict.items())
     late = " (late)" if row.late else ""
+    if not row.answers:
+        return f"{row.name}{late}: no answer{f'; {row.note}' if row.note else ''}"
     return f"{row.name}{late}: {row.solved} of {len(row.answers)} solved{rest}{f'; {row.note}' if row.note else ''}"
 
 
