@@ -109,9 +109,8 @@ class Class:
         left: list[tuple[_Owner, Found, str]] = []
         having: set[_Owner] = set()
         for file in found:
-            owner = _sender(file.parts) or _Owner(
-                _folder(file.parts[skipped]) if len(file.parts) > skipped + 1 else top
-            )
+            folder = _folder(file.parts[skipped]) if len(file.parts) > skipped + 1 else top
+            owner = _sender(file.parts) or _Owner(folder)
             try:
                 if file.why:
                     raise Refused(file.why)
