@@ -35,10 +35,9 @@ def test_the_command_gives_the_verdicts_of_the_page(table: Table, tmp_path: Path
         (tmp_path / f"{name}.json").write_text(text)
     status, out, _ = run("judge", str(tmp_path), "--json")
     assert status == 1
-    students = json.loads(out)["students"]
     command = {
         (student["name"], name): answer["verdict"]
-        for student in students
+        for student in json.loads(out)["students"]
         for name, answer in student["answers"].items()
     }
     table.drop(**texts)
