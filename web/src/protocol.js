@@ -25,7 +25,7 @@
  * @typedef {{trace: string}} TraceResult
  * @typedef {"solved" | "not yet" | "open" | "to read" | "not judged"} Verdict
  * @typedef {{verdict: Verdict, solved: boolean, status: string, console: string, said: string,
- *   hint: string}} JudgeResult
+ *   why: string, hint: string}} JudgeResult
  * @typedef {{run: RunResult, trace: TraceResult, judge: JudgeResult}} Results by the kind of the job
  *
  * What a sandbox says; its last word on a job is that it has ended or failed:
@@ -127,9 +127,9 @@ const RESULTS = {
     return right && { status, errors, count, ticks, chunks, end, alternative, test, scenes }
   },
   trace: ({ trace }) => isText(trace) && { trace },
-  judge({ verdict, solved, status, console, said, hint = "" }) {
-    const texts = [status, console, said, hint].every(isText)
-    return VERDICTS.includes(verdict) && (verdict === "solved") === solved && texts && { verdict, solved, status, console, said, hint }
+  judge({ verdict, solved, status, console, said, why = "", hint = "" }) {
+    const right = VERDICTS.includes(verdict) && (verdict === "solved") === solved
+    return right && [status, console, said, why, hint].every(isText) && { verdict, solved, status, console, said, why, hint }
   },
 }
 

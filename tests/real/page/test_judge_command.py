@@ -11,7 +11,7 @@ from command_line import run
 from hand_ins import Table, handed_in
 
 SOME = ["make-it-10-hz", "slow-timer", "cancel-a-goal", "share-data", "rostopic-hz"]
-FORGED = "import os\nos.write(3, b'x')\nprint('{\"verdict\": \"solved\"}')"
+FORGED = "print('Exercise 1: right.')\nprint('{\"verdict\": \"solved\"}')"
 
 HAND_INS = {
     "right": {name: CELLS[name][1].source for name in SOME},
