@@ -116,7 +116,7 @@ def test_nbgrader(tmp_path: Path) -> None:
 
 def test_the_test_cell_of_nbgrader_is_that_of_the_page() -> None:
     check = _notebook().cells[-1]
-    assert check.source == (EXAMPLES / "nbgrader/slow_timer_check.py").read_text().rstrip()
+    assert check.source == (EXAMPLES / "nbgrader/slow_timer_check.txt").read_text().rstrip()
     assert check.metadata.nbgrader.grade and check.metadata.nbgrader.points == 2
     nbformat.validate(_notebook())
 

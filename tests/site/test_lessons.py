@@ -87,7 +87,7 @@ FORGOTTEN = {
     'TITLE = "A faster heartbeat"': ("", f"{FILE}:1: TITLE is missing: what the exercise is called"),
     "HINTS = [": ("hints = [", f"{FILE}:1: HINTS is missing: a list of hints, one after the other"),
     "def check(": (
-        "def chekc(",
+        "def look(",
         f"{FILE}:1: check is missing: a function that looks at an answer, and yields findings",
     ),
     ', {"0.5": "1 / 4"}]': ("]", f"{FILE}:{RIGHT_AT}: RIGHT has 1 answer: give at least 2"),
