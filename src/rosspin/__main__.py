@@ -100,6 +100,19 @@ def _parser() -> argparse.ArgumentParser:
         "--plot", metavar="FILE", help="plot the ticks to this .pdf, .png or .svg, and describe them on stderr"
     )
     run.set_defaults(do=_run, parser=run)
+    judge = commands.add_parser(
+        "judge",
+        help="judge answers to exercises",
+        description="Judge answers to the exercises: hand-ins, node files and notebooks, and folders and zips of them.",
+        usage="%(prog)s FILE... [--csv FILE] [--json]",
+        epilog="The exit status is 0 if all answers are right, 1 if one is not, 2 if the command line is not, and 130 "
+        "after Ctrl-C, which keeps what has been judged.",
+        allow_abbrev=False,
+    )
+    judge.add_argument("paths", metavar="FILE", nargs="+", help="a hand-in, or a folder or zip of them")
+    judge.add_argument("--csv", metavar="FILE", help="save a table for spreadsheets, with a row for each student")
+    judge.add_argument("--json", action="store_true", help="print all that is known as JSON, in place of words")
+    judge.set_defaults(do=_judge, parser=judge)
     doctor = commands.add_parser("doctor", help="show what can run here", description="Show what can run here.")
     doctor.set_defaults(do=_doctor, parser=doctor)
     return parser
@@ -109,6 +122,14 @@ def _doctor(options: argparse.Namespace, args: Sequence[str]) -> int:
     for line in report():
         print(line)
     return 0
+
+
+def _judge(options: argparse.Namespace, args: Sequence[str]) -> int:
+    if not hasattr(os, "fork"):
+        raise ValueError("judge needs Linux or macOS, or WSL on Windows; the page for teachers needs a browser only")
+    from .grading import judge  # not there on Windows
+
+    return judge(options.paths, options.csv, options.json)
 
 
 def _run(options: argparse.Namespace, args: Sequence[str]) -> int:
