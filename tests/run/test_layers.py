@@ -23,6 +23,7 @@ LAYERS = [
     "rclpy",
     "run",
     "measures",
+    "look",
     "plots",
     "real",
     "doctor",
@@ -38,6 +39,7 @@ LAYERS = [
 KEEPERS = {
     "greenlet": {"clocks.stacks"},
     "IPython": {"site.magics"},
+    "rosbags": {"look.bags"},
     "matplotlib": {"plots", "plots.pictures", "plots.vehicle"},
     "js": {"clocks.jspi", "page"},
     "pyodide": {"clocks.jspi", "page"},
@@ -126,8 +128,8 @@ def test_transforms_know_nothing_of_ros() -> None:
 
 def test_data_are_below_the_simulator() -> None:
     for module in MODULES:
-        if layer(module) in ("results", "measures", "plots"):
-            assert {layer(name) for name in imports(module) & MODULES.keys()} <= {"results", "measures", "plots"}
+        if layer(module) in ("results", "measures", "look", "plots"):
+            assert {layer(name) for name in imports(module) & MODULES.keys()} <= {"results", "measures", "look", "plots"}
 
 
 def test_importing_rosspin_needs_greenlet_and_little_else() -> None:

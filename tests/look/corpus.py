@@ -1,0 +1,138 @@
+"""Logs whose fault is known: which nodes make them, and what is true of them.
+
+Those that begin with ``r1`` and ``r2`` were recorded on the real ROS 1 and ROS 2 by :mod:`record`; those that begin
+with ``s1`` and ``s2`` are made by a simulated run whenever a test asks for them.
+"""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+from hashlib import sha256
+
+
+@dataclass(frozen=True)
+class Case:
+    """A log: its nodes by their command lines, and the verdicts that are true of it.
+
+    ``after``: when each node starts (s). ``stops``: when all processes are stopped and for how long (s). ``jumps``:
+    when their clocks are set, and by how much (s). ``form``: what the log is, and how it is dressed.
+    """
+
+    name: str
+    truth: str
+    nodes: tuple[str, ...]
+    seconds: float = 10.0
+    after: tuple[float, ...] = ()
+    stops: tuple[tuple[float, float], ...] = ()
+    jumps: tuple[tuple[float, float], ...] = ()
+    form: str = "console"
+
+    @property
+    def ros(self) -> int:
+        return int(self.name[1])
+
+    @property
+    def is_real(self) -> bool:
+        return self.name[0] == "r"
+
+    @property
+    def is_held_out(self) -> bool:
+        """Whether nobody looked at what is said of it while writing that: fixed by its name, before."""
+        return sha256(self.name.encode()).digest()[0] % 2 == 1
+
+
+REAL = [
+    # As it should be.
+    Case("r2_timer_10", "healthy", ("motor timer,wheel_speed,10",)),
+    Case("r2_timers_5_50", "healthy", ("base timer,odometry,50 timer,battery,5",)),
+    Case("r2_rate_20", "healthy", ("arm rate,joint_state,20",), 8),
+    Case("r2_three_nodes", "healthy", ("motor timer,wheel_speed,10", "arm timer,joint_state,20", "eye timer,frame,4")),
+    Case("r2_timer_100", "healthy", ("imu timer,imu,100,work=0.002",), 5),
+    Case("r2_pub_sub", "healthy", ("compass pub,sent_heading,10", "pilot sub,heard_heading,0"), 10),
+    Case("r1_timer_10", "healthy", ("motor timer,wheel_speed,10",)),
+    Case("r1_rate_50", "healthy", ("arm rate,joint_state,50,work=0.003",), 6),
+    Case("r1_two_nodes", "healthy", ("motor timer,wheel_speed,10", "eye timer,frame,4")),
+    Case("r1_echo_10", "healthy", ("compass pub,sent,10",), 8, form="echo"),
+    Case("r1_bag_20", "healthy", ("compass pub,sent,20",), 6, form="bag"),
+    # A sleep of fixed length after work.
+    Case("r2_sleep_10_work_5", "sleep", ("motor sleep,wheel_speed,10,work=0.005",)),
+    Case("r2_sleep_30_work_varies", "sleep", ("arm sleep,joint_state,30,work=0.002,spread=0.004",), 8),
+    Case("r2_sleep_2_work_70", "sleep", ("eye sleep,frame,2,work=0.07",), 14),
+    Case("r2_sleep_beside_timer", "sleep", ("base sleep,odometry,20,work=0.008", "motor timer,wheel_speed,10")),
+    Case("r1_sleep_10_work_20", "sleep", ("motor sleep,wheel_speed,10,work=0.02",)),
+    Case("r1_sleep_5_work_varies", "sleep", ("eye sleep,frame,5,work=0.03,spread=0.04",), 12),
+    Case("r1_sleep_50_work_4", "sleep", ("arm sleep,joint_state,50,work=0.004",), 6),
+    # A pass that took too long.
+    Case("r2_overran_beside", "overran", ("motor timer,wheel_speed,10,at=30,slow=0.35", "arm timer,joint_state,20")),
+    Case("r2_overran_alone", "overran", ("motor timer,wheel_speed,20,at=70,slow=0.22",), 8),
+    Case("r2_overran_each_10th", "overran", ("motor timer,wheel_speed,10,every=10,slow=0.25", "eye timer,frame,5"), 12),
+    Case("r2_overran_rate", "overran", ("arm rate,joint_state,25,at=60,slow=0.5", "eye timer,frame,8"), 8),
+    Case("r1_overran_rate_alone", "overran", ("arm rate,joint_state,10,at=40,slow=0.35",)),
+    Case("r1_overran_timer_beside", "overran", ("motor timer,wheel_speed,20,at=50,slow=0.4", "eye timer,frame,10"), 8),
+    Case("r1_overran_each_8th", "overran", ("motor timer,wheel_speed,10,every=8,slow=0.16", "eye timer,frame,7"), 12),
+    # A slow callback that blocks its neighbours.
+    Case("r2_blocks_one", "blocked", ("base timer,odometry,20 timer,plan,1,work=0.3", "motor timer,wheel_speed,10")),
+    Case("r2_blocks_two", "blocked", ("base timer,odometry,25 timer,battery,10 timer,map,0.7,work=0.4",), 14),
+    Case("r2_blocks_by_sub", "blocked", ("base timer,odometry,50 sub,image,0,work=0.15", "eye pub,sent,2"), 10),
+    Case("r1_blocks_by_lock", "blocked", ("base timer,odometry,20,lock=1 timer,plan,1,work=0.3,lock=1",), 10),
+    Case(
+        "r1_blocks_by_lock_beside",
+        "blocked",
+        ("base timer,odometry,10,lock=1 timer,plan,0.8,work=0.5,lock=1", "eye timer,frame,8"),
+        14,
+    ),
+    # A subscriber behind a full queue.
+    Case("r2_queue_both_log", "queue", ("compass pub,sent_heading,20", "pilot sub,heard_heading,0,work=0.1,queue=10")),
+    Case(
+        "r2_queue_sub_logs", "queue", ("compass pub,x,10,silent=1", "pilot sub,heard_heading,0,work=0.25,queue=5"), 14
+    ),
+    Case(
+        "r1_queue_both_log", "queue", ("compass pub,sent_heading,20", "pilot sub,heard_heading,0,work=0.2,queue=5"), 12
+    ),
+    Case(
+        "r1_queue_sub_logs", "queue", ("compass pub,x,30,silent=1", "pilot sub,heard_heading,0,work=0.09,queue=3"), 10
+    ),
+    # All late at once.
+    Case("r2_stopped", "stalled", ("motor timer,wheel_speed,10", "arm timer,joint_state,25"), 10, stops=((5, 0.8),)),
+    Case(
+        "r2_stopped_thrice",
+        "stalled",
+        ("motor timer,wheel_speed,10", "arm timer,joint_state,20", "eye rate,frame,5"),
+        12,
+        stops=((3, 0.5), (6.2, 0.7), (9.1, 0.45)),
+    ),
+    Case("r2_stopped_alone", "stalled", ("motor timer,wheel_speed,10",), 8, stops=((4, 0.75),)),
+    Case("r2_garbage", "stalled", ("base --threads timer,odometry,40 rate,battery,15 gc,x,0.5,objects=2500000",), 14),
+    Case("r1_stopped", "stalled", ("motor timer,wheel_speed,10", "arm rate,joint_state,30"), 9, stops=((4.5, 1.1),)),
+    Case("r1_garbage", "stalled", ("base timer,odometry,25 timer,battery,10 gc,x,0.4,objects=3000000",), 14),
+    # The clock was set.
+    Case(
+        "r2_clock_forward", "clock", ("motor timer,wheel_speed,10", "arm timer,joint_state,20"), 10, jumps=((5, 3.217),)
+    ),
+    Case("r2_clock_back", "clock", ("motor timer,wheel_speed,10",), 10, jumps=((5, -2.35),)),
+    Case("r2_clock_back_two", "clock", ("motor timer,wheel_speed,20", "eye timer,frame,4"), 9, jumps=((5, -0.63),)),
+    Case("r1_clock_back", "clock", ("motor timer,wheel_speed,10", "eye timer,frame,5"), 10, jumps=((5, -1.4),)),
+    # Another publisher on the topic.
+    Case(
+        "r2_second_publisher",
+        "publishers",
+        ("compass pub,x,10,silent=1", "old_compass pub,x,10,silent=1", "pilot sub,heard_heading,0"),
+        10,
+        after=(0, 1.33, 0),
+    ),
+    Case(
+        "r2_second_publisher_slower",
+        "publishers",
+        ("compass pub,x,10,silent=1,first=500", "old_compass pub,x,4,silent=1", "pilot sub,heard_heading,0"),
+        10,
+    ),
+    Case("r1_second_publisher_echo", "publishers", ("one pub,x,10", "two pub,x,10"), 9, after=(0, 1.72), form="echo"),
+    Case("r1_second_publisher_bag", "publishers", ("one pub,x,20", "two pub,x,5"), 8, after=(0, 2.1), form="bag"),
+    # Two nodes of one name.
+    Case("r2_twins", "twins", ("motor timer,wheel_speed,10", "motor timer,wheel_speed,10"), 10, after=(0, 0.73)),
+    Case("r2_twins_later", "twins", ("arm timer,joint_state,20", "arm timer,joint_state,20"), 12, after=(0, 4.31)),
+    Case("r1_twins", "twins", ("motor timer,wheel_speed,10", "motor timer,wheel_speed,10"), 10, after=(0, 4)),
+    # Not regular.
+    Case("r2_events", "irregular", ("door event,bump,3",), 12),
+    Case("r1_events", "irregular", ("door event,bump,5",), 10),
+]
