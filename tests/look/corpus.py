@@ -105,12 +105,12 @@ REAL = [
     Case("r2_garbage", "stalled", ("base --threads timer,odometry,40 rate,battery,15 gc,x,0.5,objects=2500000",), 14),
     Case("r1_stopped", "stalled", ("motor timer,wheel_speed,10", "arm rate,joint_state,30"), 9, stops=((4.5, 1.1),)),
     Case("r1_garbage", "stalled", ("base timer,odometry,25 timer,battery,10 gc,x,0.4,objects=3000000",), 14),
-    # The clock was set.
+    # The clock was set. Timers of rclpy go by that clock: set back, they wait until it is as late again, and nothing shows.
     Case(
         "r2_clock_forward", "clock", ("motor timer,wheel_speed,10", "arm timer,joint_state,20"), 10, jumps=((5, 3.217),)
     ),
-    Case("r2_clock_back", "clock", ("motor timer,wheel_speed,10",), 10, jumps=((5, -2.35),)),
-    Case("r2_clock_back_two", "clock", ("motor timer,wheel_speed,20", "eye timer,frame,4"), 9, jumps=((5, -0.63),)),
+    Case("r2_clock_back", "clock", ("motor sleep,wheel_speed,10",), 10, jumps=((5, -2.35),)),
+    Case("r2_clock_back_two", "clock", ("motor sleep,wheel_speed,20", "eye timer,frame,4"), 9, jumps=((5, -0.63),)),
     Case("r1_clock_back", "clock", ("motor timer,wheel_speed,10", "eye timer,frame,5"), 10, jumps=((5, -1.4),)),
     # Another publisher on the topic.
     Case(
@@ -136,3 +136,51 @@ REAL = [
     Case("r2_events", "irregular", ("door event,bump,3",), 12),
     Case("r1_events", "irregular", ("door event,bump,5",), 10),
 ]
+
+J = ",jitter=0.0004"  # of a quiet machine
+B = ",jitter=0.0015"  # of a busy one
+SIMULATED = [
+    Case("s2_timer_1", "healthy", (f"clock timer,second,1{J}",), 40),
+    Case("s2_timer_30", "healthy", (f"eye timer,frame,30{B}",), 20),
+    Case("s2_timer_7", "healthy", (f"arm timer,joint_state,7{J}", f"eye timer,frame,15{J}"), 20, form="launch"),
+    Case("s2_callback_takes_half", "healthy", (f"base timer,odometry,10,work=0.03{J} timer,battery,2{J}",), 20),
+    Case("s2_timer_100_busy", "healthy", (f"imu timer,imu,100{J}",), 6, form="colours"),
+    Case("s2_csv_25", "healthy", (f"eye timer,frame,25{J}",), 12, form="csv"),
+    Case("s1_rate_4", "healthy", (f"arm rate,joint_state,4,work=0.1,spread=0.1{J}",), 30),
+    Case("s1_timers", "healthy", (f"base timer,odometry,20{J} timer,battery,1{J} timer,map,3{J}",), 20, form="pasted"),
+    Case("s1_rate_12", "healthy", (f"arm rate,joint_state,12{B}",), 20, form="files"),
+    Case("s2_sleep_1", "sleep", (f"clock sleep,second,1,work=0.05,spread=0.02{J}",), 60),
+    Case("s2_sleep_50", "sleep", (f"imu sleep,imu,50,work=0.003,spread=0.001{J}",), 10, form="launch"),
+    Case("s2_sleep_20_two", "sleep", (f"a sleep,left,20,work=0.01{J}", f"b sleep,right,20,work=0.012{J}"), 20),
+    Case("s2_always_slow", "sleep", (f"base timer,odometry,10,work=0.13,spread=0.01{J}",), 25, form="colours"),
+    Case("s1_sleep_4", "sleep", (f"eye sleep,frame,4,work=0.06,spread=0.1{J}",), 30, form="pasted"),
+    Case("s1_rate_too_slow", "sleep", (f"arm rate,joint_state,20,work=0.055,spread=0.02{J}",), 15),
+    Case("s2_overran_launch", "overran", (f"a timer,left,10,at=40,slow=0.5{J}", f"b timer,right,10{J}"), 15, form="launch"),
+    Case("s2_overran_each_20", "overran", (f"base timer,odometry,20,every=20,slow=0.12{B}",), 20),
+    Case("s2_overran_twice", "overran", (f"base timer,odometry,10,every=60,slow=0.33{J}", f"eye rate,frame,15{J}"), 18),
+    Case("s1_overran_beside", "overran", (f"base rate,odometry,10,at=33,slow=0.6{J} timer,battery,8{J}",), 12),
+    Case("s1_overran_each_5", "overran", (f"base rate,odometry,25,every=5,slow=0.09{J} timer,battery,10{J}",), 12),
+    Case("s2_blocks_by_rare", "blocked", (f"base timer,odometry,30{J} timer,map,0.25,work=0.5",), 40),
+    Case("s2_blocks_by_sub", "blocked", (f"base timer,odometry,20{J} sub,image,0,work=0.2", f"eye pub,sent,0.8{J}"), 25),
+    Case("s2_blocks_each_8th", "blocked", (f"base timer,odometry,10,every=8,slow=0.35{J} timer,battery,25{J}",), 25),
+    Case("s1_blocks_by_lock", "blocked", (f"base timer,odometry,15,lock=1{J} timer,map,0.5,work=0.4,lock=1",), 30),
+    Case("s2_queue_small", "queue", ("compass pub,x,30,silent=1", f"pilot sub,heard,0,work=0.05,queue=2{J}"), 12),
+    Case("s2_queue_both", "queue", (f"compass pub,sent,10{J}", f"pilot sub,heard,0,work=0.16,spread=0.03,queue=8{J}"), 20),
+    Case("s1_queue", "queue", ("compass pub,x,50,silent=1", f"pilot sub,heard,0,work=0.03,queue=4{J}"), 12, form="colours"),
+    Case("s2_stalled", "stalled", (f"a timer,left,10{J}", f"b timer,right,15{J}", f"c timer,up,4{J}"), 15, stops=((7.03, 0.9),)),
+    Case("s2_stalled_often", "stalled", (f"a timer,left,20{J}", f"b timer,right,30{J}"), 20, stops=((4, 0.4), (9, 0.5), (16, 0.35))),
+    Case("s2_stalled_one_node", "stalled", (f"base timer,odometry,20{J} timer,battery,9{J}",), 15, stops=((6.3, 0.6),)),
+    Case("s2_clock_forward", "clock", (f"a timer,left,10{J}", f"b timer,right,4{J}"), 15, jumps=((6.2, 7.77),)),
+    Case("s2_clock_back", "clock", (f"base sleep,odometry,25,work=0.001{J}",), 12, jumps=((5.1, -3.3),)),
+    Case("s1_clock_back_hour", "clock", (f"arm rate,joint_state,5{J}",), 15, jumps=((5.1, -3600.2),)),
+    Case("s1_clock_forward", "clock", (f"arm rate,joint_state,5{J} timer,battery,3{J}",), 18, jumps=((8.1, 1800.35),)),
+    Case("s2_second_publisher_csv", "publishers", (f"a pub,x,10{J}", f"b pub,x,10{J}"), 12, after=(0, 0.037), form="csv"),
+    Case("s2_second_publisher_beat", "publishers", ("a pub,x,8,silent=1", "b pub,x,5,silent=1", f"c sub,data,0{J} timer,beat,2{J}"), 14, after=(0, 1.03, 0)),
+    Case("s1_second_publisher", "publishers", ("a pub,x,10,silent=1", "b pub,x,10,silent=1,first=70", f"c sub,I_heard,0{J}"), 14, after=(0, 0.046, 0)),
+    Case("s2_twins_launch", "twins", (f"base timer,odometry,10{J}", f"base timer,odometry,10{J}"), 12, after=(0, 0.41), form="launch"),
+    Case("s2_twins_two_lines", "twins", (f"base timer,odometry,10{J} timer,battery,3{J}",) * 2, 14, after=(0, 2.57)),
+    Case("s2_events", "irregular", ("door event,bump,4",), 25),
+    Case("s1_events_two", "irregular", ("door event,bump,2", "bell event,ring,1"), 30),
+    Case("s2_few_lines", "irregular", ("door timer,open,0.4",), 10),
+]
+CASES = [*REAL, *SIMULATED]

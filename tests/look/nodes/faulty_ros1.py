@@ -56,7 +56,10 @@ def add(activity):
         rospy.Subscriber("heading", Int64, lambda message: activity(message.data), queue_size=depth)
 
 
-rospy.init_node(sys.argv[1])
-for word in sys.argv[2:]:
+words = sys.argv[1:]
+if words[-1].startswith("after="):
+    time.sleep(float(words.pop().partition("=")[2]))
+rospy.init_node(words[0])
+for word in words[1:]:
     add(Activity(word, rospy.loginfo))
 rospy.spin()

@@ -17,7 +17,17 @@ class FaultyNode(Node):
     def __init__(self, name, words):
         super().__init__(name)
         for word in words:
+            if word.startswith("stop="):  # as a machine that stalls, to a node of one thread
+                self.stall(*map(float, word[5:].split(":")))
+                continue
             self.add(Activity(word, lambda text: self.get_logger().info(text)))
+
+    def stall(self, at, seconds):
+        def stop():
+            timer.cancel()
+            time.sleep(seconds)
+
+        timer = self.create_timer(at, stop)
 
     def add(self, activity):
         if activity.kind == "timer":
@@ -53,8 +63,10 @@ class FaultyNode(Node):
 
 
 def main():
-    rclpy.init()
     words = [word for word in sys.argv[1:] if word != "--threads"]
+    if words[-1].startswith("after="):
+        time.sleep(float(words.pop().partition("=")[2]))
+    rclpy.init()
     node = FaultyNode(words[0], words[1:])
     executor = MultiThreadedExecutor(4) if "--threads" in sys.argv else None
     try:
