@@ -3,12 +3,14 @@
 from __future__ import annotations
 
 import argparse
+import json
 import os
 import signal
 import sys
 import warnings
-from collections.abc import Sequence
+from collections.abc import Callable, Sequence
 from contextlib import nullcontext, suppress
+from typing import TYPE_CHECKING
 
 from .clocks.clock import Clock, WallClock
 from .clocks.descendants import adopt_orphans, descendants, kill_descendants
@@ -16,8 +18,9 @@ from .clocks.frames import Whereabouts, node_place
 from .clocks.guard import guard_threads
 from .clocks.simulation import Simulation
 from .doctor import report
+from .look import LIMIT, NoLog, is_bag, look
 from .measures import by_source, describe_periods, describe_timeline
-from .plots import picture, pictures
+from .plots import overview, picture, pictures
 from .real import ros1, ros2
 from .results.ticks import Run, Tick
 from .run.explain import say_error
@@ -27,6 +30,9 @@ from .run.roslaunch.launch import read_launch
 from .run.simulate import run_node, run_nodes, several
 from .run.source import is_launch_of_ros2, load, refuse_other_ros, split_words, warn_of_files
 from .world.graph import TickLog
+
+if TYPE_CHECKING:
+    from matplotlib.figure import Figure
 
 __all__ = ["main"]
 
@@ -85,6 +91,18 @@ def _parser() -> argparse.ArgumentParser:
         "--plot", metavar="FILE", help="plot the ticks to this .pdf, .png or .svg, and describe them on stderr"
     )
     run.set_defaults(do=_run, parser=run)
+    look = commands.add_parser(
+        "look",
+        help="look at a log of your own robot",
+        description="Say what repeats in a log, at what period and how late, and which fault that looks like. A log is "
+        "a console of ROS 1 or ROS 2, a table of ros2 topic echo --csv or rostopic echo -p, or a bag "
+        "(.bag, .db3, .mcap).",
+        allow_abbrev=False,
+    )
+    look.add_argument("log", metavar="FILE", help="the log; - reads a text from standard input")
+    look.add_argument("--plot", metavar="FILE", help="plot what repeats to this .pdf, .png or .svg")
+    look.add_argument("--json", action="store_true", help="print all that was found as JSON, times in seconds")
+    look.set_defaults(do=_look, parser=look)
     doctor = commands.add_parser("doctor", help="show what can run here", description="Show what can run here.")
     doctor.set_defaults(do=_doctor, parser=doctor)
     return parser
@@ -94,6 +112,25 @@ def _doctor(options: argparse.Namespace, args: Sequence[str]) -> int:
     for line in report():
         print(line)
     return 0
+
+
+def _look(options: argparse.Namespace, args: Sequence[str]) -> int:
+    if options.plot is not None:
+        _check_plot(options.plot)
+    with open(options.log, "rb") if options.log != "-" else nullcontext(sys.stdin.buffer) as file:
+        data = file.read(LIMIT)
+        if is_bag(data):
+            data += file.read()
+    name = options.log if options.log != "-" else "standard input"
+    try:
+        found = look(data, name)
+    except NoLog as error:
+        raise ValueError(f"{name}: {error}") from error
+    if options.json:
+        print(json.dumps(found.as_dict(), indent=1))
+    else:
+        print(*found.report(), sep="\n")
+    return _save(options.plot, lambda: overview(found.ticks())) if options.plot is not None else 0
 
 
 def _run(options: argparse.Namespace, args: Sequence[str]) -> int:
@@ -190,16 +227,27 @@ def _check_plot(path: str) -> None:
         raise ValueError(f"--plot {path}: {advice}")
 
 
-def _plot(ticks: Sequence[Tick], path: str) -> int:
-    """Save and describe the plot, or say why not: the run is over and counts all the same. Returns an exit status."""
+def _save(path: str, draw: Callable[[], Figure]) -> int:
+    """Save a figure, or say why not: what was asked for besides counts all the same. Returns an exit status."""
     try:
-        if not ticks:
-            raise ValueError("the node did not tick")
-        pictures.save(picture(ticks), path)
+        pictures.save(draw(), path)
     except (ImportError, OSError, ValueError) as error:
         reason = error.strerror if isinstance(error, OSError) else error
         print(f"rosspin: {path} was not written: {reason}", file=sys.stderr)
         return 1
+    return 0
+
+
+def _plot(ticks: Sequence[Tick], path: str) -> int:
+    """Save and describe the plot. Returns an exit status."""
+
+    def draw() -> Figure:
+        if not ticks:
+            raise ValueError("the node did not tick")
+        return picture(ticks)
+
+    if failed := _save(path, draw):
+        return failed
     for source, group in by_source(ticks).items():
         print(f"{path}: {describe_timeline(source, group)} {describe_periods(group)}", file=sys.stderr)
     return 0

@@ -5,14 +5,18 @@ Plain Python, so that the page does it, too, without the text leaving the comput
 
 from __future__ import annotations
 
+import math
+from collections.abc import Iterator
 from dataclasses import dataclass
 from typing import Any
 
+from ..measures import quantile, say_time
+from ..results.ticks import Tick
 from .diagnosing import TITLES, Verdict, diagnose
 from .reading import BAGS, LIMIT, Log, NoLog, read
-from .series import Series, group
+from .series import FEWEST, Series, group
 
-__all__ = ["LIMIT", "TITLES", "Look", "NoLog", "Series", "Verdict", "look"]
+__all__ = ["LIMIT", "TITLES", "Look", "NoLog", "Series", "Verdict", "is_bag", "look"]
 
 NS = 10**9
 
@@ -59,6 +63,36 @@ class Look:
             "series": [self._series(series) for series in self.series],
         }
 
+    def ticks(self) -> list[Tick]:
+        """The entries of the series that are regular, as ticks in seconds from the first one, for :mod:`rosspin.plots`.
+
+        They are expected on the grid that fits best; how long they took is not known.
+        """
+        return [
+            Tick(_source(series), number, (time - late - self.start) / NS, (time - self.start) / NS, math.nan)
+            for series in self.series
+            if series.is_regular
+            for number, (time, late) in enumerate(zip(series.times, series.late, strict=True), 1)
+        ]
+
+    def report(self) -> Iterator[str]:
+        """What a terminal shows: the series, then the verdicts with their evidence, line by line."""
+        yield f"{self.name}: {self.kind}, {self.entries} entries in {self.seconds:.1f} s"
+        yield from self.notes
+        yield ""
+        rows = [_row(series) for series in self.series if len(series.times) >= FEWEST]
+        if rows:
+            rows.insert(0, ("entries", "rate", "period", "late, 98%", "missing", "line"))
+            widths = [max(len(row[n]) for row in rows) for n in range(5)]
+            for *numbers, name in rows:
+                yield "  ".join([*(text.rjust(width) for text, width in zip(numbers, widths, strict=True)), name])
+            yield ""
+        for verdict in self.verdicts:
+            yield f"{verdict.title} ({verdict.certain})"
+            for sentence in verdict.evidence:
+                yield f"  {sentence}"
+            yield f"  See {verdict.page}"
+
     def _series(self, series: Series) -> dict[str, Any]:
         return {
             "name": series.name,
@@ -72,13 +106,28 @@ class Look:
             "drift": series.drift,
             "spread": series.spread / NS,
             "times": [(time - self.start) / NS for time in series.times],
-            "expected": [(time - late) / NS for time, late in zip(self._from_start(series), series.late)],
             "late": [late / NS for late in series.late],
             "missing": [(time - self.start) / NS for time in series.missing],
         }
 
-    def _from_start(self, series: Series) -> list[int]:
-        return [time - self.start for time in series.times]
+
+def _source(series: Series) -> str:
+    return f"{series.name} ({series.part})" if series.part else series.name
+
+
+def _row(series: Series) -> tuple[str, ...]:
+    if not series.is_regular:
+        return str(len(series.times)), "", "irregular", "", "", _source(series)
+    late = quantile([abs(late) for late in series.late], 0.98)
+    period = f"{series.period / 1e6:.4g} ms"
+    return (
+        str(len(series.times)),
+        f"{NS / series.period:.4g} Hz",
+        period,
+        say_time(late / NS),
+        str(len(series.missing)),
+        _source(series),
+    )
 
 
 def look(data: bytes, name: str = "") -> Look:
@@ -86,7 +135,7 @@ def look(data: bytes, name: str = "") -> Look:
 
     Raises :class:`NoLog`, which is a ValueError, if nothing can be made of it; the message says why in a line.
     """
-    log = _bag(data) if any(data.startswith(magic) for magic in BAGS) else read(data[:LIMIT])
+    log = _bag(data) if is_bag(data) else read(data[:LIMIT])
     series = tuple(group(log.entries, log.kind))
     times = [entry.time for entry in log.entries]
     start = min(times)
@@ -100,6 +149,11 @@ def look(data: bytes, name: str = "") -> Look:
         series,
         tuple(diagnose(log, series)),
     )
+
+
+def is_bag(data: bytes) -> bool:
+    """Whether a file that begins with these bytes is a bag."""
+    return any(data.startswith(magic) for magic in BAGS)
 
 
 def _bag(data: bytes) -> Log:

@@ -11,7 +11,7 @@ from collections.abc import Iterator
 from importlib.util import find_spec
 from pathlib import Path
 
-from .reading import BAGS, Entry, Log, NoLog
+from .reading import BAGS, Entry, Log, NoLog, plain
 
 __all__ = ["read_bag"]
 
@@ -54,7 +54,7 @@ def _reason(error: Exception, suffix: str) -> str:
 
 
 def _message(time: int, topic: str, publisher: str = "") -> Entry:
-    return Entry(time, topic, publisher, "", "", ())
+    return Entry(time, plain(topic), plain(publisher), "", "", ())
 
 
 def _bag(path: Path) -> Iterator[Entry]:

@@ -275,7 +275,7 @@ class _Diagnosis:
             own = [
                 gap
                 for gap in series.gaps
-                if gap.at > 3 and not any(gap.start <= jump <= gap.end for jump in self.jumps)
+                if gap.at > 5 and not any(gap.start <= jump <= gap.end for jump in self.jumps)
             ]
             # A machine has a hiccup now and then.
             small = [gap for gap in own if gap.excess < max(series.period, 30 * MS)]

@@ -55,14 +55,14 @@ class Log:
 
 
 # Colours, titles of terminals, and what else a terminal obeys.
-_ESCAPE = re.compile(r"\x1b(?:\[[0-9;?]*[ -/]*[@-~]|\][^\x07\x1b]*(?:\x07|\x1b\\)?|[@-Z\\-_])|[\x00-\x08\x0e-\x1a\x7f]")
+_ESCAPE = re.compile(r"\x1b(?:\[[0-9;?]*[ -/]*[@-~]|\][^\x07\x1b]*(?:\x07|\x1b\\)?|[@-Z\\-_])|[\x00-\x08\x0b-\x1f\x7f-\x9f]")
 
 _SEVERITY = r"(?:DEBUG|INFO|WARN|WARNING|ERROR|FATAL)"
 # Before the line there may be what a launch puts there, or what a terminal showed. On ROS time a second stamp follows,
 # which is the one that the node's timers go by. In ROS 2 the name of the logger follows.
 _LINE = re.compile(
     r"(?:^|.*?\s)?(?:\[(?P<process>[^][\s]+-\d+)\] )?\[ ?" + _SEVERITY + r" ?\] ?"
-    r"\[(?P<wall>\d+\.\d+)(?:, ?(?P<ros>\d+\.\d+))?\]:? ?(?:\[(?P<node>[^][]*)\])?(?::| )? ?(?P<text>.*)"
+    r"\[(?P<wall>\d{1,12}\.\d+)(?:, ?(?P<ros>\d{1,12}\.\d+))?\]:? ?(?:\[(?P<node>[^][]*)\])?(?::| )? ?(?P<text>.*)"
 )
 # rospy's files: [rosout][INFO] 2026-11-23 15:38:03,123: text
 _FILE = re.compile(
@@ -84,7 +84,10 @@ def read(data: bytes) -> Log:
     if not data.strip():
         raise NoLog("the file is empty")
     lines = _decode(data).splitlines()
-    table = _table(lines)
+    try:
+        table = _table(lines)
+    except csv.Error:  # of what looked like one
+        table = None
     log = table if table is not None else _console(lines)
     if len(data) >= LIMIT:
         log.notes.append(f"Only the first {LIMIT // 10**6} MB were read.")
@@ -111,6 +114,11 @@ def _decode(data: bytes) -> str:
         return data.decode("latin-1")  # in which every byte is a letter; what is cut off at the end of a file, too
 
 
+def plain(text: str) -> str:
+    """The text without what a terminal would obey."""
+    return _ESCAPE.sub("", text)
+
+
 def shape(text: str) -> tuple[str, tuple[str, ...]]:
     """The text with ``#`` for each number, and the numbers. Those in a word, as in leg2, are part of it."""
     return _NUMBER.sub("#", text), tuple(_NUMBER.findall(text))
@@ -128,7 +136,7 @@ def _console(lines: Sequence[str]) -> Log:
     log = Log("console", [])
     untimed = other = 0
     for raw in lines:
-        line = _ESCAPE.sub("", raw).strip()
+        line = plain(raw).strip()
         if not line:
             continue
         if _SAID.search(line):
@@ -169,11 +177,13 @@ def _entry(line: str) -> Entry | None:
     if match := _LINE.match(line):
         return entry(_ns(match["ros"] or match["wall"]), match["node"] or "", match["process"] or "", match["text"])
     if match := _FILE.search(line):
-        return entry(_date(match["day"]), match["node"], "", match["text"])
-    if match := _EPOCH.search(line) or _DATE.search(line):
+        time, text, node = _date(match["day"]), match["text"], match["node"]
+    elif match := _EPOCH.search(line) or _DATE.search(line):
         time = _ns(match["wall"]) if "wall" in match.re.groupindex else _date(match["day"])
-        return entry(time, "", "", (line[: match.start()] + line[match.end() :]).strip())
-    return None
+        text, node = (line[: match.start()] + line[match.end() :]).strip(), ""
+    else:
+        return None
+    return None if time is None else entry(time, node, "", text)
 
 
 def _ns(seconds: str) -> int:
@@ -181,13 +191,13 @@ def _ns(seconds: str) -> int:
     return int(whole) * NS + int(part[:9].ljust(9, "0"))
 
 
-def _date(text: str) -> int:
+def _date(text: str) -> int | None:
     whole, _, part = text.replace(",", ".").partition(".")
     try:
         # As if it were UTC: what counts is the time from one line to the next.
         return int(datetime.fromisoformat(f"{whole}+00:00").timestamp()) * NS + int(part[:9].ljust(9, "0"))
-    except ValueError:
-        return 0
+    except ValueError:  # such as a 31st of February
+        return None
 
 
 # --- tables -----------------------------------------------------------------------------------------------------------
@@ -210,9 +220,13 @@ def _table(lines: Sequence[str]) -> Log | None:
     entries = [
         entry(int(row[stamped]) * NS + int(row[stamped + 1]), "", "", ",".join(row[:stamped] + row[stamped + 2 :]))
         for row in csv.reader(lines)
-        if len(row) == len(rows[0]) and row[stamped].isdigit() and row[stamped + 1].isdigit()
+        if len(row) == len(rows[0]) and _is_whole(row[stamped]) and _is_whole(row[stamped + 1])
     ]
     return Log("table", entries, ["The times are the stamps in the headers: when it was measured, not when it came."])
+
+
+def _is_whole(cell: str) -> bool:
+    return cell.isdecimal() and len(cell) < 20
 
 
 def _is_csv(rows: Sequence[Sequence[str]]) -> bool:
@@ -224,7 +238,7 @@ def _stamp_columns(rows: Sequence[Sequence[str]]) -> int | None:
     """The column of the first ``builtin_interfaces/Time``: seconds that hardly change, then nanoseconds below 1e9."""
     for column in range(len(rows[0]) - 1):
         pairs = [row[column : column + 2] for row in rows[:-1]]
-        if not all(len(pair) == 2 and pair[0].isdigit() and pair[1].isdigit() for pair in pairs):
+        if not all(len(pair) == 2 and _is_whole(pair[0]) and _is_whole(pair[1]) for pair in pairs):
             continue
         seconds = [int(pair[0]) for pair in pairs]
         parts = [int(pair[1]) for pair in pairs]
@@ -239,7 +253,7 @@ def _echo(lines: Sequence[str]) -> Log:
     for row in csv.reader(lines):
         if row and row[0] == "%time":
             names = row
-        elif names and len(row) == len(names) and row[0].isdigit():
+        elif names and len(row) == len(names) and _is_whole(row[0]):
             text = " ".join(
                 f"{name.removeprefix('field.')}={cell}" for name, cell in zip(names[1:], row[1:], strict=True)
             )

@@ -155,7 +155,7 @@ def _counting(entries: Sequence[Entry]) -> list[int]:
         return []
     for place in range(width):
         words = [each.numbers[place] for each in entries]
-        if not all(word.isdigit() and len(word) < 12 for word in words):
+        if not all(word.isdecimal() and len(word) < 12 for word in words):
             continue
         numbers = [int(word) for word in words]
         ups = sum(1 for one, other in pairwise(numbers) if 0 < other - one < 1000)
@@ -239,7 +239,9 @@ def _lay(series: Series) -> None:
             due, number = float(times[n]), number + 1
             series.grids.append(n)
         else:
-            ahead = max(0, round((times[n] - due) / period))
+            ahead = max(0, round(passed := (times[n] - due) / period))
+            if passed > 1.5:  # what comes after a gap was due before: a timer is never early
+                ahead = int(passed + 0.1)
             number += ahead
             due += ahead * period
         off = times[n] - due
