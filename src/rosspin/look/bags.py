@@ -24,7 +24,7 @@ def read_bag(data: bytes) -> Log:
     if suffix != ".db3" and not find_spec("rosbags"):
         raise NoLog(f"a {suffix} needs the package rosbags: pip install 'rosspin[bags]'")
     read = {".bag": _bag, ".db3": _db3, ".mcap": _mcap}[suffix]
-    log = Log("bag", [])
+    log = Log("bag", [], ros=1 if suffix == ".bag" else 2)
     with tempfile.TemporaryDirectory(prefix="rosspin-") as folder:
         path = Path(folder, f"log{suffix}")
         path.write_bytes(data)

@@ -52,6 +52,7 @@ class Log:
     entries: list[Entry]
     notes: list[str] = field(default_factory=list)
     said: list[str] = field(default_factory=list)  # by ROS itself, about the nodes
+    ros: int = 0  # 1 or 2, if the kind of file says so
 
 
 # Colours, titles of terminals, and what else a terminal obeys.
@@ -62,7 +63,7 @@ _SEVERITY = r"(?:DEBUG|INFO|WARN|WARNING|ERROR|FATAL)"
 # which is the one that the node's timers go by. In ROS 2 the name of the logger follows.
 _LINE = re.compile(
     r"(?:^|.*?\s)?(?:\[(?P<process>[^][\s]+-\d+)\] )?\[ ?" + _SEVERITY + r" ?\] ?"
-    r"\[(?P<wall>\d{1,12}\.\d+)(?:, ?(?P<ros>\d{1,12}\.\d+))?\]:? ?(?:\[(?P<node>[^][]*)\])?(?::| )? ?(?P<text>.*)"
+    r"\[(?P<wall>\d{1,12}\.\d+)(?:, ?(?P<ros>\d{1,12}\.\d+))?\](?: \[(?P<node>[^][]*)\])?:? ?(?P<text>.*)"
 )
 # rospy's files: [rosout][INFO] 2026-11-23 15:38:03,123: text
 _FILE = re.compile(
@@ -222,7 +223,8 @@ def _table(lines: Sequence[str]) -> Log | None:
         for row in csv.reader(lines)
         if len(row) == len(rows[0]) and _is_whole(row[stamped]) and _is_whole(row[stamped + 1])
     ]
-    return Log("table", entries, ["The times are the stamps in the headers: when it was measured, not when it came."])
+    note = "The times are the stamps in the headers: when it was measured, not when it came."
+    return Log("table", entries, [note], ros=2)
 
 
 def _is_whole(cell: str) -> bool:
@@ -249,7 +251,7 @@ def _stamp_columns(rows: Sequence[Sequence[str]]) -> int | None:
 
 def _echo(lines: Sequence[str]) -> Log:
     names: list[str] = []
-    log = Log("table", [])
+    log = Log("table", [], ros=1)
     for row in csv.reader(lines):
         if row and row[0] == "%time":
             names = row

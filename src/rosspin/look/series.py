@@ -60,6 +60,7 @@ class Series:
     period: float = 0.0
     spread: float = 0.0
     memory: float | None = None
+    pairs: int = 0  # from which that is known
     steps: list[int] = field(default_factory=list)
     late: list[float] = field(default_factory=list)
     grids: list[int] = field(default_factory=list)
@@ -73,7 +74,7 @@ class Series:
     @property
     def chosen(self) -> float:
         """The period that somebody may have chosen, if this is one, or has become longer than one; 0 if none is near."""
-        return nice(self.period)
+        return nice(self.period, self.close)
 
     @property
     def drift(self) -> float:
@@ -82,16 +83,22 @@ class Series:
 
     @property
     def is_chosen(self) -> bool:
-        return bool(self.chosen) and abs(self.drift) < _CLOSE
+        return bool(self.chosen) and abs(self.drift) < self.close
+
+    @property
+    def close(self) -> float:
+        """To which part the period is known."""
+        return max(_CLOSE, 3 * self.spread / (self.period * len(self.times)))
 
     @property
     def is_walk(self) -> bool | None:
         """Whether each period begins when the last one ends; None if that cannot be told."""
         if self.memory is None or self.spread < 2_000:
             return None
-        if self.memory > -0.15 and not self.is_chosen:
+        # Of few pairs, it may be so by chance.
+        if self.memory > max(-0.15, 2.2 / self.pairs**0.5 - 0.5) and not self.is_chosen:
             return True
-        return False if self.memory < -0.25 or self.is_chosen else None
+        return False if self.memory < min(-0.25, -1.8 / self.pairs**0.5) or self.is_chosen else None
 
     @property
     def threshold(self) -> float:
@@ -99,13 +106,13 @@ class Series:
         return max(0.25 * self.period, 8 * MS, 8 * self.spread)
 
 
-def nice(period: float) -> float:
+def nice(period: float, close: float = _CLOSE) -> float:
     """The period (ns) that somebody may have chosen, if this is one; or else the longest round one below it, if near."""
     if period <= 0:
         return 0.0
-    for each in _RATES:
-        if abs(period / each - 1) < _CLOSE:
-            return each
+    near = [each for each in _RATES if abs(period / each - 1) < close]
+    if near:
+        return min(near, key=lambda each: abs(period - each))
     found = max((each for each in _ROUND if each < period), default=0.0)
     return found if found > period / 2 else 0.0
 
@@ -296,6 +303,7 @@ def _measure(series: Series, steps: Sequence[int]) -> None:
     series.spread = median(abs(step - centre) for step in good)
     off = [step if step is None else max(-3 * series.spread, min(3 * series.spread, step - centre)) for step in even]
     pairs = [(one, other) for one, other in pairwise(off) if one is not None and other is not None]
+    series.pairs = len(pairs)
     if len(pairs) >= 12 and series.spread:
         middle = sum(one for one, _ in pairs) / len(pairs)
         across = sum((one - middle) ** 2 for one, _ in pairs)
