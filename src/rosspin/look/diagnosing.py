@@ -7,7 +7,7 @@ from dataclasses import dataclass
 from itertools import pairwise
 from statistics import median
 
-from ..measures import say_time
+from ..measures import quantile, say_time
 from .reading import Log
 from .series import FEWEST, Gap, Series
 
@@ -269,14 +269,8 @@ class _Diagnosis:
 
     def _windows(self) -> list[_Window]:
         gaps = []
-        for series in self.regular:
-            if series in self.queues:
-                continue
-            own = [
-                gap
-                for gap in series.gaps
-                if gap.at > 5 and not any(gap.start <= jump <= gap.end for jump in self.jumps)
-            ]
+        for series in self._leading():
+            own = [gap for gap in series.gaps if gap.at > 5 and not self._is_explained(series, gap)]
             # A machine has a hiccup now and then.
             small = [gap for gap in own if gap.excess < max(series.period, 30 * MS)]
             if len(small) <= max(2, 0.01 * len(series.times)):
@@ -292,12 +286,23 @@ class _Diagnosis:
             else:
                 windows.append(_Window([(series, gap)], []))
         for window in windows:
-            window.on_time = [
-                series
-                for series in self.rows
-                if series not in window.lines and any(window.start < time < window.end for time in series.times)
-            ]
+            window.on_time = [series for series in self.rows if series not in window.lines and _came(series, window)]
         return windows
+
+    def _is_explained(self, series: Series, gap: Gap) -> bool:
+        """Whether the clock was set then, or the node was started again: its count is smaller."""
+        counts = series.counts
+        return any(gap.start <= jump <= gap.end for jump in self.jumps) or (
+            bool(counts) and counts[gap.at] <= counts[gap.at - 1]
+        )
+
+    def _leading(self) -> list[Series]:
+        """The regular lines, but of several that one pass logs the first alone, and none of a queue."""
+        leading: list[Series] = []
+        for series in sorted(self.regular, key=lambda series: series.times[0]):
+            if series not in self.queues and not any(_accompanies(series, other) for other in leading):
+                leading.append(series)
+        return leading
 
     def _all_at_once(self, windows: list[_Window]) -> None:
         if not windows:
@@ -408,7 +413,7 @@ class _Diagnosis:
 
     def sleep(self) -> None:
         for series in self.regular:
-            if series in self.queues or series.is_chosen or len(series.times) < 12 or series.part:
+            if series in self.queues or series.is_chosen or len(series.times) < 12 or series.is_quantised:
                 continue
             walks = series.is_walk
             exact = series.spread < 2_000 and 0 < series.drift < 0.5
@@ -428,28 +433,29 @@ class _Diagnosis:
 
     def say_good(self) -> None:
         good = [series for series in self.regular if series.is_walk is False or series.is_chosen]
-        if not self.regular:
-            many = [series for series in self.rows if len(series.times) >= FEWEST]
-            why = "no line comes at regular times" if many else f"no line comes {FEWEST} times or more"
-            self.say("unknown", "sure", [f"In this log {why}."])
-        elif not good:
-            names = _list(_places(self.regular))
-            self.say(
-                "unknown",
-                "sure",
-                [f"{names}: regular, but too few or too even to tell what keeps the time."],
-                self.regular,
-            )
+        odd = [series for series in self.rows if not series.is_regular and len(series.times) >= 2 * FEWEST]
+        doubts = [f"{_list(_places(odd[:3]))}: at no regular times."] if odd else []
+        doubts += [_doubt(series) for series in self.regular if series not in good][:3]
+        most = max((len(series.times) for series in good), default=0)
+        evidence = [_praise(series) for series in good]
+        if most and not any(len(series.times) > most for series in odd):
+            self.say("healthy", "likely" if most >= 30 else "possible", evidence, good)
         else:
-            evidence = []
-            for series in good:
-                late = sorted(abs(each) for each in series.late)
-                most = late[int(0.98 * (len(late) - 1))]
-                evidence.append(
-                    f"“{series.name}”: 98% of {len(series.times)} within {say_time(most / NS)} of a grid of "
-                    f"{NS / series.period:.4g} Hz."
-                )
-            self.say("healthy", "likely" if len(good[0].times) >= 30 else "possible", evidence, good)
+            doubts += evidence or ([] if doubts else [f"No line comes {FEWEST} times or more at regular times."])
+        if doubts:
+            self.say("unknown", "sure", doubts, [series for series in self.rows if series not in good])
+
+
+def _praise(series: Series) -> str:
+    late = say_time(quantile([abs(late) for late in series.late], 0.98) / NS)
+    return f"“{series.name}”: 98% of {len(series.times)} within {late} of a grid of {NS / series.period:.4g} Hz."
+
+
+def _doubt(series: Series) -> str:
+    why = "too few or too even to tell what keeps the time"
+    if series.is_quantised:
+        why = "its periods have two lengths, as those of a line that is logged only now and then (throttled)"
+    return f"“{series.name}”: regular, but {why}."
 
 
 @dataclass
@@ -536,6 +542,21 @@ def _skips(series: Series) -> list[int]:
     return skipped
 
 
+def _accompanies(series: Series, other: Series) -> bool:
+    """Whether a line comes with each of another one of its node."""
+    if _node(series) != _node(other) or series.part != other.part or abs(len(series.times) - len(other.times)) > 2:
+        return False
+    both = list(zip(series.times, other.times, strict=False))
+    return sum(1 for one, first in both if abs(one - first) < 0.05 * series.period) > 0.9 * len(both)
+
+
+def _came(series: Series, window: _Window) -> bool:
+    """Whether a line came while others were silent, and not late itself."""
+    excess = median(gap.excess for _, gap in window.late)
+    inside = [n for n, time in enumerate(series.times) if window.start < time < window.end]
+    return any(not series.is_regular or series.late[n] < 0.3 * excess for n in inside)
+
+
 def _begins(series: Series, window: _Window) -> list[int]:
     """The entries of a line that stand where a window begins."""
     edge = 0.2 * (window.end - window.start)
@@ -547,6 +568,8 @@ def _begins(series: Series, window: _Window) -> list[int]:
 
 def _ends(series: Series, window: _Window) -> list[int]:
     edge = 0.1 * (window.end - window.start)
+    if series in window.lines:  # a late line comes when it is over
+        return []
     return [n for n, time in enumerate(series.times) if window.end - edge <= time <= window.end + 10 * MS]
 
 

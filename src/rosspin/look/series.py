@@ -91,6 +91,13 @@ class Series:
         return max(_CLOSE, 3 * self.spread / (self.period * len(self.times)))
 
     @property
+    def is_quantised(self) -> bool:
+        """Whether periods have two lengths and none between, as those of a line that is logged now and then only."""
+        steps = sorted(b - a for a, b in pairwise(self.times) if 0.5 * self.period < b - a < 1.5 * self.period)
+        width, at = max((b - a, n) for n, (a, b) in enumerate(pairwise(steps), 1)) if len(steps) > 1 else (0, 0)
+        return 0.1 < at / max(1, len(steps)) < 0.9 and width > 0.4 * (steps[-1] - steps[0]) and width > 0.02 * self.period
+
+    @property
     def is_walk(self) -> bool | None:
         """Whether each period begins when the last one ends; None if that cannot be told."""
         if self.memory is None or self.spread < 2_000:
@@ -210,7 +217,8 @@ def fit(series: Series) -> None:
     if len(times) < FEWEST or not forward:
         return
     middle = median(forward)
-    if sum(1 for step in steps if abs(step - middle) <= 0.25 * middle) < 0.6 * len(steps):
+    even = sum(1 for step in steps if abs(step - middle) <= 0.25 * middle) / len(steps)
+    if even < 0.35:
         return
     series.period = middle
     for _ in range(2):
@@ -218,6 +226,17 @@ def fit(series: Series) -> None:
         _refine(series)
     _lay(series)
     _measure(series, steps)
+    # Where passes are often held up, few periods are as they should be, but most ticks are.
+    on_grid = sum(1 for late in series.late if abs(late) < 0.15 * series.period) / len(times)
+    if even < 0.6 and (on_grid < 0.6 or len(times) < 20):
+        _forget(series)
+
+
+def _forget(series: Series) -> None:
+    """Say that a series is not regular."""
+    series.period = series.spread = 0.0
+    series.memory = None
+    series.steps, series.late, series.grids, series.gaps, series.missing = [], [], [], [], []
 
 
 def _one_a_pass(series: Series) -> None:
