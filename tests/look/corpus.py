@@ -8,6 +8,7 @@ from __future__ import annotations
 
 from dataclasses import dataclass
 from hashlib import sha256
+from random import Random
 
 
 @dataclass(frozen=True)
@@ -184,3 +185,55 @@ SIMULATED = [
     Case("s2_few_lines", "irregular", ("door timer,open,0.4",), 10),
 ]
 CASES = [*REAL, *SIMULATED]
+
+
+def draw(seed: int) -> Case:
+    """A simulated log with a fault, its rates, lengths, jitter and form drawn at random."""
+    pick = Random(seed)
+    ros = pick.choice((1, 2))
+    jitter = f",jitter={pick.choice((0.0001, 0.0004, 0.001)):g}"
+    rate, other = pick.sample((2, 4, 5, 7, 8, 10, 12, 15, 20, 24, 25, 30, 40, 50), 2)
+    rate = max(rate, 4)
+    seconds = max(10.0, 60 / min(rate, other)) + pick.uniform(0, 10)
+    form = pick.choice(("console", "colours", "pasted", "console"))
+    beside = f"eye timer,frame,{other}{jitter}"
+    late = round(pick.uniform(0.3, 0.7) * seconds, 3)
+    truth = pick.choice(("healthy", "sleep", "overran", "blocked", "queue", "stalled", "clock", "publishers", "twins"))
+    if ros == 1 and truth in ("stalled", "twins"):  # of which its console says nothing, or a node cannot be such a one
+        ros = 2
+    more = {}
+    if truth == "healthy":
+        kind = pick.choice(("timer", "rate"))
+        nodes = (f"base {kind},odometry,{rate},work={pick.uniform(0, 0.6) / rate:.4f}{jitter}", beside)[: pick.choice((1, 2))]
+    elif truth == "sleep":
+        work = pick.uniform(0.05, 0.45) / rate
+        nodes = (f"base sleep,odometry,{rate},work={work:.4f},spread={0.3 * work:.4f}{jitter}", beside)[: pick.choice((1, 2))]
+    elif truth == "overran":
+        when = pick.choice((f"at={int(late * rate)}", f"every={pick.randint(6, 20)}"))
+        nodes = (f"base {pick.choice(('timer', 'rate'))},odometry,{rate},{when},slow={pick.uniform(1.6, 5) / rate:.3f}{jitter}", beside)
+    elif truth == "blocked":
+        lock = ",lock=1" if ros == 1 else ""
+        slow = pick.uniform(3.3, 6)
+        rate = max(rate, 8)
+        seconds = max(seconds, 5 * slow)
+        nodes = (f"base timer,odometry,{rate}{lock}{jitter} timer,map,{1 / slow:.3f},work={pick.uniform(2.5, 7) / rate:.3f}{lock}", beside)
+        nodes = nodes[: pick.choice((1, 2))]
+    elif truth == "queue":
+        work = pick.uniform(1.3, 3.5) / rate
+        nodes = (f"compass pub,sent,{rate},silent={pick.choice((0, 1))}", f"pilot sub,heard,0,work={work:.4f},queue={pick.randint(1, 10)}{jitter}")
+        seconds = max(seconds, 100 / rate)
+    elif truth == "stalled":
+        nodes = (f"base timer,odometry,{rate}{jitter}", beside)
+        more = {"stops": ((late, round(pick.uniform(3, 8) / min(rate, other), 3)),)}
+    elif truth == "clock":
+        kind = "timer" if ros == 1 else "sleep"
+        nodes = (f"base {kind},odometry,{rate}{jitter}", beside)
+        more = {"jumps": ((late, pick.choice((-1, 1)) * round(pick.uniform(1, 100), 3)),)}
+    elif truth == "publishers":
+        nodes = (f"a pub,x,{rate},silent=1", f"b pub,x,{pick.choice((rate, other))},silent=1", f"c sub,heard,0{jitter}")
+        more = {"after": (0.0, round(pick.uniform(0.01, 2), 3), 0.0)}
+    else:
+        nodes = (f"base timer,odometry,{rate}{jitter}",) * 2
+        more = {"after": (0.0, round(pick.uniform(0.01, 3), 3))}
+        form = pick.choice(("console", "launch"))
+    return Case(f"s{ros}_drawn_{seed}", truth, nodes, round(seconds, 2), form=form, **more)  # type: ignore[arg-type]

@@ -489,9 +489,9 @@ class _Window:
         ends = [gap.end for _, gap in self.late]
         steps = [gap.excess for _, gap in self.late]
         apart, unequal = max(ends) - min(ends), max(steps) - min(steps)
-        if unequal < 12 * MS and unequal < 0.4 * apart:
+        if unequal < 12 * MS and apart > max(25 * MS, 2.5 * unequal):
             return True
-        return False if apart < 40 * MS and apart < 0.6 * unequal else None
+        return False if apart < 40 * MS and unequal > max(15 * MS, 1.7 * apart) else None
 
 
 def _node(series: Series) -> str:
@@ -534,7 +534,8 @@ def _skips(series: Series) -> list[int]:
         for (one, other), (earlier, later) in zip(pairwise(counts), pairwise(series.times), strict=True)
     ]
     skipped = [count for count, time in steps if count > 1 and time < 1.5 * series.period]
-    if len(skipped) < max(3, 0.15 * len(steps)) or any(count < 0 for count, _ in steps):
+    lost = sum(skipped) - len(skipped)
+    if len(skipped) < 3 or lost < 0.15 * len(steps) or any(count < 0 for count, _ in steps):
         return []
     # Every tenth value, say, is left out on purpose.
     if len({count for count, _ in steps}) == 1:
