@@ -394,7 +394,7 @@ class _Diagnosis:
         """The line of this node that stands at the beginning of these windows, or at their ends, and hardly elsewhere."""
         best = None
         for series in self.rows:
-            if _node(series) != node:
+            if _node(series) != node or sum(_goes_on(series, window) for window in windows) > 0.3 * len(windows):
                 continue
             for where, edge in (("just before", _begins), ("at the end of", _ends)):
                 hits = [n for window in windows for n in edge(series, window)[:1]]
@@ -448,7 +448,9 @@ class _Diagnosis:
 
 def _praise(series: Series) -> str:
     late = say_time(quantile([abs(late) for late in series.late], 0.98) / NS)
-    return f"“{series.name}”: 98% of {len(series.times)} within {late} of a grid of {NS / series.period:.4g} Hz."
+    grid = f"{NS / series.period:.4g} Hz"
+    latest = say_time(max(series.late) / NS)
+    return f"“{series.name}”: 98% of {len(series.times)} within {late} of a grid of {grid}, the latest {latest} late."
 
 
 def _doubt(series: Series) -> str:
@@ -556,6 +558,12 @@ def _came(series: Series, window: _Window) -> bool:
     excess = median(gap.excess for _, gap in window.late)
     inside = [n for n, time in enumerate(series.times) if window.start < time < window.end]
     return any(not series.is_regular or series.late[n] < 0.3 * excess for n in inside)
+
+
+def _goes_on(series: Series, window: _Window) -> bool:
+    """Whether a line comes in the middle of a window: then it is not what others wait for."""
+    edge = 0.25 * (window.end - window.start)
+    return any(window.start + edge < time < window.end - edge for time in series.times)
 
 
 def _begins(series: Series, window: _Window) -> list[int]:
