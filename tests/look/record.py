@@ -1,4 +1,6 @@
-"""Record the logs of the corpus on the real ROS 1 and ROS 2: ``python tests/look/record.py [NAME...]``.
+"""Record logs whose fault is known on the real ROS 1 and ROS 2: ``python tests/look/record.py [NAME...]``.
+
+PYTHONPATH is tests/helpers.
 
 Clocks are set by nodes/set_clock.c, which is compiled for that.
 """
@@ -12,8 +14,9 @@ import subprocess
 import sys
 import time
 from pathlib import Path
+from typing import Any
 
-from corpus import REAL, Case
+from known_logs import REAL, Case
 
 from rosspin.real.children import SITECUSTOMIZE, Children
 from rosspin.real.ros1 import Workspace
@@ -42,7 +45,9 @@ def record(case: Case) -> None:
         (children.folder / "sitecustomize.py").write_text(SITECUSTOMIZE)  # without what tells of ticks
         out = children.folder / "console"
         children.folder.joinpath("offset").write_text("0")
-        plans = [("start", after, node) for after, node in zip(case.after or (0,) * len(case.nodes), case.nodes)]
+        plans: list[tuple[str, float, Any]] = [
+            ("start", after, node) for after, node in zip(case.after or (0,) * len(case.nodes), case.nodes)
+        ]
         plans += [("stop", 2 + at, seconds) for at, seconds in case.stops]
         plans += [("jump", 2 + at, seconds) for at, seconds in case.jumps]
         processes, others = [], []

@@ -127,9 +127,10 @@ def test_transforms_know_nothing_of_ros() -> None:
 
 
 def test_data_are_below_the_simulator() -> None:
+    data = {"results", "measures", "look", "plots"}
     for module in MODULES:
-        if layer(module) in ("results", "measures", "look", "plots"):
-            assert {layer(name) for name in imports(module) & MODULES.keys()} <= {"results", "measures", "look", "plots"}
+        if layer(module) in data:
+            assert {layer(name) for name in imports(module) & MODULES.keys()} <= data
 
 
 def test_importing_rosspin_needs_greenlet_and_little_else() -> None:

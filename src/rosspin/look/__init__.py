@@ -1,4 +1,4 @@
-"""Look at a log that somebody brings: what repeats in it, at what period, how late it is, and which fault it looks like.
+"""Look at a log that somebody brings: what repeats in it, at what period and how late, and which fault it looks like.
 
 Plain Python, so that the page does it, too, without the text leaving the computer.
 """
@@ -27,8 +27,8 @@ class Look:
 
     ``name`` is that of the file, ``kind`` console, table or bag, ``start`` when it begins (ns since the epoch), and
     ``seconds`` how long it is. ``notes`` are sentences on what was not read. The ``series`` are the lines, tables or
-    topics that repeat, the most frequent first; the ``verdicts`` what they show, the one that matters most first, and at
-    least one.
+    topics that repeat, the most frequent first; the ``verdicts``, at least one, are what they show, what matters most
+    first.
     """
 
     name: str

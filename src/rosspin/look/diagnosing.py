@@ -135,7 +135,7 @@ class _Diagnosis:
             few = (told or evidence)[:3]
             self.say("clock", "sure" if told or len(set(map(id, where))) > 1 else "likely", few, where)
 
-    # --- more than one --------------------------------------------------------------------------------------------------
+    # --- more than one ------------------------------------------------------------------------------------------------
 
     def doubled(self) -> None:
         if any("same name" in line for line in self.log.said):
@@ -208,7 +208,7 @@ class _Diagnosis:
             )
             self.say("doubled", "sure", evidence, rows)
 
-    # --- a full queue ---------------------------------------------------------------------------------------------------
+    # --- a full queue -------------------------------------------------------------------------------------------------
 
     def queue(self) -> None:
         for series in self.regular:
@@ -226,8 +226,8 @@ class _Diagnosis:
                     )
                 if grows:
                     evidence.append(
-                        f"Each number is logged by the one who sends it first, and then by this line: {say_time(ages[0] / NS)}"
-                        f" later at the beginning, {say_time(ages[-1] / NS)} later at the end."
+                        "Each number is logged by the one who sends it first, and then by this line: "
+                        f"{say_time(ages[0] / NS)} later at the beginning, {say_time(ages[-1] / NS)} later at the end."
                     )
                 self.queues.append(series)
                 self.say("queue", "sure" if skips and (grows or series.is_walk) else "likely", evidence, [series])
@@ -247,7 +247,7 @@ class _Diagnosis:
                 return both
         return []
 
-    # --- gaps -----------------------------------------------------------------------------------------------------------
+    # --- gaps ---------------------------------------------------------------------------------------------------------
 
     def gaps(self) -> None:
         """What held up one line or several, in windows of time."""
@@ -383,16 +383,17 @@ class _Diagnosis:
             return
         if late > 1:
             evidence.append(
-                "All were late at the same moments, and no line comes before each of them: a callback that logs nothing, a "
-                "garbage collection, or the machine."
+                "All were late at the same moments, and no line comes before each of them: a callback that logs "
+                "nothing, a garbage collection, or the machine."
             )
         else:
             evidence.append("Nothing else in the log says whether it was its own work or the whole machine.")
         self.say("held-up", "sure", evidence, lines)
 
     def _starter(self, node: str, windows: Sequence[_Window]) -> tuple[Series, str, int] | None:
-        """The line of this node that stands at the beginning of these windows, or at their ends, and hardly elsewhere."""
+        """The line of this node that stands where these windows begin, or where they end, and hardly elsewhere."""
         best = None
+        alone = all(len(window.late) == 1 for window in windows) and _every(windows) > 0
         for series in self.rows:
             if _node(series) != node or sum(_goes_on(series, window) for window in windows) > 0.3 * len(windows):
                 continue
@@ -401,7 +402,7 @@ class _Diagnosis:
                 if len(hits) < 2 or len(hits) < 0.7 * len(windows):
                     continue
                 is_every = len(hits) > 2 and len({b - a for a, b in pairwise(hits)}) == 1
-                if len(set(hits)) < 0.6 * len(series.times) and not is_every:
+                if len(set(hits)) < 0.6 * len(series.times) and (alone or not is_every):
                     continue
                 if len(windows[0].lines) == 1 and all(window.lines == [series] for window in windows):
                     continue
@@ -409,7 +410,7 @@ class _Diagnosis:
                     best = series, where, len(hits)
         return best
 
-    # --- a sleep, or nothing --------------------------------------------------------------------------------------------
+    # --- a sleep, or nothing ------------------------------------------------------------------------------------------
 
     def sleep(self) -> None:
         for series in self.regular:
@@ -424,10 +425,8 @@ class _Diagnosis:
             if walks:
                 evidence.append("A late one makes all later ones late: each period begins when the last one ends.")
             if series.chosen and series.drift < 0.6:
-                hertz = f"{NS / series.chosen:.4g} Hz"
-                evidence.append(
-                    f"If it should be {hertz}, the work between two sleeps takes {say_time((series.period - series.chosen) / NS)}."
-                )
+                hertz, work = f"{NS / series.chosen:.4g} Hz", say_time((series.period - series.chosen) / NS)
+                evidence.append(f"If it should be {hertz}, the work between two sleeps takes {work}.")
             evidence.append(f"A callback that always takes longer than its period, here {period}, looks the same.")
             self.say("sleep", "likely" if walks else "possible", evidence, [series])
 
@@ -448,9 +447,10 @@ class _Diagnosis:
 
 def _praise(series: Series) -> str:
     late = say_time(quantile([abs(late) for late in series.late], 0.98) / NS)
-    grid = f"{NS / series.period:.4g} Hz"
-    latest = say_time(max(series.late) / NS)
-    return f"“{series.name}”: 98% of {len(series.times)} within {late} of a grid of {grid}, the latest {latest} late."
+    grid, latest = f"{NS / series.period:.4g} Hz", say_time(max(series.late) / NS)
+    lost = f", {len(series.missing)} of the grid missing" if series.missing else ""
+    most = f"98% of {len(series.times)} within {late} of a grid of {grid}"
+    return f"“{series.name}”: {most}, the latest {latest} late{lost}."
 
 
 def _doubt(series: Series) -> str:
@@ -474,6 +474,11 @@ class _Window:
     @property
     def start(self) -> int:
         return max(gap.start for _, gap in self.late)
+
+    @property
+    def due(self) -> float:
+        """When the first of what did not come was due."""
+        return min(gap.start + series.period for series, gap in self.late)
 
     @property
     def end(self) -> int:
@@ -562,17 +567,12 @@ def _came(series: Series, window: _Window) -> bool:
 
 def _goes_on(series: Series, window: _Window) -> bool:
     """Whether a line comes in the middle of a window: then it is not what others wait for."""
-    edge = 0.25 * (window.end - window.start)
-    return any(window.start + edge < time < window.end - edge for time in series.times)
+    return any(window.due + 5 * MS < time < window.end - 0.25 * (window.end - window.due) for time in series.times)
 
 
 def _begins(series: Series, window: _Window) -> list[int]:
-    """The entries of a line that stand where a window begins."""
-    edge = 0.2 * (window.end - window.start)
-    first = window.start - 5 * MS
-    return [
-        n for n, time in enumerate(series.times) if first <= time <= window.start + edge and time < window.end - edge
-    ]
+    """The entries of a line that stand where a window begins: before the first tick that was due in it."""
+    return [n for n, time in enumerate(series.times) if window.start - 5 * MS <= time <= window.due + 5 * MS]
 
 
 def _ends(series: Series, window: _Window) -> list[int]:

@@ -1,7 +1,7 @@
 """Read a stranger's log: what stands in it, when, and who said so.
 
-A log is the console of ROS 1 or ROS 2, also with colours, under a launch, or pasted with what stood around it; a table of
-``ros2 topic echo --csv`` or ``rostopic echo -p``; or a bag, which :mod:`.bags` reads.
+A log is the console of ROS 1 or ROS 2, also with colours, under a launch, or pasted with what stood around it; a table
+of ``ros2 topic echo --csv`` or ``rostopic echo -p``; or a bag, which :mod:`.bags` reads.
 """
 
 from __future__ import annotations
@@ -56,7 +56,9 @@ class Log:
 
 
 # Colours, titles of terminals, and what else a terminal obeys.
-_ESCAPE = re.compile(r"\x1b(?:\[[0-9;?]*[ -/]*[@-~]|\][^\x07\x1b]*(?:\x07|\x1b\\)?|[@-Z\\-_])|[\x00-\x08\x0b-\x1f\x7f-\x9f]")
+_ESCAPE = re.compile(
+    r"\x1b(?:\[[0-9;?]*[ -/]*[@-~]|\][^\x07\x1b]*(?:\x07|\x1b\\)?|[@-Z\\-_])|[\x00-\x08\x0b-\x1f\x7f-\x9f]"
+)
 
 _SEVERITY = r"(?:DEBUG|INFO|WARN|WARNING|ERROR|FATAL)"
 # Before the line there may be what a launch puts there, or what a terminal showed. On ROS time a second stamp follows,

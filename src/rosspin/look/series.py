@@ -1,4 +1,4 @@
-"""What repeats in a log: lines that differ in numbers only are one series, and each is laid on the grid that fits best."""
+"""What repeats in a log: lines that differ in numbers only are one series, laid on the grid that fits best."""
 
 from __future__ import annotations
 
@@ -29,7 +29,7 @@ _CLOSE = 5e-4  # to which a period is known from some seconds of a log
 
 @dataclass(frozen=True)
 class Gap:
-    """Nothing came from ``start`` to ``end``, which is ``excess`` longer than a period (ns); ``at`` counts the entries."""
+    """Nothing came from ``start`` to ``end``, ``excess`` more than a period (ns); ``at`` is the entry that ends it."""
 
     start: int
     end: int
@@ -42,10 +42,10 @@ class Series:
     """The entries of one line, topic or table, in the order of the log; times in ns.
 
     ``counts`` are the numbers in its text that count up, if there are such. ``period`` is 0 if it has none: then it is
-    not regular. ``steps`` are the numbers of the entries on the grid, and ``late`` how far each is from there. ``grids``
-    are where new grids begin. ``memory`` is the correlation of a period with the next one: about -0.5 for a timer or a
-    rate, where a late tick makes one period longer and the next one shorter; 0 or more if each period begins when the
-    last one ends; None if that cannot be said.
+    not regular. ``steps`` are the numbers of the entries on the grid, ``late`` says how far each is from there, and
+    ``grids`` where new grids begin. ``memory`` is the correlation of a period with the next one: about -0.5 for a timer
+    or a rate, where a late tick makes one period longer and the next one shorter; 0 or more if each period begins when
+    the last one ends; None if that cannot be said.
     """
 
     name: str
@@ -73,7 +73,7 @@ class Series:
 
     @property
     def chosen(self) -> float:
-        """The period that somebody may have chosen, if this is one, or has become longer than one; 0 if none is near."""
+        """The period (ns) that somebody may have chosen, or a round one that has become longer; 0 if none is near."""
         return nice(self.period, self.close)
 
     @property
@@ -95,7 +95,9 @@ class Series:
         """Whether periods have two lengths and none between, as those of a line that is logged now and then only."""
         steps = sorted(b - a for a, b in pairwise(self.times) if 0.5 * self.period < b - a < 1.5 * self.period)
         width, at = max((b - a, n) for n, (a, b) in enumerate(pairwise(steps), 1)) if len(steps) > 1 else (0, 0)
-        return 0.1 < at / max(1, len(steps)) < 0.9 and width > 0.4 * (steps[-1] - steps[0]) and width > 0.02 * self.period
+        return (
+            0.1 < at / max(1, len(steps)) < 0.9 and width > 0.4 * (steps[-1] - steps[0]) and width > 0.02 * self.period
+        )
 
     @property
     def is_walk(self) -> bool | None:
@@ -103,9 +105,9 @@ class Series:
         if self.memory is None or self.spread < 2_000:
             return None
         # Of few pairs, it may be so by chance.
-        if self.memory > max(-0.15, 2.2 / self.pairs**0.5 - 0.5) and not self.is_chosen:
+        if self.memory > max(-0.2, 2.2 / self.pairs**0.5 - 0.5) and not self.is_chosen:
             return True
-        return False if self.memory < min(-0.25, -1.8 / self.pairs**0.5) or self.is_chosen else None
+        return False if self.memory < min(-0.3, -1.8 / self.pairs**0.5) or self.is_chosen else None
 
     @property
     def threshold(self) -> float:
@@ -114,7 +116,7 @@ class Series:
 
 
 def nice(period: float, close: float = _CLOSE) -> float:
-    """The period (ns) that somebody may have chosen, if this is one; or else the longest round one below it, if near."""
+    """The period (ns) that somebody may have chosen, if this is one; else the longest round one below it, if near."""
     if period <= 0:
         return 0.0
     near = [each for each in _RATES if abs(period / each - 1) < close]

@@ -5,13 +5,13 @@ from __future__ import annotations
 import re
 from collections.abc import Sequence
 from datetime import UTC, datetime
-from pathlib import Path
 
-from corpus import Case
+from known_logs import Case
+from tree import TESTS
 
 from rosspin import Node, simulate
 
-HERE = Path(__file__).parent
+HERE = TESTS / "look"
 START = 1_700_000_000
 
 _STAMP = re.compile(r"\[(\d+\.\d+)\]")
@@ -33,8 +33,10 @@ def _lines(case: Case) -> list[tuple[float, str]]:
     talks = any(" pub," in node or " sub," in node for node in case.nodes) and case.form != "csv"
     lines = []
     if talks:
-        words = [node.split() + ([f"after={wait}"] if wait else []) for node, wait in zip(case.nodes, after, strict=True)]
-        run = simulate([Node(str(file), each) for each in words], case.seconds, start=START)
+        words = [
+            node.split() + ([f"after={wait}"] if wait else []) for node, wait in zip(case.nodes, after, strict=True)
+        ]
+        run = simulate([Node(str(file), each) for each in commands], case.seconds, start=START)
         lines = _timed(run.console)
     else:
         for number, (node, wait) in enumerate(zip(case.nodes, after, strict=True), 1):
