@@ -33,7 +33,7 @@ def _lines(case: Case) -> list[tuple[float, str]]:
     talks = any(" pub," in node or " sub," in node for node in case.nodes) and case.form != "csv"
     lines = []
     if talks:
-        words = [
+        commands = [
             node.split() + ([f"after={wait}"] if wait else []) for node, wait in zip(case.nodes, after, strict=True)
         ]
         run = simulate([Node(str(file), each) for each in commands], case.seconds, start=START)
