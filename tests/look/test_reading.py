@@ -2,10 +2,12 @@
 
 from __future__ import annotations
 
+from functools import cache
+
 import pytest
-from hypothesis import given
+from hypothesis import given, settings
 from hypothesis import strategies as some
-from known_logs import CASES
+from known_logs import CASES, Case
 from known_logs_made import load
 
 from rosspin.look import NoLog, look
@@ -100,6 +102,7 @@ def test_a_file_that_is_too_long_is_read_in_part(monkeypatch: pytest.MonkeyPatch
     assert found.entries < 50 and found.notes[-1].startswith("Only the first")
 
 
+@settings(deadline=None)
 @given(some.binary(max_size=300))
 def test_whatever_it_is_there_is_no_trace(data: bytes) -> None:
     try:
@@ -108,12 +111,15 @@ def test_whatever_it_is_there_is_no_trace(data: bytes) -> None:
         assert str(error)
 
 
-MIXED = [load(case)[:6000] for case in CASES[::12]]
+MIXED = CASES[::12]
+loaded = cache(load)
 
 
+@settings(deadline=None)
 @given(some.sampled_from(MIXED), some.lists(some.tuples(some.integers(0, 5999), some.binary(max_size=8)), max_size=12))
-def test_nor_is_there_of_what_was_a_log(data: bytes, changes: list[tuple[int, bytes]]) -> None:
+def test_nor_is_there_of_what_was_a_log(case: Case, changes: list[tuple[int, bytes]]) -> None:
     """Times that go backward, halves of lines, bytes of other files."""
+    data = loaded(case)[:6000]
     for place, new in changes:
         data = data[:place] + new + data[place + len(new) // 2 :]
     test_whatever_it_is_there_is_no_trace.hypothesis.inner_test(data)  # type: ignore[attr-defined]

@@ -11,7 +11,7 @@ from ..measures import quantile, say_time
 from .reading import Log
 from .series import FEWEST, Gap, Series
 
-__all__ = ["TITLES", "Verdict", "diagnose"]
+__all__ = ["PAGES", "TITLES", "Verdict", "diagnose"]
 
 NS = 10**9
 MS = 10**6
@@ -32,16 +32,16 @@ TITLES = {
     "unknown": "I cannot tell",
 }
 
-# The page that explains a verdict, for ROS 1 and for ROS 2.
+# The page that explains a verdict, for ROS 1 and for ROS 2: its address below that of the site.
 _HOW_1, _HOW_2 = "docs/how-timing-works.html", "docs/ros2/how-timing-works.html"
-_OWN = "docs/how-to/look-at-your-log.html#look-"
-_PAGES = {
-    "clock": (f"{_HOW_1}#simulated-time", f"{_HOW_2}#ros2-simulated-time"),
+_OWN = "docs/how-to/look-at-your-log.html"
+PAGES = {
+    **{name: (f"{_OWN}#look-{name}",) * 2 for name in ("clock", "twins", "publishers", "doubled", "stalled")},
+    **{name: (f"{_OWN}#look-{name}",) * 2 for name in ("held-up", "unknown")},
     "queue": ("docs/publish.html#publish-queue-size", "docs/ros2/publish.html#ros2-publish-depth"),
     "blocked": (f"{_HOW_1}#spin-calls-callbacks", f"{_HOW_2}#ros2-slow-callback-neighbours"),
     "overran": (f"{_HOW_1}#timer-returns-to-grid", f"{_HOW_2}#ros2-timer-returns-to-grid"),
-    "held-up": (f"{_HOW_1}#timer-returns-to-grid", f"{_HOW_2}#ros2-timer-returns-to-grid"),
-    "sleep": ("notebooks/drift.html", "notebooks/drift.html"),
+    "sleep": ("notebooks/drift.html",) * 2,
     "healthy": (f"{_HOW_1}#timer-precision", "notebooks/ros2-timer.html"),
 }
 
@@ -102,7 +102,7 @@ class _Diagnosis:
         return sorted(self.found, key=lambda verdict: order.index(verdict.name))
 
     def say(self, name: str, certain: str, evidence: Sequence[str], series: Iterable[Series] = ()) -> None:
-        page = _PAGES.get(name, (_OWN + name,) * 2)[self.ros - 1]
+        page = PAGES[name][self.ros - 1]
         self.found.append(Verdict(name, certain, tuple(evidence), page, _places(series)))
 
     def at(self, time: float) -> str:
@@ -431,7 +431,11 @@ class _Diagnosis:
             self.say("sleep", "likely" if walks else "possible", evidence, [series])
 
     def say_good(self) -> None:
-        good = [series for series in self.regular if series.is_walk is False or series.is_chosen]
+        good = [
+            series
+            for series in self.regular
+            if series.is_chosen or (series.is_walk is False and not series.is_quantised)
+        ]
         odd = [series for series in self.rows if not series.is_regular and len(series.times) >= 2 * FEWEST]
         doubts = [f"{_list(_places(odd[:3]))}: at no regular times."] if odd else []
         doubts += [_doubt(series) for series in self.regular if series not in good][:3]
@@ -526,7 +530,7 @@ def _alternates(series: Series) -> bool:
         return False
     pairs = [other - one for one, other in zip(series.times, series.times[2:], strict=False)]
     middle, centre = median(steps), median(pairs)
-    wide = median(abs(step - middle) for step in steps) / middle
+    wide = (quantile(steps, 0.75) - quantile(steps, 0.25)) / middle
     narrow = median(abs(step - centre) for step in pairs) / centre
     return wide > 0.1 and narrow < 0.02
 
@@ -534,7 +538,7 @@ def _alternates(series: Series) -> bool:
 def _skips(series: Series) -> list[int]:
     """By how much the count goes on where it leaves numbers out but no time; none unless that is how the line is."""
     counts = series.counts
-    if len(counts) < FEWEST or series.part:
+    if len(counts) < FEWEST or series.part or series.per_pass > 1:
         return []
     steps = [
         (other - one, later - earlier)

@@ -247,11 +247,12 @@ def _one_a_pass(series: Series) -> None:
     if len(steps) < FEWEST:
         return
     large = sorted(steps)[int(0.9 * (len(steps) - 1))]
-    close = [step < 0.05 * large for step in steps]
-    if sum(close) < 0.3 * len(steps):
+    firsts = [0, *(n for n, step in enumerate(steps, 1) if step >= 0.05 * large)]
+    sizes = [other - one for one, other in pairwise(firsts)]
+    usual = round(median(sizes)) if sizes else 1
+    if usual < 2 or sizes.count(usual) < 0.8 * len(sizes):
         return
-    firsts = [0, *(n + 1 for n, near in enumerate(close) if not near)]
-    series.per_pass = round(len(series.times) / len(firsts))
+    series.per_pass = usual
     series.times = [series.times[n] for n in firsts]
     series.texts = [series.texts[n] for n in firsts]
     series.counts = [series.counts[n] for n in firsts] if series.counts else []
