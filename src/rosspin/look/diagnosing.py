@@ -9,12 +9,10 @@ from statistics import median
 
 from ..measures import quantile, say_time
 from .reading import Log
-from .series import FEWEST, Gap, Series
+from .series import FEWEST, MS, NS, Gap, Series
+from .windows import Window, every, find_windows, node_of
 
 __all__ = ["PAGES", "TITLES", "Verdict", "diagnose"]
-
-NS = 10**9
-MS = 10**6
 
 # What a verdict is called, in the order in which they matter.
 TITLES = {
@@ -141,24 +139,20 @@ class _Diagnosis:
         if any("same name" in line for line in self.log.said):
             self.say("twins", "sure", [f"ROS says so itself: {self.log.said[0]}"])
             return
-        by_line: dict[tuple[str, str], list[Series]] = {}
+        nodes: dict[str, dict[str, list[Series]]] = {}
         for series in self.rows:
-            line = series.name if series.node == "" or self.log.kind != "console" else series.name
-            by_line.setdefault((series.node, line), []).append(series)
-        seen: dict[str, dict[str, list[Series]]] = {}
-        for (node, line), group in by_line.items():
-            if max(len(series.times) for series in group) >= FEWEST:
-                seen.setdefault(node, {})[line] = group
-        for node, lines in seen.items():
+            if len(series.times) >= FEWEST:
+                nodes.setdefault(series.node, {}).setdefault(series.name, []).append(series)
+        for node, lines in nodes.items():
             self._doubled_in(node, lines)
 
     def _doubled_in(self, node: str, lines: dict[str, list[Series]]) -> None:
-        launched = {process for group in lines.values() for process in {series.process for series in group}}
         both = [series for group in lines.values() for series in group]
-        if node and len(launched) > 1:
-            names = " and ".join(sorted(launched))
-            self.say("twins", "sure", [f"The processes {names} both log as {node}."], both)
-            return
+        for group in lines.values():
+            if len(launched := {series.process for series in group if series.process}) > 1:
+                names = " and ".join(sorted(launched))
+                self.say("twins", "sure", [f"The processes {names} both log as {node}."], both)
+                return
         published = set().union(*(series.publishers for series in both)) if self.log.kind == "bag" else set()
         if len(published) > 1:
             self.say("publishers", "sure", [f"The bag names them: {', '.join(sorted(published))}."], both)
@@ -212,122 +206,81 @@ class _Diagnosis:
 
     def queue(self) -> None:
         for series in self.regular:
-            ages = self._ages(series)
-            grows = len(ages) >= FEWEST and ages[-1] > ages[0] + 2 * series.period and ages[-1] > 3 * series.period
             skips = _skips(series)
-            grows = grows and (bool(skips) or any(word in series.name.lower() for word in _HEARD))
-            if skips or grows:
-                evidence = []
-                if skips:
-                    lost = sum(skips) - len(skips)
-                    evidence.append(
-                        f"“{series.name}” leaves out {lost} numbers, but no time: it comes every "
-                        f"{say_time(series.period / NS)} all along."
-                    )
-                if grows:
-                    evidence.append(
-                        "Each number is logged by the one who sends it first, and then by this line: "
-                        f"{say_time(ages[0] / NS)} later at the beginning, {say_time(ages[-1] / NS)} later at the end."
-                    )
+            hears = any(word in series.name.lower() for word in _HEARD)
+            ages = self._ages(series) if skips or hears else []
+            grows = len(ages) >= FEWEST and ages[-1] > ages[0] + 2 * series.period and ages[-1] > 3 * series.period
+            evidence = []
+            if skips:
+                lost, period = sum(skips) - len(skips), say_time(series.period / NS)
+                evidence.append(
+                    f"“{series.name}” leaves out {lost} numbers, but no time: it comes every {period} all along."
+                )
+            if grows:
+                first, last = say_time(ages[0] / NS), say_time(ages[-1] / NS)
+                evidence.append(
+                    "Each number is logged by the one who sends it, and then by this line: "
+                    f"{first} later at the beginning, {last} later at the end."
+                )
+            if evidence:
                 self.queues.append(series)
                 self.say("queue", "sure" if skips and (grows or series.is_walk) else "likely", evidence, [series])
 
     def _ages(self, series: Series) -> list[int]:
-        """How much later than in another line each number comes in this one, in ns, if it is a line that hears."""
-        if not series.counts:
-            return []
+        """How much later than in another line each number comes in this one (ns), if there is such a line."""
         for other in self.rows:
-            if other is series or not other.counts:
+            if other is series or not other.counts or not series.counts:
                 continue
             sent = dict(zip(other.counts, other.times, strict=True))
-            both = [
-                time - sent[count] for count, time in zip(series.counts, series.times, strict=True) if count in sent
-            ]
-            if len(both) >= 0.7 * len(series.counts) and min(both) > -20 * MS and len(set(series.counts)) > FEWEST:
+            heard = zip(series.counts, series.times, strict=True)
+            both = [time - sent[count] for count, time in heard if count in sent]
+            if len(both) >= 0.7 * len(series.counts) and min(both) > -20 * MS:
                 return both
         return []
 
     # --- gaps ---------------------------------------------------------------------------------------------------------
 
     def gaps(self) -> None:
-        """What held up one line or several, in windows of time."""
-        windows = self._windows()
-        by_node: dict[str, list[_Window]] = {}
-        at_once = []
-        for window in windows:
-            nodes = {_node(series) for series, _ in window.late}
+        """What held up one line or several."""
+        rows = [series for series in self.rows if series not in self.queues]
+        at_once, by_node = list[Window](), dict[str, list[Window]]()
+        for window in find_windows(rows, self._is_explained):
+            nodes = {node_of(series) for series in window.lines}
             if len(nodes) > 1 and not window.on_time:
                 at_once.append(window)
-            elif len(nodes) == 1 or not window.on_time:
-                by_node.setdefault(nodes.pop(), []).append(window)
-            else:
-                for node in nodes:
-                    by_node.setdefault(node, []).append(window.of(node))
-        self._all_at_once(at_once)
-        for node, each in by_node.items():
-            self._in_one(node, each)
-
-    def _windows(self) -> list[_Window]:
-        gaps = []
-        for series in self._leading():
-            own = [gap for gap in series.gaps if gap.at > 5 and not self._is_explained(series, gap)]
-            # A machine has a hiccup now and then.
-            small = [gap for gap in own if gap.excess < max(series.period, 30 * MS)]
-            if len(small) <= max(2, 0.01 * len(series.times)):
-                own = [gap for gap in own if gap not in small or gap.excess > 30 * MS]
-            gaps += [(series, gap) for gap in own]
-        windows: list[_Window] = []
-        for series, gap in sorted(gaps, key=lambda each: each[1].end):
-            for window in reversed(windows[-8:]):
-                both = min(window.end, gap.end) - max(window.start, gap.start)
-                if both > 0.5 * min(window.end - window.start, gap.end - gap.start) and series not in window.lines:
-                    window.late.append((series, gap))
-                    break
-            else:
-                windows.append(_Window([(series, gap)], []))
-        for window in windows:
-            window.on_time = [series for series in self.rows if series not in window.lines and _came(series, window)]
-        return windows
+                continue
+            for node in nodes:
+                by_node.setdefault(node, []).append(window.of(node))
+        if at_once:
+            self._all_at_once(at_once)
+        for node, windows in by_node.items():
+            self._in_one(node, windows)
 
     def _is_explained(self, series: Series, gap: Gap) -> bool:
         """Whether the clock was set then, or the node was started again: its count is smaller."""
         counts = series.counts
-        return any(gap.start <= jump <= gap.end for jump in self.jumps) or (
-            bool(counts) and counts[gap.at] <= counts[gap.at - 1]
-        )
+        jumped = any(gap.start <= jump <= gap.end for jump in self.jumps)
+        return jumped or (bool(counts) and counts[gap.at] <= counts[gap.at - 1])
 
-    def _leading(self) -> list[Series]:
-        """The regular lines, but of several that one pass logs the first alone, and none of a queue."""
-        leading: list[Series] = []
-        for series in sorted(self.regular, key=lambda series: series.times[0]):
-            if series not in self.queues and not any(_accompanies(series, other) for other in leading):
-                leading.append(series)
-        return leading
-
-    def _all_at_once(self, windows: list[_Window]) -> None:
-        if not windows:
+    def _all_at_once(self, windows: list[Window]) -> None:
+        lines = windows[0].lines
+        if all(window.is_clock() for window in windows):
+            self._say_forward(windows)
             return
-        clock = [window for window in windows if window.is_clock() is True]
-        if clock and len(clock) == len(windows):
-            self._say_forward(clock)
-            return
-        sure = [window for window in windows if window.is_clock() is False]
         evidence = [
-            f"At {self.at(w.start)}, {_list(_places(w.lines))} were all silent for {say_time((w.end - w.start) / NS)}; "
-            "what was due came when that was over."
-            for w in windows[:3]
+            f"At {self.at(window.start)}, {_list(_places(window.lines))} were all silent for "
+            f"{say_time(window.length / NS)}; what was due came when that was over."
+            for window in windows[:3]
         ]
-        nodes = sorted({_node(series) or "?" for w in windows for series in w.lines})
-        if sure:
-            evidence.append(
-                f"These are processes of their own ({', '.join(nodes)}): what held them up is outside of them."
-            )
-            self.say("stalled", "sure" if len(windows) > 1 else "likely", evidence, windows[0].lines)
+        if any(window.is_clock() is False for window in windows):
+            nodes = ", ".join(sorted({node_of(series) or "?" for window in windows for series in window.lines}))
+            evidence.append(f"These are nodes of their own ({nodes}): what held them up is outside of them.")
+            self.say("stalled", "sure" if len(windows) > 1 else "likely", evidence, lines)
         else:
             evidence.append("The machine may have stalled, or its clock may have been set forward.")
-            self.say("held-up", "likely", evidence, windows[0].lines)
+            self.say("held-up", "likely", evidence, lines)
 
-    def _say_forward(self, windows: list[_Window]) -> None:
+    def _say_forward(self, windows: list[Window]) -> None:
         evidence = [
             f"At {self.at(w.start)} the times of {_list(_places(w.lines))} step forward by "
             f"{say_time(median(gap.excess for _, gap in w.late) / NS)}, each by the same, and go on as before."
@@ -336,79 +289,70 @@ class _Diagnosis:
         evidence.append("Nothing that was due came all at once afterwards, as it does when a machine has stalled.")
         self.say("clock", "likely", evidence, windows[0].lines)
 
-    def _in_one(self, node: str, windows: list[_Window]) -> None:
-        clock = [window for window in windows if window.is_clock() is True]
-        if clock and len(clock) == len(windows) and not any(window.on_time for window in windows):
-            self._say_forward(clock)
+    def _in_one(self, node: str, windows: list[Window]) -> None:
+        """Lines of one node were silent."""
+        if all(window.is_clock() and not window.on_time for window in windows):
+            self._say_forward(windows)
             return
-        lines = list({id(series): series for window in windows for series in window.lines}.values())
-        starter = self._starter(node, windows)
-        longest = max(windows, key=lambda window: window.end - window.start)
-        size = say_time((longest.end - longest.start) / NS)
-        many = (
-            f"{_times(len(windows))}, for up to {size}"
-            if len(windows) > 1
-            else f"once, at {self.at(longest.start)}, for {size}"
-        )
-        evidence = [f"{_list(_places(lines))} {'was' if len(lines) == 1 else 'were'} silent {many}."]
-        if starter is not None:
+        lines = list(dict.fromkeys(series for window in windows for series in window.lines))
+        longest = max(windows, key=lambda window: window.length)
+        size = say_time(longest.length / NS)
+        often = f"once, at {self.at(longest.start)}, for {size}"
+        if len(windows) > 1:
+            often = f"{_times(len(windows))}, for up to {size}"
+        evidence = [f"{_list(_places(lines))} {'was' if len(lines) == 1 else 'were'} silent {often}."]
+        if starter := self._starter(node, windows):
             series, where, hits = starter
-            if [series] == lines:
-                self.say("overran", "likely", evidence, lines)
-                return
-            evidence.append(
-                f"“{series.name}” came {where} {'that' if len(windows) == 1 else f'{hits} of these {len(windows)}'}."
-            )
+            evidence.append(f"“{series.name}” came {where} {hits} of these {len(windows)}.")
             evidence.append("While that callback works, those of the same thread or group wait.")
-            self.say("blocked", "sure" if hits > 2 else "likely", evidence, [series, *lines])
-            return
-        late = max(len(window.late) for window in windows)
-        witnesses = [window for window in windows if window.on_time]
-        own = [series for window in witnesses for series in window.on_time if _node(series) == node]
-        if late == 1 and len(lines) == 1 and len(witnesses) >= 0.6 * len(windows):
-            beside = _list(_places([series for window in witnesses for series in window.on_time][:2]))
-            evidence.append(f"Meanwhile {beside} came: the machine went on, and only this was held up.")
-            evidence.append(_back(lines[0], windows))
-            self.say("overran", "likely" if own or self.log.kind != "console" or node else "possible", evidence, lines)
-            return
-        if late == 1 and len(lines) == 1 and (every := _every(windows)):
-            evidence.append(f"It is every {every}th pass: something that the loop itself does then takes long.")
-            self.say("overran", "likely", evidence, lines)
-            return
-        if late > 1 and len(windows) > 2 and self.is_rospy and not own:
-            evidence.append(
-                "In rospy each timer has a thread of its own, so what holds up all is Python or the machine."
-            )
-            self.say("stalled", "likely", evidence, lines)
-            return
-        if late > 1:
-            evidence.append(
-                "All were late at the same moments, and no line comes before each of them: a callback that logs "
-                "nothing, a garbage collection, or the machine."
-            )
+            self.say("blocked", "sure" if hits > 2 else "likely", evidence, dict.fromkeys([series, *lines]))
+        elif len(lines) == 1:
+            self._one_line(lines[0], windows, evidence)
+        else:
+            self._some_lines(node, lines, windows, evidence)
+
+    def _one_line(self, series: Series, windows: list[Window], evidence: list[str]) -> None:
+        """A single line was silent: was it its own work?"""
+        beside = dict.fromkeys(other for window in windows for other in window.on_time)
+        passes = every(windows)
+        if sum(bool(window.on_time) for window in windows) >= 0.6 * len(windows):
+            evidence.append(f"Meanwhile {_list(_places(beside)[:2])} came: only this was held up.")
+            self.say("overran", "likely", [*evidence, _back(series, windows)], [series])
+        elif passes:
+            evidence.append(f"It is one pass in {passes}, always: something that the loop itself does then takes long.")
+            self.say("overran", "likely", evidence, [series])
         else:
             evidence.append("Nothing else in the log says whether it was its own work or the whole machine.")
-        self.say("held-up", "sure", evidence, lines)
+            self.say("held-up", "sure", evidence, [series])
 
-    def _starter(self, node: str, windows: Sequence[_Window]) -> tuple[Series, str, int] | None:
+    def _some_lines(self, node: str, lines: list[Series], windows: list[Window], evidence: list[str]) -> None:
+        """Several lines of one node were silent, and none of them, or of its others, began that."""
+        went_on = any(node_of(series) == node for window in windows for series in window.on_time)
+        if len(windows) > 2 and self.is_rospy and not went_on:
+            evidence.append("In rospy each timer has a thread of its own: what holds up all is Python or the machine.")
+            self.say("stalled", "likely", evidence, lines)
+        else:
+            evidence.append(
+                "No line comes before each of these times: a callback that logs nothing, a garbage collection, or the "
+                "machine."
+            )
+            self.say("held-up", "sure", evidence, lines)
+
+    def _starter(self, node: str, windows: Sequence[Window]) -> tuple[Series, str, int] | None:
         """The line of this node that stands where these windows begin, or where they end, and hardly elsewhere."""
-        best = None
-        alone = all(len(window.late) == 1 for window in windows) and _every(windows) > 0
+        found = []
         for series in self.rows:
-            if _node(series) != node or sum(_goes_on(series, window) for window in windows) > 0.3 * len(windows):
+            if node_of(series) != node or all(window.lines == [series] for window in windows):
                 continue
-            for where, edge in (("just before", _begins), ("at the end of", _ends)):
-                hits = [n for window in windows for n in edge(series, window)[:1]]
-                if len(hits) < 2 or len(hits) < 0.7 * len(windows):
-                    continue
-                is_every = len(hits) > 2 and len({b - a for a, b in pairwise(hits)}) == 1
-                if len(set(hits)) < 0.6 * len(series.times) and (alone or not is_every):
-                    continue
-                if len(windows[0].lines) == 1 and all(window.lines == [series] for window in windows):
-                    continue
-                if best is None or len(hits) > best[2]:
-                    best = series, where, len(hits)
-        return best
+            if sum(window.goes_on(series) for window in windows) > 0.3 * len(windows):
+                continue
+            for where, edge in (("just before", Window.begins), ("at the end of", Window.ends)):
+                hits = [n for window in windows for n in edge(window, series)[:1]]
+                # A callback that is slow in each tenth pass, say, begins a window then; unless the late line does that.
+                often = len(hits) > 2 and len({later - n for n, later in pairwise(hits)}) == 1 and not every(windows)
+                if len(hits) >= max(2, 0.7 * len(windows)) and (often or len(set(hits)) >= 0.6 * len(series.times)):
+                    found.append((series, where, len(hits)))
+        return max(found, key=lambda each: each[2], default=None)
 
     # --- a sleep, or nothing ------------------------------------------------------------------------------------------
 
@@ -464,51 +408,6 @@ def _doubt(series: Series) -> str:
     return f"“{series.name}”: regular, but {why}."
 
 
-@dataclass
-class _Window:
-    """Lines that were silent at the same time, and those that came meanwhile."""
-
-    late: list[tuple[Series, Gap]]
-    on_time: list[Series]
-
-    @property
-    def lines(self) -> list[Series]:
-        return [series for series, _ in self.late]
-
-    @property
-    def start(self) -> int:
-        return max(gap.start for _, gap in self.late)
-
-    @property
-    def due(self) -> float:
-        """When the first of what did not come was due."""
-        return min(gap.start + series.period for series, gap in self.late)
-
-    @property
-    def end(self) -> int:
-        return min(gap.end for _, gap in self.late)
-
-    def of(self, node: str) -> _Window:
-        """The part of this that is about one node."""
-        late = [(series, gap) for series, gap in self.late if _node(series) == node]
-        return _Window(late, self.on_time)
-
-    def is_clock(self) -> bool | None:
-        """Whether all stepped by the same time; False if all came again at the same time; None if that is the same."""
-        if len(self.late) < 2:
-            return None
-        ends = [gap.end for _, gap in self.late]
-        steps = [gap.excess for _, gap in self.late]
-        apart, unequal = max(ends) - min(ends), max(steps) - min(steps)
-        if unequal < 12 * MS and apart > max(25 * MS, 2.5 * unequal):
-            return True
-        return False if apart < 40 * MS and unequal > max(15 * MS, 1.7 * apart) else None
-
-
-def _node(series: Series) -> str:
-    return series.process or series.node
-
-
 def _follow(counts: Sequence[int]) -> bool:
     return len(counts) == 2 and 0 < counts[1] - counts[0] < 3
 
@@ -554,49 +453,7 @@ def _skips(series: Series) -> list[int]:
     return skipped
 
 
-def _accompanies(series: Series, other: Series) -> bool:
-    """Whether a line comes with each of another one of its node."""
-    if _node(series) != _node(other) or series.part != other.part or abs(len(series.times) - len(other.times)) > 2:
-        return False
-    both = list(zip(series.times, other.times, strict=False))
-    return sum(1 for one, first in both if abs(one - first) < 0.05 * series.period) > 0.9 * len(both)
-
-
-def _came(series: Series, window: _Window) -> bool:
-    """Whether a line came while others were silent, and not late itself."""
-    excess = median(gap.excess for _, gap in window.late)
-    inside = [n for n, time in enumerate(series.times) if window.start < time < window.end]
-    return any(not series.is_regular or series.late[n] < 0.3 * excess for n in inside)
-
-
-def _goes_on(series: Series, window: _Window) -> bool:
-    """Whether a line comes in the middle of a window: then it is not what others wait for."""
-    return any(window.due + 5 * MS < time < window.end - 0.25 * (window.end - window.due) for time in series.times)
-
-
-def _begins(series: Series, window: _Window) -> list[int]:
-    """The entries of a line that stand where a window begins: before the first tick that was due in it."""
-    return [n for n, time in enumerate(series.times) if window.start - 5 * MS <= time <= window.due + 5 * MS]
-
-
-def _ends(series: Series, window: _Window) -> list[int]:
-    edge = 0.1 * (window.end - window.start)
-    if series in window.lines:  # a late line comes when it is over
-        return []
-    return [n for n, time in enumerate(series.times) if window.end - edge <= time <= window.end + 10 * MS]
-
-
-def _every(windows: Sequence[_Window]) -> int:
-    """Of how many passes one is slow, if it is always as many; 0 if not."""
-    counts = [window.late[0][1].at for window in windows]
-    series = windows[0].lines[0]
-    if series.counts:
-        counts = [series.counts[at] for at in counts]
-    steps = {other - one for one, other in pairwise(counts)}
-    return steps.pop() if len(counts) > 2 and len(steps) == 1 else 0
-
-
-def _back(series: Series, windows: Sequence[_Window]) -> str:
+def _back(series: Series, windows: Sequence[Window]) -> str:
     new = sum(1 for start in series.grids[1:] if any(abs(start - gap.at) < 6 for w in windows for _, gap in w.late))
     lost = len(series.missing)
     kept = "It is back on its grid afterwards" if not new else "A new grid begins afterwards"

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from bisect import bisect_left, bisect_right
 from collections.abc import Sequence
 from dataclasses import dataclass, field
 from itertools import pairwise
@@ -9,7 +10,7 @@ from statistics import median
 
 from .reading import Entry
 
-__all__ = ["FEWEST", "Gap", "Series", "group", "nice"]
+__all__ = ["FEWEST", "MS", "NS", "Gap", "Series", "group"]
 
 NS = 10**9
 MS = 10**6
@@ -66,6 +67,15 @@ class Series:
     grids: list[int] = field(default_factory=list)
     gaps: list[Gap] = field(default_factory=list)
     missing: list[int] = field(default_factory=list)
+    _order: tuple[list[int], list[int]] | None = field(default=None, repr=False)
+
+    def between(self, first: float, last: float) -> list[int]:
+        """Which entries came from ``first`` to ``last`` (ns), in the order of their times."""
+        if self._order is None:
+            order = sorted(range(len(self.times)), key=self.times.__getitem__)
+            self._order = order, [self.times[n] for n in order]
+        order, times = self._order
+        return order[bisect_left(times, first) : bisect_right(times, last)]
 
     @property
     def is_regular(self) -> bool:
