@@ -17,8 +17,8 @@ __all__ = ["LIMIT", "Entry", "Log", "NoLog", "read"]
 
 NS = 10**9
 
-# Of a longer file only this much is read, in bytes: some 300,000 lines, which take a few seconds.
-LIMIT = 32_000_000
+# Of a longer file only this much is read, in bytes: some 200,000 lines, which take some seconds.
+LIMIT = 16_000_000
 
 BAGS = {b"#ROSBAG V": ".bag", b"SQLite format 3\0": ".db3", b"\x89MCAP0\r\n": ".mcap"}
 
