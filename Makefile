@@ -71,15 +71,15 @@ outputs: $(VENV)
 	$(call SPHINX,$@) -q
 
 # The lanes of the tests: see tests/README.md. That of what is real comes with ROSSPIN_REQUIRE, which says what must be
-# there. A whole file at a time: its tests share what they have built or started.
-PYTEST := $(BIN)/pytest --numprocesses 2 --dist loadfile --no-loadscope-reorder
+# there. A whole file at a time: its tests share what they have built or started. What is real waits half of the time.
+PYTEST = $(BIN)/pytest --numprocesses $(1) --dist loadfile --no-loadscope-reorder
 
 # mypy works beside the doctests: each takes one processor.
 test: $(VENV:=-for-test) $(NPM)-for-test html
 	$(BIN)/ruff check
 	$(BIN)/mypy & typed=$$!; $(call SPHINX,doctest) -W --keep-going $(SPHINXOPTS); examples=$$?; wait $$typed && exit $$examples
-	$(PYTEST)
-	$(if $(ROSSPIN_REQUIRE),$(PYTEST) tests/real)
+	$(call PYTEST,2)
+	$(if $(ROSSPIN_REQUIRE),$(call PYTEST,4) tests/real)
 
 # The whole corpus of scenarios on all that is real and installed, one after another: it takes hours. What is recorded,
 # and the ledger of it, is written anew; commit that.

@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-import gc
 import json
 import os
 from collections import defaultdict
@@ -16,6 +15,7 @@ import pytest
 from hypothesis import settings
 from ledger import TURN
 from seeds import SEED
+from settle import settle
 from simulated_only import simulated_only
 from tree import DOCTREES, ROOT, SITE, TESTS
 
@@ -70,9 +70,13 @@ def pytest_sessionfinish(session: pytest.Session) -> None:
 
 
 def pytest_collection_finish() -> None:
-    """All that there is now stays: the garbage collector need not go through it again and again."""
-    gc.collect()
-    gc.freeze()
+    settle()
+
+
+@pytest.fixture(autouse=True, scope="module")
+def _settled() -> None:
+    """What earlier files have left is not gone through again with each collection of garbage."""
+    settle()
 
 
 @pytest.hookimpl(wrapper=True)

@@ -37,7 +37,12 @@ const moving = ["handles.js", "vehicle.js"].map((name) => path.join(here, "src",
 await build({ ...common, outdir: path.join(out, "../handles"), entryPoints: moving })
 // Likewise where a run can be gone through step by step.
 const stepping = ["steps.js", "stepper.css"].map((name) => path.join(here, "src", name))
-await build({ ...common, outdir: path.join(out, "../stepper"), entryPoints: stepping })
+await build({
+  ...common,
+  define: { "import.meta.url": '""' }, // for the part of stepper.js that live.js loads as a module
+  outdir: path.join(out, "../stepper"),
+  entryPoints: stepping,
+})
 for (const name of ["pyodide.asm.wasm", "python_stdlib.zip"]) {
   cpSync(path.join(pyodide, name), path.join(out, name))
 }

@@ -154,9 +154,9 @@ def run(source: str, filename: str, seconds: float, args: str, speed: float, bes
             else:
                 node_args = _split(args, "arguments")
             others = [(load_source(*code), _split(words, "arguments")) for *code, words in loads(beside)]
-            of_ros_2 = load_source(_node(source), filename).hint == 2
-            pacer = _Pacer(page, speed, printed, filename if of_ros_2 and not others else "")
-            return dumps(_run(source, filename, seconds, node_args, others, pacer, printed))
+            node = load_source(_node(source), filename)
+            pacer = _Pacer(page, speed, printed, filename if node.hint == 2 and not others else "")
+            return dumps(_run(node, seconds, node_args, others, pacer, printed))
         except (ValueError, SyntaxError, NotSimulated, TimeStandsStill) as error:
             print(say_error(error), file=sys.stderr)
             if isinstance(error, SyntaxError):
@@ -246,15 +246,13 @@ def _node(text: str) -> str:
 
 
 def _run(
-    source: str,
-    filename: str,
+    node: Node,
     seconds: float,
     args: Sequence[str],
     others: Sequence[tuple[Node, Sequence[str]]],
     pacer: _Pacer,
     printed: _Printed,
 ) -> dict[str, Any]:
-    node = load_source(_node(source), filename)
     rates = [ROSES[1].stand_in.Rate, ROSES[2].stand_in.timer.Rate]
     with patched((rate, "__init__", printed.forget_before) for rate in rates):
         if others:
@@ -284,7 +282,7 @@ def _run(
         "end": min(pacer.simulation.seconds(), seconds),
         "alternative": " ".join(describe_timeline(source, group) for source, group in groups.items()),
         "scenes": pacer.scenes and pacer.scenes.data(result.status),
-        "test": as_test(_node(source), filename, seconds, args, console, result.ticks) if pins else "",
+        "test": as_test(node.source or "", node.filename, seconds, args, console, result.ticks) if pins else "",
     }
 
 

@@ -54,9 +54,8 @@ PAGES = {ros: notebook.read_text(encoding="utf-8") for ros, notebook in NOTEBOOK
 def section(name: str) -> str:
     """The text of an exercise on the page."""
     exercise = EXERCISES[number_of(name) - 1]
-    return re.split(
-        r"^##+ ", PAGES[exercise.ros].partition(f"### {exercise.number}. ")[2], maxsplit=1, flags=re.MULTILINE
-    )[0]
+    rest = PAGES[exercise.ros].partition(f"### {exercise.number}. ")[2]
+    return re.split(r"^##+ ", rest, maxsplit=1, flags=re.MULTILINE)[0]
 
 
 def solution_of(name: str) -> dict[str, list[float]]:

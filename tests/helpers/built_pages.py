@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import gc
 from functools import cache
 from pathlib import Path
 
@@ -11,4 +12,6 @@ from bs4 import BeautifulSoup
 @cache
 def parsed(path: Path) -> BeautifulSoup:
     """A page, by its path."""
-    return BeautifulSoup(path.read_text(encoding="utf-8"), "html.parser")
+    page = BeautifulSoup(path.read_text(encoding="utf-8"), "html.parser")
+    gc.freeze()  # it stays
+    return page

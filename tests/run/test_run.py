@@ -15,6 +15,7 @@ import threading
 import time
 import warnings
 from collections.abc import Callable
+from importlib import import_module
 from linecache import getline
 from pathlib import Path
 from typing import Any
@@ -501,6 +502,27 @@ def test_a_node_may_import_its_own_package(write: Any, tmp_path: Path) -> None:
         write(f"value = {value}", "pkg/helper.py")
         os.utime(path.parent / "helper.py", (value, value))
         assert simulate(path, 1).console == f"{value}\n"
+
+
+@pytest.mark.parametrize("several", [False, True])
+def test_a_node_imports_what_lies_beside_it_though_its_caller_has_a_module_of_that_name(
+    several: bool, write: Any, tmp_path: Path, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    for folder in ("node", "test"):
+        (tmp_path / folder / "shared").mkdir(parents=True)
+        write(f"whose = '{folder}'", f"{folder}/helper_of_somebody.py")
+        write("", f"{folder}/shared/__init__.py")
+        write(f"whose = '{folder}'", f"{folder}/shared/part.py")
+    path = write(
+        "import helper_of_somebody, shared.part\nprint(helper_of_somebody.whose, shared.part.whose)", "node/n.py"
+    )
+    monkeypatch.syspath_prepend(tmp_path / "test")
+    caller = [import_module(name) for name in ("helper_of_somebody", "shared.part")]
+    said = simulate([path, path] if several else path, 1).console
+    assert said.count("node node\n") == 1 + several and "test" not in said.replace(str(tmp_path), "")
+    assert [sys.modules[module.__name__] for module in caller] == caller
+    for module in (*caller, sys.modules["shared"]):
+        monkeypatch.delitem(sys.modules, module.__name__)
 
 
 # --- what only a real ROS, or another clock, has ----------------------------------------------------------------------

@@ -8,29 +8,18 @@ import textwrap
 from pathlib import Path
 
 import pytest
-from author import HOW_TO, copied, entry_of, go_the_way, listed_in, places_in, typed, without_runs
+from author import HOW_TO, copied, entry_of, listed_in, places_in, typed, without_runs
 from tree import ROOT
 
 from rosspin.site.claims import Facts, Stale, report, sentence_near
 from rosspin.site.outputs import stale_copies, stale_picture, write
-
-# Enough for the way of the how-to; all pages go it in tests/real/judge.
-FEW_PAGES = [
-    *("docs/tutorial.rst", "docs/reference/launch-files.rst", "docs/glossary.rst"),
-    *("notebooks/timer.md", "notebooks/rate.md"),
-]
-
 
 EXERCISES = "notebooks/ros2-exercises.md"
 
 
 @pytest.fixture(scope="module")
 def few(tmp_path_factory: pytest.TempPathFactory) -> Path:
-    return copied(tmp_path_factory.mktemp("author"), FEW_PAGES)
-
-
-def test_the_how_to_is_a_way_through(few: Path) -> None:
-    go_the_way(few, runs_timer=False)
+    return copied(tmp_path_factory.mktemp("author"), ["docs/glossary.rst", "notebooks/rate.md"])
 
 
 # What a figure is asked for, and what is said of it.

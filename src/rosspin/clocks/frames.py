@@ -57,7 +57,12 @@ def _outwards(frame: FrameType, skipped: Callable[[FrameType], bool]) -> FrameTy
 
 def is_installed(frame: FrameType) -> bool:
     """Whether a frame belongs to the standard library or to an installed package."""
-    return frame.f_code.co_filename.startswith(_LIBRARY) or "site-packages" in frame.f_code.co_filename
+    return is_installed_file(frame.f_code.co_filename)
+
+
+def is_installed_file(path: str) -> bool:
+    """Whether a file of code does."""
+    return path.startswith(_LIBRARY) or "site-packages" in path
 
 
 def warn(text: str, category: type[Warning] = UserWarning) -> None:

@@ -115,39 +115,45 @@ def grid(period: float, seconds: float, start: float | None = None) -> list[floa
     return [first + n * period for n in range(int((seconds - first) / period + 1e-6) + 1)]
 
 
-def on_time(found: Sequence[Printed], wanted: Sequence[float], what: str = "", hint: str = "") -> Finding:
-    """Whether counters 1, 2, ... came at the wanted times, and no others. ``what`` begins the sentence."""
+def on_time(
+    found: Sequence[Printed], wanted: Sequence[float], what: str = "", hint: str = "", one: str = "counter"
+) -> Finding:
+    """Whether counters 1, 2, ... came at the wanted times, and no others. ``what`` begins the sentence.
+
+    ``one`` is what each of them is.
+    """
     start = f"{what}: " if what else ""
     if not found:
-        return Finding(False, f"{start}no counter was printed.", hint)
+        return Finding(False, f"{start}no {one} was printed.", hint)
     for number, (line, time) in enumerate(zip(found, wanted, strict=False), 1):
         if line.text != str(number):
-            text = f"{start}where counter {number} was due, counter {plain(line.text)} came."
+            text = f"{start}where {one} {number} was due, {one} {plain(line.text)} came."
             return Finding(False, text, hint)
         if abs(line.time - time) > _CLOSE:
-            text = f"{start}counter {number} came at {say(line.time)}, not at {say(time)}."
-            return Finding(False, text, hint, _around(number - 1, found, wanted))
+            text = f"{start}{one} {number} came at {say(line.time)}, not at {say(time)}."
+            return Finding(False, text, hint, _around(number - 1, found, wanted, one))
     if len(found) > len(wanted):
         extra = found[len(wanted)]
-        text = f"{start}counter {plain(extra.text)} came at {say(extra.time)}; it should not have come."
-        return Finding(False, text, hint, _around(len(wanted), found, wanted))
+        text = f"{start}{one} {plain(extra.text)} came at {say(extra.time)}; it should not have come."
+        return Finding(False, text, hint, _around(len(wanted), found, wanted, one))
     if len(found) < len(wanted):
-        text = f"{start}counter {len(found) + 1}, due at {say(wanted[len(found)])}, did not come."
-        return Finding(False, text, hint, _around(len(found), found, wanted))
+        text = f"{start}{one} {len(found) + 1}, due at {say(wanted[len(found)])}, did not come."
+        return Finding(False, text, hint, _around(len(found), found, wanted, one))
     if len(wanted) == 1:
-        return Finding(True, f"{start}counter 1 came at {say(wanted[0])}, and no other.")
-    text = f"{start}counters 1 to {len(wanted)} came from {say(wanted[0])} to {say(wanted[-1])}, each at its time."
+        return Finding(True, f"{start}{one} 1 came at {say(wanted[0])}, and no other.")
+    text = f"{start}{one}s 1 to {len(wanted)} came from {say(wanted[0])} to {say(wanted[-1])}, each at its time."
     return Finding(True, text)
 
 
-def _around(place: int, found: Sequence[Printed], wanted: Sequence[float]) -> tuple[str, ...]:
-    """Show when counters came above when they were due, around the first that differs."""
+def _around(place: int, found: Sequence[Printed], wanted: Sequence[float], one: str) -> tuple[str, ...]:
+    """Show when each ``one`` came above when it was due, around the first that differs."""
     part = slice(max(place - 2, 0), place + 3)
-    return above(
-        counter=[str(number) for number, _ in enumerate(wanted if len(wanted) > len(found) else found, 1)][part],
-        came=[say(line.time) for line in found[part]],
-        due=[say(time) for time in wanted[part]],
-    )
+    rows = {
+        one: [str(number) for number, _ in enumerate(wanted if len(wanted) > len(found) else found, 1)][part],
+        "came": [say(line.time) for line in found[part]],
+        "due": [say(time) for time in wanted[part]],
+    }
+    return above(**rows)
 
 
 Hint = Callable[[Sequence[Printed], Sequence[float]], str]
@@ -598,10 +604,12 @@ def arrives_once(seen: Seen, when: str, goal: str, at: float) -> Finding:
 def hears_all(seen: Seen, when: str, period: float, hint: str) -> Finding:
     """Whether the controller hears each position at once, one of which the sensor publishes each period (s)."""
     sent = [Printed(message.time, message.data) for message in seen.sent if message.topic == "/position"]
-    published = on_time(sent, grid(period, seen.seconds), "The sensor", "The sensor is to stay as it is.")
+    published = on_time(sent, grid(period, seen.seconds), "The sensor", "The sensor is to stay as it is.", "position")
     if not published.right:
         return published
-    return on_time(seen.values("CONTROLLER", "position"), grid(period, seen.seconds), "The controller", hint)
+    return on_time(
+        seen.values("CONTROLLER", "position"), grid(period, seen.seconds), "The controller", hint, "position"
+    )
 
 
 @_check

@@ -2,12 +2,10 @@
 
 from __future__ import annotations
 
-from functools import cached_property
 from typing import TYPE_CHECKING, Any, NamedTuple
 
 from .discovery import ENDPOINT, lose
-from .exceptions import InvalidHandle
-from .handle import Handle
+from .handle import Held
 from .qos import QoSProfile
 
 if TYPE_CHECKING:
@@ -25,7 +23,7 @@ class End(NamedTuple):
     owner: Any
 
 
-class Owner:
+class Owner(Held):
     """Base of publishers, subscriptions, clients and services. ``data_class`` is the class of what it carries."""
 
     def __init__(self, node: Node, data_class: type, full_name: str, qos: QoSProfile) -> None:
@@ -35,7 +33,6 @@ class Owner:
         self.qos_profile = qos
         self.peers: list[Any] = []
         self.made = node.context.state.clock.now()
-        self._destroyed = False
 
     @property
     def world(self) -> World:
@@ -47,15 +44,6 @@ class Owner:
         """The name of its node's logger."""
         self._check()
         return self.node.get_logger().name
-
-    @cached_property
-    def handle(self) -> Handle:
-        """Its handle, which can be held and nothing else."""
-        return Handle(self._check)
-
-    def _check(self) -> None:
-        if self._destroyed:
-            raise InvalidHandle()
 
     @property
     def is_gone(self) -> bool:

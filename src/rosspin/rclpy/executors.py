@@ -6,7 +6,6 @@ import inspect
 import time
 from collections.abc import Callable, Iterator
 from concurrent.futures import ThreadPoolExecutor
-from functools import cached_property
 from itertools import chain
 from typing import TYPE_CHECKING, Any, TypeAlias, TypeVar
 
@@ -15,12 +14,11 @@ from .context import Context, get_default_context
 from .exceptions import (
     ConditionReachedException,
     ExternalShutdownException,
-    InvalidHandle,
     ShutdownException,
     TimeoutException,
     invalid_context,
 )
-from .handle import Handle
+from .handle import Held
 from .state import Gate
 from .task import Future, Task
 from .waits import waiting_for
@@ -64,7 +62,7 @@ def _never() -> bool:
     return False
 
 
-class GuardCondition:
+class GuardCondition(Held):
     """Lets an executor call ``callback()`` once after each ``trigger``. Made by ``Node.create_guard_condition``."""
 
     def __init__(self, callback: Callable[[], Any] | None, callback_group: Any, context: Context | None = None) -> None:
@@ -73,17 +71,7 @@ class GuardCondition:
         self.triggered = False
         self.nudge: Callable[[], None] | None = None
         self._executor_event = False
-        self._destroyed = False
         self._executor_triggered = False  # an executor has seen the trigger, and not called yet
-
-    @cached_property
-    def handle(self) -> Handle:
-        """Its handle, which can be held and nothing else."""
-        return Handle(self._check)
-
-    def _check(self) -> None:
-        if self._destroyed:
-            raise InvalidHandle()
 
     def trigger(self) -> None:
         """Ask for a call. Raises InvalidHandle if it was destroyed."""

@@ -3,11 +3,13 @@
 from __future__ import annotations
 
 from collections.abc import Callable
+from functools import cached_property
 from typing import Any
 
 from ..world.world import NotSimulated
+from .exceptions import InvalidHandle
 
-__all__ = ["Handle"]
+__all__ = ["Handle", "Held"]
 
 
 class Handle:
@@ -27,3 +29,18 @@ class Handle:
 
     def __getattr__(self, name: str) -> Any:
         raise NotSimulated(f"handle.{name}")
+
+
+class Held:
+    """Base of what a node makes and what has a handle."""
+
+    _destroyed = False
+
+    @cached_property
+    def handle(self) -> Handle:
+        """Its handle, which can be held and nothing else."""
+        return Handle(self._check)
+
+    def _check(self) -> None:
+        if self._destroyed:
+            raise InvalidHandle()

@@ -5,15 +5,14 @@ from __future__ import annotations
 import inspect
 import threading
 from collections.abc import Callable, Iterable
-from functools import cached_property
 from typing import Any, NamedTuple
 
 from ..clocks.frames import Place
 from .callback_groups import CallbackGroup
 from .clock import Clock, ROSClock
 from .context import Context, get_default_context
-from .exceptions import InvalidHandle, RCLError, ROSInterruptException, invalid_context, not_accepted
-from .handle import Handle
+from .exceptions import RCLError, ROSInterruptException, invalid_context, not_accepted
+from .handle import Held
 from .time import Time
 from .waits import waiting_for
 
@@ -38,7 +37,7 @@ class TimerInfo(NamedTuple):
     actual_call_time: Time
 
 
-class Timer:
+class Timer(Held):
     """Lets an executor call ``callback()`` every ``timer_period_ns``, for the first time after one period.
 
     The next call is due one period after this one was due. If that has passed when this call begins, the next one takes
@@ -72,7 +71,6 @@ class Timer:
         self._next = self._last + timer_period_ns
         self._credit: int | None = None  # what is left of the period while the source of ROS time changes
         self._cancelled = not autostart
-        self._destroyed = False
         self.expected = self._next  # when the last call was due
         self.nudge: Callable[[], None] | None = None  # tells the waiting executor
         self._executor_event = False
@@ -151,15 +149,6 @@ class Timer:
         self._destroyed = True
         if isinstance(self.clock, ROSClock):
             self.clock.timers.pop(self, None)
-
-    @cached_property
-    def handle(self) -> Handle:
-        """Its handle, which can be held and nothing else."""
-        return Handle(self._check)
-
-    def _check(self) -> None:
-        if self._destroyed:
-            raise InvalidHandle()
 
     def take(self) -> Call | None:
         """Return the call to make now; None if it was destroyed. Raises RCLError if it was cancelled once ready."""

@@ -99,6 +99,10 @@ class Host:
             return World(self.clock, argv, self.recording, self.graph, number)
 
         process = Process(node, args, make_world, self._stand_in, self._hide, environment, folder, stdout, stderr)
+        if namesakes := process.namesakes():
+            self._hide(
+                {name: sys.modules.pop(name) for name in list(sys.modules) if name.partition(".")[0] in namesakes}
+            )
         self.processes.append(process)
         self._of[process.world] = process
         process.world.on_failure = lambda: self.on_failure and self.on_failure()

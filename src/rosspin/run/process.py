@@ -21,7 +21,7 @@ except ImportError:  # a web page has no processes
     _posixsubprocess = None  # type: ignore[assignment]
 
 from ..clocks.ending import Ended, heed
-from ..clocks.frames import format_error, is_installed
+from ..clocks.frames import format_error, is_installed, is_installed_file
 from ..clocks.patches import Patch
 from ..clocks.programs import Died, end_program, end_run
 from ..clocks.simulation import Simulation
@@ -30,7 +30,7 @@ from ..clocks.threads import begin_main, end_main
 from ..world.world import NotSimulated, World, not_simulated
 from .imports import Imports
 from .kept import working_folder
-from .source import Node, around_package
+from .source import Node, around_package, neighbour
 
 __all__ = ["PATCHES", "Process", "Slots", "leave", "starter"]
 
@@ -134,6 +134,19 @@ class Process(Slots):
         root = module.__name__.partition(".")[0]
         file = os.path.abspath(getattr(module, "__file__", None) or "")
         return file.startswith(tuple(f"{folder}{root}{end}" for folder in self._own for end in (".", os.sep)))
+
+    def namesakes(self) -> set[str]:
+        """Names of modules that whoever runs the node has imported, and that lie, as other files, beside the node."""
+        folder = self.node.folder
+        names = {entry.partition(".")[0] for entry in os.listdir(folder)} if folder else set()
+        loaded = {name: module for name in names - {"__main__", "rosspin"} if (module := sys.modules.get(name))}
+        return {
+            name
+            for name, module in loaded.items()
+            if (file := getattr(module, "__file__", None))
+            and not (self.owns(module) or is_installed_file(file))
+            and neighbour(folder or "", name)
+        }
 
     @property
     def messages(self) -> Any:

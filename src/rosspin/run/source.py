@@ -159,7 +159,7 @@ def _in_the_way(node: Node) -> Iterator[str]:
             whose = "Python's"
         else:
             continue
-        file = _neighbour(node.folder, name)  # looked for last: a folder may hold hundreds
+        file = neighbour(node.folder, name)  # looked for last: a folder may hold hundreds
         if not file:
             continue
         shown = os.path.relpath(file) if working_folder() else file
@@ -186,7 +186,7 @@ def _hint(codes: Sequence[CodeType], folder: str | None) -> int:
         roses = {ros.number for name in names if (ros := ros_of(name))}
         if roses or folder is None:
             return roses.pop() if len(roses) == 1 else 0
-        paths = {path for name in names - seen if (path := _neighbour(folder, name))}
+        paths = {path for name in names - seen if (path := neighbour(folder, name))}
         seen |= names
         codes = list(_compiled(sorted(paths)))
     return 0
@@ -211,7 +211,7 @@ def _names(code: CodeType) -> Iterator[str]:
             yield from _names(constant)
 
 
-def _neighbour(folder: str, name: str) -> str | None:
+def neighbour(folder: str, name: str) -> str | None:
     path = os.path.join(folder, *name.split("."))
     return next((file for file in (f"{path}.py", os.path.join(path, "__init__.py")) if os.path.isfile(file)), None)
 

@@ -32,7 +32,8 @@ from ..look import look
 from ..measures import topic_ticks
 from ..plots import overview, picture, with_handle
 from ..plots.pictures import page
-from ..results import machine, rclcpp, roscpp
+from ..results import machine
+from ..results.rules import calculated
 from ..results.ticks import Tick
 from ..run.host import kept, replaced
 from ..run.scenes import Scenes
@@ -144,11 +145,7 @@ class TicksDirective(SphinxDirective):
 
     def _run(self, path: str, args: list[str], value: float | None) -> Sequence[Tick]:
         if path.endswith(".cpp"):
-            if path.endswith("timing_probes/src/timer_probe.cpp"):
-                return roscpp.timer_probe(self.options["seconds"], args)
-            if path.endswith(("ros2/timer_probe.cpp", "ros2/rate_probe.cpp")):
-                return rclcpp.probe(path, self.options["seconds"], args)
-            raise ValueError("C++ cannot be run here: the only rules that are known are those of the timing probes")
+            return calculated(path, self.options["seconds"], args)
         node = load(path)
         if value is not None and "sets" in self.options:
             at = self._assignment(self.options["sets"])

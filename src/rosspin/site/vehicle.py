@@ -10,7 +10,7 @@ from pathlib import Path
 
 from ..measures import by_source
 from ..plots.vehicle import PERIOD, SECONDS, Drive, drive, preview, svg
-from ..results.roscpp import timer_probe
+from ..results.rules import calculated
 from ..results.ticks import Tick
 from ..run.simulate import simulate
 
@@ -26,8 +26,6 @@ NODES = {
     "ROS 1 in Python": ("examples/timing_probes/src/timer_probe.py", _PROBE1),
     "ROS 1 in C++": ("examples/timing_probes/src/timer_probe.cpp", _PROBE1),
 }
-_RULES = {"examples/timing_probes/src/timer_probe.cpp": timer_probe}  # of nodes that cannot be run here
-
 _LENGTHS = [n / 10 for n in range(21)]  # that the call takes, s
 _AT = 1.8  # shown first
 
@@ -40,8 +38,8 @@ _CAPTION = (
 def _drive(name: str, length: float) -> Drive:
     file, words = NODES[name]
     args = words.format(length).split()
-    rule = _RULES.get(file)
-    ticks: Sequence[Tick] = rule(SECONDS, args) if rule else simulate(file, SECONDS, args).ticks
+    is_cpp = file.endswith(".cpp")
+    ticks: Sequence[Tick] = calculated(file, SECONDS, args) if is_cpp else simulate(file, SECONDS, args).ticks
     *_, steering = by_source(ticks).values()
     return drive(tick.real for tick in steering)
 
@@ -92,7 +90,7 @@ def figure(root: Path) -> str:
         f"{html.escape(name)}</label>"
         for number, name in enumerate(NODES)
     )
-    ruled = " and ".join(name for name, (file, _) in NODES.items() if file in _RULES)
+    ruled = " and ".join(name for name, (file, _) in NODES.items() if file.endswith(".cpp"))
     return f"""<figure class="rosspin-plot rosspin-vehicle" data-vehicle='{data}'>
 <fieldset hidden><legend>A node of</legend>{choices}</fieldset>
 <label class="rosspin-handle" hidden>Another callback takes <b aria-hidden="true">{_AT:.1f} s</b>
