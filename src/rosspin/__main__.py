@@ -10,7 +10,7 @@ import sys
 import warnings
 from collections.abc import Callable, Sequence
 from contextlib import nullcontext, suppress
-from typing import TYPE_CHECKING
+from typing import Any
 
 from .clocks.clock import Clock, WallClock
 from .clocks.descendants import adopt_orphans, descendants, kill_descendants
@@ -30,9 +30,6 @@ from .run.roslaunch.launch import read_launch
 from .run.simulate import run_node, run_nodes, several
 from .run.source import is_launch_of_ros2, load, refuse_other_ros, split_words, warn_of_files
 from .world.graph import TickLog
-
-if TYPE_CHECKING:
-    from matplotlib.figure import Figure
 
 __all__ = ["main"]
 
@@ -227,7 +224,7 @@ def _check_plot(path: str) -> None:
         raise ValueError(f"--plot {path}: {advice}")
 
 
-def _save(path: str, draw: Callable[[], Figure]) -> int:
+def _save(path: str, draw: Callable[[], Any]) -> int:
     """Save a figure, or say why not: what was asked for besides counts all the same. Returns an exit status."""
     try:
         pictures.save(draw(), path)
@@ -238,15 +235,15 @@ def _save(path: str, draw: Callable[[], Figure]) -> int:
     return 0
 
 
+def _picture(ticks: Sequence[Tick]) -> Any:
+    if not ticks:
+        raise ValueError("the node did not tick")
+    return picture(ticks)
+
+
 def _plot(ticks: Sequence[Tick], path: str) -> int:
     """Save and describe the plot. Returns an exit status."""
-
-    def draw() -> Figure:
-        if not ticks:
-            raise ValueError("the node did not tick")
-        return picture(ticks)
-
-    if failed := _save(path, draw):
+    if failed := _save(path, lambda: _picture(ticks)):
         return failed
     for source, group in by_source(ticks).items():
         print(f"{path}: {describe_timeline(source, group)} {describe_periods(group)}", file=sys.stderr)

@@ -54,7 +54,7 @@ def test_the_page_has_the_numbers() -> None:
 
 def test_the_page_has_a_section_for_each_verdict() -> None:
     for name, title in TITLES.items():
-        assert f".. _look-{name}:\n\n{title}\n{'=' * len(title)}\n" in PAGE
+        assert f".. _look-{name}:\n\n{title}\n{'-' * len(title)}\n" in PAGE
 
 
 def test_the_pages_that_explain_are_there() -> None:
