@@ -156,6 +156,8 @@ def is_bag(data: bytes) -> bool:
 
 
 def _bag(data: bytes) -> Log:
-    from .bags import read_bag  # which a page does not have
-
+    try:
+        from .bags import read_bag
+    except ImportError:  # in a page
+        raise NoLog("this is a bag, which is read on your computer only: rosspin look FILE") from None
     return read_bag(data)

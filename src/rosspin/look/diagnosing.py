@@ -189,9 +189,9 @@ class _Diagnosis:
         }
         split = [name for name, group in enough.items() if len([series for series in group if series.part]) > 1]
         if len(enough) > 1 and len(split) == len(enough):
-            self.say(
-                "twins", "likely", [*evidence, "So it is with every line of this node: two processes log it."], rows
-            )
+            if not any(verdict.name == "twins" for verdict in self.found):  # once is enough
+                evidence.append("So it is with every line of this node: two processes log it.")
+                self.say("twins", "likely", evidence, [series for group in enough.values() for series in group])
         elif len(enough) > len(split):
             evidence.append("The node's other lines have one count: there is one such node, and it hears two.")
             self.say("publishers", "likely", evidence, rows)
