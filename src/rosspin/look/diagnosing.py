@@ -330,7 +330,7 @@ class _Diagnosis:
             evidence.append(f"It is one pass in {passes}, always: something that the loop itself does then takes long.")
             self.say("overran", "likely", evidence, [series])
         else:
-            evidence.append("Nothing else in the log says whether it was its own work or the whole machine.")
+            evidence.append("Nothing else in the log says what it was: its own work, the whole machine, or a clock set forward.")
             self.say("held-up", "sure", evidence, [series])
 
     def _some_lines(self, node: str, lines: list[Series], windows: list[Window], evidence: list[str]) -> None:
@@ -341,8 +341,8 @@ class _Diagnosis:
             self.say("stalled", "likely", evidence, lines)
         else:
             evidence.append(
-                "No line comes before each of these times: a callback that logs nothing, a garbage collection, or the "
-                "machine."
+                "No line comes before each of these times: it was a callback that logs nothing, a garbage collection, "
+                "the machine, or a clock that was set forward."
             )
             self.say("held-up", "sure", evidence, lines)
 
