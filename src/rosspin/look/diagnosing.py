@@ -330,7 +330,7 @@ class _Diagnosis:
             evidence.append(f"It is one pass in {passes}, always: something that the loop itself does then takes long.")
             self.say("overran", "likely", evidence, [series])
         else:
-            evidence.append("Nothing else in the log says what it was: its own work, the whole machine, or a clock set forward.")
+            evidence.append("Nothing else in the log says if it was its own work, the machine, or a clock set forward.")
             self.say("held-up", "sure", evidence, [series])
 
     def _some_lines(self, node: str, lines: list[Series], windows: list[Window], evidence: list[str]) -> None:
