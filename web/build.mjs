@@ -52,12 +52,12 @@ for (const name of ["pyodide.asm.wasm", "python_stdlib.zip"]) {
   cpSync(path.join(pyodide, name), path.join(out, name))
 }
 
-// The stand-in, without what only Sphinx, Jupyter and matplotlib need, and the one package that it needs: path -> bytes.
+// The stand-in, without what only Sphinx, Jupyter, matplotlib and bags need, and the one package that it needs: path -> bytes.
 const files = {}
 for (const folder of [path.join(here, "../src/rosspin"), yaml]) {
   for (const file of readdirSync(folder, { recursive: true }).sort()) {
     const name = file.split(path.sep).join("/")
-    if (!/\.(py|txt)$/.test(name) || /^(faults|grading|orders|plots|real|site)\//.test(name)) continue
+    if (!/\.(py|txt)$/.test(name) || /^(faults|grading|orders|plots|real|site)\/|^look\/bags/.test(name)) continue
     files[`${path.basename(folder)}/${name}`] = readFileSync(path.join(folder, file))
   }
 }

@@ -3,12 +3,14 @@
 from __future__ import annotations
 
 import argparse
+import json
 import os
 import signal
 import sys
 import warnings
-from collections.abc import Sequence
+from collections.abc import Callable, Sequence
 from contextlib import nullcontext, suppress
+from typing import Any
 
 from .clocks.clock import Clock, WallClock
 from .clocks.descendants import adopt_orphans, descendants, kill_descendants
@@ -18,8 +20,9 @@ from .clocks.guard import guard_threads
 from .clocks.simulation import Simulation
 from .doctor import report
 from .faults import read
+from .look import LIMIT, NoLog, is_bag, look
 from .measures import by_source, describe_faults, describe_periods, describe_timeline
-from .plots import picture, pictures
+from .plots import overview, picture, pictures
 from .real import ros1, ros2
 from .results.ticks import Mishap, Run, Tick
 from .run.explain import say_error
@@ -113,6 +116,18 @@ def _parser() -> argparse.ArgumentParser:
     judge.add_argument("--csv", metavar="FILE", help="save a table for spreadsheets, with a row for each student")
     judge.add_argument("--json", action="store_true", help="print all that is known as JSON, in place of words")
     judge.set_defaults(do=_judge, parser=judge)
+    look = commands.add_parser(
+        "look",
+        help="look at a log of your own robot",
+        description="Say what repeats in a log, at what period and how late, and which fault that looks like. A log is "
+        "a console of ROS 1 or ROS 2, a table of ros2 topic echo --csv or rostopic echo -p, or a bag "
+        "(.bag, .db3, .mcap).",
+        allow_abbrev=False,
+    )
+    look.add_argument("log", metavar="FILE", help="the log; - reads a text from standard input")
+    look.add_argument("--plot", metavar="FILE", help="plot what repeats to this .pdf, .png or .svg")
+    look.add_argument("--json", action="store_true", help="print all that was found as JSON, times in seconds")
+    look.set_defaults(do=_look, parser=look)
     doctor = commands.add_parser("doctor", help="show what can run here", description="Show what can run here.")
     doctor.set_defaults(do=_doctor, parser=doctor)
     return parser
@@ -130,6 +145,25 @@ def _judge(options: argparse.Namespace, args: Sequence[str]) -> int:
     from .grading import judge  # not there on Windows
 
     return judge(options.paths, options.csv, options.json)
+
+
+def _look(options: argparse.Namespace, args: Sequence[str]) -> int:
+    if options.plot is not None:
+        _check_plot(options.plot)
+    with open(options.log, "rb") if options.log != "-" else nullcontext(sys.stdin.buffer) as file:
+        data = file.read(LIMIT)
+        if is_bag(data):
+            data += file.read()
+    name = options.log if options.log != "-" else "standard input"
+    try:
+        found = look(data, name)
+    except NoLog as error:
+        raise ValueError(f"{name}: {error}") from error
+    if options.json:
+        print(json.dumps(found.as_dict(), indent=1))
+    else:
+        print(*found.report(), sep="\n")
+    return _save(options.plot, lambda: overview(found.ticks())) if options.plot is not None else 0
 
 
 def _run(options: argparse.Namespace, args: Sequence[str]) -> int:
@@ -239,16 +273,27 @@ def _check_plot(path: str) -> None:
         raise ValueError(f"--plot {path}: {advice}")
 
 
-def _plot(ticks: Sequence[Tick], faults: Sequence[Mishap], path: str) -> int:
-    """Save and describe the plot, or say why not: the run is over and counts all the same. Returns an exit status."""
+def _save(path: str, draw: Callable[[], Any]) -> int:
+    """Save a figure, or say why not: what was asked for besides counts all the same. Returns an exit status."""
     try:
-        if not ticks:
-            raise ValueError("the node did not tick")
-        pictures.save(picture(ticks, faults=faults), path)
+        pictures.save(draw(), path)
     except (ImportError, OSError, ValueError) as error:
         reason = error.strerror if isinstance(error, OSError) else error
         print(f"rosspin: {path} was not written: {reason}", file=sys.stderr)
         return 1
+    return 0
+
+
+def _picture(ticks: Sequence[Tick], faults: Sequence[Mishap]) -> Any:
+    if not ticks:
+        raise ValueError("the node did not tick")
+    return picture(ticks, faults=faults)
+
+
+def _plot(ticks: Sequence[Tick], faults: Sequence[Mishap], path: str) -> int:
+    """Save and describe the plot. Returns an exit status."""
+    if failed := _save(path, lambda: _picture(ticks, faults)):
+        return failed
     for source, group in by_source(ticks).items():
         print(f"{path}: {describe_timeline(source, group)} {describe_periods(group)}", file=sys.stderr)
     return 0

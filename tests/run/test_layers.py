@@ -25,6 +25,7 @@ LAYERS = [
     "run",
     "orders",
     "measures",
+    "look",
     "plots",
     "real",
     "doctor",
@@ -41,6 +42,7 @@ LAYERS = [
 KEEPERS = {
     "greenlet": {"clocks.stacks"},
     "IPython": {"site.magics"},
+    "rosbags": {"look.bags"},
     "matplotlib": {"plots", "plots.pictures", "plots.vehicle"},
     "js": {"clocks.jspi", "page"},
     "pyodide": {"clocks.jspi", "page"},
@@ -132,9 +134,10 @@ def test_transforms_know_nothing_of_ros() -> None:
 
 
 def test_data_are_below_the_simulator() -> None:
+    data = {"results", "measures", "look", "plots"}
     for module in MODULES:
-        if layer(module) in ("results", "measures", "plots"):
-            assert {layer(name) for name in imports(module) & MODULES.keys()} <= {"results", "measures", "plots"}
+        if layer(module) in data:
+            assert {layer(name) for name in imports(module) & MODULES.keys()} <= data
 
 
 def test_importing_rosspin_needs_greenlet_and_little_else() -> None:

@@ -38,7 +38,7 @@ if TYPE_CHECKING:
     from matplotlib.axes import Axes
     from matplotlib.figure import Figure
 
-__all__ = ["Movable", "compare", "lateness", "period_histogram", "picture", "timeline", "with_handle"]
+__all__ = ["Movable", "compare", "lateness", "overview", "period_histogram", "picture", "timeline", "with_handle"]
 
 # The ticks of a run; and what a plot shows: such ticks, named by their source, or several by the names to give them.
 One = Run | Sequence[Tick]
@@ -67,6 +67,7 @@ _REACH = 13  # how far a line for an expected tick goes up and down from there
 _BAR = 10
 _ABOVE, _MOST_ABOVE = 10, 2  # how far a tick is above one that came at the same time, and for how many ticks
 _AXIS = 42  # with its numbers and its title
+_PLOT = 220  # of the plots below it
 _MARGIN = 0.0135  # half a mark, as a fraction of the width
 
 
@@ -108,6 +109,17 @@ def picture(
     """A :func:`timeline` in a figure that pyplot does not know: no window opens, and nobody has to close it."""
     ax = pictures.new_axes(_height([*_rows(_groups(ticks), None), *_fault_rows(_faults(ticks, faults))]))
     return pictures.figure_of(timeline(ticks, period, kinds, end, faults=faults, caption=caption, ax=ax))
+
+
+def overview(ticks: Ticks, *, caption: str | None = None) -> Figure:
+    """A :func:`timeline`, the :func:`lateness` and a :func:`period_histogram` below each other, unknown to pyplot."""
+    heights = [_height(_rows(_groups(ticks), None)), _PLOT, _PLOT]
+    axes = pictures.new_column(heights)
+    for draw, ax in zip((timeline, lateness, period_histogram), axes, strict=True):
+        draw(ticks, caption=caption, ax=ax)
+        if legend := ax.get_legend():  # the rows of the timeline name the colours, and need less room
+            legend.remove()
+    return pictures.figure_of(axes[0])
 
 
 def compare(

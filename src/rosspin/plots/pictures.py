@@ -22,7 +22,10 @@ if TYPE_CHECKING:
     from matplotlib.axes import Axes
     from matplotlib.figure import Figure
 
-__all__ = ["STANDALONE", "SUFFIXES", "alternative", "drawing", "figure_of", "missing", "new_axes", "page", "save"]
+__all__ = [
+    *("STANDALONE", "SUFFIXES", "alternative", "drawing", "figure_of", "missing", "new_axes", "new_column", "page"),
+    "save",
+]
 
 SUFFIXES = (".pdf", ".png", ".svg")
 
@@ -79,13 +82,19 @@ def drawing(ax: Axes | None, alt: str, caption: str, height: float = 220) -> Ite
 
 def new_axes(height: float) -> Axes:
     """Make Axes in a figure that pyplot does not know, ``height`` px high: nobody closes it, and no window opens."""
+    return new_column([height])[0]
+
+
+def new_column(heights: Sequence[float]) -> list[Axes]:
+    """Make Axes of these heights (px) below each other in such a figure."""
     if advice := missing():
         raise ImportError(advice)
     import matplotlib.style
     from matplotlib.figure import Figure
 
     with matplotlib.style.context("rosspin.plots.rosspin"):
-        return Figure((_WIDTHS["rosspin-wide"] / 72, height / 72)).add_subplot()
+        figure = Figure((_WIDTHS["rosspin-wide"] / 72, sum(heights) / 72))
+        return list(figure.subplots(len(heights), height_ratios=heights, squeeze=False)[:, 0])
 
 
 def figure_of(ax: Axes) -> Figure:

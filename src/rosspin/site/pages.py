@@ -29,8 +29,9 @@ from sphinx.util.typing import ExtensionMetadata
 from .. import rclpy, rospy
 from ..clocks.simulation import Simulation
 from ..faults import read
+from ..look import look
 from ..measures import topic_ticks
-from ..plots import picture, with_handle
+from ..plots import overview, picture, with_handle
 from ..plots.pictures import page
 from ..results import machine
 from ..results.rules import calculated
@@ -296,6 +297,25 @@ class ListingDirective(LiteralInclude):
         return Path(path).read_text(encoding="utf-8").splitlines()
 
 
+class LookDirective(SphinxDirective):
+    """``.. look:: FILE``: what ``rosspin look`` prints of a log, as of a file ``console.txt``, and its plot."""
+
+    required_arguments = 1
+
+    def run(self) -> list[nodes.Node]:
+        """The console, and the plot as inline SVG."""
+        relative, path = self.env.relfn2path(self.arguments[0])
+        self.env.note_dependency(relative)
+        try:
+            found = look(Path(path).read_bytes(), "console.txt")
+            text = "\n".join(["$ rosspin look console.txt --plot look.svg", *found.report()])
+            drawn = page(overview(found.ticks(), caption="recorded on a real ROS"))
+        except Exception as error:
+            note(self.env, self.lineno, self.block_text, one_line(error))
+            return []
+        return [nodes.literal_block(text, text, language="text"), nodes.raw("", drawn, format="html")]
+
+
 class VehicleDirective(SphinxDirective):
     """``.. vehicle::``: the figure of the first page, a vehicle that nodes steer in simulated time."""
 
@@ -523,6 +543,7 @@ def setup(app: Sphinx) -> ExtensionMetadata:
     app.setup_extension("rosspin.site.lessons")
     app.add_directive("facts", FactsDirective)
     app.add_directive("literalinclude", ListingDirective, override=True)
+    app.add_directive("look", LookDirective)
     app.add_directive("vehicle", VehicleDirective)
     app.add_directive("usage", UsageDirective)
     app.add_directive("names", NamesDirective)

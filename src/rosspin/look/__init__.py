@@ -1,0 +1,163 @@
+"""Look at a log that somebody brings: what repeats in it, at what period and how late, and which fault it looks like.
+
+Plain Python, so that the page does it, too, without the text leaving the computer.
+"""
+
+from __future__ import annotations
+
+import math
+from collections.abc import Iterator
+from dataclasses import dataclass
+from typing import Any
+
+from ..measures import quantile, say_time
+from ..results.ticks import Tick
+from .diagnosing import TITLES, Verdict, diagnose
+from .reading import BAGS, LIMIT, Log, NoLog, read
+from .series import FEWEST, Series, group
+
+__all__ = ["LIMIT", "TITLES", "Look", "NoLog", "Series", "Verdict", "is_bag", "look"]
+
+NS = 10**9
+
+
+@dataclass(frozen=True)
+class Look:
+    """What was found in a log.
+
+    ``name`` is that of the file, ``kind`` console, table or bag, ``start`` when it begins (ns since the epoch), and
+    ``seconds`` how long it is. ``notes`` are sentences on what was not read. The ``series`` are the lines, tables or
+    topics that repeat, the most frequent first; the ``verdicts``, at least one, are what they show, what matters most
+    first.
+    """
+
+    name: str
+    kind: str
+    entries: int
+    start: int
+    seconds: float
+    notes: tuple[str, ...]
+    series: tuple[Series, ...]
+    verdicts: tuple[Verdict, ...]
+
+    def as_dict(self) -> dict[str, Any]:
+        """All of it for JSON, times in seconds from the first entry; ``late`` and ``missing`` of a grid alone."""
+        return {
+            "name": self.name,
+            "kind": self.kind,
+            "entries": self.entries,
+            "start": self.start / NS,
+            "seconds": self.seconds,
+            "notes": list(self.notes),
+            "verdicts": [
+                {
+                    "name": verdict.name,
+                    "title": verdict.title,
+                    "certain": verdict.certain,
+                    "evidence": list(verdict.evidence),
+                    "page": verdict.page,
+                    "series": list(verdict.series),
+                }
+                for verdict in self.verdicts
+            ],
+            "series": [self._series(series) for series in self.series],
+        }
+
+    def ticks(self) -> list[Tick]:
+        """The entries of up to 12 regular series as ticks, in seconds from the first entry, for :mod:`rosspin.plots`.
+
+        They are expected on the grid that fits best; how long they took is not known.
+        """
+        return [
+            Tick(_source(series), number, (time - late - self.start) / NS, (time - self.start) / NS, math.nan)
+            for series in [series for series in self.series if series.is_regular][:12]
+            for number, (time, late) in enumerate(zip(series.times, series.late, strict=True), 1)
+        ]
+
+    def report(self) -> Iterator[str]:
+        """What a terminal shows: the series, then the verdicts with their evidence, line by line."""
+        yield f"{self.name}: {self.kind}, {self.entries} entries in {self.seconds:.1f} s"
+        yield from self.notes
+        yield ""
+        rows = [_row(series) for series in self.series if len(series.times) >= FEWEST]
+        if rows:
+            rows.insert(0, ("entries", "rate", "period", "late, 98%", "missing", "line"))
+            widths = [max(len(row[n]) for row in rows) for n in range(5)]
+            for *numbers, name in rows:
+                yield "  ".join([*(text.rjust(width) for text, width in zip(numbers, widths, strict=True)), name])
+            yield ""
+        for verdict in self.verdicts:
+            yield f"{verdict.title} ({verdict.certain})"
+            for sentence in verdict.evidence:
+                yield f"  {sentence}"
+            yield f"  See {verdict.page}"
+
+    def _series(self, series: Series) -> dict[str, Any]:
+        return {
+            "name": series.name,
+            "node": series.node,
+            "process": series.process,
+            "part": series.part,
+            "count": len(series.times),
+            "period": series.period / NS or None,
+            "rate": NS / series.period if series.period else None,
+            "chosen": series.chosen / NS or None,
+            "drift": series.drift,
+            "spread": series.spread / NS,
+            "times": [(time - self.start) / NS for time in series.times],
+            "late": [late / NS for late in series.late],
+            "missing": [(time - self.start) / NS for time in series.missing],
+        }
+
+
+def _source(series: Series) -> str:
+    return f"{series.name} ({series.part})" if series.part else series.name
+
+
+def _row(series: Series) -> tuple[str, ...]:
+    if not series.is_regular:
+        return str(len(series.times)), "", "irregular", "", "", _source(series)
+    late = quantile([abs(late) for late in series.late], 0.98)
+    period = f"{series.period / 1e6:.4g} ms"
+    return (
+        str(len(series.times)),
+        f"{NS / series.period:.4g} Hz",
+        period,
+        say_time(late / NS),
+        str(len(series.missing)),
+        _source(series),
+    )
+
+
+def look(data: bytes, name: str = "") -> Look:
+    """Look at a text or a bag, of which ``data`` are the bytes and ``name`` is the file's name.
+
+    Raises :class:`NoLog`, which is a ValueError, if nothing can be made of it; the message says why in a line.
+    """
+    log = _bag(data) if is_bag(data) else read(data[:LIMIT])
+    series = tuple(group(log.entries, log.kind))
+    times = [entry.time for entry in log.entries]
+    start = min(times)
+    return Look(
+        name,
+        log.kind,
+        len(times),
+        start,
+        (max(times) - start) / NS,
+        tuple(log.notes),
+        series,
+        tuple(diagnose(log, series)),
+    )
+
+
+def is_bag(data: bytes) -> bool:
+    """Whether a file that begins with these bytes is a bag."""
+    return any(data.startswith(magic) for magic in BAGS)
+
+
+def _bag(data: bytes) -> Log:
+    try:
+        from .bags import read_bag
+    except ImportError:  # in a page
+        raise NoLog("this is a bag, which is read on your computer only: rosspin look FILE") from None
+    return read_bag(data)
