@@ -234,16 +234,20 @@ def _looked(found: Look) -> dict[str, Any]:
     from .look.series import FEWEST
 
     made = found.as_dict()
-    left = {"times": _MOST_ENTRIES, "late": _MOST_ENTRIES, "missing": _MOST_ENTRIES}
-    made["series"] = [series for series in made["series"] if series["count"] >= FEWEST][:_MOST_SERIES]
-    for series in made["series"]:
+    left = dict.fromkeys(("times", "late", "missing"), _MOST_ENTRIES)
+    rows = []
+    for series in [series for series in made["series"] if series["count"] >= FEWEST][:_MOST_SERIES]:
+        row = {name: series[name] or 0 for name in ("name", "part", "count", "period", "chosen", "drift")}
+        row |= {name: [round(time, 6) for time in series[name][:most]] for name, most in left.items()}
+        left = {name: most - len(row[name]) for name, most in left.items()}
         sizes = [abs(late) for late in series["late"]]
-        series |= {"usual": quantile(sizes, 0.98) if sizes else 0, "lost": len(series["missing"])}
-        for name in left:
-            series[name] = [round(time, 6) for time in series[name][: left[name]]]
-            left[name] -= len(series[name])
-        series |= {name: series[name] or 0 for name in ("period", "chosen")}
-    return made | {"files": list(as_files(found).items())}
+        rows.append(row | {"usual": quantile(sizes, 0.98) if sizes else 0, "lost": len(series["missing"])})
+    faults = [
+        {name: verdict[name] for name in ("title", "certain", "evidence", "page", "series")}
+        for verdict in made["verdicts"]
+    ]
+    about = {name: made[name] for name in ("kind", "entries", "seconds", "notes")}
+    return {"problem": "", **about, "verdicts": faults, "series": rows, "files": list(as_files(found).items())}
 
 
 def _verdict(feedback: exercises.Feedback) -> str:

@@ -128,8 +128,9 @@ function card({ title, certain, evidence, page }) {
  */
 function pictures(rows, count, seconds) {
   const [first, span] = part(rows, seconds)
+  const most = innerWidth < 600 ? 22 : 60 // characters of a name
   const regular = rows.filter(({ period }) => period)
-  const strips = regular.map((series) => strip(series, rows.indexOf(series), seconds))
+  const strips = regular.map((series) => strip(series, rows.indexOf(series), seconds, most))
   const axis = drawTimeline([], { first: 0, span: seconds || 1, kinds: 1, title: "time (s)" }, "")
   axis.setAttribute("aria-hidden", "true")
   const others = count > rows.length ? ` The table has all ${count} series.` : ""
@@ -144,7 +145,7 @@ function pictures(rows, count, seconds) {
   const value = make("output")
   const paint = () => {
     const from = slider.valueAsNumber
-    const found = rowsIn(rows, from, span)
+    const found = rowsIn(rows, from, span, most)
     const scale = { first: from, span, kinds: 3, title: "time (s); line: expected, mark: came, cross: missing" }
     const reach = `${from.toFixed(2)} s to ${(from + span).toFixed(2)} s`
     stage.replaceChildren(drawTimeline(found, scale, `Timeline from ${reach}. ${describe(found)}`))
@@ -175,8 +176,9 @@ function pictures(rows, count, seconds) {
  * @param {import("./protocol.js").Series} series
  * @param {number} row
  * @param {number} seconds
+ * @param {number} most
  */
-function strip(series, row, seconds) {
+function strip(series, row, seconds, most) {
   const { path, lost, zero, low, high } = dots(series, seconds)
   const colour = COLOURS[row % COLOURS.length]
   const line = { fill: "none", "vector-effect": "non-scaling-stroke" }
@@ -189,7 +191,7 @@ function strip(series, row, seconds) {
     { ...place, viewBox: `0 0 ${WIDTH} ${HEIGHT}`, preserveAspectRatio: "none", overflow: "visible" },
     box,
     draw("path", { ...line, d: `M0 ${zero}h${WIDTH}`, stroke: "currentColor", "stroke-opacity": 0.55 }),
-    draw("path", { ...line, d: path, stroke: colour, "stroke-width": 3, "stroke-linecap": "round" }),
+    draw("path", { ...line, d: path, stroke: colour, "stroke-width": 4, "stroke-linecap": "round" }),
     draw("path", { ...line, d: lost, stroke: "currentColor", "stroke-width": 1.5 }),
   )
   const words = { y: 10, fill: "currentColor" }
@@ -197,7 +199,7 @@ function strip(series, row, seconds) {
   const element = draw(
     "svg",
     { width: "100%", height: 84, role: "img", "aria-label": label, "font-size": 13, fill: "currentColor" },
-    draw("text", { ...words, x: 2, "font-weight": 700 }, nameOf(series)),
+    draw("text", { ...words, x: 2, "font-weight": 700 }, nameOf(series, most)),
     draw("text", { ...words, x: "100%", dx: -2, "text-anchor": "end" }, reach),
     picture,
   )

@@ -21,15 +21,26 @@ export const WIDTH = 600
 export const HEIGHT = 100
 const EDGE = 6
 
+/** So much of a period is seen at least, so that what is healthy looks flat. */
+const LEAST = 0.05
+
 /** A length of time in words: s. */
 export function say(/** @type {number} */ seconds) {
   const size = Math.abs(seconds)
-  const [unit, factor] = size >= 0.0995 || size < 0.5e-9 ? ["s", 1] : size >= 0.0995e-3 ? ["ms", 1e3] : ["µs", 1e6]
-  return `${Number((seconds * factor).toPrecision(3))} ${unit}`
+  if (size < 0.5e-9) return "0 s"
+  const [unit, factor] = size >= 0.0995 ? ["s", 1] : size >= 0.0995e-3 ? ["ms", 1e3] : ["µs", 1e6]
+  return `${seconds < 0 ? "−" : ""}${Number((size * factor).toPrecision(3))} ${unit}`
 }
 
-/** A series by its name; two counts in one line have the same. */
-export const nameOf = (/** @type {Series} */ { name, part }) => (part ? `${name} (${part})` : name)
+/**
+ * A series by its name, of which `most` characters are shown; two counts in one line have the same.
+ *
+ * @param {Series} series
+ */
+export function nameOf({ name, part }, most = Infinity) {
+  const short = name.length > most ? `${name.slice(0, most - 1)}…` : name
+  return part ? `${short} (${part})` : short
+}
 
 export const rateOf = (/** @type {Series} */ { period }) =>
   period ? `${Number((1 / period).toPrecision(4))} Hz` : "irregular"
@@ -82,9 +93,10 @@ export function part(rows, seconds) {
  * @param {Series[]} rows
  * @param {number} from
  * @param {number} span
+ * @param {number} [most] of a name, in characters
  * @returns {Row[]}
  */
-export function rowsIn(rows, from, span) {
+export function rowsIn(rows, from, span, most) {
   const isIn = (/** @type {number} */ time) => time >= from && time <= from + span
   return rows.map((series) => {
     const { times, late, missing } = series
@@ -93,7 +105,7 @@ export function rowsIn(rows, from, span) {
     const expected = [...due.filter(isIn), ...lost].slice(0, MOST_MARKS)
     /** @type {[real: number, duration: number][]} */
     const came = times.filter(isIn).slice(0, MOST_MARKS).map((time) => [time, 0])
-    return [nameOf(series), rateOf(series), expected, lost, came]
+    return [nameOf(series, most), rateOf(series), expected, lost, came]
   })
 }
 
@@ -112,7 +124,7 @@ export const describe = (rows) =>
  * @param {Series} series
  * @param {number} seconds how long the log is
  */
-export function dots({ times, late, missing }, seconds) {
+export function dots({ times, late, missing, period }, seconds) {
   const column = (/** @type {number} */ time) => Math.round((time / (seconds || 1)) * WIDTH)
   /** @type {Map<number, [low: number, high: number]>} */
   const columns = new Map()
@@ -123,7 +135,7 @@ export function dots({ times, late, missing }, seconds) {
   })
   let [low, high] = [0, 0]
   for (const [least, most] of columns.values()) [low, high] = [Math.min(low, least), Math.max(high, most)]
-  const scale = (HEIGHT - 2 * EDGE) / (high - low || 1)
+  const scale = (HEIGHT - 2 * EDGE) / Math.max(high - low, LEAST * period)
   const down = (/** @type {number} */ each) => Number((EDGE + (high - each) * scale).toFixed(1))
   const path = [...columns].flatMap(([at, ends]) => [...new Set(ends.map(down))].map((y) => `M${at} ${y}h0`)).join("")
   const lost = [...new Set(missing.map(column))].map((at) => `M${at} ${HEIGHT - EDGE}v${EDGE}`).join("")
