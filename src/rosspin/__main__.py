@@ -10,7 +10,8 @@ import sys
 import warnings
 from collections.abc import Callable, Sequence
 from contextlib import nullcontext, suppress
-from typing import TYPE_CHECKING
+from pathlib import Path
+from typing import Any
 
 from .clocks.clock import Clock, WallClock
 from .clocks.descendants import adopt_orphans, descendants, kill_descendants
@@ -18,7 +19,8 @@ from .clocks.frames import Whereabouts, node_place
 from .clocks.guard import guard_threads
 from .clocks.simulation import Simulation
 from .doctor import report
-from .look import LIMIT, NoLog, is_bag, look
+from .look import LIMIT, Look, NoLog, is_bag, look
+from .look.pinning import as_files
 from .measures import by_source, describe_periods, describe_timeline
 from .plots import overview, picture, pictures
 from .real import ros1, ros2
@@ -30,9 +32,6 @@ from .run.roslaunch.launch import read_launch
 from .run.simulate import run_node, run_nodes, several
 from .run.source import is_launch_of_ros2, load, refuse_other_ros, split_words, warn_of_files
 from .world.graph import TickLog
-
-if TYPE_CHECKING:
-    from matplotlib.figure import Figure
 
 __all__ = ["main"]
 
@@ -101,6 +100,9 @@ def _parser() -> argparse.ArgumentParser:
     )
     look.add_argument("log", metavar="FILE", help="the log; - reads a text from standard input")
     look.add_argument("--plot", metavar="FILE", help="plot what repeats to this .pdf, .png or .svg")
+    look.add_argument(
+        "--test", metavar="FOLDER", help="write a node with these periods, and a test that it passes, into this folder"
+    )
     look.add_argument("--json", action="store_true", help="print all that was found as JSON, times in seconds")
     look.set_defaults(do=_look, parser=look)
     doctor = commands.add_parser("doctor", help="show what can run here", description="Show what can run here.")
@@ -130,7 +132,22 @@ def _look(options: argparse.Namespace, args: Sequence[str]) -> int:
         print(json.dumps(found.as_dict(), indent=1))
     else:
         print(*found.report(), sep="\n")
+    if options.test is not None:
+        _write_test(found, Path(options.test))
     return _save(options.plot, lambda: overview(found.ticks())) if options.plot is not None else 0
+
+
+def _write_test(found: Look, folder: Path) -> None:
+    """Write the node and the test; neither if one of them is there already."""
+    files = {folder / name: text for name, text in as_files(found).items()}
+    if not files:
+        raise ValueError(f"{found.name}: nothing in it is regular, so there is no test to write")
+    for path in files:
+        if path.exists():
+            raise ValueError(f"{path} is there already")
+    for path, text in files.items():
+        path.write_text(text, encoding="utf-8")
+    print(f"Written: {', '.join(map(str, files))}", file=sys.stderr)
 
 
 def _run(options: argparse.Namespace, args: Sequence[str]) -> int:
@@ -227,7 +244,7 @@ def _check_plot(path: str) -> None:
         raise ValueError(f"--plot {path}: {advice}")
 
 
-def _save(path: str, draw: Callable[[], Figure]) -> int:
+def _save(path: str, draw: Callable[[], Any]) -> int:
     """Save a figure, or say why not: what was asked for besides counts all the same. Returns an exit status."""
     try:
         pictures.save(draw(), path)
@@ -238,15 +255,15 @@ def _save(path: str, draw: Callable[[], Figure]) -> int:
     return 0
 
 
+def _picture(ticks: Sequence[Tick]) -> Any:
+    if not ticks:
+        raise ValueError("the node did not tick")
+    return picture(ticks)
+
+
 def _plot(ticks: Sequence[Tick], path: str) -> int:
     """Save and describe the plot. Returns an exit status."""
-
-    def draw() -> Figure:
-        if not ticks:
-            raise ValueError("the node did not tick")
-        return picture(ticks)
-
-    if failed := _save(path, draw):
+    if failed := _save(path, lambda: _picture(ticks)):
         return failed
     for source, group in by_source(ticks).items():
         print(f"{path}: {describe_timeline(source, group)} {describe_periods(group)}", file=sys.stderr)

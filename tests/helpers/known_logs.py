@@ -260,6 +260,8 @@ SIMULATED = [
         form="launch",
     ),
     Case("s2_twins_two_lines", "twins", (f"base timer,odometry,10{J} timer,battery,3{J}",) * 2, 14, after=(0, 2.57)),
+    Case("s2_lost_tenth", "lost", (f"pilot timer,heard,20{J}",), 20, form="lossy"),
+    Case("s1_lost_tenth", "lost", (f"pilot timer,I_heard,8{B}", f"base timer,odometry,10{J}"), 30, form="lossy"),
     Case("s2_events", "unknown", ("door event,bump,4",), 25),
     Case("s1_events_two", "unknown", ("door event,bump,2", "bell event,ring,1"), 30),
     Case("s2_few_lines", "unknown", ("door timer,open,0.4",), 10),

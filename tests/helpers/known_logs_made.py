@@ -5,6 +5,7 @@ from __future__ import annotations
 import re
 from collections.abc import Sequence
 from datetime import UTC, datetime
+from random import Random
 
 from known_logs import Case
 from tree import TESTS
@@ -62,6 +63,9 @@ def _set(line: tuple[float, str], jumps: Sequence[tuple[float, float]]) -> tuple
 
 def _dress(case: Case, lines: Sequence[tuple[float, str]]) -> str:
     texts = [line for _, line in lines]
+    if case.form == "lossy":  # of what a node hears
+        draw = Random(case.name)
+        texts = [line for line in texts if "heard" not in line or draw.random() > 0.1]
     if case.form == "colours":
         texts = [f"\x1b[32m{line}\x1b[0m" for line in texts]
     if case.form == "pasted":

@@ -125,6 +125,12 @@ def test_without_rosbags_it_says_what_to_install(monkeypatch: pytest.MonkeyPatch
         look((LOGS / "r1_bag_20.bag").read_bytes())
 
 
+def test_in_a_page_it_says_where_bags_are_read(monkeypatch: pytest.MonkeyPatch) -> None:
+    monkeypatch.setitem(sys.modules, "rosspin.look.bags", None)
+    with pytest.raises(NoLog, match="this is a bag, which is read on your computer only"):
+        look((LOGS / "r1_bag_20.bag").read_bytes())
+
+
 def test_a_database_that_is_no_bag(tmp_path: Path) -> None:
     database: Any = sqlite3.connect(tmp_path / "a.db3")
     database.execute("CREATE TABLE other (number)")

@@ -94,6 +94,13 @@ def test_it_is_drawn_where_one_wants_it(plot: Callable[..., Any]) -> None:
     assert figure.get_size_inches() == pytest.approx(pyplot.rcParams["figure.figsize"])
 
 
+def test_an_overview_is_all_three_and_the_rows_name_the_colours() -> None:
+    figure = plots.overview({"one": ticks(), "other": ticks(late=0.01)})
+    assert [ax.get_xlabel().partition(" (")[0] for ax in figure.axes] == ["time", "time expected", "period"]
+    assert not any(ax.get_legend() for ax in figure.axes)
+    assert pyplot.get_fignums() == []
+
+
 def test_panels_that_share_their_time_have_room_for_both() -> None:
     figure, (above, below) = pyplot.subplots(2, sharex=True)
     timeline(ticks(count=9), ax=above)

@@ -66,14 +66,13 @@ class Look:
         }
 
     def ticks(self) -> list[Tick]:
-        """The entries of the series that are regular, as ticks in seconds from the first one, for :mod:`rosspin.plots`.
+        """The entries of up to 12 regular series as ticks, in seconds from the first entry, for :mod:`rosspin.plots`.
 
         They are expected on the grid that fits best; how long they took is not known.
         """
         return [
             Tick(_source(series), number, (time - late - self.start) / NS, (time - self.start) / NS, math.nan)
-            for series in self.series
-            if series.is_regular
+            for series in [series for series in self.series if series.is_regular][:12]
             for number, (time, late) in enumerate(zip(series.times, series.late, strict=True), 1)
         ]
 
@@ -161,6 +160,8 @@ def is_bag(data: bytes) -> bool:
 
 
 def _bag(data: bytes) -> Log:
-    from .bags import read_bag  # which a page does not have
-
+    try:
+        from .bags import read_bag
+    except ImportError:  # in a page
+        raise NoLog("this is a bag, which is read on your computer only: rosspin look FILE") from None
     return read_bag(data)

@@ -21,6 +21,7 @@ TITLES = {
     "publishers": "Another publisher on the topic",
     "doubled": "Two counts in one line: two nodes of one name, or two publishers",
     "queue": "A subscriber behind a full queue",
+    "lost": "Numbers left out together with their time: lost on the way",
     "stalled": "All late at once: the machine stalled, or a garbage collection",
     "blocked": "A slow callback that blocks its neighbours",
     "overran": "A pass that took longer than its period",
@@ -35,7 +36,7 @@ _HOW_1, _HOW_2 = "docs/how-timing-works.html", "docs/ros2/how-timing-works.html"
 _OWN = "docs/how-to/look-at-your-log.html"
 PAGES = {
     **{name: (f"{_OWN}#look-{name}",) * 2 for name in ("clock", "twins", "publishers", "doubled", "stalled")},
-    **{name: (f"{_OWN}#look-{name}",) * 2 for name in ("held-up", "unknown")},
+    **{name: (f"{_OWN}#look-{name}",) * 2 for name in ("lost", "held-up", "unknown")},
     "queue": ("docs/publish.html#publish-queue-size", "docs/ros2/publish.html#ros2-publish-depth"),
     "blocked": (f"{_HOW_1}#spin-calls-callbacks", f"{_HOW_2}#ros2-slow-callback-neighbours"),
     "overran": (f"{_HOW_1}#timer-returns-to-grid", f"{_HOW_2}#ros2-timer-returns-to-grid"),
@@ -92,7 +93,7 @@ class _Diagnosis:
         self.jumps: list[int] = []
 
     def verdicts(self) -> list[Verdict]:
-        for look in (self.clock_back, self.doubled, self.queue, self.gaps, self.sleep):
+        for look in (self.clock_back, self.doubled, self.queue, self.lost, self.gaps, self.sleep):
             look()
         if not self.found:
             self.say_good()
@@ -188,9 +189,9 @@ class _Diagnosis:
         }
         split = [name for name, group in enough.items() if len([series for series in group if series.part]) > 1]
         if len(enough) > 1 and len(split) == len(enough):
-            self.say(
-                "twins", "likely", [*evidence, "So it is with every line of this node: two processes log it."], rows
-            )
+            if not any(verdict.name == "twins" for verdict in self.found):  # once is enough
+                evidence.append("So it is with every line of this node: two processes log it.")
+                self.say("twins", "likely", evidence, [series for group in enough.values() for series in group])
         elif len(enough) > len(split):
             evidence.append("The node's other lines have one count: there is one such node, and it hears two.")
             self.say("publishers", "likely", evidence, rows)
@@ -207,24 +208,31 @@ class _Diagnosis:
     def queue(self) -> None:
         for series in self.regular:
             skips = _skips(series)
-            hears = any(word in series.name.lower() for word in _HEARD)
-            ages = self._ages(series) if skips or hears else []
-            grows = len(ages) >= FEWEST and ages[-1] > ages[0] + 2 * series.period and ages[-1] > 3 * series.period
-            evidence = []
-            if skips:
-                lost, period = sum(skips) - len(skips), say_time(series.period / NS)
-                evidence.append(
-                    f"“{series.name}” leaves out {lost} numbers, but no time: it comes every {period} all along."
-                )
+            if not skips:
+                continue
+            lost, period = sum(skips) - len(skips), say_time(series.period / NS)
+            evidence = [f"“{series.name}” leaves out {lost} numbers, but no time: it comes every {period}, always."]
+            ages = self._ages(series)
+            grows = len(ages) >= FEWEST and ages[-1] > ages[0] + 2 * series.period
             if grows:
                 first, last = say_time(ages[0] / NS), say_time(ages[-1] / NS)
                 evidence.append(
                     "Each number is logged by the one who sends it, and then by this line: "
                     f"{first} later at the beginning, {last} later at the end."
                 )
-            if evidence:
-                self.queues.append(series)
-                self.say("queue", "sure" if skips and (grows or series.is_walk) else "likely", evidence, [series])
+            self.queues.append(series)
+            self.say("queue", "sure" if grows or series.is_walk else "likely", evidence, [series])
+
+    def lost(self) -> None:
+        """Where numbers are missing and just their time: somebody sent them, or logged them, all the same."""
+        for series in self.regular:
+            gone = [_left_out(series, gap) for gap in series.gaps]
+            if sum(map(bool, gone)) >= max(2, 0.5 * len(gone)):
+                evidence = [
+                    f"“{series.name}” leaves out {sum(gone)} of {sum(gone) + len(series.times)} numbers, and each time "
+                    "there is a gap of just their length: the sender went on."
+                ]
+                self.say("lost", "likely", evidence, [series])
 
     def _ages(self, series: Series) -> list[int]:
         """How much later than in another line each number comes in this one (ns), if there is such a line."""
@@ -257,10 +265,10 @@ class _Diagnosis:
             self._in_one(node, windows)
 
     def _is_explained(self, series: Series, gap: Gap) -> bool:
-        """Whether the clock was set then, or the node was started again: its count is smaller."""
+        """Whether the clock was set then, numbers were lost, or the node was started again: its count is smaller."""
         counts = series.counts
         jumped = any(gap.start <= jump <= gap.end for jump in self.jumps)
-        return jumped or (bool(counts) and counts[gap.at] <= counts[gap.at - 1])
+        return jumped or _left_out(series, gap) > 0 or (bool(counts) and counts[gap.at] <= counts[gap.at - 1])
 
     def _all_at_once(self, windows: list[Window]) -> None:
         lines = windows[0].lines
@@ -322,7 +330,7 @@ class _Diagnosis:
             evidence.append(f"It is one pass in {passes}, always: something that the loop itself does then takes long.")
             self.say("overran", "likely", evidence, [series])
         else:
-            evidence.append("Nothing else in the log says whether it was its own work or the whole machine.")
+            evidence.append("Nothing else in the log says if it was its own work, the machine, or a clock set forward.")
             self.say("held-up", "sure", evidence, [series])
 
     def _some_lines(self, node: str, lines: list[Series], windows: list[Window], evidence: list[str]) -> None:
@@ -333,8 +341,8 @@ class _Diagnosis:
             self.say("stalled", "likely", evidence, lines)
         else:
             evidence.append(
-                "No line comes before each of these times: a callback that logs nothing, a garbage collection, or the "
-                "machine."
+                "No line comes before each of these times: it was a callback that logs nothing, a garbage collection, "
+                "the machine, or a clock that was set forward."
             )
             self.say("held-up", "sure", evidence, lines)
 
@@ -378,7 +386,7 @@ class _Diagnosis:
         good = [
             series
             for series in self.regular
-            if series.is_chosen or (series.is_walk is False and not series.is_quantised)
+            if series.is_even and (series.is_chosen or (series.is_walk is False and not series.is_quantised))
         ]
         odd = [series for series in self.rows if not series.is_regular and len(series.times) >= 2 * FEWEST]
         doubts = [f"{_list(_places(odd[:3]))}: at no regular times."] if odd else []
@@ -403,7 +411,10 @@ def _praise(series: Series) -> str:
 
 def _doubt(series: Series) -> str:
     why = "too few or too even to tell what keeps the time"
-    if series.is_quantised:
+    if not series.is_even:
+        late = say_time(quantile([abs(late) for late in series.late], 0.98) / NS)
+        why = f"98% of {len(series.times)} are within no less than {late} of a grid of {NS / series.period:.4g} Hz"
+    elif series.is_quantised:
         why = "its periods have two lengths, as those of a line that is logged only now and then (throttled)"
     return f"“{series.name}”: regular, but {why}."
 
@@ -432,6 +443,14 @@ def _alternates(series: Series) -> bool:
     wide = (quantile(steps, 0.75) - quantile(steps, 0.25)) / middle
     narrow = median(abs(step - centre) for step in pairs) / centre
     return wide > 0.1 and narrow < 0.02
+
+
+def _left_out(series: Series, gap: Gap) -> int:
+    """How many numbers are missing in a gap, if it is as long as they would have taken; else 0."""
+    if not series.counts or series.per_pass > 1:
+        return 0
+    step = series.counts[gap.at] - series.counts[gap.at - 1]
+    return step - 1 if step > 1 and abs((gap.end - gap.start) / series.period - step) < 0.3 + 0.02 * step else 0
 
 
 def _skips(series: Series) -> list[int]:

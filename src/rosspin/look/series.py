@@ -8,6 +8,7 @@ from dataclasses import dataclass, field
 from itertools import pairwise
 from statistics import median
 
+from ..measures import quantile
 from .reading import Entry, shape
 
 __all__ = ["FEWEST", "MS", "NS", "Gap", "Series", "group"]
@@ -104,6 +105,11 @@ class Series:
     def close(self) -> float:
         """To which part the period is known."""
         return max(_CLOSE, 3 * self.spread / (self.period * len(self.times)))
+
+    @property
+    def is_even(self) -> bool:
+        """Whether nearly all entries are near the grid, as those of a timer on an idle machine."""
+        return quantile([abs(late) for late in self.late], 0.98) <= max(0.25 * self.period, 3 * MS)
 
     @property
     def is_quantised(self) -> bool:
@@ -218,8 +224,17 @@ def _rows(numbers: Sequence[int]) -> list[list[int]]:
             rows.append(row := [])
         row.append(position)
         waiting.setdefault(number + 1, []).append(row)
-    long = [row for row in rows if len(row) >= FEWEST - 1]
-    return long if sum(map(len, long)) >= 0.85 * len(numbers) else [list(range(len(numbers)))]
+    beside: list[list[int]] = []
+    for row in rows:
+        if len(row) < FEWEST - 1:
+            continue
+        for other in beside:
+            if other[-1] < row[0]:  # one that begins when another one is over is no second one
+                other += row
+                break
+        else:
+            beside.append(row)
+    return beside if sum(map(len, beside)) >= 0.85 * len(numbers) else [list(range(len(numbers)))]
 
 
 # --- the grid ---------------------------------------------------------------------------------------------------------

@@ -100,6 +100,8 @@ def overview(ticks: Ticks, *, caption: str | None = None) -> Figure:
     axes = pictures.new_column(heights)
     for draw, ax in zip((timeline, lateness, period_histogram), axes, strict=True):
         draw(ticks, caption=caption, ax=ax)
+        if legend := ax.get_legend():  # the rows of the timeline name the colours, and need less room
+            legend.remove()
     return pictures.figure_of(axes[0])
 
 
