@@ -13,7 +13,7 @@ class LogPage:
         self.page = page
         place = page.locator(".rosspin-look")
         self.status = place.locator("> [role=status]")
-        self.problem = place.get_by_role("alert")
+        self.problem = place.locator("> [role=alert]")
         self.results = place.locator(".look-results")
         self.text = page.get_by_label("Or paste it here")
 
