@@ -127,9 +127,9 @@ def test_what_a_log_says_is_text(shown: LogPage) -> None:
     lines = [f"[INFO] [{1.7e9 + n / 10:.9f}] [a]: {evil} {n}" for n in range(40)]
     shown.drop(("a.log", "\n".join(lines)))
     shown.shows("As it should be")
-    expect(shown.results).to_contain_text("<script>document.title = #")
+    expect(shown.results).to_contain_text("a: <script>document.title = 'stolen'</script>")
     shown.press("Make it a test")
-    expect(shown.results).to_contain_text("<script>document.title")
+    expect(shown.results).to_contain_text("self.get_logger().info(f'<script>")
     assert not shown.page.locator(".rosspin-look script, .rosspin-look img[src]").count()
     assert "stolen" not in shown.page.title()
 
@@ -185,7 +185,7 @@ def test_nothing_leaves_the_computer(page: Page, address: str) -> None:
     shown = LogPage(page, address)
     shown.drop(("secret.log", HEALTHY))
     shown.shows("secret.log")
-    assert asked and all(each.startswith((f"GET {address}_static/", f"GET {address}docs/", "GET blob:")) for each in asked)
+    assert all(each.startswith((f"GET {address}", "GET blob:", "GET data:")) and each.endswith(" ") for each in asked)
     assert not [each for each in asked if "secret" in each or "wheel" in each]
 
 
