@@ -18,7 +18,8 @@ const { zipSync } = require("fflate")
 
 const sha256 = (content, form = "hex") => createHash("sha256").update(content).digest(form)
 
-for (const folder of [out, ...["hand-in", "handles", "look", "stepper"].map((name) => path.join(out, "..", name))]) {
+const folders = ["hand-in", "handles", "look", "slides", "stepper"]
+for (const folder of [out, ...folders.map((name) => path.join(out, "..", name))]) {
   rmSync(folder, { recursive: true, force: true })
 }
 mkdirSync(out, { recursive: true })
@@ -43,6 +44,9 @@ await build({
   outdir: path.join(out, "../stepper"),
   entryPoints: stepping,
 })
+// And where a page can be shown as slides.
+const showing = ["slides.js", "slides.css"].map((name) => path.join(here, "src", name))
+await build({ ...common, outdir: path.join(out, "../slides"), entryPoints: showing })
 for (const name of ["pyodide.asm.wasm", "python_stdlib.zip"]) {
   cpSync(path.join(pyodide, name), path.join(out, name))
 }

@@ -54,7 +54,8 @@ class TicksDirective(SphinxDirective):
 
     FILE is relative to the page. Several files, each on a line of the content as ``NAME: FILE ARGS``, share one plot.
     With ``:period: S`` the plot shows the whole grid of that period, and crosses for lost ticks. With ``:topic: /NAME``
-    it shows the messages that the node published on a topic, in place of its ticks.
+    it shows the messages that the node published on a topic, in place of its ticks. ``:callbacks: NAMES`` gives each of
+    these callbacks of one file a row, also one that is never called.
 
     ``:handle: LABEL, FROM to TO by STEP UNIT`` lets the reader move a number; a run is made now for each value. The
     number replaces ``{}`` in ARGS, or what the file assigns to the variable named by ``:sets:``. It begins with
@@ -69,7 +70,7 @@ class TicksDirective(SphinxDirective):
     final_argument_whitespace = True
     option_spec: ClassVar = {
         **dict.fromkeys(("seconds", "period", "at"), lambda text: float(directives.unchanged_required(text))),
-        **dict.fromkeys(("handle", "sets", "lines", "topic"), directives.unchanged_required),
+        **dict.fromkeys(("handle", "sets", "lines", "topic", "callbacks"), directives.unchanged_required),
     }
 
     def run(self) -> list[nodes.Node]:
@@ -128,15 +129,24 @@ class TicksDirective(SphinxDirective):
         return with_handle(found[1], found[5], runs, at, period, sets, caption=self._caption()).html
 
     def _ticks(self, value: float | None, where: str = "") -> dict[str, Sequence[Tick]]:
-        ticks = {}
+        ticks: dict[str, Sequence[Tick]] = {}
         seconds = self._seconds()
         for name, (file, *args) in self._commands().items():
             given = [word.replace("{}", str(value)) for word in args]
             found = self._run(self._file(file), given, value)
-            ticks[name or (found[0].source if found else "")] = found
+            if "callbacks" in self.options:
+                ticks |= {own: [tick for tick in found if tick.source == own] for own in self._callbacks(file)}
+            else:
+                ticks[name or (found[0].source if found else "")] = found
         if not any(ticks.values()):
             raise ValueError(f"there is no tick in {seconds:g} s{where}")
         return ticks
+
+    def _callbacks(self, file: str) -> list[str]:
+        text, names = Path(self._file(file)).read_text(encoding="utf-8"), str(self.options["callbacks"]).split()
+        if lacking := [name for name in names if f"def {name}(" not in text]:
+            raise ValueError(f"{file} defines no {lacking[0]}")
+        return names
 
     def _seconds(self) -> float:
         if "seconds" not in self.options:
