@@ -1,7 +1,7 @@
 """Run a node in a web page: in simulated time that keeps pace with real time, in the page's own Python (Pyodide).
 
-``web/src/worker.js`` calls :func:`run`, :func:`trace`, :func:`judge` and :func:`look`. Nothing here is needed, or can run,
-outside of a browser.
+``web/src/worker.js`` calls :func:`run`, :func:`trace`, :func:`judge` and :func:`look`. Nothing here is needed, or can
+run, outside of a browser.
 """
 
 from __future__ import annotations
@@ -234,7 +234,9 @@ def _looked(found: Look) -> dict[str, Any]:
     left = dict.fromkeys(("times", "late", "missing"), _MOST_ENTRIES)
     rows = []
     for series in [series for series in made["series"] if series["count"] >= FEWEST][:_MOST_SERIES]:
-        row = {name: series[name] or 0 for name in ("name", "part", "count", "period", "chosen", "drift")}
+        row: dict[str, Any] = {
+            name: series[name] or 0 for name in ("name", "part", "count", "period", "chosen", "drift")
+        }
         row |= {name: [round(time, 6) for time in series[name][:most]] for name, most in left.items()}
         left = {name: most - len(row[name]) for name, most in left.items()}
         sizes = [abs(late) for late in series["late"]]

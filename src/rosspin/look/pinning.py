@@ -84,7 +84,7 @@ if __name__ == "__main__":
 """,
 }
 
-_TEST = '''\
+_TEST = """\
 # What a log should show, as a test. Run it with pytest, where rosspin is installed. It runs the node in simulated time.
 from pathlib import Path
 
@@ -109,7 +109,7 @@ def test_the_line_keeps_its_period(line):
     assert series.period / 1e9 == pytest.approx(period, rel=0.005)
     assert max(abs(late) for late in series.late) / 1e9 <= tolerance
     assert not series.missing
-'''
+"""
 
 
 def as_files(found: Look) -> dict[str, str]:
@@ -132,7 +132,9 @@ def as_files(found: Look) -> dict[str, str]:
     node += [_TIMERS[ros].format(n=line.n, period=line.period) for line in logged]
     node += [_CALLBACKS[ros].format(n=line.n, text=line.text) for line in logged]
     node.append(_TAILS[ros].format(name=_quoted(name)))
-    lines = "".join(f"    {_quoted(line.shape)}: ({line.period!r}, {line.tolerance!r}),{line.said}\n" for line in logged)
+    lines = "".join(
+        f"    {_quoted(line.shape)}: ({line.period!r}, {line.tolerance!r}),{line.said}\n" for line in logged
+    )
     seconds = round(_PASSES * max(line.period for line in logged), 6)
     return {NODE: "".join(node), TEST: _TEST.format(node=_quoted(NODE), lines=lines, seconds=seconds)}
 

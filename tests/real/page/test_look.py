@@ -80,13 +80,14 @@ def test_what_is_pasted_is_read_at_once(context: BrowserContext, shown: LogPage)
 def test_what_is_no_log_gets_a_line(shown: LogPage) -> None:
     times = "1 2 3\n" * 50
     binary = [number % 256 for number in range(5000)]
-    for file, said in [
+    files: list[tuple[tuple[str, list[int] | str], str]] = [
         (("a.bin", binary), "a.bin: this is no text: give it a console log"),
         (("a.bag", "#ROSBAG V2.0\n"), "a.bag: this is a bag, which is read on your computer only: rosspin look FILE."),
         (("a.txt", times), "a.txt: no line has a time stamp."),
         (("empty.txt", ""), "empty.txt: the file is empty."),
         (("<img src=x onerror=alert(1)>.txt", "x"), "<img src=x onerror=alert(1)>.txt: no line has a time stamp."),
-    ]:
+    ]
+    for file, said in files:
         shown.drop(file)
         shown.refuses(said)
     shown.text.fill(" ")
