@@ -231,14 +231,15 @@ def _looked(found: Look) -> dict[str, Any]:
     from .look.series import FEWEST
 
     made = found.as_dict()
-    left = dict.fromkeys(("times", "late", "missing"), _MOST_ENTRIES)
+    left = lacking = _MOST_ENTRIES
     rows = []
     for series in [series for series in made["series"] if series["count"] >= FEWEST][:_MOST_SERIES]:
         row: dict[str, Any] = {
             name: series[name] or 0 for name in ("name", "part", "count", "period", "chosen", "drift")
         }
-        row |= {name: [round(time, 6) for time in series[name][:most]] for name, most in left.items()}
-        left = {name: most - len(row[name]) for name, most in left.items()}
+        for name, most in (("times", left), ("late", left), ("missing", lacking)):
+            row[name] = [round(time, 6) for time in series[name][:most]]
+        left, lacking = left - len(row["times"]), lacking - len(row["missing"])
         sizes = [abs(late) for late in series["late"]]
         rows.append(row | {"usual": quantile(sizes, 0.98) if sizes else 0, "lost": len(series["missing"])})
     faults = [

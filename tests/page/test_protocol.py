@@ -43,6 +43,12 @@ JOBS = {
     "a log": look_job((TESTS / "look/recorded/r2_blocks_two.log").read_text(encoding="utf-8")),
     "two counts in one line": look_job((TESTS / "look/recorded/r2_twins.log").read_text(encoding="utf-8")),
     "a log without periods": look_job((TESTS / "look/recorded/r2_events.log").read_text(encoding="utf-8")),
+    "a log of more than is drawn": look_job(
+        "\n".join(
+            f"[INFO] [{1.7e9 + n / 100 + (n % 2 and n**5 % 997 / 1e4):.9f}] [a]: {'hit' if n % 2 else 'odometry'}"
+            for n in range(80_000)
+        )
+    ),
     "no log": look_job("print()"),
     "a bag": look_job("#ROSBAG V2.0"),
     "an answer to nothing": {"kind": "trace", "exercise": "nothing", "text": ""},
