@@ -273,7 +273,7 @@ function testing(files) {
       ["Copy", (copy) => copy(text, `${name} is copied.`)],
       ["Save", () => save(name, "text/x-python", text)],
     ]),
-    make("pre", { textContent: text, tabIndex: 0 }),
+    make("pre", { textContent: text }),
   ])
   const how =
     "This node logs the lines as they should come, and the test checks their periods in simulated time. Save both in one " +
