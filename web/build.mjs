@@ -20,7 +20,8 @@ const { zipSync } = require("fflate")
 
 const sha256 = (content, form = "hex") => createHash("sha256").update(content).digest(form)
 
-for (const folder of [out, ...["hand-in", "handles", "slides", "stepper"].map((name) => path.join(out, "..", name))]) {
+const folders = ["hand-in", "handles", "look", "slides", "stepper"]
+for (const folder of [out, ...folders.map((name) => path.join(out, "..", name))]) {
   rmSync(folder, { recursive: true, force: true })
 }
 mkdirSync(out, { recursive: true })
@@ -130,6 +131,18 @@ await build({
   define: { RUNS: version, EXERCISES: exercises },
   entryPoints: ["hand-in.js", "hand-in.css", "judge.js"].map((name) => path.join(here, "src", name)),
 })
+// Loaded with the page that looks at logs, with some to try.
+const looking = path.join(out, "../look")
+await build({
+  ...common,
+  outdir: looking,
+  define: { RUNS: version },
+  entryPoints: ["look.js", "look.css"].map((name) => path.join(here, "src", name)),
+})
+for (const name of ["r2_timer_10.log", "r2_sleep_10_work_5.log", "r2_blocks_two.log"]) {
+  cpSync(path.join(here, "../tests/look/recorded", name), path.join(looking, "examples", name))
+}
+
 // Loaded with the page, as a classic script: a page opened from a file has no modules, and has to say so.
 await build({
   ...common,

@@ -10,6 +10,7 @@ import sys
 import warnings
 from collections.abc import Callable, Sequence
 from contextlib import nullcontext, suppress
+from pathlib import Path
 from typing import Any
 
 from .clocks.clock import Clock, WallClock
@@ -20,7 +21,8 @@ from .clocks.guard import guard_threads
 from .clocks.simulation import Simulation
 from .doctor import report
 from .faults import read
-from .look import LIMIT, NoLog, is_bag, look
+from .look import LIMIT, Look, NoLog, is_bag, look
+from .look.pinning import as_files
 from .measures import by_source, describe_faults, describe_periods, describe_timeline
 from .plots import overview, picture, pictures
 from .real import ros1, ros2
@@ -126,6 +128,9 @@ def _parser() -> argparse.ArgumentParser:
     )
     look.add_argument("log", metavar="FILE", help="the log; - reads a text from standard input")
     look.add_argument("--plot", metavar="FILE", help="plot what repeats to this .pdf, .png or .svg")
+    look.add_argument(
+        "--test", metavar="FOLDER", help="write a node with these periods, and a test that it passes, into this folder"
+    )
     look.add_argument("--json", action="store_true", help="print all that was found as JSON, times in seconds")
     look.set_defaults(do=_look, parser=look)
     doctor = commands.add_parser("doctor", help="show what can run here", description="Show what can run here.")
@@ -163,7 +168,22 @@ def _look(options: argparse.Namespace, args: Sequence[str]) -> int:
         print(json.dumps(found.as_dict(), indent=1))
     else:
         print(*found.report(), sep="\n")
+    if options.test is not None:
+        _write_test(found, Path(options.test))
     return _save(options.plot, lambda: overview(found.ticks())) if options.plot is not None else 0
+
+
+def _write_test(found: Look, folder: Path) -> None:
+    """Write the node and the test; neither if one of them is there already."""
+    files = {folder / name: text for name, text in as_files(found).items()}
+    if not files:
+        raise ValueError(f"{found.name}: nothing in it is regular, so there is no test to write")
+    for path in files:
+        if path.exists():
+            raise ValueError(f"{path} is there already")
+    for path, text in files.items():
+        path.write_text(text, encoding="utf-8")
+    print(f"Written: {', '.join(map(str, files))}", file=sys.stderr)
 
 
 def _run(options: argparse.Namespace, args: Sequence[str]) -> int:

@@ -1,7 +1,7 @@
 """Run a node in a web page: in simulated time that keeps pace with real time, in the page's own Python (Pyodide).
 
-``web/src/worker.js`` calls :func:`run`, :func:`trace` and :func:`judge`. Nothing here is needed, or can run,
-outside of a browser.
+``web/src/worker.js`` calls :func:`run`, :func:`trace`, :func:`judge` and :func:`look`. Nothing here is needed, or can
+run, outside of a browser.
 """
 
 from __future__ import annotations
@@ -37,7 +37,7 @@ from .clocks.patches import patched
 from .clocks.simulation import PacedSimulation, Simulation
 from .clocks.stacks import whose
 from .exercises.advice import advice
-from .measures import by_source, describe_timeline
+from .measures import by_source, describe_timeline, quantile
 from .results.pinned import as_test
 from .run.alone import ON_A_COMPUTER, refuse_processes
 from .run.explain import TimeStandsStill, say_error
@@ -50,9 +50,10 @@ from .world.graph import TickLog
 from .world.world import NotSimulated, World
 
 if TYPE_CHECKING:
+    from .look import Look
     from .run.scenes import Scenes
 
-__all__ = ["judge", "run", "trace", "wake"]
+__all__ = ["judge", "look", "run", "trace", "wake"]
 
 # The page interrupts code that does not give way, so that a run's watchdog can look at it. Outside of runs, ignore it.
 signal.signal(signal.SIGINT, signal.SIG_IGN)
@@ -82,6 +83,10 @@ _SERIOUS = ("[WARN]", "[ERROR]", "[FATAL]")
 
 # How many chunks of what a tick prints are remembered; the page's console holds no more lines.
 _MOST_CHUNKS = 1000
+
+# Of a log the page shows so many series, and draws so many entries, and as many times at which one is missing.
+_MOST_SERIES = 50
+_MOST_ENTRIES = 60_000
 
 
 # A page has no processes.
@@ -167,6 +172,50 @@ def judge(exercise: str, text: str, trace: str) -> str:
     """
     with _left_as_found():
         return dumps(exercises.verdict(exercise, text, trace)._asdict())
+
+
+def look(log: Any, name: str) -> str:
+    """Look at a log, of which ``log`` is a buffer of JavaScript and ``name`` is the file's name; nothing in it is run.
+
+    The result, as JSON: the ``problem``, in words, if nothing can be made of it. Else what :class:`~rosspin.look.Look`
+    has, times in seconds from the first entry: ``kind``, ``entries``, ``seconds``, ``notes``, ``verdicts`` and
+    ``series``, each with its ``times``, of regular ones how ``late`` they were, and when one is ``missing``; and as
+    ``files``, by name and text, a node and a test with the periods found.
+    """
+    from .look import NoLog  # which only one page needs
+    from .look import look as look_at
+
+    try:
+        return dumps(_looked(look_at(log.to_bytes(), name)), allow_nan=False)
+    except NoLog as error:
+        return dumps({"problem": str(error)})
+    except Exception as error:  # a log may be made of anything
+        said = f"rosspin itself failed at this log, which is a fault of rosspin: {type(error).__name__}: {error}"
+        return dumps({"problem": said})
+
+
+def _looked(found: Look) -> dict[str, Any]:
+    from .look.pinning import as_files
+    from .look.series import FEWEST
+
+    made = found.as_dict()
+    left = lacking = _MOST_ENTRIES
+    rows = []
+    for series in [series for series in made["series"] if series["count"] >= FEWEST][:_MOST_SERIES]:
+        row: dict[str, Any] = {
+            name: series[name] or 0 for name in ("name", "part", "count", "period", "chosen", "drift")
+        }
+        for name, most in (("times", left), ("late", left), ("missing", lacking)):
+            row[name] = [round(time, 6) for time in series[name][:most]]
+        left, lacking = left - len(row["times"]), lacking - len(row["missing"])
+        sizes = [abs(late) for late in series["late"]]
+        rows.append(row | {"usual": quantile(sizes, 0.98) if sizes else 0, "lost": len(series["missing"])})
+    faults = [
+        {name: verdict[name] for name in ("title", "certain", "evidence", "page", "series")}
+        for verdict in made["verdicts"]
+    ]
+    about = {name: made[name] for name in ("kind", "entries", "seconds", "notes")}
+    return {"problem": "", **about, "verdicts": faults, "series": rows, "files": list(as_files(found).items())}
 
 
 @contextmanager

@@ -26,6 +26,8 @@ for job in map(json.loads, sys.stdin):
         print=lambda text, is_error, line: chunks.append([is_error, text, next(numbers), line]),
         tick=lambda *tick: ticks.append([*tick, 0]),
     )
+    if kind == "look":
+        job["log"] = SimpleNamespace(to_bytes=job["log"].encode)
     made = getattr(page, kind)(**job | ({"page": shown} if kind == "run" else {}))
     result = {"trace": made} if kind == "trace" else json.loads(made)
     said.append([{"kind": "batch", "chunks": chunks, "leftOut": 0, "ticks": ticks}, {"kind": "end", "result": result}])
@@ -39,6 +41,11 @@ def run_job(source: str, args: str = "", *beside: tuple[str, str, str]) -> Messa
     """A text that is to be run for two seconds, at once, maybe with others: text, file name, arguments."""
     node = {"source": source, "filename": "node.py", "seconds": 2, "args": args, "speed": 0}
     return {"kind": "run"} | node | {"beside": json.dumps(beside)}
+
+
+def look_job(log: str) -> Message:
+    """A log that is to be looked at."""
+    return {"kind": "look", "log": log, "name": "console.txt"}
 
 
 def said(jobs: list[Message]) -> list[tuple[Message, Message]]:

@@ -9,8 +9,8 @@ from pathlib import Path
 import pytest
 from answers import CELLS, answer_in
 from listings_in_page import node
-from page_python import Message, run_job, said
-from tree import EXAMPLES, ROOT
+from page_python import Message, look_job, run_job, said
+from tree import EXAMPLES, ROOT, TESTS
 
 READ = f"""
 import {{ readFileSync }} from "node:fs"
@@ -40,6 +40,17 @@ JOBS = {
     "two nodes": run_job(PUBLISHER, "", (SUBSCRIBER, "subscriber.py", "__ns:=/")),
     "an error in the other one": run_job(PUBLISHER, "", ("import rospy\n1 / 0", "subscriber.py", "")),
     "no Python in the other one": run_job(PUBLISHER, "", ("print(", "subscriber.py", "")),
+    "a log": look_job((TESTS / "look/recorded/r2_blocks_two.log").read_text(encoding="utf-8")),
+    "two counts in one line": look_job((TESTS / "look/recorded/r2_twins.log").read_text(encoding="utf-8")),
+    "a log without periods": look_job((TESTS / "look/recorded/r2_events.log").read_text(encoding="utf-8")),
+    "a log of more than is drawn": look_job(
+        "\n".join(
+            f"[INFO] [{1.7e9 + n / 100 + (n % 2 and n**5 % 997 / 1e4):.9f}] [a]: {'hit' if n % 2 else 'odometry'}"
+            for n in range(80_000)
+        )
+    ),
+    "no log": look_job("print()"),
+    "a bag": look_job("#ROSBAG V2.0"),
     "an answer to nothing": {"kind": "trace", "exercise": "nothing", "text": ""},
     "a verdict on no trace": {"kind": "judge", "exercise": "first-ticks", "text": "", "trace": "{"},
 }
@@ -71,7 +82,7 @@ def test_all_that_is_said_is_read(subtests: pytest.Subtests) -> None:
         with subtests.test(name):
             assert next(read) == batch
             found = next(read)
-            if job["kind"] == "run":  # what a run that went wrong leaves out is filled in
+            if job["kind"] in ("run", "look"):  # what one that went wrong leaves out is filled in
                 assert found["result"].items() >= end["result"].items()
             else:
                 assert found == end

@@ -15,6 +15,39 @@ async function* read(stream) {
 }
 
 /**
+ * These bytes, packed, as a text for an address.
+ *
+ * @param {Uint8Array<ArrayBuffer>} bytes
+ */
+export async function squeeze(bytes) {
+  let text = ""
+  for await (const part of read(new Blob([bytes]).stream().pipeThrough(new CompressionStream("deflate-raw")))) {
+    for (const byte of part) text += String.fromCharCode(byte)
+  }
+  return btoa(text).replaceAll("+", "-").replaceAll("/", "_").replaceAll("=", "")
+}
+
+/**
+ * The bytes in such a text. RangeError: there are more than `most`. Another error: it is broken.
+ *
+ * @param {string} text
+ * @param {number} most
+ */
+export async function expand(text, most) {
+  if (text.length > 2 * most) throw new RangeError()
+  const packed = atob(text.replaceAll("-", "+").replaceAll("_", "/"))
+  const bytes = Uint8Array.from(packed, (character) => character.charCodeAt(0))
+  const parts = []
+  let size = 0
+  for await (const part of read(new Blob([bytes]).stream().pipeThrough(new DecompressionStream("deflate-raw")))) {
+    parts.push(part)
+    size += part.length
+    if (size > most) throw new RangeError()
+  }
+  return new Blob(parts)
+}
+
+/**
  * The fragment that carries a listing. RangeError: it is too long, which it has `said`.
  *
  * @param {Listing} listing
@@ -22,11 +55,7 @@ async function* read(stream) {
 export async function pack(listing) {
   const bytes = new TextEncoder().encode(JSON.stringify(listing))
   if (bytes.length > MOST) throw Object.assign(new RangeError(), { said: "the listing is too long for a link" })
-  let text = ""
-  for await (const part of read(new Blob([bytes]).stream().pipeThrough(new CompressionStream("deflate-raw")))) {
-    for (const byte of part) text += String.fromCharCode(byte)
-  }
-  return SIGN + btoa(text).replaceAll("+", "-").replaceAll("/", "_").replaceAll("=", "")
+  return SIGN + (await squeeze(bytes))
 }
 
 /**
@@ -37,23 +66,12 @@ export async function pack(listing) {
  */
 export async function unpack(fragment) {
   const unreadable = new Error("The code in this link cannot be read: the link is broken.")
-  const tooLong = new Error("The code in this link is too long for a listing.")
-  if (fragment.length > 2 * MOST) throw tooLong
-  const parts = []
-  let size = 0
   try {
-    const packed = atob(fragment.slice(SIGN.length).replaceAll("-", "+").replaceAll("_", "/"))
-    const bytes = Uint8Array.from(packed, (character) => character.charCodeAt(0))
-    for await (const part of read(new Blob([bytes]).stream().pipeThrough(new DecompressionStream("deflate-raw")))) {
-      parts.push(part)
-      size += part.length
-      if (size > MOST) throw tooLong
-    }
-    const { cell, text, seconds, args } = JSON.parse(await new Blob(parts).text())
+    const { cell, text, seconds, args } = JSON.parse(await (await expand(fragment.slice(SIGN.length), MOST)).text())
     const right = Number.isInteger(cell) && typeof text === "string" && typeof args === "string"
     if (!right || !Number.isFinite(seconds) || seconds < 0 || seconds > 3600) throw unreadable
     return { cell, text, seconds, args }
   } catch (error) {
-    throw error === tooLong ? tooLong : unreadable
+    throw error instanceof RangeError ? new Error("The code in this link is too long for a listing.") : unreadable
   }
 }

@@ -8,7 +8,8 @@
  *   beside: Beside[]}} RunJob
  * @typedef {{kind: "trace", exercise: string, text: string}} TraceJob
  * @typedef {{kind: "judge", exercise: string, text: string, trace: string}} JudgeJob
- * @typedef {RunJob | TraceJob | JudgeJob} Job
+ * @typedef {{kind: "look", log: ArrayBuffer, name: string}} LookJob
+ * @typedef {RunJob | TraceJob | JudgeJob | LookJob} Job
  * @typedef {{kind: "file", name: string, bytes: ArrayBuffer | null}} File what a sandbox needed; null: it cannot be had
  * @typedef {Job | File} ToSandbox
  *
@@ -26,7 +27,14 @@
  * @typedef {"solved" | "not yet" | "open" | "to read" | "not judged"} Verdict
  * @typedef {{verdict: Verdict, solved: boolean, status: string, console: string, said: string,
  *   why: string, hint: string}} JudgeResult
- * @typedef {{run: RunResult, trace: TraceResult, judge: JudgeResult}} Results by the kind of the job
+ * @typedef {{title: string, certain: string, evidence: string[], page: string, series: string[]}} Fault that a log shows;
+ *   page: the address, below that of the site, of what explains it
+ * @typedef {{name: string, part: number, count: number, period: number, chosen: number, drift: number, usual: number,
+ *   lost: number, times: number[], late: number[], missing: number[]}} Series in a log; usual: how late 98% are at most;
+ *   period 0: it is not regular, and late is empty
+ * @typedef {{problem: string, kind: string, entries: number, seconds: number, notes: string[], verdicts: Fault[],
+ *   series: Series[], files: [name: string, text: string][]}} LookResult a problem, or all the rest
+ * @typedef {{run: RunResult, trace: TraceResult, judge: JudgeResult, look: LookResult}} Results by the kind of the job
  *
  * What a sandbox says; its last word on a job is that it has ended or failed:
  * @typedef {{kind: "ready"}} Ready
@@ -58,6 +66,7 @@
  *   run: Python<[source: string, filename: string, seconds: number, args: string, speed: number, beside: string, page: Shown]>,
  *   trace: Python<[exercise: string, text: string]>,
  *   judge: Python<[exercise: string, text: string, trace: string]>,
+ *   look: Python<[log: ArrayBuffer, name: string]>,
  *   wake(supply: (path: string) => Promise<void> | undefined): void,
  * }} PythonPage
  */
@@ -110,6 +119,25 @@ function isScenes({ threads, groups, callbacks, steps, rings }) {
   )
 }
 
+/** A page of this site, and maybe a place on it. */
+const ADDRESS = /^(docs|notebooks)(\/[\w-]+)+\.html(#[\w-]+)?$/
+
+/** @type {(fault: Unknown) => Fault | false} */
+function fault({ title, certain, evidence, page, series }) {
+  const right = [title, certain, page].every(isText) && [evidence, series].every((list) => isList(list, isText))
+  return right && ADDRESS.test(page) && { title, certain, evidence, page, series }
+}
+
+/** @type {(series: Unknown) => Series | false} */
+function series({ name, part, count, period, chosen, drift, usual, lost, times, late, missing }) {
+  const right =
+    isText(name) &&
+    [part, count, period, chosen, drift, usual, lost].every(isNumber) &&
+    [times, late, missing].every((list) => isList(list, isNumber)) &&
+    late.length === (period > 0 ? times.length : 0)
+  return right && { name, part, count, period, chosen, drift, usual, lost, times, late, missing }
+}
+
 /**
  * What is known of the result of a job, by its kind; false if that is not right.
  *
@@ -130,6 +158,17 @@ const RESULTS = {
   judge({ verdict, solved, status, console, said, why = "", hint = "" }) {
     const right = VERDICTS.includes(verdict) && (verdict === "solved") === solved
     return right && [status, console, said, why, hint].every(isText) && { verdict, solved, status, console, said, why, hint }
+  },
+  look({ problem = "", kind = "", entries = 0, seconds = 0, notes = [], verdicts = [], series: rows = [], files = [] }) {
+    const known = { verdicts: verdicts.map(fault), series: rows.map(series) }
+    const right =
+      [problem, kind].every(isText) &&
+      [entries, seconds].every(isNumber) &&
+      isList(notes, isText) &&
+      isList(files, isTuple(isText, isText)) &&
+      Boolean(problem) === (verdicts.length === 0) &&
+      [...known.verdicts, ...known.series].every(Boolean)
+    return right && { problem, kind, entries, seconds, notes, ...known, files }
   },
 }
 

@@ -142,6 +142,21 @@ export function start(job, hear) {
 }
 
 /**
+ * Look at a log, of which the browser has these bytes; `hear(message)` is called with what comes of it. `end()` of what
+ * is returned ends it at once.
+ *
+ * @param {ArrayBuffer} log
+ * @param {string} name
+ * @param {Hear<"look">} hear
+ * @returns {Run}
+ */
+export function look(log, name, hear) {
+  const runner = runs.take()
+  runner.do({ kind: "look", log, name }, hear)
+  return runner
+}
+
+/**
  * Run an answer in one sandbox, and have what came of that judged in another.
  *
  * @param {string} exercise

@@ -1,7 +1,7 @@
 // How a page draws a timeline: as rosspin/plots.py draws the ones that are made with the site, from the same rows. Across in
 // percent of the width and down in pixels.
 
-const COLOURS = ["#0072b2", "#d55e00", "#009e73"]
+export const COLOURS = ["#0072b2", "#d55e00", "#009e73"]
 const TOP = 2
 const ROW = 54
 const TICKS = 34

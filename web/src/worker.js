@@ -270,11 +270,12 @@ async function boot() {
  * @param {Page} page
  * @returns {Promise<import("./protocol.js").Results[keyof import("./protocol.js").Results]>}
  */
-async function act({ run, trace, judge }, job, page) {
+async function act({ run, trace, judge, look }, job, page) {
   if (job.kind === "run") {
     const { source, filename, seconds, args, speed, beside } = job
     return JSON.parse(await run.callPromising(source, filename, seconds, args, speed, JSON.stringify(beside), page))
   }
+  if (job.kind === "look") return JSON.parse(await look.callPromising(job.log, job.name))
   if (job.kind === "trace") return { trace: await trace.callPromising(job.exercise, job.text) }
   return JSON.parse(await judge.callPromising(job.exercise, job.text, job.trace))
 }

@@ -15,6 +15,14 @@ const SCENES = {
   rings: [{ links: [["slow", "waits"]], to: 0 }],
 }
 const VERDICT = { verdict: "solved", solved: true, status: "right", console: "", said: "", why: "", hint: "" }
+const FAULT = { title: "Late", certain: "sure", evidence: ["It is."], page: "docs/a-b.html#c-d", series: ["a: #"] }
+const SERIES = {
+  name: "a: #", part: 0, count: 2, period: 0.1, chosen: 0.1, drift: 0, usual: 0.001, lost: 1,
+  times: [0, 0.2], late: [0, 0.001], missing: [0.1],
+}
+const LOOK = {
+  problem: "", kind: "console", entries: 2, seconds: 0.2, notes: [], verdicts: [FAULT], series: [SERIES], files: [["a.py", ""]],
+}
 const end = (result) => ({ kind: "end", result })
 
 const RIGHT = [
@@ -26,6 +34,8 @@ const RIGHT = [
   ["run", end({ ...RUN, scenes: SCENES })],
   ["trace", end({ trace: "{}" })],
   ["judge", end(VERDICT)],
+  ["look", end(LOOK)],
+  ["look", end({ ...LOOK, series: [{ ...SERIES, period: 0, late: [] }], verdicts: [{ ...FAULT, page: "notebooks/drift.html" }] })],
   ["judge", end({ ...VERDICT, verdict: "to read", solved: false })],
 ]
 for (const [job, message] of RIGHT) {
@@ -45,6 +55,18 @@ test("a reason is short", () => {
 })
 
 const WRONG = [
+  ...[
+    { problem: "both" },
+    { verdicts: [] },
+    { verdicts: null },
+    { notes: [5] },
+    { files: [["a.py"]] },
+    { series: [{ ...SERIES, late: [0] }] },
+    { series: [{ ...SERIES, times: ["0", "1"] }] },
+    ...["https://example.org/a.html", "docs/../../a.html", "javascript:alert(1)", "//docs/a.html", "docs/a.html?b"].map(
+      (page) => ({ verdicts: [{ ...FAULT, page }] }),
+    ),
+  ].map((odd) => ["look", JSON.stringify(end({ ...LOOK, ...odd }))]),
   ["run", "", "no JSON"],
   ["run", "null"],
   ["run", "[]"],

@@ -25,14 +25,15 @@ NS = 10**9
 class Look:
     """What was found in a log.
 
-    ``name`` is that of the file, ``kind`` console, table or bag, ``start`` when it begins (ns since the epoch), and
-    ``seconds`` how long it is. ``notes`` are sentences on what was not read. The ``series`` are the lines, tables or
-    topics that repeat, the most frequent first; the ``verdicts``, at least one, are what they show, what matters most
-    first.
+    ``name`` is that of the file, ``kind`` console, table or bag, ``ros`` 1 or 2, ``start`` when it begins (ns since the
+    epoch), and ``seconds`` how long it is. ``notes`` are sentences on what was not read. The ``series`` are the lines,
+    tables or topics that repeat, the most frequent first; the ``verdicts``, at least one, are what they show, what
+    matters most first.
     """
 
     name: str
     kind: str
+    ros: int
     entries: int
     start: int
     seconds: float
@@ -45,6 +46,7 @@ class Look:
         return {
             "name": self.name,
             "kind": self.kind,
+            "ros": self.ros,
             "entries": self.entries,
             "start": self.start / NS,
             "seconds": self.seconds,
@@ -136,11 +138,13 @@ def look(data: bytes, name: str = "") -> Look:
     """
     log = _bag(data) if is_bag(data) else read(data[:LIMIT])
     series = tuple(group(log.entries, log.kind))
+    log.ros = log.ros or (2 if any(each.node for each in series) else 1)
     times = [entry.time for entry in log.entries]
     start = min(times)
     return Look(
         name,
         log.kind,
+        log.ros,
         len(times),
         start,
         (max(times) - start) / NS,

@@ -85,7 +85,7 @@ class _Diagnosis:
         self.log, self.rows = log, rows
         self.regular = [series for series in rows if series.is_regular]
         self.zero = min((entry.time for entry in log.entries), default=0)
-        self.ros = log.ros or (2 if any(series.node for series in rows) else 1)
+        self.ros = log.ros
         # rospy writes microseconds. Its timers have threads of their own, so none of them waits for another.
         self.is_rospy = self.ros == 1 and all(entry.time % 1000 == 0 for entry in log.entries)
         self.found: list[Verdict] = []

@@ -9,7 +9,7 @@ from itertools import pairwise
 from statistics import median
 
 from ..measures import quantile
-from .reading import Entry
+from .reading import Entry, shape
 
 __all__ = ["FEWEST", "MS", "NS", "Gap", "Series", "group"]
 
@@ -81,6 +81,11 @@ class Series:
     @property
     def is_regular(self) -> bool:
         return self.period > 0
+
+    @property
+    def line(self) -> str:
+        """The line that was logged, with ``#`` for each number."""
+        return shape(self.texts[0])[0]
 
     @property
     def chosen(self) -> float:

@@ -80,7 +80,7 @@ class Host:
         self.clock = clock
         self.recording = Recording(clock, ticks, several, clock.now())
         self.processes: list[Process] = []
-        self.faults = self._faulty(faults) if faults != () else None
+        self.faults = None if faults in ((), []) else self._faulty(faults)
         self.at_graph: list[Callable[[int, Graph], None]] = []  # called when a ROS is used for the first time
         self.waits = ""  # what waited for ever when Ctrl-C came
         self._failed: list[BaseException] | None = None

@@ -42,6 +42,8 @@ _STEPS_STYLE = "stepper/stepper.css"
 _HAND_IN = "hand-in/hand-in.js"
 _JUDGE = "hand-in/judge.js"
 _HAND_IN_STYLE = "hand-in/hand-in.css"
+_LOOK = "look/look.js"
+_LOOK_STYLE = "look/look.css"
 
 # How long (s) a listing runs, unless its first line says otherwise. web/src/cell.js has the same number.
 SECONDS = 10.0
@@ -130,6 +132,9 @@ def _add_files(app: Sphinx, page: str, template: str, context: dict[str, Any], d
     if 'class="rosspin-judge ' in context.get("body", "") and _is_built(app, _JUDGE):
         app.add_js_file(_JUDGE, loading_method="defer")
         app.add_css_file(_HAND_IN_STYLE)
+    if 'class="rosspin-look ' in context.get("body", "") and _is_built(app, _LOOK):
+        app.add_js_file(_LOOK, loading_method="defer")
+        app.add_css_file(_LOOK_STYLE)
     if " data-positions='" in context.get("body", "") and _is_built(app, _HANDLES):
         app.add_js_file(_HANDLES, loading_method="defer")
     if " data-vehicle='" in context.get("body", "") and _is_built(app, _VEHICLE):
