@@ -5,7 +5,6 @@ from __future__ import annotations
 import threading
 import time
 from collections.abc import Callable
-from importlib import import_module
 from typing import Any
 
 import pytest
@@ -13,7 +12,6 @@ from hypothesis import given, settings
 from hypothesis import strategies as st
 
 from rosspin import Run, rclpy, simulate
-from rosspin.world.world import NotSimulated
 
 NS = 10**9
 some = settings(max_examples=60, deadline=None)
@@ -506,20 +504,6 @@ def test_time_that_is_told_jumps() -> None:
 
     simulate(node, 5)
     assert [now for now, _ in ticked] == [100, 101, 107.5, 108, 51]
-
-
-def test_what_only_a_real_clock_has_is_refused_by_name() -> None:
-    def node() -> None:
-        rclpy.init()
-        asks: list[Callable[[], object]]
-        asks = [lambda: import_module("rclpy.clock").JumpThreshold, rclpy.clock.Clock().create_jump_callback]
-        for ask in asks:
-            try:
-                ask()
-            except NotSimulated as error:
-                print(error.name)
-
-    assert simulate(node, 1).console == "rclpy.clock.JumpThreshold\nClock.create_jump_callback\n"
 
 
 def test_fractions_of_a_nanosecond_are_cut_off() -> None:
