@@ -45,7 +45,7 @@ SPHINX = $(BIN)/sphinx-build -M $(1) . build -n
 
 # html, doctest and outputs share their parsed pages, so one runs after the other.
 .NOTPARALLEL:
-.PHONY: html test judge doctest outputs linkcheck serve lab bench ros1 ros2 record definitions pins clean
+.PHONY: html zip test judge doctest outputs linkcheck serve lab bench ros1 ros2 record definitions pins clean
 
 html doctest linkcheck: $(VENV)
 	$(call SPHINX,$@) -W --keep-going $(SPHINXOPTS)
@@ -85,6 +85,10 @@ test: $(VENV:=-for-test) $(NPM)-for-test html
 # and the ledger of it, is written anew; commit that.
 judge: $(VENV:=-for-test) html
 	$(BIN)/pytest tests/real/judge tests/real/test_oracle.py --hypothesis-profile judge --conclusive $(ARGS)
+
+# The site, and a page that says how to open it, for a stick or a learning platform.
+zip: html
+	@$(BIN)/python -m rosspin.site.zipped
 
 serve: html
 	$(BIN)/python -m http.server --bind 127.0.0.1 --directory build/html $(PORT)

@@ -18,7 +18,7 @@ const { zipSync } = require("fflate")
 
 const sha256 = (content, form = "hex") => createHash("sha256").update(content).digest(form)
 
-for (const folder of [out, ...["hand-in", "handles", "stepper"].map((name) => path.join(out, "..", name))]) {
+for (const folder of [out, ...["hand-in", "handles", "slides", "stepper"].map((name) => path.join(out, "..", name))]) {
   rmSync(folder, { recursive: true, force: true })
 }
 mkdirSync(out, { recursive: true })
@@ -43,6 +43,9 @@ await build({
   outdir: path.join(out, "../stepper"),
   entryPoints: stepping,
 })
+// And where a page can be shown as slides.
+const showing = ["slides.js", "slides.css"].map((name) => path.join(here, "src", name))
+await build({ ...common, outdir: path.join(out, "../slides"), entryPoints: showing })
 for (const name of ["pyodide.asm.wasm", "python_stdlib.zip"]) {
   cpSync(path.join(pyodide, name), path.join(out, name))
 }
@@ -52,7 +55,7 @@ const files = {}
 for (const folder of [path.join(here, "../src/rosspin"), yaml]) {
   for (const file of readdirSync(folder, { recursive: true }).sort()) {
     const name = file.split(path.sep).join("/")
-    if (!/\.(py|txt)$/.test(name) || /^(site|plots|real)\//.test(name)) continue
+    if (!/\.(py|txt)$/.test(name) || /^(faults|plots|real|site)\//.test(name)) continue
     files[`${path.basename(folder)}/${name}`] = readFileSync(path.join(folder, file))
   }
 }

@@ -12,7 +12,7 @@ from importlib import import_module
 from typing import TYPE_CHECKING, Any
 
 if TYPE_CHECKING:
-    from .results.ticks import Call, Message, Run, Tick
+    from .results.ticks import Call, Message, Mishap, Run, Tick
     from .run.explain import TimeStandsStill
     from .run.roslaunch.launch import Node
     from .run.simulate import simulate
@@ -26,7 +26,7 @@ _MODULES = {
     "run.explain": ("TimeStandsStill",),
     "run.simulate": ("simulate",),
     "run.steps": ("NodeFailed", "StartedNode", "start"),
-    "results.ticks": ("Call", "Message", "Run", "Tick"),
+    "results.ticks": ("Call", "Message", "Mishap", "Run", "Tick"),
     "run.wall": ("measure",),
     "world.world": ("NotSimulated",),
 }
@@ -34,6 +34,7 @@ _MODULES = {
 __all__ = [
     "Call",
     "Message",
+    "Mishap",
     "Node",
     "NodeFailed",
     "NotSimulated",

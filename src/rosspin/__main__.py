@@ -16,10 +16,11 @@ from .clocks.frames import Whereabouts, node_place
 from .clocks.guard import guard_threads
 from .clocks.simulation import Simulation
 from .doctor import report
-from .measures import by_source, describe_periods, describe_timeline
+from .faults import read
+from .measures import by_source, describe_faults, describe_periods, describe_timeline
 from .plots import picture, pictures
 from .real import ros1, ros2
-from .results.ticks import Run, Tick
+from .results.ticks import Mishap, Run, Tick
 from .run.explain import say_error
 from .run.host import Result, duration
 from .run.process import leave
@@ -58,8 +59,8 @@ def _parser() -> argparse.ArgumentParser:
         "run",
         help="run a node file",
         description="Run a node file on the wall clock until Ctrl-C, in simulated time, or on the real ROS 1 or 2.",
-        usage="%(prog)s FILE... [--seconds S] [--simulated [--skip-cpp] [--start S] | --ros1 | --ros2] [--plot FILE] "
-        "[-- NODE ARGS]",
+        usage="%(prog)s FILE... [--seconds S] [--simulated [--skip-cpp] [--start S] [--fault FAULT]... | --ros1 | "
+        "--ros2] [--plot FILE] [-- NODE ARGS]",
         epilog="Everything after -- is passed to the node: __ns:=/mrp _rate:=10, or on ROS 2 --ros-args -r __ns:=/mrp.",
         allow_abbrev=False,
     )
@@ -80,6 +81,13 @@ def _parser() -> argparse.ArgumentParser:
         type=float,
         metavar="S",
         help="with --simulated: what the node's clocks tell at first, in s (default: 0)",
+    )
+    run.add_argument(
+        "--fault",
+        action="append",
+        default=[],
+        metavar="FAULT",
+        help="with --simulated: what is to go wrong, as in --fault 'Topic(\"/scan\", drop=0.1)'; may be repeated",
     )
     run.add_argument(
         "--plot", metavar="FILE", help="plot the ticks to this .pdf, .png or .svg, and describe them on stderr"
@@ -118,15 +126,21 @@ def _run(options: argparse.Namespace, args: Sequence[str]) -> int:
         raise ValueError("--skip-cpp is for launch files in simulated time")
     if options.start is not None and not options.simulated:
         raise ValueError("--start is for simulated time: --simulated")
+    if options.fault and not options.simulated:
+        raise ValueError("--fault is for simulated time: --simulated")
     if options.plot is not None:
         _check_plot(options.plot)
     guarded = guard_threads(_say_where_it_computed) if options.simulated and options.alone else nullcontext()
     with guarded:
         result = _result(options, args, record=options.plot is not None)
     status = result.status
+    faults = result.host.recording.mishaps() if options.fault and isinstance(result, Result) else ()
+    if faults:
+        sys.stdout.flush()
+        print(f"rosspin: {describe_faults(faults)}", file=sys.stderr)
     if options.plot is not None:
         sys.stdout.flush()
-        failed = _plot(result.ticks, options.plot)
+        failed = _plot(result.ticks, faults, options.plot)
         status = status or failed
     if isinstance(result, Result) and result.host.processes:
         leave(status, result.world)
@@ -142,11 +156,12 @@ def _result(options: argparse.Namespace, args: Sequence[str], record: bool) -> R
         real = ros1.launch if options.ros1 else ros2.launch
         return real(options.file, options.seconds, args, sys.stdout)
     ticks = TickLog() if record else None
+    faults = [read(text) for text in options.fault]
     launched = several(options.files if len(options.files) > 1 else options.file, args, options.skip_cpp)
     clock: Clock = Simulation(duration(options.start or 0.0, "start")) if options.simulated else WallClock()
     if launched:
         assert isinstance(clock, Simulation)
-        return run_nodes(launched, options.seconds, clock, ticks)
+        return run_nodes(launched, options.seconds, clock, ticks, faults=faults)
     if options.alone:
         adopt_orphans()
     before = descendants(os.getpid())  # the children of a shell that this process replaced
@@ -160,7 +175,7 @@ def _result(options: argparse.Namespace, args: Sequence[str], record: bool) -> R
         end_others()
 
     try:
-        return run_node(load(options.file), options.seconds, args, clock, ticks, give_up)
+        return run_node(load(options.file), options.seconds, args, clock, ticks, give_up, faults)
     finally:
         end_others()
 
@@ -190,12 +205,12 @@ def _check_plot(path: str) -> None:
         raise ValueError(f"--plot {path}: {advice}")
 
 
-def _plot(ticks: Sequence[Tick], path: str) -> int:
+def _plot(ticks: Sequence[Tick], faults: Sequence[Mishap], path: str) -> int:
     """Save and describe the plot, or say why not: the run is over and counts all the same. Returns an exit status."""
     try:
         if not ticks:
             raise ValueError("the node did not tick")
-        pictures.save(picture(ticks), path)
+        pictures.save(picture(ticks, faults=faults), path)
     except (ImportError, OSError, ValueError) as error:
         reason = error.strerror if isinstance(error, OSError) else error
         print(f"rosspin: {path} was not written: {reason}", file=sys.stderr)

@@ -8,11 +8,12 @@ from fractions import Fraction
 from itertools import pairwise
 from statistics import median
 
-from .results.ticks import Message, Tick
+from .results.ticks import Message, Mishap, Tick
 
 __all__ = [
     "at_once",
     "by_source",
+    "describe_faults",
     "describe_lateness",
     "describe_pace",
     "describe_periods",
@@ -208,6 +209,26 @@ def describe_lateness(ticks: Sequence[Tick]) -> str:
     most = f" and 99% at most {_say_beside(quantile(late, 0.99), middle)}" if len(late) >= _MANY else ""
     latest = f"{_say_beside(max(late), middle)} late"
     return f"Half of the {len(late)} ticks were at most {say_time(middle)} late{most}; the latest was {latest}."
+
+
+def mishaps_by_name(faults: Sequence[Mishap]) -> dict[str, list[Mishap]]:
+    """Group what faults did by what it was and to which it was done: ``/scan from /lidar to /robot dropped``."""
+    groups: dict[str, list[Mishap]] = {}
+    for fault in faults:
+        groups.setdefault(f"{fault.which} {fault.what}", []).append(fault)
+    return groups
+
+
+def describe_faults(faults: Sequence[Mishap]) -> str:
+    """Describe what faults did in a sentence: to which, how often, by how much, when. Nothing, if they did nothing."""
+    said = []
+    for name, group in mishaps_by_name(faults).items():
+        least, most = (say_time(by) for by in (min(each.by for each in group), max(each.by for each in group)))
+        by = "" if most == "0" == least else f" by {least}" if least == most else f" by {least} to {most}"
+        first, last = group[0].time, group[-1].time
+        when = f" at {first:.3f} s" if len(group) == 1 else f" {len(group)} times from {first:.3f} s to {last:.3f} s"
+        said.append(f"{name}{by}{when}")
+    return f"Faults: {'; '.join(said)}." if said else ""
 
 
 def describe_periods(ticks: Sequence[Tick]) -> str:

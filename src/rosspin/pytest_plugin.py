@@ -10,6 +10,7 @@ from typing import TYPE_CHECKING, Any
 import pytest
 
 if TYPE_CHECKING:
+    from .faults import Fault
     from .run.source import NodeLike
     from .run.steps import StartedNode
 
@@ -30,10 +31,14 @@ def start_node(request: pytest.FixtureRequest) -> Iterator[Callable[..., Started
     with ExitStack() as stack:
 
         def start_node(
-            node: NodeLike, args: Sequence[str] = (), parameters: Mapping[str, Any] | None = None
+            node: NodeLike,
+            args: Sequence[str] = (),
+            parameters: Mapping[str, Any] | None = None,
+            *,
+            faults: Sequence[Fault] = (),
         ) -> StartedNode:
             path = node if callable(node) else os.path.normpath(request.path.parent / os.fspath(node))
-            started.append(stack.enter_context(start(path, args, parameters)))
+            started.append(stack.enter_context(start(path, args, parameters, faults=faults)))
             return started[-1]
 
         yield start_node

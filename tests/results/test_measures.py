@@ -8,9 +8,10 @@ import pytest
 from hypothesis import given, settings
 from hypothesis import strategies as st
 
-from rosspin import Tick
+from rosspin import Mishap, Tick
 from rosspin.measures import (
     at_once,
+    describe_faults,
     describe_lateness,
     describe_pace,
     describe_periods,
@@ -203,3 +204,14 @@ def test_calls_at_once_are_counted() -> None:
     assert [at_once(calls(*each)) for each in ((0.5, 0.5), (0.5005, 0.1), (math.nan, 0.1))] == [1, 1, 1]
     assert [at_once(calls(*each)) for each in ((0.6, 0.1), (1.2, 1.2, 1.2), (2.0, 0.1, 0.1))] == [2, 3, 2]
     assert describe_timeline("A", calls(0.6, 0.6)).endswith(" were on time. Up to 2 calls ran side by side.")
+
+
+def test_what_faults_did_is_said() -> None:
+    assert describe_faults([]) == ""
+    assert describe_faults([Mishap(2.0, "killed", "/camera")]) == "Faults: /camera killed at 2.000 s."
+    dropped = [Mishap(time, "dropped", "/scan from /a to /b") for time in (0.1, 0.4, 2.0)]
+    slowed = [Mishap(time, "slowed", "/b on_scan", 0.05) for time in (1.0, 3.0)]
+    assert describe_faults([dropped[0], *slowed, *dropped[1:]]) == (
+        "Faults: /scan from /a to /b dropped 3 times from 0.100 s to 2.000 s; "
+        "/b on_scan slowed by 50 ms 2 times from 1.000 s to 3.000 s."
+    )

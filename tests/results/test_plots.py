@@ -23,7 +23,7 @@ from matplotlib import pyplot
 from matplotlib.axes import Axes
 from matplotlib.colors import to_hex
 
-from rosspin import Run, Tick, plots, simulate
+from rosspin import Mishap, Run, Tick, plots, simulate
 from rosspin.plots import Movable, picture, pictures, with_handle
 from rosspin.plots.pictures import alternative, figure_of, page, save
 
@@ -564,3 +564,42 @@ def test_what_a_handle_says_is_text(runs: dict[float, list[Tick]]) -> None:
     figure = with_handle("<b>'", "<i>", {0.0: {"<u>'": runs[0.0]}}, at=0.0)
     assert not re.search(r"<i>|<u>|<b>'", figure._repr_html_())
     assert carried(figure)["positions"][0][3][0][0] == "<u>'"
+
+
+# --- what went wrong on purpose ---------------------------------------------------------------------------------------
+
+MISHAPS = (
+    Mishap(0.5, "delayed", "/scan from /a to /b", 0.25),
+    Mishap(1.0, "delayed", "/scan from /a to /b", 0.125),
+    Mishap(1.5, "killed", "/b"),
+    Mishap(1.75, "set", "the clock", -0.5),
+)
+
+
+def test_faults_have_rows_below_the_ticks() -> None:
+    run = Run("", ticks(), 0, "simulated", 2.0, faults=MISHAPS)
+    ax = timeline(run)
+    names = [label.get_text() for label in ax.get_yticklabels()]
+    assert names == ["timerCallback", "/scan from /a to /b delayed", "/b killed", "the clock set"]
+    triangles = [[float(x) for x in line.get_xdata()] for line in ax.lines if line.get_marker() == "v"]
+    assert triangles == [[0.5, 1.0], [1.5], [1.75]]
+    assert {to_hex(line.get_color()) for line in ax.lines if line.get_marker() == "v"} == {"#000000"}
+    assert ax.get_label().endswith(
+        "Faults: /scan from /a to /b delayed by 0.125 s to 0.25 s 2 times from 0.500 s to 1.000 s; "
+        "/b killed at 1.500 s; the clock set by -0.5 s at 1.750 s."
+    )
+
+
+def test_a_picture_has_room_for_them_and_takes_them_with_bare_ticks() -> None:
+    plain, wrong = picture(ticks()), picture(ticks(), faults=MISHAPS)
+    assert wrong.get_figheight() > 2 * plain.get_figheight()
+    assert "killed" in alternative(wrong) and "Faults" not in alternative(plain)
+
+
+def test_runs_with_faults_are_compared_by_their_names() -> None:
+    runs = {
+        "as usual": Run("", ticks(), 0, "simulated", 2.0),
+        "broken": Run("", ticks(), 0, "simulated", 2.0, faults=MISHAPS),
+    }
+    names = [label.get_text() for label in compare(runs).get_yticklabels()]
+    assert names[:3] == ["as usual", "broken", "broken: /scan from /a to /b delayed"]

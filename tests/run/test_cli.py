@@ -369,3 +369,37 @@ def test_a_stray_byte_is_shown_with_file_and_line(
     path = tmp_path / "node.py"
     path.write_bytes(code)
     assert simulated(capsys, str(path)) == (1, f'rosspin: File "{path}", line 2\nSyntaxError: {text}\n')
+
+
+def test_faults(capsys: pytest.CaptureFixture[str], tmp_path: Path) -> None:
+    plot = tmp_path / "ticks.svg"
+    faults = [
+        "--fault",
+        "Crash('/spinner_py_node', at=1.2)",
+        "--fault",
+        'Slow("/spinner_py_node", callback="SpinnerPyNode.timerCallback", by=0.1)',
+    ]
+    options = ["run", TIMER_NODE, "--simulated", "--seconds", "2", "--plot", str(plot)]
+    assert main([*options, *faults]) == 137
+    said = capsys.readouterr().err.splitlines()
+    assert said[0].startswith("rosspin: Faults: /spinner_py_node timerCallback slowed by 0.1 s ") and said[0].endswith(
+        "killed at 1.200 s."
+    )
+    assert "/spinner_py_node killed" in plot.read_text(encoding="utf-8")
+
+
+@pytest.mark.parametrize(
+    ("options", "words"),
+    [
+        (["--seconds", "1"], "--fault is for simulated time: --simulated"),
+        (["--simulated", "--seconds", "1"], "Crash('/node', at=3): the run ends before, at 1 s"),
+        (["--simulated", "--seconds", "3", "--fault", "Crash"], "Crash: a fault is written as in Python, as in Topic"),
+        (
+            ["--simulated", "--seconds", "3", "--fault", "Late('/x', 1)"],
+            "there was no node /x; there were /spinner_py_node",
+        ),
+    ],
+)
+def test_wrong_faults(capsys: pytest.CaptureFixture[str], options: list[str], words: str) -> None:
+    assert main(["run", TIMER_NODE, *options, "--fault", "Crash('/node', at=3)"]) == 1
+    assert words in capsys.readouterr().err

@@ -17,6 +17,7 @@ LAYERS = [
     "clocks",
     "results",
     "world",
+    "faults",
     "messages",
     "tf2",
     "rospy",
@@ -41,8 +42,8 @@ KEEPERS = {
     "matplotlib": {"plots", "plots.pictures", "plots.vehicle"},
     "js": {"clocks.jspi", "page"},
     "pyodide": {"clocks.jspi", "page"},
-    "sphinx": {"site.pages", "site.live", "site.checks", "site.doctests", "site.published"},
-    "docutils": {"site.pages", "site.live", "site.checks", "site.doctests", "site.published"},
+    "sphinx": {f"site.{name}" for name in ("pages", "live", "slides", "times", "checks", "doctests", "published")},
+    "docutils": {f"site.{name}" for name in ("pages", "live", "slides", "times", "checks", "doctests", "published")},
     "pytest": {"pytest_plugin"},
     "yaml": {
         *("run.roslaunch.launch", "run.ros2launch.frontend", "run.ros2launch.parameters"),

@@ -116,3 +116,20 @@ def test_a_started_node_is_what_start_gives() -> None:
     with start(node) as started:
         assert type(started) is StartedNode
         assert started.name == "node"
+
+
+def test_the_fixture_takes_faults(run_tests: Callable[..., Any]) -> None:
+    run = run_tests("""
+from rosspin.faults import Slow, Topic
+
+def test_late(start_node):
+    node = start_node("../src/echo.py", faults=[Topic("/a", delay=0.5)])
+    node.publish("/a", data=5)
+    node.advance(1.0)
+    assert [sent.time for sent in node.messages("/b")] == [0.5]
+
+def test_of_a_name_that_is_wrong(start_node):
+    start_node("../src/echo.py", faults=[Topic("/aa", delay=0.5)])
+""")
+    run.assert_outcomes(passed=2, errors=1)
+    run.stdout.fnmatch_lines(["*ValueError: Topic('/aa', delay=0.5): no node had the topic /aa; there were /b, /a*"])

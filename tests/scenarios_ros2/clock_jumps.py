@@ -1,98 +1,71 @@
-"""Callbacks for jumps of ROS time: what calls them, in which order, and what one that raises keeps from being done."""
+"""Tells who wants to know that ROS time has jumped: forward, back, or to another source."""
 
-from rclpy.clock import Clock, ClockChange, JumpHandle, JumpThreshold, ROSClock, TimeJump
+import rclpy
+from rclpy.clock import Clock, ClockChange, ClockType, JumpThreshold, ROSClock, TimeJump
 from rclpy.duration import Duration
 from rclpy.time import Time
-from scenario import attempt, say
 
+
+def at(ns):
+    clock.set_ros_time_override(Time(nanoseconds=ns, clock_type=ClockType.ROS_TIME))
+
+
+def told():
+    return clock.now().nanoseconds if clock.ros_time_is_active else "system"
+
+
+def watch(name, **threshold):
+    return clock.create_jump_callback(
+        JumpThreshold(**threshold),
+        pre_callback=lambda: print(name, "before", told()),
+        post_callback=lambda jump: print(name, "after", jump.clock_change, jump.delta.nanoseconds, told()),
+    )
+
+
+def attempt(make):
+    try:
+        print(type(make()).__name__)
+    except Exception as error:
+        print(f"{type(error).__name__}: {error}")
+
+
+def fail():
+    raise RuntimeError("in a callback")
+
+
+rclpy.init()
 clock = ROSClock()
+forward = watch("forward", min_forward=Duration(seconds=1), min_backward=None)
+back = watch("back", min_forward=None, min_backward=Duration(seconds=-1), on_clock_change=False)
+at(5)
+clock._set_ros_time_is_active(True)
+clock._set_ros_time_is_active(True)
+for time in (10**9, 2 * 10**9, 10**9 + 1, 1, 0, 3 * 10**9):
+    at(time)
+back.unregister()
+back.unregister()
+at(1)
+clock._set_ros_time_is_active(False)
 
-
-def threshold(forward=None, backward=None, **more):
-    lengths = [None if length is None else Duration(seconds=length) for length in (forward, backward)]
-    return JumpThreshold(min_forward=lengths[0], min_backward=lengths[1], **more)
-
-
-def watch(name, limit):
-    """Print what the clock tells before and after; how long after is that of the system tells nothing."""
-
-    def before():
-        say("   before", name, clock.now().nanoseconds if clock.ros_time_is_active else "the system's")
-
-    def after(jump):
-        change = jump.clock_change
-        told = clock.now().nanoseconds if clock.ros_time_is_active else "the system's"
-        say("   after ", name, change, repr(change), f"{change}", int(change), jump.delta, told)
-        say("         ", change == ClockChange.ROS_TIME_ACTIVATED, ClockChange.ROS_TIME_DEACTIVATED == change)
-
-    return clock.create_jump_callback(limit, pre_callback=before, post_callback=after)
-
-
-def tell(seconds):
-    say("tell", seconds)
-    clock.set_ros_time_override(Time(seconds=seconds, clock_type=clock.clock_type))
-
-
-def switch(on):
-    say("switch", on)
-    clock._set_ros_time_is_active(on)
-
-
-names = {**globals(), "none": lambda: None, "kinds": (JumpHandle, TimeJump)}
-for text in (
-    "JumpThreshold()",
-    "threshold(on_clock_change=False)",
-    "threshold(forward=0)",
-    "threshold(backward=0)",
-    "threshold(backward=1)",
-    "JumpThreshold(min_forward=3, min_backward=None)",
-    "threshold(1).min_forward, threshold(1).min_backward, threshold(1).on_clock_change",
-    "clock.create_jump_callback(threshold())",
-    "clock.create_jump_callback(threshold(), pre_callback=3)",
-    "clock.create_jump_callback(threshold(), post_callback=3)",
-    "clock.create_jump_callback(None, pre_callback=none)",
-    "clock.create_jump_callback(threshold(), none)",
-    "JumpHandle(clock=clock, threshold=threshold(), pre_callback=None, post_callback=3)",
-    "TimeJump(2, Duration())",
-    "TimeJump(ClockChange.ROS_TIME_ACTIVATED, Duration(seconds=1)).delta",
-    "list(ClockChange), str(ClockChange.ROS_TIME_ACTIVATED)",
+EITHER = JumpThreshold(min_forward=None, min_backward=None)
+with clock.create_jump_callback(EITHER, pre_callback=lambda: print("within the block")):
+    clock._set_ros_time_is_active(True)
+clock._set_ros_time_is_active(False)
+print(ClockChange.ROS_TIME_ACTIVATED == 2, TimeJump(ClockChange.ROS_TIME_ACTIVATED, Duration()).delta)
+for make in (
+    lambda: JumpThreshold(min_forward=Duration(), min_backward=None),
+    lambda: JumpThreshold(min_forward=None, min_backward=Duration(seconds=1)),
+    lambda: JumpThreshold(min_forward=None, min_backward=None, on_clock_change=False),
+    lambda: clock.create_jump_callback(EITHER),
+    lambda: clock.create_jump_callback(EITHER, pre_callback=1),
+    lambda: clock.create_jump_callback(EITHER, post_callback=1),
+    lambda: TimeJump(1, Duration()),
+    lambda: Clock(clock_type=ClockType.STEADY_TIME).create_jump_callback(EITHER, pre_callback=print),
 ):
-    attempt(text, names)
+    attempt(make)
 
-changes = watch("change", threshold())
-forward = watch("forward", threshold(1, on_clock_change=False))
-backward = watch("backward", threshold(backward=-1))
-tell(1)
-switch(True)
-switch(True)
-for seconds in (1.5, 2.5, 4, 3.5, 2.5, 2.5, 0.25):
-    tell(seconds)
-switch(False)
-switch(False)
-tell(100)
-changes.unregister()
-changes.unregister()
-switch(True)
-with watch("in a with", threshold(1)) as handle:
-    tell(200)
-    say(type(handle).__name__)
-forward.unregister()
-backward.unregister()
-tell(300)
-
-
-def refuse(*args):
-    raise ValueError(f"refused {len(args)}")
-
-
-for callback in ("pre_callback", "post_callback"):
-    first = watch("first", threshold(1))
-    second = clock.create_jump_callback(threshold(1), **{callback: refuse})
-    third = watch("third", threshold(1))
-    attempt("tell(500)", names)
-    say(clock.now())
-    tell(0)
-    for handle in (first, second, third):
-        handle.unregister()
-for handle in (Clock().create_jump_callback(threshold(), pre_callback=refuse),):
-    say(type(handle).__name__, handle.unregister())
+failing = clock.create_jump_callback(EITHER, pre_callback=fail)
+never = clock.create_jump_callback(EITHER, pre_callback=lambda: print("not called"))
+attempt(lambda: clock._set_ros_time_is_active(True))
+print(clock.ros_time_is_active)
+rclpy.shutdown()

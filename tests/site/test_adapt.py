@@ -36,6 +36,7 @@ _WRONG_FIGURES = {
     f"{_PROBE}.cpp _threads:=2\n:seconds: 2": "the rule of roscpp's timer knows no threads",
     f"{_PROBE}.cpp _period:=0\n:seconds: 2": "with a period of 0, roscpp calls back without a pause",
     f"{_PROBE}.cc\n:seconds: 2": f"there is no {_PROBE}.cc: a path begins where the page is",
+    f"{_NODE}\n:seconds: 2\n:callbacks: timerCallback tick": f"{_NODE} defines no tick",
     _NODE: ":seconds: is missing: how long the node runs",
     "\n:seconds: 2": "no node is named: give a FILE, or rows of the form NAME: FILE ARGS",
     f"\n:seconds: 2\n\nrospy {_NODE}": f"a row is NAME: FILE ARGS, not 'rospy {_NODE}'",

@@ -145,6 +145,13 @@ def test_a_topic_is_drawn_from_its_messages() -> None:
     assert labels == ["Timeline. /counter: 4 ticks from 0.500 s to 2.000 s. All 4 ticks were on time."]
 
 
+def test_a_fault_is_drawn_below_the_ticks() -> None:
+    """By ``ticks`` with ``:faults:``."""
+    (plot,) = _page("docs/how-to/break-things-on-purpose").select("figure > svg.rosspin-wide")
+    assert str(plot["aria-label"]).endswith("Faults: the clock set by -0.1 s at 0.200 s.")
+    assert "the clock set" in plot.get_text()
+
+
 def _loaded(page: BeautifulSoup) -> list[str]:
     """The addresses that a browser loads by itself."""
     tags = page.find_all(True)
@@ -399,9 +406,18 @@ def test_no_number_in_how_timing_works_is_typed(name: str) -> None:
     assert re.findall(r".*\d.*", prose) == []
 
 
-def test_the_page_for_teachers_names_exercises_that_there_are() -> None:
+@pytest.mark.parametrize(
+    ("name", "named_in", "least"), [("for-teachers", "td", 11), ("slides/ros2", "ol", 6), ("slides/ros1", "ol", 6)]
+)
+def test_the_pages_for_teachers_name_exercises_that_there_are(name: str, named_in: str, least: int) -> None:
     pages = [_page(f"notebooks/{name}") for name in ("exercises", "ros2-exercises")]
     titles = {tag.get_text().rstrip("#") for page in pages for tag in page.select("article h2, article h3")}
-    named = [tag.get_text() for tag in _page("docs/for-teachers").select("td em")]
-    assert len(named) >= 11
+    named = [tag.get_text() for tag in _page(f"docs/{name}").select(f"{named_in} em")]
+    assert len(named) >= least
     assert set(named) <= {re.sub(r"^\d+\. ", "", title) for title in titles}
+
+
+def test_every_page_has_a_language_and_one_main_heading(pages: dict[Path, BeautifulSoup]) -> None:
+    for path, page in pages.items():
+        assert page.html and page.html["lang"] == "en", path
+        assert len(page.select("h1")) == 1, path

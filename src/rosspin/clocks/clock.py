@@ -42,10 +42,18 @@ def _number(value: object) -> float:
 
 
 class Clock(Protocol):
-    """What a stand-in needs of a clock. The rest is Python's own: threads, locks and conditions run on either clock."""
+    """What a stand-in needs of a clock. The rest is Python's own: threads, locks and conditions run on either clock.
+
+    The system's clock tells ``ahead`` ns more than ``now()``, if it was set while it was simulated.
+    """
+
+    ahead: int
 
     def now(self) -> int:
         """The time, in ns."""
+
+    def system(self) -> int:
+        """What the system's clock tells, in ns."""
 
     def sleep(self, ns: int) -> None:
         """Suspend the caller for ``ns`` nanoseconds; others run meanwhile. 0 or less only lets others run."""
@@ -54,9 +62,13 @@ class Clock(Protocol):
 class WallClock:
     """Real time."""
 
+    ahead = 0
+
     def now(self) -> int:
         """The time since the epoch, in ns."""
         return time.time_ns()
+
+    system = now
 
     def sleep(self, ns: int) -> None:
         """Suspend the calling thread for ``ns`` nanoseconds."""

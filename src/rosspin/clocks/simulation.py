@@ -70,7 +70,7 @@ def _unlimited() -> Iterator[Callable[[], bool]]:
 class Simulation:
     """A clock on which sleeping takes no time. ``now`` and ``sleep`` are those of :class:`rosspin.clocks.clock.Clock`.
 
-    It begins at ``start`` (ns).
+    It begins at ``start`` (ns). The system's clock is ``ahead`` of it by so many ns, once somebody has set that.
 
     From outside, ``run`` it; or ``begin`` it and ``advance`` it in steps, until it ``is_over`` or you ``close`` it.
     ``now``, ``at``, ``pause``, ``wake`` and ``interrupt`` also work from outside. The rest is for its stacks.
@@ -78,6 +78,7 @@ class Simulation:
 
     def __init__(self, start: int = 0) -> None:
         self._now = start
+        self.ahead = 0
         self._heap: list[tuple[int, int, Stack]] = []
         self._order = 0  # the number of the newest wake-up; of two at one time, the smaller goes first
         self._cancelled: set[int] = set()  # wake-ups in the heap that are not to happen
@@ -103,6 +104,10 @@ class Simulation:
     def seconds(self) -> float:
         """The time, in s."""
         return self._now / NS
+
+    def system(self) -> int:
+        """What the system's clock tells, in ns."""
+        return self._now + self.ahead
 
     def sign_of_life(self) -> int:
         """Return a number that changes when the time moves on.

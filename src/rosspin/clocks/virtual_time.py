@@ -14,7 +14,7 @@ from collections.abc import Callable, Iterator
 from contextlib import contextmanager
 from typing import Any
 
-from .clock import nanoseconds
+from .clock import NS, nanoseconds
 from .loops import LoopSelector
 from .patches import Patch, either, patched
 from .stacks import Stack, current
@@ -43,11 +43,19 @@ def _nanoseconds(stack: Stack) -> int:
     return stack.clock.now()
 
 
+def _system_seconds(stack: Stack) -> float:
+    return stack.clock.system() / NS
+
+
+def _system_nanoseconds(stack: Stack) -> int:
+    return stack.clock.system()
+
+
 def _now_by_default(real: Callable[..., Any]) -> Callable[..., Any]:
     """Wrap a function of ``time`` that takes seconds, by default now: on a stack, now is the simulation's."""
 
     def virtual(stack: Stack, seconds: float | None = None) -> Any:
-        return real(stack.clock.seconds() if seconds is None else seconds)
+        return real(_system_seconds(stack) if seconds is None else seconds)
 
     return either(virtual)(real)
 
@@ -57,7 +65,7 @@ def _local_by_default(real: Callable[..., Any]) -> Callable[..., Any]:
     count = 1 if real is time.strftime else 0
 
     def virtual(stack: Stack, *args: Any) -> Any:
-        return real(*args) if len(args) > count else real(*args, time.localtime(stack.clock.seconds()))
+        return real(*args) if len(args) > count else real(*args, time.localtime(_system_seconds(stack)))
 
     return either(virtual)(real)
 
@@ -76,8 +84,10 @@ PATCHES: list[Patch] = [
     (logging, "_startTime", _LoggingSince),
     (time, "sleep", either(_sleep)),
     (selectors, "DefaultSelector", lambda real: LoopSelector),
-    *((time, name, either(_seconds)) for name in ("time", "monotonic", "perf_counter")),
-    *((time, f"{name}_ns", either(_nanoseconds)) for name in ("time", "monotonic", "perf_counter")),
+    (time, "time", either(_system_seconds)),
+    (time, "time_ns", either(_system_nanoseconds)),
+    *((time, name, either(_seconds)) for name in ("monotonic", "perf_counter")),
+    *((time, f"{name}_ns", either(_nanoseconds)) for name in ("monotonic", "perf_counter")),
     *((time, name, _now_by_default) for name in ("localtime", "gmtime", "ctime")),
     *((time, name, _local_by_default) for name in ("asctime", "strftime")),
 ]

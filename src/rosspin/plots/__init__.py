@@ -21,15 +21,17 @@ from typing import TYPE_CHECKING, Any, NamedTuple
 
 from ..measures import (
     by_source,
+    describe_faults,
     describe_lateness,
     describe_pace,
     describe_periods,
     describe_timeline,
     lost,
+    mishaps_by_name,
     periods,
     verdict,
 )
-from ..results.ticks import Run, Tick
+from ..results.ticks import Mishap, Run, Tick
 from . import pictures
 
 if TYPE_CHECKING:
@@ -44,9 +46,14 @@ Ticks = One | Mapping[str, One]
 
 _KINDS = 3  # of rows, each with a colour and a mark of its own
 # Blue, vermilion and green of Okabe and Ito's colour-blind-safe set: at least 3:1 on white and on near-black alike.
-_COLOURS = ("#0072b2", "#d55e00", "#009e73")
+# What is not about ticks comes last: the faults.
+_COLOURS = ("#0072b2", "#d55e00", "#009e73", "black")
 _MARKS: tuple[dict[str, Any], ...]
-_MARKS = ({"marker": "o", "mew": 0}, {"marker": "s", "mew": 0}, {"marker": "o", "mew": 2, "mfc": "none", "ms": 7})
+_MARKS = (
+    *({"marker": "o", "mew": 0}, {"marker": "s", "mew": 0}, {"marker": "o", "mew": 2, "mfc": "none", "ms": 7}),
+    {"marker": "v", "mew": 0, "ms": 7},
+)
+_FAULT = _KINDS
 
 _MANY = 600  # the most marks in a row: more would run into each other
 _COLUMNS = 120  # of a row in which not all marks are drawn
@@ -69,6 +76,7 @@ def timeline(
     kinds: int = _KINDS,
     end: float = 0.0,
     *,
+    faults: Sequence[Mishap] = (),
     caption: str | None = None,
     ax: Axes | None = None,
 ) -> Axes:
@@ -76,21 +84,30 @@ def timeline(
 
     With ``period`` (s, above 0), there is a line for every period, even where no tick came, and a cross for every lost
     tick. The rows take turns with up to three ``kinds``, each with its own mark and colour. Calls that overlap have a
-    lane each. The axis goes to the last tick, or to the ``end`` of the run (s), which a Run knows.
+    lane each. The axis goes to the last tick, or to the ``end`` of the run (s), which a Run knows. What ``faults`` did,
+    which a Run knows, too, has rows of its own, with triangles; a bar shows by how much something came late.
     """
     groups = _groups(ticks)
     rows = _rows(groups, period)
     runs = ticks.values() if isinstance(ticks, Mapping) else [ticks]
     ends = [end, *(run.seconds for run in runs if isinstance(run, Run))]
-    return _timeline(rows, period, kinds, _describe(groups, period), _caption(caption, ticks), ax, ends)
+    went_wrong = _faults(ticks, faults)
+    alt = " ".join([_describe(groups, period), *map(describe_faults, filter(None, went_wrong.values()))])
+    return _timeline(rows, period, kinds, alt, _caption(caption, ticks), ax, ends, _fault_rows(went_wrong))
 
 
 def picture(
-    ticks: Ticks, period: float | None = None, kinds: int = _KINDS, end: float = 0.0, *, caption: str | None = None
+    ticks: Ticks,
+    period: float | None = None,
+    kinds: int = _KINDS,
+    end: float = 0.0,
+    *,
+    faults: Sequence[Mishap] = (),
+    caption: str | None = None,
 ) -> Figure:
     """A :func:`timeline` in a figure that pyplot does not know: no window opens, and nobody has to close it."""
-    ax = pictures.new_axes(_height(_rows(_groups(ticks), None)))
-    return pictures.figure_of(timeline(ticks, period, kinds, end, caption=caption, ax=ax))
+    ax = pictures.new_axes(_height([*_rows(_groups(ticks), None), *_fault_rows(_faults(ticks, faults))]))
+    return pictures.figure_of(timeline(ticks, period, kinds, end, faults=faults, caption=caption, ax=ax))
 
 
 def compare(
@@ -281,6 +298,22 @@ def _row(name: str, group: Sequence[Tick], period: float | None) -> _Row:
     return _Row(name, "", times, [round(time, 6) for time in gone], ticks)
 
 
+def _faults(ticks: Ticks, faults: Sequence[Mishap]) -> dict[str, Sequence[Mishap]]:
+    """Return what faults did, by the names of the runs that know it; those that are given have none."""
+    named = ticks if isinstance(ticks, Mapping) else {"": ticks}
+    return {"": faults} | {name: run.faults for name, run in named.items() if isinstance(run, Run) and run.faults}
+
+
+def _fault_rows(faults: Mapping[str, Sequence[Mishap]]) -> list[_Row]:
+    rows = []
+    for run, mishaps in faults.items():
+        for name, group in mishaps_by_name(mishaps).items():
+            marks = [(round(each.time, 6), round(max(each.by, 0.0), 6)) for each in group if math.isfinite(each.time)]
+            marks = [(time, 0.0 if group[0].what == "set" else by) for time, by in marks]
+            rows.append(_Row(f"{run}: {name}" if run else name, "", [], [], marks))
+    return rows
+
+
 def _times(rows: Iterable[_Row]) -> Iterator[float]:
     for row in rows:
         yield from (*row.expected, *(real + duration for real, duration in row.ticks))
@@ -298,10 +331,16 @@ def _timeline(
     caption: str,
     ax: Axes | None,
     times: Iterable[float],
+    faults: Sequence[_Row] = (),
 ) -> Axes:
-    """Draw the rows. The axis of time begins with the run and has room for these ``times``, too."""
+    """Draw the rows, and then those of ``faults``.
+
+    The axis of time begins with the run and has room for these ``times``, too.
+    """
+    known = [*(number % kinds % _KINDS for number in range(len(rows))), *[_FAULT] * len(faults)]
+    rows = [*rows, *faults]
     with pictures.drawing(ax, alt, caption, _height(rows)) as ax:
-        drawn = sum(_draw_row(ax, number, row, number % kinds % _KINDS) for number, row in enumerate(rows))
+        drawn = sum(_draw_row(ax, number, row, known[number]) for number, row in enumerate(rows))
         ax.set_yticks(range(len(rows)), [row.name for row in rows], ha="left", va="top", weight="bold")
         ax.tick_params(axis="y", length=0, pad=0)
         ax.grid(visible=False)

@@ -22,32 +22,22 @@ __all__ = ["Clock", "ClockChange", "ClockType", "JumpHandle", "JumpThreshold", "
 
 
 class ClockChange(IntEnum):
-    """Whether the source of a clock's time has changed."""
+    """Whether a jump comes from another source of ROS time, by number."""
 
     ROS_TIME_NO_CHANGE = 1
     ROS_TIME_ACTIVATED = 2
     ROS_TIME_DEACTIVATED = 3
     SYSTEM_TIME_NO_CHANGE = 4
 
-
-class _Told(IntEnum):
-    """ClockChange as a callback is told it: the one of the C part, which is printed by its name."""
-
-    ROS_TIME_NO_CHANGE = 1
-    ROS_TIME_ACTIVATED = 2
-    ROS_TIME_DEACTIVATED = 3
-
+    # As those that come with a jump are printed.
     __str__ = Enum.__str__
     __format__ = Enum.__format__
 
 
-_Told.__name__ = _Told.__qualname__ = "ClockChange"
-
-
 class JumpThreshold:
-    """Which jumps of the time are of interest: forward or backward by at least a duration, a change of its source.
+    """Of which jumps somebody wants to be told: of at least this much forward, or back, and of changes of the source.
 
-    Raises ValueError unless ``min_forward`` is above 0, ``min_backward`` below 0, and one of the three is given.
+    Raises ValueError if the one is not above 0, if the other is not below, and if there is neither, nor a change.
     """
 
     def __init__(
@@ -63,55 +53,76 @@ class JumpThreshold:
         self.min_backward = min_backward
         self.on_clock_change = on_clock_change
 
-    def _is_exceeded(self, change: int, delta: int) -> bool:
-        forward, backward = self.min_forward, self.min_backward
+    def _is_met(self, jump: TimeJump) -> bool:
+        delta = jump.delta
         return (
-            (self.on_clock_change and change != ClockChange.ROS_TIME_NO_CHANGE)
-            or (forward is not None and delta >= forward.nanoseconds)
-            or (backward is not None and delta <= backward.nanoseconds)
+            (self.on_clock_change and jump.clock_change is not ClockChange.ROS_TIME_NO_CHANGE)
+            or (self.min_backward is not None and delta <= self.min_backward)
+            or (self.min_forward is not None and delta >= self.min_forward)
         )
 
 
 class TimeJump:
-    """A jump: ``clock_change``, and by how much, ``delta``, which is 0 if the source has changed."""
+    """A jump of ROS time: by how much, and whether its source has changed. Raises TypeError for what is no change."""
 
     def __init__(self, clock_change: ClockChange, delta: Duration) -> None:
-        if not isinstance(clock_change, (ClockChange, _Told)):
+        if not isinstance(clock_change, ClockChange):
             raise TypeError("clock_change must be an instance of rclpy.clock.ClockChange")
         self._clock_change = clock_change
         self._delta = delta
 
     @property
     def clock_change(self) -> ClockChange:
-        """Whether the source of the time has changed."""
+        """Whether its source has changed."""
         return self._clock_change
 
     @property
     def delta(self) -> Duration:
-        """By how much the time has jumped."""
+        """By how much it jumps: negative for back, 0 for a change of the source."""
         return self._delta
 
 
 class JumpHandle:
-    """Two callbacks for a clock's jumps, until ``unregister()``. Raises ValueError for what cannot be called."""
+    """Who is told of a clock's jumps. Made by ``Clock.create_jump_callback``; a ``with`` block ends with unregister.
 
-    def __init__(self, *, clock: Clock, threshold: JumpThreshold, pre_callback: Any, post_callback: Any) -> None:
+    Raises ValueError if there is nothing that can be called.
+    """
+
+    def __init__(
+        self,
+        *,
+        clock: Clock,
+        threshold: JumpThreshold,
+        pre_callback: Callable[[], Any] | None,
+        post_callback: Callable[[TimeJump], Any] | None,
+    ) -> None:
         if pre_callback is None and post_callback is None:
             raise ValueError("One of pre_callback or post_callback must be callable")
-        for word, callback in (("pre", pre_callback), ("post", post_callback)):
-            if callback is not None and not callable(callback):
-                raise ValueError(f"{word}_callback must be callable if given")
-        threshold.min_forward  # noqa: B018 - AttributeError for what is no threshold
+        if pre_callback is not None and not callable(pre_callback):
+            raise ValueError("pre_callback must be callable if given")
+        if post_callback is not None and not callable(post_callback):
+            raise ValueError("post_callback must be callable if given")
         self._clock: Clock | None = clock
+        threshold.min_forward  # noqa: B018 - AttributeError for what is no threshold
         self._threshold = threshold
         self._pre_callback = pre_callback
         self._post_callback = post_callback
-        clock.jumps.append(self)
+        clock.jump_handles.append(self)
+
+    def before(self, jump: TimeJump) -> None:
+        """Call what is to be called before a jump, if the threshold is met."""
+        if self._pre_callback and self._threshold._is_met(jump):
+            self._pre_callback()
+
+    def after(self, jump: TimeJump) -> None:
+        """Call what is to be called after it."""
+        if self._post_callback and self._threshold._is_met(jump):
+            self._post_callback(jump)
 
     def unregister(self) -> None:
-        """Call them no more."""
-        if self._clock:
-            self._clock.jumps.remove(self)
+        """Tell nothing any more. A second call does nothing."""
+        if self._clock is not None:
+            self._clock.jump_handles.remove(self)
             self._clock = None
 
     def __enter__(self) -> JumpHandle:
@@ -133,13 +144,13 @@ class Clock:
         self.clock_type = clock_type
         self._state = state()
         # The time in ns: looked up once, as each tick asks several times.
-        self.ns: Callable[[], int] = self._state.clock.now
+        self.ns: Callable[[], int] = self._state.clock.system
         if clock_type is ClockType.STEADY_TIME:
             self.ns = time.monotonic_ns
         self.flows = True  # whether its time goes on by itself
         self.changes = 0  # how often the source of its time has changed
         self.watchers: list[Gate] = []  # opened when the time jumps
-        self.jumps: list[JumpHandle] = []
+        self.jump_handles: list[JumpHandle] = []  # who is told of it
 
     def __repr__(self) -> str:
         return f"Clock(clock_type={self.clock_type.name})"
@@ -155,18 +166,23 @@ class Clock:
         pre_callback: Callable[[], Any] | None = None,
         post_callback: Callable[[TimeJump], Any] | None = None,
     ) -> JumpHandle:
-        """Call ``pre_callback()`` before the time jumps, ``post_callback(jump)`` after that. Only ROS time does.
+        """Call ``pre_callback()`` before a jump that meets the threshold, and ``post_callback(jump)`` after it.
 
-        What a callback raises comes out where the time is set; those after it are not called, and before the jump it
-        is then not made. Raises ValueError as JumpHandle does.
+        Only ROS time jumps in this way, when /clock tells it or ceases to: nobody is told that a system's clock is set.
+        Raises ValueError if neither can be called.
         """
-        post: Any = None
-        if callable(post_callback):
-
-            def post(jump: dict[str, Any]) -> None:
-                post_callback(TimeJump(jump["clock_change"], Duration(nanoseconds=jump["delta"])))
-
+        post = post_callback if callable(post_callback) else None
         return JumpHandle(clock=self, threshold=threshold, pre_callback=pre_callback, post_callback=post)
+
+    @contextmanager
+    def _jumping(self, change: ClockChange, delta: int = 0) -> Iterator[None]:
+        """Within this context the time jumps, by so many ns. Those who want to be told are told before and after."""
+        jump = TimeJump(change, Duration(nanoseconds=delta))
+        for handle in list(self.jump_handles):
+            handle.before(jump)
+        yield
+        for handle in list(self.jump_handles):
+            handle.after(jump)
 
     def sleep_until(self, until: Time, context: Context | None = None) -> bool:
         """Sleep until a time of this clock, or until the context is shut down. Return whether the time was reached.
@@ -190,6 +206,8 @@ class Clock:
 
         context.on_shutdown(stop)
         self.watchers.append(gate)
+        if self.clock_type is not ClockType.STEADY_TIME:
+            own.sleepers.append(gate)
         deaf = threading.current_thread() is threading.main_thread()
         own.asleep = own.asleep or deaf
         try:
@@ -198,6 +216,8 @@ class Clock:
         finally:
             context.forget(stop)
             self.watchers.remove(gate)
+            if self.clock_type is not ClockType.STEADY_TIME:
+                own.sleepers.remove(gate)
             if deaf:
                 own.asleep = False
         if deaf and own.pending:
@@ -228,13 +248,13 @@ class ROSClock(Clock):
 
     def _set_ros_time_is_active(self, enabled: bool) -> None:
         if enabled == self.flows:
-            timers = list(self.timers)
-            with self._jumping(_Told.ROS_TIME_ACTIVATED if enabled else _Told.ROS_TIME_DEACTIVATED, 0):
+            with self._jumping(ClockChange.ROS_TIME_ACTIVATED if enabled else ClockChange.ROS_TIME_DEACTIVATED):
+                timers = list(self.timers)
                 for timer in timers:
                     timer.before_switch()
                 self.flows = not enabled
                 self.changes += 1
-                self.ns = (lambda: self._told) if enabled else self._state.clock.now
+                self.ns = (lambda: self._told) if enabled else self._state.clock.system
                 for timer in timers:
                     timer.after_switch()
                 self._open_gates()
@@ -246,23 +266,11 @@ class ROSClock(Clock):
         if not self.ros_time_is_active:
             self._told = time.nanoseconds
             return
-        with self._jumping(_Told.ROS_TIME_NO_CHANGE, time.nanoseconds - self._told):
+        with self._jumping(ClockChange.ROS_TIME_NO_CHANGE, time.nanoseconds - self._told):
             self._told = time.nanoseconds
             for timer in list(self.timers):
                 timer.after_jump()
             self._open_gates()
-
-    @contextmanager
-    def _jumping(self, change: _Told, delta: int) -> Iterator[None]:
-        """Call what is to be called before a jump, and after it."""
-        jumps = [jump for jump in self.jumps if jump._threshold._is_exceeded(change, delta)]
-        for jump in jumps:
-            if jump._pre_callback:
-                jump._pre_callback()
-        yield
-        for jump in jumps:
-            if jump._post_callback:
-                jump._post_callback({"clock_change": change, "delta": delta})
 
     def _open_gates(self) -> None:
         for gate in list(self.watchers):

@@ -118,7 +118,9 @@ class Context:
         """Add a node that was made in this context."""
         self.nodes.append(node)
         self.born[node] = self.state.clock.now()
-        self.state.world.name = self.state.world.name or node.get_fully_qualified_name()
+        name = node.get_fully_qualified_name()
+        self.state.world.name = self.state.world.name or name
+        self.state.world.nodes.append(name)
         if self.joined is None:
             self.state.participants.join(self)
 

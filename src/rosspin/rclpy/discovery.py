@@ -61,18 +61,23 @@ class Participants:
         """Yield the nodes of other processes that a context knows now."""
         now = context.state.clock.now()
         for other in self._contexts:
-            if (
-                other.state is not context.state
-                and _met(context, other) <= now
-                and (other.left is None or now < other.left)
-            ):
-                yield from (node for node in other.nodes if other.born[node] + ENDPOINT <= now)
+            if other.state is not context.state and (other.left is None or now < other.left):
+                met = _met(context, other)
+                for node in other.nodes:
+                    if max(met, other.born[node] + ENDPOINT) + _late(context.state.world.name, node) <= now:
+                        yield node
 
 
 def _met(one: Context, other: Context) -> int:
     """Return when (ns) two contexts know each other."""
     assert one.joined is not None and other.joined is not None
     return max(one.joined, other.joined) + PARTICIPANT
+
+
+def _late(name: str, node: Node) -> int:
+    """Return how much (ns) later than usual a node is to be known to the node of a name, in another process."""
+    faults = node.context.state.world.graph.faults
+    return faults.lateness(name, node.get_fully_qualified_name()) if faults else 0
 
 
 def discover(publisher: Publisher, subscription: Subscription) -> None:
@@ -87,8 +92,9 @@ def discover(publisher: Publisher, subscription: Subscription) -> None:
 def introduce(one: Any, another: Any, *more: Any) -> None:
     """Let two ends in different processes learn of each other, each by its ``meet(other, *more)``."""
     met = _met(one.node.context, another.node.context)
+    late = _late(one.node.get_fully_qualified_name(), another.node)
     for end, other in ((one, another), (another, one)):
-        end.world.at(max(end.made, other.made + ENDPOINT, met), partial(end.meet, other, *more))
+        end.world.at(max(end.made, other.made + ENDPOINT, met) + late, partial(end.meet, other, *more))
 
 
 def lose(end: Owner, when: int) -> None:

@@ -112,6 +112,8 @@ class Executor:
             raise invalid_context("create guard_condition")
         self._clock = self._context.state.clock
         self._rosspin_tell = self._context.state.world.recording.tell
+        faults = self._context.state.world.graph.faults
+        self._rosspin_slow = faults.call if faults and faults.slows else None
         self._nodes: dict[Node, None] = {}  # in the order of their addition
         self._tasks: list[Entry] = []
         self._is_shutdown = False
@@ -367,7 +369,7 @@ class Executor:
     def __task(self, entity: Any, node: Node) -> Entry:
         """Make a task that calls what is due. Nothing else is handed out for the entity until the task begins."""
         entity._executor_event = True
-        task = Task(_call, (entity, self), executor=self)
+        task = Task(_call, (entity, self, node), executor=self)
         entry = task, entity, node
         self._tasks.append(entry)
         return entry
@@ -384,7 +386,7 @@ async def await_or_execute(callback: Callable[..., Any], *args: Any) -> Any:
     return await callback(*args) if inspect.iscoroutinefunction(callback) else callback(*args)
 
 
-async def _call(entity: Any, executor: Executor) -> None:
+async def _call(entity: Any, executor: Executor, node: Node) -> None:
     group = entity.callback_group
     if not group.beginning_execution(entity):
         entity._executor_event = False
@@ -398,6 +400,8 @@ async def _call(entity: Any, executor: Executor) -> None:
             callback, args, tick = call
             if executor._rosspin_tell:
                 executor._rosspin_tell("calls", entity, executor)
+            if executor._rosspin_slow:
+                executor._rosspin_slow(node.get_fully_qualified_name(), getattr(entity, "callback", callback))
             if inspect.iscoroutinefunction(callback):
                 await callback(*args)
             else:

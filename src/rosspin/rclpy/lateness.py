@@ -66,7 +66,7 @@ class Lasting(deque[Any]):
         self._sent = sent
 
     def _drop(self) -> None:
-        oldest = self._clock.now() - self._lifespan
+        oldest = self._clock.system() - self._lifespan
         while len(self) and self._sent(self[0]) <= oldest:
             super().popleft()
 

@@ -63,7 +63,7 @@ class _Call:
         """Whether the filters let this call through. Each is asked only if those before it let it through."""
         if self.options.get("throttle_duration_sec"):
             clock = self.options.get("throttle_time_source_type")
-            now = state().clock.now() if clock is None else clock.now().nanoseconds
+            now = state().clock.system() if clock is None else clock.now().nanoseconds
             if now < self.last + self.options["throttle_duration_sec"] * 1e9:
                 return False
             self.last = now
@@ -209,7 +209,7 @@ def _write(own: State, severity: LoggingSeverity, name: str, message: str, frame
 
 
 def _print(own: State, severity: LoggingSeverity, name: str, message: str, frame: FrameType) -> None:
-    now = own.clock.now()
+    now = own.clock.system()
     form = own.log_form or _read_form(own)
     if form.line == _DEFAULT_FORMAT:
         line = f"[{severity.name}] [{now // NS}.{now % NS:09d}] [{name}]: {message}"

@@ -81,7 +81,7 @@ class OwnTopics:
         publisher = self._made.get(ROSOUT)
         if publisher and self._node.context.ok():
             line: Any = self._types.Log(level=level, name=name, msg=message, line=frame.f_lineno)
-            line.stamp = Time(nanoseconds=self._node.context.state.clock.now()).to_msg()
+            line.stamp = Time(nanoseconds=self._node.context.state.clock.system()).to_msg()
             line.file, line.function = os.path.abspath(frame.f_code.co_filename), frame.f_code.co_name
             publisher.publish(line)
 

@@ -52,6 +52,8 @@ class State:
         self.contexts: list[Context] = []  # those that were initialised
         self.participants = world.graph.part(Participants)
         world.at_end.append(self._be_missed)
+        self.sleepers: list[Gate] = []  # who sleeps until a time of the system's clock
+        world.at_jump.append(self._wake_sleepers)
         self.waiting: WeakKeyDictionary[Gate, None] = WeakKeyDictionary()  # the gates that a signal opens
         self.handled: set[int] = set()  # signals that shut the contexts down
         self.before: dict[int, Any] = {}  # signal handlers that were there before rclpy's
@@ -64,6 +66,10 @@ class State:
         self.root_logger: RcutilsLogger | None = None
         self.rosout: dict[str, Node] | None = {}  # by which node a logger publishes; None: none may
         self.log_form: LogForm | None = None  # None: not looked up yet
+
+    def _wake_sleepers(self) -> None:
+        for gate in self.sleepers:
+            gate.open()
 
     def _be_missed(self) -> None:
         for context in self.contexts:

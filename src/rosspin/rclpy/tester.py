@@ -96,7 +96,7 @@ class _Counterpart:
     def send(self, message: Message) -> None:
         """Publish a message."""
         for peer in self.peers:
-            peer.deliver(self, message, self.world.clock.now())
+            peer.receive(self, message, self.world.clock.system())
 
 
 def give_parameters(world: World, parameters: Mapping[str, Any]) -> None:

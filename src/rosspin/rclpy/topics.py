@@ -11,11 +11,14 @@ import time
 from collections import deque
 from collections.abc import Callable
 from contextlib import suppress
+from functools import partial
 from operator import itemgetter
 from typing import TYPE_CHECKING, Any
 
 from ..messages import cdr
 from ..messages.ros2 import Message, received, transfer
+from ..world.graph import Wire
+from ..world.tester import NAME as TESTER
 from .callback_groups import ReentrantCallbackGroup
 from .discovery import KEPT, discover
 from .ends import Owner
@@ -175,7 +178,7 @@ class Publisher(TopicEnd):
         if not self.node.context.ok():
             raise RCLError("Failed to publish: publisher's context is invalid")
         message = msg if isinstance(msg, bytes) else transfer(msg, self.msg_type)
-        sent = self.world.clock.now()
+        sent = self.world.clock.system()
         self.kept.append((message, sent))
         for watch in self._watches:
             watch.restart()
@@ -208,9 +211,18 @@ class Publisher(TopicEnd):
                 subscription.hear(self)
 
     def wait_for_all_acked(self, timeout: Any = None) -> bool:
-        """Return True: what was published has arrived."""
+        """Wait until what was published has arrived, which it has at once unless a fault delays it.
+
+        Return whether it has; ``timeout`` is a Duration, for ever if None or negative.
+        """
         self._check()
-        return True
+        clock = self.world.clock
+        last = max((peer.expects(self) for peer in self.peers if isinstance(peer, Subscription)), default=0)
+        left = max(last - clock.now(), 0)
+        most = left if timeout is None or timeout.nanoseconds < 0 else min(left, timeout.nanoseconds)
+        if most:
+            clock.sleep(most)
+        return most == left
 
 
 class Subscription(TopicEnd):
@@ -244,6 +256,7 @@ class Subscription(TopicEnd):
         self.nudge: Callable[[], None] | None = None  # tells the executor that waits
         self._executor_event = False
         self._received = 0
+        self._wires: dict[Any, Wire] = {}  # by the publishers whose messages a fault of the run befalls
         self._early: dict[Publisher, list[tuple[Message, int]] | None] = {}
         if event_callbacks:
             self._make_handlers(event_callbacks, callback_group)
@@ -283,6 +296,11 @@ class Subscription(TopicEnd):
             self.deliver(publisher, message, sent)
         elif self.policies.reliable and (early := self._early[publisher]) is not None:
             early.append((message, sent))
+
+    def expects(self, publisher: Publisher) -> int:
+        """Return when (ns) the last message of a publisher arrives that is under way and needs to be acknowledged."""
+        wire = self._wires.get(publisher) if self.policies.reliable else None
+        return wire.last if wire else 0
 
     def expect(self, publisher: Publisher) -> None:
         """Expect a publisher of another process: until it is known here, reliable messages from it wait."""
@@ -331,11 +349,27 @@ class Subscription(TopicEnd):
     def join(self, other: Any) -> None:
         """See the base. A publisher of another process is alive at once, unless by hand."""
         super().join(other)
+        faults = self.world.graph.faults
+        if faults and (self.is_remote(other) or not isinstance(other, Owner)):
+            sender = other.node.get_fully_qualified_name() if isinstance(other, Owner) else TESTER
+            receiver, reliable = self.node.get_fully_qualified_name(), self.policies.reliable
+            if wire := faults.wire(self.end.topic, sender, receiver, self.world, reliable):
+                self._wires[other] = wire
+                self.receive = self._receive_by_wire  # type: ignore[method-assign]
         if self._lease_of(other) == FOR_EVER:
             self.hear(other)
 
+    def _receive_by_wire(self, publisher: Any, message: Message, sent: int) -> None:
+        receive = partial(Subscription.receive, self, publisher, message, sent)
+        wire = self._wires.get(publisher)
+        if wire is None or publisher in self._early:  # what is kept for it comes in its own way
+            receive()
+        else:
+            wire.send(lambda: message, lambda: publisher in self.peers and receive())
+
     def part(self, other: Any) -> None:
         super().part(other)
+        self._wires.pop(other, None)
         if lease := self._leases.pop(other, None):
             alive = int(lease.runs)
             self.tell(self.LIVELINESS, alive=-alive, not_alive=alive - 1)
@@ -349,7 +383,7 @@ class Subscription(TopicEnd):
         self._received += 1
         info = {
             "source_timestamp": sent,
-            "received_timestamp": self.world.clock.now(),
+            "received_timestamp": self.world.clock.system(),
             "publication_sequence_number": self._received,
             "reception_sequence_number": None,
         }

@@ -6,7 +6,7 @@ from collections.abc import Sequence
 from dataclasses import dataclass, field
 from typing import Any, NamedTuple
 
-__all__ = ["Call", "Message", "Run", "Tick"]
+__all__ = ["Call", "Message", "Mishap", "Run", "Tick"]
 
 
 class Tick(NamedTuple):
@@ -56,6 +56,21 @@ class Call(NamedTuple):
     response: Any
 
 
+class Mishap(NamedTuple):
+    """What a fault of ``faults=`` did: when (s since the run began), what, to which connection, node or callback.
+
+    ``what`` is "dropped", "delayed" or "overtaken" (by a later message, and so thrown away) of a ``message``; "killed"
+    or "late" of a node, "slowed" of a callback, and "set" of the clock. ``by`` is the delay, the lateness, or how far
+    the clock was set, in s; 0 where there is none.
+    """
+
+    time: float
+    what: str
+    which: str
+    by: float = 0.0
+    message: Message | None = None
+
+
 @dataclass(frozen=True)
 class Run:
     """What a node did in one run.
@@ -64,7 +79,7 @@ class Run:
     ``status`` is its exit status; ``runtime`` says where it ran ("simulated", "wall", "ros1", "ros2"); ``seconds`` is
     the time after which Ctrl-C was pressed; ``start`` is when the run began, in seconds since the epoch (0.0 if
     simulated); ``messages`` are what its topics were given, in the order of publishing, and ``calls`` what its services
-    were asked, in the order of asking (none of both if it ran on a real ROS).
+    were asked, in the order of asking (none of both if it ran on a real ROS); ``faults`` are what ``faults=`` did.
     """
 
     console: str = field(repr=False)
@@ -75,3 +90,4 @@ class Run:
     start: float = 0.0
     messages: Sequence[Message] = field(default=(), repr=False)
     calls: Sequence[Call] = field(default=(), repr=False)
+    faults: Sequence[Mishap] = field(default=(), repr=False)

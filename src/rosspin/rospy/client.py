@@ -97,7 +97,7 @@ def init_node(
     if "__name" in node.mappings:
         name, anonymous = node.mappings["__name"], False
     if anonymous:
-        name = f"{name}_{os.getpid() + node.world.number}_{node.clock.now() // 1_000_000}"
+        name = f"{name}_{os.getpid() + node.world.number}_{node.clock.system() // 1_000_000}"
     if not rosgraph.is_legal_base_name(name):
         warnings.warn(
             f"'{name}' is not a legal ROS base name. This may cause problems with other ROS tools.", stacklevel=2
@@ -189,10 +189,10 @@ def wait_for_message(topic: str, topic_type: Any, timeout: float | Duration | No
     subscriber = Subscriber(topic, topic_type, received.append)
     try:
         seconds = timeout.to_sec() if isinstance(timeout, Duration) else timeout
-        until = None if seconds is None else node.clock.now() + nanoseconds(seconds)
+        until = None if seconds is None else node.clock.system() + nanoseconds(seconds)
         while not node.shutdown and not received:
             node.clock.sleep(_LOOK)
-            if until is not None and node.clock.now() >= until:
+            if until is not None and node.clock.system() >= until:
                 raise ROSException(f"timeout exceeded while waiting for message on topic {topic}")
     finally:
         subscriber.unregister()

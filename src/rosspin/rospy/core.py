@@ -93,14 +93,14 @@ def _message(level: int, msg: Any, args: tuple[Any, ...], kwargs: dict[str, Any]
 
 
 def _stamp(node: State) -> str:
-    now = f"{node.clock.now() / 1e9:.6f}"
+    now = f"{node.clock.system() / 1e9:.6f}"
     return now if node.ros_time is None else f"{now}, {node.ros_time / 1e9:.6f}"
 
 
 def _fill(line_format: str, node: State, severity: str, message: str, logger: str) -> str:
     """Fill in ROSCONSOLE_FORMAT, in rosgraph's order: a field inside the message is filled in too."""
     line = line_format.replace("${severity}", severity).replace("${message}", message)
-    seconds = node.clock.now() / 1e9
+    seconds = node.clock.system() / 1e9
     line = line.replace("${walltime}", f"{seconds:f}")
     line = _fill_times(line, "${walltime:", seconds, "")
     caller = node_frame(sys._getframe())

@@ -47,6 +47,7 @@ def _set_caller_id(caller_id: str) -> None:
     node = state()
     node.name, node.namespace = caller_id, namespace(caller_id)
     node.world.name = caller_id
+    node.world.nodes.append(caller_id)
 
 
 # --- names in full ----------------------------------------------------------------------------------------------------

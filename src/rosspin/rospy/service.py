@@ -295,6 +295,9 @@ class Service(_Named):
             return
         request = connection.read(self.request_class, data)
         request._connection_header = connection.header  # type: ignore[attr-defined]
+        faults = self.node.world.graph.faults
+        if faults and faults.slows:
+            faults.call(self.node.name, self.handler)
         try:
             connection.answer(self, _to_response(self.handler(request), self.response_class), call)
         except NotSimulated:
@@ -421,8 +424,8 @@ def wait_for_service(service: str, timeout: float | Duration | None = None) -> N
     if seconds == 0:
         raise ValueError("timeout must be non-zero")
     name = names.resolve_name(service)
-    until = None if seconds is None else node.clock.now() + nanoseconds(seconds)
-    while not node.shutdown and (until is None or node.clock.now() < until):
+    until = None if seconds is None else node.clock.system() + nanoseconds(seconds)
+    while not node.shutdown and (until is None or node.clock.system() < until):
         try:
             if server := _find(node, name):
                 _join(server, None)

@@ -94,6 +94,10 @@ class State:
         """The time (ns) that /clock tells, else that of the clock. Raises ROSInitException before ``init_node``."""
         if not self.time_initialized:
             raise ROSInitException("time is not initialized. Have you called init_node()?")
+        return self.clock.system() if self.ros_time is None else self.ros_time
+
+    def in_run(self) -> int:
+        """The time (ns) by which ticks are recorded: that of /clock, else that of the run, in which no clock jumps."""
         return self.clock.now() if self.ros_time is None else self.ros_time
 
     def wait_for_ros_time(self, seconds: float) -> None:

@@ -31,7 +31,7 @@ class Rate:
         self._reset = reset
         self._source = ""
         self._passes = 0
-        self._start = self._pass_start = self._last
+        self._start = self._pass_start = state().in_run()
 
     @property
     def sleep_dur(self) -> Duration:
@@ -71,12 +71,12 @@ class Rate:
         node = state()
         self._record_pass(node)
         self.wait(node)
-        self._pass_start = node.now()
+        self._pass_start = node.in_run()
 
     def wait(self, node: State) -> None:
         """Sleep as ``sleep`` does, without recording the pass as a tick."""
         if node.ros_time is None:
-            now = node.clock.now()
+            now = node.clock.system()
             last = self._last
             if last > now:
                 self._last = last = now
@@ -100,7 +100,7 @@ class Rate:
             self._source = self._source or node.world.source("Rate")
             expected = self._start + self._passes * self._period
             self._passes += 1
-            duration = node.now() - self._pass_start
+            duration = node.in_run() - self._pass_start
             ticks.add(self._source, self._passes, expected, self._pass_start, duration)
 
 
@@ -237,6 +237,8 @@ class Timer(threading.Thread):
         if ticks is not None:
             self.source = source  # the name under which its ticks are recorded
             node.timers.append(self)
+        faults = world.graph.faults
+        slow = faults.call if faults and faults.slows else None
         number = 0
         last_expected = last_real = duration = None  # in ns, like all times here
         while not node.shutdown and not self._shutdown:
@@ -248,16 +250,20 @@ class Timer(threading.Thread):
                 raise
             if self._shutdown or world.interrupted:
                 break
-            began = clock.now()
-            real = began if node.ros_time is None else node.now()
+            began, set_to = clock.now(), clock.ahead
+            ahead = set_to if node.ros_time is None else 0
+            real = began + ahead if node.ros_time is None else node.now()
             number += 1
             if ticks is not None:
-                tick = ticks.add(source, number, expected, real)
+                tick = ticks.add(source, number, expected - ahead, real - ahead)
             callback = self._callback  # calling a local variable skips the search among the methods
+            if slow:
+                slow(node.name, callback)
             callback(_event(last_expected, last_real, expected, real, duration))
             duration = clock.now() - began
             if ticks is not None:
                 ticks.end(tick, duration)
+            duration += clock.ahead - set_to  # rospy asks the system's clock
             if self._oneshot:
                 break
             last_expected, last_real = expected, real

@@ -15,6 +15,7 @@ from typing import Any, TypeVar
 
 from ..clocks.frames import format_error
 from ..messages.ros1 import Message, SerializationError
+from ..world.graph import Wire
 from ..world.world import NotSimulated, World, not_simulated
 from . import names, rosgraph
 from .core import logerr, logwarn
@@ -170,6 +171,8 @@ class Subscription:
         self.queue_size: int | None = None
         self.closed = False
         self.lock = threading.RLock()
+        faults = node.world.graph.faults
+        self._slow = faults.call if faults and faults.slows else None
 
     def register(self) -> None:
         """Tell the other nodes of this end, and connect to those that publish."""
@@ -211,6 +214,8 @@ class Subscription:
                 self._call(message, callback, args)
 
     def _call(self, message: Message, callback: Callable[..., Any], args: Any) -> None:
+        if self._slow:
+            self._slow(self.node.name, callback)
         try:
             if args is None:
                 callback(message)
@@ -278,6 +283,14 @@ class Connection(threading.Thread):
         self._waiting.append(data)
         self._open()
 
+    def _send_by(self, wire: Wire) -> None:
+        """Let a wire carry what is delivered from now on, and the end after it."""
+        deliver, hang_up, data_class = self.deliver, self.hang_up, self.publication.data_class
+        self.deliver = lambda data: wire.send(  # type: ignore[method-assign]
+            lambda: data_class().deserialize(data), lambda: deliver(data)
+        )
+        self.hang_up = lambda: wire.follow(hang_up)  # type: ignore[method-assign]
+
     def hang_up(self) -> None:
         """Close the publisher's side. Waiting messages still reach the callbacks."""
         self._is_last = True
@@ -299,11 +312,16 @@ class Connection(threading.Thread):
     def run(self) -> None:
         """Connect, and read until the connection ends."""
         subscription, publication = self.subscription, self.publication
-        subscription.node.clock.sleep(self._delay)
+        node, names = subscription.node, (publication.node.name, subscription.node.name)
+        faults = node.world.graph.faults
+        late = faults.lateness(*names) if faults and publication.node is not node else 0
+        node.clock.sleep(self._delay + late)
         with subscription.lock:
             if subscription.closed or publication.closed:
                 return
             subscription.connections = [*subscription.connections, self]
+        if faults and (wire := faults.wire(publication.topic, *names, node.world, None)):
+            self._send_by(wire)
         with publication.node.world.acting():
             accepted = publication.accept(self)
         if accepted:

@@ -11,7 +11,7 @@ from contextlib import ExitStack, contextmanager
 from functools import cached_property
 from importlib import import_module
 from types import ModuleType
-from typing import Any, NamedTuple, Protocol, TextIO
+from typing import TYPE_CHECKING, Any, NamedTuple, Protocol, TextIO
 
 from ..clocks import signals, threads, virtual_time
 from ..clocks.clock import NS, Clock, WallClock, nanoseconds
@@ -33,10 +33,17 @@ from .process import PATCHES, Process, Slots
 from .roses import ROSES
 from .source import Node
 
+if TYPE_CHECKING:
+    from ..faults import Fault
+    from ..faults.engine import Engine
+
 __all__ = ["PATIENCE", "Host", "Result", "Supervisor", "duration", "kept", "replaced"]
 
 # After Ctrl-C roslaunch waits 15 s, asks once more with SIGTERM, and kills after another 2 s.
 PATIENCE = 17
+
+# The statuses of a process that has not failed: Ctrl-C may end it, too, as a signal of a shell or of a launcher.
+_FINE = (None, 0, 128 + signal.SIGINT, -signal.SIGINT)
 
 # How the names of modules begin that may belong to a real ROS.
 _ROOTS = tuple(root for ros in ROSES.values() for root in (*ros.roots, *ros.beside))
@@ -60,16 +67,20 @@ class Host:
 
     ``ticks`` is the log to record in; with None nothing is recorded. On a simulated clock the run may go in steps:
     :meth:`advance`, then :meth:`interrupt`. ``several`` processes need a ``supervisor``. Each of them has its own
-    messages, random numbers and modules from its folder; they share all other modules.
+    messages, random numbers and modules from its folder; they share all other modules. ``faults`` are what is to go
+    wrong, on a simulated clock only; it raises what ``simulate`` raises for them.
     """
 
     supervisor: Supervisor | None = None
     on_failure: Callable[[], None] | None = None  # called for each error that is printed, and for a status other than 0
 
-    def __init__(self, clock: Clock, ticks: TickLog | None, several: bool = False) -> None:
+    def __init__(
+        self, clock: Clock, ticks: TickLog | None, several: bool = False, faults: Sequence[Fault] = ()
+    ) -> None:
         self.clock = clock
         self.recording = Recording(clock, ticks, several, clock.now())
         self.processes: list[Process] = []
+        self.faults = self._faulty(faults) if faults != () else None
         self.at_graph: list[Callable[[int, Graph], None]] = []  # called when a ROS is used for the first time
         self._graphs: dict[int, Graph] = {}
         self._stand_ins: dict[str, Mapping[str, ModuleType]] = {}
@@ -78,6 +89,19 @@ class Host:
         self._differ = False  # whether the environments of processes may differ
         self._put_inside: Callable[[], None] = lambda: None
         self._put_names: Callable[[], None] = lambda: None  # puts in place the names that nodes have changed
+
+    def _faulty(self, faults: Sequence[Fault]) -> Engine | None:
+        from ..faults.engine import Engine  # most runs go without
+
+        assert isinstance(self.clock, Simulation)
+        engine = Engine(
+            faults,
+            self.clock,
+            self.recording,
+            lambda: [process.world for process in self.processes],
+            lambda: self._graphs.values(),
+        )
+        return engine if faults else None
 
     # --- processes ---
 
@@ -128,6 +152,7 @@ class Host:
         """The graph of the nodes of ROS 1 or 2."""
         if ros not in self._graphs:
             graph = self._graphs[ros] = Graph()
+            graph.faults = self.faults
             for function in self.at_graph:
                 function(ros, graph)
         return self._graphs[ros]
@@ -308,8 +333,11 @@ class Host:
 
         This does what :meth:`advance` and :meth:`interrupt` do. All three are to be called within :meth:`inside`.
         """
+        if self.faults:
+            self.faults.fits(until)
         with self._explained(until / NS):
             self._program.run(self.recording.start + until, self._patience)
+        self._tell_idle_faults()
 
     def advance(self, until: int) -> None:
         """Let the simulated time go on until all that is due by ``until`` (ns after its start) has run."""
@@ -321,6 +349,17 @@ class Host:
         assert isinstance(self.clock, Simulation)
         with self._explained(self.clock.seconds()):
             self._program.end(self._patience)
+        self._tell_idle_faults()
+
+    def _tell_idle_faults(self) -> None:
+        """Say which faults have done nothing. Raises ValueError for a name that nothing has, if no process failed."""
+        idle = self.faults.idle() if self.faults else []
+        ends = [process.world.exit_status for process in self.processes if not process.world.crashed]
+        with self.outside():
+            for words, is_wrong in idle:
+                if is_wrong and all(status in _FINE for status in ends):
+                    raise ValueError(words)
+                sys.stderr.write(f"rosspin: {words}\n")
 
     def run_on_the_wall(self, seconds: float | None, give_up: Callable[[Result], object] | None) -> None:
         """Run the only process on the wall clock, until Ctrl-C if ``seconds`` is None. Call it within :meth:`inside`.
@@ -358,6 +397,7 @@ class Host:
             first.world.exit_status = 128 + died.number
         except Ended:
             failures = [process.world.failure for process in self.processes if process.world.failure]
+            failures += [self.faults.failure] if self.faults and self.faults.failure else []
             if failures:
                 raise failures[0] from None
             if self.supervisor or not first or first.world.exit_status is None:
@@ -407,7 +447,18 @@ class Result(NamedTuple):
 
     def run(self, console: str, runtime: str, seconds: float) -> Run:
         """Return the run, whose console and whose runtime these are, and which was to go on for ``seconds``."""
-        return Run(console, self.ticks, self.status, runtime, seconds, self.start, self.messages(), self.calls())
+        recording = self.host.recording
+        return Run(
+            console,
+            self.ticks,
+            self.status,
+            runtime,
+            seconds,
+            self.start,
+            self.messages(),
+            self.calls(),
+            recording.mishaps(),
+        )
 
     def messages(self) -> tuple[Message, ...]:
         """What was published (nothing if not recorded)."""

@@ -5,7 +5,7 @@ from __future__ import annotations
 import os
 import sys
 from collections.abc import Callable, Iterable, Sequence
-from typing import TextIO
+from typing import TYPE_CHECKING, TextIO
 
 from ..clocks.clock import Clock
 from ..clocks.simulation import Simulation
@@ -19,6 +19,9 @@ from .source import Node, NodeLike, is_launch_of_ros2, load, refuse_text, warn_o
 from .streams import capture
 from .together import Together
 
+if TYPE_CHECKING:
+    from ..faults import Fault
+
 __all__ = ["Launched", "run_captured", "run_node", "run_nodes", "several", "simulate", "supervisor"]
 
 Launched = launch.Launch | LaunchFile
@@ -31,6 +34,7 @@ def simulate(
     skip_cpp: bool = False,
     *,
     start: float = 0.0,
+    faults: Sequence[Fault] = (),
 ) -> Run:
     """Run a node for ``seconds`` of simulated time, which begins at 0 and takes almost no real time.
 
@@ -55,18 +59,22 @@ def simulate(
     ``ros2 launch``. Nodes of ROS 1 and ROS 2 do not hear each other. With ``skip_cpp``, the nodes of a launch file that
     are not in Python are left out.
 
+    ``faults`` are what is to go wrong, from :mod:`rosspin.faults`; ``run.faults`` says what they did. A line on the
+    console names each that did nothing.
+
     Raises OSError if the file cannot be read, SyntaxError if it is not Python, ValueError if ``seconds`` or ``start``
     is negative, too large or not a number, :class:`TimeStandsStill` if the node never lets the time go on, and
-    :class:`NotSimulated` if it needs a real ROS.
+    :class:`NotSimulated` if it needs a real ROS. Raises TypeError for ``faults`` that are none, and ValueError for one
+    that asks a transport for what it cannot do, that names what the run does not have, or that comes after its end.
     """
     refuse_text(args)
     launched = several(node, args, skip_cpp)
     clock = Simulation(duration(start, "start"))
     if launched is None:
-        return run_captured(clock, load(node), seconds, args)  # type: ignore[arg-type]
+        return run_captured(clock, load(node), seconds, args, faults=faults)  # type: ignore[arg-type]
     duration(seconds)
     with capture() as console:
-        result = run_nodes(launched, seconds, clock, TickLog())
+        result = run_nodes(launched, seconds, clock, TickLog(), faults=faults)
     return result.run(console.text(), "simulated", seconds)
 
 
@@ -90,11 +98,13 @@ def several(
     return launch.Launch([each if isinstance(each, launch.Node) else launch.Node(each) for each in node])
 
 
-def run_captured(clock: Clock, node: Node, seconds: float, args: Sequence[str], *streams: TextIO) -> Run:
+def run_captured(
+    clock: Clock, node: Node, seconds: float, args: Sequence[str], *streams: TextIO, faults: Sequence[Fault] = ()
+) -> Run:
     """Run a loaded node on a clock, in this process. What it prints also goes to ``streams``: stdout's and stderr's."""
     duration(seconds)  # run_node takes None as for ever
     with capture(*streams) as console:
-        result = run_node(node, seconds, args, clock, TickLog())
+        result = run_node(node, seconds, args, clock, TickLog(), faults=faults)
     runtime = "simulated" if isinstance(clock, Simulation) else "wall"
     return result.run(console.text(), runtime, seconds)
 
@@ -106,14 +116,15 @@ def run_node(
     clock: Clock,
     ticks: TickLog | None = None,
     give_up: Callable[[Result], object] | None = None,
+    faults: Sequence[Fault] = (),
 ) -> Result:
     """Run a loaded node on a clock: if ``seconds`` is None, on the wall until Ctrl-C.
 
     Its console goes where ``sys.stdout`` and ``sys.stderr`` go; ticks and messages are recorded if ``ticks`` is given.
-    ``give_up`` is for the wall: see :meth:`Host.run_on_the_wall`.
+    ``give_up`` is for the wall: see :meth:`Host.run_on_the_wall`; ``faults`` are for simulated time.
     """
     until = None if seconds is None else duration(seconds)
-    host = Host(clock, ticks)
+    host = Host(clock, ticks, faults=faults)
     warn_of_files([node])
     with host.inside():
         host.add(node, args)
@@ -131,13 +142,14 @@ def run_nodes(
     clock: Simulation,
     ticks: TickLog | None = None,
     codes: Sequence[Node] | None = None,
+    faults: Sequence[Fault] = (),
 ) -> Result:
     """Run several nodes on one simulated clock; otherwise as :func:`run_node`.
 
     ``codes`` is their code, if it is loaded already.
     """
     until = duration(seconds)
-    host = Host(clock, ticks, several=True)
+    host = Host(clock, ticks, True, faults)
     host.supervisor = supervisor(nodes, host, codes)
     with host.inside():
         host.run(until)

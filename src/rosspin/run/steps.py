@@ -7,7 +7,7 @@ from collections.abc import Callable, Iterator, Mapping, Sequence
 from contextlib import contextmanager, suppress
 from pathlib import Path
 from types import NoneType, TracebackType
-from typing import Any
+from typing import TYPE_CHECKING, Any
 
 from ..clocks.clock import NS
 from ..clocks.frames import node_frames
@@ -26,6 +26,9 @@ from .simulate import several, supervisor
 from .source import NodeLike, load, refuse_text, warn_of_files
 from .streams import Capture
 
+if TYPE_CHECKING:
+    from ..faults import Fault
+
 __all__ = ["NodeFailed", "StartedNode", "start"]
 
 _INTERRUPTED = 128 + signal.SIGINT
@@ -39,21 +42,26 @@ class NodeFailed(RuntimeError):
 
 
 def start(
-    node: NodeLike | Sequence[NodeLike | Node], args: Sequence[str] = (), parameters: Mapping[str, Any] | None = None
+    node: NodeLike | Sequence[NodeLike | Node],
+    args: Sequence[str] = (),
+    parameters: Mapping[str, Any] | None = None,
+    *,
+    faults: Sequence[Fault] = (),
 ) -> StartedNode:
     """Start a node, or several, in simulated time, to be run in steps.
 
     ``node`` and ``args`` are as for :func:`simulate`; ``parameters`` are set before a node runs, as by a launch file:
     in ROS 1 private ones by names such as ``"~rate"``, in ROS 2 those that it declares. What is due at 0 s has run when
-    this returns; the time then waits for :meth:`StartedNode.advance`. Raises what :func:`simulate` and ``advance``
-    raise, TypeError for a value that no parameter can have, and ValueError for parameters of several nodes: give each
-    of them its own on its command line.
+    this returns; the time then waits for :meth:`StartedNode.advance`. ``faults`` are as for :func:`simulate`; a node
+    that one of them kills has not failed. Raises what :func:`simulate` and ``advance`` raise, TypeError for a value
+    that no parameter can have, and ValueError for parameters of several nodes: give each of them its own on its command
+    line.
     """
     __tracebackhide__ = True  # pytest shows the lines of the test and of the node, not these
     refuse_text(args)
     if not isinstance(parameters, (Mapping, NoneType)):
         raise TypeError(f"parameters are given by name, as in {{'rate': 10.0}}, not as {parameters!r}")
-    return StartedNode(node, args, parameters or {})
+    return StartedNode(node, args, parameters or {}, faults)
 
 
 class StartedNode:
@@ -68,7 +76,11 @@ class StartedNode:
     """
 
     def __init__(
-        self, node: NodeLike | Sequence[NodeLike | Node], args: Sequence[str], parameters: Mapping[str, Any]
+        self,
+        node: NodeLike | Sequence[NodeLike | Node],
+        args: Sequence[str],
+        parameters: Mapping[str, Any],
+        faults: Sequence[Fault] = (),
     ) -> None:
         __tracebackhide__ = True
         launched = several(node, args)
@@ -85,12 +97,13 @@ class StartedNode:
         self._parameters = parameters
         self._capture = Capture()
         self._clock = Simulation()
-        self._host = Host(self._clock, TickLog(), several=launched is not None)
+        self._host = Host(self._clock, TickLog(), launched is not None, faults)
         self._host.on_failure = self._clock.pause
         self._host.at_graph.append(self._take_part)
         self._testers: dict[int, Any] = {}
         self._now = 0
         self._messages: list[Message] = []  # all of the run
+        self._mishaps = 0  # how many were told
         self._closed = False
         self._raised: set[int] = set()  # the identities of the nodes' errors that were raised
         self._status_raised = False
@@ -145,7 +158,8 @@ class StartedNode:
     def _failed(self, process: Process) -> bool:
         """Whether a process has ended with a status that means failure. In ROS 2, most nodes end with 130 at Ctrl-C."""
         status = self._status_of(process)
-        return bool(status) and not (status == _INTERRUPTED and self._closed and process.world.ros == 2)
+        is_end = status == _INTERRUPTED and self._closed and process.world.ros == 2
+        return bool(status) and not process.world.crashed and not is_end
 
     def _status_of(self, process: Process) -> int | None:
         world = process.world
@@ -155,7 +169,7 @@ class StartedNode:
     @property
     def run(self) -> Run:
         """All that the node has done so far. While it runs, ``run.status`` is 0 and ``run.seconds`` is the time."""
-        return self._run_since(0, 0, 0, 0, 0)
+        return self._run_since(0, 0, 0, 0, 0, 0)
 
     def advance(self, seconds: float) -> Run:
         """Let ``seconds`` of simulated time pass. Returns what the node has done meanwhile.
@@ -178,7 +192,8 @@ class StartedNode:
     def close(self) -> None:
         """Press Ctrl-C, let the node end, and check that it does so with status 0. Another call does nothing.
 
-        In ROS 2, the status may also be 130: that of a node that does not catch the KeyboardInterrupt.
+        In ROS 2, the status may also be 130: that of a node that does not catch the KeyboardInterrupt. A fault that
+        names what the run does not have is a ValueError now.
 
         Raises :class:`NodeFailed` if the status is another one, or if the node has not ended 17 s later, and what the
         node raises meanwhile.
@@ -243,10 +258,12 @@ class StartedNode:
     def _step(self, until: int, go_on: Callable[[], None]) -> Run:
         __tracebackhide__ = True
         recording = self._host.recording
-        before = len(self._capture), len(recording.log or ()), len(self._messages), len(recording), self._now
+        before = len(self._capture), len(recording.log or ()), len(self._messages), len(recording)
+        mishaps, time = self._mishaps, self._now
         with self._inside():
             go_on()
         self._messages += recording.messages(len(self._messages))
+        self._mishaps = recording.mishap_count
         failed = [(process, error) for process in self._host.processes for error in process.world.errors]
         failed = [each for each in failed if id(each[1]) not in self._raised]
         self._raised |= {id(error) for _, error in failed}  # unique: the worlds keep these errors
@@ -270,14 +287,14 @@ class StartedNode:
             when = f"after Ctrl-C at {self.time} s" if self._closed else f"at {self.time} s"
             lines = self._capture.text().splitlines()[-_LINES:]
             raise NodeFailed("\n".join([f"{name} {how} {when}", *lines])) from (errors[0] if errors else None)
-        return self._run_since(*before)
+        return self._run_since(*before, mishaps, time)
 
     def _is_end(self, process: Process, error: BaseException) -> bool:
         """Whether an error is how a node of ROS 2 ends at Ctrl-C."""
         return isinstance(error, KeyboardInterrupt) and process.world.ros == 2 and not self._failed(process)
 
-    def _run_since(self, piece: int, tick: int, message: int, call: int, time: int) -> Run:
-        """What the node has done since ``time`` (ns): its console, ticks, messages and calls from these numbers on."""
+    def _run_since(self, piece: int, tick: int, message: int, call: int, mishap: int, time: int) -> Run:
+        """What the node has done since ``time`` (ns): its console, ticks, messages and so on, from these numbers on."""
         return Run(
             self._capture.text(piece),
             self._host.recording.ticks(tick),
@@ -287,6 +304,7 @@ class StartedNode:
             0.0,
             tuple(self._messages[message:]),
             self._host.recording.calls(call),
+            self._host.recording.mishaps(mishap),
         )
 
 

@@ -70,7 +70,7 @@ class Together:
     def _note_end(self, process: Process) -> None:
         world = process.world
         status = world.exit_status or 0
-        is_fine = status == 0 or (status == _INTERRUPTED and world.ros == 2 and self._interrupted)
+        is_fine = status == 0 or world.crashed or (status == _INTERRUPTED and world.ros == 2 and self._interrupted)
         if not is_fine:
             status = 128 - status if status < 0 else status
             self._stderr.write(f"rosspin: {process.node.name} ended with status {status}\n")

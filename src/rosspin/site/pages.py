@@ -28,12 +28,13 @@ from sphinx.util.typing import ExtensionMetadata
 
 from .. import rclpy, rospy
 from ..clocks.simulation import Simulation
+from ..faults import read
 from ..measures import topic_ticks
 from ..plots import picture, with_handle
 from ..plots.pictures import page
 from ..results import machine
 from ..results.rules import calculated
-from ..results.ticks import Tick
+from ..results.ticks import Run, Tick
 from ..run.host import kept, replaced
 from ..run.scenes import Scenes
 from ..run.simulate import run_captured, run_node
@@ -53,7 +54,10 @@ class TicksDirective(SphinxDirective):
 
     FILE is relative to the page. Several files, each on a line of the content as ``NAME: FILE ARGS``, share one plot.
     With ``:period: S`` the plot shows the whole grid of that period, and crosses for lost ticks. With ``:topic: /NAME``
-    it shows the messages that the node published on a topic, in place of its ticks.
+    it shows the messages that the node published on a topic, in place of its ticks. ``:callbacks: NAMES`` gives each of
+    these callbacks of one file a row, also one that is never called.
+
+    ``:faults:`` are what is to go wrong with the one FILE, each on a line, as in ``Crash("/node", at=2.0)``.
 
     ``:handle: LABEL, FROM to TO by STEP UNIT`` lets the reader move a number; a run is made now for each value. The
     number replaces ``{}`` in ARGS, or what the file assigns to the variable named by ``:sets:``. It begins with
@@ -68,7 +72,7 @@ class TicksDirective(SphinxDirective):
     final_argument_whitespace = True
     option_spec: ClassVar = {
         **dict.fromkeys(("seconds", "period", "at"), lambda text: float(directives.unchanged_required(text))),
-        **dict.fromkeys(("handle", "sets", "lines", "topic"), directives.unchanged_required),
+        **dict.fromkeys(("handle", "sets", "lines", "topic", "callbacks", "faults"), directives.unchanged_required),
     }
 
     def run(self) -> list[nodes.Node]:
@@ -108,6 +112,8 @@ class TicksDirective(SphinxDirective):
 
     def _plot(self) -> str:
         period = self.options.get("period")
+        if "faults" in self.options:
+            return page(picture(self._broken(), period, caption=self._caption()))
         if "handle" not in self.options:
             return page(picture(self._ticks(None), period, caption=self._caption()))
         found = re.fullmatch(r"(.+), (\S+) to (\S+) by (\S+) (.+)", self.options["handle"])
@@ -126,16 +132,32 @@ class TicksDirective(SphinxDirective):
         runs = {value: self._ticks(value, f" at {value:g} {found[5]}") for value in sorted(values)}
         return with_handle(found[1], found[5], runs, at, period, sets, caption=self._caption()).html
 
+    def _broken(self) -> Run:
+        if len(self._commands()) > 1 or "handle" in self.options or "topic" in self.options:
+            raise ValueError(":faults: is for the ticks of one FILE, without a handle")
+        ((file, *args),) = self._commands().values()
+        faults = [read(line) for line in self.options["faults"].splitlines()]
+        return run_captured(Simulation(), load(self._file(file)), self._seconds(), args, faults=faults)
+
     def _ticks(self, value: float | None, where: str = "") -> dict[str, Sequence[Tick]]:
-        ticks = {}
+        ticks: dict[str, Sequence[Tick]] = {}
         seconds = self._seconds()
         for name, (file, *args) in self._commands().items():
             given = [word.replace("{}", str(value)) for word in args]
             found = self._run(self._file(file), given, value)
-            ticks[name or (found[0].source if found else "")] = found
+            if "callbacks" in self.options:
+                ticks |= {own: [tick for tick in found if tick.source == own] for own in self._callbacks(file)}
+            else:
+                ticks[name or (found[0].source if found else "")] = found
         if not any(ticks.values()):
             raise ValueError(f"there is no tick in {seconds:g} s{where}")
         return ticks
+
+    def _callbacks(self, file: str) -> list[str]:
+        text, names = Path(self._file(file)).read_text(encoding="utf-8"), str(self.options["callbacks"]).split()
+        if lacking := [name for name in names if f"def {name}(" not in text]:
+            raise ValueError(f"{file} defines no {lacking[0]}")
+        return names
 
     def _seconds(self) -> float:
         if "seconds" not in self.options:

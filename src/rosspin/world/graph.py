@@ -14,9 +14,9 @@ from functools import partial
 from typing import Any, Generic, Protocol, TypeVar
 
 from ..clocks.clock import NS, Clock
-from ..results.ticks import Call, Message, Tick
+from ..results.ticks import Call, Message, Mishap, Tick
 
-__all__ = ["CallMade", "End", "Graph", "Published", "Recording", "Tester", "TickLog"]
+__all__ = ["CallMade", "End", "Faults", "Graph", "Published", "Recording", "Tester", "TickLog", "Wire"]
 
 Part = TypeVar("Part")
 
@@ -41,6 +41,41 @@ class Tester(Protocol):
 
     def subscription(self, publication: Any) -> Any:
         """Its end for a publication."""
+
+
+class Wire(Protocol):
+    """Carries the messages from one end of a topic to another, on which a fault of the run acts.
+
+    ``last`` is when (ns) the last of those that were sent arrives.
+    """
+
+    last: int
+
+    def send(self, make: Callable[[], Any], arrive: Callable[[], object]) -> None:
+        """Send a message now: it arrives by ``arrive()``, or never. ``make()`` makes a copy of it."""
+
+    def follow(self, function: Callable[[], object]) -> None:
+        """Call a function after all that is under way has arrived."""
+
+
+class Faults(Protocol):
+    """What is to go wrong in a run."""
+
+    @property
+    def slows(self) -> bool:
+        """Whether callbacks are to be told before each call."""
+
+    def call(self, node: str, callback: Any) -> None:
+        """Let the time pass that a callback of a node takes longer. This is called in its place, just before it."""
+
+    def lateness(self, one: str, other: str) -> int:
+        """Return how much (ns) later than usual two nodes of different processes find each other."""
+
+    def wire(self, topic: str, sender: str, receiver: str, world: Any, reliable: bool | None) -> Wire | None:
+        """Return what carries messages from one node to another, whose world is given; None if nothing befalls them.
+
+        ``reliable`` is that of a pair of ROS 2; None is TCP. The run ends with ValueError for what they cannot do.
+        """
 
 
 E = TypeVar("E", bound=End)
@@ -113,6 +148,9 @@ class _Ends(Generic[E]):
     def types(self) -> list[tuple[str, str]]:
         return [(topic, ends[0].type) for topic, ends in self._of.items() if ends]
 
+    def names(self) -> list[str]:
+        return list(self._of)
+
 
 class CallMade:
     """A call of a service while it is recorded. ``make_request()`` makes the request when somebody asks for it."""
@@ -149,6 +187,7 @@ class Recording:
         self.start = start
         self._clock = clock
         self._calls: list[CallMade] = []
+        self._mishaps: list[tuple[int, str, str, int, Published | None]] = []
 
     def add_message(self, topic: str, node: str, make: Callable[[], Any]) -> None:
         """Record that ``node`` publishes, now, the message that ``make()`` returns."""
@@ -178,8 +217,26 @@ class Recording:
     def messages(self, since: int = 0) -> tuple[Message, ...]:
         """The recorded messages, from the message ``since`` on."""
         published = self.published or ()
+        return tuple(map(self._message, published[since:]))
+
+    def _message(self, published: Published) -> Message:
+        topic, node, time, make = published
+        return Message(topic, node, (time - self.start) / NS, make())
+
+    def add_mishap(self, what: str, which: str, by: int = 0, message: Published | None = None) -> None:
+        """Record what a fault does, now; ``by`` is in ns."""
+        self._mishaps.append((self._clock.now(), what, which, by, message))
+
+    @property
+    def mishap_count(self) -> int:
+        """How many mishaps are recorded."""
+        return len(self._mishaps)
+
+    def mishaps(self, since: int = 0) -> tuple[Mishap, ...]:
+        """What faults did, from the mishap ``since`` on."""
         return tuple(
-            Message(topic, node, (time - self.start) / NS, make()) for topic, node, time, make in published[since:]
+            Mishap((time - self.start) / NS, what, which, by / NS, message and self._message(message))
+            for time, what, which, by, message in self._mishaps[since:]
         )
 
     def add_call(self, service: str, client: str, make_request: Callable[[], Any]) -> CallMade:
@@ -214,6 +271,7 @@ class Graph:
 
     def __init__(self) -> None:
         self.tester: Tester | None = None
+        self.faults: Faults | None = None
         self._parts: dict[type, Any] = {}
         self._lock = threading.Lock()
         self._publications: _Ends[Any] = _Ends()
@@ -251,6 +309,11 @@ class Graph:
         """The topics that somebody publishes, and their types."""
         with self._lock:
             return self._publications.types()
+
+    def names(self) -> list[str]:
+        """The topics that somebody has, or has had."""
+        with self._lock:
+            return list(dict.fromkeys(self._publications.names() + self._subscriptions.names()))
 
     def subscribed(self) -> list[tuple[str, str]]:
         """The topics to which somebody subscribes, and their types."""

@@ -1,4 +1,4 @@
-"""Every page of the built site in Chromium, on a phone and on large screens, in light and dark."""
+"""Every page of the built site in Chromium, on phones and on large screens, in light and dark."""
 
 from __future__ import annotations
 
@@ -61,6 +61,8 @@ def test_every_page(site: Path, address: str, browser: Browser) -> None:
             page.set_viewport_size({"width": 390, "height": 844})
             look(page, "dark")
             seen += _seen(page, TOO_WIDE, FAINT, SMALL)
+            page.set_viewport_size({"width": 320, "height": 256})  # 1280 px by 1024 px at a zoom of 400 %
+            seen += _seen(page, TOO_WIDE)
             page.set_viewport_size(LARGE)
             found[name] = seen + violations(page, COLOURS) + faulty
             faulty.clear()

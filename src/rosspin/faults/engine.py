@@ -1,0 +1,277 @@
+"""Lets the faults of a run happen: the stand-ins ask about each connection and each call, the clock does the rest."""
+
+from __future__ import annotations
+
+import re
+import signal
+from collections import Counter
+from collections.abc import Callable, Iterable, Sequence
+from functools import partial
+from random import Random
+from typing import Any
+
+from ..clocks.clock import NS, nanoseconds
+from ..clocks.programs import end_run
+from ..clocks.signals import Died
+from ..clocks.simulation import Simulation
+from ..world.graph import Graph, Recording
+from ..world.tester import NAME as TESTER
+from ..world.world import World
+from . import ClockJump, Crash, Fault, Late, Slow, Topic, checked
+
+__all__ = ["Engine", "Wire"]
+
+_ANONYMOUS = re.compile(r"_\d+_\d+$")
+
+
+class Engine:
+    """The faults of one run. ``worlds()`` are those of its processes so far, ``graphs()`` the graphs of its ROSes.
+
+    Raises TypeError for what is no list of faults, ValueError for a time on a clock that begins too late for it.
+    """
+
+    failure: Exception | None = None  # what has ended the run
+
+    def __init__(
+        self,
+        faults: Sequence[Fault],
+        clock: Simulation,
+        recording: Recording,
+        worlds: Callable[[], Iterable[World]],
+        graphs: Callable[[], Iterable[Graph]],
+    ) -> None:
+        self.clock = clock
+        self.recording = recording
+        self._faults = checked(faults)
+        self._worlds, self._graphs = worlds, graphs
+        self._happened: set[int] = set()  # the identities of those that have done something
+        self._carried: Counter[int] = Counter()  # messages that those of topics could befall, by their identities
+        self._wires: Counter[tuple[str, str, str]] = Counter()
+        self._late: set[tuple[int, frozenset[str]]] = set()  # which pairs of nodes a fault has made late
+        self._called: dict[str, dict[str, None]] = {}  # by node: the callbacks that were called
+        ahead = 0
+        for fault in sorted(self._of(ClockJump), key=lambda fault: fault.at):
+            ahead += nanoseconds(fault.by)
+            if recording.start + nanoseconds(fault.at) + ahead < 0:
+                raise ValueError(f"{fault!r}: the clock would tell a time before 0; begin later, with start=1.7e9")
+        for fault in self._faults:
+            if isinstance(fault, (Crash, ClockJump)):
+                clock.at(recording.start + nanoseconds(fault.at), partial(self._act, fault))
+
+    def _of(self, kind: type[Any]) -> list[Any]:
+        return [fault for fault in self._faults if isinstance(fault, kind)]
+
+    def note(self, fault: Fault, *words: Any, **more: Any) -> None:
+        """Record what a fault does."""
+        self._happened.add(id(fault))
+        self.recording.add_mishap(*words, **more)
+
+    def fits(self, until: int) -> None:
+        """Raise ValueError for what is to happen after the end of the run, ``until`` (ns after its start)."""
+        for fault in self._faults:
+            if isinstance(fault, (Crash, ClockJump)) and nanoseconds(fault.at) > until:
+                raise ValueError(f"{fault!r}: the run ends before, at {until / NS:g} s")
+
+    # --- topics -------------------------------------------------------------------------------------------------------
+
+    def wire(self, topic: str, sender: str, receiver: str, world: World, reliable: bool | None) -> Wire | None:
+        """Return what carries messages from one node to another, whose world is given; None if nothing befalls them.
+
+        ``reliable`` is that of a pair of ROS 2; None is TCP. The run ends with ValueError for what they cannot do.
+        """
+        faults = [each for each in self._of(Topic) if each.topic == topic and each.to in ("", receiver)]
+        if not faults or TESTER == receiver:
+            return None
+        for fault in faults:
+            if (fault.drop or fault.reorder) and reliable is not False:
+                self._fail(ValueError(f"{fault!r}: {_why_not(fault, sender, receiver, reliable)}"))
+            self._carried[id(fault)] += 0
+        # The name of an anonymous node of ROS 1 is another one in each run.
+        key = topic, _ANONYMOUS.sub("", sender), _ANONYMOUS.sub("", receiver)
+        self._wires[key] += 1
+        return Wire(self, faults, (topic, sender, receiver), repr((*key, self._wires[key])), world)
+
+    def carry(self, fault: Topic) -> None:
+        """Count a message that a fault could befall."""
+        self._carried[id(fault)] += 1
+
+    def _fail(self, error: Exception) -> None:
+        self.failure = self.failure or error
+        end_run()
+
+    # --- nodes --------------------------------------------------------------------------------------------------------
+
+    def lateness(self, one: str, other: str) -> int:
+        """Return how much (ns) later than usual two nodes of different processes find each other."""
+        late = 0
+        for fault in self._of(Late):
+            if fault.node in (one, other) and TESTER not in (one, other):
+                late += nanoseconds(fault.by)
+                pair = id(fault), frozenset((one, other))
+                if pair not in self._late:
+                    self._late.add(pair)
+                    which = f"{fault.node} to {one if other == fault.node else other}"
+                    self.note(fault, "late", which, nanoseconds(fault.by))
+        return late
+
+    @property
+    def slows(self) -> bool:
+        """Whether callbacks are to be told before each call."""
+        return bool(self._of(Slow))
+
+    def call(self, node: str, callback: Any) -> None:
+        """Let the time pass that a callback of a node takes longer. This is called in its place, just before it."""
+        callback = getattr(callback, "func", callback)  # of a functools.partial
+        names = [getattr(callback, name, type(callback).__name__) for name in ("__name__", "__qualname__")]
+        self._called.setdefault(node, {})[names[0]] = None
+        for fault in self._of(Slow):
+            if fault.node == node and fault.callback in names:
+                by = nanoseconds(fault.by)
+                self.note(fault, "slowed", f"{node} {names[0]}", by)
+                self.clock.sleep(by)
+
+    def _act(self, fault: Crash | ClockJump) -> None:
+        if isinstance(fault, Crash):
+            self._crash(fault)
+        else:
+            self._jump(fault)
+
+    def _crash(self, fault: Crash) -> None:
+        world = next((each for each in self._worlds() if fault.node in each.nodes and not each.over), None)
+        if world is None or world.exit_status is not None:
+            return
+        world.crashed = True
+        self.note(fault, "killed", fault.node)
+        if world.main is self.clock.main:
+            raise Died(signal.SIGKILL)
+        world.exit_status = -signal.SIGKILL
+        self.clock.end(world)
+
+    def _jump(self, fault: ClockJump) -> None:
+        by = nanoseconds(fault.by)
+        self.clock.ahead += by
+        self.note(fault, "set", "the clock", by)
+        for world in self._worlds():
+            if not world.over:
+                with world.acting():
+                    for function in world.at_jump:
+                        function()
+
+    # --- in the end ---------------------------------------------------------------------------------------------------
+
+    def idle(self) -> list[tuple[str, bool]]:
+        """Say of each fault that has done nothing why not, and whether that is because nothing has the name it says."""
+        return [(f"{fault!r}: {words}", is_wrong) for fault in self._faults for words, is_wrong in self._idle(fault)]
+
+    def _idle(self, fault: Fault) -> list[tuple[str, bool]]:
+        if id(fault) in self._happened:
+            return []
+        if isinstance(fault, Topic):
+            return [self._idle_topic(fault)]
+        node = getattr(fault, "node", "")
+        nodes = [name for world in self._worlds() for name in world.nodes]
+        if node and node not in nodes:
+            return [(f"there was no node {node}; there were {_list(nodes)}", True)]
+        if isinstance(fault, Slow):
+            return [(f"{node} called no {fault.callback}; it called {_list(self._called.get(node, ()))}", True)]
+        if isinstance(fault, Late):
+            return [(f"{node} met no node of another process", False)]
+        return [("the node, or the run, had ended before", False)]
+
+    def _idle_topic(self, fault: Topic) -> tuple[str, bool]:
+        if id(fault) in self._carried:
+            return f"it befell none of {self._carried[id(fault)]} messages", False
+        known = dict.fromkeys(name for graph in self._graphs() for name in graph.names())
+        if fault.topic not in known:
+            return f"no node had the topic {fault.topic}; there were {_list(known)}", True
+        if fault.to and fault.to not in [name for world in self._worlds() for name in world.nodes]:
+            return f"there was no node {fault.to}", True
+        return "no message of it went from one process to another", False
+
+
+class Wire:
+    """Carries messages of a topic from one node to another, late or not at all, as ``faults`` say."""
+
+    def __init__(
+        self, engine: Engine, faults: Sequence[Topic], names: tuple[str, str, str], key: str, world: World
+    ) -> None:
+        self._engine = engine
+        self._topic, self._sender, receiver = names
+        self._which = f"{self._topic} from {self._sender} to {receiver}"
+        self._world = world
+        # Each fault draws from a row of its own, and as often whatever the others do.
+        rows = [[Random(f"{fault.seed} {key} {what}") for what in ("drop", "delay")] for fault in faults]
+        self._faults = [(fault, drops, times) for fault, (drops, times) in zip(faults, rows, strict=True)]
+        self._reorders = any(fault.reorder for fault in faults)
+        self._sent = self._newest = 0  # how many messages were sent, and which of them has arrived
+        self._under_way = 0
+        self.last = 0  # when (ns) the last of those under way arrives
+
+    def send(self, make: Callable[[], Any], arrive: Callable[[], object]) -> None:
+        """Send a message now: it arrives by ``arrive()``, or never. ``make()`` makes a copy of it."""
+        engine, clock = self._engine, self._engine.clock
+        now = clock.now()
+        message = self._topic, self._sender, now, make
+        self._sent += 1
+        arrival, lost, late = now, None, None
+        for fault, drops, times in self._faults:
+            engine.carry(fault)
+            if fault.drop and drops.random() < fault.drop:
+                lost = lost or fault
+            if fault.delays[1]:
+                arrival += nanoseconds(times.uniform(*fault.delays))
+                late = fault
+        if lost:
+            engine.note(lost, "dropped", self._which, message=message)
+            return
+        if not self._reorders:
+            arrival = max(arrival, self.last)
+        self.last = max(arrival, self.last)
+        if late and arrival > now:
+            engine.note(late, "delayed", self._which, arrival - now, message)
+        self._at(arrival, partial(self._arrive, self._sent, message, arrive))
+
+    def follow(self, function: Callable[[], object]) -> None:
+        """Call a function after all that is under way has arrived."""
+        self._at(self.last, function)
+
+    def _at(self, when: int, function: Callable[[], object]) -> None:
+        clock = self._engine.clock
+        if when <= clock.now() and not self._under_way:
+            function()
+            return
+        self._under_way += 1
+
+        def call() -> None:
+            self._under_way -= 1
+            if not self._world.over:
+                with self._world.acting():
+                    function()
+
+        clock.at(max(when, clock.now()), call)
+
+    def _arrive(self, number: int, message: Any, arrive: Callable[[], object]) -> None:
+        if number < self._newest:
+            fault = next(fault for fault, *_ in self._faults if fault.reorder)
+            self._engine.note(fault, "overtaken", self._which, message=message)
+            return
+        self._newest = number
+        arrive()
+
+
+def _why_not(fault: Topic, sender: str, receiver: str, reliable: bool | None) -> str:
+    loses = "Use delay=" if fault.drop else "Leave out reorder="
+    if reliable is None:
+        return (
+            f"{sender} sends to {receiver} over TCP, as all of ROS 1 does, which loses nothing and keeps the order. "
+            f"{loses}; rospy loses messages only where they come faster than a callback takes them and queue_size is "
+            f"small: Slow({receiver!r}, callback=..., by=...)"
+        )
+    return (
+        f"the connection from {sender} to {receiver} is reliable: what is lost on its way is sent again, comes late, "
+        f"and in order. {loses}, or let the subscription be best effort, as with qos_profile_sensor_data"
+    )
+
+
+def _list(names: Iterable[str]) -> str:
+    return ", ".join(names) or "none"

@@ -1,0 +1,154 @@
+"""The sessions for teachers as slides: keys, notes, what runs and moves on them, and that all of it can be seen."""
+
+from __future__ import annotations
+
+import re
+
+import pytest
+from axe import COLOURS, violations
+from listings_in_page import Cell
+from looks import faults, look
+from playwright.sync_api import BrowserContext, Page, ViewportSize, expect
+
+DECKS = ["ros2", "ros1"]
+
+SIZES = [ViewportSize(width=1280, height=720), ViewportSize(width=1920, height=1080)]
+
+NOW = ".now"
+
+# What does not fit on the slide that is shown; a box that scrolls by itself is none of it.
+OVER = """() => {
+    const slide = document.querySelector(".now")
+    const over = slide.scrollHeight > slide.clientHeight || slide.scrollWidth > slide.clientWidth
+    return over ? [`${slide.id}: ${slide.scrollWidth} x ${slide.scrollHeight}`] : []
+}"""
+
+# Lettering that the last row cannot read (px): less than a fortieth of the height.
+SMALL = """() => {
+    const small = (element, scale) => parseFloat(getComputedStyle(element).fontSize) * scale < innerHeight / 41
+    const drawn = [...document.querySelectorAll(".now > figure svg[role=img] text")].filter(text =>
+        text.getBoundingClientRect().width && small(text, text.getScreenCTM().a))
+    const written = [...document.querySelectorAll(".now > :is(h1, h2, p, ul, ol) , .now pre")].filter(element =>
+        element.getBoundingClientRect().width && small(element, 1))
+    return [...drawn, ...written].map(element => element.textContent.slice(0, 40))
+}"""
+
+
+def opened(page: Page, address: str, deck: str, size: ViewportSize = SIZES[0]) -> int:
+    """Show a deck from its first slide; the number of its slides."""
+    page.set_viewport_size(size)
+    page.goto(f"{address}docs/slides/{deck}.html")
+    sections = page.locator("article > section > section").count()
+    page.get_by_role("link", name="Show as slides").click()
+    expect(page.get_by_role("navigation", name="Slides").get_by_role("status")).to_have_text(f"1 of {sections + 1}")
+    return sections + 1
+
+
+def place(page: Page) -> str:
+    return page.get_by_role("navigation", name="Slides").get_by_role("status").inner_text()
+
+
+@pytest.mark.parametrize("size", SIZES, ids=lambda size: f"{size['width']}")
+@pytest.mark.parametrize("deck", DECKS)
+def test_each_slide_fits_and_can_be_read(page: Page, address: str, deck: str, size: ViewportSize) -> None:
+    """And axe-core finds nothing on it, in light; a dark one has its contrasts."""
+    found = {}
+    number = opened(page, address, deck, size)
+    look(page, "light")
+    for index in range(number):
+        assert place(page) == f"{index + 1} of {number}"
+        expect(page.locator(f"{NOW} :is(h1, h2)")).to_be_visible()
+        assert page.locator(".rosspin-notes:visible").count() == 0
+        seen = page.evaluate(OVER) + page.evaluate(SMALL)
+        if size == SIZES[0]:
+            seen += violations(page)
+            look(page, "dark")
+            seen += violations(page, COLOURS)
+            look(page, "light")
+        found[index] = seen
+        page.keyboard.press("PageDown")
+    assert not {index: what for index, what in found.items() if what}
+
+
+def test_keys_go_on_and_back(page: Page, address: str) -> None:
+    number = opened(page, address, "ros2")
+    for key, at in [
+        *(("PageDown", 2), ("ArrowRight", 3), ("ArrowLeft", 2), ("PageUp", 1), ("PageUp", 1)),
+        *(("End", number), ("PageDown", number), ("Home", 1)),
+    ]:
+        page.keyboard.press(key)
+        assert place(page) == f"{at} of {number}"
+    page.keyboard.press("n")
+    assert place(page) == f"1 of {number}"
+    for _ in range(4):
+        page.keyboard.press("PageDown")
+    page.reload()
+    assert place(page) == f"5 of {number}"
+
+
+def test_the_contents_lead_to_each_slide(page: Page, address: str) -> None:
+    number = opened(page, address, "ros1")
+    page.get_by_role("button", name="Contents").click()
+    listed = page.get_by_role("dialog", name="Contents").get_by_role("listitem")
+    assert listed.count() == number
+    page.keyboard.press("PageDown")
+    assert violations(page) == []
+    listed.nth(6).get_by_role("button").click()
+    expect(page.get_by_role("dialog")).to_have_count(0)
+    assert place(page) == f"7 of {number}"
+    page.get_by_role("link", name="Leave").click()
+    expect(page.get_by_role("link", name="Show as slides")).to_be_visible()
+
+
+@pytest.mark.parametrize("deck", DECKS)
+def test_a_listing_runs_and_a_figure_moves(page: Page, address: str, deck: str) -> None:
+    """A key that a clicker sends goes on even from the handle; the arrows move it."""
+    opened(page, address, deck)
+    page.keyboard.press("ArrowRight")
+    page.keyboard.press("ArrowRight")
+    cell = Cell(page, 0)
+    cell.run(2)
+    assert "counter = 4" in cell.ends("done: 4 ticks")
+    expect(cell.console).to_be_in_viewport(ratio=1)
+    expect(cell.plot).to_be_in_viewport(ratio=1)
+    assert page.evaluate(OVER) == []
+    cell.button("Edit").click()
+    cell.editor.press("PageDown")
+    assert place(page).startswith("3 of")
+    cell.editor.press("Escape")
+    page.keyboard.press("PageDown")
+    page.keyboard.press("PageDown")
+    figure = page.locator(f"{NOW} figure[data-positions]")
+    figure.get_by_role("slider").press("ArrowRight")
+    expect(figure.locator("b")).to_have_text("0.55 s")
+    assert page.evaluate(OVER) + page.evaluate(SMALL) == []
+    assert place(page).startswith("5 of")
+    figure.get_by_role("slider").press("PageDown")
+    assert place(page).startswith("6 of")
+
+
+def test_the_speaker_s_window_follows_and_leads(context: BrowserContext, page: Page, address: str) -> None:
+    opened(page, address, "ros2")
+    page.keyboard.press("PageDown")
+    with page.expect_popup() as popup:
+        page.get_by_role("button", name="Notes").click()
+    notes = popup.value
+    wrong = faults(notes, address)
+    expect(notes.get_by_role("navigation", name="Slides")).to_be_visible()
+    expect(notes.locator(".rosspin-notes:visible")).to_contain_text("Hands up for each answer")
+    expect(notes.get_by_text("Next: Run it")).to_be_visible()
+    expect(notes.get_by_text(re.compile("^0 min gone; this slide: 2 to 6 of 90 min$"))).to_be_visible()
+    assert violations(notes) == []
+    page.keyboard.press("PageDown")
+    expect(notes.locator("h2:visible")).to_contain_text("Run it")
+    notes.keyboard.press("PageDown")
+    expect(page.locator(f"{NOW} h2")).to_contain_text("In pairs")
+    assert not wrong
+
+
+@pytest.mark.parametrize("deck", DECKS)
+def test_on_paper_each_slide_is_a_sheet(page: Page, address: str, deck: str) -> None:
+    number = opened(page, address, deck)
+    pdf = page.pdf(prefer_css_page_size=True, print_background=True)
+    assert len(re.findall(rb"/Type\s*/Page\b", pdf)) == number
+    assert re.search(rb"/MediaBox\s*\[0 0 (?:960|959\.\d+) 540\b", pdf)
