@@ -1,5 +1,6 @@
-// Builds what runs in the reader's page: node build.mjs PACKAGES YAML OUT, from web/src, src/rosspin, the npm packages in
-// the folder PACKAGES and PyYAML, whose package is the folder YAML, into the folder OUT.
+// Builds what runs in the reader's page: node build.mjs PACKAGES YAML OUT EXERCISES, from web/src, src/rosspin, lessons, the
+// npm packages in the folder PACKAGES and PyYAML, whose package is the folder YAML, into the folder OUT. EXERCISES has their
+// numbers and titles by their names, as JSON.
 
 import { cpSync, existsSync, mkdirSync, readFileSync, readdirSync, rmSync, writeFileSync } from "node:fs"
 import { createHash } from "node:crypto"
@@ -10,7 +11,8 @@ import { gzipSync } from "node:zlib"
 import { snapshot } from "./snapshot.mjs"
 
 const here = import.meta.dirname
-const [packages, yaml, out] = process.argv.slice(2).map((folder) => path.resolve(folder))
+const [packages, yaml, out] = process.argv.slice(2, 5).map((folder) => path.resolve(folder))
+const exercises = process.argv[5]
 const pyodide = path.join(packages, "node_modules/pyodide")
 const require = createRequire(path.join(packages, "package.json"))
 const { build } = require("esbuild")
@@ -55,9 +57,16 @@ const files = {}
 for (const folder of [path.join(here, "../src/rosspin"), yaml]) {
   for (const file of readdirSync(folder, { recursive: true }).sort()) {
     const name = file.split(path.sep).join("/")
-    if (!/\.(py|txt)$/.test(name) || /^(faults|plots|real|site)\//.test(name)) continue
+    if (!/\.(py|txt)$/.test(name) || /^(faults|grading|orders|plots|real|site)\//.test(name)) continue
     files[`${path.basename(folder)}/${name}`] = readFileSync(path.join(folder, file))
   }
+}
+const lessons = path.join(here, "../lessons")
+for (const name of existsSync(lessons) ? readdirSync(lessons).sort() : []) {
+  if (!name.endsWith(".py")) continue
+  // The answers stand last, and are nobody's business there.
+  const text = readFileSync(path.join(lessons, name), "utf8").replace(/^RIGHT = [^]*$/m, "RIGHT = WRONG = ()\n")
+  files[`rosspin/exercises/own/${name}`] = Buffer.from(text)
 }
 writeFileSync(path.join(out, "rosspin.zip"), zipSync(files, { level: 9, mtime: new Date(1980, 0) }))
 
@@ -114,16 +123,11 @@ const { metafile } = await build({
 })
 const version = JSON.stringify(sha256(readFileSync(path.join(out, "runs.js"))).slice(0, 16))
 
-// The exercises: name -> number and title.
-const notebooks = ["exercises", "ros2-exercises"].map((name) => path.join(here, `../notebooks/${name}.md`))
-const headings = /^### (\d+)\. (.+)$[^]*?^%%answer (\S+)$/gm
-const found = notebooks.flatMap((file) => [...readFileSync(file, "utf8").matchAll(headings)])
-const exercises = Object.fromEntries(found.map(([, number, title, name]) => [name, { number: Number(number), title }]))
 // Loaded with the pages of exercises and with that for teachers.
 await build({
   ...common,
   outdir: path.join(out, "../hand-in"),
-  define: { RUNS: version, EXERCISES: JSON.stringify(exercises) },
+  define: { RUNS: version, EXERCISES: exercises },
   entryPoints: ["hand-in.js", "hand-in.css", "judge.js"].map((name) => path.join(here, "src", name)),
 })
 // Loaded with the page, as a classic script: a page opened from a file has no modules, and has to say so.

@@ -12,6 +12,7 @@ from importlib import import_module
 from typing import TYPE_CHECKING, Any
 
 if TYPE_CHECKING:
+    from .orders.exploring import Exploration, explore, explored
     from .results.ticks import Call, Message, Mishap, Run, Tick
     from .run.explain import TimeStandsStill
     from .run.roslaunch.launch import Node
@@ -22,6 +23,7 @@ if TYPE_CHECKING:
 
 # Where each name is imported from when it is first asked for: pytest loads this package in every run.
 _MODULES = {
+    "orders.exploring": ("Exploration", "explore", "explored"),
     "run.roslaunch.launch": ("Node",),
     "run.explain": ("TimeStandsStill",),
     "run.simulate": ("simulate",),
@@ -33,6 +35,7 @@ _MODULES = {
 
 __all__ = [
     "Call",
+    "Exploration",
     "Message",
     "Mishap",
     "Node",
@@ -42,6 +45,8 @@ __all__ = [
     "StartedNode",
     "Tick",
     "TimeStandsStill",
+    "explore",
+    "explored",
     "measure",
     "simulate",
     "start",

@@ -12,6 +12,7 @@ from contextlib import nullcontext, suppress
 
 from .clocks.clock import Clock, WallClock
 from .clocks.descendants import adopt_orphans, descendants, kill_descendants
+from .clocks.explored import Order
 from .clocks.frames import Whereabouts, node_place
 from .clocks.guard import guard_threads
 from .clocks.simulation import Simulation
@@ -25,7 +26,7 @@ from .run.explain import say_error
 from .run.host import Result, duration
 from .run.process import leave
 from .run.roslaunch.launch import read_launch
-from .run.simulate import run_node, run_nodes, several
+from .run.simulate import prepare, run_in_order, run_node, run_nodes, several
 from .run.source import is_launch_of_ros2, load, refuse_other_ros, split_words, warn_of_files
 from .world.graph import TickLog
 
@@ -59,8 +60,8 @@ def _parser() -> argparse.ArgumentParser:
         "run",
         help="run a node file",
         description="Run a node file on the wall clock until Ctrl-C, in simulated time, or on the real ROS 1 or 2.",
-        usage="%(prog)s FILE... [--seconds S] [--simulated [--skip-cpp] [--start S] [--fault FAULT]... | --ros1 | "
-        "--ros2] [--plot FILE] [-- NODE ARGS]",
+        usage="%(prog)s FILE... [--seconds S] [--simulated [--skip-cpp] [--start S] [--fault FAULT]... "
+        "[--schedule TOKEN] | --ros1 | --ros2] [--plot FILE] [-- NODE ARGS]",
         epilog="Everything after -- is passed to the node: __ns:=/mrp _rate:=10, or on ROS 2 --ros-args -r __ns:=/mrp.",
         allow_abbrev=False,
     )
@@ -90,9 +91,28 @@ def _parser() -> argparse.ArgumentParser:
         help="with --simulated: what is to go wrong, as in --fault 'Topic(\"/scan\", drop=0.1)'; may be repeated",
     )
     run.add_argument(
+        "--schedule",
+        metavar="TOKEN",
+        default="",
+        help="with --simulated: run in this order of events, which rosspin.explore has found",
+    )
+    run.add_argument(
         "--plot", metavar="FILE", help="plot the ticks to this .pdf, .png or .svg, and describe them on stderr"
     )
     run.set_defaults(do=_run, parser=run)
+    judge = commands.add_parser(
+        "judge",
+        help="judge answers to exercises",
+        description="Judge answers to the exercises: hand-ins, node files and notebooks, and folders and zips of them.",
+        usage="%(prog)s FILE... [--csv FILE] [--json]",
+        epilog="The exit status is 0 if all answers are right, 1 if one is not, 2 if the command line is not, and 130 "
+        "after Ctrl-C, which keeps what has been judged.",
+        allow_abbrev=False,
+    )
+    judge.add_argument("paths", metavar="FILE", nargs="+", help="a hand-in, or a folder or zip of them")
+    judge.add_argument("--csv", metavar="FILE", help="save a table for spreadsheets, with a row for each student")
+    judge.add_argument("--json", action="store_true", help="print all that is known as JSON, in place of words")
+    judge.set_defaults(do=_judge, parser=judge)
     doctor = commands.add_parser("doctor", help="show what can run here", description="Show what can run here.")
     doctor.set_defaults(do=_doctor, parser=doctor)
     return parser
@@ -102,6 +122,14 @@ def _doctor(options: argparse.Namespace, args: Sequence[str]) -> int:
     for line in report():
         print(line)
     return 0
+
+
+def _judge(options: argparse.Namespace, args: Sequence[str]) -> int:
+    if not hasattr(os, "fork"):
+        raise ValueError("judge needs Linux or macOS, or WSL on Windows; the page for teachers needs a browser only")
+    from .grading import judge  # not there on Windows
+
+    return judge(options.paths, options.csv, options.json)
 
 
 def _run(options: argparse.Namespace, args: Sequence[str]) -> int:
@@ -128,6 +156,8 @@ def _run(options: argparse.Namespace, args: Sequence[str]) -> int:
         raise ValueError("--start is for simulated time: --simulated")
     if options.fault and not options.simulated:
         raise ValueError("--fault is for simulated time: --simulated")
+    if options.schedule and not options.simulated:
+        raise ValueError("--schedule is for simulated time: --simulated")
     if options.plot is not None:
         _check_plot(options.plot)
     guarded = guard_threads(_say_where_it_computed) if options.simulated and options.alone else nullcontext()
@@ -157,7 +187,11 @@ def _result(options: argparse.Namespace, args: Sequence[str], record: bool) -> R
         return real(options.file, options.seconds, args, sys.stdout)
     ticks = TickLog() if record else None
     faults = [read(text) for text in options.fault]
-    launched = several(options.files if len(options.files) > 1 else options.file, args, options.skip_cpp)
+    files = options.files if len(options.files) > 1 else options.file
+    if options.schedule:
+        prepared = prepare(files, args, options.skip_cpp, Order.of(options.schedule).deep, faults)
+        return run_in_order(prepared, options.seconds, options.schedule, options.start or 0.0, ticks)
+    launched = several(files, args, options.skip_cpp)
     clock: Clock = Simulation(duration(options.start or 0.0, "start")) if options.simulated else WallClock()
     if launched:
         assert isinstance(clock, Simulation)

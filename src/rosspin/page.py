@@ -15,7 +15,6 @@ import random
 import re
 import shlex
 import signal
-import subprocess
 import sys
 import threading
 import time
@@ -38,11 +37,10 @@ from .clocks.patches import patched
 from .clocks.simulation import PacedSimulation, Simulation
 from .clocks.stacks import whose
 from .exercises.advice import advice
-from .exercises.reach import reaches_for
 from .measures import by_source, describe_timeline
 from .results.pinned import as_test
+from .run.alone import ON_A_COMPUTER, refuse_processes
 from .run.explain import TimeStandsStill, say_error
-from .run.process import starter
 from .run.roses import ROSES
 from .run.roslaunch.launch import Launch
 from .run.roslaunch.launch import Node as LaunchNode
@@ -86,27 +84,8 @@ _SERIOUS = ("[WARN]", "[ERROR]", "[FATAL]")
 _MOST_CHUNKS = 1000
 
 
-class _NoProcesses:
-    """Refuses the modules that ``multiprocessing`` imports only for a process, or for what processes share."""
-
-    @staticmethod
-    def find_spec(name: str, path: Any = None, target: Any = None) -> None:
-        if name in ("multiprocessing.resource_tracker", "multiprocessing.synchronize"):
-            raise NotSimulated(starter(sys._getframe()), _ON_A_COMPUTER)
-
-
-def _refusing(name: str) -> Any:
-    def refuse(*args: Any, **options: Any) -> None:
-        raise NotSimulated(name, _ON_A_COMPUTER)
-
-    return refuse
-
-
-# A page has no processes: whatever would start one is refused by its name.
-_ON_A_COMPUTER = "the wall clock or on a real ROS"
-sys.meta_path.insert(0, _NoProcesses)
-os.fork = _refusing("os.fork")
-subprocess.Popen.__init__ = _refusing("subprocess")  # type: ignore[method-assign]
+# A page has no processes.
+refuse_processes()
 
 
 def wake(supply: Callable[[str], Any]) -> None:
@@ -163,7 +142,7 @@ def run(source: str, filename: str, seconds: float, args: str, speed: float, bes
                 print("Python could not read this line, so nothing ran.", file=sys.stderr)
             if isinstance(error, NotSimulated):
                 ros = load_source(_node(source), filename).hint or 1
-                with_ros, option = ("", "") if error.where == _ON_A_COMPUTER else (f" with ROS {ros}", f" --ros{ros}")
+                with_ros, option = ("", "") if error.where == ON_A_COMPUTER else (f" with ROS {ros}", f" --ros{ros}")
                 print(f"On a computer{with_ros}, run: python -m rosspin run{option} FILE", file=sys.stderr)
             return dumps({"status": 1})
 
@@ -184,30 +163,10 @@ def trace(exercise: str, text: str) -> str:
 def judge(exercise: str, text: str, trace: str) -> str:
     """Judge an answer by its trace, in a Python that has run nobody's code; nothing of the answer is run here.
 
-    The result, as JSON: the ``verdict``, which is "solved", "not yet", "open" (not answered yet), "to read" (by the
-    teacher, as not all of it was looked at) or "not judged"; whether the exercise is ``solved``; the ``status``, which
-    is the verdict in a line; the ``console`` of the answer; and the feedback that is ``said``.
+    The result is a :class:`rosspin.exercises.Verdict` as JSON.
     """
-    try:
-        feedback, found = exercises.judge(exercise, text, trace), reaches_for(text)
-    except Exception as error:  # a trace may be made of anything
-        said = str(error if isinstance(error, ValueError) else exercises.Misfit("it is damaged"))
-        status = f"Exercise {exercise}: not judged."
-        return dumps({"verdict": "not judged", "solved": False, "status": status, "console": "", "said": said})
-    said = str(feedback).replace("`", "")  # the page does not read it as Markdown
-    if found:
-        said += f"\n\nThe answer uses {found}, which no exercise needs."
-    made = {"verdict": _verdict(feedback), "solved": feedback.passed, "status": feedback.verdict}
-    return dumps(made | {"console": feedback.console, "said": said})
-
-
-def _verdict(feedback: exercises.Feedback) -> str:
-    if feedback.passed:
-        return "solved"
-    if feedback.is_open:
-        return "open"
-    *findings, last = feedback.findings
-    return "not yet" if feedback.whole or not all(finding.right for finding in findings) else "to read"
+    with _left_as_found():
+        return dumps(exercises.verdict(exercise, text, trace)._asdict())
 
 
 @contextmanager

@@ -4,12 +4,13 @@ from __future__ import annotations
 
 import os
 from collections.abc import Callable, Generator, Iterator, Mapping, Sequence
-from contextlib import ExitStack
+from contextlib import ExitStack, contextmanager
 from typing import TYPE_CHECKING, Any
 
 import pytest
 
 if TYPE_CHECKING:
+    from .clocks.explored import Order
     from .faults import Fault
     from .run.source import NodeLike
     from .run.steps import StartedNode
@@ -19,29 +20,56 @@ __all__ = ["start_node"]
 _started = pytest.StashKey[list["StartedNode"]]()
 
 
+class _StartNode:
+    """The fixture: it starts nodes in the ``order`` that a test is explored in, if it is."""
+
+    # What fails a test.
+    failures = (Exception, pytest.fail.Exception)
+
+    def __init__(self, request: pytest.FixtureRequest, stack: ExitStack) -> None:
+        self.order: Order | None = None
+        self._folder = request.path.parent
+        self._stack = stack
+        self._started: list[StartedNode] = []
+        request.node.stash[_started] = self._started
+
+    def __call__(
+        self,
+        node: NodeLike,
+        args: Sequence[str] = (),
+        parameters: Mapping[str, Any] | None = None,
+        *,
+        faults: Sequence[Fault] = (),
+    ) -> StartedNode:
+        __tracebackhide__ = True
+        from .run.steps import start_in_order
+
+        path = node if callable(node) else os.path.normpath(self._folder / os.fspath(node))
+        started = start_in_order(self.order, path, args, parameters, faults)
+        self._started.append(self._stack.enter_context(started))
+        return started
+
+    @contextmanager
+    def in_order(self, order: Order) -> Iterator[None]:
+        """Within this context it is as new, and starts nodes in an order. They end with the context."""
+        before = self.order, self._stack
+        try:
+            with ExitStack() as stack:
+                self.order, self._stack = order, stack
+                yield
+        finally:
+            self.order, self._stack = before
+            self._started.clear()
+
+
 @pytest.fixture
 def start_node(request: pytest.FixtureRequest) -> Iterator[Callable[..., StartedNode]]:
     """Start nodes as ``rosspin.start`` does. They end with the test; its report has their consoles if it fails.
 
     A relative path is relative to the folder of the test's file.
     """
-    from .run.steps import start
-
-    started = request.node.stash[_started] = []
     with ExitStack() as stack:
-
-        def start_node(
-            node: NodeLike,
-            args: Sequence[str] = (),
-            parameters: Mapping[str, Any] | None = None,
-            *,
-            faults: Sequence[Fault] = (),
-        ) -> StartedNode:
-            path = node if callable(node) else os.path.normpath(request.path.parent / os.fspath(node))
-            started.append(stack.enter_context(start(path, args, parameters, faults=faults)))
-            return started[-1]
-
-        yield start_node
+        yield _StartNode(request, stack)
 
 
 @pytest.hookimpl(hookwrapper=True)

@@ -30,7 +30,7 @@ from IPython.core.error import UsageError
 from IPython.core.interactiveshell import InteractiveShell
 from tree import ROOT
 
-from rosspin import simulate
+from rosspin import Run, explore, simulate
 from rosspin.exercises import EXERCISES, check
 from rosspin.measures import periods
 from rosspin.results.console import read_ticks
@@ -109,8 +109,9 @@ def test_exercises_are_what_the_page_says() -> None:
 
 @pytest.mark.parametrize("ros", NOTEBOOKS)
 def test_the_page_says_how_many_they_are(ros: int) -> None:
-    assert len(ON_PAGE[ros]) == 19
-    assert f"nineteen exercises in {'five' if ros == 2 else 'four'} parts" in " ".join(PAGES[ros].split())
+    assert len(ON_PAGE[ros]) == (20 if ros == 2 else 19)
+    said = "twenty exercises in five parts" if ros == 2 else "nineteen exercises in four parts"
+    assert said in " ".join(PAGES[ros].split())
 
 
 def test_the_page_for_teachers_knows_the_exercises() -> None:
@@ -573,3 +574,27 @@ def test_the_magic_cuts_an_endless_console_short(shell: InteractiveShell, capsys
 def test_the_magic_needs_the_name_of_an_exercise(shell: InteractiveShell, line: str) -> None:
     with pytest.raises(UsageError, match="%%answer NAME: "):
         shell.run_cell_magic("answer", line, "pass")
+
+
+def test_the_order_of_the_solution_is_one_that_exploring_finds(tmp_path: Path) -> None:
+    node = tmp_path / "parts.py"
+    node.write_text(section("find-the-order").partition("%%simulate 0.6\n")[2].partition("```")[0], encoding="utf-8")
+    lines = node.read_text(encoding="utf-8").splitlines()
+    first = lines.index("        parts = self.parts") + 1
+    usual = simulate(str(node), 0.6)
+    assert "parts = 10" in usual.console
+
+    def is_whole(run: Run) -> None:
+        assert "parts = 10" in run.console
+
+    found = explore(str(node), 0.6, is_whole, deep=True, strategy="all")
+    assert found.run
+    assert "parts = 9" in found.run.console
+    shown = re.findall(r"[*|] (ThreadPool\S+) +(\d+)  ", str(found))
+    steps = [(thread, int(line) - first) for thread, line in dict.fromkeys(shown) if int(line) in (first, first + 1)]
+    (one, _), (other, _) = steps[0], next(step for step in steps if step[0] != steps[0][0])
+    assert steps in (
+        [(one, 0), (other, 0), (one, 1), (other, 1)],
+        [(one, 0), (other, 0), (other, 1), (one, 1)],
+        [(one, 0), (one, 1), (other, 0), (other, 1)],  # thread 1 is in the call of its second line meanwhile
+    )

@@ -60,6 +60,8 @@ def test_each_verdict(tmp_path: Path) -> None:
         "solved": True,
         "status": f"Exercise {number_of('fire-once')}: right.",
         "console": console,
+        "why": "",
+        "hint": "",
     }
     wrong = verdict("ten-hertz", "\n1 / 0", tmp_path)
     assert (wrong["verdict"], wrong["solved"], wrong["status"]) == (
@@ -68,6 +70,8 @@ def test_each_verdict(tmp_path: Path) -> None:
         f"Exercise {number_of('ten-hertz')}: not yet.",
     )
     assert "The node died in line 2: ZeroDivisionError" in wrong["said"]
+    assert wrong["why"].startswith("The node died in line 2: ZeroDivisionError")
+    assert wrong["hint"] in wrong["said"]
     assert "Traceback" in wrong["console"]
     none = verdict("nothing", "", tmp_path)
     assert (none["verdict"], none["solved"]) == ("not judged", False)
@@ -107,7 +111,7 @@ WAYS = {
 }
 PATCHES = {
     "passed": 'modules["rosspin.exercises.feedback"].Feedback.passed = True',
-    "verdict": 'modules["rosspin.page"]._verdict = lambda feedback: "solved"',
+    "verdict": 'modules["rosspin.exercises"]._kind = lambda feedback: "solved"',
     "find": 'modules["rosspin.exercises.judges"].on_time = lambda *_: '
     'modules["rosspin.exercises.feedback"].Finding(True, "")',
     "judge": 'modules["rosspin.exercises"].judge = modules["rosspin.page"].judge = lambda *_: "solved"',

@@ -11,11 +11,11 @@ from tree import ROOT
 
 from rosspin.exercises import EXERCISES
 
-NAMES = [exercise.name for exercise in EXERCISES]
+NAMES = [exercise.name for exercise in EXERCISES if exercise.part]  # a teacher's own have answers of their own
 
 NOTEBOOKS = {1: ROOT / "notebooks" / "exercises.md", 2: ROOT / "notebooks" / "ros2-exercises.md"}
 
-ON_PAGE = {ros: [exercise.name for exercise in EXERCISES if exercise.ros == ros] for ros in NOTEBOOKS}
+ON_PAGE = {ros: [exercise.name for exercise in EXERCISES if exercise.ros == ros and exercise.part] for ros in NOTEBOOKS}
 
 
 def _cells() -> dict[str, list[Any]]:

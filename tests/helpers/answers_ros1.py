@@ -847,7 +847,7 @@ rospy.spin()
     "share-data": [
         (
             parts(LOCKED_COUNT, LOCKED_REPORT, LOCK + "\nself.parts = 1"),
-            "but 10 parts have passed: some are reported twice",
+            "parts have passed: some are reported twice",
             "both need one lock",
         ),
         (

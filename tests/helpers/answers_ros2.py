@@ -7,6 +7,7 @@ Answer = str | dict[str, str]
 # --- predictions ------------------------------------------------------------------------------------------------------
 
 SHORT, LONG = "after_1_0_seconds = [2.2, 2.4, 2.8]", "after_1_8_seconds = [3.0, 3.2, 3.6]"
+ORDER, REPORT = "order = [1, 2, 1, 2]", "report = [9]"
 ALWAYS, UNSPUN = "always_slow = [0.4, 1.0, 1.6]", "without_spin = []"
 
 
@@ -394,6 +395,13 @@ def spin():
 threading.Thread(target=spin, daemon=True).start()
 rclpy.spin(motor)
 """,
+    ],
+    "find-the-order": [
+        {ORDER: "order = (1, 2, 1, 2)"},
+        {ORDER: "order = [1, 2] * 2"},
+        {REPORT: "report = (9,)"},
+        {REPORT: "report = [10 - 1]"},
+        {ORDER: "order = list((1, 2)) + [1, 2]", REPORT: "report = [9.0]"},
     ],
     "wake-a-rate": [
         {SPIN_CAUGHT: f"    try:\n{SPIN}{CAUGHT}    finally:\n        rclpy.try_shutdown()\n"},
@@ -916,6 +924,24 @@ WRONG: dict[str, list[tuple[Answer, str, str]]] = {
             "takes its time",
         ),
         (FOR_ROS_1, "This node is for ROS 1", "This exercise is on ROS 2"),
+    ],
+    "find-the-order": [
+        (times(ORDER, 1, 1, 2, 2), "the order: not 1, 1, 2, 2", "This is the usual order"),
+        (times(ORDER, 1, 2, 2, 1), "the order: not 1, 2, 2, 1", "thread 1 writes last"),
+        (times(ORDER, 2, 1, 1, 2), "the order: not 2, 1, 1, 2", "Here thread 2 begins"),
+        (times(ORDER, 2, 1, 2, 1), "the order: not 2, 1, 2, 1", "thread 1 writes last, over what thread 2"),
+        (times(ORDER, 2, 2, 1, 1), "the order: not 2, 2, 1, 1", "nothing is lost"),
+        (times(ORDER, 1, 2), "the order: not 1, 2", "so each stands in the list twice"),
+        (
+            times(ORDER, 1, 1, 1, 2),
+            "the order: the second of these numbers is not 1",
+            "each thread runs its first line before",
+        ),
+        (times(REPORT, 10), "the report: not 10", "in the usual order"),
+        (times(REPORT, 8), "the report: not 8", "only one of their two parts is lost"),
+        (times(REPORT, 5), "the report: not 5", "not at each call"),
+        (times(REPORT, 0), "the report: not 0", "stay counted"),
+        (times(REPORT, 11), "the report: not 11", "written over"),
     ],
     "wake-a-rate": [
         (

@@ -34,7 +34,7 @@ def test_snapshot_is_made_anew_only_when_its_inputs_change(site: Path, tmp_path:
     (tmp_path / kept.name).write_bytes(b"kept")
     out = tmp_path / "web" / "live"
     node: list[str | Path] = [ROOT / ".venv/bin/node", "--experimental-wasm-jspi", ROOT / "web/build.mjs"]
-    subprocess.run([*node, ROOT / "build/npm", *yaml.__path__, out], check=True)
+    subprocess.run([*node, ROOT / "build/npm", *yaml.__path__, out, "{}"], check=True)
     assert (out / "snapshot.gz").read_bytes() == b"kept"
     for folder, data in ((out, b"kept"), (site / "_static/live", kept.read_bytes())):
         assert hashlib.sha256(data).hexdigest() in (folder / "runs.js").read_text(encoding="utf-8")

@@ -23,11 +23,13 @@ LAYERS = [
     "rospy",
     "rclpy",
     "run",
+    "orders",
     "measures",
     "plots",
     "real",
     "doctor",
     "exercises",
+    "grading",
     "page",
     "site",
     "pytest_plugin",
@@ -42,8 +44,12 @@ KEEPERS = {
     "matplotlib": {"plots", "plots.pictures", "plots.vehicle"},
     "js": {"clocks.jspi", "page"},
     "pyodide": {"clocks.jspi", "page"},
-    "sphinx": {f"site.{name}" for name in ("pages", "live", "slides", "times", "checks", "doctests", "published")},
-    "docutils": {f"site.{name}" for name in ("pages", "live", "slides", "times", "checks", "doctests", "published")},
+    "sphinx": {
+        f"site.{name}" for name in ("checks", "doctests", "lessons", "live", "pages", "published", "slides", "times")
+    },
+    "docutils": {
+        f"site.{name}" for name in ("checks", "doctests", "lessons", "live", "pages", "published", "slides", "times")
+    },
     "pytest": {"pytest_plugin"},
     "yaml": {
         *("run.roslaunch.launch", "run.ros2launch.frontend", "run.ros2launch.parameters"),

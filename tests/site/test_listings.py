@@ -11,6 +11,7 @@ from typing import NamedTuple
 
 import pytest
 from built_pages import parsed
+from lesson import FILES as LESSON
 from tree import ROOT
 
 EXAMPLES = ROOT / "examples"
@@ -154,8 +155,9 @@ def test_code_on_pages_comes_from_files(page: Path) -> None:
     inline = re.findall(
         r"^ *\.\. (?:code|code-block|sourcecode):: *(?:cpp|c\+\+|python|cmake|xml)\b.*", page.read_text(), re.M
     )
-    assert inline == []
-    assert all(listing.path.is_file() for listing in listings(page))
+    # The files of this page are what its reader writes; tests/real/test_lesson.py does so, and runs them.
+    assert len(inline) == (sum(name.endswith(".py") for name in LESSON) if page.stem == "add-a-lesson" else 0)
+    assert all(listing.path.is_file() or page.stem == "add-a-lesson" for listing in listings(page))
 
 
 def cmake_lines(node: str) -> list[str]:

@@ -17,7 +17,8 @@ export const MOST = { file: 1_000_000, answer: 50_000, name: 100, answers: 100 }
 /**
  * What such a file holds.
  *
- * @typedef {{file: string, name: string, id: string, date: Date | null, answers: [exercise: string, text: string][]}} Answers
+ * @typedef {{file: string, name: string, student: string, id: string, date: Date | null,
+ *   answers: [exercise: string, text: string][]}} Answers
  */
 
 /**
@@ -26,10 +27,12 @@ export const MOST = { file: 1_000_000, answer: 50_000, name: 100, answers: 100 }
  * @param {string} name
  * @param {string} id what tells students of the same name apart
  * @param {Record<string, string>} answers name of the exercise -> text
+ * @param {string} student ID, if the student gives one
  */
-export function write(name, id, answers) {
+export function write(name, id, answers, student = "") {
   const date = new Date().toISOString()
-  return JSON.stringify({ format: FORMAT, version: VERSION, name, id, date, answers }, null, 1)
+  const known = student ? { name, student } : { name }
+  return JSON.stringify({ format: FORMAT, version: VERSION, ...known, id, date, answers }, null, 1)
 }
 
 /**
@@ -44,7 +47,7 @@ export async function read(file) {
     throw new Error(why)
   }
   const start = await file.slice(0, 4).text().catch(() => refuse("it cannot be read"))
-  if (start === "PK\x03\x04") refuse("it is a zip archive; unpack it first")
+  if (start === "PK\x03\x04") refuse("it is a zip archive; unpack it first") // which unpack.js did if it could
   if (file.size > MOST.file) refuse(`it is ${(file.size / 1e6).toFixed(1)} MB; the limit is ${MOST.file / 1e6} MB`)
   const text = await file.text().catch(() => refuse("it cannot be read"))
   let found
@@ -67,7 +70,9 @@ export async function read(file) {
   }
   const known = pairs.map(([exercise, answer]) => /** @type {[string, string]} */ ([nameOf(exercise), answer]))
   const date = new Date(typeof found.date === "string" ? found.date : NaN)
-  return { file: file.name, name: plain(name) || "(no name)", id, date: isNaN(Number(date)) ? null : date, answers: known }
+  const student = typeof found.student === "string" ? plain(found.student) : ""
+  const when = isNaN(Number(date)) ? null : date
+  return { file: file.name, name: plain(name) || "(no name)", student, id, date: when, answers: known }
 }
 
 /**

@@ -8,7 +8,7 @@ import { find, here, make, save } from "./make.js"
 import { named, numberOf, withNumber } from "./names.js"
 import { Store } from "./store.js"
 
-/** Under this, for all pages, the reader's name and what tells readers of the same name apart. */
+/** Under this, for all pages, the reader's name, ID, and what tells readers of the same name apart. */
 const KEY = "rosspin:hand-in"
 
 /** The site, beneath which all of its pages are. */
@@ -29,7 +29,7 @@ addEventListener("storage", ({ key }) => key && store.heard(key))
 // What other tabs wrote while this one was asleep, or was left and is shown again, no event has told.
 for (const sign of ["pageshow", "visibilitychange"]) addEventListener(sign, () => store.refresh())
 
-/** @returns {{name?: string, id?: string}} */
+/** @returns {{name?: string, student?: string, id?: string}} */
 function known() {
   try {
     return JSON.parse(localStorage.getItem(KEY) ?? "null") ?? {}
@@ -55,14 +55,15 @@ function handIn(event) {
     status.textContent = [`There is nothing to hand in: ${nothing}`, ...doubts(found, "")].join(" ")
     return
   }
+  const student = idField.value.trim()
   const { id = mine } = known() // another tab may have handed in meanwhile
   try {
-    localStorage.setItem(KEY, JSON.stringify({ name, id }))
+    localStorage.setItem(KEY, JSON.stringify({ name, student, id }))
   } catch {
     // The next time, it has to be written again.
   }
   const file = `rosspin-answers-${name.replace(/[^\p{L}\p{N}]+/gu, "-")}.json`
-  const text = write(name, id, found)
+  const text = write(name, id, found, student)
   save(file, "application/json", text)
   const which = `your answer${exercises.length === 1 ? "" : "s"} to ${list(exercises)}`
   const said = [`Saved as ${file}, with ${which}. Give this file to your teacher.`, ...doubts(found, text)]
@@ -97,11 +98,13 @@ function list(names) {
   return `exercises ${numbers.slice(0, -1).join(", ")} and ${numbers.at(-1)}`
 }
 
-const { name = "", id: mine = random() } = known()
+const { name = "", student: number = "", id: mine = random() } = known()
 const field = make("input", { value: name, maxLength: MOST.name, autocomplete: "name" })
+const idField = make("input", { value: number, maxLength: MOST.name, autocomplete: "off" })
 const status = make("span", { role: "status" })
 const form = make("form", { className: "hand-in", noValidate: true })
-form.append(make("label", {}, "Your name ", field), make("button", { textContent: "Hand in" }), status)
+form.append(make("label", {}, "Your name ", field), make("label", {}, "Student ID, if your teacher wants it ", idField))
+form.append(make("button", { textContent: "Hand in" }), status)
 form.addEventListener("submit", handIn)
 const cannot = make("p", { textContent: `This browser cannot check answers, nor hand them in: ${LACKS_JSPI}` })
 if (location.protocol !== "file:") find("article h1").after(HAS_JSPI ? form : cannot)

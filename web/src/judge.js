@@ -2,17 +2,18 @@
 
 import { csv } from "./csv.js"
 import { HAS_JSPI, LACKS_JSPI } from "./jspi.js"
-import { judge } from "./judging.js"
+import { judge, rest } from "./judging.js"
 import { find, here, make, save } from "./make.js"
 import { numberOf } from "./names.js"
 import { notHere } from "./python.js"
 import { NOT_JUDGED, Table } from "./table.js"
+import { dropped, unpacked } from "./unpack.js"
 import { reveal } from "./unseen.js"
 
 const base = new URL("../live/", here()).href
 
 /** How many answers are judged at the same time. */
-const LANES = Math.max(1, Math.min(4, navigator.hardwareConcurrency - 1))
+const LANES = Math.max(2, Math.min(4, navigator.hardwareConcurrency - 1))
 
 /** @type {Record<import("./table.js").Verdict, string>} the sign of each verdict in the table */
 const SIGNS = {
@@ -39,9 +40,9 @@ const known = new Table((...answer) => judge(base, ...answer), LANES, (answer) =
   tell()
 })
 
-/** @param {Iterable<File>} files */
+/** @param {Promise<import("./unpack.js").Dropped[]>} files */
 async function add(files) {
-  const problems = await known.add([...files])
+  const problems = await known.add(await files)
   notes.append(...problems.map((textContent) => make("li", { textContent })))
 }
 
@@ -66,15 +67,18 @@ function mark(answer) {
 
 function draw() {
   const columns = known.exercises
-  const head = make("tr", {}, make("th", { scope: "col", textContent: "Name" }))
-  head.append(make("th", { scope: "col", textContent: "Solved" }))
-  /** @type {(name: string) => HTMLElement} */
-  const heading = (name) =>
-    make("th", { scope: "col", textContent: numberOf(name), title: titleOf(name, "Exercise") })
-  head.append(...columns.map(heading))
+  const focused = [...table.querySelectorAll("thead button")].indexOf(/** @type {Element} */ (document.activeElement))
+  /** @type {(by: string, text: string, title?: string) => HTMLElement} */
+  const heading = (by, text, title = "") => {
+    const { isDown } = known.order
+    const ariaSort = known.order.by !== by ? "none" : isDown ? "descending" : "ascending"
+    return make("th", { scope: "col", title, ariaSort }, button(text, () => known.sort(by)))
+  }
+  const head = make("tr", {}, heading("name", "Name"), heading("solved", "Solved"))
+  head.append(...columns.map((name) => heading(name, numberOf(name), titleOf(name, "Exercise"))))
   const body = known.rows.map((row) => {
     const [others, namesakes] = [known.others(row), known.namesakes(row)]
-    const said = [row.source]
+    const said = [row.source, row.student && `ID ${row.student}`]
     if (others.length) said.push(`same browser as ${others.join(", ")}`)
     if (namesakes.length) said.push(`same name as ${namesakes.join(", ")}, another browser`)
     const name = make("th", { scope: "row" }, row.name)
@@ -84,6 +88,8 @@ function draw() {
     return make("tr", {}, name, make("td"), ...cells)
   })
   table.replaceChildren(make("thead", {}, head), make("tbody", {}, ...body))
+  const again = /** @type {HTMLElement | undefined} */ (table.querySelectorAll("thead button")[focused])
+  again?.focus()
   results.hidden = known.rows.length + known.refused.length === 0
   scroll.hidden = legend.hidden = known.rows.length === 0
   tell()
@@ -103,6 +109,16 @@ function tell() {
   progress.value = answers.length - open
   stopButton.ariaDisabled = String(open === 0)
   if (status.textContent !== said) status.textContent = said // said once, not at each answer
+  if (open === 0) rest()
+  const missed = open ? [] : known.hard
+  hard.hidden = !missed.length
+  hard.replaceChildren(make("p", {}, make("strong", { textContent: "What was hard" })), make("ul", {}, ...missed.map(hardness)))
+}
+
+/** What was hard of an exercise: the hints say which belief has failed, and how often. */
+function hardness(/** @type {(typeof known.hard)[number]} */ { exercise, answered, solved, hints }) {
+  const told = hints.slice(0, 3).map(([hint, count]) => make("li", { textContent: `${count} × ${hint}` }))
+  return make("li", {}, `${titleOf(exercise, "Exercise")}: ${solved} of ${answered} solved`, make("ul", {}, ...told))
 }
 
 /** An exercise with its title, if it has one. */
@@ -143,13 +159,13 @@ function button(text, act) {
   return element
 }
 
-const input = make("input", { type: "file", multiple: true, accept: ".json,application/json" })
+const input = make("input", { type: "file", multiple: true, accept: ".json,.zip,application/json,application/zip" })
 input.addEventListener("change", async () => {
-  await add(input.files ?? [])
+  await add(unpacked([...(input.files ?? [])]))
   input.value = "" // the same file can be chosen again
 })
 const drop = make("div", { className: "judge-drop" })
-drop.append(make("label", {}, "Drop the files of your students anywhere on this page, or choose them: ", input))
+drop.append(make("label", {}, "Drop the files of your students, or folders and zips of them, anywhere on this page, or choose them: ", input))
 
 const status = make("span", { role: "status" })
 const progress = make("progress", { ariaLabel: "Answers judged" })
@@ -168,7 +184,8 @@ const legend = make("p", {
 })
 const detail = make("div", { className: "judge-said", role: "region", ariaLabel: "What the checker said", tabIndex: -1 })
 detail.hidden = true
-const results = make("div", { hidden: true }, bar, scroll, legend, detail)
+const hard = make("div", { className: "judge-hard", hidden: true })
+const results = make("div", { hidden: true }, bar, scroll, legend, detail, hard)
 
 /** Why nothing can be judged here, in a sentence; "" if it can. */
 const missing = notHere("check answers") || (HAS_JSPI ? "" : `This browser cannot check answers: ${LACKS_JSPI}`)
@@ -181,7 +198,7 @@ if (!missing) {
       if (!event.dataTransfer?.types.includes("Files")) return
       event.preventDefault() // the browser would leave the page to show the file
       drop.classList.toggle("judge-over", kind === "dragenter" || kind === "dragover")
-      if (kind === "drop") add(event.dataTransfer.files)
+      if (kind === "drop") add(dropped(event.dataTransfer))
     })
   }
   addEventListener("beforeunload", (event) => !known.isSaved && event.preventDefault())

@@ -11,7 +11,7 @@ const START = 60_000
 const MOST_SAID = 30_000
 
 /** @typedef {import("./protocol.js").Verdict | "did not end" | "stopped"} Found of an answer */
-/** @typedef {{verdict: Found, said: string}} Judgement */
+/** @typedef {{verdict: Found, said: string, hint?: string}} Judgement with the hint for a wrong answer */
 
 const NOT_JUDGED = "not judged"
 
@@ -71,6 +71,16 @@ function result(sandbox, job, stopped) {
 }
 
 /**
+ * Sandboxes that have judged, and will go on: nothing of an answer runs in them.
+ *
+ * @type {import("./sandboxes.js").Sandbox[]}
+ */
+const resting = []
+
+/** End what is left when all has been judged. */
+export const rest = () => resting.splice(0).forEach((sandbox) => sandbox.end())
+
+/**
  * The verdict on an answer, and what was said of it.
  *
  * @param {string} base the address of the folder that runs.js is in
@@ -89,13 +99,15 @@ export async function judge(base, exercise, text, stopped) {
     const { Sandbox } = await load(base).catch(() => {
       throw new NoVerdict("Python could not be loaded. Is the site still there?")
     })
-    const [running, judging] = [new Sandbox(), new Sandbox()]
+    const [running, judging] = [new Sandbox(), resting.pop() ?? new Sandbox()]
     sandboxes.push(running, judging)
     const { trace } = await result(running, { kind: "trace", exercise, text }, stopped)
     running.end()
-    const { verdict, console, said } = await result(judging, { kind: "judge", exercise, text, trace }, stopped)
+    const { verdict, console, said, hint } = await result(judging, { kind: "judge", exercise, text, trace }, stopped)
+    sandboxes.pop()
+    resting.push(judging)
     const shown = console.slice(0, Math.max(MOST_SAID - said.length, 0))
-    return { verdict, said: [shown, said].filter(Boolean).join("\n").slice(0, MOST_SAID) }
+    return { verdict, hint, said: [shown, said].filter(Boolean).join("\n").slice(0, MOST_SAID) }
   } catch (error) {
     return error instanceof NoVerdict ? error.judgement : { verdict: NOT_JUDGED, said: String(error) }
   } finally {

@@ -24,7 +24,8 @@
  *   rings: Ring[]}} Scenes of a run of ROS 2
  * @typedef {{trace: string}} TraceResult
  * @typedef {"solved" | "not yet" | "open" | "to read" | "not judged"} Verdict
- * @typedef {{verdict: Verdict, solved: boolean, status: string, console: string, said: string}} JudgeResult
+ * @typedef {{verdict: Verdict, solved: boolean, status: string, console: string, said: string,
+ *   why: string, hint: string}} JudgeResult
  * @typedef {{run: RunResult, trace: TraceResult, judge: JudgeResult}} Results by the kind of the job
  *
  * What a sandbox says; its last word on a job is that it has ended or failed:
@@ -73,7 +74,7 @@ export const LONGEST = 6_000_000
 export const AT_ONCE = 100
 export const PER_SECOND = 100
 
-/** An answer is either; see rosspin.page.judge. */
+/** An answer is either; see rosspin.exercises.Verdict. */
 const VERDICTS = ["solved", "not yet", "open", "to read", "not judged"]
 
 /** @typedef {any} Unknown what may be anything */
@@ -126,9 +127,9 @@ const RESULTS = {
     return right && { status, errors, count, ticks, chunks, end, alternative, test, scenes }
   },
   trace: ({ trace }) => isText(trace) && { trace },
-  judge({ verdict, solved, status, console, said }) {
-    const right = VERDICTS.includes(verdict) && (verdict === "solved") === solved && [status, console, said].every(isText)
-    return right && { verdict, solved, status, console, said }
+  judge({ verdict, solved, status, console, said, why = "", hint = "" }) {
+    const right = VERDICTS.includes(verdict) && (verdict === "solved") === solved
+    return right && [status, console, said, why, hint].every(isText) && { verdict, solved, status, console, said, why, hint }
   },
 }
 

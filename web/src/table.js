@@ -16,9 +16,10 @@ export const NOT_JUDGED = /** @type {const} */ (["to read", "not judged", "stopp
 /** A row of the table: what one student has handed in. */
 class HandIn {
   /** @param {import("./answers.js").Answers} found */
-  constructor({ file, name, id, date, answers }) {
+  constructor({ file, name, student, id, date, answers }) {
     this.file = file
     this.name = name
+    this.student = student
     this.id = id
     this.date = date ? local(date) : ""
     this.time = date?.getTime() ?? 0
@@ -39,6 +40,7 @@ export class Answer {
   /** @type {Verdict} */
   verdict = "waiting"
   said = ""
+  hint = ""
 
   /**
    * @param {HandIn} row
@@ -71,6 +73,9 @@ export class Table {
   /** @type {{file: string, why: string}[]} */
   refused = []
 
+  /** By what the rows are ordered, and whether the last comes first. */
+  order = { by: "name", isDown: false }
+
   /** Whether all that is known is in the text that was saved last. */
   isSaved = true
 
@@ -97,19 +102,44 @@ export class Table {
   /**
    * Read files, and have the answers judged that count: what is to be said of those that do not, in sentences.
    *
-   * @param {File[]} files
+   * @param {import("./unpack.js").Dropped[]} files
    */
   async add(files) {
     // All are read first: while one is being read, others are judged, which looks at the rows.
-    const contents = await Promise.allSettled(files.map(read))
+    const contents = await Promise.allSettled(files.map((file) => ("why" in file ? Promise.reject(new Error(file.why)) : read(file))))
     const problems = contents.map((found, number) =>
       found.status === "fulfilled" ? this.#take(new HandIn(found.value)) : this.#refuse(files[number].name, found.reason.message),
     )
-    this.rows.sort((one, other) => one.name.localeCompare(other.name, undefined, { numeric: true }))
+    this.#sort()
     this.isSaved = false
     this.#changed(null)
     while (this.#lanes < this.#most && this.#waiting.length) this.#work()
     return problems.filter((said) => said !== "")
+  }
+
+  #sort() {
+    const { by, isDown } = this.order
+    const rank = (/** @type {HandIn} */ row) => {
+      if (by === "name") return 0
+      if (by === "solved") return row.solved
+      const verdict = row.answers.get(by)?.verdict
+      return verdict === "solved" ? 2 : verdict ? 1 : 0
+    }
+    const byName = (/** @type {HandIn} */ one, /** @type {HandIn} */ other) =>
+      one.name.localeCompare(other.name, undefined, { numeric: true })
+    const sign = isDown ? -1 : 1
+    this.rows.sort((one, other) => sign * (rank(one) - rank(other) || (by === "name" ? byName(one, other) : 0)) || byName(one, other))
+  }
+
+  /**
+   * Bring the rows into the order of their names, of how many are solved, or of an exercise; again, the other way.
+   *
+   * @param {string} by "name", "solved", or the name of an exercise
+   */
+  sort(by) {
+    this.order = { by, isDown: this.order.by === by ? !this.order.isDown : by === "solved" }
+    this.#sort()
+    this.#changed(null)
   }
 
   /**
@@ -148,7 +178,7 @@ export class Table {
 
   /**
    * @param {Answer} answer
-   * @param {{verdict: Verdict, said: string}} found
+   * @param {{verdict: Verdict, said: string, hint?: string}} found
    */
   #become(answer, found) {
     Object.assign(answer, found)
@@ -173,6 +203,23 @@ export class Table {
     const place = (/** @type {string} */ name) => EXERCISES[name]?.number ?? Infinity
     const names = new Set(this.answers.map(({ exercise }) => exercise))
     return [...names].sort((one, other) => place(one) - place(other) || one.localeCompare(other))
+  }
+
+  /**
+   * The exercises that were judged and not solved by all, the hardest first: how many answered, how many solved it, and
+   * what those were told whose answer is wrong, by how many.
+   */
+  get hard() {
+    const found = this.exercises.map((exercise) => {
+      const judged = this.answers.filter((answer) => answer.exercise === exercise && !answer.isOpen)
+      /** @type {Map<string, number>} */
+      const hints = new Map()
+      for (const { hint } of judged) if (hint) hints.set(hint, (hints.get(hint) ?? 0) + 1)
+      const solved = judged.filter(({ verdict }) => verdict === "solved").length
+      return { exercise, answered: judged.length, solved, hints: [...hints].sort(([, one], [, other]) => other - one) }
+    })
+    const missed = found.filter(({ answered, solved }) => solved < answered)
+    return missed.sort((one, other) => one.solved / one.answered - other.solved / other.answered)
   }
 
   /**
@@ -215,14 +262,14 @@ export class Table {
     const marks = ["same browser as", "same name in another browser"]
     this.isSaved = true
     return [
-      ["name", "file", "note", "date", ...marks, "answers", "solved", ...exercises.map((name) => title(name))],
+      ["name", "student ID", "file", "note", "date", ...marks, "answers", "solved", ...exercises.map((name) => title(name))],
       ...this.rows.map((row) => {
-        const { name, file, date, solved, answers } = row
+        const { name, student, file, date, solved, answers } = row
         const verdicts = exercises.map((name) => answers.get(name)?.verdict ?? "")
         const [others, namesakes] = [this.others(row), this.namesakes(row)].map((list) => list.join(", "))
-        return [name, file, "", date, others, namesakes, answers.size, solved, ...verdicts]
+        return [name, student, file, "", date, others, namesakes, answers.size, solved, ...verdicts]
       }),
-      ...this.refused.map(({ file, why }) => ["", file, `refused: ${why}`]),
+      ...this.refused.map(({ file, why }) => ["", "", file, `refused: ${why}`]),
     ]
   }
 }

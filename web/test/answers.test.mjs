@@ -15,6 +15,7 @@ test("what is written is read", async () => {
   assert.deepEqual({ ...found, date: null }, {
     file: "a.json",
     name: "Ada <Lovelace>/2",
+    student: "",
     id: "a1",
     date: null,
     answers: [["ten-hertz", "%%answer ten-hertz\nä"], ["cpp-ticks", ""]],
@@ -27,6 +28,11 @@ test("a file from before exercises had names is read, by the numbers that they h
   const found = await read(holding({ version: 1, answers }))
   assert.deepEqual(found.answers.map(([name]) => name), names)
   assert.deepEqual(found.answers[1], ["ten-hertz", "%%answer 4\nb"])
+})
+
+test("a student may have an ID", async () => {
+  assert.equal((await read(file(write("Ada", "a1", {}, " s 1\n")))).student, "s 1")
+  assert.equal((await read(holding({ student: 5 }))).student, "")
 })
 
 const NAMES = [

@@ -14,7 +14,7 @@ const SCENES = {
   steps: [[0.5, "said", [0], [[0, -1, 3]], ["runs"]]],
   rings: [{ links: [["slow", "waits"]], to: 0 }],
 }
-const VERDICT = { verdict: "solved", solved: true, status: "right", console: "", said: "" }
+const VERDICT = { verdict: "solved", solved: true, status: "right", console: "", said: "", why: "", hint: "" }
 const end = (result) => ({ kind: "end", result })
 
 const RIGHT = [

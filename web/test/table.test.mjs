@@ -10,8 +10,8 @@ globalThis.EXERCISES = Object.fromEntries(
 import { Table } from "../src/table.js"
 
 /** A file that a student hands in. */
-function handedIn(name, { as = `${name}.json`, id = "a1", date, answers = { "e-a": "solved" } } = {}) {
-  return new File([JSON.stringify({ format: "rosspin-answers", version: 2, name, id, date, answers })], as)
+function handedIn(name, { as = `${name}.json`, id = "a1", student, date, answers = { "e-a": "solved" } } = {}) {
+  return new File([JSON.stringify({ format: "rosspin-answers", version: 2, name, student, id, date, answers })], as)
 }
 
 /** Judges an answer by what it says: its text is the verdict; one that says "endless" is judged until it is stopped. */
@@ -88,8 +88,30 @@ test("a file that is refused is said, counted and saved, and the others are read
   ])
   assert.equal(table.said, "Done: 1 judged; 2 files refused")
   assert.deepEqual(table.save(String).slice(2), [
-    ["", "odd.json", "refused: it is not a file of answers to these exercises"],
-    ["", "all.zip", "refused: it is a zip archive; unpack it first"],
+    ["", "", "odd.json", "refused: it is not a file of answers to these exercises"],
+    ["", "", "all.zip", "refused: it is a zip archive; unpack it first"],
+  ])
+})
+
+test("rows are sorted by what is solved and by an exercise, and each again the other way", async () => {
+  const answers = { a: { "e-a": "solved" }, b: { "e-a": "not yet", "e-b": "solved", "e-c": "solved" }, c: { "e-b": "open" } }
+  await drop(...Object.entries(answers).map(([name, answers]) => handedIn(name, { id: name, answers })))
+  const names = () => table.rows.map(({ name }) => name).join("")
+  for (const [by, order] of [["solved", "bac"], ["solved", "cab"], ["e-a", "cba"], ["e-a", "abc"], ["name", "abc"], ["name", "cba"]]) {
+    table.sort(by)
+    assert.equal(names(), order, by)
+  }
+  await drop(handedIn("d", { id: "d" }))
+  assert.equal(names(), "dcba")
+})
+
+test("what was hard: the hardest first, with what was told how often", async () => {
+  table = new Table(async (exercise, text) => ({ verdict: text, said: "", hint: text === "not yet" ? `hint ${exercise}` : "" }), 2, () => {})
+  const answers = [{ "e-a": "solved", "e-b": "not yet" }, { "e-a": "not yet", "e-b": "not yet" }, { "e-a": "solved", "e-b": "open", "e-c": "solved" }]
+  await drop(...answers.map((answers, id) => handedIn("x", { id: `${id}`, answers })))
+  assert.deepEqual(table.hard, [
+    { exercise: "e-b", answered: 3, solved: 0, hints: [["hint e-b", 2]] },
+    { exercise: "e-a", answered: 3, solved: 2, hints: [["hint e-a", 1]] },
   ])
 })
 
@@ -168,7 +190,7 @@ test("each change is told, and that there are other rows", async () => {
 test("what is saved has a line for each student, and a column for each exercise that somebody answered", async () => {
   assert.equal(table.isSaved, true)
   await drop(
-    handedIn("Ada", { date: day(21), answers: { "e-j": "not yet", "e-d": "solved" } }),
+    handedIn("Ada", { student: "s1", date: day(21), answers: { "e-j": "not yet", "e-d": "solved" } }),
     handedIn("Zoë", { id: "a2", answers: { "e-a": "not judged" } }),
   )
   assert.equal(table.isSaved, false)
@@ -176,8 +198,8 @@ test("what is saved has a line for each student, and a column for each exercise 
   assert.equal(table.isSaved, true)
   const marks = ["same browser as", "same name in another browser"]
   const exercises = ["exercise e-a", "exercise e-d", "exercise e-j"]
-  assert.deepEqual(head, ["name", "file", "note", "date", ...marks, "answers", "solved", ...exercises])
-  assert.match(ada[3], /^2026-11-2\d \d\d:\d\d$/)
-  assert.deepEqual(ada.toSpliced(3, 1), ["Ada", "Ada.json", "", "", "", 2, 1, "", "solved", "not yet"])
-  assert.deepEqual(zoe, ["Zoë", "Zoë.json", "", "", "", "", 1, 0, "not judged", "", ""])
+  assert.deepEqual(head, ["name", "student ID", "file", "note", "date", ...marks, "answers", "solved", ...exercises])
+  assert.match(ada[4], /^2026-11-2\d \d\d:\d\d$/)
+  assert.deepEqual(ada.toSpliced(4, 1), ["Ada", "s1", "Ada.json", "", "", "", 2, 1, "", "solved", "not yet"])
+  assert.deepEqual(zoe, ["Zoë", "", "Zoë.json", "", "", "", "", 1, 0, "not judged", "", ""])
 })

@@ -6,11 +6,16 @@ Times are integer nanoseconds, as in ROS: since the epoch on the wall, since the
 from __future__ import annotations
 
 import time
+from collections.abc import Sequence
 from typing import Protocol
 
-__all__ = ["BEGINS_AT_0", "NS", "Clock", "WallClock", "nanoseconds"]
+__all__ = ["BEGINS_AT_0", "LATE", "NS", "Clock", "WallClock", "nanoseconds"]
 
 NS = 1_000_000_000
+
+# How much later (ns) than usual a connection may stand, where orders are explored. Nothing says when it does, and a
+# computer that is busy easily takes a second.
+LATE = NS
 
 # A hint at times before 0, which a real computer's clock does not know.
 BEGINS_AT_0 = "rosspin: simulated clocks begin at 0, unless you say --start 1.7e9, or simulate(..., start=1.7e9)"
@@ -58,11 +63,22 @@ class Clock(Protocol):
     def sleep(self, ns: int) -> None:
         """Suspend the caller for ``ns`` nanoseconds; others run meanwhile. 0 or less only lets others run."""
 
+    @property
+    def explores(self) -> bool:
+        """Whether orders of events other than the usual one are tried."""
+
+    def choose(self, options: Sequence[str]) -> int:
+        """Return the place of what happens, of several things that ROS leaves open: the first unless it explores."""
+
+    def give_way(self) -> None:
+        """Let another thread of the caller's process go on if it explores: a real one could here, too."""
+
 
 class WallClock:
     """Real time."""
 
     ahead = 0
+    explores = False
 
     def now(self) -> int:
         """The time since the epoch, in ns."""
@@ -74,3 +90,10 @@ class WallClock:
         """Suspend the calling thread for ``ns`` nanoseconds."""
         if ns > 0:
             time.sleep(ns / NS)
+
+    def choose(self, options: Sequence[str]) -> int:
+        """Return 0."""
+        return 0
+
+    def give_way(self) -> None:
+        """Do nothing."""

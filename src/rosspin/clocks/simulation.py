@@ -10,7 +10,7 @@ from __future__ import annotations
 import contextlib
 import io
 import sys
-from collections.abc import Callable, Iterator
+from collections.abc import Callable, Iterator, Sequence
 from contextlib import AbstractContextManager, contextmanager
 from heapq import heapify, heappop, heappush, heappushpop
 from itertools import count, islice
@@ -20,14 +20,14 @@ from .ending import ending_here
 from .frames import Place, places, trail
 from .stacks import Program, Stack, StackExit, Switched, current, telling_no_turns
 
-__all__ = ["PacedSimulation", "Simulation", "Standstill"]
+__all__ = ["LAST", "PacedSimulation", "Simulation", "Standstill"]
 
 # This many wake-ups in a row without the time moving mean a loop that never sleeps: ten thousand threads that begin,
 # meet and end at one time take a tenth of them.
 STANDSTILL = 1_000_000
 
 # Added to a wake-up's order, the first makes it the last at its time; the second marks a pause, which comes even later.
-_LAST = 1 << 61
+LAST = 1 << 61
 _PAUSE = 1 << 62
 
 _IN_PAGE = sys.platform == "emscripten"
@@ -75,6 +75,8 @@ class Simulation:
     From outside, ``run`` it; or ``begin`` it and ``advance`` it in steps, until it ``is_over`` or you ``close`` it.
     ``now``, ``at``, ``pause``, ``wake`` and ``interrupt`` also work from outside. The rest is for its stacks.
     """
+
+    explores = False
 
     def __init__(self, start: int = 0) -> None:
         self._now = start
@@ -144,6 +146,13 @@ class Simulation:
             if self._now < wake:
                 self.sleep(wake - self._now)
 
+    def choose(self, options: Sequence[str]) -> int:
+        """See :class:`rosspin.clocks.clock.Clock`."""
+        return 0
+
+    def give_way(self) -> None:
+        """See :class:`rosspin.clocks.clock.Clock`."""
+
     def wait(self, ns: int | None = None) -> bool:
         """Suspend the caller until another stack wakes it, for at most ``ns`` nanoseconds. Returns whether one did."""
         me = current()
@@ -197,7 +206,7 @@ class Simulation:
         """Call ``function`` at the time ``when`` (ns), after everything that falls due then."""
         self._order += 1
         stack = self._stack(function, Program(), 0, "")
-        heappush(self._heap, (when, _LAST + self._order, stack))
+        heappush(self._heap, (when, LAST + self._order, stack))
 
     def interrupt(self, stack: Stack, handler: Callable[[], None]) -> None:
         """Call ``handler`` on a suspended stack, as a signal handler: its sleep, or its wait, goes on afterwards."""

@@ -39,6 +39,7 @@ class Program:
     """
 
     main: Stack
+    name = ""  # of its node, once it has one
 
     def __init__(self) -> None:
         self.interrupted = False

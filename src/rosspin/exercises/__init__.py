@@ -1,4 +1,4 @@
-"""The checks of the exercises in ``notebooks/exercises.md`` and ``notebooks/ros2-exercises.md``.
+"""The checks of the exercises in ``notebooks/exercises.md`` and ``notebooks/ros2-exercises.md``, and of a teacher's.
 
 An answer is a text: a node file, or predictions as assignments. A check runs it in simulated time and says what is
 right, what is wrong, and how to go on. It raises nothing, whatever the answer is. It looks at what the node did, such
@@ -10,11 +10,13 @@ Running and judging can be done in two Pythons: :func:`trace` runs the answer an
 
 from __future__ import annotations
 
-from typing import Any
+from typing import Any, NamedTuple
 
 from .feedback import Feedback, Finding
 from .judging import Answer, Fails
-from .questions import EXERCISES, Exercise
+from .questions import EXERCISES as _OF_THE_SITE
+from .questions import Exercise
+from .reach import reaches_for
 from .running import Runner
 from .traces import Misfit, Outcome, Request, Trace, read, write
 
@@ -77,6 +79,53 @@ def judge(which: int | str, answer: Any, traced: str) -> Feedback:
     return Feedback(exercise.number, tuple(findings), [*hints, exercise.hint][0], console, whole=not cut)
 
 
+class Verdict(NamedTuple):
+    """What is said of an answer that was handed in.
+
+    The ``verdict`` is "solved", "not yet", "open" (not answered yet), "to read" (by the teacher, as not all of it was
+    looked at) or "not judged". ``status`` is the verdict in a line, ``console`` what the answer printed, and ``said``
+    the feedback. Of an answer that is wrong, ``why`` is the first thing that is, and ``hint`` how to go on.
+    """
+
+    verdict: str
+    solved: bool
+    status: str
+    console: str
+    said: str
+    why: str = ""
+    hint: str = ""
+
+
+def verdict(which: int | str, answer: str, traced: str) -> Verdict:
+    """Judge an answer by the trace of its runs as :func:`judge` does, whatever both are. It raises nothing."""
+    try:
+        feedback, found = judge(which, answer, traced), reaches_for(answer)
+    except Exception as error:  # a trace may be made of anything
+        said = str(error if isinstance(error, ValueError) else Misfit("it is damaged"))
+        return Verdict("not judged", False, f"Exercise {which}: not judged.", "", said)
+    said = _plain(str(feedback))
+    if found:
+        said += f"\n\nThe answer uses {found}, which no exercise needs."
+    kind = _kind(feedback)
+    wrong = [finding.text for finding in feedback.findings if finding.right is False]
+    why, hint = (_plain(wrong[0]), _plain(feedback.hint)) if kind == "not yet" else ("", "")
+    return Verdict(kind, feedback.passed, feedback.verdict, feedback.console, said, why, hint)
+
+
+def _plain(text: str) -> str:
+    """A text that nobody reads as Markdown."""
+    return text.replace("`", "")
+
+
+def _kind(feedback: Feedback) -> str:
+    if feedback.passed:
+        return "solved"
+    if feedback.is_open:
+        return "open"
+    *findings, last = feedback.findings
+    return "not yet" if feedback.whole or not all(finding.right for finding in findings) else "to read"
+
+
 def _exercise(which: int | str) -> Exercise:
     for exercise in EXERCISES:
         if which in (exercise.number, exercise.name):
@@ -96,3 +145,13 @@ def _find(exercise: Exercise, answer: Answer) -> list[Finding]:
     except Fails as failure:
         findings.append(failure.finding)
     return findings
+
+
+# These import what is above.
+from .own import LESSONS  # noqa: E402
+
+EXERCISES: tuple[Exercise, ...] = (
+    *_OF_THE_SITE,
+    *(each.exercise._replace(number=number) for number, each in enumerate(LESSONS, len(_OF_THE_SITE) + 1)),
+)
+"""All exercises: those of the site, and then those of the teacher."""

@@ -19,12 +19,13 @@ Meanings = Mapping[tuple[float, ...], str]
 _ASKED = {
     "times": (say, "times in seconds", "[1.0, 2.0, 3.0]"),
     "counters": (lambda number: f"{number:g}", "counters", "[1, 2, 3]"),
+    "numbers": (lambda number: f"{number:g}", "numbers", "[1, 1, 2, 2]"),
 }
 _NTH = ("the first", "the second", "the third")
 
 
 def predicted(predictions: Mapping[tuple[str, str, str], Meanings], asked: str = "times") -> Judge:
-    """Judge whether variables are lists of the right numbers, which are "times" (s) or "counters", as ``asked``.
+    """Judge whether variables are lists of the right numbers: "times" (s), "counters" or "numbers", as ``asked``.
 
     ``predictions`` maps each variable, given by its name, in words and with a hint, to numbers that somebody may give:
     the right ones, and those that follow from a wrong belief, with what to say to whoever holds it. The hint is for

@@ -727,6 +727,37 @@ _WAIT_2 = {
         "itself, and say `goal.canceled()`.",
         judge=by.cancels,
     ),
+    "find-the-order": Exercise(
+        title="Find the order in which it fails",
+        needs=("docs/how-to/find-the-order",),
+        reveals="What has never failed in a test has no race.",
+        hint="What has each thread looked up when it writes?",
+        judge=predicted(
+            {
+                (
+                    "order",
+                    "the order",
+                    "It has four lines: each thread runs its first line before its second one, and thread 1 begins.",
+                ): {
+                    (1, 2, 1, 2): RIGHT,
+                    (1, 1, 2, 2): "This is the usual order: thread 2 looks up what thread 1 has written.",
+                    (1, 2, 2, 1): "Here thread 1 writes last, over what thread 2 has counted.",
+                    (2, 1, 1, 2): "Here thread 2 begins. Thread 1 runs its first line before anything else.",
+                    (2, 1, 2, 1): "Here thread 1 writes last, over what thread 2 has counted, which began.",
+                    (2, 2, 1, 1): "Here thread 1 looks up what thread 2 has written, and nothing is lost.",
+                    (1, 2): "Each thread runs two lines, so each stands in the list twice.",
+                },
+                ("report", "the report", "Ten calls count a part each, and one of these parts is written over."): {
+                    (9,): RIGHT,
+                    (10,): "This is what it reports in the usual order.",
+                    (8,): "Two threads are in it, but only one of their two parts is lost.",
+                    (5,): "That is half of them: it happens once, not at each call.",
+                    (0,): "Only one part is lost; those before and after it stay counted.",
+                },
+            },
+            asked="numbers",
+        ),
+    ),
 }
 
 # --- ROS 2: end -------------------------------------------------------------------------------------------------------

@@ -5,6 +5,7 @@ from __future__ import annotations
 import io
 import math
 import os
+import random
 import signal
 import sys
 import threading
@@ -19,20 +20,20 @@ from types import CodeType, FrameType
 from typing import Any, Protocol, TypeVar
 
 from ..clocks.clock import NS, nanoseconds
+from ..clocks.explored import ExploredSimulation, Order
 from ..clocks.programs import send
-from ..clocks.simulation import Simulation
 from ..results.ticks import Call, Message, Tick
 from ..run.explain import TimeStandsStill, waits_for_a_rate, where_it_was_kept
 from ..run.host import Result
+from ..run.shaking import shaken
 from ..run.simulate import run_node
-from ..run.source import Node, execute, load_source
+from ..run.source import Node, load_source
 from ..run.streams import capture
 from ..world.graph import TickLog
 from ..world.world import NotSimulated, World
 from . import in_rospy
 from .judging import not_python, plain, started
 from .seen import Called, Error, Kept, Printed, Seen, SeenTimer, Sent, Value
-from .shaking import shake, turns
 from .traces import LONGEST, Failure, Outcome, Request
 
 __all__ = ["Runner"]
@@ -89,11 +90,13 @@ class Ros(Protocol):
 # --- what a run shows -------------------------------------------------------------------------------------------------
 
 
-class _Watched(Simulation):
+class _Watched(ExploredSimulation):
     """A simulated clock that notes what happens on it."""
 
-    def __init__(self, ros: Ros, until: float) -> None:
-        super().__init__()
+    def __init__(self, ros: Ros, until: float, seed: int | None) -> None:
+        draw = random.Random(seed)
+        decide = None if seed is None else lambda point, options: draw.randrange(len(options))
+        super().__init__(Order(decide=decide, deep=seed is not None))
         self.printed: list[Printed] = []
         self.timers: list[SeenTimer] = []
         self.cut = False
@@ -221,13 +224,13 @@ class Runner:
 
     def _run(self, request: Request) -> Seen:
         node = self._node
-        clock = _Watched(self._ros, request.seconds)
+        clock = _Watched(self._ros, request.seconds, request.seed)
         if request.terminated_at is not None:
             clock.terminate(request.terminated_at)
         if request.stalls_at is not None:
             clock.stall(request.stalls_at)
         if request.seed is not None:
-            node = node._replace(main=lambda: execute(self._shaken, _FILENAME))
+            node = self._shaken
         variables: list[tuple[str, Value]] = []
 
         def main() -> None:
@@ -237,7 +240,7 @@ class Runner:
 
         listener: Any = _Listener(clock)
         try:
-            with capture(listener, listener) as console, _plain_environment(), turns(request.seed):
+            with capture(listener, listener) as console, _plain_environment():
                 result = run_node(node._replace(main=main), request.seconds, request.args, clock, TickLog())
         except (TimeStandsStill, NotSimulated, RuntimeError) as error:
             text = f"{started(request.args)} node cannot be run: `{plain(str(error))}`"
@@ -292,8 +295,8 @@ class Runner:
             raise _Failed(*not_python(error, self._text)) from None
 
     @cached_property
-    def _shaken(self) -> CodeType:
-        return compile(shake(self._text), _FILENAME, "exec", dont_inherit=True)
+    def _shaken(self) -> Node:
+        return shaken(self._node)
 
     def _error(self, error: BaseException) -> Error:
         frames = list(_frames(error))

@@ -11,6 +11,7 @@ from collections.abc import Iterator
 from functools import partial
 from typing import TYPE_CHECKING, Any
 
+from ..clocks.clock import LATE
 from .qos import incompatible_policy
 
 if TYPE_CHECKING:
@@ -34,11 +35,22 @@ class Participants:
 
     def __init__(self) -> None:
         self._contexts: list[Context] = []
+        self._late: set[frozenset[Context]] = set()  # pairs that learn of each other later than usual
 
     def join(self, context: Context) -> None:
         """Add a context that has its first node."""
-        context.joined = context.state.clock.now()
+        clock = context.state.clock
+        context.joined = clock.now()
+        for other in self._contexts:
+            if clock.explores and other.state is not context.state:
+                pair = f"{context.state.world.name} and {other.state.world.name}"
+                if clock.choose([f"{pair} connect", f"{pair} connect late"]):
+                    self._late.add(frozenset((context, other)))
         self._contexts.append(context)
+
+    def meeting(self, one: Context, other: Context) -> int:
+        """How long (ns) it takes until two contexts know each other."""
+        return PARTICIPANT + (LATE if frozenset((one, other)) in self._late else 0)
 
     def leave(self, context: Context, killed: bool = False) -> None:
         """Let the others miss a context that was shut down, or whose process has ended."""
@@ -71,7 +83,7 @@ class Participants:
 def _met(one: Context, other: Context) -> int:
     """Return when (ns) two contexts know each other."""
     assert one.joined is not None and other.joined is not None
-    return max(one.joined, other.joined) + PARTICIPANT
+    return max(one.joined, other.joined) + one.state.participants.meeting(one, other)
 
 
 def _late(name: str, node: Node) -> int:

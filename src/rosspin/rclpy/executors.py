@@ -21,13 +21,13 @@ from .exceptions import (
 from .handle import Held
 from .state import Gate
 from .task import Future, Task
+from .topics import Subscription
 from .waits import waiting_for
 
 if TYPE_CHECKING:
     from .node import Node
     from .services import Client, Service
     from .timer import Timer
-    from .topics import Subscription
 
 __all__ = [
     "ConditionReachedException",
@@ -359,12 +359,33 @@ class Executor:
             self.__waits = False
             for watchers in watched:
                 watchers.remove(self.__gate)
+        if len(ready) > 1 and self._clock.explores:
+            ready -= self.__not_yet(ready, timers, receivers)
         for guard in triggered:
             guard.triggered, guard._executor_triggered = False, True
         if self._rosspin_tell:
             self._rosspin_tell("finds", self, {*ready, *triggered})
         self.__waited_until = self._clock.now()
         return ready, is_over or timeout == 0
+
+    def __not_yet(self, ready: set[Any], timers: list[Timer], receivers: list[Receiver]) -> set[Any]:
+        """Choose what of all that is due now is not due yet when a real executor looks.
+
+        It looks a little before, or after, a message comes or a timer is due at the same time. What was due before is
+        there, and of two timers the one that was made first: the wait set is gone through in this order in any case.
+        """
+        now = self._clock.now()
+        late: set[Any] = {timer for timer in timers if timer in ready and timer.time_left() == 0 and timer.clock.flows}
+        fresh = [each for each in receivers if each in ready and isinstance(each, Subscription) and each.came_at(now)]
+        options: list[tuple[str, set[Any]]] = [("all that is due", set())]
+        if late and len(ready) > len(late):
+            options.append(("no timer yet", late))
+        if len(ready) - len(late) > 1:
+            options += [(f"{each.topic_name} first", late | {*fresh} - {each}) for each in fresh]
+        if (len(late) > 1 or (late and fresh)) and len(self._nodes) == 1:
+            first = next(timer for timer in timers if timer in late)
+            options.append(("one timer first", (late | {*fresh}) - {first}))
+        return options[self._clock.choose([said for said, _ in options])][1] if len(options) > 1 else set()
 
     def __task(self, entity: Any, node: Node) -> Entry:
         """Make a task that calls what is due. Nothing else is handed out for the entity until the task begins."""
@@ -447,12 +468,16 @@ class MultiThreadedExecutor(Executor):
         self._futures: list[Task] = []
         self._executor = ThreadPoolExecutor(num_threads or _THREADS)
 
+    def _rosspin_begin(self, task: Task) -> None:
+        self._clock.give_way()  # threads of a pool that are given work at one time begin it in any order
+        task()
+
     def _rosspin_spin_once(self, timeout_sec: Any, condition: Callable[[], bool] = _never) -> None:
         try:
             task, _, _ = self.wait_for_ready_callbacks(timeout_sec, None, condition)
         except (ExternalShutdownException, ShutdownException, TimeoutException, ConditionReachedException):
             return
-        self._executor.submit(task)
+        self._executor.submit(self._rosspin_begin, task)
         self._futures.append(task)
         for running in list(self._futures):
             if running.done():

@@ -402,6 +402,10 @@ class Subscription(TopicEnd):
             return cdr.deserialize(message, self.msg_type)
         return received(message, self.msg_type)
 
+    def came_at(self, now: int) -> bool:
+        """Whether the message that is the next to be taken has come at a time (ns)."""
+        return bool(self.messages) and self.messages[0][1]["received_timestamp"] == now
+
     def take(self) -> Any:
         """Return the call to make, or None if there is no message any more."""
         if self._destroyed:

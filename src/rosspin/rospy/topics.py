@@ -13,6 +13,7 @@ from collections import deque
 from collections.abc import Callable
 from typing import Any, TypeVar
 
+from ..clocks.clock import LATE
 from ..clocks.frames import format_error
 from ..messages.ros1 import Message, SerializationError
 from ..world.graph import Wire
@@ -181,6 +182,9 @@ class Subscription:
 
     def connect(self, publication: Publication, delay: int) -> None:
         """Connect to a publisher after ``delay`` ns."""
+        if delay and self.node.clock.explores:  # a test is connected at once
+            ends = f"{publication.node.name} to {self.node.name}: {self.topic}"
+            delay += LATE * self.node.clock.choose([f"{ends} connects", f"{ends} connects late"])
         self.node.world.start(Connection(publication, self, delay))
 
     def set_queue_size(self, queue_size: int | None) -> None:

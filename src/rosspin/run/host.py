@@ -82,6 +82,8 @@ class Host:
         self.processes: list[Process] = []
         self.faults = self._faulty(faults) if faults != () else None
         self.at_graph: list[Callable[[int, Graph], None]] = []  # called when a ROS is used for the first time
+        self.waits = ""  # what waited for ever when Ctrl-C came
+        self._failed: list[BaseException] | None = None
         self._graphs: dict[int, Graph] = {}
         self._stand_ins: dict[str, Mapping[str, ModuleType]] = {}
         self._of: dict[Program, Process] = {}
@@ -312,17 +314,27 @@ class Host:
             simulated = SimulatedProgram(self.supervisor.run, Program(), self.clock)
         else:
             simulated = SimulatedProgram(self.processes[0].run, self.processes[0].world, self.clock)
-        simulated.before_ctrl_c = self._say_what_waits
+        simulated.before_ctrl_c = self._before_ctrl_c
         return simulated
 
-    def _say_what_waits(self) -> None:
-        """Say what waits for ever: threads, and the callbacks of ROS 2."""
+    def _before_ctrl_c(self) -> None:
+        """Note what has failed so far, and say what waits for ever: threads, and the callbacks of ROS 2."""
+        self._failed = self._errors()
         assert isinstance(self.clock, Simulation)
         said = explain_threads(self.clock, self.recording.tell)
         if graph := self._graphs.get(2):
             said += ROSES[2].stand_in.explain_waits(graph, self.recording.tell)
         if said:
+            self.waits = said
             sys.stderr.write(said)
+
+    def _errors(self) -> list[BaseException]:
+        return [error for process in self.processes for error in process.world.errors]
+
+    @property
+    def failed(self) -> list[BaseException]:
+        """The uncaught exceptions of its processes' threads, in a simulated run those that came before Ctrl-C."""
+        return self._errors() if self._failed is None else self._failed
 
     @property
     def _patience(self) -> int | None:

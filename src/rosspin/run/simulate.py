@@ -5,9 +5,10 @@ from __future__ import annotations
 import os
 import sys
 from collections.abc import Callable, Iterable, Sequence
-from typing import TYPE_CHECKING, TextIO
+from typing import TYPE_CHECKING, Any, NamedTuple, TextIO
 
 from ..clocks.clock import Clock
+from ..clocks.explored import ExploredSimulation, Order
 from ..clocks.simulation import Simulation
 from ..results.ticks import Run
 from ..world.graph import TickLog
@@ -15,6 +16,7 @@ from .host import Host, Result, Supervisor, duration
 from .ros2launch.launch_file import LaunchFile
 from .roslaunch import launch
 from .roslaunch.monitor import Monitor
+from .shaking import shaken as shake
 from .source import Node, NodeLike, is_launch_of_ros2, load, refuse_text, warn_of_files
 from .streams import capture
 from .together import Together
@@ -22,7 +24,10 @@ from .together import Together
 if TYPE_CHECKING:
     from ..faults import Fault
 
-__all__ = ["Launched", "run_captured", "run_node", "run_nodes", "several", "simulate", "supervisor"]
+__all__ = [
+    *("Launched", "Prepared", "prepare", "run_captured", "run_in_order", "run_node", "run_nodes"),
+    *("run_prepared", "several", "simulate", "supervisor"),
+]
 
 Launched = launch.Launch | LaunchFile
 
@@ -35,6 +40,7 @@ def simulate(
     *,
     start: float = 0.0,
     faults: Sequence[Fault] = (),
+    schedule: str = "",
 ) -> Run:
     """Run a node for ``seconds`` of simulated time, which begins at 0 and takes almost no real time.
 
@@ -63,19 +69,67 @@ def simulate(
     console names each that did nothing.
 
     Raises OSError if the file cannot be read, SyntaxError if it is not Python, ValueError if ``seconds`` or ``start``
-    is negative, too large or not a number, :class:`TimeStandsStill` if the node never lets the time go on, and
-    :class:`NotSimulated` if it needs a real ROS. Raises TypeError for ``faults`` that are none, and ValueError for one
-    that asks a transport for what it cannot do, that names what the run does not have, or that comes after its end.
+    is negative, too large or not a number, or if the ``schedule`` is none of this node, :class:`TimeStandsStill` if the
+    node never lets the time go on, and :class:`NotSimulated` if it needs a real ROS. Raises TypeError for ``faults``
+    that are none, and ValueError for one that asks a transport for what it cannot do, that names what the run does not
+    have, or that comes after its end.
+    """
+    shaken = bool(schedule) and Order.of(schedule).deep
+    prepared = prepare(node, args, skip_cpp, shaken, faults)
+    with capture() as console:
+        if schedule:
+            result = run_in_order(prepared, seconds, schedule, start, TickLog())
+        else:
+            result = run_prepared(prepared, seconds, Simulation(duration(start, "start")), TickLog())
+    return result.run(console.text(), "simulated", seconds)
+
+
+class Prepared(NamedTuple):
+    """What is to run, loaded: several nodes, or a launch file, or one node, whose command line is ``args``."""
+
+    launched: Launched | None
+    codes: list[Node]
+    args: Sequence[str]
+    faults: Sequence[Fault] = ()
+
+
+def prepare(
+    node: NodeLike | Sequence[NodeLike | launch.Node],
+    args: Sequence[str],
+    skip_cpp: bool,
+    shaken: bool,
+    faults: Sequence[Fault] = (),
+) -> Prepared:
+    """Load what is to run, once for many runs. Raises what :func:`simulate` raises for it.
+
+    Nodes that are to be ``shaken`` raise ValueError if they are functions, or nodes of a launch file of ROS 2.
     """
     refuse_text(args)
     launched = several(node, args, skip_cpp)
-    clock = Simulation(duration(start, "start"))
-    if launched is None:
-        return run_captured(clock, load(node), seconds, args, faults=faults)  # type: ignore[arg-type]
+    if isinstance(launched, LaunchFile):
+        if shaken:
+            raise ValueError(f"{launched.path}: deep is for node files, one or several")
+        return Prepared(launched, [], args, faults)
+    nodes: list[Any] = [node] if launched is None else [each.node for each in launched.nodes]
+    codes = [load(each) for each in nodes]
+    return Prepared(launched, [shake(code) for code in codes] if shaken else codes, args, faults)
+
+
+def run_prepared(prepared: Prepared, seconds: float, clock: Simulation, ticks: TickLog | None) -> Result:
+    """Run what was prepared, as :func:`run_node` and :func:`run_nodes` do."""
     duration(seconds)
-    with capture() as console:
-        result = run_nodes(launched, seconds, clock, TickLog(), faults=faults)
-    return result.run(console.text(), "simulated", seconds)
+    launched, codes, args, faults = prepared
+    if launched is None:
+        return run_node(codes[0], seconds, args, clock, ticks, faults=faults)
+    return run_nodes(launched, seconds, clock, ticks, codes, faults)
+
+
+def run_in_order(prepared: Prepared, seconds: float, schedule: str, start: float, ticks: TickLog | None) -> Result:
+    """Run what was prepared in the order of a token. Raises ValueError if that is none, or none of this node."""
+    order = Order.of(schedule)
+    result = run_prepared(prepared, seconds, ExploredSimulation(order, duration(start, "start")), ticks)
+    order.has_to_fit()
+    return result
 
 
 def several(

@@ -9,7 +9,7 @@ import os
 import re
 import sys
 import tokenize
-from collections.abc import Callable, Iterator, Sequence
+from collections.abc import Callable, Iterator, Mapping, Sequence
 from contextlib import suppress
 from functools import partial
 from importlib.machinery import BuiltinImporter, FrozenImporter
@@ -81,10 +81,11 @@ def compiled(source: str, filename: str) -> CodeType:
     return _compile(source, filename)
 
 
-def execute(code: CodeType, filename: str) -> None:
-    """Run code as the module ``__main__``."""
+def execute(code: CodeType, filename: str, more: Mapping[str, Any] | None = None) -> None:
+    """Run code as the module ``__main__``, which has these names besides its own."""
     module = ModuleType("__main__")
     module.__file__ = filename
+    module.__dict__.update(more or {})
     sys.modules["__main__"] = module
     exec(code, module.__dict__)
 

@@ -10,6 +10,7 @@ from types import NoneType, TracebackType
 from typing import TYPE_CHECKING, Any
 
 from ..clocks.clock import NS
+from ..clocks.explored import ExploredSimulation, Order
 from ..clocks.frames import node_frames
 from ..clocks.programs import end_run
 from ..clocks.simulation import Simulation
@@ -22,14 +23,14 @@ from .process import Process
 from .ros2launch.launch_file import LaunchFile
 from .roses import ROSES
 from .roslaunch.launch import Node
-from .simulate import several, supervisor
-from .source import NodeLike, load, refuse_text, warn_of_files
+from .simulate import prepare, supervisor
+from .source import NodeLike, refuse_text, warn_of_files
 from .streams import Capture
 
 if TYPE_CHECKING:
     from ..faults import Fault
 
-__all__ = ["NodeFailed", "StartedNode", "start"]
+__all__ = ["NodeFailed", "StartedNode", "start", "start_in_order"]
 
 _INTERRUPTED = 128 + signal.SIGINT
 
@@ -58,10 +59,22 @@ def start(
     line.
     """
     __tracebackhide__ = True  # pytest shows the lines of the test and of the node, not these
+    return start_in_order(None, node, args, parameters, faults)
+
+
+def start_in_order(
+    order: Order | None,
+    node: NodeLike | Sequence[NodeLike | Node],
+    args: Sequence[str],
+    parameters: Mapping[str, Any] | None,
+    faults: Sequence[Fault] = (),
+) -> StartedNode:
+    """Do what :func:`start` does, in an order of events that may be another than the usual one."""
+    __tracebackhide__ = True
     refuse_text(args)
     if not isinstance(parameters, (Mapping, NoneType)):
         raise TypeError(f"parameters are given by name, as in {{'rate': 10.0}}, not as {parameters!r}")
-    return StartedNode(node, args, parameters or {}, faults)
+    return StartedNode(node, args, parameters or {}, faults, order)
 
 
 class StartedNode:
@@ -81,9 +94,10 @@ class StartedNode:
         args: Sequence[str],
         parameters: Mapping[str, Any],
         faults: Sequence[Fault] = (),
+        order: Order | None = None,
     ) -> None:
         __tracebackhide__ = True
-        launched = several(node, args)
+        launched, codes, *_ = prepare(node, args, skip_cpp=False, shaken=order is not None and order.deep)
         if launched and parameters:
             raise ValueError(
                 "give each of several nodes its parameters on its own command line: rosspin.Node(node, args)"
@@ -91,12 +105,11 @@ class StartedNode:
         if isinstance(launched, LaunchFile):
             names = [launched.path]
         else:
-            codes = [load(node)] if launched is None else [load(each.node) for each in launched.nodes]  # type: ignore[arg-type]
             names = [code.argv0 for code in codes]
         self.name = ", ".join(Path(name).name for name in names)  # of files, or of functions
         self._parameters = parameters
         self._capture = Capture()
-        self._clock = Simulation()
+        self._clock = ExploredSimulation(order) if order else Simulation()
         self._host = Host(self._clock, TickLog(), launched is not None, faults)
         self._host.on_failure = self._clock.pause
         self._host.at_graph.append(self._take_part)
@@ -109,7 +122,7 @@ class StartedNode:
         self._status_raised = False
         with self._inside():
             if launched:
-                self._host.supervisor = supervisor(launched, self._host)
+                self._host.supervisor = supervisor(launched, self._host, codes)
             else:
                 warn_of_files(codes)
                 world = self._host.add(codes[0], args).world

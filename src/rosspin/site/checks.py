@@ -23,6 +23,7 @@ from sphinx.util.typing import ExtensionMetadata
 from ..exercises import EXERCISES
 from .claims import MIME, Stale, report, sentence_near
 from .doctests import stale_examples
+from .lessons import counted, stale_files, stale_lessons
 from .outputs import stale_copies, stale_picture, write
 
 __all__ = ["note", "noted", "setup"]
@@ -133,8 +134,9 @@ def missing_exercises(root: Path) -> Iterator[Stale]:
     """Yield the exercises that have a check but no answer on their page in ``root``/notebooks."""
     for page in sorted(root.glob("notebooks/*.md")):
         found = re.findall(r"^%%answer (\S+)$", page.read_text(encoding="utf-8"), re.MULTILINE)
-        on_page = {exercise.ros for exercise in EXERCISES if exercise.name in found}
-        for exercise in EXERCISES:
+        of_site = [exercise for exercise in EXERCISES if exercise.part]
+        on_page = {exercise.ros for exercise in of_site if exercise.name in found}
+        for exercise in of_site:
             if exercise.ros in on_page and exercise.name not in found:
                 now = f'rosspin.exercises checks exercise {exercise.number}, "{exercise.title}"'
                 yield Stale(page.relative_to(root).as_posix(), 1, f"no cell with %%answer {exercise.name}", now)
@@ -157,6 +159,7 @@ def _finish(app: Sphinx, error: Exception | None) -> None:
     root = Path(app.srcdir)
     _, picture = app.env.__dict__["rosspin_picture"]
     stale = [*set().union(*noted(app.env).values()), *stale_copies(root), *picture, *missing_exercises(root)]
+    stale += [*stale_lessons(root), *counted(root), *stale_files(root)]
     if app.builder.name == OutputsBuilder.name:
         app.statuscode = _write(root, stale)
     elif stale:

@@ -75,8 +75,8 @@ class Magics(BaseMagics):
         if not (feedback.passed and self._is_attended()):
             return feedback
         self._solved.add(feedback.number)
-        ros = EXERCISES[feedback.number - 1].ros
-        on_page = {exercise.number for exercise in EXERCISES if exercise.ros == ros}
+        answered = EXERCISES[feedback.number - 1]
+        on_page = {each.number for each in EXERCISES if (each.ros, not each.part) == (answered.ros, not answered.part)}
         solved = f"You have solved {len(self._solved & on_page)} of {len(on_page)} exercises."
         return replace(feedback, progress=solved)
 

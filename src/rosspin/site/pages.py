@@ -520,6 +520,7 @@ def setup(app: Sphinx) -> ExtensionMetadata:
     app.add_directive("ticks", TicksDirective)
     app.add_directive("scenes", ScenesDirective)
     app.setup_extension("rosspin.site.checks")
+    app.setup_extension("rosspin.site.lessons")
     app.add_directive("facts", FactsDirective)
     app.add_directive("literalinclude", ListingDirective, override=True)
     app.add_directive("vehicle", VehicleDirective)

@@ -2,7 +2,9 @@
 
 from __future__ import annotations
 
+import io
 import re
+import zipfile
 from pathlib import Path
 
 from answers import CELLS, answer_in, number_of
@@ -110,9 +112,9 @@ def test_what_was_refused_is_not_forgotten(quick: Table) -> None:
     _, ada, *refused = quick.csv()
     assert ada[0] == "Ada"
     assert refused == [
-        ["", "'=odd.json", "refused: it is not a file of answers to these exercises"],
-        ["", "other.json", "refused: it is not a file that Hand in saved (it is not JSON)"],
-        ["", "huge.json", "refused: it is 2.0 MB; the limit is 1 MB"],
+        ["", "", "'=odd.json", "refused: it is not a file of answers to these exercises"],
+        ["", "", "other.json", "refused: it is not a file that Hand in saved (it is not JSON)"],
+        ["", "", "huge.json", "refused: it is 2.0 MB; the limit is 1 MB"],
     ]
 
 
@@ -143,7 +145,7 @@ def test_who_is_who(quick: Table) -> None:
     said = quick.said(f"Sam, exercise {THIRD}: solved")
     assert said.startswith(f"Sam, exercise {THIRD}: The ticks of a C++ node: solved\n")
     assert re.search(rf"^The answer, from {source}:$", said, re.MULTILINE)
-    assert [row[4:6] for row in quick.csv()[1:]] == [["Sam", ""], ["", "b.json"], ["Al", "c.json"]]
+    assert [row[5:7] for row in quick.csv()[1:]] == [["Sam", ""], ["", "b.json"], ["Al", "c.json"]]
     expect(quick.sign(f"Sam, exercise {THIRD}: solved")).to_be_visible()
     expect(quick.page.get_by_role("columnheader", name=f"{THIRD}")).to_have_attribute(
         "title", f"Exercise {THIRD}: The ticks of a C++ node"
@@ -176,13 +178,33 @@ def test_csv(quick: Table) -> None:
     assert quick.page.evaluate(may_leave)
     exercises = [f"exercise {FIRST}: The first ticks", f"exercise {TEN_HERTZ}: Change the rate", "exercise 99"]
     marks = ["same browser as", "same name in another browser"]
-    assert head == ["name", "file", "note", "date", *marks, "answers", "solved", *exercises]
+    assert head == ["name", "student ID", "file", "note", "date", *marks, "answers", "solved", *exercises]
     assert sorted(row[0] for row in rows[:4]) == ["'+1", "'-1", "'=1+1", "'@SUM(A1)"]
     ada, al, zoe = rows[4:]
-    assert re.fullmatch(r"2026-11-2\d \d\d:\d\d", ada.pop(3))
-    assert ada == ["Ada", "ada.json", "", "Al", "", "2", "1", "solved", "not yet", ""]
-    assert al == ["Al", "'=x.json", "", "", "Ada", "", "1", "0", "not judged", "", ""]
-    assert zoe == ['Zoë "Z", jr.', "4.json", "", "", "", "", "1", "0", "", "", "to read"]
+    assert re.fullmatch(r"2026-11-2\d \d\d:\d\d", ada.pop(4))
+    assert ada == ["Ada", "", "ada.json", "", "Al", "", "2", "1", "solved", "not yet", ""]
+    assert al == ["Al", "", "'=x.json", "", "", "Ada", "", "1", "0", "not judged", "", ""]
+    assert zoe == ['Zoë "Z", jr.', "", "4.json", "", "", "", "", "1", "0", "", "", "to read"]
+
+
+def test_a_zip_is_read_as_it_is_and_the_table_sorts_and_says_what_was_hard(quick: Table) -> None:
+    """With the path in it of each file, which says who sent it, and the student's ID."""
+    buffer = io.BytesIO()
+    with zipfile.ZipFile(buffer, "w", zipfile.ZIP_DEFLATED) as archive:
+        for name, verdict in (("Ada", "not yet"), ("Zoë", "solved")):
+            text = handed_in(name, id=name, student=f"s-{name}", answers={"first-ticks": verdict})
+            archive.writestr(f"{name}_1_assignsubmission_file_/a.json", text)
+        archive.writestr("Ben_2_assignsubmission_file_/report.pdf", "x")
+    quick.input.set_input_files(FilePayload(name="all.zip", mimeType="application/zip", buffer=buffer.getvalue()))
+    expect(quick.status).to_have_text("Done: 2 judged")
+    ada, zoe = (f"{name}\nall/{name}_1_assignsubmission_file_/a.json\nID s-{name}" for name in ("Ada", "Zoë"))
+    assert quick.rows.locator("th").all_inner_texts() == [ada, zoe]
+    solved = quick.page.get_by_role("columnheader").get_by_role("button", name="Solved")
+    solved.click()
+    assert quick.rows.locator("th").all_inner_texts() == [zoe, ada]
+    expect(solved).to_be_focused()
+    expect(quick.page.get_by_role("columnheader", name="Solved")).to_have_attribute("aria-sort", "descending")
+    expect(quick.page.locator(".judge-hard li")).to_have_text(f"Exercise {FIRST}: The first ticks: 1 of 2 solved")
 
 
 def test_keyboard_alone(quick: Table) -> None:
@@ -196,6 +218,7 @@ def test_keyboard_alone(quick: Table) -> None:
         page.get_by_role("button", name="Stop"),
         page.get_by_role("button", name="Save as CSV"),
         page.get_by_role("region", name="Who solved what"),
+        *(page.get_by_role("columnheader").get_by_role("button", name=name) for name in ("Name", "Solved", "99")),
         sign,
     ):
         page.keyboard.press("Tab")

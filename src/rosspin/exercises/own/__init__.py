@@ -1,0 +1,127 @@
+"""A teacher's own exercises: each is a file in the folder ``lessons`` of the site, or in that of ``ROSSPIN_LESSONS``.
+
+A file holds what the exercise is called, what it begins with, how an answer is checked, and answers that are right and
+wrong. ``docs/how-to/add-a-lesson.rst`` goes through one. The page's Python has these files in this folder.
+"""
+
+from __future__ import annotations
+
+import importlib
+import os
+import pkgutil
+import re
+from collections.abc import Iterator, Mapping, Sequence
+from pathlib import Path
+from types import ModuleType
+from typing import NamedTuple
+
+from ..judging import plain
+from ..questions import Exercise
+
+__all__ = ["FAULTS", "LESSONS", "Answer", "Fault", "Lesson"]
+
+Answer = str | Mapping[str, str]
+"""A text; or what is to be replaced in that with which the exercise begins, and by what."""
+
+
+class Fault(NamedTuple):
+    """What a file lacks, or has wrong: the file and the line, what stands there, and what of it is not right."""
+
+    file: Path
+    line: int
+    stands: str
+    now: str
+
+
+class Lesson(NamedTuple):
+    """An exercise of a teacher's: the text that it begins with, its hints, and answers that are right and wrong.
+
+    With each wrong answer comes a part of what is to be said of it. The first right one is the solution.
+    """
+
+    exercise: Exercise
+    file: Path
+    node: str
+    hints: tuple[str, ...]
+    right: tuple[Answer, ...]
+    wrong: tuple[tuple[Answer, str], ...]
+
+    def written(self, answer: Answer) -> str:
+        """Write an answer out. Raises ValueError if it replaces what is not there."""
+        text = self.node
+        if isinstance(answer, str):
+            return answer.lstrip("\n")
+        for old, new in answer.items():
+            if old not in text:
+                raise ValueError(f"NODE has no {old!r}")
+            text = text.replace(old, new)
+        return text
+
+
+# What a file has to say, of which type, and what that is.
+_ASKED: Mapping[str, tuple[type | tuple[type, ...], str]] = {
+    "TITLE": (str, "what the exercise is called"),
+    "NODE": (str, "what the student begins with"),
+    "HINTS": ((list, tuple), "a list of hints, one after the other"),
+    "RIGHT": ((list, tuple), "a list of right answers, the first of which is the solution"),
+    "WRONG": ((list, tuple), "a list of wrong answers, each with a part of what is said of it"),
+}
+
+FAULTS: list[Fault] = []
+"""What is wrong in files that cannot be used."""
+
+
+def _folder() -> Path | None:
+    """Return the teacher's folder; None if there is none. In a page, the files are in this one."""
+    if given := os.environ.get("ROSSPIN_LESSONS"):
+        return Path(given)
+    root = Path(__file__).parents[4]
+    return root / "lessons" if (root / "lessons").is_dir() and (root / "conf.py").is_file() else None
+
+
+def _modules() -> Iterator[tuple[str, ModuleType]]:
+    for found in sorted(pkgutil.iter_modules(__path__), key=lambda module: module.name):
+        try:
+            yield found.name, importlib.import_module(f"{__name__}.{found.name}")
+        except Exception as error:
+            file = Path(getattr(found.module_finder, "path", ""), f"{found.name}.py")
+            trace, line = error.__traceback__, getattr(error, "lineno", None) or 1
+            while trace:
+                line = trace.tb_lineno if trace.tb_frame.f_code.co_filename == str(file) else line
+                trace = trace.tb_next
+            FAULTS.append(Fault(file, line, "it cannot be loaded", f"{type(error).__name__}: {plain(str(error))}"))
+
+
+def _read(name: str, module: ModuleType) -> Lesson | None:
+    """Turn a file into an exercise; None if it lacks something, which is then among ``FAULTS``."""
+    file = Path(module.__file__ or name)
+    before = len(FAULTS)
+    for asked, (kind, what) in _ASKED.items():
+        if not isinstance(getattr(module, asked, None), kind):
+            FAULTS.append(Fault(file, 1, f"{asked} is missing", what))
+    if not callable(getattr(module, "check", None)):
+        FAULTS.append(Fault(file, 1, "check is missing", "a function that looks at an answer, and yields findings"))
+    wrong = getattr(module, "WRONG", ())
+    if isinstance(wrong, (list, tuple)) and not all(isinstance(each, Sequence) and len(each) == 2 for each in wrong):
+        FAULTS.append(Fault(file, 1, "WRONG", "each is a pair: an answer, and a part of what is said of it"))
+    if len(FAULTS) > before:
+        return None
+    hints = tuple(module.HINTS)
+    exercise = Exercise(
+        title=module.TITLE,
+        needs=(),
+        reveals=getattr(module, "REVEALS", ""),
+        hint=hints[0] if hints else "Look at the text of the exercise once more.",
+        judge=module.check,
+        name=name.replace("_", "-"),
+        ros=2 if re.search(r"\brclpy\b", module.NODE) else 1,
+    )
+    node = module.NODE.lstrip("\n")
+    return Lesson(exercise, file, node, hints, tuple(module.RIGHT), tuple(map(tuple, module.WRONG)))
+
+
+if (folder := _folder()) is not None:
+    __path__.insert(0, str(folder))
+
+LESSONS = tuple(lesson for name, module in _modules() if (lesson := _read(name, module)))
+"""The teacher's exercises, in the order of their files."""

@@ -1,0 +1,108 @@
+"""Judge what students hand in, on a computer: what the page for teachers does, for a whole class at once.
+
+Hand-ins are found in folders and archives as learning platforms export them. Each answer runs in a process of its own,
+and is judged by the notes of its runs in another one, in which nothing of it has run.
+"""
+
+from __future__ import annotations
+
+import json
+import os
+import signal
+import sys
+import time
+from collections.abc import Sequence
+from pathlib import Path
+
+from ..exercises import Verdict
+from .lanes import Lanes, Task
+from .students import Class
+from .told import as_csv, as_data, as_words, say_python, say_seals, write_csv
+
+__all__ = ["judge"]
+
+_STOPPED = Verdict("stopped", False, "", "", "It was stopped before it was judged.")
+
+
+def judge(paths: Sequence[str], csv: str | None = None, as_json: bool = False) -> int:
+    """Judge what was handed in, and say what came of it. Returns the exit status."""
+    found = Class()
+    for path in paths:
+        try:
+            found.add(Path(path))
+        except OSError as error:
+            return _misused(f"{path}: {error.strerror}")
+    if csv and (Path(csv).is_dir() or not Path(csv).parent.is_dir()):
+        return _misused(f"--csv {csv}: this is a folder, or there is no such folder")
+    places = [(row, name) for row in found.rows for name in row.answers]
+    for row, name in places:
+        row.verdicts[name] = _STOPPED
+    lanes = Lanes()
+    progress = _Progress(len(places))
+    for said in (*found.notes, *(f"{file} is refused: {why}." for file, why in found.refused)):
+        print(said, file=sys.stderr)
+
+    def done(number: int, verdict: Verdict) -> None:
+        row, name = places[number]
+        row.verdicts[name] = verdict
+        progress.step()
+
+    try:
+        lanes.judge((Task(name, row.answers[name]) for row, name in places), done)
+    finally:
+        lanes.close()
+        progress.end()
+    for said in (say_seals(lanes.seals), say_python(found)):
+        if said:
+            print(said, file=sys.stderr)
+    status = 0
+    if csv:
+        try:
+            Path(csv).write_bytes(write_csv(as_csv(found)))
+        except OSError as error:
+            status = _misused(f"--csv {csv}: {error.strerror}")
+    _print(found, as_json, lanes.seals)
+    if lanes.stopped:
+        return 128 + signal.SIGINT
+    is_right = bool(places) and all(verdict.solved for row in found.rows for verdict in row.verdicts.values())
+    return status or (0 if is_right and all(row.answers for row in found.rows) else 1)
+
+
+def _print(found: Class, as_json: bool, seals: frozenset[str]) -> None:
+    if as_json:
+        print(json.dumps(as_data(found, seals), indent=1))
+        return
+    # A terminal that lacks a character is shown something else; and nobody's text moves its cursor.
+    encoding = sys.stdout.encoding or "utf-8"
+    for line in as_words(found):
+        shown = "".join(each if each.isprintable() else "\N{REPLACEMENT CHARACTER}" for each in line.expandtabs())
+        print(shown.encode(encoding, "replace").decode(encoding))
+
+
+def _misused(said: str) -> int:
+    print(f"rosspin: {said}", file=sys.stderr)
+    return 2
+
+
+class _Progress:
+    """A line on the terminal that says how far it is; elsewhere nothing."""
+
+    def __init__(self, number: int) -> None:
+        self._number = number
+        self._done = 0
+        self._began = time.monotonic()
+        self._shown = sys.stderr.isatty()
+
+    def step(self) -> None:
+        self._done += 1
+        if not self._shown:
+            return
+        part = self._done / self._number
+        left = (time.monotonic() - self._began) * (1 - part) / part
+        bar = ("#" * round(20 * part)).ljust(20, ".")
+        said = f"\r[{bar}] {self._done} of {self._number} answers, {left:.0f} s left "
+        print(said[: os.get_terminal_size(sys.stderr.fileno()).columns], end="\033[K", file=sys.stderr, flush=True)
+
+    def end(self) -> None:
+        if self._shown:
+            print("\r\033[K", end="", file=sys.stderr, flush=True)

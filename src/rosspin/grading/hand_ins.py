@@ -1,0 +1,207 @@
+"""Read what a student hands in: the file that the site saves, a node file, or a notebook. Nothing of it is run.
+
+The rules for the site's file, and what is said of one that is refused, are those of ``web/src/answers.js``.
+"""
+
+from __future__ import annotations
+
+import codecs
+import json
+import re
+import unicodedata
+from collections.abc import Iterator
+from datetime import datetime
+from typing import Any, NamedTuple
+
+from ..exercises import EXERCISES
+
+__all__ = ["MOST_ANSWER", "MOST_FILE", "SUFFIXES", "HandIn", "Refused", "code", "plain", "read"]
+
+MOST_FILE = 1_000_000
+"""Of a file, so many bytes are read at most."""
+
+MOST_ANSWER = 50_000
+"""An answer is judged if it has at most so many characters."""
+
+_MOST_NAME = 100
+_MOST_ANSWERS = 100
+
+SUFFIXES = (".json", ".py", ".ipynb", ".md")
+"""The files that can hold answers."""
+
+# The exercises that had numbers before they had names, from 1 on, as in web/src/names.js. This list never changes.
+NUMBERED = (
+    *("first-ticks", "after-a-slow-callback", "cpp-ticks", "ten-hertz", "fire-once", "stop-after-five"),
+    *("loop-to-timer", "frequency-parameter", "two-rates", "survive-an-overrun", "share-data", "stop-the-motor"),
+    *("missing-ticks", "name-the-fault", "what-is-heard", "publish-the-counter", "late-subscriber"),
+    *("newest-position", "rostopic-hz", "slow-timer", "call-back-once", "period-parameter", "move-to-ros-2"),
+    *("starving-neighbour", "wake-a-rate", "end-without-a-traceback", "ask-without-hanging"),
+    *("let-a-callback-wait", "slow-service", "cancel-a-goal"),
+)
+
+# The name of an exercise, or in files of version 1 its old number.
+_NAME = {1: re.compile(r"[1-9][0-9]{0,2}"), 2: re.compile(r"[a-z0-9]+(-[a-z0-9]+)*")}
+
+_FIRST_LINE = re.compile(r"%%answer[ \t]+(\S+)[^\n]*(\n|$)")
+
+# The cells of a notebook in Markdown, each with its options.
+_CELL = re.compile(r"^```\{code-cell\}[^\n]*\n(.*?)^```\s*$", re.MULTILINE | re.DOTALL)
+_OPTIONS = re.compile(r"(---\n.*?^---\n|(?::[^\n]*\n)*)\n*", re.MULTILINE | re.DOTALL)
+
+_NOT_JSON = "it is not a file that Hand in saved (it is not JSON)"
+_NO_CELL = "it has no cell that begins with %%answer and the name of an exercise"
+
+
+class Refused(ValueError):
+    """A file is not read; the message says why."""
+
+
+class HandIn(NamedTuple):
+    """What a file holds: ``answers`` are texts by the names of their exercises.
+
+    A file of the site also has the student's ``name``, maybe a ``student`` ID, the ``id`` of a browser, and the time
+    when it was saved.
+    """
+
+    answers: dict[str, str]
+    name: str = ""
+    student: str = ""
+    id: str = ""
+    date: datetime | None = None
+
+
+def read(name: str, data: bytes) -> HandIn:
+    """Read a file with this name. Raises :class:`Refused`."""
+    if len(data) > MOST_FILE:
+        raise Refused(f"it is {len(data) / 1e6:.1f} MB; the limit is {MOST_FILE / 1e6:g} MB")
+    if name.endswith(".json"):
+        return _read_saved(data)
+    if name.endswith(".ipynb"):
+        return HandIn(_in_cells(_cells_of_notebook(data)))
+    if name.endswith(".md"):
+        return HandIn(_in_cells(_cells_of_markdown(_text(data))))
+    if name.endswith(".py"):
+        return _read_node(name, _text(data))
+    raise Refused("it is no file of answers: those end in .json, .py, .ipynb or .md")
+
+
+def code(answer: str) -> str:
+    """Return what of an answer is checked, in the same lines: its first line is not, if it begins with %%."""
+    return f"\n{answer.partition(chr(10))[2]}" if answer.startswith("%%") else answer
+
+
+def plain(name: str) -> str:
+    """Return a name in one line, without characters that are not seen or that turn the direction of a text."""
+    line = re.sub(r"\s+", " ", unicodedata.normalize("NFC", name))
+    return "".join(each for each in line if unicodedata.category(each)[0] != "C").strip()[:_MOST_NAME]
+
+
+def _text(data: bytes) -> str:
+    """Return a file as a text: in UTF-8, or as an editor on Windows may have saved it."""
+    if data.startswith((codecs.BOM_UTF16_LE, codecs.BOM_UTF16_BE)):
+        return data.decode("utf-16", "replace")
+    try:
+        return data.decode("utf-8-sig")
+    except UnicodeDecodeError:
+        return data.decode("cp1252", "replace")
+
+
+def _whole(text: str) -> str:
+    """Return a text in which no half of a character stands alone, as JSON may have it."""
+    return text.encode("utf-16", "surrogatepass").decode("utf-16", "replace")
+
+
+# --- the file of the site ---------------------------------------------------------------------------------------------
+
+
+def _read_saved(data: bytes) -> HandIn:
+    found = _json(data, _NOT_JSON)
+    if not isinstance(found, dict) or found.get("format") != "rosspin-answers":
+        raise Refused("it is not a file of answers to these exercises")
+    version = found.get("version")
+    if type(version) is not int or version not in _NAME:
+        raise Refused("another version of this site wrote it")
+    name, browser, answers = found.get("name"), found.get("id"), found.get("answers")
+    if not isinstance(name, str) or not isinstance(browser, str) or not isinstance(answers, dict):
+        raise Refused("its name or its answers are missing")
+    if len(answers) > _MOST_ANSWERS:
+        raise Refused(f"it has {len(answers)} answers, and at most {_MOST_ANSWERS} are read")
+    is_name = _NAME[version].fullmatch
+    if not all(len(key) <= _MOST_NAME and is_name(key) and isinstance(answers[key], str) for key in answers):
+        raise Refused("one of its answers is not a text with the name of an exercise")
+    known = {_named(key): _whole(text) for key, text in answers.items()}
+    student = found.get("student")
+    return HandIn(
+        known,
+        plain(_whole(name)) or "(no name)",
+        plain(_whole(student)) if isinstance(student, str) else "",
+        _whole(browser),
+        _date(found.get("date")),
+    )
+
+
+def _json(data: bytes, why: str) -> Any:
+    try:
+        return json.loads(data.decode("utf-8-sig", "replace"))
+    except (ValueError, RecursionError):
+        raise Refused(why) from None
+
+
+def _named(key: str) -> str:
+    """Return the name of an exercise that is known by that, or by its old number."""
+    return NUMBERED[int(key) - 1] if key.isascii() and key.isdecimal() and 0 < int(key) <= len(NUMBERED) else key
+
+
+def _date(text: Any) -> datetime | None:
+    try:
+        return datetime.fromisoformat(text).astimezone()
+    except (TypeError, ValueError, OverflowError, OSError):
+        return None
+
+
+# --- other files ------------------------------------------------------------------------------------------------------
+
+
+def _read_node(name: str, text: str) -> HandIn:
+    """Read a node file. Its first line names the exercise, or else its own name does."""
+    if match := _FIRST_LINE.match(text):
+        return HandIn({_named(match[1]): text})
+    stem = name.rpartition("/")[2].removesuffix(".py").replace("_", "-")
+    known = {exercise.name for exercise in EXERCISES}
+    # A platform, or a browser, may have numbered what came again.
+    for found in (stem, re.sub(r"( \(\d+\)|-\d+)$", "", stem)):
+        if found in known:
+            return HandIn({found: text})
+    raise Refused("neither its name nor its first line is that of an exercise, such as slow-timer.py")
+
+
+def _cells_of_notebook(data: bytes) -> Iterator[str]:
+    found = _json(data, "it is not a notebook (it is not JSON)")
+    cells = found.get("cells") if isinstance(found, dict) else None
+    for cell in cells if isinstance(cells, list) else ():
+        if not isinstance(cell, dict):
+            continue
+        source, metadata = cell.get("source"), cell.get("metadata")
+        if isinstance(source, list):
+            source = "".join(line for line in source if isinstance(line, str))
+        tags = metadata.get("tags") if isinstance(metadata, dict) else None
+        if isinstance(source, str) and not (isinstance(tags, list) and "hide-cell" in tags):
+            yield _whole(source)
+
+
+def _cells_of_markdown(text: str) -> Iterator[str]:
+    for cell in _CELL.findall(text.replace("\r\n", "\n")):
+        options = _OPTIONS.match(cell)
+        if options and "hide-cell" not in options[0]:
+            yield cell[options.end() :]
+
+
+def _in_cells(cells: Iterator[str]) -> dict[str, str]:
+    """Find the answers in the cells of a notebook: the first to each exercise. Folded ones are solutions."""
+    answers: dict[str, str] = {}
+    for cell in cells:
+        if match := _FIRST_LINE.match(cell):
+            answers.setdefault(_named(match[1]), cell)
+    if not answers:
+        raise Refused(_NO_CELL)
+    return dict(list(answers.items())[:_MOST_ANSWERS])

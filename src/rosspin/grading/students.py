@@ -1,0 +1,207 @@
+"""Who has handed in what: a row for each student, of whose files the newest counts."""
+
+from __future__ import annotations
+
+import os
+import re
+from collections.abc import Collection, Sequence
+from dataclasses import dataclass, field
+from datetime import datetime
+from pathlib import Path
+from typing import NamedTuple
+
+from ..exercises import EXERCISES, Verdict
+from .found import Found, find
+from .hand_ins import HandIn, Refused, plain, read
+
+__all__ = ["Class", "Row"]
+
+# How learning platforms name what they export. Moodle: a folder, or the start of a file's name, for each student.
+_MOODLE = re.compile(r"(?P<name>.+?)_(?P<id>\d+)_assignsubmission_(?:file|onlinetext)_?(?P<rest>.*)")
+# Canvas: the start of a file's name.
+_CANVAS = re.compile(r"(?P<name>[^_]+)(?P<late>_LATE)?_(?P<id>\d+)_\d+_(?P<rest>.+)")
+# Gradescope: a folder.
+_GRADESCOPE = re.compile(r"(?P<name>submission_(?P<id>\d+))(?P<rest>)")
+
+
+@dataclass
+class Row:
+    """What one student has handed in.
+
+    ``name``, ``student`` ID and ``date`` are the file's own words; ``sender`` is who sent it, as the learning platform
+    says, and ``late`` that it came late.
+    """
+
+    name: str
+    file: str
+    student: str = ""
+    sender: str = ""
+    late: bool = False
+    date: datetime | None = None
+    note: str = ""
+    answers: dict[str, str] = field(default_factory=dict)
+    verdicts: dict[str, Verdict] = field(default_factory=dict)
+
+    @property
+    def solved(self) -> int:
+        """How many answers are right."""
+        return sum(verdict.solved for verdict in self.verdicts.values())
+
+
+class _Owner(NamedTuple):
+    """Whose a file is, by the names of its folders and of itself: whoever ``sent`` it, or the folder that it is in.
+
+    ``rest`` is what the student called the file, ``version`` how often it was handed in before.
+    """
+
+    name: str
+    id: str = ""
+    sent: bool = False
+    late: bool = False
+    rest: str = ""
+    version: int = 0
+
+    @property
+    def person(self) -> _Owner:
+        """The same for each of a student's files."""
+        return _Owner(self.name, self.id, self.sent)
+
+    @property
+    def key(self) -> tuple[str, ...]:
+        """What rows are known by."""
+        return ("sent" if self.sent else "folder", self.name, self.id)
+
+    @property
+    def sender(self) -> str:
+        """The name by which the learning platform knows the student."""
+        return plain(self.name) if self.sent else ""
+
+
+_Part = tuple[Found, _Owner, HandIn]
+
+
+class Class:
+    """All that was handed in: ``rows``, the files that were ``refused``, with the reasons, and ``notes`` on others."""
+
+    def __init__(self) -> None:
+        self.refused: list[tuple[str, str]] = []
+        self.notes: list[str] = []
+        self._rows: dict[tuple[str, ...], Row] = {}
+
+    @property
+    def rows(self) -> list[Row]:
+        """The rows in the order of their names, numbers in these by their size."""
+        return sorted(self._rows.values(), key=lambda row: (_by_size(row.name), _by_size(row.file)))
+
+    @property
+    def exercises(self) -> list[str]:
+        """Return the exercises that somebody has answered, in the order of the pages."""
+        answered = {name for row in self._rows.values() for name in row.answers}
+        known = [exercise.name for exercise in EXERCISES if exercise.name in answered]
+        return [*known, *sorted(answered.difference(known))]
+
+    def add(self, path: Path) -> None:
+        """Read a file, a folder or an archive. Raises OSError if there is none such."""
+        found = list(find(path))
+        skipped = len(os.path.commonprefix([file.parts[:-1] for file in found]))
+        top = _name_of(path, found[0].parts[:skipped] if found else ())
+        loose: dict[_Owner, list[_Part]] = {}
+        left: list[tuple[_Owner, Found, str]] = []
+        having: set[_Owner] = set()
+        for file in found:
+            folder = _folder(file.parts[skipped]) if len(file.parts) > skipped + 1 else top
+            owner = _sender(file.parts) or _Owner(folder)
+            try:
+                if file.why:
+                    raise Refused(file.why)
+                hand_in = read(owner.rest or file.parts[-1], file.data)
+            except Refused as refused:
+                left.append((owner.person, file, str(refused)))
+                continue
+            if owner.sent or owner.name != top or not hand_in.name:
+                having.add(owner.person)
+            if hand_in.name:
+                key = owner.key if owner.sent else ("", hand_in.name, hand_in.id)
+                row = Row(hand_in.name, plain(file.path), hand_in.student, owner.sender, owner.late, hand_in.date)
+                row.answers = dict(hand_in.answers)
+                self._take(row, key)
+            else:
+                loose.setdefault(owner.person, []).append((file, owner, hand_in))
+        for owner, parts in loose.items():
+            self._take_loose(owner, parts, path)
+        for owner, file, why in left:
+            self._leave(owner, file, why, having, "" if owner.sent else top)
+
+    def _take(self, row: Row, key: tuple[str, ...]) -> None:
+        """Of one student's files the newest counts; of two without a date, the later one."""
+        before = self._rows.get(key)
+        if before and before.date and (row.date is None or before.date > row.date):
+            self.notes.append(f"{row.file} is left out: {row.name} handed in {before.file} after it.")
+            return
+        if before:
+            said = f"{row.file} takes the place of {before.file}, which {before.name} handed in before."
+            self.notes.append(said)
+        self._rows[key] = row
+
+    def _take_loose(self, owner: _Owner, parts: Sequence[_Part], path: Path) -> None:
+        """Make one hand-in of the node files and notebooks of one student."""
+        parts = sorted(parts, key=lambda part: (part[1].version, _by_size(part[0].path)))
+        row = Row(plain(owner.name) or "(no name)", plain(parts[0][0].path), sender=owner.sender)
+        row.late = any(each.late for _, each, _ in parts)
+        came: dict[str, str] = {}
+        for file, _, hand_in in parts:
+            for exercise, text in hand_in.answers.items():
+                if exercise in came:
+                    said = f"{plain(came[exercise])} is left out: {plain(file.path)} answers {exercise} after it."
+                    self.notes.append(said)
+                came[exercise], row.answers[exercise] = file.path, text
+        if len(parts) > 1:
+            row.file += f" and {len(parts) - 1} more"
+        key = owner.key if owner.sent else (*owner.key, str(path))
+        if before := self._rows.get(key):
+            before.answers = row.answers | before.answers  # the file that the site saved has the last word
+        else:
+            self._take(row, key)
+
+    def _leave(self, owner: _Owner, file: Found, why: str, having: Collection[_Owner], top: str) -> None:
+        """Refuse what holds no answers. Whatever else lies beside somebody's answers does not matter."""
+        name = file.parts[-1]
+        if owner in having and not (name.startswith("rosspin-answers") or name.endswith(".zip")):
+            return
+        self.refused.append((plain(file.path), why))
+        if owner not in having and owner.name != top and _Owner(top) not in having:
+            # A student is missed in the table, whatever was handed in. What lies among answers is no student's folder.
+            row = Row(plain(owner.name), plain(file.path), sender=owner.sender, note=f"refused: {why}")
+            self._rows.setdefault(owner.key, row)
+
+
+def _sender(parts: Sequence[str]) -> _Owner | None:
+    """Find out from the names of its folders, and from its own, who sent a file; None if they do not say it."""
+    for part in parts:
+        is_last, folder = part is parts[-1], _folder(part)
+        if match := _MOODLE.fullmatch(folder) or _GRADESCOPE.fullmatch(folder):
+            return _Owner(match["name"], match["id"], sent=True, rest=match["rest"] if is_last else "")
+        # Canvas has no folders, whose names could be anything.
+        if (is_last or folder != part) and (match := _CANVAS.fullmatch(folder)):
+            version = re.search(r"-(\d+)\.\w+$", part)
+            number, rest = int(version[1]) if version else 0, match["rest"] if is_last else ""
+            return _Owner(match["name"], match["id"], True, bool(match["late"]), rest, number)
+    return None
+
+
+def _folder(part: str) -> str:
+    """Return the name of a folder, or of an archive that stands for one."""
+    return part[:-4] if part.lower().endswith(".zip") else part
+
+
+def _name_of(path: Path, skipped: Sequence[str]) -> str:
+    """Whose files these are if nothing else says it: the folder's, or that in which the file is."""
+    if skipped:
+        return _folder(skipped[0])
+    place = path.resolve()
+    return place.name if place.is_dir() else place.stem if place.suffix == ".zip" else place.parent.name
+
+
+def _by_size(text: str) -> list[tuple[int, str]]:
+    words = re.findall(r"\d+|\D+", text.casefold())
+    return [(int(word), "") if word.isdecimal() and len(word) < 20 else (-1, word) for word in words]

@@ -1,0 +1,158 @@
+"""Tell what came of it: in words, as a table for spreadsheets, and as JSON."""
+
+from __future__ import annotations
+
+import re
+import sys
+import unicodedata
+from collections import Counter
+from collections.abc import Iterable, Iterator, Sequence
+from typing import Any, NamedTuple
+
+from ..exercises import EXERCISES
+from .sealed import SEALS
+from .students import Class, Row
+
+__all__ = ["as_csv", "as_data", "as_words", "hard", "say_python", "say_seals", "write_csv"]
+
+# The Python of the page. A newer one reads texts that an older one does not.
+PAGE_PYTHON = (3, 14)
+
+# Where a cell may begin with the sign of a formula, as in web/src/csv.js.
+_SIGNS = "=＝﹦⁼₌+＋﹢⁺₊-－﹣−⁻₋@＠﹫"
+_SEPARATORS = ",;|；，"
+
+
+class Hard(NamedTuple):
+    """An exercise: how many have answered it, and solved it, and what those who did not were told, by how many."""
+
+    exercise: str
+    title: str
+    answered: int
+    solved: int
+    hints: tuple[tuple[str, int], ...]
+
+
+def hard(found: Class) -> list[Hard]:
+    """Return the exercises that somebody answered and has not solved, the hardest first."""
+    titles = {exercise.name: exercise.title for exercise in EXERCISES}
+    told = []
+    for name in found.exercises:
+        verdicts = [row.verdicts[name] for row in found.rows if name in row.verdicts]
+        solved = sum(verdict.solved for verdict in verdicts)
+        hints = Counter(verdict.hint for verdict in verdicts if verdict.hint)
+        told.append(Hard(name, titles.get(name, ""), len(verdicts), solved, tuple(hints.most_common())))
+    missed = [each for each in told if each.solved < each.answered]
+    return sorted(missed, key=lambda each: each.solved / each.answered)
+
+
+def as_words(found: Class) -> Iterator[str]:
+    """Yield the lines for a terminal: of a single student all that was said, of more a line for each."""
+    if len(found.rows) == 1:
+        [row] = found.rows
+        for name, verdict in row.verdicts.items():
+            yield f"{name}: {verdict.verdict}"
+            yield from (f"  {line}" for line in verdict.said.splitlines())
+    for row in found.rows:
+        yield _line(row)
+    if len(found.rows) > 1 and (missed := hard(found)):
+        yield "What was hard:"
+        for name, _, answered, solved, hints in missed:
+            yield f"  {name}: {solved} of {answered} solved"
+            yield from (f"    {count} × {hint}" for hint, count in hints[:3])
+
+
+def _line(row: Row) -> str:
+    by_verdict: dict[str, list[str]] = {}
+    for name, verdict in row.verdicts.items():
+        by_verdict.setdefault(verdict.verdict, []).append(name)
+    by_verdict.pop("solved", None)
+    rest = "".join(f"; {verdict}: {', '.join(names)}" for verdict, names in by_verdict.items())
+    late = " (late)" if row.late else ""
+    if not row.answers:
+        return f"{row.name}{late}: no answer{f'; {row.note}' if row.note else ''}"
+    return f"{row.name}{late}: {row.solved} of {len(row.answers)} solved{rest}{f'; {row.note}' if row.note else ''}"
+
+
+def as_csv(found: Class) -> list[list[str | int]]:
+    """Return the table: a row for each student, a column for each exercise, and then one for each reason."""
+    names = found.exercises
+    head = ["name", "student ID", "sent by", "late", "file", "note", "date", "answers", "solved"]
+    rows: list[list[str | int]] = [[*head, *names, *(f"{name}: why" for name in names)]]
+    for row in found.rows:
+        verdicts = [row.verdicts.get(name) for name in names]
+        date = f"{row.date:%Y-%m-%d %H:%M}" if row.date else ""
+        about = [row.name, row.student, row.sender, "late" if row.late else "", row.file, row.note, date]
+        said = [each.verdict if each else "" for each in verdicts]
+        rows.append([*about, len(row.answers), row.solved, *said, *(each.why if each else "" for each in verdicts)])
+    told = {row.file for row in found.rows if row.note}
+    rows += [["", "", "", "", file, f"refused: {why}"] for file, why in found.refused if file not in told]
+    return rows
+
+
+def write_csv(rows: Iterable[Sequence[str | int]]) -> bytes:
+    """Write rows as spreadsheets read them. No cell is a formula, nor any part of one."""
+    # With a byte order mark, without which Excel reads no UTF-8.
+    return "".join(f"{','.join(map(_field, row))}\r\n" for row in rows).encode("utf-8-sig", "replace")
+
+
+def _field(value: str | int) -> str:
+    line = re.sub(r"[\x00-\x1f\x7f-\x9f\u2028\u2029]+", " ", str(value))
+    guarded, at_start = [], True
+    for each in line:
+        if at_start and each in _SIGNS:
+            guarded.append("'")
+        at_start = each in _SEPARATORS or (at_start and (each == '"' or unicodedata.category(each)[0] in "CZ"))
+        guarded.append(each)
+    return '"' + "".join(guarded).replace('"', '""') + '"'
+
+
+def as_data(found: Class, seals: Iterable[str]) -> dict[str, Any]:
+    """Return all that is known, for JSON."""
+    return {
+        "students": [
+            {
+                "name": row.name,
+                "student": row.student,
+                "sender": row.sender,
+                "late": row.late,
+                "file": row.file,
+                "note": row.note,
+                "date": row.date.isoformat() if row.date else None,
+                "solved": row.solved,
+                "answers": {
+                    name: {key: verdict._asdict()[key] for key in ("verdict", "solved", "why", "hint", "said")}
+                    for name, verdict in row.verdicts.items()
+                },
+            }
+            for row in found.rows
+        ],
+        "refused": [{"file": file, "why": why} for file, why in found.refused],
+        "notes": found.notes,
+        "hard": [each._asdict() | {"hints": dict(each.hints)} for each in hard(found)],
+        "sealed": sorted(seals),
+    }
+
+
+def say_seals(seals: Iterable[str]) -> str:
+    """Say what keeps the answers from doing harm, if that is not all that can be."""
+    found = set(seals)
+    if {"network", "disk"} <= found:
+        return ""
+    has = ", ".join(text for name, text in SEALS.items() if name in found) or "none of your rights taken from it"
+    return (
+        f"Each answer runs with a limit of time and memory, and with {has}: this system allows no more. Judge files of "
+        "people you do not trust in a container or on a machine that holds nothing else."
+    )
+
+
+def say_python(found: Class) -> str:
+    """Say so if answers were no Python to this one, and could be to that of the page."""
+    if sys.version_info >= PAGE_PYTHON:
+        return ""
+    count = sum(" is not Python: " in verdict.why for row in found.rows for verdict in row.verdicts.values())
+    if not count:
+        return ""
+    mine, page = (".".join(map(str, version)) for version in (sys.version_info[:2], PAGE_PYTHON))
+    answers = f"{count} answer{' is' if count == 1 else 's are'}"
+    return f"{answers} no Python to this Python {mine}; that of the page is {page}, and newer ones read more."

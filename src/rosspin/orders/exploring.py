@@ -1,0 +1,348 @@
+"""Explore: run a node, or a test, in many orders of events, and find the shortest one in which it fails."""
+
+from __future__ import annotations
+
+import dataclasses
+import functools
+import inspect
+import linecache
+import math
+import signal
+import traceback
+from collections.abc import Callable, Iterator, Sequence
+from typing import Any
+
+from ..clocks.explored import ExploredSimulation, Order
+from ..faults import Fault
+from ..results.ticks import Run
+from ..run.explain import TimeStandsStill
+from ..run.roslaunch.launch import Node
+from ..run.simulate import Prepared, prepare, run_prepared
+from ..run.source import NodeLike
+from ..run.streams import capture
+from ..world.graph import TickLog
+from ..world.world import NotSimulated
+from .beside import side_by_side
+from .strategies import STRATEGIES, bound_of_pct
+
+__all__ = ["Exploration", "explore", "explored"]
+
+# So many runs at most make a failing order shorter.
+_SHRINKING = 500
+
+# A failing order that deviates more than once is followed by a look at all that deviate once, if they are not more.
+_ONCE = 300
+
+# How a node may end: by itself, or by Ctrl-C, caught or not, or not at all.
+_WELL = (0, 128 + signal.SIGINT, -signal.SIGINT, None)
+
+Try = Callable[[Order], object]
+"""Runs something in an order. Returns how it fails; None, or something else that is false, if it does not."""
+
+
+@dataclasses.dataclass(frozen=True)
+class Exploration:
+    """What came of exploring. As a text it is the answer to read.
+
+    ``schedules`` is how many orders were run until one failed, the usual one included. ``failure`` says how that fails;
+    it is empty if none does. ``token`` is the shortest order found that fails, for ``simulate(..., schedule=token)``,
+    and ``run`` its run. ``usual`` is the run in the usual order; None if time stands still in it.
+
+    ``bound`` is how often an order may deviate from the usual one so that all such orders were run: with the strategy
+    "all", and if no order fails, the property holds for these. It is infinite if there are no others at all.
+    """
+
+    failure: str
+    token: str
+    schedules: int
+    bound: float
+    run: Run | None
+    usual: Run | None
+    text: str
+
+    def __str__(self) -> str:
+        return self.text
+
+
+def explore(
+    node: NodeLike | Sequence[NodeLike | Node],
+    seconds: float,
+    check: Callable[[Run], object] | None = None,
+    *,
+    args: Sequence[str] = (),
+    schedules: int = 1000,
+    strategy: str = "pct",
+    seed: int = 0,
+    deep: bool = False,
+    faults: Sequence[Fault] = (),
+) -> Exploration:
+    """Run a node, or several, in many orders of events, and return the shortest order found in which it fails.
+
+    ``node``, ``seconds``, ``args`` and ``faults`` are as for :func:`simulate`. A run fails if ``check(run)`` raises
+    AssertionError, if an exception is uncaught in any thread or a node ends with another status than 0 before Ctrl-C,
+    if a node does not end at Ctrl-C, if time stands still, or if something waits for ever. Exploring ends with the
+    first that fails, or after so many ``schedules``, of which the first is the usual order.
+
+    What may happen in another order is what ROS leaves open:
+
+    * which of the threads and processes that are due at one instant goes on, where another waits, or begins. In rospy
+      that is also in which order callbacks of several topics, publishers or timers are called;
+    * of messages that come, and timers that are due, at the instant at which an executor of rclpy looks: which it sees.
+      What it sees it calls in the order of rclpy: timers, subscriptions, ..., each in the order of their creation;
+    * in which order the threads of a MultiThreadedExecutor begin with what they were given;
+    * whether two processes of rclpy, or a publisher and a subscriber of rospy, are connected when they usually are or
+      one second later.
+
+    With ``deep`` it is also where Python takes its turn from a thread of the node's file, for another one of its
+    process. In ROS 1 (Python 3.8) that may be between any two statements, and after any value that was looked up or
+    calculated; in ROS 2 (from 3.10 on) where a function begins, a call has returned, or a loop goes round.
+
+    Not open are the order of the messages of one publisher on a topic, of the calls of one executor in one round, of
+    what one thread does, and all that comes after Ctrl-C. Not tried: that code takes time, that messages do, or get
+    lost, changes of thread in modules that the node imports, signals, other random numbers than those that the node
+    draws in the usual order.
+
+    ``strategy`` is "pct" (random priorities), "random", or "all" (those that deviate once from the usual order, then
+    twice, ...). ``seed`` is for the first two.
+
+    Raises what :func:`simulate` raises but TimeStandsStill, and ValueError for an unknown strategy, for ``schedules``
+    below 1, and for a function, or a launch file of ROS 2, that is to be explored ``deep``.
+    """
+    prepared = prepare(node, args, False, deep, faults)
+    runs: dict[str, Run | None] = {}
+
+    def attempt(order: Order) -> str:
+        failure, run = _run(prepared, seconds, check, order)
+        if failure or not order.made:
+            runs[order.token] = run
+        return failure
+
+    found = search(attempt, schedules, strategy, seed, deep)
+    order = found.order
+    token = order.token if order else ""
+    said = found.said
+    if order:
+        lines = [
+            f"{found.failure}",
+            f"In {said}: {token}",
+            *_beside(node, seconds, args, order, faults),
+        ]
+        said = "\n".join(lines)
+    return Exploration(
+        found.failure, token, found.schedules, found.bound, runs.get(token), runs.get(_USUAL[deep]), said
+    )
+
+
+_USUAL = {deep: Order(deep=deep).token for deep in (False, True)}
+
+
+def _run(
+    prepared: Prepared, seconds: float, check: Callable[[Run], object] | None, order: Order
+) -> tuple[str, Run | None]:
+    """Run in an order. Return how that fails (empty if it does not), and the run."""
+    try:
+        with capture() as console:
+            result = run_prepared(prepared, seconds, ExploredSimulation(order), TickLog())
+    except NotSimulated:
+        raise
+    except TimeStandsStill as error:
+        return str(error), None
+    run, host = result.run(console.text(), "simulated", seconds), result.host
+    if host.failed:
+        return f"uncaught: {_say(host.failed[0])}", run
+    if host.waits:
+        return host.waits.replace("rosspin: ", "").rstrip(), run
+    for status, name in [
+        (run.status, "the run"),
+        *((each.world.exit_status, each.node.name) for each in host.processes),
+    ]:
+        if status not in _WELL:
+            return f"{name} ended with status {status}", run
+    try:
+        if check:
+            check(run)
+    except AssertionError as error:
+        return _say(error), run
+    return "", run
+
+
+def _say(error: BaseException) -> str:
+    said = str(error)
+    if not said and error.__traceback__:  # an assert without words: its line
+        frame, line = list(traceback.walk_tb(error.__traceback__))[-1]
+        said = linecache.getline(frame.f_code.co_filename, line).strip()
+    return f"{type(error).__name__}: {said}" if said else type(error).__name__
+
+
+def _beside(node: Any, seconds: float, args: Sequence[str], order: Order, faults: Sequence[Fault]) -> Iterator[str]:
+    """Yield the lines that show an order beside the usual one, from one more run of each."""
+    try:
+        prepared = prepare(node, args, False, True, faults)
+    except ValueError:  # functions, and files of ROS 2's launch, are shown without their lines
+        prepared = prepare(node, args, False, False, faults)
+    shown = []
+    for deviations in ({}, order.made):
+        again = Order(deviations, deep=order.deep)
+        again.turns = []
+        _, run = _run(prepared, seconds, None, again)
+        shown.append((again, run.console if run else ""))
+    yield from side_by_side(*shown)
+
+
+# --- searching --------------------------------------------------------------------------------------------------------
+
+
+@dataclasses.dataclass
+class Found:
+    """What a search has found: the ``order`` that fails, if any does."""
+
+    order: Order | None
+    failure: Any
+    schedules: int
+    bound: float
+    said: str
+
+
+def search(attempt: Try, schedules: int, strategy: str, seed: int, deep: bool) -> Found:
+    """Try orders until one fails, and make that one shorter."""
+    if strategy not in STRATEGIES:
+        raise ValueError(f"strategy is one of {', '.join(map(repr, STRATEGIES))}, not {strategy!r}")
+    if not (isinstance(schedules, int) and schedules >= 1):
+        raise ValueError(f"schedules must be a whole number of at least 1, not {schedules!r}")
+    usual = Order(deep=deep)
+    if failure := attempt(usual):
+        return Found(usual, failure, 1, 0, "the usual order")
+    if not usual.options:
+        return Found(None, failure, 1, math.inf, "There is only one order: nothing is open at any instant. It is well.")
+    different, points, threads, tried, bound = {_USUAL[deep]}, len(usual.options), 0, 1, 0.0
+    for order in STRATEGIES[strategy](usual, seed, deep):
+        if tried == schedules:
+            if strategy == "all":
+                bound = len(order.made or order.planned) - 1
+            break
+        tried += 1
+        failure = attempt(order)
+        if failure:
+            shortest, failure = _shorten(attempt, order, failure, usual)
+            times = f"that deviates {_times(len(shortest.made))} from the usual one"
+            return Found(shortest, failure, tried, 0, f"the shortest order found, {times}, after {tried} orders")
+        different.add(order.token)
+        points, threads = max(points, len(order.options)), max(threads, order.forget())
+    else:
+        bound = math.inf
+    return Found(None, failure, tried, bound, _all_well(strategy, tried, len(different), bound, threads, points))
+
+
+def _all_well(strategy: str, tried: int, different: int, bound: float, threads: int, points: int) -> str:
+    if bound == math.inf:
+        return f"There are {tried:,} orders. All were run, and all are well: this is proved for what may differ."
+    said = f"{tried:,} orders were run, of which {different:,} were different, and all are well."
+    if strategy == "all":
+        if not bound:
+            return f"{said} They are not even all that deviate once from the usual one: give it more schedules."
+        return f"{said} All that deviate at most {_times(int(bound))} are among them: for those this is proved."
+    if strategy == "pct":
+        chances = [min(99, int(100 * bound_of_pct(threads, points, tried, depth))) for depth in (1, 2, 3)]
+        return (
+            f"{said} There were up to {points} points, and {threads} things to choose among: a fault of depth 1, 2 or "
+            f"3 would have been found with a probability of at least {chances[0]}, {chances[1]} or {chances[2]} %."
+        )
+    return said
+
+
+def _shorten(attempt: Try, order: Order, failure: object, usual: Order) -> tuple[Order, object]:
+    """Leave out deviations as long as it fails without them.
+
+    Source: Zeller and Hildebrandt, "Simplifying and isolating failure-inducing input" (TSE 2002), algorithm ddmin.
+    """
+    best, left = (order, failure), _SHRINKING
+
+    def fails(deviations: dict[int, int]) -> bool:
+        nonlocal best, left
+        left -= 1
+        shorter = Order(deviations, deep=order.deep)
+        failure = attempt(shorter)
+        if failure and len(shorter.made) < len(best[0].made):
+            best = shorter, failure
+            return True
+        return False
+
+    parts = 2
+    while left > 0 and best[0].made:
+        made = list(best[0].made.items())
+        size = math.ceil(len(made) / parts)
+        # The last first: what comes after the failure is of no use, and what is left out late moves no point before.
+        for start in reversed(range(0, len(made), size)):
+            if left > 0 and fails(dict(made[:start] + made[start + size :])):
+                parts = max(parts - 1, 2)
+                break
+        else:
+            if size == 1:
+                break
+            parts = min(2 * parts, len(made))
+    if len(best[0].made) > 1 and sum(usual.options) - len(usual.options) <= _ONCE:
+        for point, options in enumerate(usual.options):
+            if any(fails({point: choice}) for choice in range(1, options)):
+                break
+    return best
+
+
+def _times(number: int) -> str:
+    return {1: "once", 2: "twice"}.get(number, f"{number} times")
+
+
+# --- tests ------------------------------------------------------------------------------------------------------------
+
+
+def explored(
+    *, schedules: int = 1000, strategy: str = "pct", seed: int = 0, deep: bool = False, schedule: str = ""
+) -> Callable[[Callable[..., None]], Callable[..., None]]:
+    """Run a test of pytest once for each of many orders of events in the nodes that it starts.
+
+    The test takes the fixture ``start_node``, which is as new each time; its other fixtures are made once. It is run in
+    the usual order first. If it fails in another one, the shortest such order is looked for, and the failure is that
+    one's; its last lines name the order. With that as ``schedule`` the test is run in this order alone.
+
+    The arguments are those of :func:`explore`, which also says what may differ. Raises TypeError for a test without
+    ``start_node``, and ValueError as :func:`explore` does, or if the ``schedule`` is none of this test.
+    """
+    if schedule:
+        deep = Order.of(schedule).deep
+
+    def decorate(test: Callable[..., None]) -> Callable[..., None]:
+        if "start_node" not in inspect.signature(test).parameters:
+            raise TypeError(f"{getattr(test, '__name__', 'an explored test')} has to take the fixture start_node")
+
+        @functools.wraps(test)
+        def run(*args: Any, start_node: Any, **fixtures: Any) -> None:
+            __tracebackhide__ = True
+
+            def attempt(order: Order) -> BaseException | None:
+                try:
+                    with start_node.in_order(order):
+                        test(*args, start_node=start_node, **fixtures)
+                except start_node.failures as error:
+                    return error  # type: ignore[no-any-return]
+                return None
+
+            said = "the order of its schedule"
+            if schedule:
+                order = Order.of(schedule)
+            else:
+                found = search(attempt, schedules, strategy, seed, deep)
+                if found.order is None:
+                    return
+                order, said = Order(found.order.made, deep=deep), found.said
+            start_node.order = order
+            try:
+                test(*args, start_node=start_node, **fixtures)
+            except start_node.failures as error:
+                error.add_note(
+                    f'in {said}; to run the test in this order alone: @rosspin.explored(schedule="{order.token}")'
+                )
+                raise
+            order.has_to_fit()
+
+        return run
+
+    return decorate

@@ -1,0 +1,162 @@
+"""Sphinx extension: a teacher's own exercises on a page, and what was forgotten, for the list at the end of a build."""
+
+from __future__ import annotations
+
+import os
+import re
+from collections.abc import Iterator
+from pathlib import Path
+from typing import ClassVar
+
+from docutils import nodes
+from docutils.parsers.rst import directives
+from sphinx.application import Sphinx
+from sphinx.util.docutils import SphinxDirective
+from sphinx.util.typing import ExtensionMetadata
+
+from ..exercises import check
+from ..exercises.own import FAULTS, LESSONS, Answer, Lesson
+from .claims import Stale
+
+__all__ = ["counted", "setup", "stale_files", "stale_lessons"]
+
+# So many answers an exercise has at least, for its check to be believed.
+_RIGHT, _WRONG = 2, 3
+
+# Where a page shows an exercise: by the directive, or in a cell.
+_SHOWN = re.compile(r"^ *(?:\.\. exercise::|%%answer|```\{exercise\}) +(\S+) *$", re.MULTILINE)
+
+_NUMBERS = "no one two three four five six seven eight nine ten eleven twelve thirteen fourteen fifteen sixteen".split()
+_NUMBERS += "seventeen eighteen nineteen twenty".split()
+_WORDS = "|".join([*(f"twenty-{each}" for each in _NUMBERS[1:10]), *_NUMBERS])
+_COUNTED = re.compile(rf"\b({_WORDS}|\d+)\s+exercises?\b")
+
+
+class ExerciseDirective(SphinxDirective):
+    """``.. exercise:: NAME``: a teacher's exercise, with its hints; ``:solution:`` adds its first right answer."""
+
+    required_arguments = 1
+    option_spec: ClassVar = {"solution": directives.flag}
+
+    def run(self) -> list[nodes.Node]:
+        """The cell, which can be run in the page, and below it what is folded. Of no such exercise, nothing."""
+        lesson = next((each for each in LESSONS if each.exercise.name == self.arguments[0]), None)
+        if lesson is None:
+            from .checks import note  # which imports this module
+
+            if not any(fault.file.stem.replace("_", "-") == self.arguments[0] for fault in FAULTS):
+                file = f"lessons/{self.arguments[0].replace('-', '_')}.py"
+                note(self.env, self.lineno, f".. exercise:: {self.arguments[0]}", f"there is no {file}")
+            return []
+        self.env.note_dependency(str(lesson.file))
+        cell = self._cell(lesson, lesson.node)
+        cell["classes"].append("live")
+        shown: list[nodes.Node] = [cell]
+        for number, hint in enumerate(lesson.hints, 1):
+            shown += self._folded(f"Hint {number}", self.parse_text_to_nodes(hint))
+        if "solution" in self.options and lesson.right:
+            shown += self._folded("Show the solution", [self._cell(lesson, lesson.written(lesson.right[0]))])
+        return shown
+
+    @staticmethod
+    def _cell(lesson: Lesson, text: str) -> nodes.literal_block:
+        text = f"%%answer {lesson.exercise.name}\n{text.rstrip()}"
+        return nodes.literal_block(text, text, language="ipython3")
+
+    @staticmethod
+    def _folded(summary: str, inner: list[nodes.Node]) -> list[nodes.Node]:
+        start = f"<details><summary>{summary}</summary>"
+        return [nodes.raw("", start, format="html"), *inner, nodes.raw("", "</details>", format="html")]
+
+
+def setup(app: Sphinx) -> ExtensionMetadata:
+    """Add the directive."""
+    app.add_directive("exercise", ExerciseDirective)
+    return {"parallel_read_safe": True, "parallel_write_safe": True}
+
+
+# --- what was forgotten -----------------------------------------------------------------------------------------------
+
+
+def stale_lessons(root: Path) -> Iterator[Stale]:
+    """Yield what a teacher's exercises lack: what their files say is run, and looked for on the pages."""
+    shown = {name for _, text in _pages(root) for name in _SHOWN.findall(text)}
+    for fault in FAULTS:
+        yield Stale(os.path.relpath(fault.file, root), fault.line, fault.stands, fault.now)
+    for lesson in LESSONS:
+        file, text = os.path.relpath(lesson.file, root), lesson.file.read_text(encoding="utf-8")
+        if lesson.exercise.name not in shown:
+            yield Stale(file, 1, "no page shows it", f"write .. exercise:: {lesson.exercise.name} on one")
+        if _line(text, "RIGHT") < _line(text, r"(def )?check"):
+            now = "it stands below check: the page is given what is above"
+            yield Stale(file, _line(text, "RIGHT"), "RIGHT", now)
+        for what, stands, now in (*_too_few(lesson), *_misjudged(lesson)):
+            yield Stale(file, _line(text, what), stands, now)
+
+
+def _too_few(lesson: Lesson) -> Iterator[tuple[str, str, str]]:
+    for what, answers, least in (("RIGHT", lesson.right, _RIGHT), ("WRONG", lesson.wrong, _WRONG)):
+        if len(answers) < least:
+            yield what, f"{what} has {len(answers)} answer{'s' * (len(answers) != 1)}", f"give at least {least}"
+
+
+def _misjudged(lesson: Lesson) -> Iterator[tuple[str, str, str]]:
+    """Yield the answers on which the check does not say what it should: in which list, which one, and what it says."""
+    passed, said = _judged(lesson, lesson.node)
+    if passed is not False:
+        yield "NODE", "NODE", "it is right as it stands: there is nothing to do" if passed else said
+    for number, right in enumerate(lesson.right):
+        passed, said = _judged(lesson, right)
+        if not passed:
+            yield "RIGHT", f"RIGHT[{number}]", said
+    for number, (wrong, part) in enumerate(lesson.wrong):
+        passed, said = _judged(lesson, wrong)
+        if passed is not False or part.replace("`", "") not in said.replace("`", ""):
+            yield "WRONG", f"WRONG[{number}]: {part}", said
+
+
+def _judged(lesson: Lesson, answer: Answer) -> tuple[bool | None, str]:
+    """Return whether an answer is right, and what is said of it; None if the check, which is the teacher's, fails."""
+    try:
+        feedback = check(lesson.exercise.name, lesson.written(answer))
+        return feedback.passed, str(feedback)
+    except Exception as error:
+        return None, f"{type(error).__name__}: {error}"
+
+
+def _line(text: str, name: str) -> int:
+    """Return the line of a file that begins with a name."""
+    found = re.search(rf"^{name}\b", text, re.MULTILINE)
+    return text.count("\n", 0, found.start()) + 1 if found else 1
+
+
+def counted(root: Path) -> Iterator[Stale]:
+    """Yield the sentences that count the exercises on their page, and miscount."""
+    for page, text in _pages(root):
+        there = len(dict.fromkeys(_SHOWN.findall(text)))
+        found = _COUNTED.search(text)
+        if there and found and there != _number(found[1]):
+            line = text.count("\n", 0, found.start()) + 1
+            shown = _NUMBERS[there] if there < len(_NUMBERS) else there
+            yield Stale(page, line, " ".join(found[0].split()), f"the page has {shown}")
+
+
+def _number(word: str) -> int:
+    if word.isdecimal():
+        return int(word)
+    return _NUMBERS.index(word) if word in _NUMBERS else 20 + _NUMBERS.index(word.removeprefix("twenty-"))
+
+
+def stale_files(root: Path) -> Iterator[Stale]:
+    """Yield the scripts in ``examples`` that cannot be run as programs: ROS starts nodes so."""
+    for path in sorted(root.glob("examples/**/*")):
+        if path.is_file() and not os.access(path, os.X_OK):
+            with open(path, "rb") as file:
+                if file.read(2) == b"#!":
+                    name = path.relative_to(root).as_posix()
+                    yield Stale(name, 1, "it begins with #! and has no run bit", f"chmod +x {name}")
+
+
+def _pages(root: Path) -> Iterator[tuple[str, str]]:
+    for path in sorted([*root.glob("*.rst"), *root.glob("docs/**/*.rst"), *root.glob("notebooks/*.md")]):
+        yield path.relative_to(root).as_posix(), path.read_text(encoding="utf-8")

@@ -1,0 +1,146 @@
+"""The examples for Gradescope, GitHub Classroom and nbgrader: what of them can be run here gives the points."""
+
+from __future__ import annotations
+
+import json
+import os
+import re
+import shutil
+import subprocess
+import sys
+from pathlib import Path
+from typing import Any
+
+import nbformat
+import pytest
+import yaml
+from answers import CELLS
+from nbclient import NotebookClient
+from nbclient.exceptions import CellExecutionError
+from tree import ROOT
+
+EXAMPLES = ROOT / "examples/grading"
+HOW_TO = (ROOT / "docs/how-to/judge-hand-ins.rst").read_text(encoding="utf-8")
+
+RIGHT = CELLS["slow-timer"][1].source
+WRONG = "%%answer slow-timer\nafter_1_0_seconds = [1]\n"
+
+ROSSPIN = Path(sys.prefix, "bin/rosspin")
+
+
+def _handed_in(folder: Path, **answers: str) -> None:
+    folder.mkdir(parents=True, exist_ok=True)
+    for name, text in answers.items():
+        (folder / f"{name.replace('_', '-')}.py").write_text(text)
+
+
+# --- Gradescope -------------------------------------------------------------------------------------------------------
+
+
+def _graded(root: Path) -> tuple[list[tuple[str, int, int]], dict[str, Any]]:
+    """The points in a folder of Gradescope's shape, and all else that is shown there."""
+    subprocess.run([sys.executable, EXAMPLES / "gradescope/run_autograder", root, ROSSPIN], check=True)
+    found = json.loads((root / "results/results.json").read_text())
+    return [(test["name"], test["score"], test["max_score"]) for test in found["tests"]], found
+
+
+def test_gradescope(tmp_path: Path) -> None:
+    _handed_in(tmp_path / "submission", slow_timer=RIGHT, two_timers="x = 1", make_it_10_hz="x = (")
+    points, found = _graded(tmp_path)
+    assert points == [("make-it-10-hz", 0, 1), ("slow-timer", 2, 2)]
+    assert "is not Python" in found["tests"][0]["output"]
+    assert set(found) == {"output", "tests"}
+
+
+def test_gradescope_without_an_answer(tmp_path: Path) -> None:
+    (tmp_path / "submission").mkdir()
+    (tmp_path / "submission/report.pdf").write_text("")
+    points, found = _graded(tmp_path)
+    assert points == [("make-it-10-hz", 0, 1), ("slow-timer", 0, 2)]
+    assert found["output"] == "report.pdf is refused: it is no file of answers."
+    shutil.rmtree(tmp_path / "submission")
+    points, found = _graded(tmp_path)
+    assert points == [("make-it-10-hz", 0, 1), ("slow-timer", 0, 2)] and "No such file" in found["output"]
+
+
+def test_an_answer_writes_no_results_of_gradescope(tmp_path: Path) -> None:
+    results = tmp_path / "results/results.json"
+    _handed_in(tmp_path / "submission", slow_timer=f"open({str(results)!r}, 'w').write('{{}}')")
+    assert _graded(tmp_path)[0][1] == ("slow-timer", 0, 2)
+
+
+def test_gradescope_s_scripts_can_be_run() -> None:
+    assert all(os.access(path, os.X_OK) for path in (EXAMPLES / "gradescope").iterdir())
+    subprocess.run(["sh", "-n", EXAMPLES / "gradescope/setup.sh"], check=True)
+
+
+# --- GitHub Classroom -------------------------------------------------------------------------------------------------
+
+
+def test_github_classroom(tmp_path: Path) -> None:
+    """Each command of the workflow, in a student's repository: the status gives the points."""
+    workflow = (EXAMPLES / "github-classroom/.github/workflows/classroom.yml").read_text()
+    (job,) = yaml.safe_load(workflow)["jobs"].values()
+    graders = {step["id"]: step["with"]["command"] for step in job["steps"] if "id" in step}
+    assert list(graders) == ["make-it-10-hz", "slow-timer"]
+    _handed_in(tmp_path, slow_timer=WRONG, make_it_10_hz=CELLS["make-it-10-hz"][1].source)
+    environment = os.environ | {"PATH": f"{ROSSPIN.parent}{os.pathsep}{os.environ['PATH']}"}
+    for name, status in (("make-it-10-hz", 0), ("slow-timer", 1)):
+        assert subprocess.run(["sh", "-c", graders[name]], cwd=tmp_path, env=environment).returncode == status
+    *_, reporter = job["steps"]
+    assert reporter["with"]["runners"] == ",".join(graders)
+    assert reporter["env"] == {f"{name.upper()}_RESULTS": f"${{{{steps.{name}.outputs.result}}}}" for name in graders}
+
+
+# --- nbgrader ---------------------------------------------------------------------------------------------------------
+
+
+def _notebook() -> Any:
+    return nbformat.reads((EXAMPLES / "nbgrader/answers.ipynb").read_text(), as_version=4)
+
+
+def _execute(folder: Path, answer: str) -> None:
+    """As nbgrader's autograder does: in the folder of the notebook that was handed in."""
+    notebook = _notebook()
+    (cell,) = (cell for cell in notebook.cells if cell.source.startswith("%%answer"))
+    cell.source = answer
+    (folder / "answers.ipynb").write_text(nbformat.writes(notebook))
+    NotebookClient(notebook, resources={"metadata": {"path": str(folder)}}, kernel_name="python3").execute()
+
+
+def test_nbgrader(tmp_path: Path) -> None:
+    _execute(tmp_path, RIGHT)
+    with pytest.raises(CellExecutionError, match="Exercise .*not yet"):
+        _execute(tmp_path, WRONG)
+
+
+def test_the_test_cell_of_nbgrader_is_that_of_the_page() -> None:
+    check = _notebook().cells[-1]
+    assert check.source == (EXAMPLES / "nbgrader/slow_timer_check.txt").read_text().rstrip()
+    assert check.metadata.nbgrader.grade and check.metadata.nbgrader.points == 2
+    nbformat.validate(_notebook())
+
+
+# --- the page ---------------------------------------------------------------------------------------------------------
+
+
+def test_the_page_shows_what_is_printed(tmp_path: Path) -> None:
+    """Word by word, of the command on the page, typed where the class is."""
+    (command,) = re.findall(r"^   \$ (.*)", HOW_TO, re.MULTILINE)
+    (tmp_path / "Downloads/ada").mkdir(parents=True)
+    for name, answers in (
+        ("Ada", {"slow-timer": RIGHT, "who-calls": CELLS["who-calls"][1].source}),
+        ("Ben", {"slow-timer": WRONG}),
+    ):
+        made = {"format": "rosspin-answers", "version": 2, "name": name, "id": name, "answers": answers}
+        (tmp_path / f"Downloads/ada/{name}.json").write_text(json.dumps(made))
+    shutil.make_archive(str(tmp_path / "Downloads/answers"), "zip", tmp_path / "Downloads/ada")
+    (tmp_path / ".venv/bin").mkdir(parents=True)
+    (tmp_path / ".venv/bin/rosspin").symlink_to(ROSSPIN)
+    done = subprocess.run(
+        ["sh", "-c", command], cwd=tmp_path, env=os.environ | {"HOME": str(tmp_path)}, capture_output=True, text=True
+    )
+    assert done.returncode == 1
+    shown = re.search(r"At the end.*?text\n\n(.*?)\n\nBelow", HOW_TO, re.DOTALL)
+    assert shown and done.stdout.splitlines() == [line[3:] for line in shown[1].splitlines()]
+    assert (tmp_path / "table.csv").exists()

@@ -1,0 +1,299 @@
+"""``rosspin judge``: the verdicts of the site's own check, whatever an answer does, in words, as CSV and as JSON."""
+
+from __future__ import annotations
+
+import csv
+import io
+import json
+import signal
+import subprocess
+import sys
+from collections.abc import Iterator
+from pathlib import Path
+
+import pytest
+from answers import CELLS, NAMES, answer_in, written
+from answers_ros1 import WRONG
+from command_line import run
+from tree import ROOT
+
+from rosspin.__main__ import main
+from rosspin.exercises import Verdict, trace, verdict
+from rosspin.grading.lanes import Lanes, Task
+from rosspin.grading.students import Class, Row
+from rosspin.grading.told import PAGE_PYTHON, as_data, as_words, hard, say_python, say_seals, write_csv
+
+SOLVED = CELLS["slow-timer"][1].source
+OPEN = CELLS["slow-timer"][0].source
+WRONG_TIMER = "%%answer slow-timer\nafter_1_0_seconds = [1]\n"
+
+
+@pytest.fixture(scope="module")
+def at_work() -> Iterator[Lanes]:
+    made = Lanes()
+    yield made
+    made.close()
+
+
+def judged(at_work: Lanes, *tasks: Task) -> list[Verdict]:
+    found: dict[int, Verdict] = {}
+    at_work.judge(tasks, found.__setitem__)
+    return [found[number] for number in range(len(tasks))]
+
+
+def test_the_verdicts_are_those_of_the_check(at_work: Lanes) -> None:
+    """For each exercise a right and a wrong answer, and one that is open."""
+    right = [Task(name, CELLS[name][1].source) for name in NAMES]
+    wrong = [Task(name, written(name, WRONG[name][0][0])) for name in NAMES if "still" not in WRONG[name][0][1]]
+    *found, last = judged(at_work, *right, *wrong, Task("slow-timer", OPEN))
+    assert [each.verdict for each in found] == ["solved"] * len(right) + ["not yet"] * len(wrong)
+    assert all(each.why and each.hint for each in found[len(right) :])
+    text = f"\n{answer_in(CELLS['slow-timer'][0])}"
+    assert last == verdict("slow-timer", text, trace("slow-timer", text))
+
+
+# What an answer may try, and what is then said of it; nothing of it is solved.
+HOSTILE = {
+    "import os\nos.abort()": ("not judged", "Its Python broke down"),
+    "import os\nos._exit(0)": ("not yet", "No counter was printed"),
+    "import os\nos.kill(os.getppid(), 9)\nos.killpg(0, 9)": ("", ""),
+    "import numpy": ("not yet", "No module named 'numpy'"),
+    "import matplotlib": ("not yet", "No module named 'matplotlib'"),
+    "import js": ("not yet", "No module named 'js'"),
+    "import subprocess\nsubprocess.run(['true'])": ("not yet", "subprocess is not simulated"),
+    "import os\nos.fork()": ("not yet", "os.fork is not simulated"),
+    "x = 'a' * 10**11": ("not yet", "MemoryError"),
+    "open('x', 'w').write('a')\nassert open('x').read() == 'a'": ("not yet", "No counter was printed"),
+    "print('x' * 20_000_000)": ("not yet", "No counter was printed"),
+    "x = (": ("not yet", "is not Python"),
+    "-" * 49_000 + "1": ("not yet", "is not Python"),
+    "#" * 50_001: ("not judged", "It has 50001 characters; at most 50000 are judged."),
+    "": ("open", "There is no answer yet."),
+    # The way to the teacher: it may write what it likes, and it is no trace; or the trace of a wrong answer.
+    "import os\nos.write(3, b'solved')\nos._exit(0)": ("not judged", "The trace does not fit"),
+    "import os\nos.write(3, b'[' * 3_000_000)": ("not judged", "Its Python broke down"),  # it sends too much
+    'print(\'{"verdict": "solved"}\')': ("not yet", "No counter was printed"),
+}
+
+
+def test_nothing_that_an_answer_does_is_solved(at_work: Lanes) -> None:
+    for text, found in zip(HOSTILE, judged(at_work, *(Task("ten-hertz", text) for text in HOSTILE)), strict=True):
+        kind, said = HOSTILE[text]
+        assert not found.solved and found.verdict.startswith(kind) and said in found.said, (text[:99], found)
+
+
+def test_an_exercise_that_there_is_not(at_work: Lanes) -> None:
+    (found,) = judged(at_work, Task("zz-top", "x = 1"))
+    assert found.verdict == "not judged" and "there is no exercise 'zz-top'" in found.said
+
+
+def test_what_the_system_allows_is_kept_from_answers(at_work: Lanes, tmp_path: Path) -> None:
+    there = tmp_path / "there"
+    there.write_text("mine")
+    tried = [
+        f"try:\n    open({str(there)!r}, 'w')\nexcept OSError as error:\n    print('disk', error.errno)",
+        "import socket\ntry:\n    socket.create_connection(('127.0.0.1', 9))\nexcept OSError:\n    print('net')",
+        f"import ctypes\nlibc = ctypes.CDLL(None)\nlibc.unshare(0x10020000)\nlibc.mount(b'', b'/', b'', 4128, b'')\n"
+        f"try:\n    open({str(there)!r}, 'w')\nexcept OSError as error:\n    print('disk', error.errno)",
+    ]
+    disk, net, again = judged(at_work, *(Task("ten-hertz", text) for text in tried))
+    if "disk" in at_work.seals:
+        assert "disk 30" in disk.said and "disk 30" in again.said
+        assert there.read_text() == "mine"
+    assert "net" in net.said  # refused, or unreachable
+
+
+def test_the_folder_of_the_answers_is_gone_in_the_end(at_work: Lanes) -> None:
+    own = Lanes()
+    assert Path(own._folder).is_dir()
+    judged(own, Task("ten-hertz", "open('x', 'w').write('a')"))
+    own.close()
+    assert not Path(own._folder).exists()
+
+
+def test_where_the_system_allows_no_namespaces(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
+    """Each answer still has a folder of its own, which is taken away, and the verdicts are the same."""
+    monkeypatch.setattr("rosspin.grading.sealed._CLONE_NEWUSER", 0xFFFFFFFF)  # of which no system knows
+    own = Lanes()
+    assert own.seals <= {"user"}
+    leaves = Task("ten-hertz", "import os\nopen('x', 'x').write('a')\nprint(len(os.listdir()))")
+    first, second, right = judged(own, leaves, leaves, Task("slow-timer", SOLVED))
+    assert first.console == second.console == "1\n" and right.solved
+    own.close()
+    assert not Path(own._folder).exists()
+
+
+def test_ctrl_c_keeps_what_is_done(at_work: Lanes) -> None:
+    own = Lanes()
+    found = {}
+
+    def done(number: int, verdict: Verdict) -> None:
+        found[number] = verdict
+        signal.raise_signal(signal.SIGINT)
+
+    own.judge([Task("slow-timer", SOLVED)] * 50, done)
+    own.close()
+    assert own.stopped and 1 <= len(found) < 10
+    assert signal.getsignal(signal.SIGINT) is signal.default_int_handler
+
+
+# --- the command ------------------------------------------------------------------------------------------------------
+
+
+def handed_in(folder: Path, name: str, **answers: str) -> Path:
+    made = {"format": "rosspin-answers", "version": 2, "name": name, "student": f"s-{name}", "id": name}
+    made["answers"] = {key.replace("_", "-"): text for key, text in answers.items()}
+    (folder / f"{name}.json").write_text(json.dumps(made))
+    return folder / f"{name}.json"
+
+
+def test_a_class(tmp_path: Path) -> None:
+    (tmp_path / "all").mkdir()
+    handed_in(tmp_path / "all", "Ada", slow_timer=SOLVED, who_calls=CELLS["who-calls"][1].source)
+    handed_in(tmp_path / "all", "=Ben", slow_timer=WRONG_TIMER)
+    handed_in(tmp_path / "all", "Cy", slow_timer=OPEN)
+    (tmp_path / "all" / "film.mp4").write_text("")
+    status, out, err = run("judge", "all", "--csv", "table.csv", cwd=tmp_path)
+    assert status == 1
+    assert out.splitlines() == [
+        "=Ben: 0 of 1 solved; not yet: slow-timer",
+        "Ada: 2 of 2 solved",
+        "Cy: 0 of 1 solved; open: slow-timer",
+        "What was hard:",
+        "  slow-timer: 1 of 3 solved",
+        "    1 × The callback begins at 1.2 s and blocks for 1.0 s. Which ticks are overdue when it returns?",
+    ]
+    assert err.splitlines()[0] == "film.mp4 is refused: it is no file of answers."
+    assert "\r" not in err  # no progress where nobody looks
+    data = (tmp_path / "table.csv").read_bytes()
+    head, ben, ada, cy, film = csv.reader(io.StringIO(data.decode("utf-8-sig")))
+    assert data.startswith(b"\xef\xbb\xbf")
+    assert head[:2] == ["name", "student ID"] and head[7:] == [
+        *("answers", "solved", "who-calls", "slow-timer", "who-calls: why", "slow-timer: why"),
+    ]
+    assert ben[0] == "'=Ben" and ben[1] == "s-=Ben" and ben[9:11] == ["", "not yet"] and ben[-1]
+    assert ada[7:] == ["2", "2", "solved", "solved", "", ""]
+    assert film[4:6] == ["film.mp4", "refused: it is no file of answers"]
+
+
+def test_json(tmp_path: Path) -> None:
+    ada = handed_in(tmp_path, "Ada", slow_timer=SOLVED)
+    status, out, _ = run("judge", str(ada), "--json")
+    found = json.loads(out)
+    assert status == 0
+    (student,) = found["students"]
+    assert (student["name"], student["student"], student["file"], student["solved"]) == ("Ada", "s-Ada", "Ada.json", 1)
+    answer = student["answers"]["slow-timer"]
+    assert (answer["verdict"], answer["solved"], answer["why"]) == ("solved", True, "")
+    assert found["hard"] == found["refused"] == found["notes"] == []
+
+
+def test_of_a_single_student_all_is_told(tmp_path: Path) -> None:
+    (tmp_path / "slow-timer.py").write_text(WRONG_TIMER.partition("\n")[2])
+    status, out, _ = run("judge", "slow-timer.py", cwd=tmp_path)
+    assert status == 1
+    assert out.startswith("slow-timer: not yet\n  Exercise ") and "  - Wrong: " in out and "Hint: " in out
+    assert out.endswith(f"{tmp_path.name}: 0 of 1 solved; not yet: slow-timer\n")
+
+
+@pytest.mark.parametrize(
+    ("args", "said"),
+    [
+        (["nowhere.json"], "rosspin: nowhere.json: No such file or directory\n"),
+        (
+            [".", "--csv", "nowhere/a.csv"],
+            "rosspin: --csv nowhere/a.csv: this is a folder, or there is no such folder\n",
+        ),
+        ([".", "--csv", "."], "rosspin: --csv .: this is a folder, or there is no such folder\n"),
+    ],
+)
+def test_a_wrong_command_line(
+    args: list[str], said: str, tmp_path: Path, monkeypatch: pytest.MonkeyPatch, capsys: pytest.CaptureFixture[str]
+) -> None:
+    monkeypatch.chdir(tmp_path)
+    assert main(["judge", *args]) == 2
+    assert capsys.readouterr().err == said
+
+
+def test_without_answers_the_status_is_1(tmp_path: Path) -> None:
+    assert run("judge", ".", cwd=tmp_path)[:2] == (1, "")
+
+
+# --- what is told -----------------------------------------------------------------------------------------------------
+
+
+def a_class(*rows: tuple[str, dict[str, Verdict]]) -> Class:
+    found = Class()
+    for name, verdicts in rows:
+        row = Row(name, f"{name}.json", answers=dict.fromkeys(verdicts, ""), verdicts=verdicts)
+        found._rows["", name] = row
+    return found
+
+
+def told(kind: str, hint: str = "", why: str = "") -> Verdict:
+    return Verdict(kind, kind == "solved", "", "", "", why, hint)
+
+
+def test_what_the_class_found_hard() -> None:
+    found = a_class(
+        ("a", {"slow-timer": told("not yet", "h1"), "two-timers": told("solved"), "who-calls": told("solved")}),
+        ("b", {"slow-timer": told("not yet", "h2"), "two-timers": told("not yet", "h3")}),
+        ("c", {"slow-timer": told("not yet", "h1"), "two-timers": told("open")}),
+        ("d", {"slow-timer": told("solved")}),
+    )
+    (slow, two) = hard(found)
+    assert (slow.exercise, *slow[2:]) == ("slow-timer", 4, 1, (("h1", 2), ("h2", 1)))
+    assert two[2:] == (3, 1, (("h3", 1),))
+    words = (
+        "What was hard:\n  slow-timer: 1 of 4 solved\n    2 × h1\n    1 × h2\n  two-timers: 1 of 3 solved\n    1 × h3"
+    )
+    assert "\n".join(as_words(found)).endswith(words)
+    assert as_data(found, ["disk"])["hard"][0]["hints"] == {"h1": 2, "h2": 1}
+
+
+FORMULAS = ["=1+1", "+1", "-1", "@SUM(A1)", " =x", '"=x', "a,=x", "a;-x", "＝x", "\t=x", "\u200b=x", "a\r\n=x"]
+
+
+@pytest.mark.parametrize("name", FORMULAS)
+def test_no_cell_is_a_formula(name: str) -> None:
+    ((cell,),) = csv.reader(io.StringIO(write_csv([[name]]).decode("utf-8-sig")))
+    guarded = cell.replace("'", "", 1)
+    assert len(cell) == len(guarded) + 1 or name == "a\r\n=x"
+    assert "\n" not in cell
+
+
+def test_cells_are_as_on_the_page(tmp_path: Path) -> None:
+    """The same text comes out of web/src/csv.js."""
+    script = f"import {{ csv }} from {json.dumps((ROOT / 'web/src/csv.js').as_uri())}\n"
+    script += "process.stdout.write(csv(JSON.parse(process.argv[1])))"
+    rows: list[list[str | int]] = [[each, 5, "a-b", 'Zoë "Z", jr.'] for each in FORMULAS]
+    node = Path(sys.prefix, "bin/node")
+    command = [str(node), "--input-type=module", "-e", script, json.dumps(rows)]
+    assert subprocess.run(command, check=True, capture_output=True).stdout == write_csv(rows)
+
+
+def test_half_a_character_is_no_error() -> None:
+    assert write_csv([["a\ud800"]]).endswith(b'"a?"\r\n')
+
+
+def test_it_is_said_what_the_system_does_not_allow() -> None:
+    assert say_seals({"network", "disk"}) == ""
+    for seals, said in (
+        (set(), "none of your rights"),
+        ({"user"}, "a user who owns nothing"),
+        ({"network"}, "no network"),
+    ):
+        assert f"with {said}" in say_seals(seals)
+
+
+def test_it_is_said_that_a_newer_python_reads_more(monkeypatch: pytest.MonkeyPatch) -> None:
+    found = a_class(("a", {"slow-timer": told("not yet", why="Line 1 is not Python: invalid syntax.")}))
+    monkeypatch.setattr(sys, "version_info", (3, 11, 2))
+    said = "1 answer is no Python to this Python 3.11; that of the page is 3.14, and newer ones read more."
+    assert say_python(found) == said
+    monkeypatch.setattr(sys, "version_info", (3, 14, 0))
+    assert say_python(found) == ""
+
+
+def test_the_python_of_the_page() -> None:
+    assert f"python{PAGE_PYTHON[0]}{PAGE_PYTHON[1]}.zip" in (ROOT / "web/src/worker.js").read_text(encoding="utf-8")

@@ -1,0 +1,111 @@
+"""``@rosspin.explored``: a test that is run in many orders."""
+
+from __future__ import annotations
+
+from collections.abc import Callable
+from pathlib import Path
+from typing import Any
+
+import pytest
+from planted_orders import PLANTS
+
+import rosspin
+from rosspin import pytest_plugin
+
+pytest_plugins = ["pytester"]
+
+TEST = """
+import pytest, rosspin
+runs = []
+@rosspin.explored(schedules=30, deep=True{more})
+def test_count(start_node, tmp_path):
+    runs.append(tmp_path)
+    node = start_node("{node}")
+    node.advance(0.5)
+    assert "count 10\\n" in node.run.console
+def test_after():
+    assert len(runs) == {count}
+    assert len(set(runs)) == 1
+"""
+
+
+@pytest.fixture
+def run_tests(pytester: pytest.Pytester) -> Callable[..., pytest.RunResult]:
+    """Runs pytest on a text."""
+
+    def run(text: str) -> pytest.RunResult:
+        pytester.makepyfile(text)
+        options = ("-q", "--disable-plugin-autoload", "-p", "no:cacheprovider")
+        return pytester.runpytest_inprocess(*options, plugins=[pytest_plugin])
+
+    return run
+
+
+def node(folder: Path, mended: bool) -> str:
+    return PLANTS["ros1-lost-update"].write(folder, mended)[0]
+
+
+def test_a_test_of_a_node_that_is_well_is_run_once_for_each_order(run_tests: Any, tmp_path: Path) -> None:
+    run_tests(TEST.format(node=node(tmp_path, mended=True), more="", count=30)).assert_outcomes(passed=2)
+
+
+def test_a_test_that_fails_names_the_order_and_is_run_again_in_it(run_tests: Any, tmp_path: Path) -> None:
+    failing = node(tmp_path, mended=False)
+    run = run_tests(TEST.format(node=failing, more="", count=0).partition("def test_after")[0])
+    run.assert_outcomes(failed=1)
+    run.stdout.fnmatch_lines(["*in the shortest order found, that deviates once from the usual one, after * orders; *"])
+    run.stdout.fnmatch_lines(["*Console of planted_0.py*", "count 9"])
+    assert "__exit__" not in str(run.stdout)
+    token = str(run.stdout).partition('@rosspin.explored(schedule="')[2].partition('"')[0]
+    again = run_tests(TEST.format(node=failing, more=f', schedule="{token}"', count=1))
+    again.assert_outcomes(failed=1, passed=1)
+    again.stdout.fnmatch_lines([f'*in the order of its schedule; *schedule="{token}"*'])
+
+
+def test_a_schedule_that_does_not_fit_is_an_error(run_tests: Any, tmp_path: Path) -> None:
+    run = run_tests(TEST.format(node=node(tmp_path, mended=True), more=', schedule="1d-999.1"', count=1))
+    run.assert_outcomes(failed=1, passed=1)
+    run.stdout.fnmatch_lines(["*ValueError: the schedule does not fit, from 999.1 on*"])
+
+
+def test_what_fails_a_test_counts_and_what_skips_it_does_not(run_tests: Any) -> None:
+    run = run_tests("""
+import pytest, rosspin
+@rosspin.explored(schedules=3)
+def test_fails(start_node):
+    pytest.fail("no")
+@rosspin.explored(schedules=3)
+def test_skips(start_node):
+    pytest.skip("not here")
+@rosspin.explored(schedules=3)
+@pytest.mark.parametrize("number", [1, 2])
+def test_given(number, start_node):
+    assert number
+@rosspin.explored(schedules=3)
+def test_node_fails(start_node):
+    def node():
+        raise SystemExit(3)
+    start_node(node).advance(1)
+""")
+    run.assert_outcomes(failed=2, skipped=1, passed=2)
+    run.stdout.fnmatch_lines(["*in the usual order; to run the test*"])
+
+
+def test_it_needs_the_fixture() -> None:
+    with pytest.raises(TypeError, match="test_nothing has to take the fixture start_node"):
+
+        @rosspin.explored()
+        def test_nothing() -> None:
+            pass
+
+
+@pytest.mark.parametrize("folder", ["examples/orders", "examples/orders/ros2"])
+def test_the_test_of_the_page_fails_as_the_page_says(folder: str, run_tests: Any) -> None:
+    from tree import ROOT
+
+    text = (ROOT / folder / "test_parts.py").read_text(encoding="utf-8")
+    run = run_tests(text.replace('"parts_py_node.py"', repr(str(ROOT / folder / "parts_py_node.py"))))
+    run.assert_outcomes(failed=1)
+    page = (ROOT / "docs/how-to/find-the-order.rst").read_text(encoding="utf-8")
+    token = str(run.stdout).partition('schedule="')[2].partition('"')[0]
+    assert f": {token}\n" in page

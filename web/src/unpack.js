@@ -1,0 +1,170 @@
+// What is dropped on the teachers' page: files, and those in folders and zip archives, each with its path as its name.
+
+/** @typedef {{name: string, why: string}} Unread a file that cannot be read, and why */
+/** @typedef {File | Unread} Dropped */
+
+/** What is read of archives at most: so many within each other, files in all, and of one within another (bytes). */
+const MOST = { depth: 4, files: 10_000, archive: 200_000_000, file: 1_000_001 }
+
+/** What systems and programs leave in folders and archives. */
+const LEFT_BEHIND = /(^|\/)(\.[^/]*|__MACOSX|Thumbs\.db|desktop\.ini)(\/|$)/i
+
+/** The upper half of the code page in which Windows writes names. */
+const CP437 =
+  "ÇüéâäàåçêëèïîìÄÅÉæÆôöòûùÿÖÜ¢£¥₧ƒáíóúñÑªº¿⌐¬½¼¡«»░▒▓│┤╡╢╖╕╣║╗╝╜╛┐└┴┬├─┼╞╟╚╔╩╦╠═╬╧╨╤╥╙╘╒╓╫╪┘┌█▄▌▐▀αßΓπΣσµτΦΘΩδ∞φε∩≡±≥≤⌠⌡÷≈°∙·√ⁿ²■\u00a0"
+
+/**
+ * The files of a drop; it has to be asked while the event is handled.
+ *
+ * @param {DataTransfer} dropped
+ * @returns {Promise<Dropped[]>}
+ */
+export async function dropped({ items, files }) {
+  const entries = [...items].map((item) => item.webkitGetAsEntry())
+  if (!entries.some((entry) => entry?.isDirectory)) return unpacked([...files])
+  const found = await Promise.all(entries.filter((entry) => entry !== null).map((entry) => walked(entry)))
+  return unpacked(found.flat())
+}
+
+/**
+ * @param {FileSystemEntry} entry
+ * @returns {Promise<Dropped[]>}
+ */
+async function walked(entry, path = entry.name) {
+  if (LEFT_BEHIND.test(entry.name)) return []
+  if (entry.isFile) {
+    const file = await new Promise((resolve) =>
+      /** @type {FileSystemFileEntry} */ (entry).file(resolve, () => resolve({ name: path, why: "it cannot be read" })),
+    )
+    return ["why" in file ? file : named(file, path)]
+  }
+  const reader = /** @type {FileSystemDirectoryEntry} */ (entry).createReader()
+  const found = []
+  for (;;) {
+    /** @type {FileSystemEntry[]} */
+    const some = await new Promise((resolve) => reader.readEntries(resolve, () => resolve([])))
+    if (!some.length) return found
+    for (const inner of some) found.push(...(await walked(inner, `${path}/${inner.name}`)))
+  }
+}
+
+/**
+ * A file by its path.
+ *
+ * @param {File} file
+ * @param {string} path
+ */
+const named = (file, path) => Object.defineProperty(file, "name", { value: path })
+
+/**
+ * The files, and in place of an archive those in it. What lies in a folder or an archive and is no hand-in is left out.
+ *
+ * @param {Dropped[]} files
+ * @returns {Promise<Dropped[]>}
+ */
+export async function unpacked(files, depth = 1) {
+  /** @type {Dropped[]} */
+  const found = []
+  for (const file of files) {
+    if ("why" in file || !(await isArchive(file))) found.push(file)
+    else if (depth > MOST.depth) found.push({ name: file.name, why: `it is an archive within ${MOST.depth} others` })
+    else {
+      const inner = await entriesOf(file).catch(() => [{ name: file.name, why: "it is no zip archive that can be read" }])
+      found.push(...(await unpacked(inner, depth + 1)))
+    }
+    if (found.length > MOST.files) return [...found.slice(0, MOST.files), { name: file.name, why: "there is too much in all" }]
+  }
+  const isLoose = (/** @type {Dropped} */ { name }) => !name.includes("/")
+  return found.filter((file) => "why" in file || isLoose(file) || /\.json$/i.test(file.name))
+}
+
+/** @param {File} file */
+const isArchive = async (file) =>
+  /\.zip$/i.test(file.name) || (await file.slice(0, 4).text().catch(() => "")) === "PK\x03\x04"
+
+/**
+ * The hand-ins and archives in an archive. Error: it cannot be read.
+ *
+ * @param {File} archive
+ * @returns {Promise<Dropped[]>}
+ */
+async function entriesOf(archive) {
+  const folder = archive.name.replace(/\.zip$/i, "")
+  const tail = new DataView(await archive.slice(-65_557).arrayBuffer())
+  let end = tail.byteLength - 22
+  while (tail.getUint32(end, true) !== 0x06054b50) end-- // an error, in the end, if there is none
+  const [size, start] = [tail.getUint32(end + 12, true), tail.getUint32(end + 16, true)]
+  const list = new DataView(await archive.slice(start, start + size).arrayBuffer())
+  /** @type {Dropped[]} */
+  const found = []
+  for (let at = 0; at < size && found.length <= MOST.files; ) {
+    if (list.getUint32(at, true) !== 0x02014b50) throw new Error("damaged")
+    const [flags, method] = [list.getUint16(at + 8, true), list.getUint16(at + 10, true)]
+    const packed = list.getUint32(at + 20, true)
+    const [long, extra, comment] = [28, 30, 32].map((place) => list.getUint16(at + place, true))
+    const place = list.getUint32(at + 42, true)
+    const name = nameIn(new Uint8Array(list.buffer, at + 46, long), Boolean(flags & 0x800))
+    at += 46 + long + extra + comment
+    const path = [folder, ...name.split(/[/\\]/).filter((part) => !["", ".", ".."].includes(part))].join("/")
+    if (!/\.(json|zip)$/i.test(name) || LEFT_BEHIND.test(path)) continue
+    found.push(await entry(archive, path, flags, method, place, packed))
+  }
+  return found
+}
+
+/**
+ * @param {File} archive
+ * @param {string} path
+ * @param {number} flags
+ * @param {number} method
+ * @param {number} place
+ * @param {number} packed
+ * @returns {Promise<Dropped>}
+ */
+async function entry(archive, path, flags, method, place, packed) {
+  if (flags & 1) return { name: path, why: "it is locked with a password" }
+  if (method !== 0 && method !== 8) return { name: path, why: "it is packed in a way that is not read here; unpack the archive first" }
+  try {
+    const head = new DataView(await archive.slice(place, place + 30).arrayBuffer())
+    const start = place + 30 + head.getUint16(26, true) + head.getUint16(28, true)
+    const data = archive.slice(start, start + packed).stream()
+    const plain = method ? data.pipeThrough(new DecompressionStream("deflate-raw")) : data
+    const most = /\.zip$/i.test(path) ? MOST.archive : MOST.file
+    return named(new File(await startOf(plain, most), "entry"), path)
+  } catch {
+    return { name: path, why: "it is damaged in its archive" }
+  }
+}
+
+/**
+ * What comes out of a stream, and no more than so many bytes, whatever it claims to be.
+ *
+ * @param {ReadableStream<Uint8Array<ArrayBuffer>>} stream
+ * @param {number} most
+ */
+async function startOf(stream, most) {
+  const parts = []
+  const reader = stream.getReader()
+  for (let left = most; left > 0; ) {
+    const { value, done } = await reader.read()
+    if (done) return parts
+    parts.push(value.subarray(0, left))
+    left -= value.length
+  }
+  reader.cancel().catch(() => {})
+  return parts
+}
+
+/**
+ * A name, in the code that its flag says, or else in UTF-8 all the same, as macOS has it, or as Windows does.
+ *
+ * @param {Uint8Array} bytes
+ * @param {boolean} isUnicode
+ */
+function nameIn(bytes, isUnicode) {
+  try {
+    return new TextDecoder("utf-8", { fatal: !isUnicode }).decode(bytes)
+  } catch {
+    return [...bytes].map((byte) => (byte < 128 ? String.fromCharCode(byte) : CP437[byte - 128])).join("")
+  }
+}

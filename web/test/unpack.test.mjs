@@ -1,0 +1,107 @@
+// Folders and archives, as learning platforms export them: what is in them, and what an odd one is called.
+
+import assert from "node:assert/strict"
+import { test } from "node:test"
+import { crc32, deflateRawSync } from "node:zlib"
+
+import { dropped, unpacked } from "../src/unpack.js"
+
+const bytes = (/** @type {string | Buffer} */ data) => Buffer.from(data)
+
+/** A zip archive; a name as bytes has no flag for UTF-8. */
+function zip(name, entries, { method = 8, flags = 0, spoil = (packed) => packed } = {}) {
+  const [parts, list] = [[], []]
+  let at = 0
+  for (const [path, data] of entries) {
+    const [raw, plain] = [bytes(path), bytes(data)]
+    const packed = spoil(method ? deflateRawSync(plain) : plain)
+    const common = Buffer.alloc(26)
+    common.writeUInt16LE(flags | (typeof path === "string" ? 0x800 : 0), 2)
+    common.writeUInt16LE(method, 4)
+    common.writeUInt32LE(crc32(plain), 10)
+    common.writeUInt32LE(packed.length, 14)
+    common.writeUInt32LE(plain.length, 18)
+    common.writeUInt16LE(raw.length, 22)
+    const local = Buffer.concat([bytes("PK\x03\x04"), common, raw, packed])
+    const rest = Buffer.alloc(14)
+    rest.writeUInt32LE(at, 10)
+    list.push(Buffer.concat([bytes("PK\x01\x02"), Buffer.alloc(2), common, rest, raw]))
+    parts.push(local)
+    at += local.length
+  }
+  const directory = Buffer.concat(list)
+  const end = Buffer.alloc(22)
+  end.write("PK\x05\x06", "latin1")
+  end.writeUInt32LE(directory.length, 12)
+  end.writeUInt32LE(at, 16)
+  return new File([...parts, directory, end], name)
+}
+
+const told = (files) => Promise.all(files.map(async (file) => [file.name, file.why ?? (await file.text())]))
+const zipped = async (file) => bytes(await file.arrayBuffer())
+
+test("files in archives, and in those within them, by their paths", async () => {
+  const inner = await zipped(zip("", [["b.json", "2"], ["report.pdf", "x"]]))
+  const all = zip("all.zip", [["Zoë_1_assignsubmission_file_/a.json", "1"], ["Ä/in.zip", inner], ["__MACOSX/._a.json", "x"], [".DS_Store", ""]])
+  assert.deepEqual(await told(await unpacked([all, new File(["3"], "c.json"), new File(["x"], "odd.pdf")])), [
+    ["all/Zoë_1_assignsubmission_file_/a.json", "1"],
+    ["all/Ä/in/b.json", "2"],
+    ["c.json", "3"],
+    ["odd.pdf", "x"],
+  ])
+})
+
+test("names without a code are those of macOS or of Windows, and lead nowhere", async () => {
+  const names = [bytes("Müller/a.json"), Buffer.from([0x4d, 0x81, 0x2f, 0x62, ...bytes(".json")]), "../../c.json", "/d\\e.json"]
+  const found = await unpacked([zip("z.zip", names.map((name) => [name, ""]))])
+  assert.deepEqual(found.map(({ name }) => name), ["z/Müller/a.json", "z/Mü/b.json", "z/c.json", "z/d/e.json"])
+})
+
+test("what is stored plainly is read, too", async () => {
+  assert.deepEqual(await told(await unpacked([zip("z.zip", [["a.json", "1"]], { method: 0 })])), [["z/a.json", "1"]])
+})
+
+test("of a bomb no more is unpacked than a hand-in may have", async () => {
+  const [file] = await unpacked([zip("z.zip", [["a.json", Buffer.alloc(30_000_000)]])])
+  assert.equal(file.size, 1_000_001)
+})
+
+const nested = async (depth) => {
+  let file = zip("z.zip", [["a.json", "1"]])
+  for (; depth; depth--) file = zip("z.zip", [["z.zip", await zipped(file)]])
+  return file
+}
+const ODD = [
+  [zip("z.zip", [["a.json", "1"]], { flags: 1 }), "it is locked with a password"],
+  [zip("z.zip", [["a.json", "1"]], { method: 12 }), "it is packed in a way that is not read here; unpack the archive first"],
+  [zip("z.zip", [["a.json", "1"]], { spoil: () => bytes("\xff\xff") }), "it is damaged in its archive"],
+  [new File(["PK\x03\x04"], "z.zip"), "it is no zip archive that can be read"],
+  [new File([""], "z.zip"), "it is no zip archive that can be read"],
+  [await nested(4), "it is an archive within 4 others"],
+]
+for (const [file, why] of ODD) {
+  test(`is told: ${why}`, async () => assert.equal((await unpacked([file]))[0].why, why))
+}
+
+/** Folders as a browser has them. */
+const entry = (name, inner) => ({
+  name,
+  isFile: typeof inner === "string",
+  isDirectory: typeof inner !== "string",
+  file: (/** @type {any} */ take) => take(new File([inner], name)),
+  createReader() {
+    const left = Object.entries(inner).map(([name, data]) => entry(name, data))
+    return { readEntries: (/** @type {any} */ take) => take(left.splice(0, 2)) }
+  },
+})
+
+test("folders are gone through, whatever is in them", async () => {
+  const folder = { a: { "1.json": "1", "2.json": "2", "3.json": "3", "x.pdf": "" }, ".git": { "y.json": "" }, "b.json": "b" }
+  const items = [{ webkitGetAsEntry: () => entry("all", folder) }]
+  assert.deepEqual(await told(await dropped({ items, files: [] })), [
+    ["all/a/1.json", "1"],
+    ["all/a/2.json", "2"],
+    ["all/a/3.json", "3"],
+    ["all/b.json", "b"],
+  ])
+})
