@@ -81,18 +81,12 @@ def test_a_node_is_not_for_both(write: Any) -> None:
 @pytest.mark.parametrize(
     ("source", "name"),
     [
-        ("from rclpy.lifecycle import Node", "rclpy.lifecycle"),
         ("import cv_bridge", "cv_bridge"),
         ("from tf2_ros import BufferClient", "tf2_ros.BufferClient"),
         ("from control_srvs.srv import Trigger", "control_srvs"),
         ("rclpy.init(); rclpy.create_node('n').add_waitable(1)", "Node.add_waitable"),
         ("rclpy.init(); rclpy.create_node('n').get_publishers_info_by_topic('x')", "Node.get_publishers_info_by_topic"),
-        (
-            "from std_srvs.srv import Empty; rclpy.init()\n"
-            "rclpy.create_node('n').create_client(Empty, 'x').configure_introspection(1, 2, 3)",
-            "Client.configure_introspection",
-        ),
-        ("rclpy.serialization", "rclpy.serialization"),
+        ("rclpy.type_support", "rclpy.type_support"),
         ("from rclpy.experimental import EventsExecutor", "rclpy.experimental.EventsExecutor"),
     ],
 )

@@ -22,7 +22,6 @@ from rosspin.rclpy.event_handler import (
 )
 from rosspin.rclpy.exceptions import RCLError
 from rosspin.rclpy.qos import LivelinessPolicy, QoSPolicyKind, QoSProfile, qos_policy_name_from_kind
-from rosspin.world.world import NotSimulated
 
 SECOND = Duration(seconds=1)
 
@@ -138,14 +137,6 @@ def test_a_topic_that_was_left_tells_nothing() -> None:
 
     run(body)
     assert told == []
-
-
-def test_raw_messages_are_refused_by_name() -> None:
-    def body(node: Any, UInt32: Any) -> None:
-        with pytest.raises(NotSimulated, match="raw=True"):
-            node.create_subscription(UInt32, "topic", lambda message: None, 1, raw=True)
-
-    run(body)
 
 
 def test_the_names_of_events_are_those_of_rclpy() -> None:

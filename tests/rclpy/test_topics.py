@@ -36,6 +36,21 @@ def spin_until(node: Any, seconds: float, executor: Any = None) -> None:
         assert executor  # the one that rclpy makes is shut down with the context
 
 
+def test_published_bytes_are_recorded_as_the_message_that_they_hold() -> None:
+    seen: list[Any] = []
+
+    def body(node: Any, UInt32: Any) -> None:
+        publisher = node.create_publisher(UInt32, "topic", 10)
+        node.create_subscription(UInt32, "topic", lambda message: seen.append(message.data), 10)
+        publisher.publish(b"\0\1\0\0\7\0\0\0")
+        publisher.publish(b"no message")
+        spin_until(node, 2)
+
+    done = run(body)
+    assert seen == [7]
+    assert [message.message.data for message in done.messages] == [7]
+
+
 def test_within_a_process_nothing_is_lost_and_only_spin_calls() -> None:
     seen: list[int] = []
 

@@ -142,7 +142,7 @@ class _Field:
         self.slot = f"_{field.name}"
         self.kind = field.kind
         self.message = message
-        self.given = field.default
+        self.given = _octets(field.default) if self.kind.base == "byte" else field.default
         self.type: Any = message or PYTHON.get(self.kind.base, int)
         self.code = CODES.get(self.kind.base) if self.kind.array else None  # of an array of numbers
 
@@ -323,7 +323,7 @@ class Messages(classes.Messages[Message]):
         for each in definition.fields:
             namespace[each.name] = _property(fields[each.name])
             if each.default is not None:
-                namespace[f"{each.name.upper()}__DEFAULT"] = each.default
+                namespace[f"{each.name.upper()}__DEFAULT"] = fields[each.name].given
         return type(name, (Message,), namespace)
 
 
@@ -332,6 +332,13 @@ def _property(field: _Field) -> property:
         setattr(message, field.slot, field.check(value))
 
     return property(attrgetter(field.slot), set_, doc=f"Message field '{field.name}'.")
+
+
+def _octets(default: Any) -> Any:
+    """A default value of bytes, which are written as numbers."""
+    if isinstance(default, list):
+        return [_octets(each) for each in default]
+    return default if default is None else bytes([default])
 
 
 def _in_range(value: Any, kind: Kind) -> bool:

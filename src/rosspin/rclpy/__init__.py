@@ -22,6 +22,7 @@ from . import (
     exceptions,
     executors,
     experimental,
+    lifecycle,
     logging,
     logging_service,
     names,
@@ -32,6 +33,8 @@ from . import (
     qos,
     qos_event,
     qos_overriding_options,
+    serialization,
+    service_introspection,
     services,
     signals,
     task,
@@ -165,8 +168,7 @@ def spin_until_future_complete(
 
 # The modules of rclpy that are not here: they need a real ROS.
 NOT_SIMULATED = {
-    *("destroyable", "lifecycle", "parameter_service", "serialization", "service_introspection"),
-    *("topic_endpoint_info", "type_hash", "type_support", "waitable"),
+    *("destroyable", "parameter_service", "topic_endpoint_info", "type_hash", "type_support", "waitable"),
 }
 
 # The names that the modules here lack.
@@ -179,8 +181,10 @@ LACKING = {
 IN_PART = {
     "Context": "There is no network: ``domain_id`` has no effect.",
     "MultiThreadedExecutor": "Without ``num_threads`` it has 4 threads, not as many as there are processors.",
-    "Client": "``configure_introspection`` is not there. What was asked before the service is known "
-    "is lost, also with ``TRANSIENT_LOCAL``.",
+    "Client": "What was asked before the service is known is lost, also with ``TRANSIENT_LOCAL``.",
+    "JumpHandle": "One that a node drops goes on; on a real ROS the next jump then calls what is no longer there.",
+    "LifecycleNode": "Managed entities come in the order in which they were added; on a real ROS in any. A destroyed "
+    "node is gone; on a real ROS others see it until Python drops it.",
     "Node": "What it has logged before somebody subscribes to ``/rosout`` cannot be heard there. The service that "
     "describes its types is only named. A node that a program drops without ``destroy_node()`` is still there.",
     "Publisher": "Fields are always checked, as with ``ROS_PYTHON_CHECK_FIELDS=1``.",
@@ -188,11 +192,11 @@ IN_PART = {
     "QoSProfile": "``avoid_ros_namespace_conventions`` has no effect.",
     "RcutilsLogger": "On the console and on ``/rosout``, not in a file. rcl itself says little.",
     "Service": "As ``Client``.",
-    "Subscription": "There are none of raw messages (``raw=True``).",
     "SubscriptionEventCallbacks": "``message_lost`` is never called, as nothing is lost, nor is ``incompatible_type``, "
     "as with Fast DDS.",
     "Timer": "A period of less than 1 µs calls every 0.1 ms, about as often as a real machine can.",
     "TimerInfo": "It is there; on a real ROS 2 only from Kilted on.",
+    "serialize_message": "Bytes that mean nothing are 0; on a real ROS they are what happened to be there.",
     "signals": "A handler that the node sets itself is called immediately, not when the executor wakes.",
     "wait_for_message": "It gets the message even if another thread spins the node; on a real ROS the two race.",
 }
@@ -219,6 +223,10 @@ MODULES: dict[str, ModuleType] = {
     "rclpy.guard_condition": executors,
     "rclpy.impl.logging_severity": logging,
     "rclpy.impl.rcutils_logger": logging,
+    "rclpy.lifecycle": lifecycle,
+    "rclpy.lifecycle.managed_entity": lifecycle,
+    "rclpy.lifecycle.node": lifecycle,
+    "rclpy.lifecycle.publisher": lifecycle,
     "rclpy.logging": logging,
     "rclpy.logging_service": logging_service,
     "rclpy.node": node,
@@ -229,7 +237,9 @@ MODULES: dict[str, ModuleType] = {
     "rclpy.qos": qos,
     "rclpy.qos_event": qos_event,
     "rclpy.qos_overriding_options": qos_overriding_options,
+    "rclpy.serialization": serialization,
     "rclpy.service": services,
+    "rclpy.service_introspection": service_introspection,
     "rclpy.signals": signals,
     "rclpy.subscription": topics,
     "rclpy.task": task,
@@ -263,12 +273,17 @@ _HOMES = {
     "Client": "rclpy.client",
     "ClockType": "rclpy.clock_type",
     "GuardCondition": "rclpy.guard_condition",
+    **dict.fromkeys(("LifecycleNode", "LifecycleNodeMixin", "LifecycleState"), "rclpy.lifecycle.node"),
+    "LifecyclePublisher": "rclpy.lifecycle.publisher",
     "LoggingSeverity": "rclpy.impl.logging_severity",
     "Publisher": "rclpy.publisher",
     "RcutilsLogger": "rclpy.impl.rcutils_logger",
+    **dict.fromkeys(("ManagedEntity", "SimpleManagedEntity"), "rclpy.lifecycle.managed_entity"),
     "Service": "rclpy.service",
+    "ServiceIntrospectionState": "rclpy._rclpy_pybind11.service_introspection",
     "Subscription": "rclpy.subscription",
     "Time": "rclpy.time",
+    "TransitionCallbackReturnType": "rclpy._rclpy_pybind11",
 }
 for _name, _module in MODULES.items():
     for _value in [value for value in vars(_module).values() if isinstance(value, type)]:

@@ -103,6 +103,7 @@ class JumpHandle:
         if post_callback is not None and not callable(post_callback):
             raise ValueError("post_callback must be callable if given")
         self._clock: Clock | None = clock
+        threshold.min_forward  # noqa: B018 - AttributeError for what is no threshold
         self._threshold = threshold
         self._pre_callback = pre_callback
         self._post_callback = post_callback

@@ -21,6 +21,10 @@ class RCLError(RuntimeError):
     """Raised where the C part of rclpy refuses a call. On a real ROS the text also names the line of the C source."""
 
 
+class RMWError(RuntimeError):
+    """Raised where the middleware refuses a call."""
+
+
 class InvalidHandle(RuntimeError):
     """A timer, publisher or subscription was destroyed."""
 
@@ -54,7 +58,7 @@ def not_accepted(signature: str, *args: object, function: str = "") -> TypeError
     )
 
 
-_OBJECTS = ("Clock", "Context", "Node", "rmw_qos_profile_t")
+_OBJECTS = ("Client", "Clock", "Context", "Node", "Service", "rmw_qos_profile_t")
 
 
 def no_type_support(given: object) -> AttributeError:
@@ -196,7 +200,7 @@ class ConditionReachedException(Exception):
 
 # Tracebacks show the names of a real ROS.
 _ELSEWHERE = {
-    **dict.fromkeys(("InvalidHandle", "RCLError", "UnknownROSArgsError"), "rclpy._rclpy_pybind11"),
+    **dict.fromkeys(("InvalidHandle", "RCLError", "RMWError", "UnknownROSArgsError"), "rclpy._rclpy_pybind11"),
     **dict.fromkeys(
         ("ConditionReachedException", "ExternalShutdownException", "ShutdownException", "TimeoutException"),
         "rclpy.executors",

@@ -187,7 +187,7 @@ class Node(Parameters):
     def publishers(self) -> Iterator[Publisher]:
         """Its publishers, the one of /parameter_events among them."""
         self._rosspin_topics.make(own_topics.PARAMETER_EVENTS)
-        yield from (publisher for publisher in self._publishers if publisher.end.topic != own_topics.ROSOUT)
+        yield from (publisher for publisher in self._publishers if not publisher.is_of_rcl)
 
     @property
     def subscriptions(self) -> Iterator[Subscription]:
@@ -371,6 +371,7 @@ class Node(Parameters):
         callback_group: CallbackGroup | None = None,
         event_callbacks: PublisherEventCallbacks | None = None,
         qos_overriding_options: QoSOverridingOptions | None = None,
+        publisher_class: type[Publisher] = Publisher,
     ) -> Publisher:
         """Publish messages of a class on a topic; ``qos_profile`` may be the depth.
 
@@ -385,9 +386,15 @@ class Node(Parameters):
             )
         group = callback_group or self.default_callback_group
         events = event_callbacks or PublisherEventCallbacks()
-        publisher = Publisher(self, msg_type, topic, full_name, qos, group, events)
+        publisher = publisher_class(self, msg_type, topic, full_name, qos, group, events)
         self._publishers.append(publisher)
         self._wake_executor()
+        return publisher
+
+    def _rosspin_publish(self, msg_type: type[Message], topic: str, qos: QoSProfile) -> Publisher:
+        """Make a publisher for what rcl itself publishes: others find it, and it is not among ``publishers``."""
+        publisher = Node.create_publisher(self, msg_type, topic, qos)
+        publisher.is_of_rcl = True
         return publisher
 
     def create_subscription(
@@ -402,16 +409,17 @@ class Node(Parameters):
         qos_overriding_options: QoSOverridingOptions | None = None,
         raw: bool = False,
     ) -> Subscription:
-        """Call ``callback(message)`` for messages on a topic, while somebody spins. Raises as ``create_publisher``."""
-        if raw:
-            raise NotSimulated("Node.create_subscription(raw=True)")
+        """Call ``callback(message)`` for messages on a topic, while somebody spins; ``raw`` ones are bytes.
+
+        Raises as ``create_publisher``.
+        """
         full_name, qos = self.__prepare("subscription", msg_type, topic, qos_profile, qos_overriding_options)
         if self.__other_type(full_name, msg_type) is not None:
             raise RCLError("Failed to create subscription: invalid allocator")
         own_topics.look(self, full_name)
         group = callback_group or self.default_callback_group
         events = event_callbacks or SubscriptionEventCallbacks()
-        subscription = Subscription(self, msg_type, topic, full_name, callback, group, qos, events)
+        subscription = Subscription(self, msg_type, topic, full_name, callback, group, qos, events, raw)
         self.__add(subscription, self._subscriptions)
         return subscription
 

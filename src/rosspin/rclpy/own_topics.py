@@ -55,6 +55,7 @@ class OwnTopics:
         with node.context.state.world.acting():
             kind = self._types.Log if topic == ROSOUT else self._types.ParameterEvent
             publisher = self._made[topic] = Publisher(node, kind, topic, topic, _QOS[topic])
+        publisher.is_of_rcl = topic == ROSOUT
         publisher.made = node.context.born.get(node, publisher.made)
         node._publishers.append(publisher)
 

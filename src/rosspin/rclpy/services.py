@@ -7,6 +7,7 @@ do.
 
 from __future__ import annotations
 
+import itertools
 import threading
 import time
 from collections import deque
@@ -18,17 +19,18 @@ from ..clocks.frames import warn
 from ..messages.ros2 import Message, received, transfer
 from ..messages.ros2 import Service as Interface
 from ..world.graph import CallMade
-from ..world.world import NotSimulated
 from .discovery import introduce
 from .ends import Owner
 from .exceptions import RCLError
 from .executors import await_or_execute
 from .qos import Policies, QoSProfile, incompatible_policy
+from .service_introspection import Events, ServiceIntrospectionState
 from .task import Future
 from .waits import waiting_for
 
 if TYPE_CHECKING:
     from .callback_groups import CallbackGroup
+    from .clock import Clock
     from .context import Context
     from .node import Node
 
@@ -44,11 +46,12 @@ _LOOK = 0.25
 class Ends:
     """The clients and services of a run, by name. Its processes share them.
 
-    ``asked`` are the full names of the nodes whose parameters somebody has a client for.
+    ``asked`` are the full names of the nodes whose parameters somebody has a client for, ``numbers`` those of clients.
     """
 
     def __init__(self) -> None:
         self.asked: set[str] = set()
+        self.numbers = itertools.count(1)
         self._of: dict[str, list[ServiceEnd]] = {}
         self._lock = threading.Lock()
 
@@ -96,6 +99,7 @@ class ServiceEnd(Owner):
         self.messages: deque[Any] = deque(maxlen=qos.kept)
         self.nudge: Callable[[], None] | None = None  # tells the executor that waits
         self._executor_event = False
+        self.events = Events(self)
         self._offered, self._requested = Policies.offered(qos), Policies.requested(qos)
 
     def join(self) -> None:
@@ -113,13 +117,20 @@ class ServiceEnd(Owner):
         self._check()
         return self.end.topic
 
-    def configure_introspection(self, *_: Any) -> None:
-        """Not simulated."""
-        raise NotSimulated(f"{type(self).__name__}.configure_introspection")
+    def configure_introspection(
+        self, clock: Clock, service_event_qos_profile: QoSProfile, introspection_state: ServiceIntrospectionState
+    ) -> None:
+        """Publish each request and answer on ``<service>/_service_event``, at a clock's time, or stop it.
+
+        Raises InvalidHandle if destroyed, AttributeError and TypeError for arguments of other types.
+        """
+        self._check()
+        self.events.configure(clock, service_event_qos_profile, introspection_state)
 
     def destroy(self) -> None:
         """Leave the service."""
         if not self._destroyed:
+            self.events.stop()
             self._leave()
 
     def withdraw(self) -> None:
@@ -160,6 +171,7 @@ class Client(ServiceEnd):
         self._pending_requests: dict[int, Future] = {}
         self._lock = threading.Lock()
         self._sent = 0
+        self.gid = next(self.world.graph.part(Ends).numbers).to_bytes(16, "big")
         self.join()
 
     def call(self, request: Message, timeout_sec: float | None = None) -> Any:
@@ -198,6 +210,7 @@ class Client(ServiceEnd):
         for service in list(self.peers):
             if self._reaches(service):
                 service.receive(message, Header(self, self._sent, call))
+        self.events.tell(0, self, self._sent, request=message)
         return self._sent
 
     def _check_type(self, request: Any) -> None:
@@ -240,6 +253,8 @@ class Client(ServiceEnd):
         return self._settle, message, None
 
     def _settle(self, sequence: int, response: Message | None) -> None:
+        if response:
+            self.events.tell(3, self, sequence, response=response)
         with self._lock:
             future = self._pending_requests.get(sequence)
         if future:
@@ -281,6 +296,7 @@ class Service(ServiceEnd):
 
     def _call(self, message: Any) -> Any:
         request, header = message
+        self.events.tell(1, header.client, header.sequence, request=request)
         return self._answer, (request, header._replace(is_known=self._reaches(header.client))), None
 
     async def _answer(self, request: Message, header: Header) -> None:
@@ -308,6 +324,7 @@ class Service(ServiceEnd):
             if self._reaches(client):
                 own = client is header.client
                 client.receive(header.sequence if own else 0, message if own else None)
+        self.events.tell(2, header.client, header.sequence, response=message)
 
 
 def look_until(is_ready: Callable[[], bool], context: Context, timeout_sec: float | None) -> bool:

@@ -10,10 +10,12 @@ import inspect
 import time
 from collections import deque
 from collections.abc import Callable
+from contextlib import suppress
 from functools import partial
 from operator import itemgetter
 from typing import TYPE_CHECKING, Any
 
+from ..messages import cdr
 from ..messages.ros2 import Message, received, transfer
 from ..world.graph import Wire
 from ..world.tester import NAME as TESTER
@@ -136,6 +138,8 @@ class Publisher(TopicEnd):
     LIVELINESS = QoSPublisherEventType.RCL_PUBLISHER_LIVELINESS_LOST
     MATCHED = QoSPublisherEventType.RCL_PUBLISHER_MATCHED
 
+    is_of_rcl = False  # whether rcl publishes there by itself, and its node does not know
+
     def __init__(
         self,
         node: Node,
@@ -162,24 +166,27 @@ class Publisher(TopicEnd):
             else:
                 _connect(self, subscription, subscription, self)
 
-    def publish(self, msg: Message) -> None:
-        """Publish a message. Raises TypeError for one of another class, AssertionError for one with wrong values.
+    def publish(self, msg: Message | bytes) -> None:
+        """Publish a message, or the bytes of one, which are not checked.
 
-        Raises InvalidHandle if the publisher was destroyed, RCLError after shutdown.
+        Raises TypeError for one of another class, AssertionError for one with wrong values, InvalidHandle if the
+        publisher was destroyed, RCLError after shutdown.
         """
         self._check()
-        if not isinstance(msg, self.msg_type):
+        if not isinstance(msg, (self.msg_type, bytes)):
             raise TypeError(f"Expected {self.msg_type}, got {type(msg)}")
         if not self.node.context.ok():
             raise RCLError("Failed to publish: publisher's context is invalid")
-        message = transfer(msg, self.msg_type)
+        message = msg if isinstance(msg, bytes) else transfer(msg, self.msg_type)
         sent = self.world.clock.system()
         self.kept.append((message, sent))
         for watch in self._watches:
             watch.restart()
         recording = self.world.recording
         if recording.published is not None:
-            recording.add_message(self.end.topic, self.node.get_fully_qualified_name(), lambda: message)
+            with suppress(cdr.CDRError):
+                told = cdr.deserialize(message, self.msg_type) if isinstance(message, bytes) else message
+                recording.add_message(self.end.topic, self.node.get_fully_qualified_name(), lambda: told)
         for subscription in list(self.peers):
             subscription.receive(self, message, sent)
 
@@ -239,8 +246,10 @@ class Subscription(TopicEnd):
         callback_group: Any,
         qos: QoSProfile,
         event_callbacks: Any = None,
+        raw: bool = False,
     ) -> None:
         super().__init__(node, msg_type, topic, full_name, qos, Policies.requested(qos))
+        self.raw = raw
         self.callback = callback
         self.callback_group = callback_group
         self.messages = self._queue(qos.kept, qos, _sent)  # and what the callback may ask about each
@@ -378,9 +387,20 @@ class Subscription(TopicEnd):
             "publication_sequence_number": self._received,
             "reception_sequence_number": None,
         }
-        self.messages.append((received(message, self.msg_type), info))
+        try:
+            self.messages.append((self._convert(message), info))
+        except cdr.CDRError:
+            return
         if self.nudge:
             self.nudge()
+
+    def _convert(self, message: Message | bytes) -> Message | bytes:
+        """Make what the callback gets. Raises CDRError for bytes that hold no message."""
+        if self.raw:
+            return message if isinstance(message, bytes) else cdr.serialize(message)
+        if isinstance(message, bytes):
+            return cdr.deserialize(message, self.msg_type)
+        return received(message, self.msg_type)
 
     def came_at(self, now: int) -> bool:
         """Whether the message that is the next to be taken has come at a time (ns)."""

@@ -1,0 +1,77 @@
+"""How much of its calls a client or service publishes (sources: rclpy/service_introspection.py, rcl)."""
+
+from __future__ import annotations
+
+from enum import Enum, IntEnum
+from importlib import import_module
+from typing import TYPE_CHECKING, Any
+
+from .clock import Clock
+from .exceptions import not_accepted
+from .qos import QoSProfile
+from .topics import Publisher
+
+if TYPE_CHECKING:
+    from ..messages.ros2 import Message
+    from .services import Client, ServiceEnd
+
+__all__ = ["ServiceIntrospectionState"]
+
+
+class ServiceIntrospectionState(IntEnum):
+    """Nothing, that a call was made or answered, or also what was said."""
+
+    OFF = 0
+    METADATA = 1
+    CONTENTS = 2
+
+    __str__ = Enum.__str__
+    __format__ = Enum.__format__
+
+
+class Events:
+    """Publishes what a client or service does, on ``<service>/_service_event``."""
+
+    def __init__(self, end: ServiceEnd) -> None:
+        self._end = end
+        self._state = ServiceIntrospectionState.OFF
+        self._publisher: Publisher | None = None
+        self._clock: Clock | None = None
+
+    def configure(self, clock: Any, qos: Any, state: Any) -> None:
+        """Begin, go on otherwise, or stop. Raises AttributeError and TypeError for what is none of these."""
+        if not isinstance(clock, Clock):
+            raise AttributeError(f"{type(clock).__name__!r} object has no attribute 'handle'")
+        if not isinstance(qos, QoSProfile):
+            raise AttributeError(f"{type(qos).__name__!r} object has no attribute 'get_c_qos_profile'")
+        end = self._end
+        if not isinstance(state, ServiceIntrospectionState):
+            kind = type(end).__name__
+            signature = (
+                f"(self: rclpy._rclpy_pybind11.{kind}, arg0: rclpy::Clock, arg1: object, "
+                "arg2: rclpy._rclpy_pybind11.service_introspection.ServiceIntrospectionState) -> None"
+            )
+            raise not_accepted(signature, kind, "Clock", "rmw_qos_profile_t", state, function="configure_introspection")
+        self._clock, self._state = clock, state
+        if not state:
+            self.stop()
+        elif not self._publisher:
+            topic = f"{end.end.topic}/_service_event"
+            self._publisher = end.node._rosspin_publish(end.srv_type.Event, topic, qos)
+
+    def stop(self) -> None:
+        """Publish no more."""
+        if self._publisher:
+            end, self._publisher = self._publisher, None
+            self._end.node.destroy_publisher(end)
+
+    def tell(self, number: int, client: Client, sequence: int, **contents: Message) -> None:
+        """Publish an event by its number in ServiceEventInfo; ``request`` or ``response`` is what was said."""
+        if self._publisher and self._clock:
+            kind = import_module("service_msgs.msg").ServiceEventInfo
+            info = kind(event_type=number, client_gid=list(client.gid), sequence_number=sequence)
+            info.stamp = self._clock.now().to_msg()
+            said = {name: [message] for name, message in contents.items()}
+            said = said if self._state is ServiceIntrospectionState.CONTENTS else {}
+            event: Any = self._end.srv_type.Event
+            self._publisher.publish(event(info=info, **said))
