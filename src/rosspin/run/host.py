@@ -366,6 +366,8 @@ class Host:
     def _tell_idle_faults(self) -> None:
         """Say which faults have done nothing. Raises ValueError for a name that nothing has, if no process failed."""
         idle = self.faults.idle() if self.faults else []
+        if not idle:
+            return
         ends = [process.world.exit_status for process in self.processes if not process.world.crashed]
         with self.outside():
             for words, is_wrong in idle:
