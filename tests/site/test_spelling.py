@@ -18,8 +18,9 @@ BRITISH = "license,licensed,licenses,program,programs,math,practice"
 IN_LISTINGS = "canceled"
 # rospy, rclpy, launch, CSS and io have names and messages in American; so has Python.
 IN_CODE = "color,initialized,colors,serialize,deserialize,writable,canceled,canceling,capitalize"
-IN_CODE += ",finalized,deserializing,center,initialize,recognized,serialization,uninitialized,synchronize,unrecognized,normalize"
-# A package that is a part of many words, a part of a word in a recorded error, and a word of rclpy's own.
+IN_CODE += ",finalized,deserializing"
+IN_CODE += ",center,initialize,recognized,serialization,uninitialized,synchronize,unrecognized,normalize"
+# A package that is a part of many words, a part of a word in a recorded error, and a word of rclpy's.
 NAMES = "simpy,te,transtion"
 
 
