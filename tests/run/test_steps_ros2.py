@@ -3,6 +3,9 @@
 from __future__ import annotations
 
 import signal
+import sys
+from pathlib import Path
+from types import ModuleType
 from typing import Any
 
 import pytest
@@ -129,3 +132,36 @@ def test_an_error_in_a_callback_of_ros_2_is_raised_and_ends_the_node() -> None:
     assert (node.time, node.status) == (0, 1)
     assert not node.advance(1).ticks
     node.close()
+
+
+def test_what_it_imports_in_a_later_step_is_its_own(
+    write: Any, tmp_path: Path, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    """Though the test, or an earlier one, has modules of these names."""
+    for name in ("builtin_interfaces", "builtin_interfaces.msg", "helper_of_somebody"):
+        monkeypatch.setitem(sys.modules, name, ModuleType(name))
+    sys.modules["builtin_interfaces.msg"].Time = object  # type: ignore[attr-defined]
+    sys.modules["helper_of_somebody"].__file__ = str(tmp_path / "elsewhere" / "helper_of_somebody.py")
+    before = sys.modules["builtin_interfaces"]
+    (tmp_path / "pkg").mkdir()
+    write("whose = 'the node'\n", "pkg/helper_of_somebody.py")
+    text = """
+        import rclpy
+        from std_msgs.msg import Header
+
+        def callback():
+            import helper_of_somebody
+
+            header = Header(stamp=node.get_clock().now().to_msg())
+            print(header.stamp.nanosec, helper_of_somebody.whose)
+
+        rclpy.init()
+        node = rclpy.create_node("node")
+        node.create_timer(0.5, callback)
+        rclpy.spin(node)
+    """
+    with start(write(text, "pkg/node.py")) as node:
+        node.advance(0.1)
+        node.advance(0.5)
+        assert node.run.console == "500000000 the node\n"
+        assert sys.modules["builtin_interfaces"] is before

@@ -125,10 +125,7 @@ class Host:
             return World(self.clock, argv, self.recording, self.graph, number)
 
         process = Process(node, args, make_world, self._stand_in, self._hide, environment, folder, stdout, stderr)
-        if namesakes := process.namesakes():
-            self._hide(
-                {name: sys.modules.pop(name) for name in list(sys.modules) if name.partition(".")[0] in namesakes}
-            )
+        self._make_way(process)
         self.processes.append(process)
         self._of[process.world] = process
         process.world.on_failure = lambda: self.on_failure and self.on_failure()
@@ -207,6 +204,8 @@ class Host:
             self._shared = {*sys.modules, *self._own}
             self._count = len(sys.modules)
             self._hide({name: sys.modules.pop(name) for name in list(sys.modules) if name.startswith(_ROOTS)})
+            for process in self.processes:
+                self._make_way(process)
             self._outside.modules = {name: sys.modules[name] for name in self._own if name in sys.modules}
             stack.callback(self._put_back)
             if self.supervisor:
@@ -229,6 +228,12 @@ class Host:
 
     def _keep_names(self, put: Callable[[], None]) -> None:
         self._put_names = put
+
+    def _make_way(self, process: Process) -> None:
+        """Hide modules that whoever runs the process has imported, and that it would find elsewhere."""
+        names = process.namesakes()
+        self._hide({name: sys.modules.pop(name) for name in list(sys.modules) if name.partition(".")[0] in names})
+        self._hide(process.imports.hide())
 
     def _hide(self, modules: Mapping[str, ModuleType]) -> None:
         """Note modules that were taken out of ``sys.modules``, to put them back at the end."""

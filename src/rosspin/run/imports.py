@@ -50,6 +50,10 @@ class Imports(MetaPathFinder):
         """The classes of messages by name, as in ``messages["std_msgs/UInt32"]``."""
         return self._finder_of(self._world.ros or self._finder.library.ros).messages
 
+    def hide(self) -> dict[str, ModuleType]:
+        """Take out of ``sys.modules`` messages that are not the process's, and return them."""
+        return self._finder.hide()
+
     def find_spec(self, fullname: str, path: Sequence[str] | None = None, target: Any = None) -> ModuleSpec | None:
         """Part of the import system; None for a module that is neither ROS's nor a message's."""
         if ros := ros_of(fullname):
