@@ -181,6 +181,7 @@ def _write_test(found: Look, folder: Path) -> None:
     for path in files:
         if path.exists():
             raise ValueError(f"{path} is there already")
+    folder.mkdir(parents=True, exist_ok=True)
     for path, text in files.items():
         path.write_text(text, encoding="utf-8")
     print(f"Written: {', '.join(map(str, files))}", file=sys.stderr)

@@ -49,6 +49,11 @@ class _StartNode:
         self._started.append(self._stack.enter_context(started))
         return started
 
+    def end(self) -> None:
+        """End the nodes now, as the fixture does after the test. Raises what that finds."""
+        __tracebackhide__ = True
+        self._stack.close()
+
     @contextmanager
     def in_order(self, order: Order) -> Iterator[None]:
         """Within this context it is as new, and starts nodes in an order. They end with the context."""

@@ -602,3 +602,12 @@ def test_a_name_needs_no_slash() -> None:
 
 def test_a_run_without_faults_has_none(pair: Callable[..., Run]) -> None:
     assert pair(2).faults == pair(1).faults == ()
+
+
+@pytest.mark.parametrize(
+    "text",
+    ["Crash('/a', at=1e308)", "ClockJump(at=1.0, by=1e12)", "Topic('/a', delay=1e300)", f"Topic({'-' * 20_000}1)"],
+)
+def test_numbers_beyond_all_bounds_are_refused(text: str) -> None:
+    with pytest.raises(ValueError):
+        read(text)

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import json
+import random
 from collections import Counter
 from functools import cache
 from itertools import pairwise
@@ -135,3 +136,17 @@ def test_two_rows_of_times_without_a_count() -> None:
 def test_there_is_a_known_log_for_each_verdict() -> None:
     assert {case.truth for case in CASES} | {"doubled", "held-up"} == TITLES.keys()
     assert f"{sum(case.is_real for case in CASES)} of them were recorded on the real ROS 1" in PAGE
+
+
+@pytest.mark.parametrize("stamps", [[1700000000] * 30, [1700000000 + number // 8 for number in range(40)]])
+def test_stamps_that_are_the_same_are_no_trouble(stamps: list[int]) -> None:
+    text = "".join(f"[INFO] [{stamp}.000000000] [node]: beat {number}\n" for number, stamp in enumerate(stamps))
+    assert look(text.encode(), "log").verdicts
+
+
+def test_a_quantity_that_grows_is_no_count() -> None:
+    draw, total, text = random.Random(0), 0, ""
+    for number in range(100):
+        total += draw.randint(5, 15)
+        text += f"[INFO] [{1700000000 + number / 10:.9f}] [odo]: ticks {total}\n"
+    assert [verdict.name for verdict in look(text.encode(), "log").verdicts] == ["healthy"]

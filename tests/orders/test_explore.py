@@ -5,8 +5,10 @@ from __future__ import annotations
 import math
 import random
 import re
+from itertools import count
 from pathlib import Path
 from textwrap import dedent
+from typing import Any
 
 import pytest
 from planted_orders import PLANTS
@@ -14,6 +16,8 @@ from planted_orders import PLANTS
 import rosspin
 from rosspin.__main__ import main
 from rosspin.clocks.explored import Order
+from rosspin.faults import Crash, Fault, Slow
+from rosspin.orders.strategies import bound_of_pct
 
 LOST = PLANTS["ros1-lost-update"]
 
@@ -49,7 +53,7 @@ def test_each_strategy_finds_it_and_makes_it_short(strategy: str, racing: str) -
 
 def test_the_answer_shows_both_orders_in_lines_of_the_node(racing: str) -> None:
     answer = str(rosspin.explore(racing, 0.5, LOST.check, deep=True))
-    assert "In the shortest order found, that deviates once from the usual one, after " in answer
+    assert "In the shortest order found, which deviates once from the usual one, after " in answer
     assert "the usual order" in answer
     assert re.search(r"\nThread-1 +\d+  self\.count \+= 1 .* \| Thread-1 +\d+  self\.count \+= 1", answer)
     assert re.search(r"\nThread-1 +\d+  print\(.* \* Thread-2 +\d+  self\.count \+= 1", answer)
@@ -105,6 +109,40 @@ def test_time_that_stands_still_is_a_failure(watchful: None, tmp_path: Path) -> 
     assert found.run is None
 
 
+def test_what_a_fault_does_is_no_failure(tmp_path: Path) -> None:
+    """Of a node that it kills the status counts for nothing, and a name may be there later than usual."""
+    talker, listener = tmp_path / "talker.py", tmp_path / "listener.py"
+    begin = "import rclpy\nfrom std_msgs.msg import UInt32\nrclpy.init()\nnode = rclpy.create_node({!r})\n"
+    publish = "publisher = node.create_publisher(UInt32, 'number', 10)\nsend = lambda: publisher.publish(UInt32())\n"
+    spin = "try:\n    rclpy.spin(node)\nexcept KeyboardInterrupt:\n    pass\n"
+    talker.write_text(begin.format("talker") + publish + "node.create_timer(0.1, send)\n" + spin)
+    hear = "def hear(number):\n    print('heard')\nnode.create_subscription(UInt32, 'number', hear, 10)\n"
+    listener.write_text(begin.format("listener") + hear + spin)
+
+    def explore(*faults: Fault, check: Any = None) -> rosspin.Exploration:
+        return rosspin.explore([str(talker), str(listener)], 0.9, check, faults=faults, schedules=20)
+
+    assert explore(Crash("/talker", at=0.5)).failure == ""
+    assert explore(Slow("/listener", "hear", 0.05)).failure == ""
+    with pytest.raises(ValueError, match="called no heard; it called hear"):
+        explore(Slow("/listener", "heard", 0.05))
+
+    def breaks(run: rosspin.Run) -> None:
+        assert run.console.splitlines()[0] == "heard"
+
+    assert "IndexError" in explore(check=breaks).failure  # where they find each other too late
+
+
+def test_a_node_that_does_not_do_the_same_twice_has_no_order_that_fails(tmp_path: Path, racing: str) -> None:
+    runs = count()
+
+    def check(run: rosspin.Run) -> None:
+        assert next(runs) != 2
+
+    found = rosspin.explore(racing, 0.5, check, deep=True)
+    assert "does not do the same in each run" in str(found)
+
+
 def test_the_bound_of_pct_is_told(racing: str) -> None:
     said = str(rosspin.explore(racing, 0.5, schedules=30))
     assert "30 orders were run" in said
@@ -119,6 +157,11 @@ def test_the_usual_order_of_an_explored_run_is_that_of_any_other(tmp_path: Path)
             explored = rosspin.simulate(nodes, plant.seconds, schedule=token)
             assert (explored.console, explored.ticks) == (usual.console, usual.ticks)
             assert str(explored.messages) == str(usual.messages)
+
+
+def test_the_usual_order_is_no_run_of_pct() -> None:
+    assert bound_of_pct(2, 4, 3, depth=3) == 0 < bound_of_pct(2, 4, 3, depth=2)
+    assert bound_of_pct(2, 4, 4, depth=3) == 1 / 32
 
 
 # --- tokens -----------------------------------------------------------------------------------------------------------

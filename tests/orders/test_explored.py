@@ -53,13 +53,30 @@ def test_a_test_that_fails_names_the_order_and_is_run_again_in_it(run_tests: Any
     failing = node(tmp_path, mended=False)
     run = run_tests(TEST.format(node=failing, more="", count=0).partition("def test_after")[0])
     run.assert_outcomes(failed=1)
-    run.stdout.fnmatch_lines(["*in the shortest order found, that deviates once from the usual one, after * orders; *"])
+    run.stdout.fnmatch_lines(["*in the shortest order found, which deviates once from the usual one, after * orders*"])
     run.stdout.fnmatch_lines(["*Console of planted_0.py*", "count 9"])
     assert "__exit__" not in str(run.stdout)
     token = str(run.stdout).partition('@rosspin.explored(schedule="')[2].partition('"')[0]
     again = run_tests(TEST.format(node=failing, more=f', schedule="{token}"', count=1))
     again.assert_outcomes(failed=1, passed=1)
     again.stdout.fnmatch_lines([f'*in the order of its schedule; *schedule="{token}"*'])
+
+
+def test_what_fails_as_the_nodes_end_names_the_order_too(run_tests: Any, tmp_path: Path) -> None:
+    path = tmp_path / "ends.py"
+    path.write_text("import sys, rospy\nrospy.init_node('ends')\nrospy.spin()\nsys.exit(3)\n")
+    run = run_tests(
+        f"import rosspin\n@rosspin.explored()\ndef test(start_node):\n    start_node({str(path)!r}).advance(0.1)\n"
+    )
+    run.assert_outcomes(failed=1)
+    run.stdout.fnmatch_lines(['*schedule="1"*'])
+
+
+@pytest.mark.parametrize("test", ["async def test(start_node):\n    assert 0", "def test(start_node):\n    yield"])
+def test_what_pytest_would_not_run_is_refused(test: str) -> None:
+    names: dict[str, Any] = {"rosspin": rosspin}
+    with pytest.raises(TypeError, match="test is a coroutine or a generator"):
+        exec(f"@rosspin.explored()\n{test}", names)
 
 
 def test_a_schedule_that_does_not_fit_is_an_error(run_tests: Any, tmp_path: Path) -> None:

@@ -74,7 +74,7 @@ def test_it_is_judged_on_the_command_line(site: Path) -> None:
     (site / "faster-heartbeat.py").write_text(SOLVED)
     code = "import sys; from rosspin.__main__ import main; print(main(['judge', sys.argv[1]]))"
     out = in_site(site, code, str(site / "faster-heartbeat.py"))
-    assert "- Right: 7 beats came in 1.9 s, the first at 0.25 s." in out and out.endswith("\n0\n")
+    assert "- Right: Beats in 1.9 s: 7, the first at 0.25 s." in out and out.endswith("\n0\n")
 
 
 def _line(name: str) -> int:
@@ -91,12 +91,12 @@ FORGOTTEN = {
         f"{FILE}:1: check is missing: a function that looks at an answer, and yields findings",
     ),
     ', {"0.5": "1 / 4"}]': ("]", f"{FILE}:{RIGHT_AT}: RIGHT has 1 answer: give at least 2"),
-    '    ({"0.5": "1"}, "1 beats came in 1.9 s"),\n': ("", f"{FILE}:{WRONG_AT}: WRONG has 2 answers: give at least 3"),
+    '    ({"0.5": "1"}, "Beats in 1.9 s: 1"),\n': ("", f"{FILE}:{WRONG_AT}: WRONG has 2 answers: give at least 3"),
     '{"0.5": "1 / 4"}': ('{"0.5": "1"}', f"{FILE}:{RIGHT_AT}: RIGHT[1]: Exercise "),
     '({"0.5": "4"}': ('({"0.5": "0.25"}', f"{FILE}:{WRONG_AT}: WRONG[0]: No beat was printed.: Exercise "),
     '({"0.5": "1"}': (
         '({"5.0": "1"}',
-        "WRONG[1]: 1 beats came in 1.9 s: ValueError: NODE has no '5.0'",
+        "WRONG[1]: Beats in 1.9 s: 1: ValueError: NODE has no '5.0'",
     ),
     "beats[0] - 0.25": ("bets[0] - 0.25", "NameError: name 'bets' is not defined"),
     "from rosspin.exercises import Finding": (

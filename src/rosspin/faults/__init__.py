@@ -9,7 +9,6 @@ one more fault, or one more node, changes none of the others' draws.
 from __future__ import annotations
 
 import ast
-import math
 from collections.abc import Iterable
 from dataclasses import MISSING, dataclass, fields
 
@@ -192,7 +191,7 @@ def read(text: str) -> Fault:
             raise ValueError
         args = [ast.literal_eval(each) for each in call.args]
         named = {each.arg or "**": ast.literal_eval(each.value) for each in call.keywords}
-    except (SyntaxError, ValueError):
+    except (SyntaxError, ValueError, MemoryError, RecursionError):
         raise ValueError(f'{text}: a fault is written as in Python, as in Topic("/scan", drop=0.1)') from None
     if call.func.id not in KINDS:
         raise ValueError(f"{text}: there is no fault {call.func.id}; there are {', '.join(KINDS)}")
@@ -203,5 +202,9 @@ def read(text: str) -> Fault:
         raise ValueError(f"{text}: {reason}") from None
 
 
+# A run of 30 years (s); its nanoseconds are a number of 64 bits.
+_MOST = 1e9
+
+
 def _is_number(value: object) -> bool:
-    return isinstance(value, (int, float)) and not isinstance(value, bool) and math.isfinite(value)
+    return isinstance(value, (int, float)) and not isinstance(value, bool) and abs(value) <= _MOST

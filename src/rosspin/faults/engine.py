@@ -173,7 +173,12 @@ class Engine:
         if node and node not in nodes:
             return [(f"there was no node {node}; there were {_list(nodes)}", True)]
         if isinstance(fault, Slow):
-            return [(f"{node} called no {fault.callback}; it called {_list(self._called.get(node, ()))}", True)]
+            return [
+                (
+                    f"{node} called no {fault.callback}; it called {_list(self._called.get(node, ()))}",
+                    node in self._called,
+                )
+            ]
         if isinstance(fault, Late):
             return [(f"{node} met no node of another process", False)]
         return [("the node, or the run, had ended before", False)]

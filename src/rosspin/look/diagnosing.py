@@ -440,6 +440,8 @@ def _alternates(series: Series) -> bool:
         return False
     pairs = [other - one for one, other in zip(series.times, series.times[2:], strict=False)]
     middle, centre = median(steps), median(pairs)
+    if not (middle and centre):  # most stamps are the same: they are whole seconds, or /clock stands
+        return False
     wide = (quantile(steps, 0.75) - quantile(steps, 0.25)) / middle
     narrow = median(abs(step - centre) for step in pairs) / centre
     return wide > 0.1 and narrow < 0.02
@@ -468,6 +470,9 @@ def _skips(series: Series) -> list[int]:
         return []
     # Every tenth value, say, is left out on purpose.
     if len({count for count, _ in steps}) == 1:
+        return []
+    # A quantity that grows, such as an odometer's, counts nothing. A count goes on by one now and then.
+    if len(skipped) == len(steps) and max(skipped) - min(skipped) > max(2, 0.5 * median(skipped)):
         return []
     return skipped
 

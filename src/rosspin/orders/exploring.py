@@ -78,14 +78,15 @@ def explore(
 ) -> Exploration:
     """Run a node, or several, in many orders of events, and return the shortest order found in which it fails.
 
-    ``node``, ``seconds``, ``args`` and ``faults`` are as for :func:`simulate`. A run fails if ``check(run)`` raises
-    AssertionError, if an exception is uncaught in any thread or a node ends with another status than 0 before Ctrl-C,
-    if a node does not end at Ctrl-C, if time stands still, or if something waits for ever. Exploring ends with the
-    first that fails, or after so many ``schedules``, of which the first is the usual order.
+    ``node``, ``seconds``, ``args`` and ``faults`` are as for :func:`simulate`. A run fails if ``check(run)`` raises an
+    exception, if an exception is uncaught in any thread, if a node that no fault has killed ends with a status other
+    than 0 (or 130, after Ctrl-C), if a node does not end at Ctrl-C, if time stands still, or if something waits for
+    ever. Exploring ends with the first that fails, or after so many ``schedules``, of which the first is the usual
+    order.
 
     What may happen in another order is what ROS leaves open:
 
-    * which of the threads and processes that are due at one instant goes on, where another waits, or begins. In rospy
+    * which of the threads and processes that are due at one instant goes on, where another waits or ends. In rospy
       that is also in which order callbacks of several topics, publishers or timers are called;
     * of messages that come, and timers that are due, at the instant at which an executor of rclpy looks: which it sees.
       What it sees it calls in the order of rclpy: timers, subscriptions, ..., each in the order of their creation;
@@ -152,16 +153,17 @@ def _run(
         return f"uncaught: {_say(host.failed[0])}", run
     if host.waits:
         return host.waits.replace("rosspin: ", "").rstrip(), run
-    for status, name in [
-        (run.status, "the run"),
-        *((each.world.exit_status, each.node.name) for each in host.processes),
-    ]:
+    survivors = [each for each in host.processes if not each.world.crashed]  # by no fault
+    ends = [(each.world.exit_status, each.node.name) for each in survivors]
+    if len(survivors) == len(host.processes):
+        ends.insert(0, (run.status, "the run"))
+    for status, name in ends:
         if status not in _WELL:
             return f"{name} ended with status {status}", run
     try:
         if check:
             check(run)
-    except AssertionError as error:
+    except Exception as error:
         return _say(error), run
     return "", run
 
@@ -224,7 +226,10 @@ def search(attempt: Try, schedules: int, strategy: str, seed: int, deep: bool) -
         failure = attempt(order)
         if failure:
             shortest, failure = _shorten(attempt, order, failure, usual)
-            times = f"that deviates {_times(len(shortest.made))} from the usual one"
+            if not (shortest.made and attempt(Order(shortest.made, deep=deep))):
+                said = "the usual order, but not each time: the node, or the test, does not do the same in each run"
+                return Found(shortest, failure, tried, 0, said)
+            times = f"which deviates {_times(len(shortest.made))} from the usual one"
             return Found(shortest, failure, tried, 0, f"the shortest order found, {times}, after {tried} orders")
         different.add(order.token)
         points, threads = max(points, len(order.options)), max(threads, order.forget())
@@ -312,6 +317,8 @@ def explored(
     def decorate(test: Callable[..., None]) -> Callable[..., None]:
         if "start_node" not in inspect.signature(test).parameters:
             raise TypeError(f"{getattr(test, '__name__', 'an explored test')} has to take the fixture start_node")
+        if inspect.iscoroutinefunction(test) or inspect.isgeneratorfunction(test):
+            raise TypeError(f"{test.__name__} is a coroutine or a generator, which pytest does not run as a test")
 
         @functools.wraps(test)
         def run(*args: Any, start_node: Any, **fixtures: Any) -> None:
@@ -336,6 +343,7 @@ def explored(
             start_node.order = order
             try:
                 test(*args, start_node=start_node, **fixtures)
+                start_node.end()
             except start_node.failures as error:
                 error.add_note(
                     f'in {said}; to run the test in this order alone: @rosspin.explored(schedule="{order.token}")'

@@ -77,10 +77,11 @@ def _priorities(draw: random.Random, points: int, changes: int) -> Decide:
 def bound_of_pct(threads: int, points: int, schedules: int, depth: int) -> float:
     """The least probability with which ``schedules`` runs of PCT find a fault of a depth.
 
-    Each run of that depth finds it with at least 1 / (n k^(depth - 1)), for n threads and k points (theorem 9 there).
+    The first run is in the usual order; the others take turns with the depths. Each of that depth finds it with at
+    least 1 / (n k^(depth - 1)), for n threads and k points (theorem 9 there).
     """
     once = 1 / (max(threads, 1) * max(points, 1) ** (depth - 1))
-    return float(1 - (1 - once) ** (schedules // _DEPTHS))
+    return float(1 - (1 - once) ** ((schedules - 1 + _DEPTHS - depth) // _DEPTHS))
 
 
 STRATEGIES: dict[str, Strategy] = {"all": fewest_first, "pct": by_priority, "random": at_random}
