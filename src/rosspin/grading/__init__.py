@@ -64,6 +64,8 @@ def judge(paths: Sequence[str], csv: str | None = None, as_json: bool = False) -
     _print(found, as_json, lanes.seals)
     if lanes.stopped:
         return 128 + signal.SIGINT
+    if not found.rows:
+        print("No hand-in was found.", file=sys.stderr)
     is_right = bool(places) and all(verdict.solved for row in found.rows for verdict in row.verdicts.values())
     return status or (0 if is_right and all(row.answers for row in found.rows) else 1)
 

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import errno
 import io
 import os
 import re
@@ -55,14 +56,16 @@ class _Budget:
 
 
 def find(path: Path) -> Iterator[Found]:
-    """Yield the files in a folder or an archive, or a single file. Raises OSError if there is none such."""
+    """Yield the files in a folder or an archive, or a single file. Raises OSError if it is none of these."""
     if not path.is_dir():
         parts = (path.name,)
+        if path.exists() and not path.is_file():  # a pipe may never end
+            raise OSError(errno.EINVAL, "it is no file, and no folder")
         with open(path, "rb") as file:
             data = file.read(MOST_FILE + 1)
             if path.suffix.lower() == ".zip" or data.startswith(b"PK\x03\x04"):
                 file.seek(0)
-                yield from _unzipped((), file, _Budget(), 1)
+                yield from _unzipped((), file, _Budget(), 1, path.name)
                 return
         yield Found(parts, data)
         return
@@ -103,13 +106,13 @@ def _content(parts: tuple[str, ...], file: IO[bytes], budget: _Budget) -> Found:
     return Found(parts, data)
 
 
-def _unzipped(parts: tuple[str, ...], file: IO[bytes], budget: _Budget, depth: int) -> Iterator[Found]:
-    """Yield the files in an archive, and in those within it."""
+def _unzipped(parts: tuple[str, ...], file: IO[bytes], budget: _Budget, depth: int, name: str = "") -> Iterator[Found]:
+    """Yield the files in an archive, whose own ``name`` is no part of theirs, and in those within it."""
     try:
         archive = zipfile.ZipFile(file)
         entries = sorted(archive.infolist(), key=_name)
     except (zipfile.BadZipFile, NotImplementedError, ValueError, OSError):
-        yield Found(parts or ("the archive",), why="it is no zip archive that can be read")
+        yield Found(parts or (name,), why="it is no zip archive that can be read")
         return
     for entry in entries:
         # Only a name: whatever folders it goes up to, nothing is written there.

@@ -36,6 +36,9 @@ _ONCE = 300
 # How a node may end: by itself, or by Ctrl-C, caught or not, or not at all.
 _WELL = (0, 128 + signal.SIGINT, -signal.SIGINT, None)
 
+# What becomes of one that does not end.
+_KILLED = (128 + signal.SIGKILL, -signal.SIGKILL)
+
 Try = Callable[[Order], object]
 """Runs something in an order. Returns how it fails; None, or something else that is false, if it does not."""
 
@@ -158,6 +161,8 @@ def _run(
     if len(survivors) == len(host.processes):
         ends.insert(0, (run.status, "the run"))
     for status, name in ends:
+        if status in _KILLED:
+            return f"{name} did not end at Ctrl-C", run
         if status not in _WELL:
             return f"{name} ended with status {status}", run
     try:
