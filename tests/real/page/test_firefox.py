@@ -5,6 +5,7 @@ from __future__ import annotations
 from pathlib import Path
 
 import pytest
+from answers import number_of
 from attacks import ATTACK, SANDBOX, SCRIPT, WAYS, attempts, succeeded, tried
 from figures import FIGURES
 from figures_in_firefox import moves
@@ -62,7 +63,7 @@ def test_answers_are_judged(firefox_page: Tab, site: Path) -> None:
         firefox_page.open(address + TEACHERS)
         said = firefox_page.evaluate(JUDGE, handed_in(answers=answers))
     verdicts = ("solved", "open", "did not end")
-    assert said == [f"Ada, exercise {number}: {verdict}" for number, verdict in enumerate(verdicts, 20)]
+    assert said == [f"Ada, exercise {number_of(name)}: {each}" for name, each in zip(answers, verdicts, strict=True)]
     # Pyodide tries whether it may load a script: in the sandbox it may not.
     firefox_page.wrong[:] = [wrong for wrong in firefox_page.wrong if "data:text/javascript" not in wrong]
 
