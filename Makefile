@@ -83,12 +83,12 @@ test: $(VENV:=-for-test) $(NPM)-for-test html
 	$(BIN)/ruff check
 	$(BIN)/mypy & typed=$$!; $(call SPHINX,doctest) -W --keep-going $(SPHINXOPTS); examples=$$?; wait $$typed && exit $$examples
 	$(call PYTEST,2)
-	$(if $(ROSSPIN_REQUIRE),$(call PYTEST,4) tests/real)
+	$(if $(ROSSPIN_REQUIRE),$(call PYTEST,4) --turns tests/real)
 
 # The whole corpus of scenarios on all that is real and installed, one after another: it takes hours. What is recorded,
 # and the ledger of it, is written anew; commit that.
 judge: $(VENV:=-for-test) html
-	$(BIN)/pytest tests/real/judge tests/real/test_oracle.py --hypothesis-profile judge --conclusive $(ARGS)
+	$(BIN)/pytest tests/real/judge tests/real --hypothesis-profile judge --conclusive $(ARGS)
 
 # The site, and a page that says how to open it, for a stick or a learning platform.
 zip: html

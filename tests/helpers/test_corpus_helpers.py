@@ -18,6 +18,7 @@ import sandboxes
 from corpus import Scenario, recorded, scenarios, simulated
 from corpus_pairs import PAIR_LIST
 from ledger import Ledger, key, part, stand_in
+from turns import waiting
 from verdicts import Inconclusive
 
 ALL = [*corpus_ros1.SCENARIO_LIST, *corpus_ros2.SCENARIO_LIST]
@@ -100,6 +101,20 @@ def test_the_real_ros_runs_each_scenario_within_twenty_turns(monkeypatch: pytest
         assert left == 0
         seen += [scenario.name for scenario in chosen]
     assert sorted(seen) == sorted(scenario.name for scenario in corpus_ros1.SCENARIO_LIST)
+
+
+def test_a_test_whose_cases_take_turns_runs_each_within_twenty(request: pytest.FixtureRequest) -> None:
+    def case(name: str, *marks: pytest.MarkDecorator) -> pytest.Item:
+        item = pytest.Function.from_parent(request.node.parent, name=name, callobj=lambda: None)
+        for mark in marks:
+            item.add_marker(mark)
+        return item
+
+    whole = case("whole")
+    cases = [case(f"{test}[{n}]", pytest.mark.turns(share)) for test, share in (("a", 4), ("b", 5)) for n in range(11)]
+    days = [waiting([whole, *cases], turn) for turn in range(ledger.SHARE)]
+    assert all(whole not in others for others in days)
+    assert [sum(each not in others for others in days) for each in cases] == [5] * 11 + [4] * 11
 
 
 def test_the_real_ros_runs_what_has_changed(monkeypatch: pytest.MonkeyPatch) -> None:

@@ -11,9 +11,11 @@ from cpp_nodes import CppNodes, built
 from firefox import Tab, firefox, tab
 from in_chromium import launched, served
 from lacking import LACKS
+from ledger import TURN
 from leftovers import processes
 from looks import PATIENCE
 from playwright.sync_api import Browser, expect
+from turns import waiting
 
 from rosspin import doctor
 
@@ -24,9 +26,20 @@ def _required() -> set[str]:
     return set(os.environ.get("ROSSPIN_REQUIRE", "").replace(",", " ").split())
 
 
+def pytest_addoption(parser: pytest.Parser) -> None:
+    parser.addoption("--turns", action="store_true", help="of tests marked turns(n), the part whose turn it is")
+
+
 def pytest_configure() -> None:
     if unknown := _required() - LACKS.keys():
         raise pytest.UsageError(f"ROSSPIN_REQUIRE knows {', '.join(LACKS)}; not {', '.join(sorted(unknown))}")
+
+
+def pytest_collection_modifyitems(config: pytest.Config, items: list[pytest.Item]) -> None:
+    if config.option.turns:
+        others = waiting(items, TURN)
+        config.hook.pytest_deselected(items=others)
+        items[:] = [item for item in items if item not in others]
 
 
 @pytest.fixture(scope="session")

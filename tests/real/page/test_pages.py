@@ -2,12 +2,15 @@
 
 from __future__ import annotations
 
+from collections.abc import Iterator
 from pathlib import Path
 from typing import Any
 
-from axe import COLOURS, violations
+import pytest
+from axe import in_both_schemes
 from looks import FAINT, TOO_WIDE, faults, look
 from playwright.sync_api import Browser, Page, ViewportSize
+from tree import SITE
 
 # The pictures that leave more than a little of the place that they have beside them.
 NARROW = """() => [...document.querySelectorAll("article svg[role=img]")].filter(picture => {
@@ -37,33 +40,53 @@ def _seen(page: Page, *looks: str) -> list[Any]:
     return [found for script in looks for found in page.evaluate(script)]
 
 
-def test_every_page(site: Path, address: str, browser: Browser) -> None:
-    """Nothing from another host, no error, no sideways scrolling, plots that can be read, in light and in dark.
+NAMES = [path.relative_to(SITE).as_posix() for path in sorted(SITE.rglob("*.html")) if "_static" not in path.parts]
 
-    axe-core objects to nothing, on large screens figures are as wide as the text. Opened once each, in two tabs: one
-    page settles as the other is looked at.
-    """
-    names = [path.relative_to(site).as_posix() for path in sorted(site.rglob("*.html")) if "_static" not in path.parts]
-    found = {}
+
+def test_the_site_is_built(site: Path) -> None:
+    """Without it there would be no name of a page."""
+    assert NAMES
+
+
+@pytest.fixture(scope="module")
+def tab(browser: Browser) -> Iterator[Page]:
+    """One tab, in which page after page is opened."""
     with browser.new_context(viewport=LARGE, color_scheme="light") as context:
-        pages = [context.new_page() for _ in range(2)]
-        wrong = [faults(page, address) for page in pages]
-        _open(pages[0], address + names[0])
-        for number, name in enumerate(names):
-            page, faulty = pages[number % 2], wrong[number % 2]
-            if number + 1 < len(names):
-                _open(pages[(number + 1) % 2], address + names[number + 1])
-            page.wait_for_load_state("networkidle")
-            look(page, "light")
-            seen = _seen(page, TOO_WIDE, FAINT, SMALL, NARROW) + violations(page)
-            page.set_viewport_size({"width": 1920, "height": 800})
-            seen += _seen(page, NARROW)
-            page.set_viewport_size({"width": 390, "height": 844})
-            look(page, "dark")
-            seen += _seen(page, TOO_WIDE, FAINT, SMALL)
-            page.set_viewport_size({"width": 320, "height": 256})  # 1280 px by 1024 px at a zoom of 400 %
-            seen += _seen(page, TOO_WIDE)
-            page.set_viewport_size(LARGE)
-            found[name] = seen + violations(page, COLOURS) + faulty
-            faulty.clear()
-    assert not {name: what for name, what in found.items() if what}
+        yield context.new_page()
+
+
+@pytest.fixture(scope="module")
+def wrong(tab: Page, address: str) -> list[str]:
+    """What has gone wrong in the page that is open there."""
+    return faults(tab, address)
+
+
+@pytest.fixture
+def opened(tab: Page, wrong: list[str], address: str, name: str) -> Iterator[Page]:
+    """A page of the site on a large screen, in light. Nothing may go wrong in it, such as a request to another host."""
+    wrong.clear()
+    tab.set_viewport_size(LARGE)
+    _open(tab, address + name)
+    tab.wait_for_load_state("networkidle")
+    look(tab, "light")
+    yield tab
+    assert not wrong
+
+
+@pytest.mark.parametrize("name", NAMES)
+def test_it_fits(opened: Page) -> None:
+    """No sideways scrolling; plots can be read, in light and in dark; on large screens they are as wide as the text."""
+    seen = _seen(opened, TOO_WIDE, FAINT, SMALL, NARROW)
+    opened.set_viewport_size({"width": 1920, "height": 800})
+    seen += _seen(opened, NARROW)
+    opened.set_viewport_size({"width": 390, "height": 844})
+    look(opened, "dark")
+    seen += _seen(opened, TOO_WIDE, FAINT, SMALL)
+    opened.set_viewport_size({"width": 320, "height": 256})  # 1280 px by 1024 px at a zoom of 400 %
+    assert seen + _seen(opened, TOO_WIDE) == []
+
+
+@pytest.mark.turns(5)
+@pytest.mark.parametrize("name", NAMES)
+def test_axe_objects_to_nothing(opened: Page) -> None:
+    assert in_both_schemes(opened) == []

@@ -243,6 +243,7 @@ def test_a_page_may_have_several_pairs(context: BrowserContext, address: str) ->
 # --- cells of notebooks -----------------------------------------------------------------------------------------------
 
 
+@pytest.mark.turns(4)
 @pytest.mark.parametrize("notebook", NODES)
 def test_simulated_cell(context: BrowserContext, address: str, notebook: str) -> None:
     """It runs for the seconds in its first line, and what it printed when the site was built makes way."""
