@@ -9,14 +9,15 @@ import pytest
 
 
 def waiting(items: Iterable[pytest.Item], turn: int) -> list[pytest.Item]:
-    """Those whose turn it is not: of a test marked ``turns(n)``, all but an nth of its cases."""
+    """Those whose turn it is not: of what is marked ``turns(n)``, a test or a file, all but an nth of its cases."""
     cases: Counter[str] = Counter()
     others = []
     for item in items:
-        if mark := item.get_closest_marker("turns"):
-            test = item.nodeid.partition("[")[0]
+        if found := next(item.iter_markers_with_node("turns"), None):
+            marked, mark = found
             (share,) = mark.args
-            if cases[test] % share != turn % share:
+            name = marked.nodeid.partition("[")[0]
+            if cases[name] % share != turn % share:
                 others.append(item)
-            cases[test] += 1
+            cases[name] += 1
     return others

@@ -9,6 +9,8 @@ from hand_ins import HTML, WRONG, Table, handed_in
 from listings_in_page import TIMER, TUTORIAL, Cell, link, node, open_tutorial
 from playwright.sync_api import Page, expect
 
+pytestmark = pytest.mark.turns(2)
+
 
 def test_open_cells(page: Page, address: str) -> None:
     """One cell that has run, with output on stderr and a tick chosen, one that runs, and one that could not."""

@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import re
 
+import pytest
 from listings_in_page import (
     LISTINGS,
     TIMER,
@@ -12,6 +13,8 @@ from listings_in_page import (
 )
 from playwright.sync_api import Page, expect
 from tree import EXAMPLES
+
+pytestmark = pytest.mark.turns(2)
 
 
 def test_edit(tutorial: Page, address: str) -> None:

@@ -15,6 +15,8 @@ from playwright.sync_api import Browser, BrowserContext, Locator, Page, expect
 from rosspin import Tick
 from rosspin.plots import with_handle
 
+pytestmark = pytest.mark.turns(2)
+
 # --- moving -----------------------------------------------------------------------------------------------------------
 
 

@@ -14,6 +14,8 @@ from looks import FAINT, SCHEMES, TOO_WIDE, look
 from playwright.sync_api import Browser, BrowserContext, Page, expect
 from tree import TESTS
 
+pytestmark = pytest.mark.turns(2)
+
 LOGS = TESTS / "look/recorded"
 SLEEPS = (LOGS / "r1_sleep_10_work_20.log").read_text(encoding="utf-8")
 HEALTHY = (LOGS / "r2_timer_10.log").read_text(encoding="utf-8")

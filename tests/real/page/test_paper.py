@@ -9,6 +9,8 @@ import pytest
 from figures import FIGURES, opened
 from playwright.sync_api import Browser, BrowserContext, Locator, Page, expect
 
+pytestmark = pytest.mark.turns(2)
+
 
 @pytest.fixture(params=["light", "dark"])
 def paper(browser: Browser, address: str, request: pytest.FixtureRequest) -> Iterator[Page]:

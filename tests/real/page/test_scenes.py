@@ -10,6 +10,8 @@ from listings_in_page import Cell
 from looks import PATIENCE
 from playwright.sync_api import Browser, Locator, Page, expect
 
+pytestmark = pytest.mark.turns(2)
+
 TIMING, HANGS = "docs/ros2/how-timing-works.html", "docs/how-to/why-does-it-hang.html"
 
 

@@ -24,6 +24,8 @@ from tree import EXAMPLES
 from rosspin import simulate
 from rosspin.results.pinned import as_test
 
+pytestmark = pytest.mark.turns(2)
+
 
 def _copied(page: Page) -> str:
     text: str = page.evaluate("navigator.clipboard.readText()")

@@ -10,6 +10,8 @@ from listings_in_page import Cell
 from looks import faults, look
 from playwright.sync_api import BrowserContext, Page, ViewportSize, expect
 
+pytestmark = pytest.mark.turns(2)
+
 DECKS = ["ros2", "ros1"]
 
 SIZES = [ViewportSize(width=1280, height=720), ViewportSize(width=1920, height=1080)]

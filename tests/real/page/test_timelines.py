@@ -21,6 +21,8 @@ from rosspin import simulate
 from rosspin.measures import describe_timeline
 from rosspin.site.live import plot
 
+pytestmark = pytest.mark.turns(2)
+
 
 @pytest.mark.parametrize("index", range(len(LISTINGS)))
 def test_plot_is_there_before_the_first_run(tutorial: Page, index: int) -> None:

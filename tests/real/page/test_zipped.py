@@ -21,6 +21,8 @@ from tree import ROOT
 
 from rosspin.site.zipped import START
 
+pytestmark = pytest.mark.turns(2)
+
 
 @pytest.fixture(scope="module")
 def folder(site: Path, tmp_path_factory: pytest.TempPathFactory) -> Path:
