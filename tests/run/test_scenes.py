@@ -16,6 +16,38 @@ from rosspin.run.streams import capture
 from rosspin.world.graph import TickLog
 
 
+TASKS = """\
+import rclpy
+
+rclpy.init()
+node = rclpy.create_node("waits")
+future = rclpy.Future()
+
+async def wait_for_it():
+    await future
+
+def wake():
+    future.set_result(None)
+    timer.cancel()
+
+def never():
+    pass
+
+timer = node.create_timer(0.5, wake)
+executor = rclpy.get_global_executor()
+executor.add_node(node)
+task = executor.create_task(wait_for_it)
+executor.create_task(never).cancel()
+executor.spin_until_future_complete(task)
+"""
+
+
+def written(folder: Path, text: str) -> Path:
+    path = folder / "node.py"
+    path.write_text(text)
+    return path
+
+
 class Told:
     """The scenes of a run, with names in place of numbers."""
 
@@ -68,6 +100,31 @@ def test_on_one_thread_the_quick_callback_waits_for_the_slow_one() -> None:
     _, threads, how = run.at(1.3, "slow_callback ends")
     assert threads == {"MainThread": ("", "rclpy.spin(two_timers_py_node)")}
     assert how["slow_callback"] == "waits for the next round"
+
+
+def test_a_done_callback_is_called_in_the_next_round() -> None:
+    run = told("hangs/call_async", 1.5)
+    at = run.said.index("1: MainThread hands done_callback to the executor, which calls it in its next round.")
+    assert run.said[at + 1 : at + 4] == [
+        "1: the answer of /take_picture ends.",
+        "1: MainThread calls done_callback.",
+        "1: done_callback ends.",
+    ]
+    ready, _, how = run.at(1.0, "hands done_callback")
+    assert ready == ["done_callback"] and how["done_callback"] == "ready"
+    ready, threads, how = run.at(1.0, "calls done_callback")
+    assert ready == [] and threads == {"MainThread": ("done_callback", "def done_callback(self, future):")}
+    assert how["done_callback"] == "runs"
+    assert run.data["groups"][-1] == "Handed to the executor: in no group"
+
+
+def test_a_task_that_awaits_keeps_no_thread(tmp_path: Path) -> None:
+    """What was handed over and cancelled is not ready; what the stand-in hands over itself is no step."""
+    run = Told(written(tmp_path, TASKS), 1.0)
+    _, _, how = run.at(0.5, "calls wake")
+    assert how["wait_for_it"] == "awaits" and how["never"] == ""
+    assert "0.5: wait_for_it ends." in run.said
+    assert not [said for said in run.said if "lambda" in said or "calls never" in said]
 
 
 def test_a_second_thread_does_not_help_within_a_group() -> None:

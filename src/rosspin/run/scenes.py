@@ -6,6 +6,8 @@ import inspect
 import sys
 import threading
 from collections.abc import Callable, Iterable, Iterator
+from pathlib import Path
+from types import CodeType
 from typing import Any, NamedTuple
 
 from ..clocks.clock import NS
@@ -26,6 +28,8 @@ __all__ = ["Scenes"]
 _MOST = 300
 _MOST_CALLBACKS = 30
 
+_OURS = str(Path(__file__).parents[1])  # done callbacks of the stand-in's own are no steps
+
 
 class _Call(NamedTuple):
     """A call that has begun: of what, by whom, in which thread and task. A task that is not executing awaits."""
@@ -34,6 +38,21 @@ class _Call(NamedTuple):
     executor: Executor
     thread: int
     task: Task
+
+
+class _Asked:
+    """A function that was handed to an executor, such as a done callback; ``tasks`` are those that have not begun."""
+
+    callback_group = None
+    _executor_event = False
+
+    def __init__(self, callback: Any) -> None:
+        self.callback = callback
+        self.tasks: list[Task] = []
+
+    @property
+    def is_ready(self) -> bool:
+        return any(not task.cancelled() for task in self.tasks)
 
 
 class Scenes:
@@ -53,6 +72,7 @@ class Scenes:
         self._names: list[tuple[str, int]] = []  # of the callbacks, with the numbers of their groups
         self._groups: dict[Any, tuple[int, str]] = {}
         self._threads: dict[int, tuple[int, str]] = {}
+        self._asked: dict[Any, _Asked] = {}  # by their code, and by their tasks
         self._calls: list[_Call] = []  # those that have not ended
         self._steps: list[list[Any]] = []
         self._rings: list[list[Any]] = []
@@ -82,6 +102,19 @@ class Scenes:
         if what == "ring" or self._is_full or self.clock.is_over:
             return
         here = threading.current_thread().name
+        if isinstance(subject, Task):
+            if what == "asks" and (code := _code(more)) and not code.co_filename.startswith(_OURS):
+                asked = self._asked[subject] = self._asked.setdefault(code, _Asked(more))
+                asked.tasks.append(subject)
+                self._note(f"{here} hands {self._say([asked])} to the executor, which calls it in its next round.")
+            if what == "asks" or subject not in self._asked:
+                return
+            task, subject = subject, self._asked[subject]
+            if what == "calls":
+                subject.tasks.remove(task)
+                self._calls.append(_Call(subject, more, threading.get_ident(), task))
+                self._note(f"{here} calls {self._say([subject])}.", _begin(subject, self._filename))
+                return
         match what:
             case "looks":
                 self._ready[subject] = []
@@ -126,6 +159,7 @@ class Scenes:
         self._say(executors)
         handed = [each for each in self._callbacks if each._executor_event and each in executors]
         ready = [each for found in self._ready.values() for each in found if each not in handed]
+        ready += [each for each in self._callbacks if isinstance(each, _Asked) and each.is_ready]
         order = [self._callbacks[each] for each in (*handed, *ready)]
         how = [self._how(each, executors.get(each), until) for each in self._callbacks]
         self._steps.append([self.clock.seconds(), said, order, list(self._where(line)), how])
@@ -157,6 +191,8 @@ class Scenes:
         return ", ".join(self._names[self._callbacks[entity]][0] for entity in entities)
 
     def _group(self, group: Any) -> str:
+        if group is None:
+            return "Handed to the executor: in no group"
         nodes = [node for executor in self._ready for node in executor.get_nodes()]
         at_once = "many at a time" if isinstance(group, ReentrantCallbackGroup) else "one at a time"
         if any(group is node._rate_group for node in nodes):
@@ -168,7 +204,11 @@ class Scenes:
 
     def _how(self, entity: Any, executor: Executor | None, until: int) -> str:
         """Say how a callback is if nothing changes ``until`` then: it runs, waits and why, or when it is due."""
+        if isinstance(entity, _Asked):
+            executor = next((call.executor for call in self._calls if call.entity is entity), None)
         calls = [call.entity for call in self._calls if call.executor is executor and call.task.executing()]
+        if isinstance(entity, _Asked) and entity not in calls:
+            return "awaits" if executor else "ready" if entity.is_ready else ""
         if entity in calls or executor is None:
             return "runs" if entity in calls else ""
         if any(call.entity is entity for call in self._calls):
@@ -192,6 +232,11 @@ class Scenes:
             taken = [call.entity for call in self._calls if call.entity.callback_group is entity.callback_group]
             return f"waits {since}for its group, which is taken by {self._say(taken)}"
         return "ready" if entity in self._ready[executor] else "waits for the next round"
+
+
+def _code(callback: Any) -> CodeType | None:
+    code: CodeType | None = getattr(inspect.unwrap(getattr(callback, "func", callback)), "__code__", None)
+    return code
 
 
 def _entities(executor: Executor) -> list[Any]:
@@ -220,6 +265,5 @@ def _name(entity: Any) -> str:
 
 def _begin(entity: Any, filename: str) -> int:
     """The line in the file where a callback begins; 0 if it is of another file."""
-    callback = inspect.unwrap(getattr(entity, "callback", None) or entity)
-    code = getattr(callback, "__code__", None)
+    code = _code(getattr(entity, "callback", None) or entity)
     return code.co_firstlineno if code and code.co_filename == filename else 0
