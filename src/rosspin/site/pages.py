@@ -37,11 +37,9 @@ from ..results import machine
 from ..results.rules import calculated
 from ..results.ticks import Run, Tick
 from ..run.host import kept, replaced
-from ..run.scenes import Scenes
-from ..run.simulate import run_captured, run_node
+from ..run.simulate import run_captured
 from ..run.source import load, load_source
-from ..run.streams import capture
-from ..world.graph import TickLog
+from . import scenes
 from .checks import note
 from .claims import Facts, one_line
 from .outputs import differences
@@ -202,30 +200,22 @@ class TicksDirective(SphinxDirective):
 class ScenesDirective(TicksDirective):
     """``.. scenes:: FILE ARGS`` with ``:seconds: S``: runs a node of ROS 2 in simulated time, to be gone through.
 
-    The file stands beside what its executor does, step by step. Where no script runs, the steps are a list.
+    The file stands beside what its executor does, step by step. Where no script runs, the steps are a list. With
+    ``:rings:`` only the picture of what waits for what is shown.
     """
 
     has_content = False
     required_arguments, optional_arguments = 1, 0
-    option_spec: ClassVar = {name: TicksDirective.option_spec[name] for name in ("seconds",)}
+    option_spec: ClassVar = {"seconds": TicksDirective.option_spec["seconds"], "rings": directives.flag}
 
     def _plot(self) -> str:
         ((file, *args),) = self._commands().values()
-        path, log = self._file(file), TickLog()
-        scenes = Scenes(log, path)
-        with capture():
-            status = run_node(load(path), self._seconds(), args, scenes.clock, log).status
-        data = scenes.data(status)
-        if not data:
-            raise ValueError("no executor of ROS 2 has spun, or the node has too many callbacks")
-        name = os.path.basename(path)
-        carried = html.escape(json.dumps(data | {"name": name}, separators=(",", ":")), quote=False)
-        carried = carried.replace("'", "&#39;")
-        told = "".join(f"<li>{time:g} s: {html.escape(said)}</li>" for time, said, *_ in data["steps"])
-        caption = f"<figcaption>simulated: {name}, {self._seconds():g} s</figcaption>"
-        return f"<figure class='rosspin-scenes' data-scenes='{carried}'><ol>{told}</ol>{caption}</figure>"
+        return scenes.figure(self._file(file), self._seconds(), args, "rings" in self.options)
 
     def _shown(self, plot: str) -> Iterator[nodes.Node]:
+        if "rings" in self.options:
+            yield nodes.raw("", plot, format="html")
+            return
         ((file, *_),) = self._commands().values()
         text = Path(self._file(file)).read_text(encoding="utf-8")
         yield nodes.raw("", '<div class="rosspin-beside">', format="html")
