@@ -21,7 +21,9 @@ def differences(file: Path) -> list[str]:
     """Where the ticks of a recording are not those of the rule."""
     recorded = load(file)
     program, *args = recorded.provenance["command"].split()
-    rules, real = (by_source(ticks) for ticks in (calculated(f"ros2/{program}.cpp", recorded.seconds, args), recorded.ticks))
+    rules, real = (
+        by_source(ticks) for ticks in (calculated(f"ros2/{program}.cpp", recorded.seconds, args), recorded.ticks)
+    )
     found = [f"{list(rules)}, not {list(real)}"] if rules.keys() != real.keys() else []
     for source, rule in rules.items():
         if abs(len(rule) - len(real[source])) > 1:
@@ -40,7 +42,9 @@ def recorded() -> list[Path]:
     """The recordings that the rules know: of ``create_timer``, under one thread, or several with a group each."""
     kinds = "timer_cpp_2hz", "timer_cpp_blocks", "rate_cpp", "two_timers_cpp", "slow_timers_cpp"
     files = sorted(ROOT.glob("examples/recordings/ros2/*_cpp_*.csv"))
-    return [file for file in files if file.stem.startswith(kinds) and not file.stem.endswith(("_default", "_reentrant"))]
+    return [
+        file for file in files if file.stem.startswith(kinds) and not file.stem.endswith(("_default", "_reentrant"))
+    ]
 
 
 @pytest.mark.parametrize("file", recorded(), ids=lambda file: file.stem)

@@ -116,8 +116,8 @@ export class Stepper {
     const { time, said, ready, threads, lanes, alternative } = scene(this.#scenes, this.#at)
     const places = this.#places()
     this.#picture.replaceChildren(
-      box("Groups", ...lanes.map(({ name, callbacks }) => box(name, ...callbacks.map(row)))),
-      box("Ready, in this order", ...ready.map(token), ready.length ? "" : "nothing"),
+      ...(lanes.length ? [box("Groups", ...lanes.map(({ name, callbacks }) => box(name, ...callbacks.map(row))))] : []),
+      ...(lanes.length ? [box("Ready, in this order", ...ready.map(token), ready.length ? "" : "nothing")] : []),
       box("Threads", ...threads.map(({ name, callback, line }) => {
         const code = line ? make("code", { textContent: `${line}: ${this.#text[line - 1]?.trim() ?? ""}` }) : ""
         return box(name, callback ? token(callback) : make("span", { textContent: "no callback" }), code)

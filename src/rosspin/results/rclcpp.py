@@ -18,7 +18,7 @@ _NS = 1_000_000_000
 
 
 class Timer(NamedTuple):
-    """A timer: the name of its callback, its ``period`` (s), and how long call ``number``, counted from 1, takes (s)."""
+    """A timer: the name of its callback, its period (s), and how long call ``number``, counted from 1, takes (s)."""
 
     source: str
     period: float
@@ -93,7 +93,9 @@ def timer_probe(seconds: float, args: Sequence[str]) -> list[Tick]:
     if given.get("executor", "spin") == "spin":
         return timer_ticks(timers, seconds)
     if given.get("group") != "own":
-        raise ValueError("under several threads the rule of rclcpp's timer wants a group of its own for each: group:=own")
+        raise ValueError(
+            "under several threads the rule of rclcpp's timer wants a group of its own for each: group:=own"
+        )
     alone = [tick for timer in reversed(timers) for tick in timer_ticks([timer], seconds)]
     return sorted(alone, key=lambda tick: tick.real)
 

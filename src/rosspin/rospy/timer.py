@@ -102,6 +102,8 @@ class Rate:
             self._passes += 1
             duration = node.in_run() - self._pass_start
             ticks.add(self._source, self._passes, expected, self._pass_start, duration)
+            if tell := node.world.recording.tell:
+                tell("says", f"ends pass {self._passes} of its loop.")
 
 
 def sleep(duration: float | genpy.Duration) -> None:
@@ -239,6 +241,7 @@ class Timer(threading.Thread):
             node.timers.append(self)
         faults = world.graph.faults
         slow = faults.call if faults and faults.slows else None
+        tell = world.recording.tell
         number = 0
         last_expected = last_real = duration = None  # in ns, like all times here
         while not node.shutdown and not self._shutdown:
@@ -259,7 +262,13 @@ class Timer(threading.Thread):
             callback = self._callback  # calling a local variable skips the search among the methods
             if slow:
                 slow(node.name, callback)
-            callback(_event(last_expected, last_real, expected, real, duration))
+            if tell:
+                tell("calls", callback, real - expected)
+            try:
+                callback(_event(last_expected, last_real, expected, real, duration))
+            finally:
+                if tell:
+                    tell("ends", callback)
             duration = clock.now() - began
             if ticks is not None:
                 ticks.end(tick, duration)

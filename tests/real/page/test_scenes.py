@@ -152,8 +152,14 @@ def test_a_notebook_has_steps(page: Page, address: str, name: str) -> None:
     assert marked(page, page.locator(".rosspin-beside", has=figure))
 
 
-def test_a_node_of_ros_1_has_no_steps(tutorial: Page) -> None:
+def test_the_threads_of_a_node_of_ros_1(tutorial: Page) -> None:
+    """Each calls its own callbacks: there are no groups, and nothing is ready."""
     cell = Cell(tutorial, 3)
     cell.run(2)
     cell.ends("done")
-    assert cell.button("Step through this").is_hidden()
+    cell.button("Step through this").click()
+    cell.element.get_by_role("button", name="Forward").press("Enter")
+    expect(cell.element.locator(".stepper-said")).to_have_text("Thread-1 calls timerCallback.")
+    expect(cell.element.locator(".stepper-picture > .stepper-box > b")).to_have_text(["Threads"])
+    alternative = re.compile("MainThread, runs no callback, line .*; Thread-1, runs timerCallback, line ")
+    expect(cell.element.locator(".stepper-picture")).to_have_attribute("aria-label", alternative)
