@@ -6,7 +6,11 @@ import html
 import json
 import os
 from collections.abc import Sequence
-from typing import TYPE_CHECKING
+from pathlib import Path
+
+from pygments import highlight
+from pygments.formatters import HtmlFormatter
+from pygments.lexers import PythonLexer
 
 from ..run.scenes import Scenes
 from ..run.simulate import run_node
@@ -14,10 +18,7 @@ from ..run.source import load
 from ..run.streams import capture
 from ..world.graph import TickLog
 
-if TYPE_CHECKING:
-    from IPython.display import HTML
-
-__all__ = ["figure", "shown"]
+__all__ = ["Shown", "figure"]
 
 
 def figure(path: str, seconds: float, args: Sequence[str], rings: bool = False) -> str:
@@ -46,13 +47,12 @@ def figure(path: str, seconds: float, args: Sequence[str], rings: bool = False) 
     return f"<figure class='rosspin-scenes' data-scenes='{carried}'><ol>{items}</ol>{caption}</figure>"
 
 
-def shown(path: str, seconds: float) -> HTML:
-    """The same beside the file, for a cell of a notebook, which shows it in Jupyter, too."""
-    from IPython.display import HTML
-    from pygments import highlight
-    from pygments.formatters import HtmlFormatter
-    from pygments.lexers import PythonLexer
+class Shown:
+    """The same beside the file, as what a cell of a notebook ends with."""
 
-    with open(path, encoding="utf-8") as file:
-        listing = highlight(file.read(), PythonLexer(), HtmlFormatter())
-    return HTML(f'<div class="rosspin-beside">{listing}{figure(path, seconds, [])}</div>')
+    def __init__(self, path: str, seconds: float) -> None:
+        listing = highlight(Path(path).read_text(encoding="utf-8"), PythonLexer(), HtmlFormatter())
+        self._html = f'<div class="rosspin-beside">{listing}{figure(path, seconds, [])}</div>'
+
+    def _repr_html_(self) -> str:
+        return self._html

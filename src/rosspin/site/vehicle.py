@@ -32,9 +32,9 @@ _LENGTHS = [n / 10 for n in range(21)]  # that the call takes, s
 _AT = 1.8  # shown first
 
 _CAPTION = (
-    "Simulated; {}: each calculated by its rule. Each dot is a tick of the timer that steers. Where the way is thick and "
-    "orange, a tick is overdue. When both callbacks were due at once, rclcpp "
-    "called the one that steers first."
+    "Simulated; {}: each calculated by its rule. Each dot is a tick of the timer that steers. Where the way is thick "
+    "and orange, a tick is overdue. When both callbacks were due at the same time, rclcpp called the one that steers "
+    "first."
 )
 
 
