@@ -197,8 +197,10 @@ class Timer(Held):
         due, now = self._next, self.clock.ns()
         calls = [(due, max(due, now))]
         if due <= now:
-            calls.append((now + self._period - (now - due) % self._period,) * 2)
-        return [(self.source, self._count + n, *map(self.stamp, call)) for n, call in enumerate(calls, 1)]
+            following = now + self._period - (now - due) % self._period
+            calls.append((following, following))
+        source, stamp = self.source, self.stamp
+        return [(source, self._count + n, stamp(due), stamp(real)) for n, (due, real) in enumerate(calls, 1)]
 
     def is_due(self) -> bool:
         """Whether a call is due."""
