@@ -75,9 +75,11 @@ def test_a_path_has_what_its_pages_and_exercises_need(site: Path, ros: int, cour
 
 
 # What a page may point to although a path leaves it out: what one looks up, and what teachers, or the curious, read.
-BESIDE = {f"docs/{name}" for name in ("differences", "for-teachers", "glossary", "paths", "how-to/info-lines")}
-# The path for a node that stutters.
-BESIDE |= {"docs/show-your-log", "docs/how-to/look-at-your-log"}
+BESIDE = {f"docs/{name}" for name in ("differences", "for-teachers", "glossary", "paths", "simulation-limits")}
+BESIDE |= {"docs/how-to/info-lines", "docs/how-to/break-things-on-purpose"}
+# Those have a path of their own, for a node that stutters.
+BESIDE |= {f"docs/{name}" for name in ("show-your-log", "how-to/look-at-your-log", "how-to/irregular-loop")}
+BESIDE |= {"docs/how-to/why-does-it-hang"}
 # A link that leads to the other ROS says so, in its paragraph.
 OTHER = {1: re.compile(r"ROS 2|rclpy|each ROS"), 2: re.compile(r"ROS 1|rospy|each ROS")}
 
