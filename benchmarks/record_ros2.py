@@ -29,8 +29,8 @@ from rclcpp_nodes import build, compiler, missing, read_ticks
 from rosspin import Tick
 from rosspin.real import ros2
 from rosspin.real.children import Patience
-from rosspin.results import rclcpp
 from rosspin.results.recordings import COLUMNS
+from rosspin.results.rules import calculated
 
 EXAMPLES = Path(__file__).parents[1] / "examples" / "ros2"
 TOPICS = Path(__file__).parents[1] / "examples" / "topics" / "ros2"
@@ -134,7 +134,8 @@ def random_blocks(program: str, seed: int, count: int) -> list[float]:
 
     def following(length: float) -> list[float]:
         args = [f"period:={PERIOD}", f"blocks:=[{','.join(map(str, [*lengths, length]))}]"]
-        return [tick.real for tick in rclcpp.probe(program, 5 * PERIOD * (count + 1), args)][: len(lengths) + 4]
+        ticks = calculated(f"ros2/{program}.cpp", 5 * PERIOD * (count + 1), args)
+        return [tick.real for tick in ticks][: len(lengths) + 4]
 
     while len(lengths) < count:
         length = round(draw.uniform(0.25, 4.5) * PERIOD, 2)

@@ -76,15 +76,16 @@ def periods(ticks: Sequence[Tick]) -> list[float]:
     return [later.real - earlier.real for earlier, later in pairwise(ticks)]
 
 
-def lost(ticks: Sequence[Tick], period: float) -> list[float]:
+def lost(ticks: Sequence[Tick], period: float, coming: Sequence[Tick] = ()) -> list[float]:
     """The times (s) that a timer or a rate skipped, on the grid of ``period`` seconds through the first expected tick.
 
     Each tick stands for the last time on the grid that is not after its expected time. A time is lost if no tick stands
-    for it, although one stands for a later time. The ticks are of one source. Raises ValueError for a period that is
-    not above 0.
+    for it, although one stands for a later time. The ticks are of one source; ``coming`` are those that a Run says
+    would have followed, so that what was lost up to the end counts. Raises ValueError for a period that is not above 0.
     """
     if not 0 < period < math.inf:
         raise ValueError(f"a period is above 0 s, not {period!r}")
+    ticks = [*ticks, *coming]
     if not ticks:
         return []
     origin = previous = ticks[0].expected
@@ -159,23 +160,23 @@ def describe_pace(ticks: Sequence[Tick]) -> str:
     return f"{len(ticks)} ticks, {say_time(min(times))} to {say_time(max(times))} apart"
 
 
-def verdict(ticks: Sequence[Tick], period: float, due: int = 0) -> str:
+def verdict(ticks: Sequence[Tick], period: float, due: int = 0, coming: Sequence[Tick] = ()) -> str:
     """Say in a few words whether the grid of ``period`` seconds was kept in the end, and how many ticks were lost.
 
     Also say whether calls still came late in the end, and whether they overlapped. The ticks are of one source, in a
     simulated run, where times are exact. ``due`` is how many ticks were due in that run, if that is known: if the calls
-    stopped before the end, the verdict says how many came.
+    stopped before the end, the verdict says how many came. ``coming`` are as in :func:`lost`.
     """
     if not ticks:
         return f"never called (0 of {due})" if due else "no ticks"
-    count = len(lost(ticks, period))
+    count = len(lost(ticks, period, coming))
     losses = f"{count} tick{'' if count == 1 else 's'} lost" if count else "no tick lost"
     last = ticks[-1]
     pause = periods(ticks)[-1:]
     is_even = bool(pause) and abs(pause[0] - period) < 1e-6
     if pause and pause[0] > period * 1.001 and abs(pause[0] - ticks[-2].duration) < 1e-6:
         return f"back to back, every {say_time(pause[0])}, {losses}"
-    if len(ticks) + count < due - 1:
+    if len(ticks) + len(lost(ticks, period)) < due - 1:
         losses = f"{len(ticks)} of {due} ticks came"
     # On a new grid ticks are even, but rospy still expects them on the old one.
     if _is_on_grid(last.expected, ticks, period) and 1e-6 < last.lateness and not (is_even and last.lateness > period):

@@ -46,12 +46,12 @@ from .run.roslaunch.launch import Launch
 from .run.roslaunch.launch import Node as LaunchNode
 from .run.simulate import run_node, run_nodes
 from .run.source import Node, load_source, split_words
+from .run.steps_seen import StepsSeen, ThreadsSeen
 from .world.graph import TickLog
 from .world.world import NotSimulated, World
 
 if TYPE_CHECKING:
     from .look import Look
-    from .run.scenes import Scenes
 
 __all__ = ["judge", "look", "run", "trace", "wake"]
 
@@ -127,7 +127,7 @@ def run(source: str, filename: str, seconds: float, args: str, speed: float, bes
     JSON: the exit ``status``, the number of ``errors`` in its threads, the last ``ticks`` with their durations, their
     ``count``, the ``chunks`` that each printed (a call of ``print`` is one, counted from 0), the ``end`` of the run
     (s), a text ``alternative`` to their plot, and a ``test`` that pins it all, empty if that would be long or if there
-    was an error; and of a node of ROS 2 that runs alone its ``scenes``. Errors are printed and give status 1.
+    was an error; and of a node that runs alone its ``scenes``. Errors are printed and give status 1.
     """
     printed = _Printed()
     streams = [_Stream(page, is_error, printed, filename) for is_error in (False, True)]
@@ -139,7 +139,7 @@ def run(source: str, filename: str, seconds: float, args: str, speed: float, bes
                 node_args = _split(args, "arguments")
             others = [(load_source(*code), _split(words, "arguments")) for *code, words in loads(beside)]
             node = load_source(_node(source), filename)
-            pacer = _Pacer(page, speed, printed, filename if node.hint == 2 and not others else "")
+            pacer = _Pacer(page, speed, printed, "" if others else filename, node.hint or 1)
             return dumps(_run(node, seconds, node_args, others, pacer, printed))
         except (ValueError, SyntaxError, NotSimulated, TimeStandsStill) as error:
             print(say_error(error), file=sys.stderr)
@@ -349,15 +349,17 @@ def _deque(items: Iterable[Any] = ()) -> deque[Any]:
 class _Pacer:
     """Makes a simulation keep pace with the page's clock, and shows the page each tick as it begins.
 
-    Of the node of ROS 2 in the file ``filename``, if one is given, it keeps the scenes.
+    Of the node in the file ``filename``, if one is given, it keeps the steps.
     """
 
-    def __init__(self, page: Any, speed: float, ticks: TickLog, filename: str) -> None:
-        self.scenes: Scenes | None = None
+    def __init__(self, page: Any, speed: float, ticks: TickLog, filename: str, ros: int) -> None:
+        self.scenes: StepsSeen | None = None
         if filename:
-            from .run.scenes import Scenes  # which loads rclpy
+            seen: type[StepsSeen] = ThreadsSeen
+            if ros == 2:
+                from .run.scenes import Scenes as seen  # which loads rclpy
 
-            self.scenes = Scenes(ticks, filename, *([self._wait] if speed else []))
+            self.scenes = seen(ticks, filename, *([self._wait] if speed else []))
         paced = self.scenes.clock if self.scenes else PacedSimulation(self._wait) if speed else None
         self.simulation: Simulation = paced or Simulation()
         self._page = page

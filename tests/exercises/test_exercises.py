@@ -133,6 +133,13 @@ def test_the_parts_come_one_after_the_other() -> None:
     assert len({exercise.title for exercise in EXERCISES}) == len(NAMES)
 
 
+@pytest.mark.parametrize("ros", [1, 2])
+def test_an_exercise_that_a_page_names_by_number_is_on_that_page(ros: int) -> None:
+    numbers = {exercise.number for exercise in EXERCISES if exercise.ros == ros}
+    text = (ROOT / "notebooks" / ("exercises.md", "ros2-exercises.md")[ros - 1]).read_text(encoding="utf-8")
+    assert {int(number) for number in re.findall(r"[Ee]xercise (\d+)", text)} <= numbers
+
+
 def test_each_exercise_has_a_name_of_its_own() -> None:
     names = [exercise.name for exercise in EXERCISES]
     assert len(set(names)) == len(NAMES)

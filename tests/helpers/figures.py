@@ -16,8 +16,8 @@ from tree import ROOT
 
 from rosspin import Tick, rclpy, simulate
 from rosspin.clocks.simulation import Simulation
-from rosspin.results import rclcpp
 from rosspin.results.roscpp import timer_probe
+from rosspin.results.rules import calculated
 from rosspin.run.simulate import run_captured
 from rosspin.run.source import load_source
 
@@ -65,7 +65,7 @@ def both_of_ros_2(name: str) -> Callable[[float], Runs]:
     def run(block: float) -> Runs:
         args = ["--ros-args", "-p", f"block:={block}", "-p", "block_call:=3"]
         rclpy_ticks = simulate(PROBE_2.with_name(f"{name}.py"), 6, args).ticks
-        return {"rclpy": rclpy_ticks, "rclcpp": rclcpp.probe(f"{name}.cpp", 6, args)}
+        return {"rclpy": rclpy_ticks, "rclcpp": calculated(f"ros2/{name}.cpp", 6, args)}
 
     return run
 

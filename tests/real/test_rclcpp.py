@@ -22,7 +22,7 @@ from tree import ROOT
 from verdicts import control
 
 from rosspin.real import ros2
-from rosspin.results import rclcpp
+from rosspin.results.rules import calculated
 
 LATE = 0.1  # s: a fifth of the period; no two rules are that close
 
@@ -94,7 +94,7 @@ def test_the_real_one_follows_the_rule(programs: Programs, nodes: ros2.Nodes, pr
         lengths = ",".join(map(str, random_blocks(program, seed, 20)))
         args = ["--ros-args", "-p", f"blocks:=[{lengths}]"]
         rule, real = (
-            rclcpp.probe(program, seconds, args),
+            calculated(f"ros2/{program}.cpp", seconds, args),
             read_ticks(programs.run(nodes, program, seconds, args).console),
         )
         found = [f"{len(rule)} ticks, not {len(real)}"] if abs(len(rule) - len(real)) > 1 else []

@@ -2,14 +2,17 @@
 
 from __future__ import annotations
 
+import math
 from pathlib import Path
 
 import pytest
 from tree import ROOT
 
 from rosspin import simulate
-from rosspin.results.rclcpp import probe, rate_passes, timer_ticks
+from rosspin.measures import by_source
+from rosspin.results.rclcpp import Timer, rate_passes, timer_probe, timer_ticks
 from rosspin.results.recordings import load
+from rosspin.results.rules import calculated
 
 LATE = 0.1  # s: a fifth of the period; no two rules are that close
 
@@ -18,33 +21,54 @@ def differences(file: Path) -> list[str]:
     """Where the ticks of a recording are not those of the rule."""
     recorded = load(file)
     program, *args = recorded.provenance["command"].split()
-    rule = probe(program, recorded.seconds, args)
-    found = [f"{len(rule)} ticks, not {len(recorded.ticks)}"] if abs(len(rule) - len(recorded.ticks)) > 1 else []
-    for ours, theirs in zip(rule, recorded.ticks, strict=False):
-        if max(abs(ours.real - theirs.real), abs(ours.expected - theirs.expected)) > LATE:
-            found.append(f"{ours}, not {theirs}")
+    rules, real = (
+        by_source(ticks) for ticks in (calculated(f"ros2/{program}.cpp", recorded.seconds, args), recorded.ticks)
+    )
+    found = [f"{list(rules)}, not {list(real)}"] if rules.keys() != real.keys() else []
+    for source, rule in rules.items():
+        if abs(len(rule) - len(real[source])) > 1:
+            found.append(f"{len(rule)} ticks of {source}, not {len(real[source])}")
+        before = math.nan
+        for ours, theirs in zip(rule, real[source], strict=False):
+            # When a call begins just as the next is due, jitter decides whether that one is lost.
+            is_tie = abs(ours.expected - before) < 1e-9
+            if abs(ours.real - theirs.real) > LATE or (abs(ours.expected - theirs.expected) > LATE and not is_tie):
+                found.append(f"{ours}, not {theirs}")
+            before = ours.real
     return found
 
 
-def single_probes() -> list[Path]:
-    """The recordings of one timer or loop that the rules know: made at once, under one thread, by ``create_timer``."""
+def recorded() -> list[Path]:
+    """The recordings that the rules know: of ``create_timer``, under one thread, or several with a group each."""
+    kinds = "timer_cpp_2hz", "timer_cpp_blocks", "rate_cpp", "two_timers_cpp", "slow_timers_cpp"
     files = sorted(ROOT.glob("examples/recordings/ros2/*_cpp_*.csv"))
-    return [file for file in files if file.stem.startswith(("timer_cpp_2hz", "timer_cpp_blocks", "rate_cpp"))]
+    return [
+        file for file in files if file.stem.startswith(kinds) and not file.stem.endswith(("_default", "_reentrant"))
+    ]
 
 
-@pytest.mark.parametrize("file", single_probes(), ids=lambda file: file.stem)
+@pytest.mark.parametrize("file", recorded(), ids=lambda file: file.stem)
 def test_the_rule_gives_what_was_recorded(file: Path) -> None:
     assert differences(file) == []
 
 
 def test_there_are_recordings_of_random_lengths() -> None:
-    assert sum("_random_" in file.name for file in single_probes()) == 4
+    assert sum("_random_" in file.name for file in recorded()) == 4
+    assert sum("timers_cpp" in file.name for file in recorded()) == 4
+
+
+@pytest.mark.parametrize("kind", ["two", "slow"])
+def test_of_two_that_are_due_the_one_made_last_is_called_first(kind: str) -> None:
+    """In all that was recorded of one thread: the order of all calls is that of the rule."""
+    run = load(ROOT / f"examples/recordings/ros2/{kind}_timers_cpp_spin.csv")
+    rule = timer_probe(run.seconds, run.provenance["command"].split()[1:])
+    assert [tick.source for tick in run.ticks] == [tick.source for tick in rule][: len(run.ticks)]
 
 
 def test_the_rule_of_the_timer_is_that_of_rclpy() -> None:
     args = ["--ros-args", "-p", "block:=1.7", "-p", "block_call:=3"]
     own = simulate(ROOT / "examples/ros2/timer_probe.py", 6.0, args).ticks
-    rule = probe("timer_probe.cpp", 6.0, args)
+    rule = timer_probe(6.0, args)
     assert [(tick.expected, tick.real) for tick in rule] == [(tick.expected, tick.real) for tick in own]
 
 
@@ -61,7 +85,7 @@ def test_the_rules_by_themselves() -> None:
         def duration(number: int) -> float:
             return length if number == 3 else others
 
-        timer, rate = timer_ticks(0.5, duration, 9.0), rate_passes(0.5, duration, 9.0)
+        timer, rate = timer_ticks([Timer("", 0.5, duration)], 9.0), rate_passes(0.5, duration, 9.0)
         return [tick.real for tick in timer][2:6], [round(tick.real, 3) for tick in rate][2:7]
 
     assert third(0.7) == ([1.5, 2.2, 2.5, 3.0], [1.0, 1.7, 2.0, 2.5, 3.0])
@@ -71,8 +95,12 @@ def test_the_rules_by_themselves() -> None:
     assert third(1.7, 0.2)[1] == [1.0, 2.7, 3.4, 4.1, 4.7]  # until the clock has caught up with the mark
 
 
-def test_what_is_not_about_a_single_timer_is_refused() -> None:
-    with pytest.raises(ValueError, match="know no second_timer, threads"):
-        probe("timer_probe.cpp", 1.0, ["-p", "threads:=2", "-p", "second_timer:=true"])
+def test_what_the_rules_do_not_know_is_refused() -> None:
+    with pytest.raises(ValueError, match="know no threads, wall"):
+        timer_probe(1.0, ["-p", "threads:=2", "-p", "wall:=true"])
+    with pytest.raises(ValueError, match="know no second_timer"):
+        calculated("ros2/rate_probe.cpp", 1.0, ["-p", "second_timer:=true"])
+    with pytest.raises(ValueError, match="wants a group of its own for each"):
+        timer_probe(1.0, ["-p", "executor:=multi", "-p", "second_timer:=true"])
     with pytest.raises(ValueError, match="calls back without a pause"):
-        probe("timer_probe.cpp", 1.0, ["-p", "period:=0.0"])
+        timer_probe(1.0, ["-p", "period:=0.0"])

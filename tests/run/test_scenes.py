@@ -12,8 +12,40 @@ from rosspin.clocks.simulation import Simulation
 from rosspin.run.scenes import Scenes
 from rosspin.run.simulate import run_node
 from rosspin.run.source import load
+from rosspin.run.steps_seen import ThreadsSeen
 from rosspin.run.streams import capture
 from rosspin.world.graph import TickLog
+
+TASKS = """\
+import rclpy
+
+rclpy.init()
+node = rclpy.create_node("waits")
+future = rclpy.Future()
+
+async def wait_for_it():
+    await future
+
+def wake():
+    future.set_result(None)
+    timer.cancel()
+
+def never():
+    pass
+
+timer = node.create_timer(0.5, wake)
+executor = rclpy.get_global_executor()
+executor.add_node(node)
+task = executor.create_task(wait_for_it)
+executor.create_task(never).cancel()
+executor.spin_until_future_complete(task)
+"""
+
+
+def written(folder: Path, text: str) -> Path:
+    path = folder / "node.py"
+    path.write_text(text)
+    return path
 
 
 class Told:
@@ -68,6 +100,31 @@ def test_on_one_thread_the_quick_callback_waits_for_the_slow_one() -> None:
     _, threads, how = run.at(1.3, "slow_callback ends")
     assert threads == {"MainThread": ("", "rclpy.spin(two_timers_py_node)")}
     assert how["slow_callback"] == "waits for the next round"
+
+
+def test_a_done_callback_is_called_in_the_next_round() -> None:
+    run = told("hangs/call_async", 1.5)
+    at = run.said.index("1: MainThread hands done_callback to the executor, which calls it in its next round.")
+    assert run.said[at + 1 : at + 4] == [
+        "1: the answer of /take_picture ends.",
+        "1: MainThread calls done_callback.",
+        "1: done_callback ends.",
+    ]
+    ready, _, how = run.at(1.0, "hands done_callback")
+    assert ready == ["done_callback"] and how["done_callback"] == "ready"
+    ready, threads, how = run.at(1.0, "calls done_callback")
+    assert ready == [] and threads == {"MainThread": ("done_callback", "def done_callback(self, future):")}
+    assert how["done_callback"] == "runs"
+    assert run.data["groups"][-1] == "Handed to the executor: in no group"
+
+
+def test_a_task_that_awaits_keeps_no_thread(tmp_path: Path) -> None:
+    """What was handed over and cancelled is not ready; what the stand-in hands over itself is no step."""
+    run = Told(written(tmp_path, TASKS), 1.0)
+    _, _, how = run.at(0.5, "calls wake")
+    assert how["wait_for_it"] == "awaits" and how["never"] == ""
+    assert "0.5: wait_for_it ends." in run.said
+    assert not [said for said in run.said if "lambda" in said or "calls never" in said]
 
 
 def test_a_second_thread_does_not_help_within_a_group() -> None:
@@ -242,3 +299,55 @@ def test_a_long_run_keeps_its_first_steps() -> None:
     run = told("executors/one_thread", 1000.0)
     assert len(run.data["steps"]) == 301 and run.said[0].startswith("0: ")
     assert run.said[-1].endswith("The rest is not shown.")
+
+
+# --- ROS 1 ------------------------------------------------------------------------------------------------------------
+
+
+def threads_of(path: Path, seconds: float, *args: str) -> dict[str, Any]:
+    log = TickLog()
+    seen = ThreadsSeen(log, str(path))
+    with capture():
+        status = run_node(load(path), seconds, args, seen.clock, log).status
+    return seen.data(status) or {}
+
+
+def test_each_timer_of_rospy_calls_in_its_own_thread() -> None:
+    """A callback without a pause has a beginning and an end, too, at one time."""
+    data = threads_of(EXAMPLES / "timing_probes/src/timer_probe.py", 1.4, "_block:=0.8", "_second_timer:=true")
+    said = [f"{time:g}: {said}" for time, said, *_ in data["steps"]]
+    assert said[:10] == [
+        "0: No callback runs until 0.5 s.",
+        "0.5: Thread-1 calls callback.",
+        "0.5: Thread-2 calls callback #2.",
+        "0.5: callback #2 ends.",
+        "0.5: callback is at work until 1 s.",
+        "1: Thread-2 calls callback #2.",
+        "1: callback #2 ends.",
+        "1: callback is at work until 1.3 s.",
+        "1.3: callback ends.",
+        "1.3: Thread-1 calls callback, 0.3 s late.",
+    ]
+    assert data["threads"] == ["MainThread", "Thread-1", "Thread-2"] and data["groups"] == []
+    _, _, ready, where, how = data["steps"][2]
+    assert ready == [] and how == ["runs", "runs"]
+    assert [callback for _, callback, _ in where] == [-1, 0, 1]
+
+
+def test_messages_and_passes_of_a_loop() -> None:
+    data = threads_of(EXAMPLES / "my_robotics_pkg/src/pubsub_py_node.py", 0.6)
+    said = [said for _, said, *_ in data["steps"]]
+    assert said.index("timerCallback ends.") < said.index("/counter calls counterCallback.")
+    data = threads_of(EXAMPLES / "my_robotics_pkg/src/spinner_rate_py_node.py", 0.6)
+    assert [said for _, said, *_ in data["steps"] if "pass" in said] == [
+        "MainThread ends pass 1 of its loop.",
+        "MainThread ends pass 2 of its loop.",
+    ]
+
+
+def test_a_callback_that_fails_has_ended(tmp_path: Path) -> None:
+    path = written(
+        tmp_path,
+        "import rospy\nrospy.init_node('fails')\nrospy.Timer(rospy.Duration(0.5), lambda event: 1 / 0)\nrospy.spin()\n",
+    )
+    assert "<lambda> ends." in [said for _, said, *_ in threads_of(path, 0.6)["steps"]]

@@ -6,6 +6,7 @@ import re
 from pathlib import Path
 
 import pytest
+from bs4 import Tag
 from built_pages import parsed
 from commands import PAGES
 from tree import ROOT
@@ -71,6 +72,43 @@ def test_a_path_has_what_its_pages_and_exercises_need(site: Path, ros: int, cour
             targets = re.findall(r"\]\(([\w./-]+)\.(?:md|rst)\)", needs[1] if needs else "")
             needed |= {(notebook.parent / target).resolve().relative_to(ROOT).as_posix() for target in targets}
     assert needed <= pages, needed - pages
+
+
+# What a page may point to although a path leaves it out: what one looks up, and what teachers, or the curious, read.
+BESIDE = {f"docs/{name}" for name in ("differences", "for-teachers", "glossary", "paths", "simulation-limits")}
+BESIDE |= {"docs/how-to/info-lines", "docs/how-to/break-things-on-purpose"}
+# Those have a path of their own, for a node that stutters.
+BESIDE |= {f"docs/{name}" for name in ("show-your-log", "how-to/look-at-your-log", "how-to/irregular-loop")}
+BESIDE |= {"docs/how-to/why-does-it-hang"}
+# A link that leads to the other ROS says so, in its paragraph.
+OTHER = {1: re.compile(r"ROS 2|rclpy|each ROS"), 2: re.compile(r"ROS 1|rospy|each ROS")}
+
+
+@pytest.mark.parametrize(("ros", "course"), COURSES)
+def test_the_pages_of_a_path_lead_to_no_page_that_it_omits(site: Path, ros: int, course: str) -> None:
+    """By any link: one that it omits is for looking up, or is said to be about the other ROS."""
+    page = parsed(site / "docs/paths.html")
+    (section,) = (tag.parent for tag in page.select("article h2") if tag.get_text().startswith(course))
+    assert section
+    pages = {target for _, target in links(site, site / "docs/paths.html", section)}
+    omitted = set()
+    for name in pages:
+        article = parsed(site / f"{name}.html").select_one("article")
+        assert article
+        for tag, target in links(site, site / f"{name}.html", article):
+            if target in pages | BESIDE or target.startswith(("docs/reference/", "_")):
+                continue
+            around = tag.find_parent(["p", "li", "dd", "div"])
+            if not (around and OTHER[ros].search(around.get_text())):
+                omitted.add((name, target))
+    assert not omitted
+
+
+def links(site: Path, page: Path, within: Tag) -> list[tuple[Tag, str]]:
+    """The links to other pages of the site, and the names of these."""
+    found = [(tag, str(tag["href"]).partition("#")[0]) for tag in within.select("a.internal")]
+    targets = [(tag, (page.parent / href).resolve()) for tag, href in found if href]
+    return [(tag, path.relative_to(site.resolve()).with_suffix("").as_posix()) for tag, path in targets]
 
 
 def test_the_releases_that_were_checked_are_those_of_the_constraints() -> None:

@@ -3,8 +3,8 @@
 import { defaultKeymap, history, historyKeymap, indentWithTab } from "@codemirror/commands"
 import { python, pythonLanguage } from "@codemirror/lang-python"
 import { bracketMatching, indentUnit, syntaxHighlighting } from "@codemirror/language"
-import { EditorState } from "@codemirror/state"
-import { EditorView, highlightSpecialChars, keymap } from "@codemirror/view"
+import { EditorState, StateEffect, StateField } from "@codemirror/state"
+import { Decoration, EditorView, highlightSpecialChars, keymap } from "@codemirror/view"
 import { highlightCode, tagHighlighter, tags } from "@lezer/highlight"
 import { make } from "./make.js"
 import { UNSEEN, sign } from "./unseen.js"
@@ -45,6 +45,17 @@ const looksLikeIt = EditorView.theme({
   },
   ".cm-scroller": { fontFamily: "var(--pst-font-family-monospace)", lineHeight: "1.25", padding: "1rem 0.6rem" },
   ".cm-content": { caretColor: "currentColor", padding: "0" },
+})
+
+/** @type {import("@codemirror/state").StateEffectType<import("@codemirror/view").DecorationSet>} */
+const runs = StateEffect.define()
+
+// The lines that run, while the reader goes through a run step by step; none once the text has changed.
+const running = StateField.define({
+  create: () => Decoration.none,
+  update: (lines, { effects, docChanged }) =>
+    effects.find((effect) => effect.is(runs))?.value ?? (docChanged ? Decoration.none : lines),
+  provide: (field) => EditorView.decorations.from(field),
 })
 
 const mark = (/** @type {string} */ character) => make("span", { className: "unseen", textContent: sign(character) })
@@ -88,10 +99,19 @@ export function open(text, label, { wraps, changed, run, leave }) {
         wraps ? EditorView.lineWrapping : [],
         syntaxHighlighting(likeTheListing),
         looksLikeIt,
+        running,
         EditorView.contentAttributes.of({ "aria-label": label, spellcheck: "false" }),
         EditorView.updateListener.of((update) => update.docChanged && changed(update.state.doc.toString())),
       ],
     }),
+  })
+  // Sent by stepper.js, which knows no editor.
+  view.dom.addEventListener("runs", (event) => {
+    const { text, lines } = /** @type {CustomEvent<{text: string, lines: number[]}>} */ (event).detail
+    const { doc } = view.state
+    const line = Decoration.line({ class: "stepper-running" })
+    const starts = doc.toString() === text ? [...lines].sort((a, b) => a - b) : []
+    view.dispatch({ effects: runs.of(Decoration.set(starts.map((number) => line.range(doc.line(number).from)))) })
   })
   return {
     element: view.dom,

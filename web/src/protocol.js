@@ -22,7 +22,7 @@
  * @typedef {[time: number, said: string, ready: number[], threads: Where[], how: string[]]} Step
  * @typedef {{links: [name: string, waits: string][], to: number}} Ring of waits; to: for whom the last waits, -1: nobody
  * @typedef {{threads: string[], groups: string[], callbacks: [name: string, group: number][], steps: Step[],
- *   rings: Ring[]}} Scenes of a run of ROS 2
+ *   rings: Ring[]}} Scenes of a run; in ROS 1 there are no groups, and nothing is ready: each thread calls its own
  * @typedef {{trace: string}} TraceResult
  * @typedef {"solved" | "not yet" | "open" | "to read" | "not judged"} Verdict
  * @typedef {{verdict: Verdict, solved: boolean, status: string, console: string, said: string,
@@ -113,7 +113,7 @@ function isScenes({ threads, groups, callbacks, steps, rings }) {
     isList(links, isTuple(isText, isText)) && links.length > 0 && isBelow(links.length, -1)(to)
   return (
     [threads, groups].every((names) => isList(names, isText)) &&
-    isList(callbacks, isTuple(isText, isBelow(groups.length))) &&
+    isList(callbacks, isTuple(isText, isBelow(groups.length || 1))) &&
     isList(steps, isStep) &&
     isList(rings, isRing)
   )

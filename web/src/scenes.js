@@ -1,4 +1,4 @@
-// What a stepper shows: the scenes of a run of ROS 2, as rosspin/run/scenes.py has noted them. No drawing is done here.
+// What a stepper shows: the scenes of a run, as rosspin/run/steps_seen.py has noted them. No drawing is done here.
 
 /** @typedef {import("./protocol.js").Scenes} Scenes */
 
@@ -30,7 +30,7 @@ export function scene({ groups, callbacks, threads, steps }, index) {
   const waiting = ready.map((number) => all[number])
   const words = [
     `Step ${index + 1} of ${steps.length}, at ${seconds(time)}`,
-    waiting.length ? `ready: ${waiting.map(({ name }) => name).join(", ")}` : "nothing is ready",
+    ...(groups.length ? [waiting.length ? `ready: ${waiting.map(({ name }) => name).join(", ")}` : "nothing is ready"] : []),
     ...running.map(({ name, callback, line }) => {
       return [name, callback ? `runs ${callback.name}` : "runs no callback", line && `line ${line}`].filter(Boolean).join(", ")
     }),

@@ -13,14 +13,19 @@ const calm = matchMedia("(prefers-reduced-motion: reduce)")
 /** @typedef {import("./scenes.js").Callback} Callback */
 
 /**
- * Mark lines of a listing, and no others.
+ * Mark lines of a listing, and no others; in its editor, if that is open and still has the text that ran.
  *
- * @param {HTMLElement | null | undefined} pre
+ * @param {HTMLElement | null} pre
+ * @param {string} text that ran
  * @param {number[]} lines
  */
-export function mark(pre, lines) {
+function mark(pre, text, lines) {
   pre?.querySelectorAll(".stepper-line").forEach((element) => element.remove())
-  if (!pre || pre.hidden) return // it makes way for the editor
+  if (!pre) return
+  if (pre.hidden) {
+    pre.previousElementSibling?.dispatchEvent(new CustomEvent("runs", { detail: { text, lines } }))
+    return
+  }
   const { paddingTop, paddingBottom } = getComputedStyle(pre)
   const count = (pre.textContent ?? "").replace(/\n$/, "").split("\n").length
   const height = `(100% - ${paddingTop} - ${paddingBottom}) / ${count}` // whatever becomes of its layout
@@ -37,11 +42,14 @@ export class Stepper {
   #scenes
   #text
   #pre
+  /** @type {number[]} */
+  #lines = [] // that run
   #at = 0
   /** @type {ReturnType<typeof setInterval> | undefined} */
   #playing
   #picture = make("div", { className: "stepper-picture", role: "img" })
   #said = make("p", { className: "stepper-said", ariaLive: "polite" })
+  #swaps
   #count = make("span", { ariaHidden: "true" }) // it is the slider's value
 
   /**
@@ -54,6 +62,8 @@ export class Stepper {
     this.#scenes = scenes
     this.#text = text.split("\n")
     this.#pre = pre
+    this.#swaps = new MutationObserver(() => this.#mark(this.#lines)) // the editor takes the listing's place
+    if (pre) this.#swaps.observe(pre, { attributeFilter: ["hidden"] })
     const button = (/** @type {string} */ textContent, /** @type {() => void} */ act) => {
       const element = make("button", { type: "button", textContent })
       element.addEventListener("click", act)
@@ -84,7 +94,8 @@ export class Stepper {
   /** Take away what it shows elsewhere. */
   end() {
     this.stop()
-    mark(this.#pre, [])
+    this.#swaps.disconnect()
+    this.#mark([])
   }
 
   #start() {
@@ -105,8 +116,8 @@ export class Stepper {
     const { time, said, ready, threads, lanes, alternative } = scene(this.#scenes, this.#at)
     const places = this.#places()
     this.#picture.replaceChildren(
-      box("Groups", ...lanes.map(({ name, callbacks }) => box(name, ...callbacks.map(row)))),
-      box("Ready, in this order", ...ready.map(token), ready.length ? "" : "nothing"),
+      ...(lanes.length ? [box("Groups", ...lanes.map(({ name, callbacks }) => box(name, ...callbacks.map(row))))] : []),
+      ...(lanes.length ? [box("Ready, in this order", ...ready.map(token), ready.length ? "" : "nothing")] : []),
       box("Threads", ...threads.map(({ name, callback, line }) => {
         const code = line ? make("code", { textContent: `${line}: ${this.#text[line - 1]?.trim() ?? ""}` }) : ""
         return box(name, callback ? token(callback) : make("span", { textContent: "no callback" }), code)
@@ -119,8 +130,14 @@ export class Stepper {
     this.slider.ariaValueText = `step ${this.#at + 1} of ${last + 1}, at ${time}`
     this.back.ariaDisabled = String(this.#at === 0)
     this.forward.ariaDisabled = String(this.#at === last)
-    mark(this.#pre, [...new Set(threads.map(({ line }) => line).filter(Boolean))])
+    this.#mark([...new Set(threads.map(({ line }) => line).filter(Boolean))])
     this.#move(places)
+  }
+
+  /** @param {number[]} lines */
+  #mark(lines) {
+    this.#lines = lines
+    mark(this.#pre, this.#text.join("\n"), lines)
   }
 
   /** Where the callbacks are: a token rather than a row. */

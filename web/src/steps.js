@@ -9,9 +9,7 @@ const figures = document.querySelectorAll("figure[data-scenes]")
 for (const figure of figures) {
   /** @type {import("./protocol.js").Scenes & {name: string}} */
   const scenes = JSON.parse(figure.dataset.scenes ?? "")
-  const pre = find("pre", /** @type {HTMLElement} */ (figure.closest(".rosspin-beside")))
-  find("ol", figure).replaceWith(
-    new Stepper(scenes.name, scenes, pre, pre.textContent ?? "").element,
-    ...scenes.rings.map(drawRing),
-  )
+  const pre = figure.closest(".rosspin-beside")?.querySelector("pre") ?? null
+  const stepper = scenes.steps.length ? new Stepper(scenes.name, scenes, pre, pre?.textContent ?? "").element : ""
+  find("ol", figure).replaceWith(stepper, ...scenes.rings.map(drawRing))
 }

@@ -44,7 +44,7 @@ def timer_of(frame: FrameType) -> Any:
 
 def timers(world: World, printers: Iterable[Any]) -> list[tuple[Any, str, bool, bool]]:
     """Return the timers that have printed something. The others are of no interest."""
-    return [(timer, timer._source, False, timer._cancelled or timer._destroyed) for timer in printers]
+    return [(timer, timer.source, False, timer._cancelled or timer._destroyed) for timer in printers]
 
 
 def whose(codes: Collection[CodeType]) -> str:

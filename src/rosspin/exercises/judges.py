@@ -210,7 +210,8 @@ def missing(seen: Seen, when: str, wanted: Sequence[int]) -> Finding:
         if said != due:
             whole = said is not None and said == int(said)
             hint = "" if whole else "A tick is missing or not: the number is a whole one."
-            text = f"{when}: callback {number} printed `missing = {plain(line.text)}`, but {due} were missing."
+            were = "was" if due == 1 else "were"
+            text = f"{when}: callback {number} printed `missing = {plain(line.text)}`, but {due} {were} missing."
             return Finding(False, text, hint)
     return Finding(True, f"{when}: the callbacks printed {', '.join(line.text for line in found)}.")
 
@@ -593,7 +594,7 @@ def arrives_once(seen: Seen, when: str, goal: str, at: float) -> Finding:
     if wrong := [line.text for line in heard if line.text != goal]:
         return Finding(False, f"{when}: the goal {plain(wrong[0])} arrived, not {goal}.")
     if len(heard) > 1:
-        text = f"{when}: the goal arrived {len(heard)} times; a robot would start anew each time."
+        text = f"{when}: the goal arrived {len(heard)} times; a robot would start again each time."
         return Finding(False, text, "Publish once, and let the publisher keep the message.")
     if not at <= heard[0].time <= at + 0.5:
         return Finding(False, f"{when}: the goal arrived only at {say(heard[0].time)}.")

@@ -106,7 +106,7 @@ _PREDICT = {
                 ): {
                     (2.2, 2.2, 2.4): RIGHT,
                     (1.6, 2.0, 2.4): _UNMOVED,
-                    (2.2, 2.6, 3.0): "This is what roscpp does. rospy counts anew only after a longer delay.",
+                    (2.2, 2.6, 3.0): "This is what roscpp does. rospy starts a new grid only after a longer delay.",
                     (2.2, 2.4, 2.8): _MADE_UP,
                 },
                 (
@@ -139,7 +139,7 @@ _PREDICT = {
                 ): {
                     (1.8, 2.0, 2.4): RIGHT,
                     (1.6, 2.0, 2.4): _UNMOVED,
-                    (1.8, 2.2, 2.6): "roscpp counts anew only if the call after the next one is overdue as well.",
+                    (1.8, 2.2, 2.6): "roscpp starts a new grid only if the call after the next one is overdue as well.",
                 },
                 (
                     "after_1_0_seconds",

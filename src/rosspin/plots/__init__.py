@@ -84,16 +84,18 @@ def timeline(
     """Plot when each tick was expected and when it came, in seconds; a bar shows how long it took.
 
     With ``period`` (s, above 0), there is a line for every period, even where no tick came, and a cross for every lost
-    tick. The rows take turns with up to three ``kinds``, each with its own mark and colour. Calls that overlap have a
-    lane each. The axis goes to the last tick, or to the ``end`` of the run (s), which a Run knows. What ``faults`` did,
-    which a Run knows, too, has rows of its own, with triangles; a bar shows by how much something came late.
+    tick, in a simulated Run up to its end. The rows take turns with up to three ``kinds``, each with its own mark and
+    colour. Calls that overlap have a lane each. The axis goes to the last tick, or to the ``end`` of the run (s), which
+    a Run knows. What ``faults`` did, which a Run knows, too, has rows of its own, with triangles; a bar shows by how
+    much something came late.
     """
     groups = _groups(ticks)
-    rows = _rows(groups, period)
+    coming = _coming(ticks)
+    rows = _rows(groups, period, coming)
     runs = ticks.values() if isinstance(ticks, Mapping) else [ticks]
     ends = [end, *(run.seconds for run in runs if isinstance(run, Run))]
     went_wrong = _faults(ticks, faults)
-    alt = " ".join([_describe(groups, period), *map(describe_faults, filter(None, went_wrong.values()))])
+    alt = " ".join([_describe(groups, period, coming), *map(describe_faults, filter(None, went_wrong.values()))])
     return _timeline(rows, period, kinds, alt, _caption(caption, ticks), ax, ends, _fault_rows(went_wrong))
 
 
@@ -107,13 +109,13 @@ def picture(
     caption: str | None = None,
 ) -> Figure:
     """A :func:`timeline` in a figure that pyplot does not know: no window opens, and nobody has to close it."""
-    ax = pictures.new_axes(_height([*_rows(_groups(ticks), None), *_fault_rows(_faults(ticks, faults))]))
+    ax = pictures.new_axes(_height([*_rows(_groups(ticks), None, {}), *_fault_rows(_faults(ticks, faults))]))
     return pictures.figure_of(timeline(ticks, period, kinds, end, faults=faults, caption=caption, ax=ax))
 
 
 def overview(ticks: Ticks, *, caption: str | None = None) -> Figure:
     """A :func:`timeline`, the :func:`lateness` and a :func:`period_histogram` below each other, unknown to pyplot."""
-    heights = [_height(_rows(_groups(ticks), None)), _PLOT, _PLOT]
+    heights = [_height(_rows(_groups(ticks), None, {})), _PLOT, _PLOT]
     axes = pictures.new_column(heights)
     for draw, ax in zip((timeline, lateness, period_histogram), axes, strict=True):
         draw(ticks, caption=caption, ax=ax)
@@ -216,10 +218,14 @@ def with_handle(
     if at not in runs:
         raise ValueError(f"{at!r} is no position of the handle: they are {', '.join(map(repr, runs))}")
     positions = {value: _groups(ticks) for value, ticks in runs.items()}
-    rows = {value: _rows(groups, period, worded=True) for value, groups in positions.items()}
+    coming = {value: _coming(ticks) for value, ticks in runs.items()}
+    rows = {value: _rows(groups, period, coming[value], worded=True) for value, groups in positions.items()}
     times = [0.0, *(time for group in rows.values() for time in _times(group))]
     said = {value: html.escape(f"{value:g} {unit}") for value in runs}
-    alts = {value: _describe(groups, period, f", {label}: {value:g} {unit}") for value, groups in positions.items()}
+    alts = {
+        value: _describe(groups, period, coming[value], f", {label}: {value:g} {unit}")
+        for value, groups in positions.items()
+    }
     data = {
         "first": min(times),
         "span": max(times) - min(times) or 1.0,
@@ -254,6 +260,14 @@ def _groups(ticks: Ticks) -> dict[str, list[Tick]]:
     return groups
 
 
+def _coming(ticks: Ticks) -> dict[str, list[Tick]]:
+    """The ticks that would have followed, of those that know it."""
+    if isinstance(ticks, Run):
+        return by_source(ticks.coming)
+    named = ticks if isinstance(ticks, Mapping) else {}
+    return {name: list(one.coming) if isinstance(one, Run) else [] for name, one in named.items()}
+
+
 def _caption(caption: str | None, ticks: Ticks) -> str:
     """Return the caption given; if there is none, "simulated" if all of these are simulated Runs."""
     runs = ticks.values() if isinstance(ticks, Mapping) else [ticks]
@@ -261,11 +275,16 @@ def _caption(caption: str | None, ticks: Ticks) -> str:
     return caption if caption is not None else "simulated" if is_simulated else ""
 
 
-def _describe(groups: Mapping[str, Sequence[Tick]], period: float | None, position: str = "") -> str:
-    words = [
-        describe_timeline(name, group) + (f" Lost ticks: {len(lost(group, period))}." if period and group else "")
-        for name, group in groups.items()
-    ]
+def _describe(
+    groups: Mapping[str, Sequence[Tick]],
+    period: float | None,
+    coming: Mapping[str, Sequence[Tick]],
+    position: str = "",
+) -> str:
+    words = []
+    for name, group in groups.items():
+        gone = len(lost(group, period, coming.get(name, ()))) if period else 0
+        words.append(describe_timeline(name, group) + (f" Lost ticks: {gone}." if period and (group or gone) else ""))
     return f"Timeline{position}. " + " ".join(words)
 
 
@@ -282,28 +301,37 @@ class _Row(NamedTuple):
     ticks: list[tuple[float, float]]  # when each came and how long it took; 0 where that is not known
 
 
-def _rows(groups: Mapping[str, Sequence[Tick]], period: float | None, worded: bool = False) -> list[_Row]:
+def _rows(
+    groups: Mapping[str, Sequence[Tick]],
+    period: float | None,
+    coming: Mapping[str, Sequence[Tick]],
+    worded: bool = False,
+) -> list[_Row]:
     """Make the rows of a timeline, ``worded`` with a few words on each. One without ticks has the others' grid."""
     if period is not None and not 0 < period < math.inf:
         raise ValueError(f"a period is above 0 s, not {period!r}")
-    rows = [_row(name, group, period) for name, group in groups.items()]
+    rows = [_row(name, group, period, coming.get(name, ())) for name, group in groups.items()]
     grid = max((row.expected for row in rows), key=len)
     due = len(grid)
-    for number, group in enumerate(groups.values()):
-        words = (verdict(group, period, due) if period else describe_pace(group)) if worded else ""
+    for number, (name, group) in enumerate(groups.items()):
+        words = (
+            (verdict(group, period, due, coming.get(name, ())) if period else describe_pace(group)) if worded else ""
+        )
         expected = rows[number].expected or (grid if period else [])
         rows[number] = rows[number]._replace(words=words, expected=expected)
     return rows
 
 
-def _row(name: str, group: Sequence[Tick], period: float | None) -> _Row:
+def _row(name: str, group: Sequence[Tick], period: float | None, coming: Sequence[Tick]) -> _Row:
     expected, gone = {tick.expected for tick in group}, list[float]()
-    if period and group:
-        origin = group[0].expected
-        steps = (max(group[-1].real, origin) - origin) / period + 1e-3
-        if steps > _MOST_LINES:
-            raise ValueError(f"a period of {period:g} s is too short for ticks up to {group[-1].real:g} s")
-        gone = lost(group, period)
+    if period and (group or coming):
+        origin = next(iter([*group, *coming])).expected
+        last = max([origin, *(tick.real for tick in [*group, *coming])])
+        if (last - origin) / period > _MOST_LINES:
+            raise ValueError(f"a period of {period:g} s is too short for ticks up to {last:g} s")
+        gone = lost(group, period, coming)
+        overdue = [tick.expected for tick in coming if tick.lateness > 0]
+        steps = (max([origin, *(tick.real for tick in group[-1:]), *gone, *overdue]) - origin) / period + 1e-3
         expected = {*gone, *(origin + step * period for step in range(int(steps) + 1))}
     times = sorted({round(time, 6) for time in expected})
     ticks = [(round(tick.real, 6), round(tick.duration, 6) if tick.duration > 0 else 0.0) for tick in group]

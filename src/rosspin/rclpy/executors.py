@@ -139,6 +139,9 @@ class Executor:
             callback(*args, **kwargs).close()  # raises TypeError for arguments that it does not take
         task = Task(callback, args, kwargs, executor=self)
         self._tasks.append((task, None, None))
+        if self._rosspin_tell:
+            task._tell = self._rosspin_tell
+            self._rosspin_tell("asks", task, callback)
         self.wake()
         return task
 

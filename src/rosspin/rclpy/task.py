@@ -158,6 +158,7 @@ class Task(Future):
         self._is_coroutine = inspect.iscoroutinefunction(handler)
         self._executing = False
         self._turn = [None]  # taken by the thread that runs it
+        self._tell: Callable[..., None] | None = None  # called when it begins and ends
 
     def __call__(self) -> None:
         """Run or resume it, unless another thread is doing so."""
@@ -172,6 +173,8 @@ class Task(Future):
             try:
                 if self._coroutine is None:
                     assert self._handler
+                    if self._tell:
+                        self._tell("calls", self, self._executor())
                     args, kwargs = self._arguments
                     result = self._handler(*args, **kwargs)
                     if self._is_coroutine:
@@ -192,6 +195,8 @@ class Task(Future):
             self._handler = self._coroutine = None
             # An exception that ends the program, such as SystemExit, leaves the task executing for ever.
             self._executing = False
+            if self._tell:
+                self._tell("ends", self)
         finally:
             self._turn.append(None)
 

@@ -78,7 +78,8 @@ class Timer(Held):
         self._ticks = world.recording.log if callback is not None else None
         self._count = 0
         if self._ticks is not None:
-            self._source = world.source(getattr(callback, "__name__", type(callback).__name__))
+            self.source = world.source(getattr(callback, "__name__", type(callback).__name__))
+            self._ticks.timers.add(self)
         self.callback = callback
         if isinstance(clock, ROSClock):
             clock.timers[self] = None
@@ -169,7 +170,7 @@ class Timer(Held):
         if self._ticks is not None:
             self._count += 1
             began = self.stamp(now)
-            tick = self._ticks.add(self._source, self._count, expected + began - now, began), began
+            tick = self._ticks.add(self.source, self._count, expected + began - now, began), began
         return self._callback, self._info(expected, now) if self._wants_info else (), tick
 
     def _info(self, expected: int, now: int) -> tuple[TimerInfo]:
@@ -188,6 +189,18 @@ class Timer(Held):
             place, began = tick
             clock = self.clock
             self._ticks.end(place, (clock._state.clock.now() if clock.flows else clock.ns()) - began)
+
+    def coming(self) -> list[tuple[str, int, int, int]]:
+        """The next calls: see ``world.graph.Ticking``."""
+        if not self.is_flowing() or self._period < _LEAST_PERIOD:
+            return []
+        due, now = self._next, self.clock.ns()
+        calls = [(due, max(due, now))]
+        if due <= now:
+            following = now + self._period - (now - due) % self._period
+            calls.append((following, following))
+        source, stamp = self.source, self.stamp
+        return [(source, self._count + n, stamp(due), stamp(real)) for n, (due, real) in enumerate(calls, 1)]
 
     def is_due(self) -> bool:
         """Whether a call is due."""

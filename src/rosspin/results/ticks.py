@@ -80,6 +80,10 @@ class Run:
     the time after which Ctrl-C was pressed; ``start`` is when the run began, in seconds since the epoch (0.0 if
     simulated); ``messages`` are what its topics were given, in the order of publishing, and ``calls`` what its services
     were asked, in the order of asking (none of both if it ran on a real ROS); ``faults`` are what ``faults=`` did.
+
+    ``coming`` are calls that the timers of a simulated run would have made next, had nothing more delayed them: of each
+    timer that went on, the one that was overdue at the end, if one was, and those after it, until one is on time. What
+    was due in between is lost.
     """
 
     console: str = field(repr=False)
@@ -91,3 +95,4 @@ class Run:
     messages: Sequence[Message] = field(default=(), repr=False)
     calls: Sequence[Call] = field(default=(), repr=False)
     faults: Sequence[Mishap] = field(default=(), repr=False)
+    coming: Sequence[Tick] = field(default=(), repr=False)

@@ -298,6 +298,9 @@ class Service(_Named):
         faults = self.node.world.graph.faults
         if faults and faults.slows:
             faults.call(self.node.name, self.handler)
+        tell = self.node.world.recording.tell
+        if tell:
+            tell("calls", self.handler)
         try:
             connection.answer(self, _to_response(self.handler(request), self.response_class), call)
         except NotSimulated:
@@ -309,6 +312,9 @@ class Service(_Named):
                 raise lacking from error
             self.error_handler(error, type(error), error, error.__traceback__)
             connection.refuse(self, f"error processing request: {error}", call)
+        finally:
+            if tell:
+                tell("ends", self.handler)
 
 
 def _to_response(value: Any, response_class: type[Message]) -> Message:

@@ -102,6 +102,8 @@ class Rate:
             self._passes += 1
             duration = node.in_run() - self._pass_start
             ticks.add(self._source, self._passes, expected, self._pass_start, duration)
+            if tell := node.world.recording.tell:
+                tell("says", f"ends pass {self._passes} of its loop.")
 
 
 def sleep(duration: float | genpy.Duration) -> None:
@@ -222,6 +224,21 @@ class Timer(threading.Thread):
         """Stop calling back. A timer that is asleep notices when it wakes up."""
         self._shutdown = True
 
+    def coming(self) -> list[tuple[str, int, int, int]]:
+        """The next calls: see ``world.graph.Ticking``."""
+        is_over = self._shutdown or not self.is_alive() or (self._oneshot and self._number)
+        if is_over or self._node.ros_time is not None:
+            return []
+        now, ahead, period = self._node.clock.system(), self._node.clock.ahead, self._rate._period
+        mark, due, calls = self._rate._last, self._due, list[tuple[str, int, int, int]]()
+        while not calls or mark <= now:
+            if calls and now - mark > 2 * period:
+                mark = now
+            mark += period
+            calls.append((self.source, self._number + len(calls) + 1, due - ahead, max(mark, now) - ahead))
+            due += self._period.to_nsec()
+        return calls
+
     def run(self) -> None:
         """Sleep and call back until shutdown, in the timer's thread."""
         node = state()
@@ -237,8 +254,11 @@ class Timer(threading.Thread):
         if ticks is not None:
             self.source = source  # the name under which its ticks are recorded
             node.timers.append(self)
+            self._number, self._due, self._rate, self._node = 0, expected, rate, node  # for ``coming``
+            ticks.timers.add(self)
         faults = world.graph.faults
         slow = faults.call if faults and faults.slows else None
+        tell = world.recording.tell
         number = 0
         last_expected = last_real = duration = None  # in ns, like all times here
         while not node.shutdown and not self._shutdown:
@@ -256,10 +276,17 @@ class Timer(threading.Thread):
             number += 1
             if ticks is not None:
                 tick = ticks.add(source, number, expected - ahead, real - ahead)
+                self._number, self._due = number, expected + period
             callback = self._callback  # calling a local variable skips the search among the methods
             if slow:
                 slow(node.name, callback)
-            callback(_event(last_expected, last_real, expected, real, duration))
+            if tell:
+                tell("calls", callback, real - expected)
+            try:
+                callback(_event(last_expected, last_real, expected, real, duration))
+            finally:
+                if tell:
+                    tell("ends", callback)
             duration = clock.now() - began
             if ticks is not None:
                 ticks.end(tick, duration)

@@ -327,6 +327,8 @@ class Host:
         """Note what has failed so far, and say what waits for ever: threads, and the callbacks of ROS 2."""
         self._failed = self._errors()
         assert isinstance(self.clock, Simulation)
+        if self.recording.log is not None:
+            self.recording.log.look_ahead()
         said = explain_threads(self.clock, self.recording.tell)
         if graph := self._graphs.get(2):
             said += ROSES[2].stand_in.explain_waits(graph, self.recording.tell)
@@ -480,6 +482,7 @@ class Result(NamedTuple):
             self.messages(),
             self.calls(),
             recording.mishaps(),
+            recording.coming(),
         )
 
     def messages(self) -> tuple[Message, ...]:

@@ -2,8 +2,6 @@
 
 from __future__ import annotations
 
-import html
-import json
 import os
 import re
 import shlex
@@ -12,6 +10,7 @@ import sys
 import textwrap
 from collections.abc import Iterable, Iterator, Sequence
 from contextlib import chdir
+from dataclasses import replace
 from pathlib import Path
 from typing import Any, ClassVar, cast
 
@@ -30,24 +29,24 @@ from .. import rclpy, rospy
 from ..clocks.simulation import Simulation
 from ..faults import read
 from ..look import look
-from ..measures import topic_ticks
+from ..measures import by_source, topic_ticks
 from ..plots import overview, picture, with_handle
 from ..plots.pictures import page
 from ..results import machine
 from ..results.rules import calculated
 from ..results.ticks import Run, Tick
 from ..run.host import kept, replaced
-from ..run.scenes import Scenes
-from ..run.simulate import run_captured, run_node
+from ..run.simulate import run_captured
 from ..run.source import load, load_source
-from ..run.streams import capture
-from ..world.graph import TickLog
+from . import scenes
 from .checks import note
 from .claims import Facts, one_line
 from .outputs import differences
 from .vehicle import NODES, figure
 
 __all__ = ["setup"]
+
+_BEYOND = 60.0  # s; no call of a probe takes that long
 
 
 class TicksDirective(SphinxDirective):
@@ -140,19 +139,19 @@ class TicksDirective(SphinxDirective):
         faults = [read(line) for line in self.options["faults"].splitlines()]
         return run_captured(Simulation(), load(self._file(file)), self._seconds(), args, faults=faults)
 
-    def _ticks(self, value: float | None, where: str = "") -> dict[str, Sequence[Tick]]:
-        ticks: dict[str, Sequence[Tick]] = {}
+    def _ticks(self, value: float | None, where: str = "") -> dict[str, Run]:
+        runs: dict[str, Run] = {}
         seconds = self._seconds()
         for name, (file, *args) in self._commands().items():
             given = [word.replace("{}", str(value)) for word in args]
             found = self._run(self._file(file), given, value)
             if "callbacks" in self.options:
-                ticks |= {own: [tick for tick in found if tick.source == own] for own in self._callbacks(file)}
+                runs |= {own: _only(own, found) for own in self._callbacks(file)}
             else:
-                ticks[name or (found[0].source if found else "")] = found
-        if not any(ticks.values()):
+                runs[name or (found.ticks[0].source if found.ticks else "")] = found
+        if not any(run.ticks for run in runs.values()):
             raise ValueError(f"there is no tick in {seconds:g} s{where}")
-        return ticks
+        return runs
 
     def _callbacks(self, file: str) -> list[str]:
         text, names = Path(self._file(file)).read_text(encoding="utf-8"), str(self.options["callbacks"]).split()
@@ -165,16 +164,16 @@ class TicksDirective(SphinxDirective):
             raise ValueError(":seconds: is missing: how long the node runs")
         return float(self.options["seconds"])
 
-    def _run(self, path: str, args: list[str], value: float | None) -> Sequence[Tick]:
+    def _run(self, path: str, args: list[str], value: float | None) -> Run:
         if path.endswith(".cpp"):
-            return calculated(path, self.options["seconds"], args)
+            return _by_rule(path, self.options["seconds"], args, self.options.get("period", _BEYOND))
         node = load(path)
         if value is not None and "sets" in self.options:
             at = self._assignment(self.options["sets"])
             node = load_source(f"{at.string[: at.start(2)]}{value}{at.string[at.end(2) :]}", path)
         run = run_captured(Simulation(), node, self.options["seconds"], args)
         topic = self.options.get("topic")
-        return topic_ticks(run.messages, topic) if topic else run.ticks
+        return replace(run, ticks=topic_ticks(run.messages, topic), coming=()) if topic else run
 
     def _assignment(self, variable: str) -> re.Match[str]:
         """Find the line of the first file that assigns a number to a variable."""
@@ -199,33 +198,44 @@ class TicksDirective(SphinxDirective):
         yield nodes.raw("", "</div>", format="html")
 
 
+def _only(source: str, run: Run) -> Run:
+    ticks, coming = ([tick for tick in found if tick.source == source] for found in (run.ticks, run.coming))
+    return replace(run, ticks=ticks, coming=coming)
+
+
+def _by_rule(path: str, seconds: float, args: Sequence[str], period: float) -> Run:
+    """Calculate the ticks of a C++ node; what comes next is in those of a run that is longer."""
+    ticks = calculated(path, seconds, args)
+    coming = list[Tick]()
+    for source, later in by_source(calculated(path, seconds + _BEYOND, args)[len(ticks) :]).items():
+        grid = next((tick for tick in ticks if tick.source == source), later[0]).expected
+        # What a call that goes on makes the timer lose after the end is no concern of this run.
+        place = grid + period * ((seconds - grid + 1e-9) // period + 1)
+        for tick in later[: 1 + (later[0].expected <= seconds)]:
+            expected = min(tick.expected, place)
+            coming.append(tick._replace(expected=expected, real=max(expected, min(tick.real, seconds))))
+    return Run("", ticks, 0, "calculated", seconds, coming=coming)
+
+
 class ScenesDirective(TicksDirective):
     """``.. scenes:: FILE ARGS`` with ``:seconds: S``: runs a node of ROS 2 in simulated time, to be gone through.
 
-    The file stands beside what its executor does, step by step. Where no script runs, the steps are a list.
+    The file stands beside what its executor does, step by step. Where no script runs, the steps are a list. With
+    ``:rings:`` only the picture of what waits for what is shown.
     """
 
     has_content = False
     required_arguments, optional_arguments = 1, 0
-    option_spec: ClassVar = {name: TicksDirective.option_spec[name] for name in ("seconds",)}
+    option_spec: ClassVar = {"seconds": TicksDirective.option_spec["seconds"], "rings": directives.flag}
 
     def _plot(self) -> str:
         ((file, *args),) = self._commands().values()
-        path, log = self._file(file), TickLog()
-        scenes = Scenes(log, path)
-        with capture():
-            status = run_node(load(path), self._seconds(), args, scenes.clock, log).status
-        data = scenes.data(status)
-        if not data:
-            raise ValueError("no executor of ROS 2 has spun, or the node has too many callbacks")
-        name = os.path.basename(path)
-        carried = html.escape(json.dumps(data | {"name": name}, separators=(",", ":")), quote=False)
-        carried = carried.replace("'", "&#39;")
-        told = "".join(f"<li>{time:g} s: {html.escape(said)}</li>" for time, said, *_ in data["steps"])
-        caption = f"<figcaption>simulated: {name}, {self._seconds():g} s</figcaption>"
-        return f"<figure class='rosspin-scenes' data-scenes='{carried}'><ol>{told}</ol>{caption}</figure>"
+        return scenes.figure(self._file(file), self._seconds(), args, "rings" in self.options)
 
     def _shown(self, plot: str) -> Iterator[nodes.Node]:
+        if "rings" in self.options:
+            yield nodes.raw("", plot, format="html")
+            return
         ((file, *_),) = self._commands().values()
         text = Path(self._file(file)).read_text(encoding="utf-8")
         yield nodes.raw("", '<div class="rosspin-beside">', format="html")

@@ -12,6 +12,7 @@ from collections.abc import Callable, Iterator
 from contextlib import contextmanager
 from functools import partial
 from typing import Any, Generic, Protocol, TypeVar
+from weakref import WeakSet
 
 from ..clocks.clock import NS, Clock
 from ..results.ticks import Call, Message, Mishap, Tick
@@ -88,6 +89,15 @@ Published = tuple[str, str, int, Callable[[], Any]]
 _new_tick = partial(tuple.__new__, Tick)
 
 
+class Ticking(Protocol):
+    """A timer whose calls are recorded."""
+
+    source: str
+
+    def coming(self) -> list[tuple[str, int, int, int]]:
+        """The next calls, if nothing more delayed them, until one is on time: source, number, expected, real (ns)."""
+
+
 class TickLog:
     """The ticks of a run, in the order in which they were recorded. Times are in ns; a tick is known by its place.
 
@@ -102,6 +112,12 @@ class TickLog:
 
     def __init__(self) -> None:
         self._fields: list[Any] = []  # source, number, expected, real, duration, source, number, ...
+        self.timers: WeakSet[Ticking] = WeakSet()  # those that may go on when the run ends
+        self.coming: list[tuple[str, int, int, int]] = []  # source, number, expected, real: see results.ticks.Run
+
+    def look_ahead(self) -> None:
+        """Note which calls of timers would come next."""
+        self.coming = [call for timer in sorted(self.timers, key=lambda each: each.source) for call in timer.coming()]
 
     def __len__(self) -> int:
         return len(self._fields) // self._FIELDS
@@ -193,6 +209,12 @@ class Recording:
         """Record that ``node`` publishes, now, the message that ``make()`` returns."""
         if self.published is not None:
             self.published.append((topic, node, self._clock.now(), make))
+
+    def coming(self) -> tuple[Tick, ...]:
+        """The calls of timers that would have come next."""
+        calls = self.log.coming if self.log else []
+        start = self.start
+        return tuple(Tick(name, n, (due - start) / NS, (real - start) / NS, math.nan) for name, n, due, real in calls)
 
     def ticks(self, since: int = 0) -> tuple[Tick, ...]:
         """The recorded ticks, from the tick ``since`` on."""

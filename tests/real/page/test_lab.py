@@ -101,6 +101,23 @@ def test_a_link_opens_the_next_notebook(lab: str, browser: Browser) -> None:
     page.close()
 
 
+@pytest.mark.parametrize(
+    ("name", "picture", "count"),
+    [("ros2-executors", "figure.rosspin-scenes li", 15), ("slow-callback", "svg.rosspin-drawing", 1)],
+)
+def test_pictures_of_the_mechanism_are_outputs(lab: str, browser: Browser, name: str, picture: str, count: int) -> None:
+    """No directive, which only Sphinx reads, stands as raw text: without the page's script the steps are a list."""
+    page = browser.new_page()
+    page.set_default_timeout(PATIENCE * 1e3)
+    page.goto(f"{lab}/lab/tree/notebooks/{name}.md?token={TOKEN}&reset")
+    expect(page.get_by_text(re.compile(r"Python 3.* \| Idle"))).to_be_visible(timeout=PATIENCE * 1e3)
+    page.get_by_role("menuitem", name="Run", exact=True).click()
+    page.get_by_role("menuitem", name="Run All Cells", exact=True).click()
+    expect(page.locator(f".jp-OutputArea-output {picture}")).to_have_count(count, timeout=PATIENCE * 1e3)
+    assert not re.search(r"```|:::|\.\. \w+::", page.locator(".jp-Notebook:visible").inner_text())
+    page.close()
+
+
 @pytest.mark.parametrize("theme", ["JupyterLab Light", "JupyterLab Dark"])
 def test_a_notebook_runs_and_shows_its_plots(lab: str, browser: Browser, theme: str) -> None:
     """As the page does, in the theme's colours, and as wide as there is room."""

@@ -190,7 +190,7 @@ def both(context: BrowserContext, address: str) -> tuple[Cell, Cell]:
     """The publisher and the subscriber of the tutorial on topics."""
     page = context.new_page()
     page.goto(f"{address}docs/publish.html?lang=python")
-    publisher, _, subscriber, *_ = (Cell(page, index) for index in range(page.locator("div.live").count()))
+    publisher, subscriber, *_ = (Cell(page, index) for index in range(page.locator("div.live").count()))
     return publisher, subscriber
 
 

@@ -116,8 +116,52 @@ def test_a_run_in_the_page(page: Page, address: str) -> None:
     assert cell.button("Step through this").is_hidden() and not marked(page, cell.element)
 
 
-def test_a_node_of_ros_1_has_no_steps(tutorial: Page) -> None:
+def test_the_open_editor_marks_the_line_that_runs(page: Page, address: str) -> None:
+    """As long as it has the text that ran."""
+    page.goto(address + HANGS)
+    cell = Cell(page, 0)
+    cell.run(2.5)
+    cell.ends("done")
+    cell.button("Step through this").click()
+    forward = cell.element.get_by_role("button", name="Forward")
+    for _ in range(3):
+        forward.click()
+    cell.button("Edit").click()
+    running = cell.element.locator(".cm-line.stepper-running")
+    expect(running).to_have_text(["        answer = self.client.call(Trigger.Request())"])
+    cell.element.get_by_role("button", name="Back").click()
+    expect(running).to_have_text(["    def timer_callback(self):"])
+    assert in_both_schemes(page) == []
+    cell.element.locator(".cm-content").press("Enter")
+    expect(running).to_have_count(0)
+    forward.click()
+    expect(running).to_have_count(0)
+
+
+def test_the_waits_alone(page: Page, address: str) -> None:
+    """Drawn from a run of the listing below; a sentence where no script runs."""
+    page.goto(address + HANGS)
+    figure = page.locator("figure[data-scenes]")
+    expect(figure.locator("svg.stepper-ring")).to_have_attribute("aria-label", re.compile("^A ring of waits"))
+    assert figure.get_by_role("button").count() == 0
+
+
+@pytest.mark.parametrize("name", ["ros2-executors", "ros2-rate"])
+def test_a_notebook_has_steps(page: Page, address: str, name: str) -> None:
+    page.goto(f"{address}notebooks/{name}.html")
+    figure = page.locator("figure[data-scenes]")
+    figure.get_by_role("button", name="Forward").click()
+    assert marked(page, page.locator(".rosspin-beside", has=figure))
+
+
+def test_the_threads_of_a_node_of_ros_1(tutorial: Page) -> None:
+    """Each calls its own callbacks: there are no groups, and nothing is ready."""
     cell = Cell(tutorial, 3)
     cell.run(2)
     cell.ends("done")
-    assert cell.button("Step through this").is_hidden()
+    cell.button("Step through this").click()
+    cell.element.get_by_role("button", name="Forward").press("Enter")
+    expect(cell.element.locator(".stepper-said")).to_have_text("Thread-1 calls timerCallback.")
+    expect(cell.element.locator(".stepper-picture > .stepper-box > b")).to_have_text(["Threads"])
+    alternative = re.compile("MainThread, runs no callback, line .*; Thread-1, runs timerCallback, line ")
+    expect(cell.element.locator(".stepper-picture")).to_have_attribute("aria-label", alternative)

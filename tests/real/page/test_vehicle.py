@@ -48,7 +48,7 @@ def test_by_keyboard(context: BrowserContext, address: str) -> None:
     slider.press("ArrowLeft")
     shows(figure, 0, 19)
     figure.get_by_role("radio").first.focus()
-    for node in (1, 2, 3):
+    for node in (1, 2, 3, 4):
         context.pages[0].keyboard.press("ArrowDown")
         shows(figure, node, 19)
 
@@ -64,7 +64,7 @@ def test_by_touch_on_a_phone(browser: Browser, address: str) -> None:
         slider.tap(position={"x": 3, "y": box["height"] / 2})
         shows(figure, 0, 0)
         figure.get_by_label("ROS 1 in C++").tap()
-        shows(figure, 3, 0)
+        shows(figure, 4, 0)
         assert page.evaluate(TOO_WIDE) == []
         picture = figure.get_by_role("img").bounding_box()
         assert picture and picture["y"] + picture["height"] < size["height"], "not on the first screen"

@@ -1,0 +1,177 @@
+"""What a run does, step by step, for a page; and of ROS 1 what its threads do: each calls its own callbacks."""
+
+from __future__ import annotations
+
+import inspect
+import sys
+import threading
+from collections.abc import Callable, Iterable, Iterator
+from types import CodeType
+from typing import Any
+
+from ..clocks.clock import NS
+from ..clocks.frames import trail
+from ..clocks.simulation import PacedSimulation
+from ..clocks.stacks import current
+from ..world.graph import TickLog
+
+__all__ = ["StepsSeen", "ThreadsSeen", "code_of"]
+
+# How many steps are kept, the first ones, and of a node with how many callbacks at most.
+_MOST = 300
+_MOST_CALLBACKS = 30
+
+
+class StepsSeen:
+    """The steps of a run, in which a step is noted whenever something is told or the time goes on.
+
+    The run has to go on :attr:`clock`, and to record its ticks in ``log``. Lines are those of the file ``filename``.
+    ``pace(when)`` is called before the time becomes ``when`` (ns).
+    """
+
+    def __init__(self, log: TickLog, filename: str, pace: Callable[[int], object] = lambda when: None) -> None:
+        log.tell = self.tell
+        self.clock = PacedSimulation(self._before)
+        self._filename = filename
+        self._pace = pace
+        self._callbacks: dict[Any, int] = {}  # timers and the like: their numbers
+        self._names: list[tuple[str, int]] = []  # of the callbacks, with the numbers of their groups
+        self._groups: dict[Any, tuple[int, str]] = {}
+        self._threads: dict[int, tuple[int, str]] = {}
+        self._steps: list[list[Any]] = []
+        self._rings: list[list[Any]] = []
+
+    def data(self, status: int) -> dict[str, Any] | None:
+        """Return what a page draws of a run that has ended with ``status``, ready for JSON: see web/src/protocol.js.
+
+        It is None where nothing was told. A step is a time (s), a sentence, the ready ones in their order, of each
+        thread its number, the callback in it (-1: none) and its line (0: none of the file), and how each callback is.
+        """
+        if not (self._steps or self._rings):
+            return None
+        end = "The rest is not shown." if self._is_full else f"The node has ended, with status {status}."
+        steps = [*self._steps, [self.clock.seconds(), end, [], [], []]]
+        return {
+            "threads": [name for _, name in self._threads.values()],
+            "groups": [name for _, name in self._groups.values()],
+            "callbacks": self._names,
+            "steps": steps,
+            "rings": self._rings,
+        }
+
+    def tell(self, what: str, subject: Any, more: Any = None) -> None:
+        """Note what is told of a run. This is called on the thread that it happens on."""
+        if what == "ring":
+            self._rings.append(subject)
+        elif not (self._is_full or self.clock.is_over):
+            self._note_what(what, subject, more, threading.current_thread().name)
+
+    def _note_what(self, what: str, subject: Any, more: Any, here: str) -> None:
+        raise NotImplementedError()
+
+    @property
+    def _is_full(self) -> bool:
+        return len(self._steps) >= _MOST or len(self._callbacks) > _MOST_CALLBACKS
+
+    def _running(self) -> list[Any] | None:
+        """What runs now; None as long as there is nothing to tell."""
+        raise NotImplementedError()
+
+    def _before(self, when: int) -> None:
+        if when > self.clock.now() and not self._is_full and (running := self._running()) is not None:
+            verb = "is" if len(running) == 1 else "are"
+            what = f"{self._say(running)} {verb} at work" if running else "No callback runs"
+            self._note(f"{what} until {when / NS:g} s.", until=when)
+        self._pace(when)
+
+    def _note(self, said: str, line: int = 0, until: int = 0) -> None:
+        """Note a step, after which nothing changes ``until`` then. ``line`` is the calling thread's, if it is known."""
+        raise NotImplementedError()
+
+    def _inside(self, thread: int) -> Any:
+        """What runs in a thread."""
+        raise NotImplementedError()
+
+    def _where(self, here: int) -> Iterator[tuple[int, int, int]]:
+        """Find for each thread its number, the callback in it and its line."""
+        for stack in self.clock.suspended():
+            thread = threading._active.get(stack.ident)  # type: ignore[attr-defined]
+            if thread is None:
+                continue
+            number, _ = self._threads.setdefault(stack.ident, (len(self._threads), thread.name))
+            is_here = stack is current()
+            frames = trail(sys._getframe()) if is_here else stack.trail
+            line = next((line for code, _, line in frames if code.co_filename == self._filename), 0)
+            yield number, self._callbacks.get(self._inside(stack.ident), -1), is_here and here or line
+
+    def _say(self, entities: Iterable[Any]) -> str:
+        """Name callbacks; a new one gets a number, and so does its group."""
+        for entity in entities:
+            if entity not in self._callbacks:
+                key, group = self._group(entity)
+                number, _ = self._groups.setdefault(key, (len(self._groups), group))
+                name, names = self._name(entity), [name for name, _ in self._names]
+                same = sum(other.partition(" #")[0] == name for other in names)
+                self._callbacks[entity] = len(names)
+                self._names.append((f"{name} #{same + 1}" if same else name, number))
+        return ", ".join(self._names[self._callbacks[entity]][0] for entity in entities)
+
+    def _group(self, entity: Any) -> tuple[Any, str]:
+        """The group of a callback, and its name."""
+        raise NotImplementedError()
+
+    def _name(self, entity: Any) -> str:
+        raise NotImplementedError()
+
+    def _begin(self, callback: Any) -> int:
+        """The line in the file where a callback begins; 0 if it is of another file."""
+        code = code_of(callback)
+        return code.co_firstlineno if code and code.co_filename == self._filename else 0
+
+
+class ThreadsSeen(StepsSeen):
+    """The steps of a run of ROS 1, where each timer, and each topic, calls back in a thread of its own."""
+
+    def __init__(self, *args: Any) -> None:
+        super().__init__(*args)
+        self._calls: dict[int, list[Any]] = {}  # by thread: the callbacks in it, the innermost last
+
+    def data(self, status: int) -> dict[str, Any] | None:
+        """Return the same as for ROS 2, without groups."""
+        data = super().data(status)
+        return data and data | {"groups": []}
+
+    def _note_what(self, what: str, subject: Any, more: Any, here: str) -> None:
+        calls = self._calls.setdefault(threading.get_ident(), [])
+        if what == "says":
+            self._note(f"{here} {subject}")
+        elif what == "calls":
+            calls.append(subject)
+            late = f", {more / NS:g} s late" if more else ""
+            self._note(f"{here} calls {self._say([subject])}{late}.", self._begin(subject))
+        elif what == "ends":
+            calls.remove(subject)
+            self._note(f"{self._say([subject])} ends.")
+
+    def _running(self) -> list[Any] | None:
+        return list(dict.fromkeys(callback for calls in self._calls.values() for callback in calls))
+
+    def _note(self, said: str, line: int = 0, until: int = 0) -> None:
+        running = self._running() or ()
+        how = ["runs" if callback in running else "" for callback in self._callbacks]
+        self._steps.append([self.clock.seconds(), said, [], list(self._where(line)), how])
+
+    def _inside(self, thread: int) -> Any:
+        return next(reversed(self._calls.get(thread, ())), None)
+
+    def _group(self, entity: Any) -> tuple[Any, str]:
+        return None, ""
+
+    def _name(self, entity: Any) -> str:
+        return str(getattr(entity, "__name__", type(entity).__name__))
+
+
+def code_of(callback: Any) -> CodeType | None:
+    """The code of a callback, also of a partial or wrapped one."""
+    code: CodeType | None = getattr(inspect.unwrap(getattr(callback, "func", callback)), "__code__", None)
+    return code
