@@ -87,7 +87,7 @@ def as_csv(found: Class) -> list[list[str | int]]:
         rows.append([*about, len(row.answers), row.solved, *said, *(each.why if each else "" for each in verdicts)])
     told = {row.file for row in found.rows if row.note}
     rows += [["", "", "", "", file, f"refused: {why}"] for file, why in found.refused if file not in told]
-    return rows
+    return [[*row, *[""] * (len(rows[0]) - len(row))] for row in rows]
 
 
 def write_csv(rows: Iterable[Sequence[str | int]]) -> bytes:
