@@ -63,7 +63,7 @@ def test_gradescope_without_an_answer(tmp_path: Path) -> None:
 
 def test_gradescope_says_why_the_command_failed(tmp_path: Path) -> None:
     (tmp_path / "venv").symlink_to(sys.prefix)
-    command = [sys.executable, EXAMPLES / "gradescope/run_autograder", tmp_path]
+    command = [sys.executable, str(EXAMPLES / "gradescope/run_autograder"), str(tmp_path)]
     done = subprocess.run(command, capture_output=True, text=True)
     assert done.returncode == 1 and done.stderr.endswith("submission: No such file or directory\n\n")
 

@@ -171,12 +171,12 @@ def test_a_class(tmp_path: Path) -> None:
     data = (tmp_path / "table.csv").read_bytes()
     head, ben, ada, cy, film = csv.reader(io.StringIO(data.decode("utf-8-sig")))
     assert data.startswith(b"\xef\xbb\xbf")
-    assert head[:2] == ["name", "student ID"] and head[7:] == [
+    assert head[:4] == ["name", "student ID", "sent by", "sender ID"] and head[8:] == [
         *("answers", "solved", "who-calls", "slow-timer", "who-calls: why", "slow-timer: why"),
     ]
-    assert ben[0] == "'=Ben" and ben[1] == "s-=Ben" and ben[9:11] == ["", "not yet"] and ben[-1]
-    assert ada[7:] == ["2", "2", "solved", "solved", "", ""]
-    assert film == [*[""] * 4, "film.mp4", "refused: it is no file of answers", *[""] * (len(head) - 6)]
+    assert ben[0] == "'=Ben" and ben[1] == "s-=Ben" and ben[10:12] == ["", "not yet"] and ben[-1]
+    assert ada[8:] == ["2", "2", "solved", "solved", "", ""]
+    assert film == [*[""] * 5, "film.mp4", "refused: it is no file of answers", *[""] * (len(head) - 7)]
 
 
 @pytest.mark.parametrize("columns", [80, 24, 0])

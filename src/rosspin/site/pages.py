@@ -30,7 +30,7 @@ from .. import rclpy, rospy
 from ..clocks.simulation import Simulation
 from ..faults import read
 from ..look import look
-from ..measures import topic_ticks
+from ..measures import by_source, topic_ticks
 from ..plots import overview, picture, with_handle
 from ..plots.pictures import page
 from ..results import machine
@@ -55,8 +55,8 @@ class TicksDirective(SphinxDirective):
 
     FILE is relative to the page. Several files, each on a line of the content as ``NAME: FILE ARGS``, share one plot.
     With ``:period: S`` the plot shows the whole grid of that period, and crosses for lost ticks. With ``:topic: /NAME``
-    it shows the messages that the node published on a topic, in place of its ticks. ``:callbacks: NAMES`` gives each of
-    these callbacks of one file a row, also one that is never called.
+    it shows the messages that the node published on a topic, in place of its ticks. One file has a row for each of its
+    callbacks that ticked; ``:callbacks: NAMES`` gives these one, in this order, also one that is never called.
 
     ``:faults:`` are what is to go wrong with the one FILE, each on a line, as in ``Crash("/node", at=2.0)``.
 
@@ -131,6 +131,8 @@ class TicksDirective(SphinxDirective):
         at = self.options["at"] if "at" in self.options else float(self._assignment(sets)[2])
         values = {at, *(round(first + number * step, 9) for number in range(round((last - first) / step) + 1))}
         runs = {value: self._ticks(value, f" at {value:g} {found[5]}") for value in sorted(values)}
+        rows = dict.fromkeys(row for ticks in runs.values() for row in ticks)
+        runs = {value: {row: ticks.get(row, []) for row in rows} for value, ticks in runs.items()}
         return with_handle(found[1], found[5], runs, at, period, sets, caption=self._caption()).html
 
     def _broken(self) -> Run:
@@ -147,9 +149,11 @@ class TicksDirective(SphinxDirective):
             given = [word.replace("{}", str(value)) for word in args]
             found = self._run(self._file(file), given, value)
             if "callbacks" in self.options:
-                ticks |= {own: [tick for tick in found if tick.source == own] for own in self._callbacks(file)}
+                ticks |= {own: by_source(found).get(own, []) for own in self._callbacks(file)}
+            elif name:
+                ticks[name] = found
             else:
-                ticks[name or (found[0].source if found else "")] = found
+                ticks |= by_source(found)
         if not any(ticks.values()):
             raise ValueError(f"there is no tick in {seconds:g} s{where}")
         return ticks

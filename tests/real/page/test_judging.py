@@ -195,9 +195,12 @@ def test_a_zip_is_read_as_it_is_and_the_table_sorts_and_says_what_was_hard(quick
         for name, verdict in (("Ada", "not yet"), ("Zoë", "solved")):
             text = handed_in(name, id=name, student=f"s-{name}", answers={"first-ticks": verdict})
             archive.writestr(f"{name}_1_assignsubmission_file_/a.json", text)
-        archive.writestr("Ben_2_assignsubmission_file_/report.pdf", "x")
+        archive.writestr("Ben_2_assignsubmission_file_/slow-timer.py", "x")
     quick.input.set_input_files(FilePayload(name="all.zip", mimeType="application/zip", buffer=buffer.getvalue()))
-    expect(quick.status).to_have_text("Done: 2 judged")
+    expect(quick.status).to_have_text("Done: 2 judged; 1 file refused")
+    expect(quick.notes).to_contain_text(
+        "all/Ben_2_assignsubmission_file_/slow-timer.py is refused: this page reads what"
+    )
     ada, zoe = (f"{name}\nall/{name}_1_assignsubmission_file_/a.json\nID s-{name}" for name in ("Ada", "Zoë"))
     assert quick.rows.locator("th").all_inner_texts() == [ada, zoe]
     solved = quick.page.get_by_role("columnheader").get_by_role("button", name="Solved")
