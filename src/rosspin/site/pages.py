@@ -470,11 +470,12 @@ class CellLexer(PythonLexer):
 def offer_download(app: Sphinx, page: str, source: list[str]) -> None:
     """End the introduction of a notebook with a link to the notebook that was run.
 
-    The link is made here because JupyterLab would show the role as it stands. No line is added: line numbers stay true.
+    The link is made here because JupyterLab would show the role as it stands. No line is added: line numbers stay true,
+    and what ends there, such as a directive, keeps its last line.
     """
     if page.startswith("notebooks/"):
         link = f"{{nb-download}}`Download this notebook, with its outputs <{page.rpartition('/')[2]}.ipynb>`."
-        source[0] = source[0].replace("\n\n## ", f" {link}\n\n## ", 1)
+        source[0] = source[0].replace("\n\n## ", f"\n{link}\n## ", 1)
 
 
 def name_terms(app: Sphinx, page: nodes.document) -> None:
