@@ -5,6 +5,7 @@ from __future__ import annotations
 import gzip
 import json
 import re
+import time
 from collections.abc import Iterator
 from functools import partial
 from pathlib import Path
@@ -12,7 +13,7 @@ from statistics import median
 from urllib.parse import unquote, urlsplit
 
 from in_chromium import launched, served
-from playwright.sync_api import Browser, Page, Request
+from playwright.sync_api import Browser, FilePayload, Page, Request
 from ratios import Times, line, ratio
 
 from rosspin.doctor import chromium
@@ -21,6 +22,7 @@ from rosspin.measures import quantile, say_time
 ROOT = Path(__file__).parent.parent
 SITE = ROOT / "build" / "html"
 TUTORIAL = "docs/tutorial.html"
+TEACHERS = "docs/for-teachers.html"
 PYODIDE = ROOT / "build" / "npm" / "node_modules" / "pyodide"
 
 # The last listing of the tutorial, whose first counter comes at once: click, and wait for a text. By the page's clock.
@@ -33,8 +35,9 @@ CLICK = """([button, text]) => new Promise(resolve => {
     look()
 })"""
 
-# The same node for ROS 2, and what puts it in the place of that listing.
+# The same node for ROS 2, and what puts it in the place of that listing; and one that solves an exercise.
 ROS2 = ROOT / "examples" / "my_robotics_pkg_ros2" / "my_robotics_pkg" / "spinner_rate_py_node.py"
+ROS2_TIMER = ROS2.with_name("spinner_py_node.py")
 WRITE = """text => {
     [...document.querySelectorAll("div.live")].at(-1).querySelector("pre").textContent = text
 }"""
@@ -86,7 +89,9 @@ def _report(
     browser: Browser, address: str, bare_address: str, rounds: int, seconds: float, pause: float
 ) -> Iterator[str]:
     weights, ready, loaded = [], [], []
-    times: Times = {name: [] for name in ("bare", "cold", "cold, ROS 2", "next page", "warm", "stopped", "again")}
+    times: Times = {
+        name: [] for name in ("bare", "cold", "cold, ROS 2", "next page", "warm", "stopped", "again", "answer")
+    }
     for _ in range(rounds):
         with browser.new_context() as context:
             page = context.new_page()
@@ -115,6 +120,7 @@ def _report(
             page.goto(address, wait_until="networkidle")
             page.goto(address + TUTORIAL, wait_until="networkidle")
             times["next page"].append(_click(page, "Run", "counter = 1"))
+        times["answer"].append(_judge(browser, address))
     with browser.new_context() as context:
         page = context.new_page()
         page.goto(address + TUTORIAL)
@@ -134,6 +140,7 @@ def _report(
     yield line("  s from click to counter 1, warm", median(times["warm"]), most=0.5)
     yield line("  s from Stop to stopped", median(times["stopped"]), most=0.1)
     yield line("  s from click to counter 1, after Stop", median(times["again"]), most=0.5)
+    yield line("  s for each answer that a teacher drops", median(times["answer"]), most=1.3)
     middle, high = say_time(median(late)), say_time(quantile(late, 0.95))
     yield f"  10 Hz timer, {len(late)} ticks, later than the earliest of them: median {middle}, p95 {high}"
 
@@ -151,6 +158,23 @@ def _note(asked: set[str], request: Request) -> None:
 def _click(page: Page, button: str, text: str) -> float:
     took: float = page.evaluate(CLICK, [button, text])
     return took
+
+
+def _judge(browser: Browser, address: str, number: int = 24) -> float:
+    """How long (s) the teachers' page takes for each of so many answers, of students with two each."""
+    right = ROS2_TIMER.read_text(encoding="utf-8").replace("= 0.5", "= 0.1")
+    answers = {"make-it-10-hz": f"%%answer make-it-10-hz\n{right}", "slow-timer": "%%answer slow-timer\nx = 1\n"}
+    files: list[FilePayload] = []
+    for name in map(str, range(number // len(answers))):
+        made = {"format": "rosspin-answers", "version": 2, "name": name, "id": name, "answers": answers}
+        files.append({"name": f"{name}.json", "mimeType": "application/json", "buffer": json.dumps(made).encode()})
+    with browser.new_context() as context:
+        page = context.new_page()
+        page.goto(address + TEACHERS, wait_until="networkidle")
+        begin = time.perf_counter()
+        page.locator(".judge-drop input").set_input_files(files)
+        page.get_by_text(f"Done: {number} judged").wait_for(timeout=0)
+        return (time.perf_counter() - begin) / number
 
 
 def _weight(paths: set[str]) -> int:

@@ -1,4 +1,4 @@
-"""The examples for Gradescope, GitHub Classroom and nbgrader: what of them can be run here gives the points."""
+"""The examples for Gradescope, GitHub and nbgrader: what of them can be run here gives the points."""
 
 from __future__ import annotations
 
@@ -39,7 +39,8 @@ def _handed_in(folder: Path, **answers: str) -> None:
 
 def _graded(root: Path) -> tuple[list[tuple[str, int, int]], dict[str, Any]]:
     """The points in a folder of Gradescope's shape, and all else that is shown there."""
-    subprocess.run([sys.executable, EXAMPLES / "gradescope/run_autograder", root, ROSSPIN], check=True)
+    (root / "venv").symlink_to(sys.prefix)
+    subprocess.run([sys.executable, EXAMPLES / "gradescope/run_autograder", root], check=True)
     found = json.loads((root / "results/results.json").read_text())
     return [(test["name"], test["score"], test["max_score"]) for test in found["tests"]], found
 
@@ -58,9 +59,13 @@ def test_gradescope_without_an_answer(tmp_path: Path) -> None:
     points, found = _graded(tmp_path)
     assert points == [("make-it-10-hz", 0, 1), ("slow-timer", 0, 2)]
     assert found["output"] == "report.pdf is refused: it is no file of answers."
-    shutil.rmtree(tmp_path / "submission")
-    points, found = _graded(tmp_path)
-    assert points == [("make-it-10-hz", 0, 1), ("slow-timer", 0, 2)] and "No such file" in found["output"]
+
+
+def test_gradescope_says_why_the_command_failed(tmp_path: Path) -> None:
+    (tmp_path / "venv").symlink_to(sys.prefix)
+    command = [sys.executable, str(EXAMPLES / "gradescope/run_autograder"), str(tmp_path)]
+    done = subprocess.run(command, capture_output=True, text=True)
+    assert done.returncode == 1 and done.stderr.endswith("submission: No such file or directory\n\n")
 
 
 def test_an_answer_writes_no_results_of_gradescope(tmp_path: Path) -> None:
@@ -74,22 +79,25 @@ def test_gradescope_s_scripts_can_be_run() -> None:
     subprocess.run(["sh", "-n", EXAMPLES / "gradescope/setup.sh"], check=True)
 
 
-# --- GitHub Classroom -------------------------------------------------------------------------------------------------
+# --- GitHub -----------------------------------------------------------------------------------------------------------
 
 
-def test_github_classroom(tmp_path: Path) -> None:
-    """Each command of the workflow, in a student's repository: the status gives the points."""
-    workflow = (EXAMPLES / "github-classroom/.github/workflows/classroom.yml").read_text()
-    (job,) = yaml.safe_load(workflow)["jobs"].values()
-    graders = {step["id"]: step["with"]["command"] for step in job["steps"] if "id" in step}
-    assert list(graders) == ["make-it-10-hz", "slow-timer"]
-    _handed_in(tmp_path, slow_timer=WRONG, make_it_10_hz=CELLS["make-it-10-hz"][1].source)
+def test_github_judges_what_a_student_begins_with_and_what_is_right(tmp_path: Path) -> None:
+    """Each step that judges, in a student's repository."""
+    workflow = yaml.safe_load((EXAMPLES / "github/.github/workflows/judge.yml").read_text())
+    steps = {
+        step["name"].partition(",")[0]: step["run"] for step in workflow["jobs"]["judge"]["steps"] if "name" in step
+    }
+    shutil.copytree(EXAMPLES / "github", tmp_path / "spin")
     environment = os.environ | {"PATH": f"{ROSSPIN.parent}{os.pathsep}{os.environ['PATH']}"}
-    for name, status in (("make-it-10-hz", 0), ("slow-timer", 1)):
-        assert subprocess.run(["sh", "-c", graders[name]], cwd=tmp_path, env=environment).returncode == status
-    *_, reporter = job["steps"]
-    assert reporter["with"]["runners"] == ",".join(graders)
-    assert reporter["env"] == {f"{name.upper()}_RESULTS": f"${{{{steps.{name}.outputs.result}}}}" for name in graders}
+    for written, status in ((0, 1), (1, 0)):
+        for name, command in steps.items():
+            answer = CELLS[name][written].source.partition("\n")[2].rstrip() + "\n"
+            if not written:
+                assert (tmp_path / f"spin/{name}.py").read_text() == answer
+            (tmp_path / f"spin/{name}.py").write_text(answer)
+            assert subprocess.run(["sh", "-c", command], cwd=tmp_path / "spin", env=environment).returncode == status
+    assert {path.stem for path in (EXAMPLES / "github").glob("*.py")} == steps.keys()
 
 
 # --- nbgrader ---------------------------------------------------------------------------------------------------------
@@ -114,8 +122,12 @@ def test_nbgrader(tmp_path: Path) -> None:
         _execute(tmp_path, WRONG)
 
 
-def test_the_test_cell_of_nbgrader_is_that_of_the_page() -> None:
-    check = _notebook().cells[-1]
+def test_the_notebook_of_nbgrader_has_its_solution_and_the_test_of_the_page() -> None:
+    *_, answer, check = _notebook().cells
+    begin, _, rest = answer.source.partition("### BEGIN SOLUTION\n")
+    assert begin.startswith("%%answer slow-timer\n") and rest.endswith("### END SOLUTION")
+    lines = [line for line in RIGHT.splitlines()[1:] if not line.startswith("#")]
+    assert rest.splitlines()[:-1] == lines
     assert check.source == (EXAMPLES / "nbgrader/slow_timer_check.txt").read_text().rstrip()
     assert check.metadata.nbgrader.grade and check.metadata.nbgrader.points == 2
     nbformat.validate(_notebook())

@@ -303,11 +303,18 @@ def test_moodle_canvas_and_gradescope_say_who_sent_it(tmp_path: Path) -> None:
         ("Flo", "submission_77", False, ["ten-hertz"], ""),
         ("roegus", "roegus", False, ["slow-timer"], ""),
     ]
+    assert [row.sender_id for row in found.rows] == ["123", "124", "125", "126", "5001", "77", "5002"]
     assert found.rows[4].answers == {"slow-timer": "x = 2"}
     assert found.notes == [
         "doeeve_LATE_5001_70001_slow-timer.py is left out: "
         "doeeve_5001_70002_slow-timer-1.py answers slow-timer after it."
     ]
+
+
+def test_names_are_in_the_order_of_their_letters(tmp_path: Path) -> None:
+    names = ["team 9", "Team 10", "Đorđe", "Ümit", "Øyvind", "Zoë", "Ada"]
+    found = class_of(tmp_path, {f"{name}/slow-timer.py": "x = 1" for name in names})
+    assert [row.name for row in found.rows] == ["Ada", "Đorđe", "Øyvind", "team 9", "Team 10", "Ümit", "Zoë"]
 
 
 def test_a_folder_for_each_student(tmp_path: Path) -> None:

@@ -5,9 +5,12 @@ from __future__ import annotations
 import csv
 import io
 import json
+import os
+import re
 import signal
 import subprocess
 import sys
+import termios
 from collections.abc import Iterator
 from pathlib import Path
 
@@ -168,12 +171,35 @@ def test_a_class(tmp_path: Path) -> None:
     data = (tmp_path / "table.csv").read_bytes()
     head, ben, ada, cy, film = csv.reader(io.StringIO(data.decode("utf-8-sig")))
     assert data.startswith(b"\xef\xbb\xbf")
-    assert head[:2] == ["name", "student ID"] and head[7:] == [
+    assert head[:4] == ["name", "student ID", "sent by", "sender ID"] and head[8:] == [
         *("answers", "solved", "who-calls", "slow-timer", "who-calls: why", "slow-timer: why"),
     ]
-    assert ben[0] == "'=Ben" and ben[1] == "s-=Ben" and ben[9:11] == ["", "not yet"] and ben[-1]
-    assert ada[7:] == ["2", "2", "solved", "solved", "", ""]
-    assert film[4:6] == ["film.mp4", "refused: it is no file of answers"]
+    assert ben[0] == "'=Ben" and ben[1] == "s-=Ben" and ben[10:12] == ["", "not yet"] and ben[-1]
+    assert ada[8:] == ["2", "2", "solved", "solved", "", ""]
+    assert film == [*[""] * 5, "film.mp4", "refused: it is no file of answers", *[""] * (len(head) - 7)]
+
+
+@pytest.mark.parametrize("columns", [80, 24, 0])
+def test_progress_is_shown_on_a_terminal(
+    columns: int, tmp_path: Path, monkeypatch: pytest.MonkeyPatch, capsys: pytest.CaptureFixture[str]
+) -> None:
+    """In one line, whatever its width, which is empty in the end."""
+    handed_in(tmp_path, "Ada", slow_timer=SOLVED, ten_hertz="x = 1")
+    screen, terminal = os.openpty()
+    termios.tcsetwinsize(terminal, (24, columns))
+    with open(terminal, "w") as stream:
+        monkeypatch.setattr(sys, "stderr", stream)
+        assert main(["judge", str(tmp_path)]) == 1
+        monkeypatch.undo()
+        shown = os.read(screen, 1 << 16).decode()
+    os.close(screen)
+    *_, first, second, end = re.split(r"\r(?!\n)", shown)
+    assert end == "\x1b[K"
+    half, whole = ("#" * 10).ljust(20, "."), "#" * 20
+    for line, said in ((first, f"[{half}] 1 of 2 answers, "), (second, f"[{whole}] 2 of 2 answers, 0 s")):
+        assert line.startswith(said[: columns - 1 if columns else None]) and line.endswith("\x1b[K")
+        assert len(line.removesuffix("\x1b[K")) < (columns or 80)
+    assert "\r" not in capsys.readouterr().out
 
 
 def test_json(tmp_path: Path) -> None:

@@ -30,6 +30,16 @@ def test_the_how_to_is_a_way_to_a_lesson(tmp_path: Path) -> None:
     assert "its heart beats 4 times" in page and "data-positions=" in page and 'id="faster-heartbeat"' in page
     hints = re.findall(r"<summary>(Hint \d|Show the solution)</summary>", page)
     assert hints == ["Hint 1", "Hint 2", "Show the solution"]
+    assert re.search(r"<p class=\"rubric\">Exercise \d+: A faster heartbeat</p>", page)
+
+    # What shows the exercise is made anew with it, and nothing else.
+    (tree / "lessons/faster_heartbeat.py").write_text(
+        FILES["lessons/faster_heartbeat.py"].replace("in seconds", "in s")
+    )
+    run = typed(build, tree)
+    assert run.returncode == 0, run.stdout + run.stderr
+    assert re.findall(r"reading sources\.\.\. \[ *\d+%\] (\S+)", run.stdout) == ["docs/heartbeat"]
+    assert "period, in s." in (tree / "build/html/docs/heartbeat.html").read_text()
 
     # Without its solution.
     (tree / "docs/heartbeat.rst").write_text(FILES["docs/heartbeat.rst"].replace("\n   :solution:\n", "\n"))

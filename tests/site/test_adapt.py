@@ -9,6 +9,8 @@ from pathlib import Path
 
 import pytest
 from author import HOW_TO, copied, entry_of, listed_in, places_in, typed, without_runs
+from small_sites import build
+from small_sites import site as small_site
 from tree import ROOT
 
 from rosspin.site.claims import Facts, Stale, report, sentence_near
@@ -243,3 +245,27 @@ def test_the_picture_follows_its_node(site: Path) -> None:
     assert "1.8 s: the vehicle keeps to its line" in picture.now
     write(site, picture.edits)
     assert stale_picture(site) == []
+
+
+TWO_TIMERS = """import rospy
+rospy.init_node("n")
+def quick_callback(event): pass
+def slow_callback(event): pass
+period = 0.5
+rospy.Timer(rospy.Duration(period), quick_callback)
+rospy.Timer(rospy.Duration(1.5), slow_callback)
+rospy.spin()
+"""
+
+
+def test_a_figure_has_a_row_for_each_timer(tmp_path: Path) -> None:
+    """At each position of its handle, also where one of them has not ticked yet."""
+    folder = small_site(tmp_path / "site", {})
+    (folder / "node.py").write_text(TWO_TIMERS)
+    moved = ":seconds: 2\n   :handle: Period, 0.5 to 2.5 by 2 s\n   :sets: period"
+    with open(folder / "index.rst", "a") as index:
+        index.write(f"\n.. ticks:: node.py\n   :seconds: 2\n\n.. ticks:: node.py\n   {moved}\n")
+    run = build(folder, "html")
+    assert run.returncode == 0, run.stdout + run.stderr
+    page = (folder / "build/html/index.html").read_text()
+    assert page.count("quick_callback: 4 ticks") >= 2 and page.count("slow_callback: 1 tick") >= 2

@@ -94,11 +94,11 @@ FORGOTTEN = {
     '    ({"0.5": "1"}, "Beats in 1.9 s: 1"),\n': ("", f"{FILE}:{WRONG_AT}: WRONG has 2 answers: give at least 3"),
     '{"0.5": "1 / 4"}': ('{"0.5": "1"}', f"{FILE}:{RIGHT_AT}: RIGHT[1]: Exercise "),
     '({"0.5": "4"}': ('({"0.5": "0.25"}', f"{FILE}:{WRONG_AT}: WRONG[0]: No beat was printed.: Exercise "),
-    '({"0.5": "1"}': (
-        '({"5.0": "1"}',
-        "WRONG[1]: Beats in 1.9 s: 1: ValueError: NODE has no '5.0'",
+    '({"0.5": "1"}': ('({"5.0": "1"}', f"{FILE}:{_line('WRONG')}: WRONG[1]: Beats in 1.9 s: 1: NODE has no '5.0'"),
+    "beats[0] - 0.25": (
+        "bets[0] - 0.25",
+        f"{FILE}:{_line('    right = len')}: check: NameError: name 'bets' is not defined",
     ),
-    "beats[0] - 0.25": ("bets[0] - 0.25", "NameError: name 'bets' is not defined"),
     "from rosspin.exercises import Finding": (
         "from rosspin import Finding",
         f"{FILE}:1: it cannot be loaded: Imp",
@@ -114,6 +114,18 @@ def test_each_thing_forgotten_is_a_line(site: Path, old: str) -> None:
     found = listed(site, faster_heartbeat=LESSON.replace(old, new, 1))
     assert any(said in entry for entry in found), found
     assert not any("Traceback" in entry for entry in found)
+
+
+def test_a_check_that_fails_and_a_node_that_is_no_python_are_one_line(site: Path) -> None:
+    returns = LESSON.replace("yield Finding(F", "Finding(F").replace("yield Finding(r", "return Finding(r")
+    said = "check: TypeError: check returned a Finding: let it yield each Finding"
+    assert listed(site, faster_heartbeat=returns) == [f"{FILE}:{_line('def check')}: {said}"]
+    fails = LESSON.replace('seen.values("HEART", "beat")', "seen.beats")
+    (found,) = listed(site, faster_heartbeat=fails)
+    assert found.startswith(f"{FILE}:{_line('    beats')}: check: AttributeError: ")
+    line = _line("    node.get_logger")
+    (found,) = listed(site, faster_heartbeat=LESSON.replace("str(beat))", "str(beat)"))
+    assert found == f'{FILE}:{line}:     node.get_logger().info("[HEART] beat = " + str(beat): NODE is not Python'
 
 
 def test_a_node_that_is_right_as_it_stands(site: Path) -> None:

@@ -68,8 +68,9 @@ STARTS_FROM = {
     PUBLISH_ROS2: PUBLISH_FROM_ROS2,
 }
 MANIFESTS = ("CMakeLists.txt", "package.xml")
-# Not what pytest and setuptools run.
+# Not what pytest and setuptools run, and what students complete.
 PYTHON = sorted(path for path in EXAMPLES.rglob("*.py") if not path.name.startswith(("test_", "setup", "__init__")))
+PYTHON = [path for path in PYTHON if "grading" not in path.parts]
 
 
 def name_of(page: Path) -> str:

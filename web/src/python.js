@@ -54,7 +54,7 @@ export function start(base, job, hear) {
  * @param {string} what it cannot do, as in "run Python"
  */
 export function notHere(what) {
-  if (location.protocol === "file:") return `Opened as a file, a page cannot ${what}. Serve the site instead: make serve`
+  if (location.protocol === "file:") return `Opened as a file, a page cannot ${what}: see START-HERE.html, or make serve`
   if (self !== top) return `Shown inside another page, a page cannot ${what}. Open it by itself.`
   return ""
 }

@@ -42,7 +42,10 @@ function begin() {
     history.replaceState(null, "", `#${slides[now].id}`)
     slides[now].focus()
     // As the theme does with what it sees when the page comes: what scrolls can be reached by Tab.
+    // A long listing begins with the lines that are marked.
     for (const box of slides[now].querySelectorAll("pre")) {
+      const marked = box.querySelector(".hll")
+      if (marked) box.scrollTop += marked.getBoundingClientRect().top - box.getBoundingClientRect().top
       box.tabIndex = box.scrollWidth > box.clientWidth || box.scrollHeight > box.clientHeight ? 0 : -1
     }
     tellTime()

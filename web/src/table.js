@@ -260,16 +260,17 @@ export class Table {
   save(title) {
     const { exercises } = this
     const marks = ["same browser as", "same name in another browser"]
+    const head = ["name", "student ID", "file", "note", "date", ...marks, "answers", "solved", ...exercises.map((name) => title(name))]
     this.isSaved = true
     return [
-      ["name", "student ID", "file", "note", "date", ...marks, "answers", "solved", ...exercises.map((name) => title(name))],
+      head,
       ...this.rows.map((row) => {
         const { name, student, file, date, solved, answers } = row
         const verdicts = exercises.map((name) => answers.get(name)?.verdict ?? "")
         const [others, namesakes] = [this.others(row), this.namesakes(row)].map((list) => list.join(", "))
         return [name, student, file, "", date, others, namesakes, answers.size, solved, ...verdicts]
       }),
-      ...this.refused.map(({ file, why }) => ["", "", file, `refused: ${why}`]),
+      ...this.refused.map(({ file, why }) => head.map((_, number) => ["", "", file, `refused: ${why}`][number] ?? "")),
     ]
   }
 }

@@ -9,6 +9,9 @@ const MOST = { depth: 4, files: 10_000, archive: 200_000_000, file: 1_000_001 }
 /** What systems and programs leave in folders and archives. */
 const LEFT_BEHIND = /(^|\/)(\.[^/]*|__MACOSX|Thumbs\.db|desktop\.ini)(\/|$)/i
 
+/** What is said of other files than those that Hand in saves. */
+const OTHER = "this page reads what Hand in saved, and rosspin judge node files and notebooks, too"
+
 /** The upper half of the code page in which Windows writes names. */
 const CP437 =
   "ÇüéâäàåçêëèïîìÄÅÉæÆôöòûùÿÖÜ¢£¥₧ƒáíóúñÑªº¿⌐¬½¼¡«»░▒▓│┤╡╢╖╕╣║╗╝╜╛┐└┴┬├─┼╞╟╚╔╩╦╠═╬╧╨╤╥╙╘╒╓╫╪┘┌█▄▌▐▀αßΓπΣσµτΦΘΩδ∞φε∩≡±≥≤⌠⌡÷≈°∙·√ⁿ²■\u00a0"
@@ -57,7 +60,8 @@ async function walked(entry, path = entry.name) {
 const named = (file, path) => Object.defineProperty(file, "name", { value: path })
 
 /**
- * The files, and in place of an archive those in it. What lies in a folder or an archive and is no hand-in is left out.
+ * The files, and in place of an archive those in it. What lies in a folder or an archive and is no hand-in is refused, but
+ * for what is beside the one hand-in in a folder and can hold no answers.
  *
  * @param {Dropped[]} files
  * @returns {Promise<Dropped[]>}
@@ -74,8 +78,15 @@ export async function unpacked(files, depth = 1) {
     }
     if (found.length > MOST.files) return [...found.slice(0, MOST.files), { name: file.name, why: "there is too much in all" }]
   }
-  const isLoose = (/** @type {Dropped} */ { name }) => !name.includes("/")
-  return found.filter((file) => "why" in file || isLoose(file) || /\.json$/i.test(file.name))
+  const isHandIn = (/** @type {Dropped} */ { name }) => /\.json$/i.test(name)
+  const folder = (/** @type {Dropped} */ { name }) => name.slice(0, name.lastIndexOf("/") + 1)
+  const having = found.filter(isHandIn).map(folder)
+  const isReport = (/** @type {Dropped} */ file) =>
+    !/\.(py|ipynb|md)$/i.test(file.name) && having.filter((other) => other === folder(file)).length === 1
+  return found.flatMap((file) => {
+    if (!folder(file) || isHandIn(file) || ("why" in file && file.why !== OTHER)) return [file]
+    return isReport(file) ? [] : [{ name: file.name, why: OTHER }]
+  })
 }
 
 /** @param {File} file */
@@ -83,7 +94,7 @@ const isArchive = async (file) =>
   /\.zip$/i.test(file.name) || (await file.slice(0, 4).text().catch(() => "")) === "PK\x03\x04"
 
 /**
- * The hand-ins and archives in an archive. Error: it cannot be read.
+ * What is in an archive; of other files than hand-ins and archives only the names. Error: it cannot be read.
  *
  * @param {File} archive
  * @returns {Promise<Dropped[]>}
@@ -106,8 +117,9 @@ async function entriesOf(archive) {
     const name = nameIn(new Uint8Array(list.buffer, at + 46, long), Boolean(flags & 0x800))
     at += 46 + long + extra + comment
     const path = [folder, ...name.split(/[/\\]/).filter((part) => !["", ".", ".."].includes(part))].join("/")
-    if (!/\.(json|zip)$/i.test(name) || LEFT_BEHIND.test(path)) continue
-    found.push(await entry(archive, path, flags, method, place, packed))
+    if (name.endsWith("/") || LEFT_BEHIND.test(path)) continue
+    const isRead = /\.(json|zip)$/i.test(name)
+    found.push(isRead ? await entry(archive, path, flags, method, place, packed) : { name: path, why: OTHER })
   }
   return found
 }

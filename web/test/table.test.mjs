@@ -87,9 +87,11 @@ test("a file that is refused is said, counted and saved, and the others are read
     "all.zip is refused: it is a zip archive; unpack it first.",
   ])
   assert.equal(table.said, "Done: 1 judged; 2 files refused")
-  assert.deepEqual(table.save(String).slice(2), [
-    ["", "", "odd.json", "refused: it is not a file of answers to these exercises"],
-    ["", "", "all.zip", "refused: it is a zip archive; unpack it first"],
+  const [head, , ...refused] = table.save(String)
+  const rest = Array(head.length - 4).fill("")
+  assert.deepEqual(refused, [
+    ["", "", "odd.json", "refused: it is not a file of answers to these exercises", ...rest],
+    ["", "", "all.zip", "refused: it is a zip archive; unpack it first", ...rest],
   ])
 })
 

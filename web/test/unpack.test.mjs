@@ -51,6 +51,18 @@ test("files in archives, and in those within them, by their paths", async () => 
   ])
 })
 
+test("what is no hand-in is refused, but beside a student's own one", async () => {
+  const alone = [["Wim_1_file_/make-it-10-hz.py", ""], ["Bo_2_file_/report.pdf", ""], ["Di_3_file_/", ""]]
+  const beside = [["Ada_4_file_/a.json", "1"], ["Ada_4_file_/report.pdf", ""], ["Ada_4_file_/own.py", ""]]
+  const flat = [["f/Cy_5_a.json", "2"], ["f/Ed_6_a.json", "3"], ["f/Flo_7_report.pdf", ""]]
+  const names = (await unpacked([zip("z.zip", [...alone, ...beside, ...flat])])).map(({ name, why }) => [name.slice(2), Boolean(why)])
+  assert.deepEqual(names, [
+    ...[["Wim_1_file_/make-it-10-hz.py", true], ["Bo_2_file_/report.pdf", true]],
+    ...[["Ada_4_file_/a.json", false], ["Ada_4_file_/own.py", true]],
+    ...[["f/Cy_5_a.json", false], ["f/Ed_6_a.json", false], ["f/Flo_7_report.pdf", true]],
+  ])
+})
+
 test("names without a code are those of macOS or of Windows, and lead nowhere", async () => {
   const names = [bytes("Müller/a.json"), Buffer.from([0x4d, 0x81, 0x2f, 0x62, ...bytes(".json")]), "../../c.json", "/d\\e.json"]
   const found = await unpacked([zip("z.zip", names.map((name) => [name, ""]))])
@@ -102,6 +114,7 @@ test("folders are gone through, whatever is in them", async () => {
     ["all/a/1.json", "1"],
     ["all/a/2.json", "2"],
     ["all/a/3.json", "3"],
+    ["all/a/x.pdf", "this page reads what Hand in saved, and rosspin judge node files and notebooks, too"],
     ["all/b.json", "b"],
   ])
 })

@@ -140,7 +140,10 @@ def _find(exercise: Exercise, answer: Answer) -> list[Finding]:
     findings: list[Finding] = []
     try:
         # One by one: what was found before an answer fails is kept.
-        for finding in exercise.judge(answer):
+        found = exercise.judge(answer)
+        if found is None or isinstance(found, Finding):
+            raise TypeError(f"check returned {'a Finding' if found else 'nothing'}: let it yield each Finding")
+        for finding in found:
             findings.append(finding)
     except Fails as failure:
         findings.append(failure.finding)

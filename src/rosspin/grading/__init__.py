@@ -103,7 +103,8 @@ class _Progress:
         left = (time.monotonic() - self._began) * (1 - part) / part
         bar = ("#" * round(20 * part)).ljust(20, ".")
         said = f"\r[{bar}] {self._done} of {self._number} answers, {left:.0f} s left "
-        print(said[: os.get_terminal_size(sys.stderr.fileno()).columns], end="\033[K", file=sys.stderr, flush=True)
+        columns = os.get_terminal_size(sys.stderr.fileno()).columns or 80  # some say that they have none
+        print(said[:columns], end="\033[K", file=sys.stderr, flush=True)
 
     def end(self) -> None:
         if self._shown:

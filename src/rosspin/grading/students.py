@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import os
 import re
+import unicodedata
 from collections.abc import Collection, Sequence
 from dataclasses import dataclass, field
 from datetime import datetime
@@ -29,13 +30,14 @@ class Row:
     """What one student has handed in.
 
     ``name``, ``student`` ID and ``date`` are the file's own words; ``sender`` is who sent it, as the learning platform
-    says, and ``late`` that it came late.
+    says, by its name and its ID there, and ``late`` that it came late.
     """
 
     name: str
     file: str
     student: str = ""
     sender: str = ""
+    sender_id: str = ""
     late: bool = False
     date: datetime | None = None
     note: str = ""
@@ -122,7 +124,8 @@ class Class:
                 having.add(owner.person)
             if hand_in.name:
                 key = owner.key if owner.sent else ("", hand_in.name, hand_in.id)
-                row = Row(hand_in.name, plain(file.path), hand_in.student, owner.sender, owner.late, hand_in.date)
+                sent = owner.sender, owner.id, owner.late
+                row = Row(hand_in.name, plain(file.path), hand_in.student, *sent, hand_in.date)
                 row.answers = dict(hand_in.answers)
                 self._take(row, key)
             else:
@@ -146,7 +149,7 @@ class Class:
     def _take_loose(self, owner: _Owner, parts: Sequence[_Part], path: Path) -> None:
         """Make one hand-in of the node files and notebooks of one student."""
         parts = sorted(parts, key=lambda part: (part[1].version, _by_size(part[0].path)))
-        row = Row(plain(owner.name) or "(no name)", plain(parts[0][0].path), sender=owner.sender)
+        row = Row(plain(owner.name) or "(no name)", plain(parts[0][0].path), "", owner.sender, owner.id)
         row.late = any(each.late for _, each, _ in parts)
         came: dict[str, str] = {}
         for file, _, hand_in in parts:
@@ -171,7 +174,7 @@ class Class:
         self.refused.append((plain(file.path), why))
         if owner not in having and owner.name != top and _Owner(top) not in having:
             # A student is missed in the table, whatever was handed in. What lies among answers is no student's folder.
-            row = Row(plain(owner.name), plain(file.path), sender=owner.sender, note=f"refused: {why}")
+            row = Row(plain(owner.name), plain(file.path), "", owner.sender, owner.id, note=f"refused: {why}")
             self._rows.setdefault(owner.key, row)
 
 
@@ -202,6 +205,12 @@ def _name_of(path: Path, skipped: Sequence[str]) -> str:
     return place.name if place.is_dir() else place.stem if place.suffix == ".zip" else place.parent.name
 
 
+def _unmarked(letter: str) -> str:
+    found = re.fullmatch(r"LATIN (?:SMALL|CAPITAL) LETTER (.) WITH .+", unicodedata.name(letter, ""))
+    return found[1] if found else letter
+
+
 def _by_size(text: str) -> list[tuple[int, str]]:
-    words = re.findall(r"\d+|\D+", text.casefold())
+    """Return what texts are ordered by: numbers by their size, and letters as those without their marks."""
+    words = re.findall(r"\d+|\D+", "".join(map(_unmarked, unicodedata.normalize("NFC", text))).casefold())
     return [(int(word), "") if word.isdecimal() and len(word) < 20 else (-1, word) for word in words]

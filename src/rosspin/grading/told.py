@@ -77,17 +77,18 @@ def _line(row: Row) -> str:
 def as_csv(found: Class) -> list[list[str | int]]:
     """Return the table: a row for each student, a column for each exercise, and then one for each reason."""
     names = found.exercises
-    head = ["name", "student ID", "sent by", "late", "file", "note", "date", "answers", "solved"]
+    head = ["name", "student ID", "sent by", "sender ID", "late", "file", "note", "date", "answers", "solved"]
     rows: list[list[str | int]] = [[*head, *names, *(f"{name}: why" for name in names)]]
     for row in found.rows:
         verdicts = [row.verdicts.get(name) for name in names]
         date = f"{row.date:%Y-%m-%d %H:%M}" if row.date else ""
-        about = [row.name, row.student, row.sender, "late" if row.late else "", row.file, row.note, date]
+        sent = [row.sender, row.sender_id, "late" if row.late else ""]
+        about = [row.name, row.student, *sent, row.file, row.note, date]
         said = [each.verdict if each else "" for each in verdicts]
         rows.append([*about, len(row.answers), row.solved, *said, *(each.why if each else "" for each in verdicts)])
     told = {row.file for row in found.rows if row.note}
-    rows += [["", "", "", "", file, f"refused: {why}"] for file, why in found.refused if file not in told]
-    return rows
+    rows += [["", "", "", "", "", file, f"refused: {why}"] for file, why in found.refused if file not in told]
+    return [[*row, *[""] * (len(rows[0]) - len(row))] for row in rows]
 
 
 def write_csv(rows: Iterable[Sequence[str | int]]) -> bytes:
@@ -115,6 +116,7 @@ def as_data(found: Class, seals: Iterable[str]) -> dict[str, Any]:
                 "name": row.name,
                 "student": row.student,
                 "sender": row.sender,
+                "sender_id": row.sender_id,
                 "late": row.late,
                 "file": row.file,
                 "note": row.note,

@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import os
 import re
+import traceback
 from collections.abc import Iterator
 from pathlib import Path
 from typing import ClassVar
@@ -11,10 +12,11 @@ from typing import ClassVar
 from docutils import nodes
 from docutils.parsers.rst import directives
 from sphinx.application import Sphinx
+from sphinx.environment import BuildEnvironment
 from sphinx.util.docutils import SphinxDirective
 from sphinx.util.typing import ExtensionMetadata
 
-from ..exercises import check
+from ..exercises import EXERCISES, check
 from ..exercises.own import FAULTS, LESSONS, Answer, Lesson
 from .claims import Stale
 
@@ -39,7 +41,7 @@ class ExerciseDirective(SphinxDirective):
     option_spec: ClassVar = {"solution": directives.flag}
 
     def run(self) -> list[nodes.Node]:
-        """The cell, which can be run in the page, and below it what is folded. Of no such exercise, nothing."""
+        """The title, the cell, which runs in the page, and below it what is folded. Of no such exercise, nothing."""
         lesson = next((each for each in LESSONS if each.exercise.name == self.arguments[0]), None)
         if lesson is None:
             from .checks import note  # which imports this module
@@ -48,10 +50,11 @@ class ExerciseDirective(SphinxDirective):
                 file = f"lessons/{self.arguments[0].replace('-', '_')}.py"
                 note(self.env, self.lineno, f".. exercise:: {self.arguments[0]}", f"there is no {file}")
             return []
-        self.env.note_dependency(str(lesson.file))
         cell = self._cell(lesson, lesson.node)
         cell["classes"].append("live")
-        shown: list[nodes.Node] = [cell]
+        number = next(each.number for each in EXERCISES if each.name == lesson.exercise.name)
+        title = f"Exercise {number}: {lesson.exercise.title}"
+        shown: list[nodes.Node] = [nodes.rubric(title, title), cell]
         for number, hint in enumerate(lesson.hints, 1):
             shown += self._folded(f"Hint {number}", self.parse_text_to_nodes(hint))
         if "solution" in self.options and lesson.right:
@@ -69,9 +72,23 @@ class ExerciseDirective(SphinxDirective):
         return [nodes.raw("", start, format="html"), *inner, nodes.raw("", "</details>", format="html")]
 
 
+def _changed(app: Sphinx, env: BuildEnvironment, *pages: set[str]) -> list[str]:
+    """Name the pages that show an exercise whose file is new, gone, or another one than in the last build."""
+    folder = Path(app.srcdir, "lessons")
+    now = {file.stem.replace("_", "-"): file.read_bytes() for file in folder.glob("*.py")}
+    before = env.__dict__.get("rosspin_lessons", {})
+    env.__dict__["rosspin_lessons"] = now
+    names = {**before, **now}  # whose numbers are others if there are more or fewer
+    changed = {name for name in names if before.keys() != now.keys() or before[name] != now[name]}
+    shown = _pages(Path(app.srcdir)) if changed else ()
+    found = {app.project.path2doc(page) for page, text in shown if changed.intersection(_SHOWN.findall(text))}
+    return sorted(page for page in found if page in env.found_docs)
+
+
 def setup(app: Sphinx) -> ExtensionMetadata:
-    """Add the directive."""
+    """Add the directive, and connect the function above."""
     app.add_directive("exercise", ExerciseDirective)
+    app.connect("env-get-outdated", _changed)
     return {"parallel_read_safe": True, "parallel_write_safe": True}
 
 
@@ -90,8 +107,8 @@ def stale_lessons(root: Path) -> Iterator[Stale]:
         if _line(text, "RIGHT") < _line(text, r"(def )?check"):
             now = "it stands below check: the page is given what is above"
             yield Stale(file, _line(text, "RIGHT"), "RIGHT", now)
-        for what, stands, now in (*_too_few(lesson), *_misjudged(lesson)):
-            yield Stale(file, _line(text, what), stands, now)
+        for what, stands, now in (*_too_few(lesson), *_misjudged(lesson, text)):
+            yield Stale(file, what if isinstance(what, int) else _line(text, what), stands, now)
 
 
 def _too_few(lesson: Lesson) -> Iterator[tuple[str, str, str]]:
@@ -100,28 +117,46 @@ def _too_few(lesson: Lesson) -> Iterator[tuple[str, str, str]]:
             yield what, f"{what} has {len(answers)} answer{'s' * (len(answers) != 1)}", f"give at least {least}"
 
 
-def _misjudged(lesson: Lesson) -> Iterator[tuple[str, str, str]]:
-    """Yield the answers on which the check does not say what it should: in which list, which one, and what it says."""
-    passed, said = _judged(lesson, lesson.node)
-    if passed is not False:
-        yield "NODE", "NODE", "it is right as it stands: there is nothing to do" if passed else said
-    for number, right in enumerate(lesson.right):
-        passed, said = _judged(lesson, right)
-        if not passed:
-            yield "RIGHT", f"RIGHT[{number}]", said
-    for number, (wrong, part) in enumerate(lesson.wrong):
-        passed, said = _judged(lesson, wrong)
-        if passed is not False or part.replace("`", "") not in said.replace("`", ""):
-            yield "WRONG", f"WRONG[{number}]: {part}", said
+def _misjudged(lesson: Lesson, text: str) -> Iterator[tuple[str | int, str, str]]:
+    """Yield the answers on which the check does not say what it should: in which list, or line, which one, and what.
 
-
-def _judged(lesson: Lesson, answer: Answer) -> tuple[bool | None, str]:
-    """Return whether an answer is right, and what is said of it; None if the check, which is the teacher's, fails."""
+    A node that is no Python, and a check that fails, are told once, without all that follows from them.
+    """
     try:
-        feedback = check(lesson.exercise.name, lesson.written(answer))
-        return feedback.passed, str(feedback)
-    except Exception as error:
-        return None, f"{type(error).__name__}: {error}"
+        compile(lesson.node, "NODE", "exec")
+    except SyntaxError as error:
+        at = lesson.node.splitlines()[(error.lineno or 1) - 1]
+        yield next(number for number, line in enumerate(text.splitlines(), 1) if line == at), at, "NODE is not Python"
+        return
+    wanted: list[tuple[str, str, Answer, bool, str]] = [("NODE", "NODE", lesson.node, False, "")]
+    wanted += [("RIGHT", f"RIGHT[{number}]", right, True, "") for number, right in enumerate(lesson.right)]
+    wanted += [("WRONG", f"WRONG[{n}]: {part}", wrong, False, part) for n, (wrong, part) in enumerate(lesson.wrong)]
+    failed = set()
+    for what, stands, answer, right, part in wanted:
+        try:
+            written = lesson.written(answer)
+        except ValueError as error:
+            yield what, stands, str(error)
+            continue
+        try:
+            feedback = check(lesson.exercise.name, written)
+        except Exception as error:
+            line = _line_of(error, lesson.file) or _line(text, "(def )?check")
+            if line not in failed:
+                yield line, "check", f"{type(error).__name__}: {error}"
+            failed.add(line)
+            continue
+        said = str(feedback)
+        if what == "NODE" and feedback.passed:
+            yield what, stands, "it is right as it stands: there is nothing to do"
+        elif feedback.passed is not right or part.replace("`", "") not in said.replace("`", ""):
+            yield what, stands, said
+
+
+def _line_of(error: Exception, file: Path) -> int:
+    """Return the line of the file in which an error was raised, the innermost; 0 if it was nowhere in it."""
+    frames = traceback.walk_tb(error.__traceback__)
+    return ([line for frame, line in frames if frame.f_code.co_filename == str(file)] or [0])[-1]
 
 
 def _line(text: str, name: str) -> int:

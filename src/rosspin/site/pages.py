@@ -54,8 +54,8 @@ class TicksDirective(SphinxDirective):
 
     FILE is relative to the page. Several files, each on a line of the content as ``NAME: FILE ARGS``, share one plot.
     With ``:period: S`` the plot shows the whole grid of that period, and crosses for lost ticks. With ``:topic: /NAME``
-    it shows the messages that the node published on a topic, in place of its ticks. ``:callbacks: NAMES`` gives each of
-    these callbacks of one file a row, also one that is never called.
+    it shows the messages that the node published on a topic, in place of its ticks. One file has a row for each of its
+    callbacks that ticked; ``:callbacks: NAMES`` gives these one, in this order, also one that is never called.
 
     ``:faults:`` are what is to go wrong with the one FILE, each on a line, as in ``Crash("/node", at=2.0)``.
 
@@ -130,6 +130,8 @@ class TicksDirective(SphinxDirective):
         at = self.options["at"] if "at" in self.options else float(self._assignment(sets)[2])
         values = {at, *(round(first + number * step, 9) for number in range(round((last - first) / step) + 1))}
         runs = {value: self._ticks(value, f" at {value:g} {found[5]}") for value in sorted(values)}
+        rows = {row: replace(run, ticks=[], coming=()) for rows in runs.values() for row, run in rows.items()}
+        runs = {value: rows | ticks for value, ticks in runs.items()}
         return with_handle(found[1], found[5], runs, at, period, sets, caption=self._caption()).html
 
     def _broken(self) -> Run:
@@ -147,8 +149,10 @@ class TicksDirective(SphinxDirective):
             found = self._run(self._file(file), given, value)
             if "callbacks" in self.options:
                 runs |= {own: _only(own, found) for own in self._callbacks(file)}
+            elif name:
+                runs[name] = found
             else:
-                runs[name or (found.ticks[0].source if found.ticks else "")] = found
+                runs |= {source: _only(source, found) for source in by_source(found.ticks)}
         if not any(run.ticks for run in runs.values()):
             raise ValueError(f"there is no tick in {seconds:g} s{where}")
         return runs
@@ -476,11 +480,12 @@ class CellLexer(PythonLexer):
 def offer_download(app: Sphinx, page: str, source: list[str]) -> None:
     """End the introduction of a notebook with a link to the notebook that was run.
 
-    The link is made here because JupyterLab would show the role as it stands. No line is added: line numbers stay true.
+    The link is made here because JupyterLab would show the role as it stands. No line is added: line numbers stay true,
+    and what ends there, such as a directive, keeps its last line.
     """
     if page.startswith("notebooks/"):
         link = f"{{nb-download}}`Download this notebook, with its outputs <{page.rpartition('/')[2]}.ipynb>`."
-        source[0] = source[0].replace("\n\n## ", f" {link}\n\n## ", 1)
+        source[0] = source[0].replace("\n\n## ", f"\n{link}\n## ", 1)
 
 
 def name_terms(app: Sphinx, page: nodes.document) -> None:

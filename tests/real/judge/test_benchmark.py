@@ -37,5 +37,5 @@ def test_lateness_is_compared_with_deadlines() -> None:
 def test_the_page_is_measured(site: Path, require: Callable[[str], None]) -> None:
     require("browser")
     lines = list(live.report(rounds=1, seconds=1.0, pause=0.0))
-    assert sum("at most" in line for line in lines) == 8
+    assert sum("at most" in line for line in lines) == 9
     assert "10 ticks" in lines[-1]

@@ -109,13 +109,14 @@ def test_what_was_refused_is_not_forgotten(quick: Table) -> None:
     expect(quick.status).to_have_text("Done: 1 judged; 3 files refused")
     named = [said.partition(" ")[0] for said in quick.notes.all_text_contents()]
     assert named == ["=odd.json", "other.json", "huge.json"]
-    _, ada, *refused = quick.csv()
+    head, ada, *refused = quick.csv()
     assert ada[0] == "Ada"
-    assert refused == [
+    assert [row[:4] for row in refused] == [
         ["", "", "'=odd.json", "refused: it is not a file of answers to these exercises"],
         ["", "", "other.json", "refused: it is not a file that Hand in saved (it is not JSON)"],
         ["", "", "huge.json", "refused: it is 2.0 MB; the limit is 1 MB"],
     ]
+    assert all(row[4:] == [""] * (len(head) - 4) for row in refused)
 
 
 # --- the table --------------------------------------------------------------------------------------------------------
@@ -194,9 +195,12 @@ def test_a_zip_is_read_as_it_is_and_the_table_sorts_and_says_what_was_hard(quick
         for name, verdict in (("Ada", "not yet"), ("Zoë", "solved")):
             text = handed_in(name, id=name, student=f"s-{name}", answers={"first-ticks": verdict})
             archive.writestr(f"{name}_1_assignsubmission_file_/a.json", text)
-        archive.writestr("Ben_2_assignsubmission_file_/report.pdf", "x")
+        archive.writestr("Ben_2_assignsubmission_file_/slow-timer.py", "x")
     quick.input.set_input_files(FilePayload(name="all.zip", mimeType="application/zip", buffer=buffer.getvalue()))
-    expect(quick.status).to_have_text("Done: 2 judged")
+    expect(quick.status).to_have_text("Done: 2 judged; 1 file refused")
+    expect(quick.notes).to_contain_text(
+        "all/Ben_2_assignsubmission_file_/slow-timer.py is refused: this page reads what"
+    )
     ada, zoe = (f"{name}\nall/{name}_1_assignsubmission_file_/a.json\nID s-{name}" for name in ("Ada", "Zoë"))
     assert quick.rows.locator("th").all_inner_texts() == [ada, zoe]
     solved = quick.page.get_by_role("columnheader").get_by_role("button", name="Solved")

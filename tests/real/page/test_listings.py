@@ -87,7 +87,7 @@ def _is_plain(page: Page, line: str) -> None:
 def test_opened_as_a_file(context: BrowserContext, site: Path) -> None:
     page = context.new_page()
     page.goto((site / TUTORIAL).as_uri())
-    _is_plain(page, "Serve the site instead: make serve")
+    _is_plain(page, "see START-HERE.html, or make serve")
 
 
 def test_without_jspi(context: BrowserContext, address: str) -> None:

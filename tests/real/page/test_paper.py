@@ -35,6 +35,22 @@ def test_both_languages_are_printed(paper: Page, address: str) -> None:
         assert above and below and above["y"] < below["y"]
 
 
+@pytest.mark.parametrize(
+    "name", ["docs/slides/ros2", "docs/tutorial", "docs/how-to/judge-hand-ins", "docs/for-teachers"]
+)
+def test_a_page_is_printed_to_its_end(page: Page, address: str, name: str) -> None:
+    """Each of its links is on the paper, those of its last section, too."""
+    page.goto(f"{address}{name}.html")
+    seen = "[...document.querySelectorAll('article a[href]:not(.headerlink)')].filter((a) => a.checkVisibility())"
+    links = set(
+        page.evaluate(f"{seen}.map((a) => a.href).filter((to) => !to.includes('#') && !to.startsWith('blob:'))")
+    )
+    for margin in ("0", "1cm"):
+        pdf = page.pdf(format="A4", margin={"top": margin, "right": margin, "bottom": margin, "left": margin})
+        printed = {to.decode() for to in re.findall(rb"/URI \(([^)]*)\)", pdf)}
+        assert links and not links - printed
+
+
 def test_answers_are_printed(paper: Page, address: str) -> None:
     paper.goto(f"{address}/notebooks/timer.html")
     expect(paper.get_by_text("20, at 0.1 s, 0.2 s and so on")).to_be_visible()

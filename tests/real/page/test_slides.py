@@ -129,6 +129,31 @@ def test_a_listing_runs_and_a_figure_moves(page: Page, address: str, deck: str) 
     assert place(page).startswith("6 of")
 
 
+@pytest.mark.parametrize(
+    ("deck", "lines"), [("ros2", ["self.create_timer(", "rclpy.spin("]), ("ros1", ["rospy.Timer("])]
+)
+def test_the_lines_that_matter_are_seen_and_all_are_printed(
+    page: Page, address: str, deck: str, lines: list[str]
+) -> None:
+    opened(page, address, deck)
+    page.keyboard.press("PageDown")
+    page.keyboard.press("PageDown")
+    for line in lines:
+        expect(page.locator(f"{NOW} .hll", has_text=line).first).to_be_in_viewport()
+        where = page.locator(f"{NOW} .hll", has_text=line).first.bounding_box()
+        box = page.locator(f"{NOW} .live pre").first.bounding_box()
+        assert (
+            where
+            and box
+            and box["y"] <= where["y"] + 1
+            and where["y"] + where["height"] <= box["y"] + box["height"] + 1
+        )
+    page.emulate_media(media="print")
+    page.set_viewport_size({"width": 1280, "height": 720})
+    assert page.evaluate(OVER) == []
+    assert page.locator(f"{NOW} .live pre").first.evaluate("pre => pre.scrollHeight <= pre.clientHeight + 1")
+
+
 def test_the_speaker_s_window_follows_and_leads(context: BrowserContext, page: Page, address: str) -> None:
     opened(page, address, "ros2")
     page.keyboard.press("PageDown")
