@@ -27,11 +27,13 @@ from sphinx.util.docutils import SphinxDirective, SphinxRole
 from sphinx.util.typing import ExtensionMetadata
 
 from .. import rclpy, rospy
+from ..clocks.explored import Order
 from ..clocks.simulation import Simulation
 from ..faults import read
 from ..look import look
 from ..measures import topic_ticks
-from ..plots import overview, picture, with_handle
+from ..orders.exploring import compare_orders
+from ..plots import both_orders, overview, picture, with_handle
 from ..plots.pictures import page
 from ..results import machine
 from ..results.rules import calculated
@@ -231,6 +233,24 @@ class ScenesDirective(TicksDirective):
         yield nodes.raw("", '<div class="rosspin-beside">', format="html")
         yield nodes.literal_block(text, text, language="python")
         yield nodes.raw("", f"{plot}</div>", format="html")
+
+
+class OrdersDirective(TicksDirective):
+    """``.. orders:: FILE ARGS`` with ``:seconds: S`` and ``:schedule: TOKEN``: this order beside the usual one."""
+
+    has_content = False
+    required_arguments, optional_arguments = 1, 0
+    option_spec: ClassVar = {
+        "seconds": TicksDirective.option_spec["seconds"],
+        "schedule": directives.unchanged_required,
+    }
+
+    def _plot(self) -> str:
+        ((file, *args),) = self._commands().values()
+        found = compare_orders(self._file(file), self._seconds(), Order.of(self.options["schedule"]), args)
+        if not found.instants:
+            raise ValueError("the schedule is none of this node: explore again")
+        return page(both_orders(found))
 
 
 class FactsDirective(SphinxDirective):
@@ -539,6 +559,7 @@ def setup(app: Sphinx) -> ExtensionMetadata:
     """Add the directives and the role above, the checks, and the highlighting of notebook cells."""
     app.add_directive("ticks", TicksDirective)
     app.add_directive("scenes", ScenesDirective)
+    app.add_directive("orders", OrdersDirective)
     app.setup_extension("rosspin.site.checks")
     app.setup_extension("rosspin.site.lessons")
     app.add_directive("facts", FactsDirective)
