@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from pathlib import Path
+from typing import Any
 
 import pytest
 from planted_orders import PLANTS
@@ -44,7 +45,8 @@ def test_there_is_a_row_for_each_thread_of_each_order_and_a_mark_for_each_step()
     ax = plots.orders(orders, ax=pictures.new_axes(300))
     names = [label.get_text() for label in ax.get_yticklabels()]
     assert names == ["the usual order: a", "the usual order: b", "this order: a", "this order: b"]
-    marks = [(n, round(down, 3)) for line in ax.lines for n, down in zip(*line.get_data(), strict=True)]
+    points: list[Any] = [line.get_xydata() for line in ax.lines]
+    marks = [(n, round(down, 3)) for line in points for n, down in line]
     rows = sorted({down for _, down in marks})
     assert [n for n, down in sorted(marks) if down in rows[:2]] == [0, 1, 2, 3]
     assert {n: rows.index(down) for n, down in marks if down in rows[2:]} == {0: 2, 1: 3, 2: 3, 3: 2}
@@ -93,7 +95,7 @@ def test_the_command_line_plots_both(tmp_path: Path, capsys: pytest.CaptureFixtu
     assert main([*given, "--schedule", found.token]) == 0
     out, err = capsys.readouterr()
     assert found.run and out == found.run.console
-    assert err == "\n".join([f"{plot}:", *str(found).splitlines()[2:]]) + "\n"
+    assert err == f"{plot}:\n  at 0.1 s{str(found).partition('  at 0.1 s')[2]}\n"
     assert "They part: usually Thread-1, here Thread-2." in plot.read_text(encoding="utf-8")
     assert main([*given, "--schedule", ""]) == 1
     assert capsys.readouterr().err.startswith("rosspin: '' is no schedule")
