@@ -208,13 +208,29 @@ def test_the_command_line_replays_a_token(racing: str, capsys: pytest.CaptureFix
     ("wrong", "said"),
     [
         ({"strategy": "luck"}, "strategy is one of 'all', 'pct', 'random', not 'luck'"),
+        ({"strategy": ["pct"]}, r"strategy is one of 'all', 'pct', 'random', not \['pct'\]"),
         ({"schedules": 0}, "schedules must be a whole number of at least 1, not 0"),
+        ({"schedules": True}, "schedules must be a whole number of at least 1, not True"),
+        ({"seed": None}, "seed must be a whole number, not None"),
+        ({"seed": 1.5}, "seed must be a whole number, not 1.5"),
         ({"deep": True}, "deep is for node files; a function cannot be shaken"),
     ],
 )
 def test_wrong_calls(wrong: dict[str, object], said: str) -> None:
     with pytest.raises(ValueError, match=said):
         rosspin.explore(random.random, 1.0, **wrong)  # type: ignore[arg-type]
+    if "deep" not in wrong:
+        with pytest.raises(ValueError, match=said):
+            rosspin.explored(**wrong)  # type: ignore[arg-type]
+
+
+def test_what_is_no_node_and_no_check() -> None:
+    with pytest.raises(TypeError, match="check is a function of the run, not 'x'"):
+        rosspin.explore(random.random, 1.0, "x")  # type: ignore[arg-type]
+    with pytest.raises(ValueError, match="there is no node to run: the list is empty"):
+        rosspin.explore([], 1.0)
+    with pytest.raises(TypeError, match=r"a node is the path of a file, or a function, not b'node\.py'"):
+        rosspin.explore(b"node.py", 1.0)  # type: ignore[arg-type]
 
 
 # --- what is not open -------------------------------------------------------------------------------------------------

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import re
 from collections.abc import Iterable, Sequence
 from dataclasses import dataclass
 from itertools import pairwise
@@ -93,8 +94,10 @@ class _Diagnosis:
         self.jumps: list[int] = []
 
     def verdicts(self) -> list[Verdict]:
-        for look in (self.clock_back, self.doubled, self.queue, self.lost, self.gaps, self.sleep):
-            look()
+        self.clock_back()
+        if not any(verdict.name == "unknown" for verdict in self.found):  # else runs, or processes, are mixed up
+            for look in (self.doubled, self.queue, self.lost, self.gaps, self.sleep):
+                look()
         if not self.found:
             self.say_good()
         order = list(TITLES)
@@ -111,18 +114,24 @@ class _Diagnosis:
 
     def clock_back(self) -> None:
         """A time that is earlier than the one before it, in a line that one process logs in order."""
-        evidence, where = [], []
+        evidence, where, anew = list[str](), list[Series](), list[str]()
         for series in self.rows:
             for n, (one, other) in enumerate(pairwise(series.times), 1):
                 if one - other > 20 * MS and len(series.times) >= FEWEST:
                     self.jumps.append(other)
+                    count = series.counts[n - 1 : n + 1]
+                    if count and count[1] <= count[0]:
+                        anew.append(f"“{series.name}” goes back to {self.at(other)} and to {count[1]}.")
+                        continue
                     where.append(series)
                     back = one - other + (series.period or 0)
-                    count = series.counts[n - 1 : n + 1]
                     goes_on = f", while the count goes on from {count[0]} to {count[1]}" if _follow(count) else ""
                     evidence.append(
                         f"“{series.name}” goes back by {say_time(back / NS)}, to {self.at(other)}{goes_on}."
                     )
+        if anew:
+            self.say("unknown", "sure", [*anew[:2], "There are several runs in this file: look at each by itself."])
+            return
         if not evidence:
             return
         told = [text for text in evidence if "goes on" in text]
@@ -208,20 +217,25 @@ class _Diagnosis:
     def queue(self) -> None:
         for series in self.regular:
             skips = _skips(series)
-            if not skips:
+            ages = self._ages(series)
+            grows = len(ages) >= FEWEST and ages[-1] > ages[0] + 2 * series.period
+            # A timer that says how many there are by now leaves out as many.
+            if not skips or not grows and (series.keeps_time or _is_quantity(series)):
                 continue
             lost, period = sum(skips) - len(skips), say_time(series.period / NS)
             evidence = [f"“{series.name}” leaves out {lost} numbers, but no time: it comes every {period}, always."]
-            ages = self._ages(series)
-            grows = len(ages) >= FEWEST and ages[-1] > ages[0] + 2 * series.period
             if grows:
                 first, last = say_time(ages[0] / NS), say_time(ages[-1] / NS)
                 evidence.append(
                     "Each number is logged by the one who sends it, and then by this line: "
                     f"{first} later at the beginning, {last} later at the end."
                 )
+            else:
+                evidence.append(
+                    "If that is no message's number, but one that grows, a loop that reads it looks the same."
+                )
             self.queues.append(series)
-            self.say("queue", "sure" if grows or series.is_walk else "likely", evidence, [series])
+            self.say("queue", "sure" if grows else "likely", evidence, [series])
 
     def lost(self) -> None:
         """Where numbers are missing and just their time: somebody sent them, or logged them, all the same."""
@@ -475,6 +489,11 @@ def _skips(series: Series) -> list[int]:
     if len(skipped) == len(steps) and max(skipped) - min(skipped) > max(2, 0.5 * median(skipped)):
         return []
     return skipped
+
+
+def _is_quantity(series: Series) -> bool:
+    """Whether the number says how many there are, as in "got 120 samples"."""
+    return bool(re.search(rf"\b{series.counts[0]} [a-z]+s\b", series.texts[0]))
 
 
 def _back(series: Series, windows: Sequence[Window]) -> str:

@@ -116,9 +116,13 @@ def explore(
     ``strategy`` is "pct" (random priorities), "random", or "all" (those that deviate once from the usual order, then
     twice, ...). ``seed`` is for the first two.
 
-    Raises what :func:`simulate` raises but TimeStandsStill, and ValueError for an unknown strategy, for ``schedules``
-    below 1, and for a function, or a launch file of ROS 2, that is to be explored ``deep``.
+    Raises what :func:`simulate` raises but TimeStandsStill; TypeError for a ``check`` that cannot be called; ValueError
+    for an unknown strategy, for ``schedules`` below 1, for a ``seed`` that is no whole number, and for a function, or a
+    launch file of ROS 2, that is to be explored ``deep``.
     """
+    _refuse(schedules, strategy, seed)
+    if check is not None and not callable(check):
+        raise TypeError(f"check is a function of the run, not {check!r}")
     prepared = prepare(node, args, False, deep, faults)
     runs: dict[str, Run | None] = {}
 
@@ -228,12 +232,18 @@ class Found:
     said: str
 
 
+def _refuse(schedules: int, strategy: str, seed: int) -> None:
+    """Raise ValueError for arguments with which nothing can be searched."""
+    if strategy not in list(STRATEGIES):
+        raise ValueError(f"strategy is one of {', '.join(map(repr, STRATEGIES))}, not {strategy!r}")
+    if type(schedules) is not int or schedules < 1:
+        raise ValueError(f"schedules must be a whole number of at least 1, not {schedules!r}")
+    if type(seed) is not int:
+        raise ValueError(f"seed must be a whole number, not {seed!r}")
+
+
 def search(attempt: Try, schedules: int, strategy: str, seed: int, deep: bool) -> Found:
     """Try orders until one fails, and make that one shorter."""
-    if strategy not in STRATEGIES:
-        raise ValueError(f"strategy is one of {', '.join(map(repr, STRATEGIES))}, not {strategy!r}")
-    if not (isinstance(schedules, int) and schedules >= 1):
-        raise ValueError(f"schedules must be a whole number of at least 1, not {schedules!r}")
     usual = Order(deep=deep)
     if failure := attempt(usual):
         return Found(usual, failure, 1, 0, "the usual order")
@@ -334,6 +344,7 @@ def explored(
     The arguments are those of :func:`explore`, which also says what may differ. Raises TypeError for a test without
     ``start_node``, and ValueError as :func:`explore` does, or if the ``schedule`` is none of this test.
     """
+    _refuse(schedules, strategy, seed)
     if schedule:
         deep = Order.of(schedule).deep
 
