@@ -13,7 +13,7 @@ from .reading import Log
 from .series import FEWEST, MS, NS, Gap, Series
 from .windows import Window, every, find_windows, node_of
 
-__all__ = ["PAGES", "TITLES", "Verdict", "diagnose"]
+__all__ = ["TITLES", "Verdict", "diagnose"]
 
 # What a verdict is called, in the order in which they matter.
 TITLES = {
@@ -32,35 +32,26 @@ TITLES = {
     "unknown": "I cannot tell",
 }
 
-# The page that explains a verdict, for ROS 1 and for ROS 2: its address below that of the site.
-_HOW_1, _HOW_2 = "docs/how-timing-works.html", "docs/ros2/how-timing-works.html"
-_OWN = "docs/how-to/look-at-your-log.html"
-PAGES = {
-    **{name: (f"{_OWN}#look-{name}",) * 2 for name in ("clock", "twins", "publishers", "doubled", "stalled")},
-    **{name: (f"{_OWN}#look-{name}",) * 2 for name in ("lost", "held-up", "unknown")},
-    "queue": ("docs/publish.html#publish-queue-size", "docs/ros2/publish.html#ros2-publish-depth"),
-    "blocked": (f"{_HOW_1}#spin-calls-callbacks", f"{_HOW_2}#ros2-slow-callback-neighbours"),
-    "overran": (f"{_HOW_1}#timer-returns-to-grid", f"{_HOW_2}#ros2-timer-returns-to-grid"),
-    "sleep": ("notebooks/drift.html",) * 2,
-    "healthy": (f"{_HOW_1}#timer-precision", "notebooks/ros2-timer.html"),
-}
-
 _HEARD = ("heard", "received", "receive", "got ", "listen", "subscri", "incoming", "message")
 
 
 @dataclass(frozen=True)
 class Verdict:
-    """One of :data:`TITLES`, how ``certain`` it is (sure, likely, possible), the evidence and what explains it."""
+    """One of :data:`TITLES`, how ``certain`` it is (sure, likely, possible), and the evidence."""
 
     name: str
     certain: str
     evidence: tuple[str, ...]
-    page: str
     series: tuple[str, ...] = ()
 
     @property
     def title(self) -> str:
         return TITLES[self.name]
+
+    @property
+    def page(self) -> str:
+        """What explains it, in words and with a figure: an address below that of the site."""
+        return f"docs/how-to/look-at-your-log.html#look-{self.name}"
 
 
 def diagnose(log: Log, rows: Sequence[Series]) -> list[Verdict]:
@@ -104,8 +95,7 @@ class _Diagnosis:
         return sorted(self.found, key=lambda verdict: order.index(verdict.name))
 
     def say(self, name: str, certain: str, evidence: Sequence[str], series: Iterable[Series] = ()) -> None:
-        page = PAGES[name][self.ros - 1]
-        self.found.append(Verdict(name, certain, tuple(evidence), page, _places(series)))
+        self.found.append(Verdict(name, certain, tuple(evidence), _places(series)))
 
     def at(self, time: float) -> str:
         return f"{(time - self.zero) / NS:.2f} s"

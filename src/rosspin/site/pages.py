@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import html
 import json
+import math
 import os
 import re
 import shlex
@@ -26,7 +27,8 @@ from sphinx.environment import BuildEnvironment
 from sphinx.util.docutils import SphinxDirective, SphinxRole
 from sphinx.util.typing import ExtensionMetadata
 
-from .. import rclpy, rospy
+from .. import plots, rclpy, rospy
+from ..clocks.clock import NS
 from ..clocks.explored import Order
 from ..clocks.simulation import Simulation
 from ..faults import read
@@ -34,7 +36,7 @@ from ..look import look
 from ..measures import topic_ticks
 from ..orders.exploring import compare_orders
 from ..plots import both_orders, overview, picture, with_handle
-from ..plots.pictures import page
+from ..plots.pictures import figure_of, new_axes, page
 from ..results import machine
 from ..results.rules import calculated
 from ..results.ticks import Run, Tick
@@ -50,6 +52,8 @@ from .outputs import differences
 from .vehicle import NODES, figure
 
 __all__ = ["setup"]
+
+_HEIGHT = 200  # px of a plot of a log
 
 
 class TicksDirective(SphinxDirective):
@@ -318,22 +322,52 @@ class ListingDirective(LiteralInclude):
 
 
 class LookDirective(SphinxDirective):
-    """``.. look:: FILE``: what ``rosspin look`` prints of a log, as of a file ``console.txt``, and its plot."""
+    """``.. look:: FILE``: what ``rosspin look`` prints of a log, as of a file ``console.txt``, and its plot.
+
+    ``:shows: NAME`` is for the section on a verdict, which has to be the first that this log gets: then there is only
+    the ``:plot:`` of that name in :mod:`rosspin.plots`, of the part ``:seconds: FROM-TO``. Lines that match
+    ``:without:`` are left out before.
+    """
 
     required_arguments = 1
+    option_spec: ClassVar = dict.fromkeys(("plot", "seconds", "shows", "without"), directives.unchanged_required)
 
     def run(self) -> list[nodes.Node]:
         """The console, and the plot as inline SVG."""
         relative, path = self.env.relfn2path(self.arguments[0])
         self.env.note_dependency(relative)
         try:
-            found = look(Path(path).read_bytes(), "console.txt")
-            text = "\n".join(["$ rosspin look console.txt --plot look.svg", *found.report()])
-            drawn = page(overview(found.ticks(), caption="recorded on a real ROS"))
+            return list(self._shown(Path(path).read_bytes()))
         except Exception as error:
             note(self.env, self.lineno, self.block_text, one_line(error))
             return []
-        return [nodes.literal_block(text, text, language="text"), nodes.raw("", drawn, format="html")]
+
+    def _shown(self, data: bytes) -> Iterator[nodes.Node]:
+        caption = "recorded on a real ROS"
+        if without := self.options.get("without"):
+            data = b"\n".join(line for line in data.splitlines() if not re.search(without.encode(), line))
+            caption += ", some lines taken out"
+        found = look(data, "console.txt")
+        if "shows" not in self.options:
+            text = "\n".join(["$ rosspin look console.txt --plot look.svg", *found.report()])
+            yield nodes.literal_block(text, text, language="text")
+            yield nodes.raw("", page(overview(found.ticks(), caption=caption)), format="html")
+            return
+        if found.verdicts[0].name != self.options["shows"]:
+            raise ValueError(f"this log is told to be {found.verdicts[0].name}")
+        times = [
+            Tick(each.name, n, (time - found.start) / NS, (time - found.start) / NS, math.nan)
+            for each in found.series
+            for n, time in enumerate(each.times, 1)
+        ]
+        ticks, plot = found.ticks() or times, self.options["plot"]
+        if plot == "timeline":
+            drawn = picture(ticks, caption=caption)
+        else:
+            drawn = figure_of(getattr(plots, plot)(ticks, caption=caption, ax=new_axes(_HEIGHT)))
+        if "seconds" in self.options:
+            drawn.axes[0].set_xlim(*map(float, self.options["seconds"].split("-")))
+        yield nodes.raw("", page(drawn), format="html")
 
 
 class VehicleDirective(SphinxDirective):
