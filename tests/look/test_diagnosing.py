@@ -168,7 +168,9 @@ def test_nor_is_how_many_there_are() -> None:
     assert "queue" not in {verdict.name for verdict in look(text.encode()).verdicts}
 
 
-@pytest.mark.parametrize("case", [case for case in CASES if case.form == "console" and not case.jumps][::3], ids=lambda case: case.name)
+@pytest.mark.parametrize(
+    "case", [case for case in CASES if case.form == "console" and not case.jumps][::3], ids=lambda case: case.name
+)
 def test_a_log_that_is_twice_in_its_file_is_told_once(case: Case) -> None:
     data = load(case)
     found = look(data + b"\n" + data)
@@ -184,3 +186,14 @@ def test_runs_in_the_wrong_order_are_no_clock() -> None:
     cut = b"\n".join(early.splitlines()[7:])
     (verdict,) = look(late + b"\n" + cut).verdicts
     assert verdict.name == "unknown" and "several runs in this file: look at each by itself" in verdict.evidence[-1]
+
+
+@pytest.mark.parametrize("seed", [0, None])
+def test_lines_out_of_order_are_no_clock(seed: int | None) -> None:
+    times = [n * 0.1 for n in range(100)]
+    if seed is None:
+        times.reverse()
+    else:
+        random.Random(seed).shuffle(times)
+    (verdict,) = look(lines(times)).verdicts
+    assert verdict.name == "unknown" and "may be mixed up" in verdict.evidence[-1]

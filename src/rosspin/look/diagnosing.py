@@ -125,7 +125,8 @@ class _Diagnosis:
         if not evidence:
             return
         told = [text for text in evidence if "goes on" in text]
-        if not told and len(evidence) > 3:
+        most = max(where.count(series) for series in where)
+        if most > 3 or not told and len(evidence) > 3:
             self.say(
                 "unknown", "sure", [*evidence[:2], "Lines of several processes may be mixed up in this file."], where
             )

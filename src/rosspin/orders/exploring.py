@@ -56,8 +56,8 @@ class Exploration:
     ``bound`` is how often an order may deviate from the usual one so that all such orders were run: with the strategy
     "all", and if no order fails, the property holds for these. It is infinite if there are no others at all.
 
-    ``orders`` are what the order that fails and the usual one do, for :func:`rosspin.plots.both_orders`; None if none
-    fails.
+    ``orders`` are what the usual order and the one that fails do, for :func:`rosspin.plots.both_orders`: an
+    :class:`~rosspin.results.orders.Orders`; None if none fails.
     """
 
     failure: str
