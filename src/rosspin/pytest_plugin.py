@@ -56,7 +56,9 @@ class _StartNode:
             return [self._found(each) for each in node]
         if isinstance(node, (str, os.PathLike)):
             return os.path.normpath(self._folder / os.fspath(node))
-        return dataclasses.replace(node, node=self._found(node.node)) if dataclasses.is_dataclass(node) else node
+        from .run.roslaunch.launch import Node
+
+        return dataclasses.replace(node, node=self._found(node.node)) if isinstance(node, Node) else node
 
     def end(self) -> None:
         """End the nodes now, as the fixture does after the test. Raises what that finds."""
