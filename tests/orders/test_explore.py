@@ -143,6 +143,21 @@ def test_a_node_that_does_not_do_the_same_twice_has_no_order_that_fails(tmp_path
     assert "does not do the same in each run" in str(found)
 
 
+@pytest.mark.parametrize("ros", [1, 2])
+def test_of_several_nodes_the_answer_says_whose_turn_it_is(tmp_path: Path, ros: int) -> None:
+    """Even before they have names."""
+    begin = ("import rospy\nrospy.init_node({!r})\n", "import rclpy\nrclpy.init()\nrclpy.create_node({!r})\n")[ros - 1]
+    nodes = [tmp_path / f"{name}.py" for name in ("one", "two")]
+    for node in nodes:
+        node.write_text(f"{begin.format(node.stem)}print({node.stem!r})\n")
+
+    def one_is_first(run: rosspin.Run) -> None:
+        assert run.console.startswith("one")
+
+    found = rosspin.explore(nodes, 0.1, one_is_first, strategy="all")
+    assert "  at 0 s usually one.py, here two.py\n" in str(found)
+
+
 def test_the_bound_of_pct_is_told(racing: str) -> None:
     said = str(rosspin.explore(racing, 0.5, schedules=30))
     assert "30 orders were run" in said
