@@ -123,6 +123,8 @@ def explore(
     _refuse(schedules, strategy, seed)
     if check is not None and not callable(check):
         raise TypeError(f"check is a function of the run, not {check!r}")
+    if isinstance(node, (list, tuple)) and not node:
+        raise ValueError("there is no node to run: the list is empty")
     prepared = prepare(node, args, False, deep, faults)
     runs: dict[str, Run | None] = {}
 

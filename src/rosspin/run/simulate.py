@@ -149,10 +149,7 @@ def several(
         return None
     if args:
         raise ValueError("give each of several nodes its own command line: rosspin.Node(node, args)")
-    nodes = [each if isinstance(each, launch.Node) else launch.Node(each) for each in node]
-    if not nodes:
-        raise ValueError("there is no node to run: the list is empty")
-    return launch.Launch(nodes)
+    return launch.Launch([each if isinstance(each, launch.Node) else launch.Node(each) for each in node])
 
 
 def run_captured(
