@@ -24,7 +24,9 @@ from .faults import read
 from .look import LIMIT, Look, NoLog, is_bag, look
 from .look.pinning import as_files
 from .measures import by_source, describe_faults, describe_periods, describe_timeline
-from .plots import overview, picture, pictures
+from .orders.beside import side_by_side
+from .orders.exploring import compare_orders
+from .plots import both_orders, overview, picture, pictures
 from .real import ros1, ros2
 from .results.ticks import Mishap, Run, Tick
 from .run.explain import say_error
@@ -98,11 +100,13 @@ def _parser() -> argparse.ArgumentParser:
     run.add_argument(
         "--schedule",
         metavar="TOKEN",
-        default="",
         help="with --simulated: run in this order of events, which rosspin.explore has found",
     )
     run.add_argument(
-        "--plot", metavar="FILE", help="plot the ticks to this .pdf, .png or .svg, and describe them on stderr"
+        "--plot",
+        metavar="FILE",
+        help="plot the ticks to this .pdf, .png or .svg, and describe them on stderr; with --schedule, plot the usual "
+        "order and this one, step by step where they differ",
     )
     run.set_defaults(do=_run, parser=run)
     judge = commands.add_parser(
@@ -211,7 +215,7 @@ def _run(options: argparse.Namespace, args: Sequence[str]) -> int:
         raise ValueError("--start is for simulated time: --simulated")
     if options.fault and not options.simulated:
         raise ValueError("--fault is for simulated time: --simulated")
-    if options.schedule and not options.simulated:
+    if options.schedule is not None and not options.simulated:
         raise ValueError("--schedule is for simulated time: --simulated")
     if options.plot is not None:
         _check_plot(options.plot)
@@ -225,7 +229,10 @@ def _run(options: argparse.Namespace, args: Sequence[str]) -> int:
         print(f"rosspin: {describe_faults(faults)}", file=sys.stderr)
     if options.plot is not None:
         sys.stdout.flush()
-        failed = _plot(result.ticks, faults, options.plot)
+        if options.schedule is None:
+            failed = _plot(result.ticks, faults, options.plot)
+        else:
+            failed = _plot_orders(options, args)
         status = status or failed
     if isinstance(result, Result) and result.host.processes:
         leave(status, result.world)
@@ -243,7 +250,7 @@ def _result(options: argparse.Namespace, args: Sequence[str], record: bool) -> R
     ticks = TickLog() if record else None
     faults = [read(text) for text in options.fault]
     files = options.files if len(options.files) > 1 else options.file
-    if options.schedule:
+    if options.schedule is not None:
         prepared = prepare(files, args, options.skip_cpp, Order.of(options.schedule).deep, faults)
         return run_in_order(prepared, options.seconds, options.schedule, options.start or 0.0, ticks)
     launched = several(files, args, options.skip_cpp)
@@ -309,6 +316,23 @@ def _picture(ticks: Sequence[Tick], faults: Sequence[Mishap]) -> Any:
     if not ticks:
         raise ValueError("the node did not tick")
     return picture(ticks, faults=faults)
+
+
+def _plot_orders(options: argparse.Namespace, args: Sequence[str]) -> int:
+    """Save and describe a plot of the order of a token beside the usual one, which takes another run of each."""
+    found = compare_orders(
+        options.files if len(options.files) > 1 else options.file,
+        options.seconds,
+        Order.of(options.schedule),
+        args,
+        options.skip_cpp,
+        start=options.start or 0.0,
+        faults=[read(text) for text in options.fault],
+    )
+    if failed := _save(options.plot, lambda: both_orders(found)):
+        return failed
+    print(f"{options.plot}:", *side_by_side(found), sep="\n", file=sys.stderr)
+    return 0
 
 
 def _plot(ticks: Sequence[Tick], faults: Sequence[Mishap], path: str) -> int:

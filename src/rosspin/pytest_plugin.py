@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import dataclasses
 import os
 from collections.abc import Callable, Generator, Iterator, Mapping, Sequence
 from contextlib import ExitStack, contextmanager
@@ -12,6 +13,7 @@ import pytest
 if TYPE_CHECKING:
     from .clocks.explored import Order
     from .faults import Fault
+    from .run.roslaunch.launch import Node
     from .run.source import NodeLike
     from .run.steps import StartedNode
 
@@ -35,7 +37,7 @@ class _StartNode:
 
     def __call__(
         self,
-        node: NodeLike,
+        node: NodeLike | Sequence[NodeLike | Node],
         args: Sequence[str] = (),
         parameters: Mapping[str, Any] | None = None,
         *,
@@ -44,10 +46,19 @@ class _StartNode:
         __tracebackhide__ = True
         from .run.steps import start_in_order
 
-        path = node if callable(node) else os.path.normpath(self._folder / os.fspath(node))
-        started = start_in_order(self.order, path, args, parameters, faults)
+        started = start_in_order(self.order, self._found(node), args, parameters, faults)
         self._started.append(self._stack.enter_context(started))
         return started
+
+    def _found(self, node: Any) -> Any:
+        """A node, or several, whose relative paths are relative to the folder of the test's file."""
+        if isinstance(node, (list, tuple)):
+            return [self._found(each) for each in node]
+        if isinstance(node, (str, os.PathLike)):
+            return os.path.normpath(self._folder / os.fspath(node))
+        from .run.roslaunch.launch import Node
+
+        return dataclasses.replace(node, node=self._found(node.node)) if isinstance(node, Node) else node
 
     def end(self) -> None:
         """End the nodes now, as the fixture does after the test. Raises what that finds."""

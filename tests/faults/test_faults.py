@@ -563,6 +563,7 @@ def test_a_node_s_own_failure_comes_first(tmp_path: Path) -> None:
         ("__import__('os').system('ls')", "a fault is written as in Python"),
         ("Crash", "a fault is written as in Python"),
         ("Crash('/node', at=1", "a fault is written as in Python"),
+        ("Crash('/node', at=1, at=2)", "an argument is given twice"),
         ("Crash('/node', **{'at': 1})", "unexpected keyword argument '**'"),
         ("", "a fault is written as in Python"),
     ],

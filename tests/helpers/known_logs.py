@@ -1,6 +1,6 @@
 """Logs whose fault is known: which nodes make them, and what is true of them.
 
-Those that begin with ``r1`` and ``r2`` were recorded on the real ROS 1 and ROS 2 by ``tests/look/record.py``; those
+Those that begin with ``r1`` and ``r2`` were recorded on the real ROS 1 and ROS 2 by known_logs_recorded.py; those
 that begin with ``s1`` and ``s2`` are made by a simulated run whenever a test asks for them.
 """
 
@@ -155,6 +155,7 @@ REAL = [
     # Two nodes of one name.
     Case("r2_twins", "twins", ("motor timer,wheel_speed,10", "motor timer,wheel_speed,10"), 10, after=(0, 0.73)),
     Case("r2_twins_later", "twins", ("arm timer,joint_state,20", "arm timer,joint_state,20"), 12, after=(0, 4.31)),
+    Case("r2_twins_two_lines", "twins", ("base timer,odometry,10 timer,battery,3",) * 2, 12, after=(0, 2.57)),
     Case("r1_twins", "twins", ("motor timer,wheel_speed,10", "motor timer,wheel_speed,10"), 10, after=(0, 4)),
     # Not regular.
     Case("r2_events", "unknown", ("door event,bump,3",), 12),

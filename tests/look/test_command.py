@@ -34,7 +34,7 @@ A slow callback that blocks its neighbours (sure)
   “base: odometry: #” and “base: battery: #” were silent 10 times, for up to 0.429 s.
   “base: map: #” came just before 10 of these 10.
   While that callback works, those of the same thread or group wait.
-  See docs/ros2/how-timing-works.html#ros2-slow-callback-neighbours
+  See docs/how-to/look-at-your-log.html#look-blocked
 """,
         "",
     )
@@ -137,4 +137,25 @@ def test_a_database_that_is_no_bag(tmp_path: Path) -> None:
     database.commit()
     database.close()
     with pytest.raises(NoLog, match="this .db3 is broken, or not whole: no such table"):
+        look((tmp_path / "a.db3").read_bytes())
+
+
+@pytest.mark.parametrize(
+    ("time", "topic", "says"),
+    [
+        (None, "/speed", "a message on '/speed' has the time None"),
+        (1.5, "/speed", "a message on '/speed' has the time 1.5"),
+        ("soon", "/speed", "a message on '/speed' has the time 'soon'"),
+        (17, b"/speed", "a message on b'/speed' has the time 17"),
+    ],
+)
+def test_a_db3_whose_columns_hold_something_else(tmp_path: Path, time: object, topic: object, says: str) -> None:
+    database: Any = sqlite3.connect(tmp_path / "a.db3")
+    database.execute("CREATE TABLE topics (id, name)")
+    database.execute("CREATE TABLE messages (topic_id, timestamp)")
+    database.execute("INSERT INTO topics VALUES (1, ?)", [topic])
+    database.execute("INSERT INTO messages VALUES (1, ?)", [time])
+    database.commit()
+    database.close()
+    with pytest.raises(NoLog, match=f"this .db3 is broken, or not whole: {says}"):
         look((tmp_path / "a.db3").read_bytes())

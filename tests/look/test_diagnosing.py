@@ -13,8 +13,7 @@ from known_logs import CASES, Case, draw
 from known_logs_made import load
 from tree import ROOT
 
-from rosspin.look import TITLES, Look, look
-from rosspin.look.diagnosing import PAGES
+from rosspin.look import TITLES, Look, Verdict, look
 
 PAGE = (ROOT / "docs/how-to/look-at-your-log.rst").read_text(encoding="utf-8")
 
@@ -54,17 +53,15 @@ def test_the_page_has_the_numbers() -> None:
     assert "".join(rows) in PAGE, "".join(rows)
 
 
-def test_the_page_has_a_section_for_each_verdict() -> None:
-    for name, title in TITLES.items():
-        assert f".. _look-{name}:\n\n{title}\n{'-' * len(title)}\n" in PAGE
-
-
-def test_the_pages_that_explain_are_there() -> None:
-    for address in {address for both in PAGES.values() for address in both}:
-        page, _, label = address.partition("#")
-        stem = ROOT / page.removesuffix(".html")
-        text = next(stem.with_suffix(end) for end in (".rst", ".md") if stem.with_suffix(end).exists()).read_text()
-        assert not label or f".. _{label}:" in text, address
+@pytest.mark.parametrize("name", TITLES)
+def test_each_verdict_leads_to_a_section_and_its_figure(name: str) -> None:
+    """The build draws the figure only if the log in it gets this verdict."""
+    title, verdict = TITLES[name], Verdict(name, "sure", ())
+    assert verdict.page == f"docs/how-to/look-at-your-log.html#look-{name}"
+    _, found, section = PAGE.partition(f".. _look-{name}:\n\n{title}\n{'-' * len(title)}\n")
+    assert found
+    section = section.partition("\n.. _look-")[0]
+    assert f":shows: {name}\n" in section
 
 
 @pytest.mark.parametrize("case", CASES[::7], ids=lambda case: case.name)
@@ -150,3 +147,53 @@ def test_a_quantity_that_grows_is_no_count() -> None:
         total += draw.randint(5, 15)
         text += f"[INFO] [{1700000000 + number / 10:.9f}] [odo]: ticks {total}\n"
     assert [verdict.name for verdict in look(text.encode(), "log").verdicts] == ["healthy"]
+
+
+@pytest.mark.parametrize("steps", [(1, 2), (2, 3), (9, 10, 11), (99, 100, 101)])
+@pytest.mark.parametrize("jitter", [0.0, 1e-4, 2e-3])
+def test_what_a_timer_says_of_a_number_that_grows_is_no_queue(steps: tuple[int, ...], jitter: float) -> None:
+    draw, total, text = random.Random(1), 0, ""
+    for number in range(100):
+        total += draw.choice(steps)
+        text += f"[INFO] [{1.7e9 + number / 10 + abs(draw.gauss(0, jitter)):.9f}] [imu]: total {total}\n"
+    assert [verdict.name for verdict in look(text.encode()).verdicts] == ["healthy"]
+
+
+def test_nor_is_how_many_there_are() -> None:
+    """Even of a loop that sleeps, whose periods are as those of a callback that always works."""
+    draw, time, total, text = random.Random(1), 1.7e9, 0, ""
+    for _ in range(100):
+        total, time = total + draw.choice((2, 3)), time + 0.1037 + abs(draw.gauss(0, 1e-3))
+        text += f"[INFO] [{time:.9f}] [imu]: got {total} samples\n"
+    assert "queue" not in {verdict.name for verdict in look(text.encode()).verdicts}
+
+
+@pytest.mark.parametrize(
+    "case", [case for case in CASES if case.form == "console" and not case.jumps][::3], ids=lambda case: case.name
+)
+def test_a_log_that_is_twice_in_its_file_is_told_once(case: Case) -> None:
+    data = load(case)
+    found = look(data + b"\n" + data)
+    assert found.verdicts == look(data).verdicts
+    assert any("the same again: it was set aside" in note for note in found.notes)
+
+
+def test_runs_in_the_wrong_order_are_no_clock() -> None:
+    late, early = lines([100 + n * 0.1 for n in range(60)]), lines([n * 0.1 for n in range(60)])
+    found = look(late + b"\n" + early)
+    assert [verdict.name for verdict in found.verdicts] == ["healthy"]
+    assert "Another run begins after 60 entries" in found.notes[0]
+    cut = b"\n".join(early.splitlines()[7:])
+    (verdict,) = look(late + b"\n" + cut).verdicts
+    assert verdict.name == "unknown" and "several runs in this file: look at each by itself" in verdict.evidence[-1]
+
+
+@pytest.mark.parametrize("seed", [0, None])
+def test_lines_out_of_order_are_no_clock(seed: int | None) -> None:
+    times = [n * 0.1 for n in range(100)]
+    if seed is None:
+        times.reverse()
+    else:
+        random.Random(seed).shuffle(times)
+    (verdict,) = look(lines(times)).verdicts
+    assert verdict.name == "unknown" and "may be mixed up" in verdict.evidence[-1]

@@ -143,6 +143,21 @@ def test_a_node_that_does_not_do_the_same_twice_has_no_order_that_fails(tmp_path
     assert "does not do the same in each run" in str(found)
 
 
+@pytest.mark.parametrize("ros", [1, 2])
+def test_of_several_nodes_the_answer_says_whose_turn_it_is(tmp_path: Path, ros: int) -> None:
+    """Even before they have names."""
+    begin = ("import rospy\nrospy.init_node({!r})\n", "import rclpy\nrclpy.init()\nrclpy.create_node({!r})\n")[ros - 1]
+    nodes = [tmp_path / f"{name}.py" for name in ("one", "two")]
+    for node in nodes:
+        node.write_text(f"{begin.format(node.stem)}print({node.stem!r})\n")
+
+    def one_is_first(run: rosspin.Run) -> None:
+        assert run.console.startswith("one")
+
+    found = rosspin.explore(nodes, 0.1, one_is_first, strategy="all")
+    assert "  at 0 s usually one.py, here two.py\n" in str(found)
+
+
 def test_the_bound_of_pct_is_told(racing: str) -> None:
     said = str(rosspin.explore(racing, 0.5, schedules=30))
     assert "30 orders were run" in said
@@ -208,13 +223,29 @@ def test_the_command_line_replays_a_token(racing: str, capsys: pytest.CaptureFix
     ("wrong", "said"),
     [
         ({"strategy": "luck"}, "strategy is one of 'all', 'pct', 'random', not 'luck'"),
+        ({"strategy": ["pct"]}, r"strategy is one of 'all', 'pct', 'random', not \['pct'\]"),
         ({"schedules": 0}, "schedules must be a whole number of at least 1, not 0"),
+        ({"schedules": True}, "schedules must be a whole number of at least 1, not True"),
+        ({"seed": None}, "seed must be a whole number, not None"),
+        ({"seed": 1.5}, "seed must be a whole number, not 1.5"),
         ({"deep": True}, "deep is for node files; a function cannot be shaken"),
     ],
 )
 def test_wrong_calls(wrong: dict[str, object], said: str) -> None:
     with pytest.raises(ValueError, match=said):
         rosspin.explore(random.random, 1.0, **wrong)  # type: ignore[arg-type]
+    if "deep" not in wrong:
+        with pytest.raises(ValueError, match=said):
+            rosspin.explored(**wrong)  # type: ignore[arg-type]
+
+
+def test_what_is_no_node_and_no_check() -> None:
+    with pytest.raises(TypeError, match="check is a function of the run, not 'x'"):
+        rosspin.explore(random.random, 1.0, "x")  # type: ignore[arg-type]
+    with pytest.raises(ValueError, match="there is no node to run: the list is empty"):
+        rosspin.explore([], 1.0)
+    with pytest.raises(TypeError, match=r"a node is the path of a file, or a function, not b'node\.py'"):
+        rosspin.explore(b"node.py", 1.0)  # type: ignore[arg-type]
 
 
 # --- what is not open -------------------------------------------------------------------------------------------------

@@ -126,3 +126,18 @@ def test_the_test_of_the_page_fails_as_the_page_says(folder: str, run_tests: Any
     page = (ROOT / "docs/how-to/find-the-order.rst").read_text(encoding="utf-8")
     token = str(run.stdout).partition('schedule="')[2].partition('"')[0]
     assert f": {token}\n" in page
+
+
+def test_a_test_of_several_nodes_finds_them_beside_its_file(run_tests: Any, pytester: Any) -> None:
+    plant = PLANTS["ros2-two-topics"]
+    nodes = [Path(node).name for node in plant.write(pytester.path, mended=False)]
+    run = run_tests(f"""
+import rosspin
+@rosspin.explored(schedules=100)
+def test_both(start_node):
+    nodes = start_node([{nodes[0]!r}, rosspin.Node({nodes[1]!r})])
+    nodes.advance({plant.seconds})
+    assert nodes.run.console == "went to 7.0\\n"
+""")
+    run.assert_outcomes(failed=1)
+    run.stdout.fnmatch_lines(["*in the shortest order found, which deviates once from the usual one*"])

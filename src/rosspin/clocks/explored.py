@@ -245,11 +245,14 @@ def _now(due: Due) -> Due:
 
 
 def name_of(stack: Stack) -> str:
-    """The name of a stack's thread; if it is the main one, that of its node, as soon as it has one."""
-    if stack is stack.owner.main:
-        return stack.owner.name or "MainThread"
-    thread = threading._active.get(stack.ident)  # type: ignore[attr-defined]
-    return str(thread.name) if thread else "a thread"
+    """The name of a thread, of several nodes after its node's; of a main one, that of its node or file."""
+    owner = stack.owner
+    node = owner.name or owner.file
+    if stack is owner.main:
+        return node or "MainThread"
+    thread = threading._active.get(stack.ident) or owner.active.get(stack.ident)  # type: ignore[attr-defined]
+    name = str(thread.name) if thread else "a thread"
+    return name if owner.main is stack.clock.main or not node else f"{node}: {name}"
 
 
 def _say(option: Hashable) -> str:

@@ -40,6 +40,7 @@ class Program:
 
     main: Stack
     name = ""  # of its node, once it has one
+    file = ""  # of its code
 
     def __init__(self) -> None:
         self.interrupted = False

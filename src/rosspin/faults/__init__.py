@@ -193,6 +193,8 @@ def read(text: str) -> Fault:
         named = {each.arg or "**": ast.literal_eval(each.value) for each in call.keywords}
     except (SyntaxError, ValueError, MemoryError, RecursionError):
         raise ValueError(f'{text}: a fault is written as in Python, as in Topic("/scan", drop=0.1)') from None
+    if len(named) < len(call.keywords):
+        raise ValueError(f"{text}: an argument is given twice")
     if call.func.id not in KINDS:
         raise ValueError(f"{text}: there is no fault {call.func.id}; there are {', '.join(KINDS)}")
     try:

@@ -14,7 +14,7 @@ from ..measures import quantile, say_time
 from ..results.ticks import Tick
 from .diagnosing import TITLES, Verdict, diagnose
 from .reading import BAGS, LIMIT, Log, NoLog, read
-from .series import FEWEST, Series, group
+from .series import FEWEST, Series, first_run, group
 
 __all__ = ["LIMIT", "TITLES", "Look", "NoLog", "Series", "Verdict", "is_bag", "look"]
 
@@ -137,6 +137,9 @@ def look(data: bytes, name: str = "") -> Look:
     Raises :class:`NoLog`, which is a ValueError, if nothing can be made of it; the message says why in a line.
     """
     log = _bag(data) if is_bag(data) else read(data[:LIMIT])
+    log.entries, others = first_run(log.entries)
+    if others:
+        log.notes.append(f"Another run begins after {len(log.entries)} entries, or the same again: it was set aside.")
     series = tuple(group(log.entries, log.kind))
     log.ros = log.ros or (2 if any(each.node for each in series) else 1)
     times = [entry.time for entry in log.entries]

@@ -70,6 +70,8 @@ def _db3(path: Path) -> Iterator[Entry]:
     try:
         query = "SELECT timestamp, name FROM messages JOIN topics ON topics.id = topic_id ORDER BY timestamp"
         for time, topic in database.execute(query):
+            if not (isinstance(time, int) and isinstance(topic, str)):  # a column of SQLite holds anything
+                raise ValueError(f"a message on {topic!r} has the time {time!r}")
             yield _message(time, topic)
     finally:
         database.close()

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import re
 from collections.abc import Iterable, Sequence
 from dataclasses import dataclass
 from itertools import pairwise
@@ -12,7 +13,7 @@ from .reading import Log
 from .series import FEWEST, MS, NS, Gap, Series
 from .windows import Window, every, find_windows, node_of
 
-__all__ = ["PAGES", "TITLES", "Verdict", "diagnose"]
+__all__ = ["TITLES", "Verdict", "diagnose"]
 
 # What a verdict is called, in the order in which they matter.
 TITLES = {
@@ -31,35 +32,26 @@ TITLES = {
     "unknown": "I cannot tell",
 }
 
-# The page that explains a verdict, for ROS 1 and for ROS 2: its address below that of the site.
-_HOW_1, _HOW_2 = "docs/how-timing-works.html", "docs/ros2/how-timing-works.html"
-_OWN = "docs/how-to/look-at-your-log.html"
-PAGES = {
-    **{name: (f"{_OWN}#look-{name}",) * 2 for name in ("clock", "twins", "publishers", "doubled", "stalled")},
-    **{name: (f"{_OWN}#look-{name}",) * 2 for name in ("lost", "held-up", "unknown")},
-    "queue": ("docs/publish.html#publish-queue-size", "docs/ros2/publish.html#ros2-publish-depth"),
-    "blocked": (f"{_HOW_1}#spin-calls-callbacks", f"{_HOW_2}#ros2-slow-callback-neighbours"),
-    "overran": (f"{_HOW_1}#timer-returns-to-grid", f"{_HOW_2}#ros2-timer-returns-to-grid"),
-    "sleep": ("notebooks/drift.html",) * 2,
-    "healthy": (f"{_HOW_1}#timer-precision", "notebooks/ros2-timer.html"),
-}
-
 _HEARD = ("heard", "received", "receive", "got ", "listen", "subscri", "incoming", "message")
 
 
 @dataclass(frozen=True)
 class Verdict:
-    """One of :data:`TITLES`, how ``certain`` it is (sure, likely, possible), the evidence and what explains it."""
+    """One of :data:`TITLES`, how ``certain`` it is (sure, likely, possible), and the evidence."""
 
     name: str
     certain: str
     evidence: tuple[str, ...]
-    page: str
     series: tuple[str, ...] = ()
 
     @property
     def title(self) -> str:
         return TITLES[self.name]
+
+    @property
+    def page(self) -> str:
+        """What explains it, in words and with a figure: an address below that of the site."""
+        return f"docs/how-to/look-at-your-log.html#look-{self.name}"
 
 
 def diagnose(log: Log, rows: Sequence[Series]) -> list[Verdict]:
@@ -93,16 +85,17 @@ class _Diagnosis:
         self.jumps: list[int] = []
 
     def verdicts(self) -> list[Verdict]:
-        for look in (self.clock_back, self.doubled, self.queue, self.lost, self.gaps, self.sleep):
-            look()
+        self.clock_back()
+        if not any(verdict.name == "unknown" for verdict in self.found):  # else runs, or processes, are mixed up
+            for look in (self.doubled, self.queue, self.lost, self.gaps, self.sleep):
+                look()
         if not self.found:
             self.say_good()
         order = list(TITLES)
         return sorted(self.found, key=lambda verdict: order.index(verdict.name))
 
     def say(self, name: str, certain: str, evidence: Sequence[str], series: Iterable[Series] = ()) -> None:
-        page = PAGES[name][self.ros - 1]
-        self.found.append(Verdict(name, certain, tuple(evidence), page, _places(series)))
+        self.found.append(Verdict(name, certain, tuple(evidence), _places(series)))
 
     def at(self, time: float) -> str:
         return f"{(time - self.zero) / NS:.2f} s"
@@ -111,22 +104,29 @@ class _Diagnosis:
 
     def clock_back(self) -> None:
         """A time that is earlier than the one before it, in a line that one process logs in order."""
-        evidence, where = [], []
+        evidence, where, anew = list[str](), list[Series](), list[str]()
         for series in self.rows:
             for n, (one, other) in enumerate(pairwise(series.times), 1):
                 if one - other > 20 * MS and len(series.times) >= FEWEST:
                     self.jumps.append(other)
+                    count = series.counts[n - 1 : n + 1]
+                    if count and count[1] <= count[0]:
+                        anew.append(f"“{series.name}” goes back to {self.at(other)} and to {count[1]}.")
+                        continue
                     where.append(series)
                     back = one - other + (series.period or 0)
-                    count = series.counts[n - 1 : n + 1]
                     goes_on = f", while the count goes on from {count[0]} to {count[1]}" if _follow(count) else ""
                     evidence.append(
                         f"“{series.name}” goes back by {say_time(back / NS)}, to {self.at(other)}{goes_on}."
                     )
+        if anew:
+            self.say("unknown", "sure", [*anew[:2], "There are several runs in this file: look at each by itself."])
+            return
         if not evidence:
             return
         told = [text for text in evidence if "goes on" in text]
-        if not told and len(evidence) > 3:
+        most = max(where.count(series) for series in where)
+        if most > 3 or not told and len(evidence) > 3:
             self.say(
                 "unknown", "sure", [*evidence[:2], "Lines of several processes may be mixed up in this file."], where
             )
@@ -208,20 +208,25 @@ class _Diagnosis:
     def queue(self) -> None:
         for series in self.regular:
             skips = _skips(series)
-            if not skips:
+            ages = self._ages(series)
+            grows = len(ages) >= FEWEST and ages[-1] > ages[0] + 2 * series.period
+            # A timer that says how many there are by now leaves out as many.
+            if not skips or not grows and (series.keeps_time or _is_quantity(series)):
                 continue
             lost, period = sum(skips) - len(skips), say_time(series.period / NS)
             evidence = [f"“{series.name}” leaves out {lost} numbers, but no time: it comes every {period}, always."]
-            ages = self._ages(series)
-            grows = len(ages) >= FEWEST and ages[-1] > ages[0] + 2 * series.period
             if grows:
                 first, last = say_time(ages[0] / NS), say_time(ages[-1] / NS)
                 evidence.append(
                     "Each number is logged by the one who sends it, and then by this line: "
                     f"{first} later at the beginning, {last} later at the end."
                 )
+            else:
+                evidence.append(
+                    "If that is no message's number, but one that grows, a loop that reads it looks the same."
+                )
             self.queues.append(series)
-            self.say("queue", "sure" if grows or series.is_walk else "likely", evidence, [series])
+            self.say("queue", "sure" if grows else "likely", evidence, [series])
 
     def lost(self) -> None:
         """Where numbers are missing and just their time: somebody sent them, or logged them, all the same."""
@@ -475,6 +480,11 @@ def _skips(series: Series) -> list[int]:
     if len(skipped) == len(steps) and max(skipped) - min(skipped) > max(2, 0.5 * median(skipped)):
         return []
     return skipped
+
+
+def _is_quantity(series: Series) -> bool:
+    """Whether the number says how many there are, as in "got 120 samples"."""
+    return bool(re.search(rf"\b{series.counts[0]} [a-z]+s\b", series.texts[0]))
 
 
 def _back(series: Series, windows: Sequence[Window]) -> str:

@@ -11,7 +11,7 @@ from statistics import median
 from ..measures import quantile
 from .reading import Entry, shape
 
-__all__ = ["FEWEST", "MS", "NS", "Gap", "Series", "group"]
+__all__ = ["FEWEST", "MS", "NS", "Gap", "Series", "first_run", "group"]
 
 NS = 10**9
 MS = 10**6
@@ -131,6 +131,12 @@ class Series:
         return False if self.memory < min(-0.3, -1.8 / self.pairs**0.5) or self.is_chosen else None
 
     @property
+    def keeps_time(self) -> bool:
+        """Whether it does not depend on the last period when the next one ends, or nothing says that it does."""
+        can_walk = self.memory is not None and self.spread >= 2_000 and self.memory > -0.25
+        return not can_walk and (self.is_chosen or self.is_walk is False)
+
+    @property
     def threshold(self) -> float:
         """How much longer than a period is more than jitter (ns)."""
         return max(0.25 * self.period, 8 * MS, 8 * self.spread)
@@ -145,6 +151,34 @@ def nice(period: float, close: float = _CLOSE) -> float:
         return min(near, key=lambda each: abs(period - each))
     found = max((each for each in _ROUND if each < period), default=0.0)
     return found if found > period / 2 else 0.0
+
+
+def first_run(entries: list[Entry]) -> tuple[list[Entry], list[Entry]]:
+    """Split off what comes after the first run: where times go back and lines begin with the numbers of the beginning.
+
+    That is a file to which another one was added, or itself. Where only a clock was set back, numbers go on.
+    """
+    begin: dict[tuple[str, str, str], list[Entry]] = {}  # the first entries of each line
+    for place, entry in enumerate(entries):
+        firsts = begin.setdefault((entry.process, entry.node, entry.shape), [])
+        if firsts and entry.numbers == firsts[0].numbers and entry.time < entries[place - 1].time - 20 * MS:
+            if _begins(entries[place : place + 60], begin):
+                return entries[:place], entries[place:]
+        if len(firsts) < 3:
+            firsts.append(entry)
+    return entries, []
+
+
+def _begins(entries: Sequence[Entry], begin: dict[tuple[str, str, str], list[Entry]]) -> bool:
+    again: dict[tuple[str, str, str], list[Entry]] = {}
+    for entry in entries:
+        again.setdefault((entry.process, entry.node, entry.shape), []).append(entry)
+    for line, firsts in begin.items():
+        numbers = [entry.numbers for entry in firsts]
+        same = [entry.numbers for entry in again.get(line, [])[:3]] == numbers
+        if same and (len({*numbers}) > 1 or firsts[0].time == again[line][0].time):
+            return True
+    return False
 
 
 def group(entries: Sequence[Entry], kind: str) -> list[Series]:

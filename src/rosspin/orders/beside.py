@@ -3,39 +3,64 @@
 from __future__ import annotations
 
 import linecache
-from collections.abc import Iterator, Sequence
+from collections.abc import Iterable, Iterator, Sequence
 from itertools import groupby, islice, zip_longest
 from pathlib import Path
 
 from ..clocks.clock import NS
 from ..clocks.explored import Order, Turn
+from ..results.orders import Instant, Orders, Step
 
-__all__ = ["side_by_side"]
+__all__ = ["instants", "side_by_side"]
 
-# So many instants are shown, with so many lines of each.
+# So many instants are shown in lines, with so many lines of each.
 _INSTANTS = 3
 _LINES = 16
 
 _WIDTH = 60
 
 
-def side_by_side(usual: tuple[Order, str], failing: tuple[Order, str]) -> Iterator[str]:
-    """Yield lines that show an order beside the usual one. Of each, take the order, after its run, and the console."""
-    orders = usual[0], failing[0]
-    for time, usually, here in failing[0].said:
-        yield f"  at {time / NS:.10g} s usually {usually}, here {here}"
-    instants = dict.fromkeys(deviation.time for deviation in failing[0].said)
-    for time in list(instants)[:_INSTANTS]:
-        columns = [_turns(order.turns or (), time) for order in orders]
-        rows = list(zip_longest(columns[0], columns[1], fillvalue=""))
-        differ = next((place for place, (one, other) in enumerate(rows) if one != other), None)
-        if differ is not None:
-            start = max(differ - 2, 0)
-            yield from _table(f"at {time / NS:.10g} s", rows[start : start + _LINES])
-            if len(rows) > start + _LINES:
-                yield f"  ... and {len(rows) - start - _LINES} more lines at this time"
-    consoles = zip_longest(usual[1].splitlines(), failing[1].splitlines(), fillvalue="nothing more")
-    for one, other in islice((row for row in consoles if row[0] != row[1]), 1):
+def instants(usual: Order, failing: Order, start: int = 0) -> list[Instant]:
+    """Return where two orders are to be compared, after a run in each, from ``start`` (ns) on, that noted its turns."""
+    columns = [_by_time(order.turns or ()) for order in (usual, failing)]
+    several = len({turn.filename for column in columns for turns in column.values() for turn in turns}) > 1
+    times = dict.fromkeys(deviation.time for deviation in failing.said)
+    differ = (time for time in sorted({*columns[0], *columns[1]}) if columns[0].get(time) != columns[1].get(time))
+    found = []
+    for time in sorted({*times, *islice(differ, 1)}):
+        steps = [[_step(turn, several) for turn in column.get(time, ())] for column in columns]
+        chosen = [(each.usual, each.here) for each in failing.said if each.time == time]
+        found.append(Instant((time - start) / NS, steps[0], steps[1], chosen))
+    return found
+
+
+def _by_time(turns: Iterable[Turn]) -> dict[int, list[Turn]]:
+    """The turns at each time, each once in a row."""
+    by_time: dict[int, list[Turn]] = {}
+    for turn, _ in groupby(turns):
+        by_time.setdefault(turn.time, []).append(turn)
+    return by_time
+
+
+def _step(turn: Turn, several: bool) -> Step:
+    where = f"{Path(turn.filename).name}:{turn.line}" if several else f"{turn.line}"
+    return Step(turn.thread, where, linecache.getline(turn.filename, turn.line).strip())
+
+
+def side_by_side(found: Orders) -> Iterator[str]:
+    """Yield lines that show an order beside the usual one: their instants, and their consoles."""
+    for instant in found.instants:
+        for usually, here in instant.deviations:
+            yield f"  at {instant.time:.10g} s usually {usually}, here {here}"
+    for instant in [each for each in found.instants if each.differs is not None][:_INSTANTS]:
+        rows = list(zip_longest(map(_say, instant.usual), map(_say, instant.here), fillvalue=""))
+        start = max((instant.differs or 0) - 2, 0)
+        yield from _table(f"at {instant.time:.10g} s", rows[start : start + _LINES])
+        if len(rows) > start + _LINES:
+            yield f"  ... and {len(rows) - start - _LINES} more lines at this time"
+    consoles = [run.console.splitlines() if run else [] for run in (found.usual, found.here)]
+    lines = zip_longest(*consoles, fillvalue="nothing more")
+    for one, other in islice((row for row in lines if row[0] != row[1]), 1):
         yield from ("", "the first line in which the consoles differ", f"  usually  {one}", f"  here     {other}")
 
 
@@ -50,14 +75,5 @@ def _cut(text: str) -> str:
     return text if len(text) <= _WIDTH else f"{text[: _WIDTH - 4]} ..."
 
 
-def _turns(turns: Sequence[Turn], time: int) -> list[str]:
-    """The lines that were run at a time, each once in a row."""
-    at = [turn for turn in turns if turn.time == time]
-    several = len({turn.filename for turn in turns}) > 1
-    return [_say(turn, several) for turn, _ in groupby(at)]
-
-
-def _say(turn: Turn, several: bool) -> str:
-    line = linecache.getline(turn.filename, turn.line).strip()
-    where = f"{Path(turn.filename).name}:{turn.line}" if several else f"{turn.line}"
-    return f"{turn.thread:<12} {where:>4}  {line}"
+def _say(step: Step) -> str:
+    return f"{step.thread:<12} {step.line:>4}  {step.text}"

@@ -9,23 +9,25 @@ import linecache
 import math
 import signal
 import traceback
-from collections.abc import Callable, Iterator, Sequence
+from collections.abc import Callable, Sequence
 from typing import Any
 
 from ..clocks.explored import ExploredSimulation, Order
 from ..faults import Fault
+from ..results.orders import Orders
 from ..results.ticks import Run
 from ..run.explain import TimeStandsStill
+from ..run.host import duration
 from ..run.roslaunch.launch import Node
 from ..run.simulate import Prepared, prepare, run_prepared
 from ..run.source import NodeLike
 from ..run.streams import capture
 from ..world.graph import TickLog
 from ..world.world import NotSimulated
-from .beside import side_by_side
+from .beside import instants, side_by_side
 from .strategies import STRATEGIES, bound_of_pct
 
-__all__ = ["Exploration", "explore", "explored"]
+__all__ = ["Exploration", "compare_orders", "explore", "explored"]
 
 # So many runs at most make a failing order shorter.
 _SHRINKING = 500
@@ -53,6 +55,9 @@ class Exploration:
 
     ``bound`` is how often an order may deviate from the usual one so that all such orders were run: with the strategy
     "all", and if no order fails, the property holds for these. It is infinite if there are no others at all.
+
+    ``orders`` are what the usual order and the one that fails do, for :func:`rosspin.plots.both_orders`: an
+    :class:`~rosspin.results.orders.Orders`; None if none fails.
     """
 
     failure: str
@@ -61,6 +66,7 @@ class Exploration:
     bound: float
     run: Run | None
     usual: Run | None
+    orders: Orders | None
     text: str
 
     def __str__(self) -> str:
@@ -97,21 +103,28 @@ def explore(
     * whether two processes of rclpy, or a publisher and a subscriber of rospy, are connected when they usually are or
       one second later.
 
-    With ``deep`` it is also where Python takes its turn from a thread of the node's file, for another one of its
-    process. In ROS 1 (Python 3.8) that may be between any two statements, and after any value that was looked up or
-    calculated; in ROS 2 (from 3.10 on) where a function begins, a call has returned, or a loop goes round.
+    With ``deep`` it is also where Python takes its turn from a thread in the node's own code, for another one of its
+    process; its own are the modules beside the node's file, and in its package, too. In ROS 1 (Python 3.8) that may be
+    between any two statements, and after any value that was looked up or calculated; in ROS 2 (from 3.10 on) where a
+    function begins, a call has returned, or a loop goes round.
 
     Not open are the order of the messages of one publisher on a topic, of the calls of one executor in one round, of
     what one thread does, and all that comes after Ctrl-C. Not tried: that code takes time, that messages do, or get
-    lost, changes of thread in modules that the node imports, signals, other random numbers than those that the node
-    draws in the usual order.
+    lost, changes of thread in modules that are not the node's own, signals, other random numbers than those that the
+    node draws in the usual order.
 
     ``strategy`` is "pct" (random priorities), "random", or "all" (those that deviate once from the usual order, then
     twice, ...). ``seed`` is for the first two.
 
-    Raises what :func:`simulate` raises but TimeStandsStill, and ValueError for an unknown strategy, for ``schedules``
-    below 1, and for a function, or a launch file of ROS 2, that is to be explored ``deep``.
+    Raises what :func:`simulate` raises but TimeStandsStill; TypeError for a ``check`` that cannot be called; ValueError
+    for an unknown strategy, for ``schedules`` below 1, for a ``seed`` that is no whole number, and for a function, or a
+    launch file of ROS 2, that is to be explored ``deep``.
     """
+    _refuse(schedules, strategy, seed)
+    if check is not None and not callable(check):
+        raise TypeError(f"check is a function of the run, not {check!r}")
+    if isinstance(node, (list, tuple)) and not node:
+        raise ValueError("there is no node to run: the list is empty")
     prepared = prepare(node, args, False, deep, faults)
     runs: dict[str, Run | None] = {}
 
@@ -123,17 +136,19 @@ def explore(
 
     found = search(attempt, schedules, strategy, seed, deep)
     order = found.order
-    token = order.token if order else ""
-    said = found.said
-    if order:
-        lines = [
-            f"{found.failure}",
-            f"In {said}: {token}",
-            *_beside(node, seconds, args, order, faults),
-        ]
-        said = "\n".join(lines)
+    if order is None:
+        return Exploration("", "", found.schedules, found.bound, None, runs.get(_USUAL[deep]), None, found.said)
+    orders = compare_orders(node, seconds, order, args, faults=faults)
+    lines = [found.failure, f"In {found.said}: {order.token}", *side_by_side(orders)]
     return Exploration(
-        found.failure, token, found.schedules, found.bound, runs.get(token), runs.get(_USUAL[deep]), said
+        found.failure,
+        order.token,
+        found.schedules,
+        found.bound,
+        runs.get(order.token),
+        runs.get(_USUAL[deep]),
+        orders,
+        "\n".join(lines),
     )
 
 
@@ -141,12 +156,13 @@ _USUAL = {deep: Order(deep=deep).token for deep in (False, True)}
 
 
 def _run(
-    prepared: Prepared, seconds: float, check: Callable[[Run], object] | None, order: Order
+    prepared: Prepared, seconds: float, check: Callable[[Run], object] | None, order: Order, start: float = 0.0
 ) -> tuple[str, Run | None]:
     """Run in an order. Return how that fails (empty if it does not), and the run."""
     try:
         with capture() as console:
-            result = run_prepared(prepared, seconds, ExploredSimulation(order), TickLog())
+            clock = ExploredSimulation(order, duration(start, "start"))
+            result = run_prepared(prepared, seconds, clock, TickLog())
     except NotSimulated:
         raise
     except TimeStandsStill as error:
@@ -181,19 +197,27 @@ def _say(error: BaseException) -> str:
     return f"{type(error).__name__}: {said}" if said else type(error).__name__
 
 
-def _beside(node: Any, seconds: float, args: Sequence[str], order: Order, faults: Sequence[Fault]) -> Iterator[str]:
-    """Yield the lines that show an order beside the usual one, from one more run of each."""
+def compare_orders(
+    node: NodeLike | Sequence[NodeLike | Node],
+    seconds: float,
+    order: Order,
+    args: Sequence[str] = (),
+    skip_cpp: bool = False,
+    *,
+    start: float = 0.0,
+    faults: Sequence[Fault] = (),
+) -> Orders:
+    """Compare an order with the usual one, by one run in each. Raises what :func:`simulate` raises for the rest."""
     try:
-        prepared = prepare(node, args, False, True, faults)
+        prepared = prepare(node, args, skip_cpp, True, faults)
     except ValueError:  # functions, and files of ROS 2's launch, are shown without their lines
-        prepared = prepare(node, args, False, False, faults)
-    shown = []
-    for deviations in ({}, order.made):
-        again = Order(deviations, deep=order.deep)
-        again.turns = []
-        _, run = _run(prepared, seconds, None, again)
-        shown.append((again, run.console if run else ""))
-    yield from side_by_side(*shown)
+        prepared = prepare(node, args, skip_cpp, False, faults)
+    again, runs = [], []
+    for deviations in ({}, order.made or order.planned):
+        again.append(Order(deviations, deep=order.deep))
+        again[-1].turns = []
+        runs.append(_run(prepared, seconds, None, again[-1], start)[1])
+    return Orders(runs[0], runs[1], tuple(instants(again[0], again[1], duration(start, "start"))))
 
 
 # --- searching --------------------------------------------------------------------------------------------------------
@@ -210,12 +234,18 @@ class Found:
     said: str
 
 
+def _refuse(schedules: int, strategy: str, seed: int) -> None:
+    """Raise ValueError for arguments with which nothing can be searched."""
+    if strategy not in list(STRATEGIES):
+        raise ValueError(f"strategy is one of {', '.join(map(repr, STRATEGIES))}, not {strategy!r}")
+    if type(schedules) is not int or schedules < 1:
+        raise ValueError(f"schedules must be a whole number of at least 1, not {schedules!r}")
+    if type(seed) is not int:
+        raise ValueError(f"seed must be a whole number, not {seed!r}")
+
+
 def search(attempt: Try, schedules: int, strategy: str, seed: int, deep: bool) -> Found:
     """Try orders until one fails, and make that one shorter."""
-    if strategy not in STRATEGIES:
-        raise ValueError(f"strategy is one of {', '.join(map(repr, STRATEGIES))}, not {strategy!r}")
-    if not (isinstance(schedules, int) and schedules >= 1):
-        raise ValueError(f"schedules must be a whole number of at least 1, not {schedules!r}")
     usual = Order(deep=deep)
     if failure := attempt(usual):
         return Found(usual, failure, 1, 0, "the usual order")
@@ -316,6 +346,7 @@ def explored(
     The arguments are those of :func:`explore`, which also says what may differ. Raises TypeError for a test without
     ``start_node``, and ValueError as :func:`explore` does, or if the ``schedule`` is none of this test.
     """
+    _refuse(schedules, strategy, seed)
     if schedule:
         deep = Order.of(schedule).deep
 

@@ -5,14 +5,14 @@ from __future__ import annotations
 import sys
 from collections.abc import Callable, Mapping, Sequence
 from importlib.abc import Loader, MetaPathFinder
-from importlib.machinery import ModuleSpec
+from importlib.machinery import BuiltinImporter, FrozenImporter, ModuleSpec, PathFinder, SourceFileLoader
 from types import FrameType, ModuleType
 from typing import Any
 
 from ..messages import MessageFinder
 from ..world.world import World
 from .roses import ROSES, ros_of
-from .source import Node, folder_of, names_a_ros
+from .source import Node, folder_of, is_own, names_a_ros, own_folders
 
 __all__ = ["Imports"]
 
@@ -32,6 +32,7 @@ class Imports(MetaPathFinder):
         hidden: Callable[[Mapping[str, ModuleType]], None],
     ) -> None:
         self._node = node
+        self._own = own_folders(node)
         self._world = world
         self._stand_in = stand_in  # the modules of a ROS, or of a package beside it, by their names
         self._hidden = hidden  # is told of the modules that made way for messages
@@ -63,7 +64,17 @@ class Imports(MetaPathFinder):
         number = self._world.ros or self._node.hint or _named_by_who_asks(sys._getframe(1)) or 1
         if fullname.partition(".")[0] in ROSES[number].beside:
             return self._find_ros(fullname, number)
-        return self._finder_of(number).find_spec(fullname, path, target)
+        return self._finder_of(number).find_spec(fullname, path, target) or self._find_own(fullname, path)
+
+    def _find_own(self, fullname: str, path: Sequence[str] | None) -> ModuleSpec | None:
+        """Find a module of the node's own that is not to be loaded as usual; None for all others."""
+        if not self._node.loader or any(each.find_spec(fullname) for each in (BuiltinImporter, FrozenImporter)):
+            return None
+        spec = PathFinder.find_spec(fullname, path)
+        if spec and isinstance(spec.loader, SourceFileLoader) and is_own(fullname, spec.loader.path, self._own):
+            spec.loader = self._node.loader(fullname, spec.loader.path)
+            return spec
+        return None
 
     def _find_ros(self, fullname: str, ros: int) -> ModuleSpec | None:
         if self._finder.library.ros != ros and self._finder.found:

@@ -30,7 +30,7 @@ from ..clocks.threads import begin_main, end_main
 from ..world.world import NotSimulated, World, not_simulated
 from .imports import Imports
 from .kept import working_folder
-from .source import Node, around_package, neighbour
+from .source import Node, around_package, is_own, neighbour, own_folders
 
 __all__ = ["PATCHES", "Process", "Slots", "leave", "starter"]
 
@@ -104,9 +104,9 @@ class Process(Slots):
         argv = [node.argv0, *args]
         self.world = make_world(argv)
         self.imports = Imports(node, self.world, stand_in, hidden)
+        self._own = own_folders(node)
         folders = [] if node.folder is None else [node.folder]
         around = [] if node.folder is None else [around_package(node.folder)]
-        self._own = [os.path.join(each, "") for each in (*folders, *filter(None, around))]
         if folder:
             self.folder = os.path.abspath(folder)
         added = {os.fsencode(name): os.fsencode(value) for name, value in (environment or {}).items()}
@@ -131,9 +131,7 @@ class Process(Slots):
         """Whether a module, or its package, lies beside the node or its package; not in a virtual environment there."""
         if not isinstance(module, ModuleType):  # a node can put anything into sys.modules
             return False
-        root = module.__name__.partition(".")[0]
-        file = os.path.abspath(getattr(module, "__file__", None) or "")
-        return file.startswith(tuple(f"{folder}{root}{end}" for folder in self._own for end in (".", os.sep)))
+        return is_own(module.__name__, getattr(module, "__file__", None) or "", self._own)
 
     def namesakes(self) -> set[str]:
         """Names of modules that whoever runs the node has imported, and that lie, as other files, beside the node."""

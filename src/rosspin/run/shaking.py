@@ -12,7 +12,9 @@ from __future__ import annotations
 
 import ast
 import sys
-from functools import partial
+from functools import lru_cache, partial
+from importlib.machinery import SourceFileLoader
+from types import CodeType, ModuleType
 from typing import Any
 
 from ..clocks.explored import ExploredSimulation, Turn, name_of
@@ -33,13 +35,35 @@ _LEFT = ("annotation", "returns", "pattern", "type", "type_params")
 def shaken(node: Node) -> Node:
     """Make a node give way where its run's order says so, and note the lines that it runs if they are wanted.
 
-    Raises ValueError for a node that is a function: only a file can be read.
+    So do the modules of its own that it imports: what lies beside it, or in its package. Raises ValueError for a node
+    that is a function: only a file can be read.
     """
     if node.source is None:
         raise ValueError(f"{node.name}: deep is for node files; a function cannot be shaken")
-    tree = ast.fix_missing_locations(_Shaker(everywhere=node.hint == 1).visit(ast.parse(node.source)))
-    code = compile(tree, node.filename, "exec", dont_inherit=True)
-    return node._replace(main=partial(execute, code, node.filename, {_GIVE_WAY: _give_way, _TELL: _tell}))
+    everywhere = node.hint == 1
+    main = partial(execute, _shaken(node.source, node.filename, everywhere), node.filename, _NAMES)
+    return node._replace(main=main, loader=partial(_Loader, everywhere))
+
+
+@lru_cache(256)  # of the modules that each of a thousand runs imports anew
+def _shaken(source: str | bytes, filename: str, everywhere: bool) -> CodeType:
+    tree = ast.fix_missing_locations(_Shaker(everywhere).visit(ast.parse(source, filename)))
+    return compile(tree, filename, "exec", dont_inherit=True)
+
+
+class _Loader(SourceFileLoader):
+    """Loads a module of a shaken node from its source: what Python has kept of it compiled is not shaken."""
+
+    def __init__(self, everywhere: bool, name: str, path: str) -> None:
+        super().__init__(name, path)
+        self._everywhere = everywhere
+
+    def get_code(self, fullname: str) -> CodeType:
+        return _shaken(self.get_data(self.path), self.path, self._everywhere)
+
+    def exec_module(self, module: ModuleType) -> None:
+        module.__dict__.update(_NAMES)
+        super().exec_module(module)
 
 
 def _give_way(value: Any = None) -> Any:
@@ -61,6 +85,9 @@ def _note(stack: Stack, clock: ExploredSimulation) -> None:
     if clock.order.turns is not None:
         frame = sys._getframe(2)
         clock.order.turns.append(Turn(clock.now(), name_of(stack), frame.f_code.co_filename, frame.f_lineno))
+
+
+_NAMES = {_GIVE_WAY: _give_way, _TELL: _tell}
 
 
 class _Shaker(ast.NodeTransformer):

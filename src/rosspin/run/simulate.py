@@ -145,7 +145,7 @@ def several(
     if is_launch_of_ros2(path):
         with open(path, "rb"):
             return LaunchFile(path, args, skip_cpp)
-    if callable(node) or isinstance(node, (str, os.PathLike)) or not isinstance(node, Iterable):
+    if callable(node) or isinstance(node, (str, bytes, os.PathLike)) or not isinstance(node, Iterable):
         return None
     if args:
         raise ValueError("give each of several nodes its own command line: rosspin.Node(node, args)")

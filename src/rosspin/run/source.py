@@ -12,6 +12,7 @@ import tokenize
 from collections.abc import Callable, Iterator, Mapping, Sequence
 from contextlib import suppress
 from functools import partial
+from importlib.abc import Loader
 from importlib.machinery import BuiltinImporter, FrozenImporter
 from pathlib import Path
 from types import CodeType, ModuleType
@@ -22,7 +23,8 @@ from .roses import ROSES, ros_of
 
 __all__ = [
     *("Node", "NodeLike", "around_package", "execute", "folder_of", "load", "load_source", "names_a_ros"),
-    *("compiled", "is_launch_of_ros2", "read", "refuse_other_ros", "refuse_text", "split_words", "warn_of_files"),
+    *("compiled", "is_launch_of_ros2", "is_own", "own_folders", "read", "refuse_other_ros", "refuse_text"),
+    *("split_words", "warn_of_files"),
 ]
 
 
@@ -35,6 +37,7 @@ class Node(NamedTuple):
     folder: str | None  # of the node file: its neighbours can be imported
     source: str | None = None  # the text that it was made from, if any
     hint: int = 0  # 1 or 2: the ROS that its code seems to name, or 0; what it imports decides
+    loader: Callable[[str, str], Loader] | None = None  # of a module beside it, by name and path, if not Python's own
 
     @property
     def name(self) -> str:
@@ -215,6 +218,20 @@ def _names(code: CodeType) -> Iterator[str]:
 def neighbour(folder: str, name: str) -> str | None:
     path = os.path.join(folder, *name.split("."))
     return next((file for file in (f"{path}.py", os.path.join(path, "__init__.py")) if os.path.isfile(file)), None)
+
+
+def own_folders(node: Node) -> list[str]:
+    """The folder of a node's file, and the one from which its package can be imported, if it is in one."""
+    folders = [] if node.folder is None else [node.folder, around_package(node.folder)]
+    return [os.path.join(folder, "") for folder in filter(None, folders)]
+
+
+def is_own(name: str, file: str, folders: Sequence[str]) -> bool:
+    """Whether a module, or its package, lies in such a folder; not in a virtual environment there."""
+    root = name.partition(".")[0]
+    return os.path.abspath(file).startswith(
+        tuple(f"{folder}{root}{end}" for folder in folders for end in (".", os.sep))
+    )
 
 
 def around_package(folder: str) -> str:

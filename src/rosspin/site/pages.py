@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import math
 import os
 import re
 import shlex
@@ -25,13 +26,16 @@ from sphinx.environment import BuildEnvironment
 from sphinx.util.docutils import SphinxDirective, SphinxRole
 from sphinx.util.typing import ExtensionMetadata
 
-from .. import rclpy, rospy
+from .. import plots, rclpy, rospy
+from ..clocks.clock import NS
+from ..clocks.explored import Order
 from ..clocks.simulation import Simulation
 from ..faults import read
 from ..look import look
 from ..measures import by_source, topic_ticks
-from ..plots import overview, picture, with_handle
-from ..plots.pictures import page
+from ..orders.exploring import compare_orders
+from ..plots import both_orders, overview, picture, with_handle
+from ..plots.pictures import figure_of, new_axes, page
 from ..results import machine
 from ..results.rules import calculated
 from ..results.ticks import Run, Tick
@@ -47,6 +51,7 @@ from .vehicle import NODES, figure
 __all__ = ["setup"]
 
 _BEYOND = 60.0  # s; no call of a probe takes that long
+_HEIGHT = 200  # px of a plot of a log
 
 
 class TicksDirective(SphinxDirective):
@@ -247,6 +252,24 @@ class ScenesDirective(TicksDirective):
         yield nodes.raw("", f"{plot}</div>", format="html")
 
 
+class OrdersDirective(TicksDirective):
+    """``.. orders:: FILE ARGS`` with ``:seconds: S`` and ``:schedule: TOKEN``: this order beside the usual one."""
+
+    has_content = False
+    required_arguments, optional_arguments = 1, 0
+    option_spec: ClassVar = {
+        "seconds": TicksDirective.option_spec["seconds"],
+        "schedule": directives.unchanged_required,
+    }
+
+    def _plot(self) -> str:
+        ((file, *args),) = self._commands().values()
+        found = compare_orders(self._file(file), self._seconds(), Order.of(self.options["schedule"]), args)
+        if not found.instants:
+            raise ValueError("the schedule is none of this node: explore again")
+        return page(both_orders(found))
+
+
 class FactsDirective(SphinxDirective):
     """``.. facts::``: Python above the sentence that it is about, run in the source folder and not shown.
 
@@ -312,22 +335,52 @@ class ListingDirective(LiteralInclude):
 
 
 class LookDirective(SphinxDirective):
-    """``.. look:: FILE``: what ``rosspin look`` prints of a log, as of a file ``console.txt``, and its plot."""
+    """``.. look:: FILE``: what ``rosspin look`` prints of a log, as of a file ``console.txt``, and its plot.
+
+    ``:shows: NAME`` is for the section on a verdict, which has to be the first that this log gets: then there is only
+    the ``:plot:`` of that name in :mod:`rosspin.plots`, of the part ``:seconds: FROM-TO``. Lines that match
+    ``:without:`` are left out before.
+    """
 
     required_arguments = 1
+    option_spec: ClassVar = dict.fromkeys(("plot", "seconds", "shows", "without"), directives.unchanged_required)
 
     def run(self) -> list[nodes.Node]:
         """The console, and the plot as inline SVG."""
         relative, path = self.env.relfn2path(self.arguments[0])
         self.env.note_dependency(relative)
         try:
-            found = look(Path(path).read_bytes(), "console.txt")
-            text = "\n".join(["$ rosspin look console.txt --plot look.svg", *found.report()])
-            drawn = page(overview(found.ticks(), caption="recorded on a real ROS"))
+            return list(self._shown(Path(path).read_bytes()))
         except Exception as error:
             note(self.env, self.lineno, self.block_text, one_line(error))
             return []
-        return [nodes.literal_block(text, text, language="text"), nodes.raw("", drawn, format="html")]
+
+    def _shown(self, data: bytes) -> Iterator[nodes.Node]:
+        caption = "recorded on a real ROS"
+        if without := self.options.get("without"):
+            data = b"\n".join(line for line in data.splitlines() if not re.search(without.encode(), line))
+            caption += ", some lines taken out"
+        found = look(data, "console.txt")
+        if "shows" not in self.options:
+            text = "\n".join(["$ rosspin look console.txt --plot look.svg", *found.report()])
+            yield nodes.literal_block(text, text, language="text")
+            yield nodes.raw("", page(overview(found.ticks(), caption=caption)), format="html")
+            return
+        if found.verdicts[0].name != self.options["shows"]:
+            raise ValueError(f"this log is told to be {found.verdicts[0].name}")
+        times = [
+            Tick(each.name, n, (time - found.start) / NS, (time - found.start) / NS, math.nan)
+            for each in found.series
+            for n, time in enumerate(each.times, 1)
+        ]
+        ticks, plot = found.ticks() or times, self.options["plot"]
+        if plot == "timeline":
+            drawn = picture(ticks, caption=caption)
+        else:
+            drawn = figure_of(getattr(plots, plot)(ticks, caption=caption, ax=new_axes(_HEIGHT)))
+        if "seconds" in self.options:
+            drawn.axes[0].set_xlim(*map(float, self.options["seconds"].split("-")))
+        yield nodes.raw("", page(drawn), format="html")
 
 
 class VehicleDirective(SphinxDirective):
@@ -554,6 +607,7 @@ def setup(app: Sphinx) -> ExtensionMetadata:
     """Add the directives and the role above, the checks, and the highlighting of notebook cells."""
     app.add_directive("ticks", TicksDirective)
     app.add_directive("scenes", ScenesDirective)
+    app.add_directive("orders", OrdersDirective)
     app.setup_extension("rosspin.site.checks")
     app.setup_extension("rosspin.site.lessons")
     app.add_directive("facts", FactsDirective)

@@ -86,6 +86,7 @@ class World(Program):
         self.stderr = sys.stderr  # taken now, whatever the node puts in its place
         self.number = number
         self.name = ""  # its full name in the graph, as soon as it has one
+        self.file = os.path.basename(argv[0]) if argv else ""
         self.nodes: list[str] = []  # the full names of all nodes that it has had
         self.crashed = False  # whether a fault of the run has killed it
         self.at_jump: list[Callable[[], None]] = []  # called when the system's clock is set

@@ -1,8 +1,6 @@
-"""Record logs whose fault is known on the real ROS 1 and ROS 2: ``python tests/look/record.py [NAME...]``.
+"""Record logs whose fault is known on the real ROS 1 and ROS 2, with the nodes in ``tests/look/nodes``.
 
-PYTHONPATH is tests/helpers.
-
-Clocks are set by nodes/set_clock.c, which is compiled for that.
+Clocks are set by set_clock.c there, which is compiled for that.
 """
 
 from __future__ import annotations
@@ -11,34 +9,42 @@ import os
 import re
 import signal
 import subprocess
-import sys
 import time
 from pathlib import Path
 from typing import Any
 
-from known_logs import REAL, Case
+from known_logs import Case
+from tree import ROOT, TESTS
 
 from rosspin.real.children import SITECUSTOMIZE, Children
 from rosspin.real.ros1 import Workspace
 from rosspin.real.ros2 import Nodes, python
 
-HERE = Path(__file__).parent
+__all__ = ["recording", "record"]
+
+NODES = TESTS / "look/nodes"
+
+
+def recording(case: Case, folder: Path = TESTS / "look/recorded") -> Path:
+    """The file of a log."""
+    return folder / f"{case.name}.{ {'console': 'log', 'echo': 'csv', 'bag': 'bag'}[case.form] }"
 
 
 def start(case: Case, children: Children, name: str, words: list[str], log: int) -> subprocess.Popen[bytes]:
     more = {}
     if case.jumps:
         library, offset = children.folder / "set_clock.so", children.folder / "offset"
-        subprocess.run(["cc", "-shared", "-fPIC", "-o", library, HERE / "nodes/set_clock.c", "-ldl"], check=True)
+        subprocess.run(["cc", "-shared", "-fPIC", "-o", library, NODES / "set_clock.c", "-ldl"], check=True)
         more = {"LD_PRELOAD": str(library), "CLOCK_OFFSET": str(offset)}
     if case.ros == 1:
-        return children.start(["python3", str(HERE / "nodes/faulty_ros1.py"), name, *words], log, log, more)
+        return children.start(["python3", str(NODES / "faulty_ros1.py"), name, *words], log, log, more)
     path = os.pathsep.join(filter(None, (str(children.folder), children.environment.get("PYTHONPATH"))))
-    command = [python(), str(HERE / "nodes/faulty_ros2.py"), name, *words]
+    command = [python(), str(NODES / "faulty_ros2.py"), name, *words]
     return children.start(command, log, log, {**more, "PYTHONPATH": path})
 
 
-def record(case: Case) -> None:
+def record(case: Case, target: Path) -> None:
+    """Record a log into a file."""
     with Workspace() if case.ros == 1 else Nodes(meet=True) as children:
         if isinstance(children, Workspace):
             children.start_master()
@@ -51,8 +57,6 @@ def record(case: Case) -> None:
         plans += [("stop", 2 + at, seconds) for at, seconds in case.stops]
         plans += [("jump", 2 + at, seconds) for at, seconds in case.jumps]
         processes, others = [], []
-        suffix = {"console": "log", "echo": "csv", "bag": "bag"}[case.form]
-        target = HERE / f"recorded/{case.name}.{suffix}"
         with open(out, "ab") as log:
             if case.form == "echo":
                 with open(target, "wb") as table:
@@ -82,12 +86,5 @@ def record(case: Case) -> None:
                 process.wait(20)
         if case.form == "console":
             text = out.read_text()
-            text = re.sub(rf"{re.escape(str(children.folder))}|{re.escape(str(HERE.parents[1]))}", "/home/you", text)
+            text = re.sub(rf"{re.escape(str(children.folder))}|{re.escape(str(ROOT))}", "/home/you", text)
             target.write_text(text)
-    print(case.name, time.strftime("%H:%M:%S"), target.stat().st_size, flush=True)
-
-
-if __name__ == "__main__":
-    for case in REAL:
-        if not sys.argv[1:] or case.name in sys.argv[1:]:
-            record(case)
