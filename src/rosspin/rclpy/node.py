@@ -31,7 +31,8 @@ from .executors import GuardCondition
 from .handle import Handle
 from .logging_service import LoggingService
 from .parameter import Parameter, Parameters
-from .parameter_service import SERVICES, ParameterService
+from .parameter_service import ParameterService
+from .parameter_service import look as look_for_parameters
 from .qos import DurabilityPolicy, QoSProfile, qos_profile_services_default
 from .qos_overriding_options import QoSOverridingOptions, override
 from .services import Client, Ends, Service
@@ -552,12 +553,7 @@ class Node(Parameters):
         RCLError if the process uses the name with another type.
         """
         full_name = self.__prepare_service("client", srv_type, srv_name, qos_profile)
-        of, _, word = full_name.rpartition("/")
-        if word in SERVICES:
-            self._context.state.world.graph.part(Ends).asked.add(of)
-            for node in self._context.state.participants.all_nodes():
-                if node.__full_name == of:
-                    node._rosspin_start_services()
+        look_for_parameters(self._context.state.world.graph, full_name)
         group = callback_group or self.default_callback_group
         client = Client(self, srv_type, srv_name, full_name, group, qos_profile)
         self.__add(client, self._clients)
