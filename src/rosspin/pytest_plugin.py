@@ -40,12 +40,14 @@ class _StartNode:
         parameters: Mapping[str, Any] | None = None,
         *,
         faults: Sequence[Fault] = (),
+        jitter: float = 0.0,
     ) -> StartedNode:
         __tracebackhide__ = True
+        from .run.simulate import with_jitter
         from .run.steps import start_in_order
 
         path = node if callable(node) else os.path.normpath(self._folder / os.fspath(node))
-        started = start_in_order(self.order, path, args, parameters, faults)
+        started = start_in_order(self.order, path, args, parameters, with_jitter(faults, jitter))
         self._started.append(self._stack.enter_context(started))
         return started
 

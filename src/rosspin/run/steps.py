@@ -23,7 +23,7 @@ from .process import Process
 from .ros2launch.launch_file import LaunchFile
 from .roses import ROSES
 from .roslaunch.launch import Node
-from .simulate import prepare, supervisor
+from .simulate import prepare, supervisor, with_jitter
 from .source import NodeLike, refuse_text, warn_of_files
 from .streams import Capture
 
@@ -48,18 +48,19 @@ def start(
     parameters: Mapping[str, Any] | None = None,
     *,
     faults: Sequence[Fault] = (),
+    jitter: float = 0.0,
 ) -> StartedNode:
     """Start a node, or several, in simulated time, to be run in steps.
 
     ``node`` and ``args`` are as for :func:`simulate`; ``parameters`` are set before a node runs, as by a launch file:
     in ROS 1 private ones by names such as ``"~rate"``, in ROS 2 those that it declares. What is due at 0 s has run when
-    this returns; the time then waits for :meth:`StartedNode.advance`. ``faults`` are as for :func:`simulate`; a node
-    that one of them kills has not failed. Raises what :func:`simulate` and ``advance`` raise, TypeError for a value
-    that no parameter can have, and ValueError for parameters of several nodes: give each of them its own on its command
-    line.
+    this returns; the time then waits for :meth:`StartedNode.advance`. ``faults`` and ``jitter`` are as for
+    :func:`simulate`; a node that a fault kills has not failed. Raises what :func:`simulate` and ``advance`` raise,
+    TypeError for a value that no parameter can have, and ValueError for parameters of several nodes: give each of them
+    its own on its command line.
     """
     __tracebackhide__ = True  # pytest shows the lines of the test and of the node, not these
-    return start_in_order(None, node, args, parameters, faults)
+    return start_in_order(None, node, args, parameters, with_jitter(faults, jitter))
 
 
 def start_in_order(
