@@ -9,7 +9,7 @@ from importlib import import_module
 from types import ModuleType
 from typing import TYPE_CHECKING, Any, TypeVar
 
-from ..messages.ros2 import Action, Message
+from ..messages.ros2 import Message
 from ..messages.ros2 import Service as Interface
 from ..world.world import NotSimulated
 from . import logging, names, own_topics
@@ -24,7 +24,6 @@ from .exceptions import (
     NotInitializedException,
     RCLError,
     invalid_context,
-    no_type_support,
     not_accepted,
 )
 from .executors import GuardCondition
@@ -40,6 +39,7 @@ from .time_source import TimeSource
 from .timer import Rate, Timer
 from .topics import Publisher, Subscription
 from .type_description_service import START_TYPE_DESCRIPTION_SERVICE_PARAM
+from .type_support import check_is_valid_msg_type, check_is_valid_srv_type
 
 if TYPE_CHECKING:
     from .action import ActionClient, ActionServer
@@ -434,8 +434,7 @@ class Node(Parameters):
         if not isinstance(qos, QoSProfile):
             raise TypeError(f"Expected QoSProfile or int, but received {type(qos)!r}")
         self.__check_text(topic)
-        if not (isinstance(msg_type, type) and issubclass(msg_type, Message)):
-            raise no_type_support(msg_type)
+        check_is_valid_msg_type(msg_type)
         if not self._context.ok():
             raise RCLError(f"Failed to create {what}: rcl node's context is invalid")
         full_name = self._rosspin_resolve(topic)
@@ -582,11 +581,7 @@ class Node(Parameters):
 
     def __prepare_service(self, what: str, srv_type: Any, name: Any, qos: Any) -> str:
         """Check what a client or service is to be made of. Return the full name."""
-        if not (isinstance(srv_type, type) and issubclass(srv_type, (Interface, Action, Message))):
-            raise no_type_support(srv_type)
-        if not issubclass(srv_type, Interface):
-            text = f"The service type provided is not valid ({srv_type}), this might be a message or action"
-            raise RuntimeError(text)
+        check_is_valid_srv_type(srv_type)
         self.__check()
         if not isinstance(qos, QoSProfile):
             raise AttributeError(f"{type(qos).__name__!r} object has no attribute 'get_c_qos_profile'")

@@ -17,7 +17,7 @@ if TYPE_CHECKING:
     from ..world.graph import Graph
     from .node import Node
 
-__all__ = ["SERVICES", "ParameterService", "look"]
+__all__ = ["ParameterService"]
 
 # Below the node's own name, each with its type.
 SERVICES = {
@@ -36,8 +36,9 @@ class ParameterService:
     ``types`` has their classes: the module ``rcl_interfaces.srv`` of the node's process.
     """
 
-    def __init__(self, node: Node, types: ModuleType) -> None:
+    def __init__(self, node: Node, types: ModuleType | None = None) -> None:
         self._node = node
+        types = types or import_module("rcl_interfaces.srv")
         for name, kind in SERVICES.items():
             callback = getattr(self, f"_{name}")
             full_name = f"{node.get_name()}/{name}"

@@ -12,12 +12,11 @@ from __future__ import annotations
 
 import ast
 import sys
-from functools import partial
 from typing import Any
 
 from ..clocks.explored import ExploredSimulation, Turn, name_of
 from ..clocks.stacks import Stack, current
-from .source import Node, execute
+from .source import Node, program
 
 __all__ = ["shaken"]
 
@@ -39,7 +38,7 @@ def shaken(node: Node) -> Node:
         raise ValueError(f"{node.name}: deep is for node files; a function cannot be shaken")
     tree = ast.fix_missing_locations(_Shaker(everywhere=node.hint == 1).visit(ast.parse(node.source)))
     code = compile(tree, node.filename, "exec", dont_inherit=True)
-    return node._replace(main=partial(execute, code, node.filename, {_GIVE_WAY: _give_way, _TELL: _tell}))
+    return node._replace(main=program(code, node.filename, {_GIVE_WAY: _give_way, _TELL: _tell}))
 
 
 def _give_way(value: Any = None) -> Any:
