@@ -2,7 +2,7 @@
 
 So what the stand-in does can be compared with what rclpy's executors, tasks, timers, Rates and parameters do, exactly
 and without a network. Here are, in Python, the parts of rcl that they call: its timers, guard conditions, clients,
-services and wait sets. There are no topics.
+services, actions and wait sets. There are no other topics than those of actions.
 
 What is used of the real one is its ``.py`` files, which ``make ros2`` installs; no library is loaded.
 """
@@ -39,7 +39,7 @@ class InvalidHandle(RuntimeError):
 
 
 class RCLError(RuntimeError):
-    pass
+    __module__ = "rclpy._rclpy_pybind11"  # as tracebacks name it
 
 
 class Handle:
@@ -226,6 +226,172 @@ def _others(end: Client | Service, kind: type) -> list[Any]:
     return [other for other in _ends if isinstance(other, kind) and other.name == end.name and not other.gone]
 
 
+class Heard(Wakes):
+    """An action client's end of a topic, with the messages that came."""
+
+    def __init__(self, depth: int) -> None:
+        super().__init__()
+        self.came = deque[Any](maxlen=depth)
+
+    def take_in(self, message: Any) -> None:
+        self.came.append(message)
+        self.wake()
+
+    def take(self, kind: Any) -> Any:
+        return self.came.popleft() if self.came else None
+
+
+GoalEvent = enum.IntEnum("GoalEvent", "EXECUTE CANCEL_GOAL SUCCEED ABORT CANCELED", start=0)
+
+# rcl_action/goal_state_machine.c; the states are numbered as in action_msgs/GoalStatus.
+_AFTER = {
+    **{(1, GoalEvent.EXECUTE): 2, (1, GoalEvent.CANCEL_GOAL): 3, (2, GoalEvent.CANCEL_GOAL): 3},
+    **{(2, GoalEvent.SUCCEED): 4, (2, GoalEvent.ABORT): 6, (3, GoalEvent.SUCCEED): 4},
+    **{(3, GoalEvent.ABORT): 6, (3, GoalEvent.CANCELED): 5},
+}
+
+
+class ActionGoalHandle(Handle):
+    def __init__(self, server: ActionServer, info: Any) -> None:
+        self.info, self.status = info, 1
+        server.goals.append(self)
+
+    def is_active(self) -> bool:
+        return self.status < 4
+
+    def get_status(self) -> int:
+        return self.status
+
+    def update_goal_state(self, event: Any) -> None:
+        if (self.status, event) not in _AFTER:
+            state = ("", "ACCEPTED", "EXECUTING", "CANCELING", "SUCCEEDED", "CANCELED", "ABORTED")[self.status]
+            text = f"invalid transition from state {state} with event {event.name}"
+            raise RCLError(f"Failed to update goal state: goal_handle attempted {text}")
+        self.status = _AFTER[self.status, event]
+
+
+class _ActionEnd(Handle):
+    """rcl_action: three services, or clients of these, which are ready if the wait set has found them so."""
+
+    def __init__(self, node: Node, name: str, kind: Callable[..., Any]) -> None:
+        self.name = name
+        self.ends = [kind(node, None, f"{name}/_action/{part}", None) for part in ("goal", "cancel", "result")]
+        self.heard: list[Heard] = []
+        _actions.append(self)
+
+    def is_ready(self, wait_set: WaitSet) -> list[bool]:
+        return [end.pointer in wait_set.found for end in (*self.heard, *self.ends)]
+
+    def add_to_waitset(self, wait_set: WaitSet) -> None:
+        wait_set.others += [*self.heard, *self.ends]
+
+    def get_num_entities(self) -> tuple[int, ...]:
+        return (0, 0, 0, 0, 0)
+
+    def destroy_when_not_in_use(self) -> None:
+        super().destroy_when_not_in_use()
+        for end in self.ends:
+            end.gone = True
+
+
+class ActionServer(_ActionEnd):
+    """rcl_action/action_server.c. No goal lives long enough to expire."""
+
+    def __init__(self, node: Node, clock: Clock, kind: Any, name: str, *more: Any) -> None:
+        super().__init__(node, name, Service)
+        self.goals: list[ActionGoalHandle] = []
+
+    def is_ready(self, wait_set: WaitSet) -> list[bool]:
+        return [*super().is_ready(wait_set), False]
+
+    def take_goal_request(self, kind: Any, which: int = 0) -> Any:
+        request, header = self.ends[which].service_take_request(kind)
+        return header, request
+
+    def take_cancel_request(self, kind: Any) -> Any:
+        return self.take_goal_request(kind, 1)
+
+    def take_result_request(self, kind: Any) -> Any:
+        return self.take_goal_request(kind, 2)
+
+    def send_goal_response(self, header: Header, response: Any) -> None:
+        self.ends[0].service_send_response(response, header)
+
+    def send_cancel_response(self, header: Header, response: Any) -> None:
+        self.ends[1].service_send_response(response, header)
+
+    def send_result_response(self, header: Header, response: Any) -> None:
+        self.ends[2].service_send_response(response, header)
+
+    def goal_exists(self, info: Any) -> bool:
+        return any(goal.info.goal_id == info.goal_id for goal in self.goals)
+
+    def process_cancel_request(self, request: Any, kind: Any) -> Any:
+        response, wanted = kind(), request.goal_info.goal_id
+        can = [goal for goal in self.goals if (goal.status, GoalEvent.CANCEL_GOAL) in _AFTER]
+        if any(wanted.uuid):
+            if not self.goal_exists(request.goal_info):
+                response.return_code = 2
+            else:
+                can = [goal for goal in can if goal.info.goal_id == wanted]
+                response.return_code = 0 if can else 3
+        if not response.return_code:
+            response.goals_canceling = [goal.info for goal in can]
+        return response
+
+    def publish_feedback(self, message: Any) -> None:
+        self._tell(0, message)
+
+    def publish_status(self) -> None:
+        types = import_module("action_msgs.msg")
+        found = [types.GoalStatus(goal_info=goal.info, status=goal.status) for goal in self.goals]
+        self._tell(1, types.GoalStatusArray(status_list=found))
+
+    def _tell(self, which: int, message: Any) -> None:
+        for client in _actions:
+            if isinstance(client, ActionClient) and client.name == self.name and not client.gone:
+                client.heard[which].take_in(message)
+
+    def notify_goal_done(self) -> None:
+        pass
+
+
+class ActionClient(_ActionEnd):
+    """rcl_action/action_client.c."""
+
+    def __init__(self, node: Node, kind: Any, name: str, *more: Any) -> None:
+        super().__init__(node, name, Client)
+        self.heard = [Heard(10), Heard(1)]
+
+    def send_goal_request(self, request: Any) -> int:
+        return int(self.ends[0].send_request(request))
+
+    def send_cancel_request(self, request: Any) -> int:
+        return int(self.ends[1].send_request(request))
+
+    def send_result_request(self, request: Any) -> int:
+        return int(self.ends[2].send_request(request))
+
+    def take_goal_response(self, kind: Any, which: int = 0) -> Any:
+        header, response = self.ends[which].take_response(kind)
+        return header and header.sequence_number, response
+
+    def take_cancel_response(self, kind: Any) -> Any:
+        return self.take_goal_response(kind, 1)
+
+    def take_result_response(self, kind: Any) -> Any:
+        return self.take_goal_response(kind, 2)
+
+    def take_feedback(self, kind: Any) -> Any:
+        return self.heard[0].take(kind)
+
+    def take_status(self, kind: Any) -> Any:
+        return self.heard[1].take(kind)
+
+    def is_action_server_available(self) -> bool:
+        return any(isinstance(each, ActionServer) and each.name == self.name and not each.gone for each in _actions)
+
+
 class WaitSet:
     """rcl/wait.c."""
 
@@ -236,6 +402,8 @@ class WaitSet:
         self.clients: list[Client] = []
         self.services: list[Service] = []
         self.guards: list[GuardCondition] = []
+        self.others: list[Any] = []  # the ends of actions
+        self.found: set[int] = set()  # which of them are ready
         self.ready: dict[str, list[int]] = {}
         self.gate = threading.Lock()
         self.gate.acquire()
@@ -261,7 +429,7 @@ class WaitSet:
 
     def wait(self, timeout: int) -> None:
         until = time.time_ns() + timeout if timeout >= 0 else None
-        members: list[Wakes] = [*self.timers, *self.guards, *self.clients, *self.services]
+        members: list[Wakes] = [*self.timers, *self.guards, *self.clients, *self.services, *self.others]
         for member in members:
             member.waiting.append(self)
         try:
@@ -270,7 +438,8 @@ class WaitSet:
                 timers = [timer for timer in self.timers if timer.is_timer_ready()]
                 guards = [guard for guard in self.guards if guard.triggered]
                 clients, services = ([end for end in ends if end.came] for ends in (self.clients, self.services))
-                if timers or guards or clients or services or over:
+                others = [end for end in self.others if end.came]
+                if timers or guards or clients or services or others or over:
                     break
                 times = [timer.next_call for timer in self.timers if not timer.canceled]
                 if until is not None:
@@ -282,6 +451,7 @@ class WaitSet:
                 member.waiting.remove(self)
         for guard in guards:
             guard.triggered = False
+        self.found = {end.pointer for end in others}
         self.ready = {
             "timer": [timer.pointer for timer in timers],
             "guard_condition": [guard.pointer for guard in guards],
@@ -373,6 +543,7 @@ class QoS:
 
 _contexts: list[Context] = []
 _ends: list[Client | Service] = []
+_actions: list[_ActionEnd] = []
 _sigint: dict[GuardCondition, None] = {}
 
 
@@ -393,7 +564,7 @@ def _install_signal_handlers(options: Any) -> None:
 
 def _log(severity: int, name: str, message: str, *caller: Any) -> None:
     now = time.time_ns()
-    word = {20: "INFO", 30: "WARN"}[severity]
+    word = {20: "INFO", 30: "WARN", 40: "ERROR"}[severity]
     sys.stderr.write(f"[{word}] [{now // 10**9}.{now % 10**9:09d}] [{name}]: {message}\n")
 
 
@@ -407,6 +578,7 @@ def c_module() -> SimpleNamespace:
     changes = ("NONE", "ROS_TIME_NO_CHANGE", "ROS_TIME_ACTIVATED", "ROS_TIME_DEACTIVATED", "SYSTEM_TIME_NO_CHANGE")
     return SimpleNamespace(
         **{each.__name__: each for each in (Client, Clock, ClockEvent, ClockType, Context, GuardCondition)},
+        **{each.__name__: each for each in (ActionClient, ActionGoalHandle, ActionServer, GoalEvent)},
         **{each.__name__: each for each in (InvalidHandle, Node, Publisher, RCLError, Service, Timer, WaitSet)},
         ClockChange=_names("ClockChange", *changes),
         NodeNameNonExistentError=RCLError,
@@ -426,8 +598,10 @@ def c_module() -> SimpleNamespace:
         rclpy_action_get_rmw_qos_profile=lambda name: QoS().to_dict(),
         rclpy_logging_configure=lambda context: None,
         rclpy_logging_fini=lambda: None,
+        rclpy_logging_get_separator_string=lambda: ".",
         rclpy_logging_logger_is_enabled_for=lambda name, severity: severity >= 20,
         rclpy_logging_rcutils_log=_log,
+        rclpy_logging_rosout_add_sublogger=lambda name, child: False,
         rclpy_resolve_name=lambda node, topic, only_expand, is_service: topic,
         register_sigint_guard_condition=lambda guard: _sigint.update({guard: None}),
         rmw_qos_profile_t=QoS,
@@ -461,6 +635,7 @@ def oracle(folder: Path) -> Iterator[None]:
     _contexts.clear()
     _sigint.clear()
     _ends.clear()
+    _actions.clear()
     with without(2, "rclpy", "ament_index_python", "rcl_interfaces.srv"):
         spec = spec_from_file_location("rclpy", folder / "__init__.py", submodule_search_locations=[str(folder)])
         assert spec and spec.loader
@@ -472,7 +647,8 @@ def oracle(folder: Path) -> Iterator[None]:
         stub("rclpy.parameter_service", ParameterService=_Nothing)
         stub("rclpy.logging_service", LoggingService=_Nothing)
         stub("rclpy.type_description_service", TypeDescriptionService=_Nothing)
-        checks = dict.fromkeys(("check_is_valid_msg_type", "check_is_valid_srv_type"), lambda kind: None)
+        names = ("check_for_type_support", "check_is_valid_msg_type", "check_is_valid_srv_type")
+        checks = dict.fromkeys(names, lambda kind: None)
         stub("rclpy.type_support", **checks)
         stub("ament_index_python")
         stub("rcl_interfaces.srv", ListParameters=None)

@@ -33,7 +33,7 @@ from .run.explain import say_error
 from .run.host import Result, duration
 from .run.process import leave
 from .run.roslaunch.launch import read_launch
-from .run.simulate import prepare, run_in_order, run_node, run_nodes, several
+from .run.simulate import prepare, run_in_order, run_node, run_nodes, several, with_jitter
 from .run.source import is_launch_of_ros2, load, refuse_other_ros, split_words, warn_of_files
 from .world.graph import TickLog
 
@@ -68,7 +68,7 @@ def _parser() -> argparse.ArgumentParser:
         help="run a node file",
         description="Run a node file on the wall clock until Ctrl-C, in simulated time, or on the real ROS 1 or 2.",
         usage="%(prog)s FILE... [--seconds S] [--simulated [--skip-cpp] [--start S] [--fault FAULT]... "
-        "[--schedule TOKEN] | --ros1 | --ros2] [--plot FILE] [-- NODE ARGS]",
+        "[--jitter S] [--schedule TOKEN] | --ros1 | --ros2] [--plot FILE] [-- NODE ARGS]",
         epilog="Everything after -- is passed to the node: __ns:=/mrp _rate:=10, or on ROS 2 --ros-args -r __ns:=/mrp.",
         allow_abbrev=False,
     )
@@ -96,6 +96,13 @@ def _parser() -> argparse.ArgumentParser:
         default=[],
         metavar="FAULT",
         help="with --simulated: what is to go wrong, as in --fault 'Topic(\"/scan\", drop=0.1)'; may be repeated",
+    )
+    run.add_argument(
+        "--jitter",
+        type=float,
+        default=0.0,
+        metavar="S",
+        help="with --simulated: threads and callbacks go on late by up to S seconds",
     )
     run.add_argument(
         "--schedule",
@@ -215,6 +222,8 @@ def _run(options: argparse.Namespace, args: Sequence[str]) -> int:
         raise ValueError("--start is for simulated time: --simulated")
     if options.fault and not options.simulated:
         raise ValueError("--fault is for simulated time: --simulated")
+    if options.jitter and not options.simulated:
+        raise ValueError("--jitter is for simulated time: --simulated")
     if options.schedule is not None and not options.simulated:
         raise ValueError("--schedule is for simulated time: --simulated")
     if options.plot is not None:
@@ -248,7 +257,7 @@ def _result(options: argparse.Namespace, args: Sequence[str], record: bool) -> R
         real = ros1.launch if options.ros1 else ros2.launch
         return real(options.file, options.seconds, args, sys.stdout)
     ticks = TickLog() if record else None
-    faults = [read(text) for text in options.fault]
+    faults = with_jitter([read(text) for text in options.fault], options.jitter)
     files = options.files if len(options.files) > 1 else options.file
     if options.schedule is not None:
         prepared = prepare(files, args, options.skip_cpp, Order.of(options.schedule).deep, faults)

@@ -42,11 +42,13 @@ class _StartNode:
         parameters: Mapping[str, Any] | None = None,
         *,
         faults: Sequence[Fault] = (),
+        jitter: float = 0.0,
     ) -> StartedNode:
         __tracebackhide__ = True
+        from .run.simulate import with_jitter
         from .run.steps import start_in_order
 
-        started = start_in_order(self.order, self._found(node), args, parameters, faults)
+        started = start_in_order(self.order, self._found(node), args, parameters, with_jitter(faults, jitter))
         self._started.append(self._stack.enter_context(started))
         return started
 

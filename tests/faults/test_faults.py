@@ -593,7 +593,7 @@ def test_a_fault_is_shown_as_it_is_written(fault: Fault) -> None:
 @pytest.mark.parametrize("faults", ["Crash", Crash("/node", at=1.0), [1], 7, {"drop": 0.1}])
 def test_what_is_no_list_of_faults(faults: Any, write: Write) -> None:
     for call in (rosspin.start, lambda node, faults: rosspin.simulate(node, 1.0, faults=faults)):
-        with pytest.raises(TypeError, match="faults is a list of Topic, Crash, Late, ClockJump, Slow from rosspin.fau"):
+        with pytest.raises(TypeError, match="faults is a list of Topic, Crash, Late, ClockJump, Slow, Jitter"):
             call(write(1, "talker"), faults=faults)
 
 

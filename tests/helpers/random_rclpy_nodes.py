@@ -24,6 +24,8 @@ END = 6.0  # s
 # same exception and prints nothing.
 _HALF_MADE = re.compile(r"Exception ignored in: <function Executor\.__del__ .*\n(?:.*\n)*?AttributeError: .*\n")
 
+_IDS = re.compile(r"Goal ID: \[[^]]*\]")
+
 # Lengths of time in ms: some that fall together often, some that hardly ever do.
 lengths = st.one_of(st.sampled_from([100, 200, 250, 300, 500, 700, 1000]), st.integers(50, 1500))
 works = st.one_of(st.just(0), st.just(0), lengths)
@@ -36,6 +38,8 @@ acts = st.tuples(
         + ["ask"] * 4
         + ["call"] * 2
         + ["withdraw"]
+        + ["goal"] * 3
+        + ["stop"] * 2
     ),
     st.integers(0, 3),
     lengths,
@@ -58,12 +62,24 @@ services = st.fixed_dictionaries(
         "awaits": st.sampled_from([False, False, False, True]),
     }
 )
+actions = st.fixed_dictionaries(
+    {
+        "groups": st.tuples(st.integers(0, 3), st.integers(0, 3)),  # of the server, and of its client
+        "works": st.lists(works, min_size=1, max_size=4),
+        "acts": st.lists(acts, min_size=1, max_size=4),
+        "awaits": st.sampled_from([False, False, True]),
+        "accepts": st.lists(st.booleans(), min_size=2, max_size=4),
+        "cancels": st.lists(st.booleans(), min_size=1, max_size=4),
+        "ends": st.lists(st.sampled_from(["succeed", "abort", "canceled", "raise", "nothing"]), min_size=1, max_size=4),
+    }
+)
 specs = st.fixed_dictionaries(
     {
         "executor": st.sampled_from(["spin", "single", "multi 2", "multi 3", "multi 4", "once", "once left", "future"]),
         "groups": st.lists(st.sampled_from(["default", "exclusive", "reentrant"]), min_size=4, max_size=4),
         "timers": st.lists(timers, min_size=1, max_size=4),
         "services": st.lists(services, min_size=1, max_size=3),
+        "actions": st.lists(actions, max_size=2),
         "rates": st.lists(st.tuples(lengths, st.lists(works, min_size=1, max_size=4)), max_size=2),
         "thread": st.lists(st.tuples(lengths, acts), max_size=3),
         "shutdown": st.sampled_from([False, False, True]),
@@ -85,10 +101,12 @@ def program(spec: dict[str, Any]) -> Callable[[], None]:
 
     def node() -> None:
         import rclpy  # type: ignore[import-not-found]
+        from rclpy.action import ActionClient, ActionServer, CancelResponse, GoalResponse  # type: ignore[import-not-found]
         from rclpy.callback_groups import MutuallyExclusiveCallbackGroup, ReentrantCallbackGroup  # type: ignore[import-not-found]
         from rclpy.executors import MultiThreadedExecutor, SingleThreadedExecutor  # type: ignore[import-not-found]
         from rclpy.parameter import Parameter  # type: ignore[import-not-found]
         from rclpy.task import Future  # type: ignore[import-not-found]
+        from test_msgs.action import Fibonacci  # type: ignore[import-not-found]
         from test_msgs.srv import BasicTypes  # type: ignore[import-not-found]
 
         def say(*words: object) -> None:
@@ -160,6 +178,80 @@ def program(spec: dict[str, Any]) -> Callable[[], None]:
             else:
                 client.call_async(request).add_done_callback(lambda done: say("answered", done.result().int32_value))
 
+        def offer(number: int, action: dict[str, Any]) -> None:
+            counts = {"goal": 0, "cancel": 0, "execute": 0}
+
+            def next_of(what: str, values: list[Any]) -> Any:
+                counts[what] += 1
+                return values[counts[what] % len(values)]
+
+            def accept(goal: Any) -> Any:
+                say("action", number, "is asked", goal.order)
+                return GoalResponse.ACCEPT if next_of("goal", action["accepts"]) else GoalResponse.REJECT
+
+            def cancel(goal: Any) -> Any:
+                say("action", number, "is to cancel", goal.request.order)
+                return CancelResponse.ACCEPT if next_of("cancel", action["cancels"]) else CancelResponse.REJECT
+
+            def end(goal: Any, count: int) -> Any:
+                how = action["ends"][count % len(action["ends"])]
+                act(*action["acts"][count % len(action["acts"])])
+                say("action", number, "ends", goal.request.order, how, goal.status)
+                if how == "raise":
+                    raise ValueError(how)
+                if how != "nothing":
+                    getattr(goal, how)()
+                return Fibonacci.Result(sequence=[count])
+
+            def begin(goal: Any) -> int:
+                counts["execute"] += 1
+                say("action", number, "executes", goal.request.order, counts["execute"])
+                goal.publish_feedback(Fibonacci.Feedback(sequence=[counts["execute"]]))
+                return counts["execute"]
+
+            def execute(goal: Any) -> Any:
+                count = begin(goal)
+                nap(action["works"][count % len(action["works"])])
+                return end(goal, count)
+
+            async def awaits(goal: Any) -> Any:
+                count = begin(goal)
+                await futures[count % 4]
+                return end(goal, count)
+
+            of_server, of_client = (groups[group] for group in action["groups"])
+            called = awaits if action["awaits"] and "once" not in spec["executor"] else execute
+            more = {"goal_callback": accept, "cancel_callback": cancel, "callback_group": of_server}
+            name = f"action{number}"
+            servers.append(ActionServer(node, Fibonacci, name, called, **more))
+            senders.append(ActionClient(node, Fibonacci, name, callback_group=of_client))
+
+        def send(sender: Any, ms: int) -> None:
+            if len(asks) == 20:
+                return
+            asks.append(ms)
+
+            def told(message: Any) -> None:
+                say("feedback", ms, list(message.feedback.sequence))
+
+            def answered(done: Any) -> None:
+                handle = done.result()
+                say("goal", ms, handle.accepted)
+                if handle.accepted:
+                    goals.append(handle)
+                    handle.get_result_async().add_done_callback(
+                        lambda done: say("result", ms, done.result().status, list(done.result().result.sequence))
+                    )
+
+            sender.send_goal_async(Fibonacci.Goal(order=ms), told).add_done_callback(answered)
+
+        def stop(handle: Any) -> None:
+            def answered(done: Any) -> None:
+                say("stopped", done.result().return_code, len(done.result().goals_canceling))
+
+            say("stops", handle.status)
+            handle.cancel_goal_async().add_done_callback(answered)
+
         def act(what: str, which: int, ms: int) -> None:
             timer = made[which % len(made)]
             try:
@@ -182,6 +274,10 @@ def program(spec: dict[str, Any]) -> Callable[[], None]:
                     futures[which].set_result(ms)
                 elif what in ("ask", "call") and clients:
                     ask(clients[which % len(clients)], ms, what == "call")
+                elif what == "goal" and senders:
+                    send(senders[which % len(senders)], ms)
+                elif what == "stop" and goals:
+                    stop(goals[which % len(goals)])
                 elif what == "withdraw" and offered:
                     say("withdrawn", node.destroy_service(offered[which % len(offered)]))
             except Exception as error:
@@ -231,8 +327,13 @@ def program(spec: dict[str, Any]) -> Callable[[], None]:
         offered: list[Any] = []
         clients: list[Any] = []
         asks: list[int] = []
+        servers: list[Any] = []
+        senders: list[Any] = []
+        goals: list[Any] = []
         for number, service in enumerate(spec["services"]):
             serve(number, service)
+        for number, action in enumerate(spec["actions"]):
+            offer(number, action)
         for number, timer in enumerate(spec["timers"]):
             make(number, timer)
         for number, (ms, lengths) in enumerate(spec["rates"]):
@@ -251,8 +352,12 @@ def program(spec: dict[str, Any]) -> Callable[[], None]:
 
 
 def lines(console: str) -> list[list[str]]:
-    """The node's lines, those of one instant sorted: which of them comes first is nobody's promise."""
-    return sorted(line.split() for line in console.splitlines() if not line.startswith("rosspin: "))
+    """The node's lines, those of one instant sorted: which of them comes first is nobody's promise.
+
+    Without the ids of goals, which are random, and the frames of tracebacks.
+    """
+    said = _IDS.sub("Goal ID", console).splitlines()
+    return sorted(line.split() for line in said if not line.startswith(("rosspin: ", "  ")))
 
 
 def do_the_same(folder: Path, spec: dict[str, Any]) -> None:

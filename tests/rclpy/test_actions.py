@@ -133,3 +133,35 @@ except Exception as error:
 """
     words = "cannot use Destroyable because destruction was requested"
     assert simulate(write(source), 1).console == f"False\nInvalidHandle {words}\n"
+
+
+def test_a_goal_after_one_that_is_not_cancelled_is_passed_over(write: Any) -> None:
+    """And the server says that it is: rclpy takes a goal out of the list that it goes through. So the real one did."""
+    node = write("""
+        import rclpy
+        from action_msgs.srv import CancelGoal
+        from rclpy.action import ActionClient, ActionServer, CancelResponse
+        from test_msgs.action import Fibonacci
+
+        def cancel(goal):
+            asked.append(goal)
+            return CancelResponse.REJECT if len(asked) == 1 else CancelResponse.ACCEPT
+
+        def done(future):
+            rclpy.spin_until_future_complete(node, future)
+            return future.result()
+
+        asked = []
+        rclpy.init()
+        node = rclpy.create_node("node")
+        wait = {"handle_accepted_callback": lambda goal: None}
+        server = ActionServer(node, Fibonacci, "count", lambda goal: None, cancel_callback=cancel, **wait)
+        sender = ActionClient(node, Fibonacci, "count")
+        client = node.create_client(CancelGoal, "count/_action/cancel_goal")
+        goals = [done(sender.send_goal_async(Fibonacci.Goal(order=order))) for order in (1, 2, 3)]
+        answer = done(client.call_async(CancelGoal.Request()))
+        for _ in range(5):
+            rclpy.spin_once(node, timeout_sec=0.1)
+        print(len(asked), len(answer.goals_canceling), sorted(goal.status for goal in goals))
+    """)
+    assert simulate(node, 5).console == "2 2 [1, 1, 3]\n"

@@ -9,6 +9,7 @@ import threading
 import time
 from collections.abc import Callable
 from pathlib import Path
+from textwrap import dedent
 from typing import Any
 
 import pytest
@@ -86,7 +87,9 @@ def test_a_node_is_not_for_both(write: Any) -> None:
         ("from control_srvs.srv import Trigger", "control_srvs"),
         ("rclpy.init(); rclpy.create_node('n').add_waitable(1)", "Node.add_waitable"),
         ("rclpy.init(); rclpy.create_node('n').get_publishers_info_by_topic('x')", "Node.get_publishers_info_by_topic"),
-        ("rclpy.type_support", "rclpy.type_support"),
+        ("rclpy.waitable", "rclpy.waitable"),
+        ("from rclpy.topic_endpoint_info import TopicEndpointInfo", "rclpy.topic_endpoint_info"),
+        ("from rclpy.impl.implementation_singleton import rclpy_implementation", "rclpy.impl.implementation_singleton"),
         ("from rclpy.experimental import EventsExecutor", "rclpy.experimental.EventsExecutor"),
     ],
 )
@@ -100,6 +103,39 @@ def test_what_it_has_can_be_imported_by_its_name(write: Any, module: str) -> Non
     names = [name for name in rclpy.MODULES[module].__all__ if not name.startswith("_")]
     assert names
     assert simulate(write(f"from {module} import {', '.join(names)}\n"), 1).status == 0
+
+
+@pytest.mark.parametrize(
+    ("check", "good", "other"),
+    [
+        ("node.create_publisher(KIND, 'a', 1)", "message", "service or action"),
+        ("node.create_subscription(KIND, 'a', print, 1)", "message", "service or action"),
+        ("node.create_client(KIND, 'a')", "service", "message or action"),
+        ("check_is_valid_msg_type(KIND)", "message", "service or action"),
+        ("check_is_valid_srv_type(KIND)", "service", "message or action"),
+    ],
+)
+def test_what_is_no_message_or_no_service(write: Any, check: str, good: str, other: str) -> None:
+    """As recorded with the real rclpy."""
+    kinds = {"message": "String", "service": "SetBool", "action": "Fibonacci", "nothing": "int"}
+    tries = "".join(
+        f"try:\n    {check.replace('KIND', kind)}\nexcept Exception as error:\n    print(type(error).__name__, error)\n"
+        for kind in kinds.values()
+    )
+    source = """
+        import rclpy
+        from example_interfaces.action import Fibonacci
+        from rclpy.type_support import check_is_valid_msg_type, check_is_valid_srv_type
+        from std_msgs.msg import String
+        from std_srvs.srv import SetBool
+        rclpy.init()
+        node = rclpy.create_node("node")
+    """
+    *wrong, last = simulate(write(dedent(source) + tries), 1).console.splitlines()
+    names = [name for kind, name in kinds.items() if kind not in (good, "nothing")]
+    assert [line.partition(" (")[0] for line in wrong] == [f"RuntimeError The {good} type provided is not valid"] * 2
+    assert all(f".{name}'>), this might be a {other}" in line for name, line in zip(names, wrong, strict=True))
+    assert last.startswith("AttributeError type object 'type' has no attribute '_TYPE_SUPPORT' This might be a ROS 1")
 
 
 # --- names ------------------------------------------------------------------------------------------------------------

@@ -337,3 +337,32 @@ def test_each_subscription_has_a_copy_of_its_own() -> None:
 
     run(body)
     assert seen == [2, 2]
+
+
+def test_what_was_logged_before_is_kept_on_rosout_for_those_who_ask_for_it(write: Any) -> None:
+    """As on the real one, which has kept the same lines."""
+    node = write("""
+        import time
+        import rclpy
+        from rcl_interfaces.msg import Log
+        from rclpy.qos import DurabilityPolicy, QoSProfile
+
+        rclpy.init()
+        first, quiet = rclpy.create_node("first"), rclpy.create_node("quiet", enable_rosout=False)
+        gone = rclpy.create_node("gone")
+        for each in (first, quiet, gone, first):
+            each.get_logger().info("early")
+        gone.destroy_node()
+        time.sleep(0.5)
+        node = rclpy.create_node("node")
+        kept = QoSProfile(depth=100, durability=DurabilityPolicy.TRANSIENT_LOCAL)
+        for who, qos in (("volatile", 10), ("late", kept)):
+            def hear(message, who=who):
+                print(who, message.name, message.msg, message.line, message.stamp.nanosec)
+
+            node.create_subscription(Log, "/rosout", hear, qos)
+        for _ in range(5):
+            rclpy.spin_once(node, timeout_sec=0.1)
+    """)
+    heard = [line for line in simulate(node, 5).console.splitlines() if not line.startswith("[")]
+    assert heard == ["late first early 11 0"] * 2

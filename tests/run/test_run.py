@@ -307,7 +307,7 @@ def test_a_function_finds_the_program_that_it_is_of() -> None:
     assert found == [(sys.modules["__main__"], "<lambda>")]
 
 
-def test_a_node_of_ros_2_finds_the_folders_of_packages(tmp_path: Any) -> None:
+def test_a_node_of_ros_2_finds_the_folders_of_packages(tmp_path: Any, monkeypatch: pytest.MonkeyPatch) -> None:
     """Those of its workspace; a package has one folder, its source."""
     for name in ("mine", "other"):
         (tmp_path / "src" / name).mkdir(parents=True)
@@ -324,6 +324,12 @@ def test_a_node_of_ros_2_finds_the_folders_of_packages(tmp_path: Any) -> None:
     assert found == f"{node.parent} other"
     missing = f"package 'nobody' not found, searching: {[str(node.parent)]}"
     assert errors == [repr(missing), "'no package' is not a valid package name"]
+    node.write_text(
+        "import os, rclpy\nfrom ament_index_python import get_package_share_directory as find\n"
+        f"os.chdir({str(tmp_path)!r})\nprint(find('mine'), __file__)\n"
+    )
+    monkeypatch.chdir(node.parent)  # Python makes __file__ an absolute path, too
+    assert simulate("node.py", 0).console == f"{node.parent} {node}\n"
     node.write_text("import rclpy\nimport ament_index_python\nament_index_python.get_resource\n")
     with pytest.raises(NotSimulated, match=r"ament_index_python\.get_resource"):
         simulate(node, 0)

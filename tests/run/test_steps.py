@@ -296,6 +296,84 @@ def test_the_messages_of_a_topic() -> None:
     assert len(node.messages("/b")) == 2
 
 
+def asker() -> None:
+    """Says what /drive is told; once /open is there, asks it, and again 1 s after each answer."""
+    from std_srvs.srv import SetBool, Trigger  # type: ignore[import-not-found]
+
+    rospy.init_node("asker")
+    rospy.Service("drive", SetBool, lambda request: (request.data, f"drives: {request.data}"))
+    proxy = rospy.ServiceProxy("open", Trigger)
+    try:
+        proxy.wait_for_service()
+    except rospy.ROSInterruptException:
+        return
+    while not rospy.is_shutdown():
+        try:
+            success = proxy().success
+            print(rospy.get_time(), success)
+        except rospy.ServiceException as error:
+            print(rospy.get_time(), error)
+        rospy.sleep(1.0)
+
+
+def test_a_service_is_called_in_the_next_step() -> None:
+    with start(asker) as node:
+        node.call("drive", data=True)
+        node.call("/drive", False)
+        assert not node.run.calls
+        run = node.advance(0)
+        assert [call.response.message for call in run.calls] == ["drives: True", "drives: False"]
+        assert {call[:3] + call[4:6] for call in run.calls} == {("/drive", "/tester", 0.0, "/asker", 0.0)}
+        assert not node.advance(0.5).calls
+
+
+def test_a_test_offers_a_service() -> None:
+    """Its function takes simulated time, and may give no response, which is an error."""
+    answers = iter([True, None, False])
+
+    def answer(request: Any) -> dict[str, Any] | None:
+        time.sleep(0.25)
+        success = next(answers)
+        return None if success is None else {"success": success}
+
+    with start(asker) as node:
+        node.serve("/open", "std_srvs/Trigger", answer)
+        run = node.advance(3)
+        last = (
+            "service [/open] responded with an error: b'service cannot process request: service handler returned None'"
+        )
+        # It needs 3 ms to find the service, each time that it looks or asks.
+        assert run.console == f"0.256 True\n1.509 {last}\n2.762 False\n"
+        assert [call[:3] + call[4:6] for call in run.calls][:2] == [
+            ("/open", "/asker", 0.006, "/tester", 0.256),
+            ("/open", "/asker", 1.259, "/tester", 1.509),
+        ]
+
+
+def test_an_error_in_a_service_of_the_test_is_the_test_s() -> None:
+    node = start(asker)
+    node.serve("open", "std_srvs/Trigger", lambda request: 1 // 0)  # type: ignore[arg-type, return-value]
+    with pytest.raises(ZeroDivisionError) as raised:
+        node.advance(1)
+    files = {Path(frame.filename).name for frame in traceback.extract_tb(raised.value.__traceback__)}
+    assert files == {"test_steps.py", "steps.py"}
+
+
+def test_wrong_calls_are_errors_and_do_nothing() -> None:
+    with start(asker) as node:
+        with pytest.raises(LookupError, match=r"no node offers /drvie; offered are: /drive \(std_srvs/SetBool\)"):
+            node.call("drvie")
+        with pytest.raises(AttributeError, match="date"):
+            node.call("drive", date=True)
+        with pytest.raises(rospy.ROSSerializationException):
+            node.call("drive", data="yes")
+        with pytest.raises(LookupError, match="there is no service std_srvs/Nothing"):
+            node.serve("open", "std_srvs/Nothing", lambda request: None)
+        with pytest.raises(LookupError, match="only those of ROS 2 are simulated"):
+            node.send_goal("drive", order=3)
+        assert not node.advance(0.5).calls
+
+
 def test_time_goes_on_after_the_node_s_own_end() -> None:
     def node_function() -> None:
         rospy.init_node("n")

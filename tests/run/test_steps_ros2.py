@@ -2,8 +2,10 @@
 
 from __future__ import annotations
 
+import math
 import signal
 import sys
+import time
 from pathlib import Path
 from types import ModuleType
 from typing import Any
@@ -122,6 +124,149 @@ def test_wrong_messages_to_a_node_of_ros_2_are_errors_and_do_nothing() -> None:
             node.publish("a", node.message("std_msgs/String"))
         node.advance(0.5)
         assert node.messages("command")[0].message.linear.x == 0
+
+
+def asker() -> None:
+    """Says what /drive is told; once a second asks /sum for 1 + 2, if it is there, and waits 0.5 s for it."""
+    import rclpy
+    from example_interfaces.srv import AddTwoInts  # type: ignore[import-not-found]
+    from rclpy.callback_groups import ReentrantCallbackGroup  # type: ignore[import-not-found]
+    from std_srvs.srv import SetBool  # type: ignore[import-not-found]
+
+    def drive(request: Any, response: Any) -> Any:
+        response.message = f"drives: {request.data}"
+        return response
+
+    def tick() -> None:
+        if client.service_is_ready():
+            answer = client.call(AddTwoInts.Request(a=1, b=2), timeout_sec=0.5)
+            print(node.get_clock().now().nanoseconds, answer and answer.sum)
+
+    rclpy.init()
+    node = rclpy.create_node("asker")
+    node.declare_parameter("period", 1.0)
+    node.create_service(SetBool, "drive", drive)
+    client = node.create_client(AddTwoInts, "sum")
+    node.create_timer(1.0, tick, ReentrantCallbackGroup())
+    rclpy.spin(node, rclpy.executors.MultiThreadedExecutor(2))
+
+
+def test_a_service_of_ros_2_is_called_in_the_next_step() -> None:
+    with start(asker) as node:
+        node.call("drive", data=True)
+        node.call("/drive", True)
+        node.call("/drive", {"data": False})
+        assert not node.run.calls
+        run = node.advance(0)
+        assert [call.response.message for call in run.calls] == ["drives: True", "drives: True", "drives: False"]
+        assert {call[:3] + call[4:6] for call in run.calls} == {("/drive", "/tester", 0.0, "/asker", 0.0)}
+        assert not node.advance(0.5).calls
+
+
+def test_the_parameters_of_a_node_of_ros_2_can_be_asked_for() -> None:
+    with start(asker) as node:
+        node.call("/asker/set_parameters", parameters=[{"name": "period", "value": {"type": 3, "double_value": 0.5}}])
+        node.call("/asker/get_parameters", names=["period"])
+        set_, get = node.advance(0).calls
+        assert set_.response.results[0].successful
+        assert get.response.values[0].double_value == 0.5
+
+
+def test_a_test_offers_a_service_of_ros_2() -> None:
+    """Its function takes simulated time, for each request by itself, and may give no response."""
+    waits = iter([0.25, 0.75, None, None])
+
+    def add(request: Any) -> dict[str, Any] | None:
+        wait = next(waits)
+        time.sleep(wait or 0)
+        return {"sum": request.a + request.b} if wait else None
+
+    with start(asker) as node:
+        node.serve("sum", "example_interfaces/srv/AddTwoInts", add)
+        run = node.advance(4)
+        assert run.console == "1250000000 3\n2500000000 None\n3500000000 None\n"
+        first, second, third, _ = run.calls
+        assert first[:3] + first[4:6] == ("/sum", "/asker", 1.0, "/tester", 1.25)
+        assert (second.answered, second.response.sum) == (2.75, 3)
+        assert math.isnan(third.answered)
+
+
+def test_a_node_of_ros_2_that_waits_for_a_service_of_the_test_for_ever_is_ended() -> None:
+    def waits() -> None:
+        import rclpy
+        from std_srvs.srv import Trigger
+
+        rclpy.init()
+        node = rclpy.create_node("waits")
+        client = node.create_client(Trigger, "never")
+        client.wait_for_service()
+        rclpy.spin_until_future_complete(node, client.call_async(Trigger.Request()))
+
+    with start(waits) as node:
+        node.serve("/never", "std_srvs/Trigger", lambda request: None)
+        assert [call.asked for call in node.advance(1).calls] == [0.25]
+
+
+@pytest.mark.parametrize("handler", [lambda request: 1 // 0, lambda request: 3, lambda request: {"sun": 3}])
+def test_an_error_in_a_service_of_the_test_is_the_test_s(handler: Any) -> None:
+    node = start(asker)
+    node.serve("sum", "example_interfaces/AddTwoInts", handler)
+    with pytest.raises((ZeroDivisionError, TypeError, AssertionError), match="zero|a dict of the response|sun"):
+        node.advance(2)
+    assert not node.run.console
+
+
+def test_wrong_calls_to_a_node_of_ros_2_are_errors_and_do_nothing() -> None:
+    with start(asker) as node:
+        with pytest.raises(LookupError, match=r"no node offers /drvie; offered are: /drive \(std_srvs/srv/SetBool\)"):
+            node.call("drvie", data=True)
+        with pytest.raises(AssertionError, match="Invalid arguments passed to constructor: date"):
+            node.call("drive", date=True)
+        with pytest.raises(LookupError, match="there is no service std_srvs/Nothing in the common packages"):
+            node.serve("drive", "std_srvs/Nothing", lambda request: None)
+        with pytest.raises(LookupError, match="no node offers /drive/_action/send_goal"):
+            node.send_goal("drive", order=3)
+        node.serve("drive", "std_srvs/SetBool", lambda request: None)  # beside the node's own
+        node.call("drive", data=True)
+        assert [call.server for call in node.advance(0.5).calls] == ["/asker"]
+
+
+def test_a_goal_is_sent_to_an_action() -> None:
+    def count() -> None:
+        import rclpy
+        from example_interfaces.action import Fibonacci  # type: ignore[import-not-found]
+        from rclpy.action import ActionServer, GoalResponse  # type: ignore[import-not-found]
+
+        def execute(goal: Any) -> Any:
+            for number in range(goal.request.order):
+                time.sleep(0.1)
+                goal.publish_feedback(Fibonacci.Feedback(sequence=[number]))
+            goal.succeed()
+            return Fibonacci.Result(sequence=[goal.request.order])
+
+        def accept(goal: Any) -> Any:
+            return GoalResponse.ACCEPT if goal.order < 5 else GoalResponse.REJECT
+
+        rclpy.init()
+        node = rclpy.create_node("count")
+        ActionServer(node, Fibonacci, "count", execute, goal_callback=accept)
+        rclpy.spin(node)
+
+    with start(count) as node:
+        node.send_goal("count", order=3)
+        accepted, result = node.advance(0.5).calls
+        assert (accepted.service, accepted.answered) == ("/count/_action/send_goal", 0.0)
+        assert (result.service, result.answered) == ("/count/_action/get_result", 0.3)
+        assert list(result.response.result.sequence) == [3]
+        feedback = node.messages("/count/_action/feedback")
+        assert [(sent.time, list(sent.message.feedback.sequence)) for sent in feedback] == [
+            (0.1, [0]),
+            (0.2, [1]),
+            (0.3, [2]),
+        ]
+        node.send_goal("/count", order=5)
+        (refused,) = node.advance(0.5).calls
+        assert not refused.response.accepted
 
 
 def test_an_error_in_a_callback_of_ros_2_is_raised_and_ends_the_node() -> None:

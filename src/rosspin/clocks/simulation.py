@@ -146,6 +146,12 @@ class Simulation:
             if self._now < wake:
                 self.sleep(wake - self._now)
 
+    def be_late(self, draw: Callable[[], int]) -> None:
+        """Let each sleep, and each wait with a limit, end ``draw()`` ns later than it should."""
+        sleep, wait = self.sleep, self.wait
+        self.sleep = lambda ns: sleep(ns + draw() if ns > 0 else ns)  # type: ignore[method-assign]
+        self.wait = lambda ns=None: wait(ns + draw() if ns and ns > 0 else ns)  # type: ignore[method-assign]
+
     def choose(self, options: Sequence[str]) -> int:
         """See :class:`rosspin.clocks.clock.Clock`."""
         return 0

@@ -12,7 +12,7 @@ import ast
 from collections.abc import Iterable
 from dataclasses import MISSING, dataclass, fields
 
-__all__ = ["ClockJump", "Crash", "Fault", "Late", "Slow", "Topic", "checked", "read"]
+__all__ = ["ClockJump", "Crash", "Fault", "Jitter", "Late", "Slow", "Topic", "checked", "read"]
 
 
 class Fault:
@@ -169,7 +169,22 @@ class Slow(Fault):
         self._is_length()
 
 
-KINDS: dict[str, type[Fault]] = {kind.__name__: kind for kind in (Topic, Crash, Late, ClockJump, Slow)}
+@dataclass(frozen=True, repr=False)
+class Jitter(Fault):
+    """Threads that sleep, or wait with a limit, go on late by up to ``by``, and callbacks begin late.
+
+    Each time it is another number. Without it, two timers that fall due at one instant tick at that instant, which no
+    robot sees.
+    """
+
+    by: float
+    seed: int = 0
+
+    def __post_init__(self) -> None:
+        self._is_length()
+
+
+KINDS: dict[str, type[Fault]] = {kind.__name__: kind for kind in (Topic, Crash, Late, ClockJump, Slow, Jitter)}
 
 
 def checked(faults: Iterable[Fault]) -> tuple[Fault, ...]:

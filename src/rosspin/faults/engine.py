@@ -14,10 +14,11 @@ from ..clocks.clock import NS, nanoseconds
 from ..clocks.programs import end_run
 from ..clocks.signals import Died
 from ..clocks.simulation import Simulation
+from ..clocks.stacks import whose
 from ..world.graph import Graph, Recording
 from ..world.tester import NAME as TESTER
 from ..world.world import World
-from . import ClockJump, Crash, Fault, Late, Slow, Topic, checked
+from . import ClockJump, Crash, Fault, Jitter, Late, Slow, Topic, checked
 
 __all__ = ["Engine", "Wire"]
 
@@ -49,6 +50,9 @@ class Engine:
         self._wires: Counter[tuple[str, str, str]] = Counter()
         self._late: set[tuple[int, frozenset[str]]] = set()  # which pairs of nodes a fault has made late
         self._called: dict[str, dict[str, None]] = {}  # by node: the callbacks that were called
+        self._rows: dict[tuple[int, int], Random] = {}  # by fault and process
+        for fault in self._of(Jitter):
+            clock.be_late(partial(self._draw, fault))
         ahead = 0
         for fault in sorted(self._of(ClockJump), key=lambda fault: fault.at):
             ahead += nanoseconds(fault.by)
@@ -117,10 +121,20 @@ class Engine:
     @property
     def slows(self) -> bool:
         """Whether callbacks are to be told before each call."""
-        return bool(self._of(Slow))
+        return bool(self._of(Slow) or self._of(Jitter))
+
+    def _draw(self, fault: Jitter) -> int:
+        """Draw how late (ns) the caller goes on. Each process has a row of its own."""
+        number = getattr(whose(), "number", -1)
+        if (id(fault), number) not in self._rows:
+            self._happened.add(id(fault))
+            self._rows[id(fault), number] = Random(f"{fault.seed} {number}")
+        return self._rows[id(fault), number].randint(1, max(nanoseconds(fault.by), 1))
 
     def call(self, node: str, callback: Any) -> None:
         """Let the time pass that a callback of a node takes longer. This is called in its place, just before it."""
+        if self._of(Jitter):
+            self.clock.sleep(1)  # which ends late
         callback = getattr(callback, "func", callback)  # of a functools.partial
         if str(getattr(callback, "__module__", "")).startswith("rosspin."):  # an action's, say, is no node's own
             return

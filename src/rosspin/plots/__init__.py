@@ -317,7 +317,7 @@ def both_orders(found: Orders, *, caption: str | None = None) -> Figure:
     runs = {name: run for name, run in zip(_PANELS, (found.usual, found.here), strict=True) if run}
     ticks = {name: run.ticks for name, run in runs.items()}
     heights, is_timed = [], any(ticks.values())
-    rows = [_row(name, group, None) for name, group in ticks.items()]
+    rows = [_row(name, group, None, ()) for name, group in ticks.items()]
     marks = [(round(each.time, 6), 0.0) for each in found.instants if each.deviations]
     parts = [_Row("where this order deviates", "", [], [], marks)]
     if is_timed:
@@ -329,7 +329,7 @@ def both_orders(found: Orders, *, caption: str | None = None) -> Figure:
     axes = pictures.new_column(heights)
     if is_timed:
         at = ", ".join(f"{time:g} s" for time, _ in marks)
-        alt = f"{_describe(ticks, None)} This order deviates at {at}."
+        alt = f"{_describe(ticks, None, {})} This order deviates at {at}."
         ends = [run.seconds for run in runs.values()]
         _timeline(rows, None, len(rows), alt, caption, axes[0], ends, parts)
     if len(heights) > is_timed:

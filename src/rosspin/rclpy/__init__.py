@@ -30,6 +30,7 @@ from . import (
     parameter,
     parameter_client,
     parameter_event_handler,
+    parameter_service,
     qos,
     qos_event,
     qos_overriding_options,
@@ -43,6 +44,7 @@ from . import (
     timer,
     topics,
     type_description_service,
+    type_support,
     utilities,
 )
 from .context import Context, get_default_context
@@ -167,9 +169,7 @@ def spin_until_future_complete(
 
 
 # The modules of rclpy that are not here: they need a real ROS.
-NOT_SIMULATED = {
-    *("destroyable", "parameter_service", "topic_endpoint_info", "type_hash", "type_support", "waitable"),
-}
+NOT_SIMULATED = {"destroyable", "impl", "topic_endpoint_info", "type_hash", "waitable"}
 
 # The names that the modules here lack.
 LACKING = {
@@ -185,8 +185,8 @@ IN_PART = {
     "JumpHandle": "One that a node drops goes on; on a real ROS the next jump then calls what is no longer there.",
     "LifecycleNode": "Managed entities come in the order in which they were added; on a real ROS in any. A destroyed "
     "node is gone; on a real ROS others see it until Python drops it.",
-    "Node": "What it has logged before somebody subscribes to ``/rosout`` cannot be heard there. The service that "
-    "describes its types is only named. A node that a program drops without ``destroy_node()`` is still there.",
+    "Node": "The service that describes its types is only named. A node that a program drops without "
+    "``destroy_node()`` is still there.",
     "Publisher": "Fields are always checked, as with ``ROS_PYTHON_CHECK_FIELDS=1``.",
     "PublisherEventCallbacks": "``incompatible_type`` is never called, as with Fast DDS.",
     "QoSProfile": "``avoid_ros_namespace_conventions`` has no effect.",
@@ -206,6 +206,7 @@ MODULES: dict[str, ModuleType] = {
     "rclpy": sys.modules[__name__],
     "rclpy.action": action,
     "rclpy.action.client": action,
+    "rclpy.action.graph": action,
     "rclpy.action.server": action,
     "rclpy.callback_groups": callback_groups,
     "rclpy.client": services,
@@ -233,6 +234,7 @@ MODULES: dict[str, ModuleType] = {
     "rclpy.parameter": parameter,
     "rclpy.parameter_client": parameter_client,
     "rclpy.parameter_event_handler": parameter_event_handler,
+    "rclpy.parameter_service": parameter_service,
     "rclpy.publisher": topics,
     "rclpy.qos": qos,
     "rclpy.qos_event": qos_event,
@@ -248,6 +250,7 @@ MODULES: dict[str, ModuleType] = {
     "rclpy.timer": timer,
     "rclpy.topic_or_service_is_hidden": names,
     "rclpy.type_description_service": type_description_service,
+    "rclpy.type_support": type_support,
     "rclpy.utilities": utilities,
     "rclpy.validate_full_topic_name": names,
     "rclpy.validate_namespace": names,

@@ -411,13 +411,18 @@ class ActionServer(_ActionEnd):
     async def _cancel(self, request: Any, header: Any) -> None:
         answer = self._action_type.Impl.CancelGoalService.Response()
         found, answer.return_code = self._cancelable(request.goal_info)
-        for handle in found:
-            if await await_or_execute(self._cancel_callback, handle) is CancelResponse.ACCEPT:
-                try:
+        answer.goals_canceling = [handle._goal_info for handle in found]
+        # As on the real one, the goal after one that is not cancelled is passed over, and said to be cancelled.
+        for info in answer.goals_canceling:
+            handle = self._goal_handles[bytes(info.goal_id.uuid)]
+            accepted = await await_or_execute(self._cancel_callback, handle) is CancelResponse.ACCEPT
+            try:
+                if accepted:
                     handle._update_state("CANCEL_GOAL")
-                except RCLError:
-                    continue  # it has ended meanwhile
-                answer.goals_canceling.append(handle._goal_info)
+            except RCLError:
+                accepted = False  # it has ended meanwhile
+            if not accepted:
+                answer.goals_canceling.remove(info)
         self._cancels_asked.send_response(answer, header)
 
     def _cancelable(self, info: Any) -> tuple[list[ServerGoalHandle], int]:

@@ -8,7 +8,7 @@ from __future__ import annotations
 import re
 import sys
 from pathlib import Path
-from types import ModuleType
+from types import FrameType, ModuleType
 
 from ..messages.library import Library
 from ..world.world import refusing
@@ -22,23 +22,24 @@ class PackageNotFoundError(KeyError):
 
 def get_package_share_directory(package_name: str, print_warning: bool = True) -> str:
     """Return the folder of a package. Raises PackageNotFoundError, or ValueError for what is no name of a package."""
-    return _folder(package_name, sys._getframe(1).f_code.co_filename)
+    return _folder(package_name, sys._getframe(1))
 
 
 def get_package_share_path(package_name: str, print_warning: bool = True) -> Path:
     """Return the folder of a package as a path. Raises as ``get_package_share_directory``."""
-    return Path(_folder(package_name, sys._getframe(1).f_code.co_filename))
+    return Path(_folder(package_name, sys._getframe(1)))
 
 
 def get_package_prefix(package_name: str) -> str:
     """Return the folder of a package. Raises as ``get_package_share_directory``."""
-    return _folder(package_name, sys._getframe(1).f_code.co_filename)
+    return _folder(package_name, sys._getframe(1))
 
 
-def _folder(package: str, file: str) -> str:
+def _folder(package: str, asks: FrameType) -> str:
     if not re.fullmatch("[a-zA-Z0-9][a-zA-Z0-9_-]+", package, re.ASCII):
         raise ValueError(f"'{package}' is not a valid package name")
-    around = Path(file).absolute().parent
+    # The file of the code may be a relative name, and the node in another folder by now.
+    around = Path(asks.f_globals.get("__file__") or asks.f_code.co_filename).absolute().parent
     found = Library(2, around).package(package)
     if found is None:
         raise PackageNotFoundError(f"package '{package}' not found, searching: {[str(around)]}")

@@ -152,7 +152,7 @@ class _Run:
                 return self._kept([*begin, "the answer has come"], entity, waiter, "the client")
             if not client.peers:
                 return _Step([*begin, "no node offers that, as far as it knows"], None, _SERVE)
-            for service in client.peers:
+            for service in (peer for peer in client.peers if isinstance(peer, Service)):  # not a test's
                 serving = _entity_of(service)
                 if any((header.client, header.sequence) == (client, number) for _, header in service.messages):
                     what = "the service" if serving is service else "the action server"

@@ -12,7 +12,7 @@ if TYPE_CHECKING:
     from ..world.world import World
     from .node import Node
 
-__all__ = ["End", "Owner"]
+__all__ = ["End", "Owner", "kind_of"]
 
 
 class End(NamedTuple):
@@ -23,13 +23,17 @@ class End(NamedTuple):
     owner: Any
 
 
+def kind_of(data_class: type) -> str:
+    """Return the type for which a class stands, as in std_msgs/msg/String."""
+    return f"{data_class.__module__.replace('.', '/').rpartition('/')[0]}/{data_class.__name__}"
+
+
 class Owner(Held):
     """Base of publishers, subscriptions, clients and services. ``data_class`` is the class of what it carries."""
 
     def __init__(self, node: Node, data_class: type, full_name: str, qos: QoSProfile) -> None:
         self.node = node
-        kind = f"{data_class.__module__.replace('.', '/').rpartition('/')[0]}/{data_class.__name__}"
-        self.end = End(full_name, kind, self)
+        self.end = End(full_name, kind_of(data_class), self)
         self.qos_profile = qos
         self.peers: list[Any] = []
         self.made = node.context.state.clock.now()
@@ -49,6 +53,10 @@ class Owner(Held):
     def is_gone(self) -> bool:
         """Whether it was destroyed, or its context has ended."""
         return self._destroyed or self.node.context.left is not None
+
+    def is_remote(self, other: Any) -> bool:
+        """Whether another end is in another process, where it has to be found."""
+        return isinstance(other, Owner) and other.world is not self.world
 
     def withdraw(self) -> None:
         """Let nobody find it any more."""

@@ -9,7 +9,7 @@ from importlib import import_module
 from types import ModuleType
 from typing import TYPE_CHECKING, Any, TypeVar
 
-from ..messages.ros2 import Action, Message
+from ..messages.ros2 import Message
 from ..messages.ros2 import Service as Interface
 from ..world.world import NotSimulated
 from . import logging, names, own_topics
@@ -24,14 +24,14 @@ from .exceptions import (
     NotInitializedException,
     RCLError,
     invalid_context,
-    no_type_support,
     not_accepted,
 )
 from .executors import GuardCondition
 from .handle import Handle
 from .logging_service import LoggingService
 from .parameter import Parameter, Parameters
-from .parameter_service import SERVICES, ParameterService
+from .parameter_service import ParameterService
+from .parameter_service import look as look_for_parameters
 from .qos import DurabilityPolicy, QoSProfile, qos_profile_services_default
 from .qos_overriding_options import QoSOverridingOptions, override
 from .services import Client, Ends, Service
@@ -39,6 +39,7 @@ from .time_source import TimeSource
 from .timer import Rate, Timer
 from .topics import Publisher, Subscription
 from .type_description_service import START_TYPE_DESCRIPTION_SERVICE_PARAM
+from .type_support import check_is_valid_msg_type, check_is_valid_srv_type
 
 if TYPE_CHECKING:
     from .action import ActionClient, ActionServer
@@ -433,8 +434,7 @@ class Node(Parameters):
         if not isinstance(qos, QoSProfile):
             raise TypeError(f"Expected QoSProfile or int, but received {type(qos)!r}")
         self.__check_text(topic)
-        if not (isinstance(msg_type, type) and issubclass(msg_type, Message)):
-            raise no_type_support(msg_type)
+        check_is_valid_msg_type(msg_type)
         if not self._context.ok():
             raise RCLError(f"Failed to create {what}: rcl node's context is invalid")
         full_name = self._rosspin_resolve(topic)
@@ -552,12 +552,7 @@ class Node(Parameters):
         RCLError if the process uses the name with another type.
         """
         full_name = self.__prepare_service("client", srv_type, srv_name, qos_profile)
-        of, _, word = full_name.rpartition("/")
-        if word in SERVICES:
-            self._context.state.world.graph.part(Ends).asked.add(of)
-            for node in self._context.state.participants.all_nodes():
-                if node.__full_name == of:
-                    node._rosspin_start_services()
+        look_for_parameters(self._context.state.world.graph, full_name)
         group = callback_group or self.default_callback_group
         client = Client(self, srv_type, srv_name, full_name, group, qos_profile)
         self.__add(client, self._clients)
@@ -586,11 +581,7 @@ class Node(Parameters):
 
     def __prepare_service(self, what: str, srv_type: Any, name: Any, qos: Any) -> str:
         """Check what a client or service is to be made of. Return the full name."""
-        if not (isinstance(srv_type, type) and issubclass(srv_type, (Interface, Action, Message))):
-            raise no_type_support(srv_type)
-        if not issubclass(srv_type, Interface):
-            text = f"The service type provided is not valid ({srv_type}), this might be a message or action"
-            raise RuntimeError(text)
+        check_is_valid_srv_type(srv_type)
         self.__check()
         if not isinstance(qos, QoSProfile):
             raise AttributeError(f"{type(qos).__name__!r} object has no attribute 'get_c_qos_profile'")

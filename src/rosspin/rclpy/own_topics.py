@@ -6,7 +6,8 @@ Few nodes are listened to there: a publisher is made when somebody subscribes to
 from __future__ import annotations
 
 import os
-from types import FrameType, ModuleType
+from collections import deque
+from types import CodeType, FrameType, ModuleType
 from typing import TYPE_CHECKING, Any
 
 from .duration import Duration
@@ -44,6 +45,8 @@ class OwnTopics:
         self._types = types
         self._topics = [PARAMETER_EVENTS, ROSOUT] if on_rosout else [PARAMETER_EVENTS]
         self._made: dict[str, Publisher] = {}
+        # What was logged before somebody listens: when (ns), level, logger, text, line, code.
+        self._early: deque[tuple[int, int, str, str, int, CodeType]] = deque(maxlen=_QOS[ROSOUT].depth)
         for topic in node.context.state.world.graph.part(_Looked):
             self.make(topic)
 
@@ -58,6 +61,9 @@ class OwnTopics:
         publisher.is_of_rcl = topic == ROSOUT
         publisher.made = node.context.born.get(node, publisher.made)
         node._publishers.append(publisher)
+        if topic == ROSOUT:
+            publisher.kept.extend((self._line(*logged), logged[0]) for logged in self._early)
+            self._early.clear()
 
     def tell_parameters(self, before: dict[str, Parameter], parameters: list[Parameter], declared: bool) -> None:
         """Publish which parameters are set, or ``declared``, now, beside those that were ``before``."""
@@ -78,12 +84,18 @@ class OwnTopics:
 
     def tell_log(self, level: int, name: str, message: str, frame: FrameType) -> None:
         """Publish a message of the node's logger, or of one below it. ``frame`` is the call."""
-        publisher = self._made.get(ROSOUT)
-        if publisher and self._node.context.ok():
-            line: Any = self._types.Log(level=level, name=name, msg=message, line=frame.f_lineno)
-            line.stamp = Time(nanoseconds=self._node.context.state.clock.system()).to_msg()
-            line.file, line.function = os.path.abspath(frame.f_code.co_filename), frame.f_code.co_name
-            publisher.publish(line)
+        if self._node.context.ok():
+            now = self._node.context.state.clock.system()
+            logged = now, level, name, message, frame.f_lineno, frame.f_code
+            if publisher := self._made.get(ROSOUT):
+                publisher.publish(self._line(*logged))
+            else:
+                self._early.append(logged)
+
+    def _line(self, when: int, level: int, name: str, text: str, number: int, code: CodeType) -> Any:
+        file, stamp = os.path.abspath(code.co_filename), Time(nanoseconds=when).to_msg()
+        kind: Any = self._types.Log
+        return kind(stamp=stamp, level=level, name=name, msg=text, file=file, function=code.co_name, line=number)
 
 
 def look(node: Node, topic: str) -> None:

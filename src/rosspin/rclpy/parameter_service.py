@@ -7,14 +7,17 @@ from importlib import import_module
 from types import ModuleType
 from typing import TYPE_CHECKING, Any
 
+from .discovery import Participants
 from .exceptions import ParameterNotDeclaredException, ParameterUninitializedException
 from .parameter import Parameter
 from .qos import qos_profile_parameters
+from .services import Ends
 
 if TYPE_CHECKING:
+    from ..world.graph import Graph
     from .node import Node
 
-__all__ = ["SERVICES", "ParameterService"]
+__all__ = ["ParameterService"]
 
 # Below the node's own name, each with its type.
 SERVICES = {
@@ -33,8 +36,9 @@ class ParameterService:
     ``types`` has their classes: the module ``rcl_interfaces.srv`` of the node's process.
     """
 
-    def __init__(self, node: Node, types: ModuleType) -> None:
+    def __init__(self, node: Node, types: ModuleType | None = None) -> None:
         self._node = node
+        types = types or import_module("rcl_interfaces.srv")
         for name, kind in SERVICES.items():
             callback = getattr(self, f"_{name}")
             full_name = f"{node.get_name()}/{name}"
@@ -78,3 +82,13 @@ class ParameterService:
         except ParameterNotDeclaredException as error:
             result = import_module("rcl_interfaces.msg").SetParametersResult
             return result(successful=False, reason=str(error))
+
+
+def look(graph: Graph, service: str) -> None:
+    """Let a node offer these services, also one that is still to come, if ``service`` is the full name of one."""
+    of, _, word = service.rpartition("/")
+    if word in SERVICES:
+        graph.part(Ends).asked.add(of)
+        for node in graph.part(Participants).all_nodes():
+            if node.get_fully_qualified_name() == of:
+                node._rosspin_start_services()

@@ -52,17 +52,23 @@ class Ends:
     def __init__(self) -> None:
         self.asked: set[str] = set()
         self.numbers = itertools.count(1)
-        self._of: dict[str, list[ServiceEnd]] = {}
+        self._of: dict[str, list[Any]] = {}
         self._lock = threading.Lock()
 
-    def add(self, end: ServiceEnd) -> list[ServiceEnd]:
+    def add(self, end: Any) -> list[Any]:
         """Add a client or service. Return those of the other kind that are there already."""
         # In one go: of two ends that are made at the same time, exactly one finds the other.
         with self._lock:
             ends = self._of.setdefault(end.end.topic, [])
-            found = [other for other in ends if type(other) is not type(end) and other.end.type == end.end.type]
+            found = [other for other in ends if other.asks is not end.asks and other.end.type == end.end.type]
             ends.append(end)
         return found
+
+    def offered(self) -> dict[str, Service]:
+        """The services of the nodes, by their full names."""
+        with self._lock:
+            ends = [end for ends in self._of.values() for end in ends if isinstance(end, Service)]
+        return {end.end.topic: end for end in ends}
 
     def remove(self, end: ServiceEnd) -> None:
         """Take an end away; one that is not there is no error."""
@@ -74,7 +80,7 @@ class Ends:
 class Header(NamedTuple):
     """Of a request: who asks, and with which number; whether the client could be answered when the service took it."""
 
-    client: Client
+    client: Any
     sequence: int
     call: CallMade
     is_known: bool = True
@@ -82,6 +88,8 @@ class Header(NamedTuple):
 
 class ServiceEnd(Owner):
     """What a client and a service have in common."""
+
+    asks: bool
 
     def __init__(
         self,
@@ -105,7 +113,7 @@ class ServiceEnd(Owner):
     def join(self) -> None:
         """Find the other ends of the service, and be found."""
         for other in self.world.graph.part(Ends).add(self):
-            if other.world is not self.world:
+            if self.is_remote(other):
                 introduce(self, other)
             else:
                 self.meet(other)
@@ -164,6 +172,8 @@ class ServiceEnd(Owner):
 
 class Client(ServiceEnd):
     """Asks a service. Made by ``Node.create_client``. An executor has to spin its node, which takes the answers."""
+
+    asks = True
 
     def __init__(self, *args: Any) -> None:
         super().__init__(*args)
@@ -267,6 +277,8 @@ class Service(ServiceEnd):
 
     It keeps the newest requests, as many as its QoS says, and hands out the oldest of these first.
     """
+
+    asks = False
 
     def __init__(self, callback: Callable[[Any, Any], Any], *args: Any) -> None:
         super().__init__(*args)

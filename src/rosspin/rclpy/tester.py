@@ -3,14 +3,20 @@
 from __future__ import annotations
 
 import json
-from collections.abc import Mapping
+import threading
+from collections.abc import Callable, Mapping
+from functools import partial
 from typing import Any
 
 from ..clocks.clock import NS, nanoseconds
-from ..messages.ros2 import Message
+from ..messages.ros2 import Message, received, transfer
 from ..world import tester
 from ..world.world import World
-from .ends import End
+from .action import GoalIds
+from .ends import End, kind_of
+from .parameter_service import look
+from .qos import Policies, QoSProfile, qos_profile_services_default
+from .services import Ends, Header, Service
 from .topics import Publisher, Subscription
 
 __all__ = ["Tester", "give_parameters"]
@@ -21,8 +27,8 @@ _TIMES = {"builtin_interfaces/Time", "builtin_interfaces/Duration"}
 class Tester(tester.Tester):
     """A tester on ROS 2 in its own ``world``; ``messages`` makes classes, as in ``messages["std_msgs/UInt32"]``."""
 
-    def __init__(self, world: World, messages: Any) -> None:
-        super().__init__(world.graph, messages)
+    def __init__(self, world: World, messages: Any, fail: Callable[[Exception], None]) -> None:
+        super().__init__(world, messages, fail)
         self._publications: list[_Counterpart] = []
 
     def publication(self, subscription: End) -> End:
@@ -42,6 +48,46 @@ class Tester(tester.Tester):
         for end in ends:
             end.send(self._message(end.msg_type, args, fields))
         return bool(ends)
+
+    def _offered(self, name: str) -> dict[str, str]:
+        look(self._graph, name)
+        return {name: service.end.type for name, service in self._graph.part(Ends).offered().items()}
+
+    def _request(
+        self, name: str, args: tuple[Any, ...], fields: Mapping[str, Any], then: tester.Then | None
+    ) -> Callable[[], None]:
+        service = self._graph.part(Ends).offered()[name]
+        kind = service.srv_type.Request
+        request = transfer(self._message(kind, args, fields), kind)
+
+        def send() -> None:
+            call = service.world.recording.add_call(name, tester.NAME, lambda: request)
+            client = _Client(self._world, service, then)
+            service.meet(client)
+            service.receive(request, Header(client, 1, call))
+
+        return send
+
+    def send_goal(self, action: str, fields: Mapping[str, Any]) -> None:
+        """See the base."""
+        goal_id = {"uuid": self._graph.part(GoalIds).new()}
+        result = f"/{action.removeprefix('/')}/_action/get_result"
+
+        def ask_for_result(response: Any) -> None:
+            if response.accepted and result in self._offered(result):
+                self._request(result, (), {"goal_id": goal_id}, None)()
+
+        self.call(f"{action}/_action/send_goal", (), {"goal_id": goal_id, "goal": fields}, ask_for_result)
+
+    def serve(self, service: str, type_: str, handler: tester.Handler) -> None:
+        """Offer a service of a type such as std_srvs/SetBool or std_srvs/srv/SetBool: see the base."""
+        super().serve(service, type_.replace("/srv/", "/"), handler)
+
+    def _serve(self, name: str, srv_type: Any, handler: tester.Handler) -> None:
+        service = _Service(self._world, name, srv_type, partial(self._response, srv_type.Response, handler))
+        for client in self._graph.part(Ends).add(service):
+            service.meet(client)
+            client.meet(service)
 
     def _message(self, data_class: type[Message], args: tuple[Any, ...], fields: Mapping[str, Any]) -> Message:
         """Make a message from what ``publish`` is given: a message, all of its fields, or some by name or in a dict."""
@@ -97,6 +143,75 @@ class _Counterpart:
         """Publish a message."""
         for peer in self.peers:
             peer.receive(self, message, self.world.clock.system())
+
+
+class _ServiceEnd:
+    """The tester's end of a service. The nodes' ends know it at once."""
+
+    asks: bool
+    is_gone = False
+    gid = bytes(16)
+
+    def __init__(self, world: World, name: str, kind: str, qos: QoSProfile) -> None:
+        self.world = world
+        self.end = End(name, kind, self)
+        self.peers: list[Any] = []
+        self._offered, self._requested = Policies.offered(qos), Policies.requested(qos)
+
+    def meet(self, other: Any) -> None:
+        """Learn of a node's end."""
+        self.peers.append(other)
+
+    def part(self, other: Any) -> None:
+        """Learn that a node's end is gone."""
+        self.peers.remove(other)
+
+    def _reaches_back(self, other: Any) -> bool:
+        return True
+
+
+class _Client(_ServiceEnd):
+    """Asks a service once."""
+
+    asks = True
+
+    def __init__(self, world: World, service: Service, then: tester.Then | None) -> None:
+        super().__init__(world, service.end.topic, service.end.type, service.qos_profile)
+        self._service = service
+        self._then = then
+
+    def receive(self, sequence: int, response: Message | None) -> None:
+        """Take a response, which is the service's to another client if it is None."""
+        if response:
+            self._service.part(self)
+            if self._then:
+                self._then(response)
+
+
+class _Service(_ServiceEnd):
+    """Sends what ``answer(request)`` returns, called in a thread of its own for each request; nothing if it is None."""
+
+    asks = False
+
+    def __init__(self, world: World, name: str, srv_type: Any, answer: Callable[[Any], Message | None]) -> None:
+        super().__init__(world, name, kind_of(srv_type), qos_profile_services_default)
+        self._srv_type = srv_type
+        self._answer = answer
+
+    def receive(self, request: Message, header: Header) -> None:
+        """Take a request."""
+        request = received(request, self._srv_type.Request)
+        with self.world.acting():
+            threading.Thread(target=self._send, args=(request, header), daemon=True).start()
+
+    def _send(self, request: Message, header: Header) -> None:
+        response = self._answer(request)
+        if response is None:
+            return
+        header.call.answer(tester.NAME, self.world.clock.now(), lambda: response)
+        for client in list(self.peers):
+            own = client is header.client
+            client.receive(header.sequence if own else 0, response if own else None)
 
 
 def give_parameters(world: World, parameters: Mapping[str, Any]) -> None:

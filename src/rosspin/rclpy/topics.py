@@ -106,10 +106,6 @@ class TopicEnd(Owner):
         """See the base."""
         self.world.graph.remove(self.end)
 
-    def is_remote(self, other: Any) -> bool:
-        """Whether another end is in another process, where it has to be found."""
-        return isinstance(other, Owner) and other.world is not self.world
-
     def meet(self, other: Any, policy: QoSPolicyKind | None) -> None:
         """Learn of an end in another process. ``policy`` is the one by which the two do not match, or None."""
         if self.is_gone or other.is_gone:

@@ -19,7 +19,7 @@ from ..clocks.frames import node_frames
 from ..messages import ros1
 from ..messages.genpy import Duration
 from ..messages.ros1 import DeserializationError, Message
-from ..world.graph import CallMade
+from ..world.graph import CallMade, Recording
 from ..world.world import NotSimulated, World, current, not_simulated, waiting_for
 from . import names, rosgraph
 from .core import logerr, logwarn, logwarn_throttle
@@ -96,7 +96,18 @@ class Services:
         for connection in self._connections:
             connection.hang_up()
 
-    def accept(self, connection: Connection | None) -> None:
+    def class_of(self, name: str) -> type[ros1.Service]:
+        """The class of one of the services."""
+        return self._own[name].service_class
+
+    def reach(self, connection: Connection | None) -> None:
+        """Connect to the node. Raises TransportInitError if it has gone silently, or does not accept."""
+        if self.is_gone:
+            raise TransportInitError("[Errno 111] Connection refused")
+        with self.node.world.acting():
+            self._accept(connection)
+
+    def _accept(self, connection: Connection | None) -> None:
         """Accept a connection; None is somebody who only looks. Raises TransportInitError if it is of another type.
 
         One whose thread has ended without an answer is closed only now: rospy's server holds on to the last socket.
@@ -145,12 +156,12 @@ class Connection:
         self._answers: queue.SimpleQueue[tuple[bool, bytes] | None] = queue.SimpleQueue()
         self._spoilt: set[type[Message]] = set()  # what cannot be read any more: half a message stands before it
 
-    def ask(self, node: State, seq: int, request: Message) -> None:
-        """Send a request. Raises what ``Message.serialize`` does; nothing can be sent after that."""
+    def ask(self, name: str, recording: Recording, seq: int, request: Message) -> None:
+        """Send a request of a node. Raises what ``Message.serialize`` does; nothing can be sent after that."""
         if self._is_closed:
             raise AttributeError("'NoneType' object has no attribute 'tell'")  # rospy's buffer is gone
         data = self._bytes(seq, request)
-        self._requests.put((data, node.world.recording.add_call(self.name, node.name, _copy(request, data))))
+        self._requests.put((data, recording.add_call(self.name, name, _copy(request, data))))
 
     def next_request(self) -> tuple[bytes, CallMade]:
         """Wait for a request. Raises TransportTerminated if none comes."""
@@ -377,7 +388,7 @@ class ServiceProxy(_Named):
         connection = self._connection or self._connect(node, request)
         self.seq += 1
         try:
-            connection.ask(node, self.seq, request)
+            connection.ask(node.name, node.world.recording, self.seq, request)
         except Exception:
             if not self.persistent:
                 connection.close()
@@ -406,7 +417,7 @@ class ServiceProxy(_Named):
         own = {"callerid": node.name, "md5sum": self.service_class._md5sum, "service": self.resolved_name}
         connection = Connection(self.resolved_name, dict(sorted({**own, **self._headers}.items())))
         try:
-            _join(server, connection)
+            server.reach(connection)
         except TransportInitError as error:
             raise ServiceException(f"unable to connect to service: {error}")
         if self.persistent:
@@ -434,7 +445,7 @@ def wait_for_service(service: str, timeout: float | Duration | None = None) -> N
     while not node.shutdown and (until is None or node.clock.system() < until):
         try:
             if server := _find(node, name):
-                _join(server, None)
+                server.reach(None)
                 return
         except TransportInitError:
             logwarn_throttle(10, f"wait_for_service({name}): failed to contact, will keep trying")
@@ -449,11 +460,3 @@ def _find(node: State, name: str) -> Services | None:
     node.clock.sleep(FIND)
     found: Services | None = node.master.services.get(name)
     return found
-
-
-def _join(server: Services, connection: Connection | None) -> None:
-    """Connect to a node. Raises TransportInitError if it has gone without telling the master, or does not accept."""
-    if server.is_gone:
-        raise TransportInitError("[Errno 111] Connection refused")
-    with server.node.world.acting():
-        server.accept(connection)

@@ -2,7 +2,9 @@
 
 from __future__ import annotations
 
-from collections.abc import Mapping
+from collections.abc import Callable, Mapping
+from contextlib import suppress
+from functools import partial
 from typing import Any
 
 from ..clocks.clock import nanoseconds
@@ -10,8 +12,9 @@ from ..messages.ros1 import TIMES, Message, SerializationError
 from ..world import tester
 from ..world.world import World
 from . import client, rosgraph
-from .exceptions import ROSSerializationException
+from .exceptions import ROSSerializationException, TransportInitError
 from .msg import AnyMsg, args_kwds_to_message, serialize_message
+from .service import Connection, Service, Services
 from .state import State
 from .topics import Publication
 
@@ -21,10 +24,11 @@ __all__ = ["Tester", "give_parameters"]
 class Tester(tester.Tester):
     """A tester on ROS 1 in its own ``world``; ``messages`` makes classes, as in ``messages["std_msgs/UInt32"]``."""
 
-    def __init__(self, world: World, messages: Any) -> None:
-        super().__init__(world.graph, messages)
+    def __init__(self, world: World, messages: Any, fail: Callable[[Exception], None]) -> None:
+        super().__init__(world, messages, fail)
         self._node = world.part(State)
         self._node.name = tester.NAME
+        self._node.initialized = True
         self._publications: dict[tuple[str, type[Message]], _Publication] = {}
 
     def publication(self, subscription: Any) -> Publication:
@@ -54,6 +58,35 @@ class Tester(tester.Tester):
                 end.send(message)
         return True
 
+    def _offered(self, name: str) -> dict[str, str]:
+        own = self._world.part(Services)
+        services = self._node.master.services.items()
+        return {name: server.class_of(name)._type for name, server in services if server is not own}
+
+    def _request(
+        self, name: str, args: tuple[Any, ...], fields: Mapping[str, Any], then: tester.Then | None
+    ) -> Callable[[], None]:
+        server = self._node.master.services[name]
+        kind = server.class_of(name)
+        request = args_kwds_to_message(kind._request_class, args, self._filled(kind._request_class, fields))
+        _check(request)
+
+        def send() -> None:
+            connection = Connection(name, {"callerid": tester.NAME, "md5sum": kind._md5sum, "service": name})
+            with suppress(TransportInitError):  # the node has gone without telling the master
+                server.reach(connection)
+                connection.ask(tester.NAME, server.node.world.recording, 1, request)
+
+        return send
+
+    def send_goal(self, action: str, fields: Mapping[str, Any]) -> None:
+        """See the base. Raises LookupError: the actions of ROS 1 are not simulated."""
+        raise LookupError(f"no node offers the action {action}: only those of ROS 2 are simulated")
+
+    def _serve(self, name: str, srv_type: Any, handler: tester.Handler) -> None:
+        with self._world.acting():
+            Service(name, srv_type, partial(self._response, srv_type._response_class, handler))
+
     @staticmethod
     def _types(data_class: type[Message]) -> dict[str, str]:
         return dict(zip(data_class.__slots__, data_class._slot_types, strict=True))
@@ -65,14 +98,18 @@ class Tester(tester.Tester):
         return TIMES[type_](**fields) if type_ in TIMES else super()._nested(type_, fields)
 
 
+def _check(message: Message) -> None:
+    try:
+        serialize_message(0, message)
+    except SerializationError as error:
+        raise ROSSerializationException(str(error)) from None
+
+
 class _Publication(Publication):
     delay = 0
 
     def send(self, message: Message) -> None:
-        try:
-            serialize_message(0, message)  # an error here breaks no connection
-        except SerializationError as error:
-            raise ROSSerializationException(str(error)) from None
+        _check(message)  # an error here breaks no connection
         if self.data_class is AnyMsg:
             self.data_class, self.type = type(message), message._type
         self._send(message, self.connections)

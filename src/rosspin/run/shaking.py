@@ -19,7 +19,7 @@ from typing import Any
 
 from ..clocks.explored import ExploredSimulation, Turn, name_of
 from ..clocks.stacks import Stack, current
-from .source import Node, execute
+from .source import Node, program
 
 __all__ = ["shaken"]
 
@@ -41,7 +41,7 @@ def shaken(node: Node) -> Node:
     if node.source is None:
         raise ValueError(f"{node.name}: deep is for node files; a function cannot be shaken")
     everywhere = node.hint == 1
-    main = partial(execute, _shaken(node.source, node.filename, everywhere), node.filename, _NAMES)
+    main = program(_shaken(node.source, node.filename, everywhere), node.filename, _NAMES)
     return node._replace(main=main, loader=partial(_Loader, everywhere))
 
 

@@ -26,7 +26,7 @@ if TYPE_CHECKING:
 
 __all__ = [
     *("Launched", "Prepared", "prepare", "run_captured", "run_in_order", "run_node", "run_nodes"),
-    *("run_prepared", "several", "simulate", "supervisor"),
+    *("run_prepared", "several", "simulate", "supervisor", "with_jitter"),
 ]
 
 Launched = launch.Launch | LaunchFile
@@ -40,6 +40,7 @@ def simulate(
     *,
     start: float = 0.0,
     faults: Sequence[Fault] = (),
+    jitter: float = 0.0,
     schedule: str = "",
 ) -> Run:
     """Run a node for ``seconds`` of simulated time, which begins at 0 and takes almost no real time.
@@ -66,7 +67,8 @@ def simulate(
     are not in Python are left out.
 
     ``faults`` are what is to go wrong, from :mod:`rosspin.faults`; ``run.faults`` says what they did. A line on the
-    console names each that did nothing.
+    console names each that did nothing. ``jitter`` is short for one of them, ``Jitter(jitter)``: threads and callbacks
+    go on late by up to so many seconds, as on a real computer, drawn in the same way in each run.
 
     Raises OSError if the file cannot be read, SyntaxError if it is not Python, ValueError if ``seconds`` or ``start``
     is negative, too large or not a number, or if the ``schedule`` is none of this node, :class:`TimeStandsStill` if the
@@ -75,13 +77,22 @@ def simulate(
     have, or that comes after its end.
     """
     shaken = bool(schedule) and Order.of(schedule).deep
-    prepared = prepare(node, args, skip_cpp, shaken, faults)
+    prepared = prepare(node, args, skip_cpp, shaken, with_jitter(faults, jitter))
     with capture() as console:
         if schedule:
             result = run_in_order(prepared, seconds, schedule, start, TickLog())
         else:
             result = run_prepared(prepared, seconds, Simulation(duration(start, "start")), TickLog())
     return result.run(console.text(), "simulated", seconds)
+
+
+def with_jitter(faults: Sequence[Fault], jitter: float) -> Sequence[Fault]:
+    """Return the faults, and one of up to ``jitter`` s. Raises TypeError and ValueError for wrong ones."""
+    if jitter == 0:
+        return faults
+    from ..faults import Jitter, checked  # most runs go without
+
+    return (*checked(faults), Jitter(jitter))
 
 
 class Prepared(NamedTuple):

@@ -22,9 +22,9 @@ from .kept import working_folder
 from .roses import ROSES, ros_of
 
 __all__ = [
-    *("Node", "NodeLike", "around_package", "execute", "folder_of", "load", "load_source", "names_a_ros"),
+    *("Node", "NodeLike", "around_package", "folder_of", "load", "load_source", "names_a_ros"),
     *("compiled", "is_launch_of_ros2", "is_own", "own_folders", "read", "refuse_other_ros", "refuse_text"),
-    *("split_words", "warn_of_files"),
+    *("program", "split_words", "warn_of_files"),
 ]
 
 
@@ -74,7 +74,7 @@ def load_source(source: str, filename: str) -> Node:
     """Load a node from its source text. Raises SyntaxError if it is not Python."""
     code = compiled(source, filename)
     folder = str(Path(filename).resolve().parent) if os.path.exists(filename) else None
-    return Node(lambda: execute(code, filename), filename, filename, folder, source, _hint([code], folder))
+    return Node(program(code, filename), filename, filename, folder, source, _hint([code], folder))
 
 
 def compiled(source: str, filename: str) -> CodeType:
@@ -84,13 +84,18 @@ def compiled(source: str, filename: str) -> CodeType:
     return _compile(source, filename)
 
 
-def execute(code: CodeType, filename: str, more: Mapping[str, Any] | None = None) -> None:
-    """Run code as the module ``__main__``, which has these names besides its own."""
-    module = ModuleType("__main__")
-    module.__file__ = filename
-    module.__dict__.update(more or {})
-    sys.modules["__main__"] = module
-    exec(code, module.__dict__)
+def program(code: CodeType, filename: str, more: Mapping[str, Any] | None = None) -> Callable[[], None]:
+    """Return what runs code as the module ``__main__``, which has these names besides its own."""
+    file = os.path.abspath(filename) if os.path.exists(filename) else filename
+
+    def execute() -> None:
+        module = ModuleType("__main__")
+        module.__file__ = file
+        module.__dict__.update(more or {})
+        sys.modules["__main__"] = module
+        exec(code, module.__dict__)
+
+    return execute
 
 
 def _call(function: Callable[[], Any], main: ModuleType | None) -> None:

@@ -23,7 +23,7 @@ from .process import Process
 from .ros2launch.launch_file import LaunchFile
 from .roses import ROSES
 from .roslaunch.launch import Node
-from .simulate import prepare, supervisor
+from .simulate import prepare, supervisor, with_jitter
 from .source import NodeLike, refuse_text, warn_of_files
 from .streams import Capture
 
@@ -48,18 +48,19 @@ def start(
     parameters: Mapping[str, Any] | None = None,
     *,
     faults: Sequence[Fault] = (),
+    jitter: float = 0.0,
 ) -> StartedNode:
     """Start a node, or several, in simulated time, to be run in steps.
 
     ``node`` and ``args`` are as for :func:`simulate`; ``parameters`` are set before a node runs, as by a launch file:
     in ROS 1 private ones by names such as ``"~rate"``, in ROS 2 those that it declares. What is due at 0 s has run when
-    this returns; the time then waits for :meth:`StartedNode.advance`. ``faults`` are as for :func:`simulate`; a node
-    that one of them kills has not failed. Raises what :func:`simulate` and ``advance`` raise, TypeError for a value
-    that no parameter can have, and ValueError for parameters of several nodes: give each of them its own on its command
-    line.
+    this returns; the time then waits for :meth:`StartedNode.advance`. ``faults`` and ``jitter`` are as for
+    :func:`simulate`; a node that a fault kills has not failed. Raises what :func:`simulate` and ``advance`` raise,
+    TypeError for a value that no parameter can have, and ValueError for parameters of several nodes: give each of them
+    its own on its command line.
     """
     __tracebackhide__ = True  # pytest shows the lines of the test and of the node, not these
-    return start_in_order(None, node, args, parameters, faults)
+    return start_in_order(None, node, args, parameters, with_jitter(faults, jitter))
 
 
 def start_in_order(
@@ -120,6 +121,7 @@ class StartedNode:
         self._closed = False
         self._raised: set[int] = set()  # the identities of the nodes' errors that were raised
         self._status_raised = False
+        self._trace: TracebackType | None = None  # the lines of the test in which it failed
         with self._inside():
             if launched:
                 self._host.supervisor = supervisor(launched, self._host, codes)
@@ -137,15 +139,20 @@ class StartedNode:
         """Join the graph of a ROS, as another node, when a node has used it for the first time."""
         world = World(self._clock, [], Recording(self._clock, None), lambda ros: graph)
         world.bind(ros)
-        graph.tester = self._testers[ros] = ROSES[ros].tester.Tester(world, _Messages(self._host, ros))
+        graph.tester = self._testers[ros] = ROSES[ros].tester.Tester(world, _Messages(self._host, ros), self._fail)
 
     def _give_parameters(self, world: World) -> None:
         try:
             with acting_for(world):
                 ROSES[world.ros].tester.give_parameters(world, self._parameters)
-        except Exception as error:  # the test's, not the node's
-            world.failure = error
-            end_run()
+        except Exception as error:
+            self._fail(error)
+
+    def _fail(self, error: Exception) -> None:
+        """End the run with an error that is the test's, not the node's."""
+        self._host.processes[0].world.failure = error
+        self._trace = node_frames(error.__traceback__)
+        end_run()
 
     def __enter__(self) -> StartedNode:
         return self
@@ -251,6 +258,36 @@ class StartedNode:
         name = self._tester(lambda tester: tester.published(topic))
         return [message for message in self._messages if message.topic == name]
 
+    def call(self, service: str, /, *args: Any, **fields: Any) -> None:
+        """Call a service of the node, which receives the request without delay, in the next ``advance``.
+
+        Give the request as a message to :meth:`publish`: ``node.call("/drive", data=True)``. The ``calls`` of the run
+        have it, and the response as soon as that was sent: those of the step, and those of ``node.run``. So do those of
+        the parameters of a node of ROS 2: ``node.call("/spinner/get_parameters", names=["frequency"])``.
+
+        Raises LookupError if no node offers the service, and for wrong requests what ``publish`` raises.
+        """
+        self._tester(lambda tester: tester.call(service, args, fields))
+
+    def send_goal(self, action: str, /, **fields: Any) -> None:
+        """Send a goal to an action of a node of ROS 2, and ask for the result as soon as it is accepted.
+
+        The run's ``calls`` have both, of ``<action>/_action/send_goal`` and of ``<action>/_action/get_result``;
+        ``node.messages("<action>/_action/feedback")`` has the feedback. Raises what :meth:`call` raises.
+        """
+        self._tester(lambda tester: tester.send_goal(action, fields))
+
+    def serve(self, service: str, type: str, handler: Callable[[Any], Mapping[str, Any] | None]) -> None:
+        """Offer a service to the node: ``node.serve("/drive", "std_srvs/SetBool", lambda request: {"success": True})``.
+
+        ``handler(request)`` returns the fields of the response. It is called in a thread of its own for each request,
+        and may sleep there, in simulated time. If it returns None, there is no response: in ROS 1 the call fails, in
+        ROS 2 it waits for ever. ``advance`` raises what it raises, and ends the run.
+
+        Raises LookupError if there is no such type.
+        """
+        self._tester(lambda tester: tester.serve(service, type, handler))
+
     def _tester(self, ask: Callable[[Any], Any]) -> Any:
         """Ask the testers, one for each ROS, until one can answer. LookupError if none can."""
         if not self._testers:  # the node has used no ROS
@@ -273,8 +310,11 @@ class StartedNode:
         recording = self._host.recording
         before = len(self._capture), len(recording.log or ()), len(self._messages), len(recording)
         mishaps, time = self._mishaps, self._now
-        with self._inside():
-            go_on()
+        try:
+            with self._inside():
+                go_on()
+        except Exception as failure:
+            raise failure.with_traceback(self._trace or failure.__traceback__)
         self._messages += recording.messages(len(self._messages))
         self._mishaps = recording.mishap_count
         failed = [(process, error) for process in self._host.processes for error in process.world.errors]
@@ -322,15 +362,21 @@ class StartedNode:
 
 
 class _Messages:
-    """The classes of messages that any of the nodes can import, by name: ``messages["std_msgs/UInt32"]``."""
+    """The classes of messages and services that any of the nodes can import, as a finder's ``messages`` has them."""
 
     def __init__(self, host: Host, ros: int) -> None:
         self._host = host
         self._ros = ros
 
     def __getitem__(self, name: str) -> Any:
+        return self._find(lambda messages: messages[name])
+
+    def whole(self, folder: str, name: str) -> Any:
+        return self._find(lambda messages: messages.whole(folder, name))
+
+    def _find(self, look: Callable[[Any], Any]) -> Any:
         for process in self._host.processes:
             if process.world.ros in (0, self._ros):
                 with suppress(KeyError):
-                    return process.messages[name]
-        raise KeyError(name)
+                    return look(process.messages)
+        raise KeyError

@@ -1,27 +1,40 @@
 """The node that a test plays. It is connected to every topic of the other nodes as soon as they have it.
 
-Every ROS has in common how topics and messages are named and filled in. Each has its own ends of topics.
+Every ROS has in common how topics and messages are named and filled in. Each has its own ends of topics and services.
 """
 
 from __future__ import annotations
 
 from abc import ABC, abstractmethod
-from collections.abc import Iterable, Mapping
+from collections.abc import Callable, Iterable, Mapping
+from types import NoneType
 from typing import Any
 
-from .graph import Graph
+from ..clocks.simulation import Simulation
+from .world import World
 
 __all__ = ["NAME", "Tester"]
 
 NAME = "/tester"
 
+_WHERE = "in the common packages, or in those around the node"
+
+
+Handler = Callable[[Any], Mapping[str, Any] | None]
+"""Is given a request, and returns the fields of the response."""
+
+Then = Callable[[Any], None]
+"""Is given a response."""
+
 
 class Tester(ABC):
-    """``messages`` has the classes of messages by name, as in ``messages["std_msgs/UInt32"]``."""
+    """``messages`` has the classes by name, as in ``messages["std_msgs/UInt32"]``; ``fail`` ends the run."""
 
-    def __init__(self, graph: Graph, messages: Any) -> None:
-        self._graph = graph
+    def __init__(self, world: World, messages: Any, fail: Callable[[Exception], None]) -> None:
+        self._world = world
+        self._graph = world.graph
         self._messages = messages
+        self._fail = fail
         self._published: dict[str, str] = {}  # the topics that somebody has published, and their types
 
     @abstractmethod
@@ -48,8 +61,7 @@ class Tester(ABC):
         try:
             data_class = self._messages[type_]
         except KeyError:
-            where = "in the common packages, or in those around the node"
-            raise LookupError(f"there is no message {type_} {where}") from None
+            raise LookupError(f"there is no message {type_} {_WHERE}") from None
         return data_class(**self._filled(data_class, fields))
 
     def publish(self, topic: str, args: tuple[Any, ...], fields: Mapping[str, Any]) -> None:
@@ -64,6 +76,54 @@ class Tester(ABC):
     @abstractmethod
     def _publish(self, name: str, args: tuple[Any, ...], fields: Mapping[str, Any]) -> bool:
         """Publish a message. Returns whether anybody subscribes."""
+
+    def call(self, service: str, args: tuple[Any, ...], fields: Mapping[str, Any], then: Then | None = None) -> None:
+        """Ask a service as soon as the time goes on, and call ``then`` with the response.
+
+        Raises LookupError if no node offers it, and what this ROS raises for a request that cannot be sent.
+        """
+        name = _full_name(service)
+        offered = self._offered(name)
+        if name not in offered:
+            raise LookupError(f"no node offers {name}; offered are: {_list(offered.items())}")
+        clock = self._world.clock
+        assert isinstance(clock, Simulation)
+        clock.at(clock.now(), self._request(name, args, fields, then))
+
+    @abstractmethod
+    def _offered(self, name: str) -> dict[str, str]:
+        """The services of the other nodes, and their types. Somebody looks for that of a name."""
+
+    @abstractmethod
+    def _request(
+        self, name: str, args: tuple[Any, ...], fields: Mapping[str, Any], then: Then | None
+    ) -> Callable[[], None]:
+        """Make a request, and return what sends it."""
+
+    @abstractmethod
+    def send_goal(self, action: str, fields: Mapping[str, Any]) -> None:
+        """Send a goal as soon as the time goes on, and ask for its result later. Raises what ``call`` raises."""
+
+    def serve(self, service: str, type_: str, handler: Handler) -> None:
+        """Offer a service of a type such as std_srvs/SetBool. Raises LookupError if unknown."""
+        try:
+            srv_type = self._messages.whole("srv", type_)
+        except KeyError:
+            raise LookupError(f"there is no service {type_} {_WHERE}") from None
+        self._serve(_full_name(service), srv_type, handler)
+
+    @abstractmethod
+    def _serve(self, name: str, srv_type: Any, handler: Handler) -> None: ...
+
+    def _response(self, response_class: Any, handler: Handler, request: Any) -> Any:
+        """Return the response to a request, or None. An error ends the run."""
+        try:
+            fields = handler(request)
+            if not isinstance(fields, (Mapping, NoneType)):
+                raise TypeError(f"the function of a service returns a dict of the response's fields, not {fields!r}")
+            return None if fields is None else response_class(**self._filled(response_class, fields))
+        except Exception as error:
+            self._fail(error)
 
     def _filled(self, data_class: Any, fields: Mapping[str, Any]) -> dict[str, Any]:
         types = self._types(data_class)
@@ -95,5 +155,5 @@ def _full_name(topic: str) -> str:
     return topic if topic.startswith("/") else f"/{topic}"
 
 
-def _list(topics: Iterable[tuple[str, str]]) -> str:
-    return ", ".join(f"{topic} ({kind})" for topic, kind in topics) or "none"
+def _list(names: Iterable[tuple[str, str]]) -> str:
+    return ", ".join(f"{name} ({kind})" for name, kind in names) or "none"
