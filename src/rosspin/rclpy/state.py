@@ -7,8 +7,7 @@ from collections.abc import Callable
 from typing import TYPE_CHECKING, Any
 from weakref import WeakKeyDictionary
 
-from ..clocks.stacks import Stack, current
-from ..world.world import World, current_world
+from ..world.world import World, current, current_world
 from .discovery import Participants
 
 if TYPE_CHECKING:
@@ -38,9 +37,8 @@ class Gate:
         """Wait until it is opened, for at most ``ns`` nanoseconds, and shut it. Return whether it was opened."""
         if ns is not None and ns <= 0:
             return bool(self._lock.acquire(False))
-        stack = current()
-        if isinstance(stack, Stack) and self._lock.locked():
-            return bool(self._lock.wait(stack, ns))  # exactly, and at a lower cost than by way of seconds
+        if hasattr(self._lock, "wait") and self._lock.locked():
+            return bool(self._lock.wait(current(), ns))  # exactly, and at a lower cost than by way of seconds
         return bool(self._lock.acquire(True, -1 if ns is None else min(ns / 1e9, threading.TIMEOUT_MAX)))
 
 
