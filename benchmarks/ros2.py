@@ -35,7 +35,7 @@ def report(hours: float = 24, ticks: int = 20_000, rounds: int = 5) -> Iterator[
     yield line(
         "  a tick of rclpy's timer / of rospy's",
         ratio(times, "rclpy", "rospy"),
-        most=6,
+        most=4.5,
         times=f"{each['rclpy']} / {each['rospy']}",
     )
     if folder:

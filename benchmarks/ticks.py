@@ -43,7 +43,7 @@ def report(sizes: Sequence[int] = (1, 100, 1000), ticks: int = 200_000, rounds: 
         yield line(
             f"  {timers}, rospy.Timer with an empty callback / SimPy",
             ratio(times, timer, simpys),
-            most=4.5,
+            most=4,
             times=f"{each(timer)} / {each(simpys)}",
         )
     few, many = f"Timer {sizes[0]}", f"Timer {sizes[-1]}"

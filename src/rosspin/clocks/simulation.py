@@ -10,10 +10,12 @@ from __future__ import annotations
 import contextlib
 import io
 import sys
+from collections import deque
 from collections.abc import Callable, Iterator, Sequence
 from contextlib import AbstractContextManager, contextmanager
-from heapq import heapify, heappop, heappush, heappushpop
+from heapq import heapify, heappop, heappush
 from itertools import count, islice
+from typing import Any
 
 from .clock import NS
 from .ending import ending_here
@@ -82,6 +84,8 @@ class Simulation:
         self._now = start
         self.ahead = 0
         self._heap: list[tuple[int, int, Stack]] = []
+        # Wake-ups in their order. Those of many timers come in this order, and what does needs no heap.
+        self._row: deque[tuple[int, int, Stack]] = deque()
         self._order = 0  # the number of the newest wake-up; of two at one time, the smaller goes first
         self._cancelled: set[int] = set()  # wake-ups in the heap that are not to happen
         self._last_move = 0
@@ -126,7 +130,15 @@ class Simulation:
         now = self._now
         wake = now + ns if ns > 0 else now
         self._order = order = self._order + 1
-        due = heappushpop(self._heap, (wake, order, me))  # type: ignore[misc]
+        due: Any = (wake, order, me)
+        heap, row = self._heap, self._row
+        if not row or wake >= row[-1][0]:
+            row.append(due)
+        else:
+            if len(row) < 2 or wake >= row[-2][0]:
+                row[-1], due = due, row[-1]  # the one that comes long after all others keeps none out
+            heappush(heap, due)
+        due = heappop(heap) if heap and heap[0] < row[0] else row.popleft()
         when, _, stack = due
         if when > now:
             self._now = when
@@ -218,7 +230,8 @@ class Simulation:
         """Call ``handler`` on a suspended stack, as a signal handler: its sleep, or its wait, goes on afterwards."""
         if not stack.resumed:
             if not stack.waits:
-                pending = (order for _, order, each in self._heap if each is stack and order not in self._cancelled)
+                self._keep(lambda stack: True)  # now all are in the heap
+                pending = (order for _, order, each in self._heap if each is stack)
                 stack.ticket = next(pending, 0)
             self._resume(stack)
         self.interrupt_later(stack, handler)
@@ -318,9 +331,10 @@ class Simulation:
 
     def _keep(self, is_wanted: Callable[[Stack], bool]) -> None:
         """Drop the wake-ups that are cancelled, and those of stacks that are not wanted."""
-        cancelled = self._cancelled
-        self._heap[:] = [entry for entry in self._heap if entry[1] not in cancelled and is_wanted(entry[2])]
+        cancelled, entries = self._cancelled, [*self._heap, *self._row]
+        self._heap[:] = [entry for entry in entries if entry[1] not in cancelled and is_wanted(entry[2])]
         heapify(self._heap)
+        self._row.clear()
         cancelled.clear()
 
     def _drop_cancelled(self) -> None:
@@ -333,10 +347,12 @@ class Simulation:
 
     def _next(self) -> tuple[int, int, Stack] | None:
         """Take the next wake-up off the heap and move the time on to it; None if there is none."""
-        self._drop_cancelled()
-        if not self._heap:
+        if self._cancelled or self._closed:
+            self._drop_cancelled()
+        heap, row = self._heap, self._row
+        if not (heap or row):
             return None
-        due = heappop(self._heap)
+        due = row.popleft() if row and not (heap and heap[0] < row[0]) else heappop(heap)
         if due[0] > self._now:
             self._move(due[0])
         elif self._order - self._last_move > STANDSTILL:
@@ -396,6 +412,7 @@ class Simulation:
         """End the stacks that are left."""
         self._throw_exit(list(self._stacks))
         self._heap.clear()
+        self._row.clear()
 
     def _throw_exit(self, stacks: list[Stack]) -> None:
         """End stacks for good.
@@ -429,7 +446,7 @@ class PacedSimulation(Simulation):
     def sleep(self, ns: int) -> None:
         wake = self._now + max(ns, 0)
         self._drop_cancelled()
-        self._pace(min(wake, self._heap[0][0]) if self._heap else wake)
+        self._pace(min([wake, *(entries[0][0] for entries in (self._heap, self._row) if entries)]))
         super().sleep(ns)
 
     def _move(self, when: int) -> None:

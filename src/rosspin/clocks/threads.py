@@ -72,20 +72,21 @@ class Lock:
             self.holder = current()
             return True
         if blocking and timeout:
-            return self._wait(timeout)
+            stack = current()
+            if isinstance(stack, Stack):
+                return self.wait(stack, None if timeout == -1 else nanoseconds(timeout))
+            return self._lock.acquire(True, timeout)
         _poll()
         return False
 
     __enter__ = acquire
 
-    def _wait(self, timeout: float) -> bool:
-        stack = current()
-        if not isinstance(stack, Stack):
-            return self._lock.acquire(True, timeout)
+    def wait(self, stack: Stack, ns: int | None) -> bool:
+        """Acquire it on a stack once it is released, within ``ns`` nanoseconds; None stands for ever."""
         clock = stack.clock
-        until = None if timeout == -1 else clock.now() + nanoseconds(timeout)
-        stack.lock = self if timeout == -1 else None
-        if until == clock.now():
+        until = None if ns is None else clock.now() + ns
+        stack.lock = self if ns is None else None
+        if ns == 0:
             _poll()
         while True:
             self._waiting.append(stack)
@@ -156,12 +157,22 @@ def _check_timeout(blocking: bool, timeout: float) -> None:
 class RLock(threading._PyRLock):  # type: ignore[name-defined,misc]
     """The RLock that the standard library has in Python, over :class:`Lock`."""
 
+    _owner: int | None
+    _count: int
+
     def __new__(cls) -> Any:
         return object.__new__(cls) if isinstance(current(), Stack) else _real_rlock()
 
     def acquire(self, blocking: bool = True, timeout: float = -1) -> bool:
         """Like ``threading.RLock.acquire``."""
-        return bool(super().acquire(blocking, timeout))
+        me = threading.get_ident()
+        if self._owner == me:
+            self._count += 1
+            return True
+        if not self._block.acquire(blocking, timeout):
+            return False
+        self._owner, self._count = me, 1
+        return True
 
     __enter__ = acquire
 
@@ -398,8 +409,14 @@ class _Ending:
 # --- what is replaced -------------------------------------------------------------------------------------------------
 
 
-def _ident(stack: Stack) -> int:
-    return stack.ident
+@functools.cache
+def _get_ident(real: Callable[[], int]) -> Callable[[], int]:
+    @wraps(real)
+    def get_ident() -> int:
+        stack = current()
+        return stack.ident if isinstance(stack, Stack) else real()
+
+    return get_ident
 
 
 class _Moment:
@@ -465,13 +482,13 @@ PATCHES: list[Patch] = [
     (_thread, "allocate_lock", lambda real: Lock),
     (_thread, "allocate", lambda real: Lock),
     (_thread, "RLock", lambda real: RLock),
-    (_thread, "get_ident", either(_ident)),
+    (_thread, "get_ident", _get_ident),
     (threading, "Lock", lambda real: Lock),
     (threading, "_allocate_lock", lambda real: Lock),
     (threading, "_CRLock", lambda real: RLock),
     (threading, "_ThreadHandle", lambda real: _Handle),
     (threading.Thread, "_set_tstate_lock", either(lambda stack, thread: _set_tstate_lock(thread))),
-    (threading, "get_ident", either(_ident)),
+    (threading, "get_ident", _get_ident),
     (threading, "_set_name", either(lambda stack, name: None)),  # of a thread of the operating system
     (threading, "_time", either(_moment)),
     (threading, "enumerate", either(_enumerate)),

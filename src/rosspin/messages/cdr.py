@@ -8,7 +8,8 @@ from __future__ import annotations
 import struct
 from typing import Any, TypeVar
 
-from .ros2 import CODES, Message
+from .definitions import CODES
+from .ros2 import Message
 
 __all__ = ["CDRError", "deserialize", "room", "serialize"]
 

@@ -15,6 +15,7 @@ from typing import NoReturn
 
 __all__ = [
     "BUILTIN",
+    "CODES",
     "INTEGERS",
     "Constant",
     "Definition",
@@ -32,6 +33,7 @@ Value = bool | int | float | str
 
 INTEGERS = {f"{sign}int{bits}": bits for sign in ("", "u") for bits in (8, 16, 32, 64)}
 PRIMITIVE = {*INTEGERS, "bool", "byte", "char", "float32", "float64", "string"}  # what constants may be
+CODES = dict(zip(INTEGERS, "bhiqBHIQ")) | {"char": "B", "float32": "f", "float64": "d"}  # of arrays, and in struct
 BUILTIN = {1: PRIMITIVE | {"time", "duration"}, 2: PRIMITIVE | {"wstring"}}
 
 LINE = re.compile(

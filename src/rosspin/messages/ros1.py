@@ -85,9 +85,8 @@ class Message:
         for name in kwds:
             if name not in self.__slots__:
                 raise AttributeError(f"{name} is not an attribute of {type(self).__name__}")
-        values = dict(zip(self.__slots__, args, strict=True)) if args else kwds
-        for name, default in self._defaults:
-            value = values.get(name)
+        values = args or map(kwds.get, self.__slots__)
+        for (name, default), value in zip(self._defaults, values):
             setattr(self, name, default() if value is None else value)
 
     def __getstate__(self) -> list[Any]:

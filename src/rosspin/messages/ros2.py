@@ -21,27 +21,13 @@ from operator import attrgetter
 from typing import Any, ClassVar, TypeVar
 
 from . import classes
-from .definitions import BUILTIN, Definition, Field, Kind, limits
+from .definitions import BUILTIN, CODES, Definition, Field, Kind, limits
 
 __all__ = ["Action", "Message", "Messages", "Service", "received", "transfer"]
 
 M = TypeVar("M", bound="Message")
 
 IDL = {"bool": "boolean", "byte": "octet", "char": "uint8", "float32": "float", "float64": "double"}
-# Type codes of arrays, and what rosidl takes for a float's greatest value.
-CODES = {
-    "int8": "b",
-    "uint8": "B",
-    "char": "B",
-    "int16": "h",
-    "uint16": "H",
-    "int32": "i",
-    "uint32": "I",
-    "int64": "q",
-    "uint64": "Q",
-    "float32": "f",
-    "float64": "d",
-}
 PYTHON: dict[str, type[Any]] = {
     "bool": bool,
     "byte": bytes,
@@ -50,6 +36,7 @@ PYTHON: dict[str, type[Any]] = {
     "float32": float,
     "float64": float,
 }
+# What rosidl takes for a float's greatest value.
 GREATEST = {"float32": ("3.402823466e+38", "float"), "float64": ("1.7976931348623157e+308", "double")}
 
 

@@ -14,25 +14,11 @@ from keyword import iskeyword
 from operator import attrgetter
 from typing import Any, NamedTuple
 
-from .definitions import Field, Kind
+from .definitions import CODES, Field, Kind
 
 __all__ = ["SIMPLE", "LengthError", "Step", "plan", "read", "safe"]
 
-SIMPLE = {
-    "int8": "b",
-    "uint8": "B",
-    "bool": "B",
-    "int16": "h",
-    "uint16": "H",
-    "int32": "i",
-    "uint32": "I",
-    "int64": "q",
-    "uint64": "Q",
-    "float32": "f",
-    "float64": "d",
-    "char": "B",
-    "byte": "b",
-}
+SIMPLE = CODES | {"bool": "B", "byte": "b"}
 LENGTH = struct.Struct("<I")
 
 Write = Callable[[bytes], object]
@@ -128,19 +114,20 @@ def _numbers(members: list[tuple[str, Kind]]) -> Step:
     """Numbers and bools in a row."""
     get = attrgetter(*(name for name, _ in members))
     code = struct.Struct("<" + "".join(SIMPLE[kind.base] for _, kind in members))
+    size, pack, unpack = code.size, code.pack, code.unpack
     setters = [(_setter(name), kind.base == "bool") for name, kind in members]
 
     def write_one(message: Any, out: Write, at: list[Any]) -> None:
         at[0] = value = get(message)
-        out(code.pack(value))
+        out(pack(value))
 
     def write_all(message: Any, out: Write, at: list[Any]) -> None:
         at[0] = message
-        out(code.pack(*get(message)))
+        out(pack(*get(message)))
 
     def read_all(message: Any, data: bytes, start: int) -> int:
-        end = start + code.size
-        for (set_, is_bool), value in zip(setters, code.unpack(data[start:end]), strict=True):
+        end = start + size
+        for (set_, is_bool), value in zip(setters, unpack(data[start:end])):
             set_(message, bool(value) if is_bool else value)
         return end
 

@@ -20,7 +20,7 @@ from .exceptions import (
 )
 from .handle import Held
 from .state import Gate
-from .task import Future, Task
+from .task import Future, Task, is_coroutine_function
 from .topics import Subscription
 from .waits import waiting_for
 
@@ -256,6 +256,7 @@ class Executor:
         deadline = time.monotonic_ns() + timeout if timeout > 0 else None
         works = False
         while not works and not self._is_shutdown and not condition():
+            triggered, self.__triggered = self.__triggered, False
             spun = self.get_nodes() if nodes is None else nodes
             for entry in reversed(list(self._tasks)):
                 task, _, node = entry
@@ -265,6 +266,9 @@ class Executor:
             for entry in list(self._tasks):
                 if entry[0].done() or entry[0].cancelled():
                     self._tasks.remove(entry)
+            # What has changed before is seen now. Only for tasks, and where another thread may go first, look twice.
+            if triggered and (works or self._tasks or self._clock.now() != self.__waited_until):
+                self.__triggered = True
 
             timers, receivers, guards = self.__gather(spun)
             ready, is_over = self.__wait(timers, receivers, guards, timeout, deadline)
@@ -345,7 +349,7 @@ class Executor:
         try:
             while True:
                 ready: set[Any] = {timer for timer in timers if timer.is_due()}
-                ready.update(receiver for receiver in receivers if receiver.messages)
+                ready.update([receiver for receiver in receivers if receiver.messages])
                 triggered = [guard for guard in guards if guard.triggered]
                 is_over = deadline is not None and time.monotonic_ns() >= deadline
                 if self.__triggered:
@@ -426,7 +430,7 @@ async def _call(entity: Any, executor: Executor, node: Node) -> None:
                 executor._rosspin_tell("calls", entity, executor)
             if executor._rosspin_slow:
                 executor._rosspin_slow(node.get_fully_qualified_name(), getattr(entity, "callback", callback))
-            if inspect.iscoroutinefunction(callback):
+            if is_coroutine_function(callback):
                 await callback(*args)
             else:
                 callback(*args)

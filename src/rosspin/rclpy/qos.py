@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Mapping, Sequence
+from collections.abc import Sequence
 from enum import Enum, IntEnum
 from typing import Any, NamedTuple
 
@@ -47,23 +47,7 @@ def qos_policy_name_from_kind(policy_kind: QoSPolicyKind | int) -> str:
     return QoSPolicyKind(policy_kind).name
 
 
-class _ShortKeys:
-    """Gives the members of an enumeration short names: ``keep_last``, ``sensor_data``."""
-
-    __members__: Mapping[str, Any]
-
-    @classmethod
-    def short_keys(cls) -> list[str]:
-        """The short names."""
-        return [name.lower() for name in cls.__members__]
-
-    @classmethod
-    def get_from_short_key(cls, name: str) -> Any:
-        """Return the value with a short name. Raises KeyError."""
-        return cls.__members__[name.upper()].value
-
-
-class QoSPolicyEnum(_ShortKeys, IntEnum):
+class QoSPolicyEnum(IntEnum):
     """Base of the policies."""
 
     @property
@@ -335,7 +319,7 @@ qos_profile_best_available = QoSProfile(
 qos_profile_action_status_default = QoSProfile(depth=1, durability=DurabilityPolicy.TRANSIENT_LOCAL)
 
 
-class QoSPresetProfiles(_ShortKeys, Enum):
+class QoSPresetProfiles(Enum):
     """The profiles that ROS has names for."""
 
     UNKNOWN = qos_profile_unknown

@@ -6,6 +6,7 @@ import inspect
 import sys
 from collections.abc import Callable, Coroutine, Generator
 from enum import Enum
+from types import FunctionType
 from typing import TYPE_CHECKING, Any
 from weakref import ref
 
@@ -15,7 +16,7 @@ from .state import world_here
 if TYPE_CHECKING:
     from .executors import Executor
 
-__all__ = ["Future", "FutureState", "Task"]
+__all__ = ["Future", "FutureState", "Task", "is_coroutine_function"]
 
 
 class FutureState(Enum):
@@ -36,20 +37,19 @@ class Future:
     callbacks are run by the future's executor, if it has one, else at once.
     """
 
+    _state = _PENDING
+    _result: Any = None
+    _exception: BaseException | None = None
+    _fetched = False
+    _world: object = None  # the world of the node that raised its exception
+
     def __init__(self, *, executor: Executor | None = None) -> None:
-        self._state = _PENDING
-        self._result: Any = None
-        self._exception: BaseException | None = None
-        self._fetched = False
-        self._world: object = None  # the world of the node that raised its exception
         self._callbacks: list[Callable[[Future], Any]] = []
-        self._executor: Callable[[], Executor | None] = _nobody
-        if executor is not None:
-            self._executor = ref(executor)
+        self._set_executor(executor)
 
     def _set_executor(self, executor: Executor | None) -> None:
         """Let an executor run the done callbacks from now on."""
-        self._executor = _nobody if executor is None else ref(executor)
+        self._executor: Callable[[], Executor | None] = _nobody if executor is None else ref(executor)
 
     def __del__(self) -> None:
         # A future collected after its run has nobody to tell.
@@ -101,7 +101,7 @@ class Future:
     def _settle(self, state: FutureState) -> None:
         self._state = state
         executor = self._executor()
-        while callback := self._next_callback():
+        while self._callbacks and (callback := self._next_callback()):
             if executor is not None:
                 executor.create_task(callback, self)
             else:
@@ -140,6 +140,14 @@ def _nobody() -> None:
     return None
 
 
+def is_coroutine_function(function: Any) -> bool:
+    """``inspect.iscoroutinefunction``, which takes long to say no to a plain function or method."""
+    plain = getattr(function, "__func__", function)
+    if type(plain) is FunctionType and not plain.__dict__:  # nothing marks it as one
+        return bool(plain.__code__.co_flags & inspect.CO_COROUTINE)
+    return inspect.iscoroutinefunction(function)
+
+
 class Task(Future):
     """The call of a function or a coroutine. Each call of the task resumes the coroutine."""
 
@@ -155,7 +163,7 @@ class Task(Future):
         self._arguments = (args, kwargs or {})
         # Made only when the task is called: Python warns of a coroutine that never began, perhaps in a later run.
         self._coroutine: Coroutine[Any, Any, Any] | None = None
-        self._is_coroutine = inspect.iscoroutinefunction(handler)
+        self._is_coroutine = is_coroutine_function(handler)
         self._executing = False
         self._turn = [None]  # taken by the thread that runs it
         self._tell: Callable[..., None] | None = None  # called when it begins and ends

@@ -169,7 +169,7 @@ class Timer(Held):
         tick = None
         if self._ticks is not None:
             self._count += 1
-            began = self.stamp(now)
+            began = self.in_run()
             tick = self._ticks.add(self.source, self._count, expected + began - now, began), began
         return self._callback, self._info(expected, now) if self._wants_info else (), tick
 
@@ -181,14 +181,18 @@ class Timer(Held):
         """Return a time of this timer's clock as it is recorded: on the run's clock, unless /clock tells ROS time."""
         return ns + self.clock._state.clock.now() - self.clock.ns() if self.clock.flows else ns
 
+    def in_run(self) -> int:
+        """Return the present time as it is recorded."""
+        clock = self.clock
+        return clock._state.clock.now() if clock.flows else clock.ns()
+
     # --- what executors ask, even of a destroyed timer ----------------------------------------------------------------
 
     def end(self, tick: tuple[int, int]) -> None:
         """Record that a call has ended now."""
         if self._ticks is not None:
             place, began = tick
-            clock = self.clock
-            self._ticks.end(place, (clock._state.clock.now() if clock.flows else clock.ns()) - began)
+            self._ticks.end(place, self.in_run() - began)
 
     def coming(self) -> list[tuple[str, int, int, int]]:
         """The next calls: see ``world.graph.Ticking``."""
@@ -256,7 +260,7 @@ class Rate:
         self._world = timer.clock._state.world
         self._source = ""
         self._passes = 0
-        self._due = self._expected = self._pass_start = timer.stamp(timer.clock.ns())
+        self._due = self._expected = self._pass_start = timer.in_run()
 
     def _wake(self) -> None:
         if not self._event.is_set():
@@ -295,14 +299,14 @@ class Rate:
                     self._event.clear()
         if self._is_shutdown:
             raise ROSInterruptException()
-        self._expected, self._pass_start = self._due, self._timer.stamp(self._timer.clock.ns())
+        self._expected, self._pass_start = self._due, self._timer.in_run()
 
     def _record_pass(self) -> None:
         ticks = self._world.recording.log
         if ticks is not None:
             self._source = self._source or self._world.source("Rate")
             self._passes += 1
-            duration = self._timer.stamp(self._timer.clock.ns()) - self._pass_start
+            duration = self._timer.in_run() - self._pass_start
             ticks.add(self._source, self._passes, self._expected, self._pass_start, duration)
 
 

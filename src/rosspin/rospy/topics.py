@@ -11,6 +11,7 @@ import threading
 import warnings
 from collections import deque
 from collections.abc import Callable
+from functools import partial
 from typing import Any, TypeVar
 
 from ..clocks.clock import LATE
@@ -386,8 +387,11 @@ def _copy(message: Message, data: bytes | None) -> Callable[[], Any]:
         except Exception:
             kept = deepcopy(message)  # it cannot be sent, but nobody was connected
             return lambda: kept
-    kind, sent = type(message), data
-    return lambda: kind().deserialize(sent)
+    return partial(_received, type(message), data)
+
+
+def _received(kind: type[Message], data: bytes) -> Message:
+    return kind().deserialize(data)
 
 
 # --- a node's topics --------------------------------------------------------------------------------------------------

@@ -239,7 +239,8 @@ class Recording:
     def messages(self, since: int = 0) -> tuple[Message, ...]:
         """The recorded messages, from the message ``since`` on."""
         published = self.published or ()
-        return tuple(map(self._message, published[since:]))
+        with _no_collections():
+            return tuple(map(self._message, published[since:]))
 
     def _message(self, published: Published) -> Message:
         topic, node, time, make = published
