@@ -12,6 +12,7 @@ import subprocess
 import sys
 import termios
 from collections.abc import Iterator
+from contextlib import suppress
 from pathlib import Path
 
 import pytest
@@ -179,6 +180,13 @@ def test_a_class(tmp_path: Path) -> None:
     assert film == [*[""] * 5, "film.mp4", "refused: it is no file of answers", *[""] * (len(head) - 7)]
 
 
+def _all(screen: int) -> Iterator[str]:
+    """What a terminal that is closed has shown."""
+    with os.fdopen(screen, newline="") as stream, suppress(OSError):  # as its end is told
+        while True:
+            yield stream.read(1)
+
+
 @pytest.mark.parametrize("columns", [80, 24, 0])
 def test_progress_is_shown_on_a_terminal(
     columns: int, tmp_path: Path, monkeypatch: pytest.MonkeyPatch, capsys: pytest.CaptureFixture[str]
@@ -191,8 +199,7 @@ def test_progress_is_shown_on_a_terminal(
         monkeypatch.setattr(sys, "stderr", stream)
         assert main(["judge", str(tmp_path)]) == 1
         monkeypatch.undo()
-        shown = os.read(screen, 1 << 16).decode()
-    os.close(screen)
+    shown = "".join(_all(screen))
     *_, first, second, end = re.split(r"\r(?!\n)", shown)
     assert end == "\x1b[K"
     half, whole = ("#" * 10).ljust(20, "."), "#" * 20

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import gc
 import os
 import re
 import signal
@@ -16,6 +17,7 @@ import pytest
 from names_of_rclpy import NAMES, names_of
 
 from rosspin import NotSimulated, Run, rclpy, simulate
+from rosspin.clocks import ending as endings
 from rosspin.clocks.simulation import Simulation
 from rosspin.run.simulate import run_node
 from rosspin.run.source import load
@@ -793,3 +795,45 @@ def test_a_throttled_line_comes_again_after_just_its_period() -> None:
             time.sleep(0.25)
 
     assert re.findall(r": line (\d)\n", run(body).console) == ["0", "2"]
+
+
+def test_a_coroutine_that_a_run_has_left_is_not_heard_of_in_a_later_run(
+    write: Any, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    """Python may collect it at any time, also while code of the later run is being ended."""
+    leaves = """
+        import rclpy
+
+        async def waits():
+            try:
+                await rclpy.task.Future()
+            finally:
+                len("tidied up")
+
+        rclpy.init()
+        node = rclpy.create_node("leaves")
+        node.create_timer(0.5, waits)
+        rclpy.spin(node)
+    """
+    ends = """
+        import os, threading, time
+        import rclpy
+
+        def end():
+            time.sleep(0.5)
+            os._exit(0)
+
+        rclpy.init()
+        threading.Thread(target=end).start()
+        time.sleep(9)
+    """
+
+    traced = endings._trace
+    gc.collect()
+    gc.disable()
+    try:
+        simulate(write(leaves, "leaves.py"), 1)
+        monkeypatch.setattr(endings, "_trace", lambda: (traced(), gc.collect()))
+        assert simulate(write(ends), 2).console == ""
+    finally:
+        gc.enable()

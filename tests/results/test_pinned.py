@@ -36,7 +36,7 @@ def test_texts_are_kept(monkeypatch: pytest.MonkeyPatch, tmp_path: Path, text: s
 
 def test_the_node_has_its_name_and_no_folder(monkeypatch: pytest.MonkeyPatch, tmp_path: Path) -> None:
     error = "import traceback\ntry:\n    1 / 0\nexcept ZeroDivisionError:\n    traceback.print_exc()\n"
-    pinned(monkeypatch, tmp_path, f"import sys\nprint(__file__, sys.argv)\n{error}")
+    pinned(monkeypatch, tmp_path, f"import sys\nprint(sys.argv)\n{error}")
 
 
 @pytest.mark.parametrize(

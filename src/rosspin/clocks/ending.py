@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import ctypes
 import gc
+import inspect
 import sys
 from _thread import get_ident
 from collections.abc import Iterator
@@ -16,6 +17,8 @@ __all__ = ["Ended", "end_thread", "ending_here", "heed", "spare_me"]
 # Frames of these modules run to their own end, because other code relies on what they tidy up. So do callbacks of the
 # garbage collector and of weak references: they may run at any time, and Python only prints what is raised in them.
 _SPARED = (__name__.partition(".")[0], "threading", "concurrent", "contextlib", "weakref", "_weakrefset")
+
+_CAN_BE_CLOSED = inspect.CO_GENERATOR | inspect.CO_COROUTINE | inspect.CO_ASYNC_GENERATOR
 
 # Threads in which code is being ended.
 _ending: set[int] = set()
@@ -51,6 +54,10 @@ def _trace() -> None:
 
 
 def _raise(frame: FrameType, event: str, arg: Any) -> Any:
+    if event == "exception" and arg[0] is GeneratorExit:
+        frame.f_trace_lines = False  # it may be of an earlier run, and closed because garbage is collected
+    if event == "call" and frame.f_code.co_flags & _CAN_BE_CLOSED:
+        return _raise  # at its first line, if it is not closed
     if event in ("call", "line") and not _is_spared(frame) and get_ident() in _ending:
         raise Ended
     return _raise

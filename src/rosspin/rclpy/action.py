@@ -722,3 +722,7 @@ def _actions(topics: list[tuple[str, list[str]]]) -> list[tuple[str, list[str]]]
         for topic, types in topics
         if topic.endswith(_FEEDBACK)
     ]
+
+
+for _each in [name for name in __all__ if name.startswith("get_")]:
+    globals()[_each].__module__ = "rclpy.action.graph"

@@ -3,12 +3,16 @@
 from __future__ import annotations
 
 import re
+from pathlib import Path
 
 import pytest
+from author import copied, typed
 from axe import COLOURS, violations
+from in_chromium import served
 from listings_in_page import Cell
 from looks import faults, look
 from playwright.sync_api import BrowserContext, Page, ViewportSize, expect
+from tree import ROOT
 
 pytestmark = pytest.mark.turns(2)
 
@@ -179,3 +183,104 @@ def test_on_paper_each_slide_is_a_sheet(page: Page, address: str, deck: str) -> 
     pdf = page.pdf(prefer_css_page_size=True, print_background=True)
     assert len(re.findall(rb"/Type\s*/Page\b", pdf)) == number
     assert re.search(rb"/MediaBox\s*\[0 0 (?:960|959\.\d+) 540\b", pdf)
+
+
+# --- a notebook -------------------------------------------------------------------------------------------------------
+
+NOTEBOOK = """---
+slides: true
+jupytext: {text_representation: {extension: .md, format_name: myst}}
+kernelspec: {display_name: Python 3, language: python, name: python3}
+---
+
+# A timer in class
+
+```{notes}
+:minutes: 1
+
+Say *hello*.
+```
+
+## Run it
+
+```{code-cell} ipython3
+:tags: [remove-cell]
+
+%load_ext rosspin
+```
+
+```{code-cell} ipython3
+:tags: [live]
+
+%%simulate 2
+import rospy
+
+rospy.init_node("n")
+rospy.Timer(rospy.Duration(0.5), lambda event: print("tick", event.current_expected.to_sec()))
+rospy.spin()
+```
+
+```{notes}
+:minutes: 3
+
+Who calls the callback?
+```
+
+## What it gave
+
+```{code-cell} ipython3
+sum(range(9))
+```
+
+```{ticks} ../examples/my_robotics_pkg/src/spinner_py_node.py
+:seconds: 2
+:handle: Time delta, 0.1 to 1 by 0.05 s
+:sets: timer_delta_t_in_seconds
+```
+"""
+
+
+@pytest.fixture(scope="module")
+def notebook(tmp_path_factory: pytest.TempPathFactory) -> Path:
+    """A site with a notebook that is marked, beside few other pages."""
+    tree = copied(tmp_path_factory.mktemp("deck"), ["docs/glossary.rst"])
+    for folder in ("notebooks", "build"):
+        (tree / folder).mkdir(exist_ok=True)
+    (tree / "notebooks/deck.md").write_text(NOTEBOOK)
+    (tree / "build/web").symlink_to(ROOT / "build/web")
+    with open(tree / "index.rst", "a") as index:
+        index.write("   notebooks/deck\n")
+    run = typed("make html", tree)
+    assert run.returncode == 0, run.stdout + run.stderr
+    return tree / "build/html"
+
+
+def test_a_notebook_becomes_slides(page: Page, notebook: Path) -> None:
+    """What its cells gave is there, a cell runs, and a figure moves."""
+    with served(notebook) as address:
+        wrong = faults(page, address)
+        page.set_viewport_size(SIZES[0])
+        page.goto(f"{address}notebooks/deck.html")
+        page.get_by_role("link", name="Show as slides").click()
+        assert place(page) == "1 of 3"
+        expect(page.locator(".rosspin-notes")).to_have_count(2)
+        assert page.locator(".rosspin-notes:visible").count() == 0
+        page.keyboard.press("PageDown")
+        cell = Cell(page, 0)
+        cell.element.get_by_role("combobox").select_option("instantly")
+        cell.button("Run").click()
+        assert "tick 2" in cell.ends("done: 4 ticks")
+        for part in (cell.console, cell.plot):
+            expect(part).to_be_in_viewport(ratio=1)
+        assert page.evaluate(OVER) == []
+        page.keyboard.press("PageDown")
+        expect(page.locator(f"{NOW} .cell_output")).to_contain_text("36")
+        figure = page.locator(f"{NOW} figure[data-positions]")
+        figure.get_by_role("slider").press("ArrowRight")
+        expect(figure.locator("b")).to_have_text("0.55 s")
+        assert page.evaluate(OVER) + page.evaluate(SMALL) == []
+        with page.expect_popup() as popup:
+            page.get_by_role("button", name="Notes").click()
+        popup.value.keyboard.press("PageUp")
+        expect(popup.value.locator(".rosspin-notes:visible")).to_contain_text("Who calls the callback?")
+        assert not wrong
