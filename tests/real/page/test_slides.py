@@ -232,6 +232,8 @@ Who calls the callback?
 sum(range(9))
 ```
 
+## Move it
+
 ```{ticks} ../examples/my_robotics_pkg/src/spinner_py_node.py
 :seconds: 2
 :handle: Time delta, 0.1 to 1 by 0.05 s
@@ -255,14 +257,15 @@ def notebook(tmp_path_factory: pytest.TempPathFactory) -> Path:
     return tree / "build/html"
 
 
-def test_a_notebook_becomes_slides(page: Page, notebook: Path) -> None:
+def test_a_notebook_becomes_slides(context: BrowserContext, notebook: Path) -> None:
     """What its cells gave is there, a cell runs, and a figure moves."""
+    page = context.new_page()
     with served(notebook) as address:
         wrong = faults(page, address)
         page.set_viewport_size(SIZES[0])
         page.goto(f"{address}notebooks/deck.html")
         page.get_by_role("link", name="Show as slides").click()
-        assert place(page) == "1 of 3"
+        assert place(page) == "1 of 4"
         expect(page.locator(".rosspin-notes")).to_have_count(2)
         assert page.locator(".rosspin-notes:visible").count() == 0
         page.keyboard.press("PageDown")
@@ -275,12 +278,15 @@ def test_a_notebook_becomes_slides(page: Page, notebook: Path) -> None:
         assert page.evaluate(OVER) == []
         page.keyboard.press("PageDown")
         expect(page.locator(f"{NOW} .cell_output")).to_contain_text("36")
+        page.keyboard.press("PageDown")
         figure = page.locator(f"{NOW} figure[data-positions]")
         figure.get_by_role("slider").press("ArrowRight")
         expect(figure.locator("b")).to_have_text("0.55 s")
         assert page.evaluate(OVER) + page.evaluate(SMALL) == []
         with page.expect_popup() as popup:
             page.get_by_role("button", name="Notes").click()
-        popup.value.keyboard.press("PageUp")
+        for at in ("4 of 4", "3 of 4"):
+            expect(popup.value.get_by_role("status")).to_have_text(at)
+            popup.value.keyboard.press("PageUp")
         expect(popup.value.locator(".rosspin-notes:visible")).to_contain_text("Who calls the callback?")
         assert not wrong
