@@ -130,6 +130,7 @@ def test_where_the_system_allows_no_namespaces(tmp_path: Path, monkeypatch: pyte
 def test_ctrl_c_keeps_what_is_done(at_work: Lanes) -> None:
     own = Lanes()
     found = {}
+    before = signal.getsignal(signal.SIGINT)
 
     def done(number: int, verdict: Verdict) -> None:
         found[number] = verdict
@@ -138,7 +139,7 @@ def test_ctrl_c_keeps_what_is_done(at_work: Lanes) -> None:
     own.judge([Task("slow-timer", SOLVED)] * 50, done)
     own.close()
     assert own.stopped and 1 <= len(found) < 10
-    assert signal.getsignal(signal.SIGINT) is signal.default_int_handler
+    assert signal.getsignal(signal.SIGINT) is before
 
 
 # --- the command ------------------------------------------------------------------------------------------------------
