@@ -294,7 +294,7 @@ def orders(found: Orders, *, caption: str | None = None, ax: Axes | None = None)
             # Beside its line if there is room for it on a phone.
             at, width = window.at, end * max(map(len, window.parting)) / _CHARACTERS
             x, side = (at - 0.4, "left") if at + width < end else (at - 0.6, "right") if at > width else (-0.5, "left")
-            ax.text(x, down, "\n".join(window.parting), ha=side, va="top", fontsize=12)
+            ax.text(x, down, "\n".join(window.parting), ha=side, va="top", fontsize=12.5)
             down += len(window.parting) * _LINE / _ROW
         names = [f"{_PANELS[panel]}: {thread}" for panel, thread in places]
         ax.set_yticks(list(places.values()), names, ha="left", va="top", weight="bold")

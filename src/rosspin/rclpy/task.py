@@ -16,7 +16,7 @@ from .state import world_here
 if TYPE_CHECKING:
     from .executors import Executor
 
-__all__ = ["Future", "FutureState", "Task", "is_coroutine_function"]
+__all__ = ["Future", "FutureState", "Task"]
 
 
 class FutureState(Enum):

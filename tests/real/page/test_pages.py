@@ -12,8 +12,9 @@ from looks import FAINT, TOO_WIDE, faults, look
 from playwright.sync_api import Browser, Page, ViewportSize
 from tree import SITE
 
-# The pictures that leave more than a little of the place that they have beside them.
-NARROW = """() => [...document.querySelectorAll("article svg[role=img]")].filter(picture => {
+# The pictures that leave more than a little of the place that they have beside them. A ring of waits is not made
+# larger: its lettering is that of the text.
+NARROW = """() => [...document.querySelectorAll("article svg[role=img]:not(.stepper-ring)")].filter(picture => {
     const width = element => element.getBoundingClientRect().width
     const place = width(picture.parentElement) // in which one of two may be seen
     return place && Math.max(...[...picture.parentElement.querySelectorAll(":scope > svg")].map(width)) < place - 40
