@@ -20,7 +20,7 @@ from .clocks.frames import Whereabouts, node_place
 from .clocks.guard import guard_threads
 from .clocks.simulation import Simulation
 from .doctor import report
-from .faults import read
+from .faults import Fault, read
 from .look import LIMIT, Look, NoLog, is_bag, look
 from .look.pinning import as_files
 from .measures import by_source, describe_faults, describe_periods, describe_timeline
@@ -257,7 +257,7 @@ def _result(options: argparse.Namespace, args: Sequence[str], record: bool) -> R
         real = ros1.launch if options.ros1 else ros2.launch
         return real(options.file, options.seconds, args, sys.stdout)
     ticks = TickLog() if record else None
-    faults = with_jitter([read(text) for text in options.fault], options.jitter)
+    faults = _wrong(options)
     files = options.files if len(options.files) > 1 else options.file
     if options.schedule is not None:
         prepared = prepare(files, args, options.skip_cpp, Order.of(options.schedule).deep, faults)
@@ -327,6 +327,11 @@ def _picture(ticks: Sequence[Tick], faults: Sequence[Mishap]) -> Any:
     return picture(ticks, faults=faults)
 
 
+def _wrong(options: argparse.Namespace) -> Sequence[Fault]:
+    """What is to go wrong in the run."""
+    return with_jitter([read(text) for text in options.fault], options.jitter)
+
+
 def _plot_orders(options: argparse.Namespace, args: Sequence[str]) -> int:
     """Save and describe a plot of the order of a token beside the usual one, which takes another run of each."""
     found = compare_orders(
@@ -336,7 +341,7 @@ def _plot_orders(options: argparse.Namespace, args: Sequence[str]) -> int:
         args,
         options.skip_cpp,
         start=options.start or 0.0,
-        faults=[read(text) for text in options.fault],
+        faults=_wrong(options),
     )
     if failed := _save(options.plot, lambda: both_orders(found)):
         return failed

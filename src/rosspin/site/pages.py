@@ -208,7 +208,7 @@ class TicksDirective(SphinxDirective):
 
 
 def _only(source: str, run: Run) -> Run:
-    ticks, coming = ([tick for tick in found if tick.source == source] for found in (run.ticks, run.coming))
+    ticks, coming = (by_source(found).get(source, []) for found in (run.ticks, run.coming))
     return replace(run, ticks=ticks, coming=coming)
 
 
