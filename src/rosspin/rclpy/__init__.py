@@ -189,6 +189,8 @@ IN_PART = {
     "``destroy_node()`` is still there.",
     "Publisher": "Fields are always checked, as with ``ROS_PYTHON_CHECK_FIELDS=1``.",
     "PublisherEventCallbacks": "``incompatible_type`` is never called, as with Fast DDS.",
+    "QoSPresetProfiles": "Without short keys: take ``QoSPresetProfiles.SENSOR_DATA.value``, not "
+    "``get_from_short_key``. So are the policies.",
     "QoSProfile": "``avoid_ros_namespace_conventions`` has no effect.",
     "RcutilsLogger": "On the console and on ``/rosout``, not in a file. rcl itself says little.",
     "Service": "As ``Client``.",

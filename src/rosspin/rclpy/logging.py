@@ -8,6 +8,7 @@ import re
 import sys
 import time
 from enum import IntEnum
+from pathlib import Path
 from types import FrameType
 from typing import TYPE_CHECKING, Any, NamedTuple
 
@@ -21,7 +22,7 @@ if TYPE_CHECKING:
 
 __all__ = [
     *("LoggingSeverity", "RcutilsLogger", "clear_config", "get_logger", "get_logger_effective_level"),
-    "get_logger_level",
+    *("get_logger_level", "get_logging_directory"),
     *("get_logging_severity_from_string", "set_logger_level"),
 ]
 
@@ -294,6 +295,12 @@ def __getattr__(name: str) -> Any:
         own.root_logger = own.root_logger or RcutilsLogger()
         return own.root_logger
     raise AttributeError(f"module 'rclpy.logging' has no attribute '{name}'", name=name)
+
+
+def get_logging_directory() -> Path:
+    """Return the folder in which a real ROS writes log files (source: rcl_logging_interface)."""
+    home = Path(os.environ.get("ROS_HOME") or "~/.ros")
+    return Path(os.environ.get("ROS_LOG_DIR") or home / "log").expanduser()
 
 
 def clear_config() -> None:

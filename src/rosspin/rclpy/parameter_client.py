@@ -7,15 +7,17 @@ from collections.abc import Callable, Sequence
 from importlib import import_module
 from typing import TYPE_CHECKING, Any
 
+from .own_topics import PARAMETER_EVENTS
 from .parameter import Parameter, parameter_dict_from_yaml_file
 from .parameter_service import SERVICES
-from .qos import QoSProfile, qos_profile_services_default
+from .qos import QoSProfile, qos_profile_parameter_events, qos_profile_services_default
 
 if TYPE_CHECKING:
     from .callback_groups import CallbackGroup
     from .node import Node
     from .services import Client
     from .task import Future
+    from .topics import Subscription
 
 __all__ = ["AsyncParameterClient"]
 
@@ -108,6 +110,13 @@ class AsyncParameterClient:
         """Set all of what a file says, or nothing."""
         found = parameter_dict_from_yaml_file(parameter_file, use_wildcard)
         return self.set_parameters_atomically([*found.values()], callback)
+
+    def on_parameter_event(
+        self, callback: Callable[[Any], Any], qos_profile: QoSProfile = qos_profile_parameter_events, **options: Any
+    ) -> Subscription:
+        """Subscribe to the events of all nodes; the options are those of ``create_subscription``."""
+        kind = import_module("rcl_interfaces.msg").ParameterEvent
+        return self.node.create_subscription(kind, PARAMETER_EVENTS, callback, qos_profile, **options)
 
 
 def _messages(parameters: Sequence[Any]) -> list[Any]:

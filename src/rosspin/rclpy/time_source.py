@@ -69,6 +69,11 @@ class TimeSource:
             node.get_logger().error(f"Invalid type for parameter 'use_sim_time' {given.type_!r} should be bool")
         node.add_on_set_parameters_callback(self._on_set)
 
+    def detach_node(self) -> None:
+        """Stop following the node."""
+        self._unsubscribe()
+        self._node = None
+
     def attach_clock(self, clock: ROSClock) -> None:
         """Tell a clock the time. Raises ValueError unless it is a ROSClock."""
         if not isinstance(clock, ROSClock):
