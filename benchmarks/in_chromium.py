@@ -39,10 +39,10 @@ def served(folder: Path, instead: Mapping[str, bytes] = {}) -> Iterator[str]:
 
 
 @contextmanager
-def launched(executable: str) -> Iterator[Browser]:
+def launched(executable: str, *flags: str) -> Iterator[Browser]:
     """Chromium, without a window, closed at the end of this context."""
     with sync_playwright() as playwright:
-        browser = playwright.chromium.launch(executable_path=executable, args=_FLAGS)
+        browser = playwright.chromium.launch(executable_path=executable, args=[*_FLAGS, *flags])
         yield browser
         browser.close()
 

@@ -9,6 +9,8 @@ from listings_in_page import Cell, exercise, open_tutorial
 from looks import FAINT, faults
 from playwright.sync_api import Browser, Page, expect
 
+pytestmark = pytest.mark.turns(2)
+
 # The pages on which most moves or is drawn, and slides.
 PAGES = ["index.html", "docs/tutorial.html", "docs/ros2/how-timing-works.html", "docs/slides/ros2.html?slides"]
 

@@ -17,6 +17,8 @@ from listings_in_page import (
 )
 from playwright.sync_api import BrowserContext, Page, expect
 
+pytestmark = pytest.mark.turns(2)
+
 
 def test_flood(tutorial: Page) -> None:
     """The page answers all the while, keeps the last lines only, and the run comes to its end."""

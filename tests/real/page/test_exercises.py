@@ -14,6 +14,8 @@ from listings_in_page import (
 )
 from playwright.sync_api import Browser, Page, expect
 
+pytestmark = pytest.mark.turns(2)
+
 
 @pytest.fixture(scope="module")
 def pages_of_exercises(browser: Browser, address: str) -> Iterator[dict[int, Page]]:

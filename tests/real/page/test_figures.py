@@ -15,7 +15,7 @@ from playwright.sync_api import Browser, BrowserContext, Locator, Page, expect
 from rosspin import Tick
 from rosspin.plots import with_handle
 
-pytestmark = pytest.mark.turns(2)
+pytestmark = pytest.mark.turns(4)
 
 # --- moving -----------------------------------------------------------------------------------------------------------
 

@@ -8,10 +8,13 @@ from datetime import datetime
 from pathlib import Path
 from typing import Any
 
+import pytest
 from answers import number_of
 from hand_ins import EXERCISES, RIGHT, TEACHERS, WRONG, Table
 from listings_in_page import Cell
 from playwright.sync_api import Browser, BrowserContext, Download, FilePayload, Page, expect
+
+pytestmark = pytest.mark.turns(2)
 
 
 def _hand_in(page: Page, name: str) -> tuple[str, dict[str, Any]]:

@@ -7,11 +7,14 @@ import re
 import zipfile
 from pathlib import Path
 
+import pytest
 from answers import CELLS, answer_in, number_of
 from hand_ins import ENDLESS, EXERCISES, HTML, RIGHT, WRONG, Table, handed_in, impatient
 from listings_in_page import have_workers
 from looks import FAINT, SCHEMES, TOO_WIDE, look
 from playwright.sync_api import BrowserContext, FilePayload, Page, expect
+
+pytestmark = pytest.mark.turns(2)
 
 FLOOD = "print('x' * 20_000_000)"
 

@@ -18,7 +18,7 @@ from looks import FAINT, SCHEMES, TOO_WIDE, look
 from playwright.sync_api import Browser, BrowserContext, Page, Response, expect
 from tree import EXAMPLES
 
-pytestmark = pytest.mark.turns(2)
+pytestmark = pytest.mark.turns(4)
 
 
 def test_listing_costs_two_small_requests_until_it_is_touched(context: BrowserContext, address: str) -> None:

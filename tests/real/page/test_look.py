@@ -14,7 +14,7 @@ from looks import FAINT, SCHEMES, TOO_WIDE, look
 from playwright.sync_api import Browser, BrowserContext, Page, expect
 from tree import TESTS
 
-pytestmark = pytest.mark.turns(2)
+pytestmark = pytest.mark.turns(4)
 
 LOGS = TESTS / "look/recorded"
 SLEEPS = (LOGS / "r1_sleep_10_work_20.log").read_text(encoding="utf-8")

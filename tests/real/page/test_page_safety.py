@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import gzip
+from collections.abc import Callable, Iterator
 from pathlib import Path
 from typing import Any
 
@@ -10,10 +11,20 @@ import pytest
 from answers import CELLS, number_of
 from attacks import ATTACK, FORGERIES, SANDBOX, SCRIPT, WAYS, attempts, succeeded, tried
 from hand_ins import EXERCISES, TEACHERS, Table, exchange, handed_in, solves_nothing
-from in_chromium import served
+from in_chromium import launched, served
 from listings_in_page import RATE, TIMER, TUTORIAL, Cell, link, open_tutorial
 from looks import faults
-from playwright.sync_api import BrowserContext, Page, expect
+from playwright.sync_api import Browser, BrowserContext, Page, expect
+
+from rosspin import doctor
+
+
+@pytest.fixture(scope="module")
+def browser(require: Callable[[str], None]) -> Iterator[Browser]:
+    """Chromium as readers have it, with its windows and its compilers."""
+    require("browser")
+    with launched(doctor.chromium() or "") as browser:
+        yield browser
 
 
 def run(page: Page, index: int, text: str, status: str) -> str:

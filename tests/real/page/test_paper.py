@@ -9,7 +9,7 @@ import pytest
 from figures import FIGURES, opened
 from playwright.sync_api import Browser, BrowserContext, Locator, Page, expect
 
-pytestmark = pytest.mark.turns(2)
+pytestmark = pytest.mark.turns(4)
 
 
 @pytest.fixture(params=["light", "dark"])

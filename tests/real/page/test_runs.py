@@ -23,6 +23,8 @@ from tree import EXAMPLES
 from rosspin import simulate
 from rosspin.measures import describe_timeline
 
+pytestmark = pytest.mark.turns(2)
+
 
 @pytest.mark.parametrize("index", range(len(LISTINGS)))
 def test_run(tutorial: Page, index: int) -> None:

@@ -26,6 +26,8 @@ from tree import EXAMPLES
 
 from rosspin import simulate
 
+pytestmark = pytest.mark.turns(2)
+
 
 def _asked(page: Page, name: str) -> list[str]:
     """A list of the requests for a file from now on."""

@@ -6,10 +6,13 @@ import json
 import re
 from pathlib import Path
 
+import pytest
 from answers import CELLS, number_of
 from hand_ins import EXERCISES, RIGHT, WRONG
 from listings_in_page import TIMER, Cell, link, node, open_tutorial
 from playwright.sync_api import BrowserContext, Page, expect
+
+pytestmark = pytest.mark.turns(2)
 
 RECORD = "rosspin:/:answer:first-ticks"
 

@@ -10,7 +10,7 @@ from axe import in_both_schemes
 from looks import FAINT, SCHEMES, TOO_WIDE, look
 from playwright.sync_api import Browser, BrowserContext, Locator, Page, expect
 
-pytestmark = pytest.mark.turns(2)
+pytestmark = pytest.mark.turns(4)
 
 STILL = {"reduced_motion": "reduce"}
 

@@ -21,7 +21,7 @@ from tree import ROOT
 
 from rosspin.site.zipped import START
 
-pytestmark = pytest.mark.turns(2)
+pytestmark = pytest.mark.turns(4)
 
 
 @pytest.fixture(scope="module")
