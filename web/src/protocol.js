@@ -80,7 +80,7 @@
 /** A message has at most so many characters. The longest are traces, of little more than 2 MB, whose quotes are escaped. */
 export const LONGEST = 6_000_000
 
-/** So many messages may come at once, and so many more in each second. Python sends 20 in a second. */
+/** So many messages may come together, and so many more in each second. Python sends 20 in a second. */
 export const AT_ONCE = 100
 export const PER_SECOND = 100
 

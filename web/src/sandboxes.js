@@ -152,7 +152,7 @@ export class Sandbox {
     this.#say(job)
   }
 
-  /** End all that runs in it, at once. */
+  /** End all that runs in it, immediately. */
   end() {
     this.#port?.close()
     this.#frame?.remove()

@@ -23,7 +23,7 @@ TITLES = {
     "doubled": "Two counts in one line: two nodes of one name, or two publishers",
     "queue": "A subscriber behind a full queue",
     "lost": "Numbers left out together with their time: lost on the way",
-    "stalled": "All late at once: the machine stalled, or a garbage collection",
+    "stalled": "All late together: the machine stalled, or a garbage collection",
     "blocked": "A slow callback that blocks its neighbours",
     "overran": "A pass that took longer than its period",
     "held-up": "Held up, and the log does not say by what",
@@ -299,7 +299,7 @@ class _Diagnosis:
             f"{say_time(median(gap.excess for _, gap in w.late) / NS)}, each by the same, and go on as before."
             for w in windows[:3]
         ]
-        evidence.append("Nothing that was due came all at once afterwards, as it does when a machine has stalled.")
+        evidence.append("Nothing that was due came together afterwards, as it does when a machine has stalled.")
         self.say("clock", "likely", evidence, windows[0].lines)
 
     def _in_one(self, node: str, windows: list[Window]) -> None:

@@ -260,7 +260,7 @@ class Rate:
     """Sleeps in a loop so that its passes begin at a fixed rate. Made by ``Node.create_rate``.
 
     A timer wakes whoever sleeps, so another thread has to spin, or the sleep lasts for ever. If a pass takes too long,
-    one ``sleep`` returns at once; then the grid goes on.
+    one ``sleep`` returns immediately; then the grid goes on.
     """
 
     def __init__(self, timer: Timer, *, context: Context) -> None:
@@ -294,7 +294,7 @@ class Rate:
         self._event.set()
 
     def sleep(self) -> None:
-        """Sleep until the timer wakes it; return at once if it did since the last ``sleep``.
+        """Sleep until the timer wakes it; return immediately if it did since the last ``sleep``.
 
         A signal does not wake it. Raises ROSInterruptException at ``rclpy.shutdown()``, RuntimeError if destroyed.
         """
