@@ -209,7 +209,7 @@ def missing(seen: Seen, when: str, wanted: Sequence[int]) -> Finding:
         said = _as_number(line.text)
         if said != due:
             whole = said is not None and said == int(said)
-            hint = "" if whole else "A tick is missing or not: the number is a whole one."
+            hint = "" if whole else "A tick is either missing or not: the number is whole."
             were = "was" if due == 1 else "were"
             text = f"{when}: callback {number} printed `missing = {plain(line.text)}`, but {due} {were} missing."
             return Finding(False, text, hint)

@@ -69,7 +69,7 @@ _PREDICT = {
                 (
                     "loop",
                     "the loop",
-                    "4 Hz are 4 passes a second. What does the loop do before it sleeps for the first time?",
+                    "4 Hz is 4 passes a second. What does the loop do before it sleeps for the first time?",
                 ): {
                     (0.0, 0.25, 0.5): RIGHT,
                     (0.25, 0.5, 0.75): _AT_ONCE,
@@ -502,7 +502,7 @@ _PREDICT_2 = {
     "who-calls": Exercise(
         title="Who calls the callback",
         needs=("notebooks/ros2-timer",),
-        reveals="A timer calls back by itself, whether anybody spins or not.",
+        reveals="A timer calls back by itself, whether the node spins or not.",
         hint="In ROS 2 a timer has no thread of its own. Who calls the callback?",
         judge=predicted(
             {
@@ -743,7 +743,7 @@ _WAIT_2 = {
                     (1, 1, 2, 2): "This is the usual order: thread 2 looks up what thread 1 has written.",
                     (1, 2, 2, 1): "Here thread 1 writes last, over what thread 2 has counted.",
                     (2, 1, 1, 2): "Here thread 2 begins. Thread 1 runs its first line before anything else.",
-                    (2, 1, 2, 1): "Here thread 1 writes last, over what thread 2 has counted, which began.",
+                    (2, 1, 2, 1): "Here thread 2 begins, and thread 1 writes last, over what thread 2 has counted.",
                     (2, 2, 1, 1): "Here thread 1 looks up what thread 2 has written, and nothing is lost.",
                     (1, 2): "Each thread runs two lines, so each stands in the list twice.",
                 },
@@ -773,9 +773,8 @@ _END_2 = {
     "wake-a-rate": Exercise(
         title="Wake a Rate that sleeps for ever",
         needs=("notebooks/ros2-rate", "docs/ros2/how-timing-works"),
-        reveals="A Rate needs nobody who spins. Ctrl-C wakes everybody who sleeps.",
-        hint="A Rate is a timer that wakes whoever is asleep in `sleep()`: while one thread sleeps, another has to "
-        "spin.",
+        reveals="A Rate needs no thread that spins. Ctrl-C wakes every thread that sleeps.",
+        hint="A Rate is a timer that wakes the thread in `sleep()`: while one thread sleeps, another has to spin.",
         judge=by.makes_passes_until_signalled,
     ),
     "end-without-a-traceback": Exercise(
@@ -783,7 +782,7 @@ _END_2 = {
         needs=("docs/ros2/tutorial", "docs/ros2/how-timing-works"),
         reveals="Ctrl-C makes `rclpy.spin` return. What stands after `spin` is done in any case.",
         hint="`try:` around `spin`, `except (KeyboardInterrupt, ExternalShutdownException): pass`, and in a `finally:` "
-        "what has to be done in any case.",
+        "what must be done in any case.",
         judge=by.every(
             by.run(2.08, _drives_until_2(2.08), by.ends_well, when="Ctrl-C while the node waits"),
             by.run(2.03, _drives_until_2(2.03), by.ends_well, when="Ctrl-C while the sensor is read"),

@@ -104,14 +104,14 @@ class _Diagnosis:
 
     def clock_back(self) -> None:
         """A time that is earlier than the one before it, in a line that one process logs in order."""
-        evidence, where, anew = list[str](), list[Series](), list[str]()
+        evidence, where, restarts = list[str](), list[Series](), list[str]()
         for series in self.rows:
             for n, (one, other) in enumerate(pairwise(series.times), 1):
                 if one - other > 20 * MS and len(series.times) >= FEWEST:
                     self.jumps.append(other)
                     count = series.counts[n - 1 : n + 1]
                     if count and count[1] <= count[0]:
-                        anew.append(f"“{series.name}” goes back to {self.at(other)} and to {count[1]}.")
+                        restarts.append(f"“{series.name}” goes back to {self.at(other)} and to {count[1]}.")
                         continue
                     where.append(series)
                     back = one - other + (series.period or 0)
@@ -119,8 +119,8 @@ class _Diagnosis:
                     evidence.append(
                         f"“{series.name}” goes back by {say_time(back / NS)}, to {self.at(other)}{goes_on}."
                     )
-        if anew:
-            self.say("unknown", "sure", [*anew[:2], "There are several runs in this file: look at each by itself."])
+        if restarts:
+            self.say("unknown", "sure", [*restarts[:2], "There are several runs in this file: look at each by itself."])
             return
         if not evidence:
             return

@@ -323,7 +323,7 @@ def _one_a_pass(series: Series) -> None:
 
 
 def _lay(series: Series) -> None:
-    """Number the entries on a grid that follows them slowly, and begins anew where several agree that it must."""
+    """Number the entries on a grid that follows them slowly, and begins again where several agree that it must."""
     times, period = series.times, series.period
     due, number = float(times[0]), 0
     series.steps, series.late, series.grids = [0], [0.0], [0]
