@@ -562,7 +562,7 @@ NOT_AT_ONCE = "A timer waits for one period before its first call"
 NOT_A_FREQUENCY = "the period is 1 / frequency"
 OWN_COUNTER = "a counter of its own"
 NO_QUEUE = "There is none: ticks are lost here"
-WHOLE = "the number is a whole one"
+WHOLE = "the number is whole"
 PRIVATE = "Does the name begin with `~`?"
 
 # What it is, what the feedback says is wrong, and the hint that it should get.

@@ -975,9 +975,13 @@ WRONG: dict[str, list[tuple[Answer, str, str]]] = {
         (
             {SLEEPS: "            time.sleep(0.4)\n"},
             "With `work:=0.4`: counter 2 came at 0.8 s, not at 0.5 s",
-            "wakes whoever is asleep",
+            "wakes the thread in `sleep()`",
         ),
-        ({"create_rate(2.0)": "create_rate(0.5)"}, "counter 2 came at 2 s, not at 0.5 s", "wakes whoever is asleep"),
+        (
+            {"create_rate(2.0)": "create_rate(0.5)"},
+            "counter 2 came at 2 s, not at 0.5 s",
+            "wakes the thread in `sleep()`",
+        ),
         (
             {"daemon=True": "daemon=False"},
             "With `work:=0.1`, Ctrl-C: the node did not end: one of its threads was still asleep in a Rate's `sleep()`",
@@ -997,7 +1001,7 @@ WRONG: dict[str, list[tuple[Answer, str, str]]] = {
         (
             {SPIN_CAUGHT: SPIN_CAUGHT + "    while True:\n        time.sleep(1.0)\n"},
             "the node did not end: it was still in line 33, `time.sleep(1.0)`. Does its loop ask `rclpy.ok()`?",
-            "wakes whoever is asleep",
+            "wakes the thread in `sleep()`",
         ),
         ({SPIN_CAUGHT: "    pass\n"}, "counter 2, due at 0.5 s, did not come", "The node ended by itself"),
         (
@@ -1013,7 +1017,7 @@ WRONG: dict[str, list[tuple[Answer, str, str]]] = {
                 ),
             },
             "no counter was printed",
-            "wakes whoever is asleep",
+            "wakes the thread in `sleep()`",
         ),
         (FOR_ROS_1, "This node is for ROS 1", "This exercise is on ROS 2"),
     ],
