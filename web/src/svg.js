@@ -175,7 +175,10 @@ export function drawTimeline(rows, { title, ...scale }, alternative) {
   ])
   return draw(
     "svg",
-    { width: "100%", height: top + AXIS, role: "img", "aria-label": alternative, fill: "currentColor", "font-size": 13 },
+    {
+      ...{ width: "100%", height: top + AXIS, role: "img", "aria-label": alternative },
+      ...{ fill: "currentColor", "font-size": 13, overflow: "visible" }, // on a phone a cross is wider than the margin
+    },
     draw("line", { x1: 0, x2: "100%", y1: top, y2: top, stroke: "currentColor", "stroke-width": 0.8 }),
     draw("text", { x: "100%", dx: -2, y: top + 34, "text-anchor": "end" }, title),
     ...texts,
