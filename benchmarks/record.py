@@ -210,7 +210,7 @@ def record_claims() -> None:
 
 
 def record_pipe() -> None:
-    """Let the tutorial's nodes print into a pipe, as they are and told to write each line at once."""
+    """Let the tutorial's nodes print into a pipe, as they are and told to write each line immediately."""
     load, start = os.getloadavg(), time.time()
     unset = ["env", "-u", "PYTHONUNBUFFERED", "-u", "ROSCONSOLE_STDOUT_LINE_BUFFERED"]
     with ros1.Workspace() as workspace, (RECORDINGS / "pipe.csv").open("w", newline="") as text:
@@ -287,7 +287,7 @@ _COUNTER = re.compile(r"counter = (\d+)")
 
 
 def record_first_message() -> None:
-    """Let a node publish at once, and keep the first number that it hears itself and that another node hears."""
+    """Let a node publish immediately, and keep the first number that it hears itself and that another node hears."""
     load, start = os.getloadavg(), time.time()
     with _topics() as (workspace, command), (RECORDINGS / "first_message.csv").open("w", newline="") as text:
         writer = csv.writer(text, lineterminator="\n")
@@ -303,7 +303,7 @@ def record_first_message() -> None:
             heard = [_COUNTER.findall(console)[0] for console in (own, listener.communicate()[0])]
             writer.writerow([language, latch, *heard])
     node = ["rosrun", "topics", "NODE", "_latch:=LATCH"]
-    _write_provenance("first_message", "a node that publishes at once", node, start, 1.2, 0, load)
+    _write_provenance("first_message", "a node that publishes immediately", node, start, 1.2, 0, load)
 
 
 def record_queue() -> None:

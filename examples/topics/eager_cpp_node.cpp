@@ -10,7 +10,7 @@ public:
     publisher_ = nh_group_.advertise<std_msgs::UInt32>("counter", 10, latch);
     subscriber_ = nh_group_.subscribe(
         "counter", 10, &EagerCppNode::counterCallback, this);
-    // Publish at once, and then every 0.5 s
+    // Publish immediately, and then every 0.5 s
     timerCallback(ros::TimerEvent());
     timer_ = nh_.createTimer(
         ros::Duration(0.5), &EagerCppNode::timerCallback, this);

@@ -12,7 +12,7 @@ class EagerPyNode:
         self.publisher = rospy.Publisher(
             "counter", UInt32, latch=latch, queue_size=10)
         rospy.Subscriber("counter", UInt32, self.counterCallback)
-        # Publish at once, and then every 0.5 s
+        # Publish immediately, and then every 0.5 s
         self.timerCallback(None)
         rospy.Timer(rospy.Duration(0.5), self.timerCallback)
 

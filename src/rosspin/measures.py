@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 import math
-from collections.abc import Sequence
+from collections.abc import Mapping, Sequence
 from fractions import Fraction
 from itertools import pairwise
 from statistics import median
@@ -11,7 +11,6 @@ from statistics import median
 from .results.ticks import Message, Mishap, Tick
 
 __all__ = [
-    "at_once",
     "by_source",
     "describe_faults",
     "describe_lateness",
@@ -19,10 +18,12 @@ __all__ = [
     "describe_periods",
     "describe_timeline",
     "lost",
+    "lost_by_source",
     "periods",
     "quantile",
     "rostopic_hz",
     "say_time",
+    "side_by_side",
     "topic_ticks",
     "verdict",
 ]
@@ -32,6 +33,9 @@ _MANY = 100
 
 # A difference below this part of a period does not count: on a real clock, ROS 2 rounds when a tick was expected.
 _CLOSE = 0.02
+
+# The most periods of a run in which lost ticks are worth looking for, where nobody has asked for them.
+_MOST_PERIODS = 1_000_000
 
 
 def by_source(ticks: Sequence[Tick]) -> dict[str, list[Tick]]:
@@ -102,7 +106,21 @@ def lost(ticks: Sequence[Tick], period: float, coming: Sequence[Tick] = ()) -> l
     return [origin + number * period for number in sorted({*range(served[-1])} - {*served})]
 
 
-def at_once(ticks: Sequence[Tick]) -> int:
+def lost_by_source(
+    ticks: Sequence[Tick], periods: Mapping[str, float], coming: Sequence[Tick] = ()
+) -> dict[str, list[float]]:
+    """The times (s) that were :func:`lost`, of each source whose period (s) is given and that lost any."""
+    found = {}
+    following = by_source(coming)
+    for source, group in by_source(ticks).items():
+        after = following.get(source, [])
+        period = periods.get(source, 0.0)
+        if period * _MOST_PERIODS > max(tick.real for tick in [*group, *after]):
+            found[source] = lost(group, period, after)
+    return {source: times for source, times in found.items() if times}
+
+
+def side_by_side(ticks: Sequence[Tick]) -> int:
     """How many of these calls ran at the same time, at most. An overlap of less than a millisecond does not count."""
     most, ends = 0, list[float]()
     for tick in ticks:
@@ -146,7 +164,7 @@ def describe_timeline(name: str, group: Sequence[Tick]) -> str:
     span = f"{len(group)} ticks from {group[0].real:.3f} s to {group[-1].real:.3f} s"
     if len(group) == 1:
         span = f"1 tick at {group[0].real:.3f} s"
-    most = at_once(group)
+    most = side_by_side(group)
     return f"{name}: {span}. {describe_lateness(group)}{f' Up to {most} calls ran side by side.' if most > 1 else ''}"
 
 
@@ -184,7 +202,7 @@ def verdict(ticks: Sequence[Tick], period: float, due: int = 0, coming: Sequence
         always = all(abs(tick.lateness - latest) < 1e-6 for tick in ticks)
         return f"{'' if always else 'up to '}{say_time(latest)} late, {losses}"
     grid = "keeps its grid" if _is_on_grid(last.real, ticks, period) else "starts a new grid"
-    if at_once(ticks) > 1:
+    if side_by_side(ticks) > 1:
         return f"{grid}, overlaps itself{', ' + losses if count else ''}"
     return f"{grid}, {losses}"
 

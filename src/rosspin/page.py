@@ -37,7 +37,7 @@ from .clocks.patches import patched
 from .clocks.simulation import PacedSimulation, Simulation
 from .clocks.stacks import whose
 from .exercises.advice import advice
-from .measures import by_source, describe_timeline, quantile
+from .measures import by_source, describe_timeline, lost_by_source, quantile
 from .results.pinned import as_test
 from .run.alone import ON_A_COMPUTER, refuse_processes
 from .run.explain import TimeStandsStill, say_error
@@ -115,7 +115,7 @@ class _Supplied:
 
 
 def run(source: str, filename: str, seconds: float, args: str, speed: float, beside: str, page: Any) -> str:
-    """Run the node in the text ``source`` for ``seconds``, ``speed`` times as fast as real time (0: at once).
+    """Run the node in the text ``source`` for ``seconds``, ``speed`` times as fast as real time (0: without waiting).
 
     ``args`` are its command line, split into words as a shell does. A text that begins with ``%%simulate SECONDS --
     ARGS`` brings its own. ``beside`` lists, as JSON, the texts, file names and arguments of other nodes that run
@@ -125,9 +125,10 @@ def run(source: str, filename: str, seconds: float, args: str, speed: float, bes
     the line that logged it if that is a warning or worse, else 0; its ``tick(source, number, expected, real)`` is
     called with each tick that begins (s). ``wait(ms)`` returns a promise that is kept after that time. The result, as
     JSON: the exit ``status``, the number of ``errors`` in its threads, the last ``ticks`` with their durations, their
-    ``count``, the ``chunks`` that each printed (a call of ``print`` is one, counted from 0), the ``end`` of the run
-    (s), a text ``alternative`` to their plot, and a ``test`` that pins it all, empty if that would be long or if there
-    was an error; and of a node that runs alone its ``scenes``. Errors are printed and give status 1.
+    ``count``, the ``lost`` ones, each with its source and when it was due (s), the ``chunks`` that each tick printed (a
+    call of ``print`` is one, counted from 0), the ``end`` of the run (s), a text ``alternative`` to their plot, and a
+    ``test`` that pins it all, empty if that would be long or if there was an error; and of a node that runs alone its
+    ``scenes``. Errors are printed and give status 1.
     """
     printed = _Printed()
     streams = [_Stream(page, is_error, printed, filename) for is_error in (False, True)]
@@ -279,16 +280,26 @@ def _run(
     for hint in dict.fromkeys(filter(None, hints)):
         print(hint, file=sys.stderr)
     groups = by_source(result.ticks)
+    recording = result.host.recording
+    lost = lost_by_source(result.ticks, recording.periods(), recording.coming())
+    shown = result.ticks[-_MOST_TICKS:]
+    since = 0.0 if len(shown) == len(result.ticks) else min(tick.expected for tick in shown)
     console = "".join(printed.texts)
     pins = not (others or result.status or errors or printed.size > _LONGEST or len(result.ticks) > _MOST_TICKS)
     return {
         "status": result.status,
         "errors": len(errors),
         "count": len(result.ticks),
-        "ticks": [[*tick[:4], tick.duration if tick.duration >= 0 else 0] for tick in result.ticks[-_MOST_TICKS:]],
+        "ticks": [[*tick[:4], tick.duration if tick.duration >= 0 else 0] for tick in shown],
+        "lost": [[source, round(time, 6)] for source, times in lost.items() for time in times if time >= since][
+            -_MOST_TICKS:
+        ],
         "chunks": [list(chunks) for chunks in printed.chunks[-_MOST_TICKS:]],
         "end": min(pacer.simulation.seconds(), seconds),
-        "alternative": " ".join(describe_timeline(source, group) for source, group in groups.items()),
+        "alternative": " ".join(
+            describe_timeline(source, group) + (f" Lost ticks: {len(lost[source])}." if source in lost else "")
+            for source, group in groups.items()
+        ),
         "scenes": pacer.scenes and pacer.scenes.data(result.status),
         "test": as_test(node.source or "", node.filename, seconds, args, console, result.ticks) if pins else "",
     }

@@ -562,7 +562,7 @@ NOT_AT_ONCE = "A timer waits for one period before its first call"
 NOT_A_FREQUENCY = "the period is 1 / frequency"
 OWN_COUNTER = "a counter of its own"
 NO_QUEUE = "There is none: ticks are lost here"
-WHOLE = "the number is a whole one"
+WHOLE = "the number is whole"
 PRIVATE = "Does the name begin with `~`?"
 
 # What it is, what the feedback says is wrong, and the hint that it should get.
@@ -570,7 +570,7 @@ WRONG: dict[str, list[tuple[Answer, str, str]]] = {
     "first-ticks": [
         (times(TIMER, 0.0, 0.4, 0.8), "The timer: not 0 s, 0.4 s, 0.8 s", NOT_AT_ONCE),
         (times(TIMER, 2.5, 5, 7.5), "The timer: not 2.5 s", "This takes 0.4 for a frequency"),
-        (times(LOOP, 0.25, 0.5, 0.75), "The loop: not 0.25 s", "makes its first pass at once"),
+        (times(LOOP, 0.25, 0.5, 0.75), "The loop: not 0.25 s", "makes its first pass immediately"),
         (times(LOOP, 0, 4, 8), "The loop: not 0 s, 4 s, 8 s", "This takes 4 for a period"),
         (times(BUSY, 0, 0.35, 0.7), "not 0 s, 0.35 s, 0.7 s", "the work is a part of the period"),
         (times(BUSY, 0.1, 0.35, 0.6), "not 0.1 s", "This is when the work ends"),
@@ -808,12 +808,12 @@ rospy.spin()
         (
             {WHILE_LATE: "", SLEEP: f"        try:\n    {SLEEP}\n        except ValueError:\n            pass"},
             "counter 4 came at 1.7 s, not at 2 s",
-            "would send two commands at once",
+            "would send two commands in quick succession",
         ),
         (
             {WHILE_LATE: "", "time.sleep(deadline - time.monotonic())": "rospy.sleep(deadline - time.monotonic())"},
             "With `_work:=1.7`: counter 4 came at 2.7 s, not at 3 s",
-            "two commands at once",
+            "two commands in quick succession",
         ),
         (
             {WHILE_LATE: "", "deadline += period": "deadline = time.monotonic() + period"},
@@ -822,7 +822,7 @@ rospy.spin()
         ),
         ({WHILE_LATE: "", SLEEP: "        rospy.sleep(period)"}, "counter 4 came at 2.2 s", "has left its grid"),
         ({WHILE_LATE: ""}, "died in line 18: `ValueError: sleep length must be non-negative`", "move the deadline on"),
-        (overrun("rate.sleep()", "rate = rospy.Rate(2)"), "counter 4 came at 1.7 s", "two commands at once"),
+        (overrun("rate.sleep()", "rate = rospy.Rate(2)"), "counter 4 came at 1.7 s", "two commands in quick"),
         (
             {WHILE_LATE: "        if deadline < time.monotonic():\n            deadline += period\n"},
             "Started with `_work:=1.7`, the node died in line 20: `ValueError",
@@ -1031,7 +1031,7 @@ rospy.spin()
     "name-the-fault": [
         ({'log_1 = "B"': 'log_1 = "A"'}, "`log_1`: it is not A", "1 divided by what was asked for"),
         ({'log_1 = "B"': 'log_1 = "D"'}, "`log_1`: it is not D", "its first call after one period"),
-        ({'log_3 = "D"': 'log_3 = "B"'}, "`log_3`: it is not B", "makes its first pass at once"),
+        ({'log_3 = "D"': 'log_3 = "B"'}, "`log_3`: it is not B", "makes its first pass immediately"),
         ({'log_2 = "E"': 'log_2 = "F"'}, "`log_2`: it is not F", "nothing of the node goes on"),
         ({'log_3 = "D"': 'log_3 = "C"'}, "`log_3`: it is not C", "a period apart again"),
         ({'log_4 = "C"': 'log_4 = "E"'}, "`log_4`: it is not E", "a traceback would name a thread"),
@@ -1045,16 +1045,16 @@ rospy.spin()
     "what-is-heard": [
         (times(PLAIN_HEARD, 1, 2, 3), "Without `latch`: not 1, 2, 3", "is not connected yet"),
         (times(LATCHED_HEARD, 2, 3, 4), "With `latch`: not 2, 3, 4", "keeps its last message for whoever"),
-        (times(THREE, 1, 2, 3), "Three at once: not 1, 2, 3", "keeps one message only, the last"),
-        (times(THREE, 1), "Three at once: not 1.", "not the first"),
-        (times(THREE), "Three at once: not nothing at all", "keeps its last message for whoever"),
+        (times(THREE, 1, 2, 3), "Three in a row: not 1, 2, 3", "keeps one message only, the last"),
+        (times(THREE, 1), "Three in a row: not 1.", "not the first"),
+        (times(THREE), "Three in a row: not nothing at all", "keeps its last message for whoever"),
         (times(SLOW_HEARD, 0, 1, 2), "The slow callback: not 0, 1, 2", "happens without a `queue_size`"),
         (times(SLOW_HEARD, 0, 4, 8), "The slow callback: not 0, 4, 8", "does not wait for the next message"),
         (times(SLOW_HEARD, 0, 1, 4), "The slow callback: not 0, 1, 4", "is replaced by each newer one"),
         (times(SLOW_HEARD, 0, 3, 7), "the third of these counters is not 7", "Only one message can wait"),
         (times(PLAIN_HEARD, 2, 3), "3 counters are asked for, not 2", "Is the subscriber connected"),
         ({PLAIN_HEARD: "without_latch = 2"}, "a list of counters, not a value of type `int`", "`[1, 2, 3]`"),
-        ({THREE: ""}, "Three at once: there is no prediction yet", "Give `three_at_once` a list of counters"),
+        ({THREE: ""}, "Three in a row: there is no prediction yet", "Give `three_at_once` a list of counters"),
     ],
     "publish-the-counter": [
         (

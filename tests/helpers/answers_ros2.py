@@ -606,7 +606,7 @@ WRONG: dict[str, list[tuple[Answer, str, str]]] = {
         (times(FIRST, 0.0, 2.5, 5.0), "The timer: not 0 s, 2.5 s", "takes the number for a frequency"),
         (times(FIRST, 0.4, 0.8, 1.3), "the third of these times is not 1.3 s", "And before the first one?"),
         (times(FIRST, 0.4, 0.8), "3 times are asked for, not 2", "And before the first one?"),
-        (times(PASSES, 0.4, 0.8, 1.2), "The loop: not 0.4 s", "makes its first pass at once"),
+        (times(PASSES, 0.4, 0.8, 1.2), "The loop: not 0.4 s", "makes its first pass immediately"),
         (times(PASSES, 0.0, 0.5, 1.0), "the second of these times is not 0.5 s", "Follow it line by line"),
         ({PASSES: "loop = 0.4"}, "a list of times in seconds, not a value of type `float`", "Write it as"),
         ({PASSES: "loop = ..."}, "The loop: there is no prediction yet", "Give `loop`"),
@@ -731,10 +731,10 @@ WRONG: dict[str, list[tuple[Answer, str, str]]] = {
         ({TAKES_ONE: "self.position_callback(), 1)"}, "missing 1 required positional", QUEUE),
     ],
     "slow-timer": [
-        (times(SHORT, 2.2, 2.2, 2.4), "Blocked for 1.0 s: not 2.2 s, 2.2 s", "one of them comes at once, and no more"),
+        (times(SHORT, 2.2, 2.2, 2.4), "Blocked for 1.0 s: not 2.2 s, 2.2 s", "one of them comes immediately, and"),
         (times(SHORT, 2.2, 2.6, 3.0), "Blocked for 1.0 s: not 2.2 s, 2.6 s", "it goes back to its grid"),
         (times(SHORT, 1.6, 2.0, 2.4), "not 1.6 s", "the executor calls nothing"),
-        (times(SHORT, 2.4, 2.8, 3.2), "not 2.4 s", "it comes at once"),
+        (times(SHORT, 2.4, 2.8, 3.2), "not 2.4 s", "it comes immediately"),
         (times(LONG, 3.0, 3.4, 3.8), "Blocked for 1.8 s: not 3 s, 3.4 s", "it goes back to its grid"),
         (times(LONG, 3.0, 3.0, 3.0), "not 3 s, 3 s, 3 s", "There is no queue of calls"),
         (times(LONG, 3.2, 3.6, 4.0), "not 3.2 s", "One overdue tick still comes"),
@@ -749,7 +749,7 @@ WRONG: dict[str, list[tuple[Answer, str, str]]] = {
         (
             {CANCELS: "        if self.counter:\n            return\n"},
             "the callback was called 4 times in 6 s",
-            "A callback that returns at once is still called",
+            "A callback that returns immediately is still called",
         ),
         (
             {CANCELS: "        rclpy.shutdown()\n"},
@@ -975,9 +975,13 @@ WRONG: dict[str, list[tuple[Answer, str, str]]] = {
         (
             {SLEEPS: "            time.sleep(0.4)\n"},
             "With `work:=0.4`: counter 2 came at 0.8 s, not at 0.5 s",
-            "wakes whoever is asleep",
+            "wakes the thread in `sleep()`",
         ),
-        ({"create_rate(2.0)": "create_rate(0.5)"}, "counter 2 came at 2 s, not at 0.5 s", "wakes whoever is asleep"),
+        (
+            {"create_rate(2.0)": "create_rate(0.5)"},
+            "counter 2 came at 2 s, not at 0.5 s",
+            "wakes the thread in `sleep()`",
+        ),
         (
             {"daemon=True": "daemon=False"},
             "With `work:=0.1`, Ctrl-C: the node did not end: one of its threads was still asleep in a Rate's `sleep()`",
@@ -997,7 +1001,7 @@ WRONG: dict[str, list[tuple[Answer, str, str]]] = {
         (
             {SPIN_CAUGHT: SPIN_CAUGHT + "    while True:\n        time.sleep(1.0)\n"},
             "the node did not end: it was still in line 33, `time.sleep(1.0)`. Does its loop ask `rclpy.ok()`?",
-            "wakes whoever is asleep",
+            "wakes the thread in `sleep()`",
         ),
         ({SPIN_CAUGHT: "    pass\n"}, "counter 2, due at 0.5 s, did not come", "The node ended by itself"),
         (
@@ -1013,7 +1017,7 @@ WRONG: dict[str, list[tuple[Answer, str, str]]] = {
                 ),
             },
             "no counter was printed",
-            "wakes whoever is asleep",
+            "wakes the thread in `sleep()`",
         ),
         (FOR_ROS_1, "This node is for ROS 1", "This exercise is on ROS 2"),
     ],
@@ -1081,7 +1085,7 @@ WRONG: dict[str, list[tuple[Answer, str, str]]] = {
         (FOR_ROS_1, "This node is for ROS 1", "This exercise is on ROS 2"),
     ],
     "ask-without-hanging": [
-        # The answer is used at once.
+        # The answer is used immediately.
         (
             {DONE: DONE_AT_ONCE},
             "the node died in line 24: `AttributeError: 'NoneType' object has no attribute 'message'`",

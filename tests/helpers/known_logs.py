@@ -112,7 +112,7 @@ REAL = [
     Case(
         "r1_queue_sub_logs", "queue", ("compass pub,x,30,silent=1", "pilot sub,heard_heading,0,work=0.09,queue=3"), 10
     ),
-    # All late at once.
+    # All late together.
     Case("r2_stopped", "stalled", ("motor timer,wheel_speed,10", "arm timer,joint_state,25"), 10, stops=((5, 0.8),)),
     Case(
         "r2_stopped_thrice",

@@ -38,7 +38,7 @@ Message = dict[str, Any]
 
 
 def run_job(source: str, args: str = "", *beside: tuple[str, str, str]) -> Message:
-    """A text that is to be run for two seconds, at once, maybe with others: text, file name, arguments."""
+    """A text that is to be run for two seconds, immediately, maybe with others: text, file name, arguments."""
     node = {"source": source, "filename": "node.py", "seconds": 2, "args": args, "speed": 0}
     return {"kind": "run"} | node | {"beside": json.dumps(beside)}
 

@@ -48,7 +48,7 @@ class _Beside(Control):
 class Runs:
     """The consoles of cases. Those named at first are run ahead, side by side; any other when it is asked for.
 
-    A scenario says itself when it has stood still, but not if it ends at once after that: then the control does.
+    A scenario says itself when it has stood still, but not if it ends immediately after that: then the control does.
     """
 
     def __init__(self, runtimes: Iterable[str], cases: Sequence[Case], patience: float) -> None:

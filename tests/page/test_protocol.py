@@ -26,10 +26,12 @@ PUBLISHER, SUBSCRIBER = (
     for name in ("publisher", "subscriber")
 )
 SPINNER = (EXAMPLES / "my_robotics_pkg/src/spinner_py_node.py").read_text(encoding="utf-8")
+LATE = node("rospy.Timer(rospy.Duration(0.1), lambda event: rospy.sleep(9))\nrospy.spin()")
 JOBS = {
     "ticks": run_job(SPINNER),
     "scenes": run_job((EXAMPLES / "executors/own_groups_py_node.py").read_text(encoding="utf-8")),
     "a ring": run_job((EXAMPLES / "hangs/call_py_node.py").read_text(encoding="utf-8")),
+    "lost ticks": run_job(LATE),
     "no ticks": run_job("print('a')"),
     "a warning": run_job(node("rospy.logwarn('late')")),
     "an error in a thread": run_job(node("rospy.Timer(rospy.Duration(0.5), lambda event: 1 / 0)\nrospy.spin()")),
@@ -73,6 +75,8 @@ def test_all_that_is_said_is_read(subtests: pytest.Subtests) -> None:
     verdicts = judging()
     jobs = JOBS | verdicts
     messages = said(list(jobs.values()))
+    lost = messages[list(jobs).index("lost ticks")][1]["result"]["lost"]
+    assert lost == [["<lambda>", round(0.1 * number, 9)] for number in range(3, 21)]
     assert [end["result"]["verdict"] for _, end in messages[-3:]] == list(verdicts)
     lines = [json.dumps([job["kind"], one]) for job, both in zip(jobs.values(), messages, strict=True) for one in both]
     command: list[str | Path] = [ROOT / ".venv/bin/node", "--input-type=module", "--eval", READ]

@@ -10,7 +10,6 @@ from hypothesis import strategies as st
 
 from rosspin import Mishap, Tick
 from rosspin.measures import (
-    at_once,
     describe_faults,
     describe_lateness,
     describe_pace,
@@ -20,6 +19,7 @@ from rosspin.measures import (
     periods,
     quantile,
     say_time,
+    side_by_side,
     verdict,
 )
 from rosspin.results.roscpp import timer_ticks
@@ -200,9 +200,9 @@ def test_calls_at_once_are_counted() -> None:
     def calls(*durations: float) -> list[Tick]:
         return [Tick("A", n, n * 0.5, n * 0.5, duration) for n, duration in enumerate(durations, 1)]
 
-    assert at_once([]) == 0
-    assert [at_once(calls(*each)) for each in ((0.5, 0.5), (0.5005, 0.1), (math.nan, 0.1))] == [1, 1, 1]
-    assert [at_once(calls(*each)) for each in ((0.6, 0.1), (1.2, 1.2, 1.2), (2.0, 0.1, 0.1))] == [2, 3, 2]
+    assert side_by_side([]) == 0
+    assert [side_by_side(calls(*each)) for each in ((0.5, 0.5), (0.5005, 0.1), (math.nan, 0.1))] == [1, 1, 1]
+    assert [side_by_side(calls(*each)) for each in ((0.6, 0.1), (1.2, 1.2, 1.2), (2.0, 0.1, 0.1))] == [2, 3, 2]
     assert describe_timeline("A", calls(0.6, 0.6)).endswith(" were on time. Up to 2 calls ran side by side.")
 
 

@@ -2,15 +2,25 @@
 
 from __future__ import annotations
 
+import re
+import threading
+import time
+from collections.abc import Callable, Iterable
 from pathlib import Path
 
 import pytest
 from tree import EXAMPLES
 
 from rosspin import plots, rclpy, rospy, simulate
+from rosspin.clocks.simulation import Simulation
 from rosspin.measures import by_source, lost
 from rosspin.results.ticks import Run
+from rosspin.run.simulate import run_node
+from rosspin.run.source import load_source
+from rosspin.run.streams import capture
+from rosspin.site.live import plot
 from rosspin.site.pages import _by_rule
+from rosspin.world.graph import TickLog
 
 ROSPY, RCLPY = EXAMPLES / "timing_probes/src/timer_probe.py", EXAMPLES / "ros2/timer_probe.py"
 LONG = {ROSPY: "_block:=9.0 _block_call:=3", RCLPY: "--ros-args -p block:=9.0 -p block_call:=3"}
@@ -74,6 +84,123 @@ def test_what_has_ended_loses_nothing() -> None:
 def test_in_cpp_by_their_rules(file: str, args: str, wanted: list[float]) -> None:
     """roscpp gives up even the call that is overdue: it begins a new grid when the long one returns."""
     assert gone(_by_rule(file, 3.1, args.split(), 0.5), "timerCallback") == wanted
+
+
+# --- Rates: the pass that goes on at the end is one of those that come ------------------------------------------------
+
+
+def of_ros1(passes: Iterable[float], after: Callable[[], object] = lambda: None) -> Callable[[], None]:
+    """A node whose passes take so long (s), at 2 Hz."""
+
+    def main() -> None:
+        rospy.init_node("loops")
+        rate = rospy.Rate(2)
+        for work in passes:
+            rospy.sleep(work)
+            if rospy.is_shutdown():
+                break
+            rate.sleep()
+        after()
+
+    return main
+
+
+def of_ros2(passes: Iterable[float], after: Callable[[], object] = lambda: None) -> Callable[[], None]:
+    def main() -> None:
+        rclpy.init()
+        node = rclpy.create_node("loops")
+
+        def loop() -> None:
+            rate = node.create_rate(2)
+            for work in passes:
+                time.sleep(work)
+                rate.sleep()
+            after()
+
+        threading.Thread(target=loop, daemon=True).start()
+        rclpy.spin(node)
+
+    return main
+
+
+@pytest.mark.parametrize(
+    ("loop", "seconds", "wanted"),
+    [
+        (of_ros1, 1.7, []),  # it would still catch up: the passes of 1.0 and 1.5 would begin now
+        (of_ros1, 2.7, [1.5, 2.0, 2.5]),  # more than three periods late: that of 1.0 would begin now, and a new grid
+        (of_ros2, 1.4, []),  # the pass of 1.0 would begin late
+        (of_ros2, 2.7, [1.5, 2.0, 2.5]),  # and so it would here, but no other
+    ],
+)
+def test_while_a_pass_goes_on(
+    loop: Callable[[Iterable[float]], Callable[[], None]], seconds: float, wanted: list[float]
+) -> None:
+    run = simulate(loop([0.1, 9.0, 0.1]), seconds)
+    assert [tick.number for tick in run.ticks if tick.real + tick.duration <= seconds] == [1]
+    assert gone(run, "Rate") == wanted
+    assert run.coming[0].number == run.ticks[-1].number + 1
+
+
+@pytest.mark.parametrize("loop", [of_ros1, of_ros2])
+def test_a_loop_that_sleeps_or_is_on_time_loses_nothing(
+    loop: Callable[[Iterable[float]], Callable[[], None]],
+) -> None:
+    for seconds in (1.2, 1.05):  # in its third sleep, and in its third pass
+        run = simulate(loop([0.1] * 9), seconds)
+        assert gone(run, "Rate") == []
+        assert run.coming[-1][1:4] == (4, 1.5, 1.5)
+
+
+@pytest.mark.parametrize("loop", [of_ros1, of_ros2])
+def test_a_loop_that_has_ended_has_no_pass_due(
+    loop: Callable[[Iterable[float], Callable[[], object]], Callable[[], None]],
+) -> None:
+    """Although its Rate is still there, and its function goes on."""
+    waits = rospy.spin if loop is of_ros1 else lambda: time.sleep(20)
+    run = simulate(loop([0.1, 0.1], waits), 5.0)
+    assert [tick.number for tick in run.ticks] == [1, 2]
+    assert run.coming == () and gone(run, "Rate") == []
+
+
+def test_a_rate_that_nobody_wakes() -> None:
+    """Its second pass is overdue for ever, those after it are lost."""
+
+    def main() -> None:
+        rclpy.init()
+        rate = rclpy.create_node("hangs").create_rate(2)
+        while True:
+            rate.sleep()
+
+    run = simulate(main, 2.2)
+    assert gone(run, "Rate") == [1.0, 1.5, 2.0]
+
+
+@pytest.mark.parametrize("change", ["timer.reset()", "timer.timer_period_ns = 10**8"])
+def test_a_timer_that_left_its_grid_has_no_period(change: str) -> None:
+    """A page does not know its period: a watchdog that is always reset loses nothing."""
+    text = f"""
+import rclpy
+rclpy.init()
+node = rclpy.create_node("watchdog")
+timer = node.create_timer(0.5, lambda: None)
+def feed():
+    {change}
+node.create_timer(0.4, feed)
+rclpy.spin(node)
+"""
+    with capture():
+        result = run_node(load_source(text, "watchdog.py"), 3.0, (), Simulation(), TickLog())
+    assert result.host.recording.periods() == {"feed": 0.4}
+
+
+@pytest.mark.parametrize(("node", "source"), [(ROSPY, "callback"), (RCLPY, "callback")])
+def test_the_plot_below_a_listing_has_the_crosses(node: Path, source: str) -> None:
+    """With the period of each timer; where nothing was lost, crosses are not spoken of."""
+    text = node.read_text(encoding="utf-8")
+    made = plot(f"%%simulate 4 -- {LONG[node]}\n{text}")
+    assert "Lost ticks: 4." in made or "Lost ticks: 3." in made
+    assert "cross: lost" in made
+    assert "ost" not in re.sub("<[^>]*style[^>]*>", "", plot(f"%%simulate 4\n{text}"))
 
 
 def test_a_plot_has_the_crosses() -> None:

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import re
 import subprocess
 import sys
 from pathlib import Path
@@ -68,3 +69,26 @@ def test_a_typing_error_would_be_noticed(tmp_path: Path, word: str) -> None:
 def test_an_american_word_would_be_noticed(american: Path, tmp_path: Path, word: str) -> None:
     (tmp_path / "page.rst").write_text(f"A word: {word}.\n")
     assert misspelt("--dictionary", american, tmp_path)
+
+
+# Phrases that have two senses, or sound translated.
+AVOIDED = re.compile(
+    r"\b(at\s+once|anew|(any|every|no|some)body\s+who\s+(spins|sleeps)|would\s+not\s+do\s+so|that\s+which|it\s+is\s+(not|no)\s+so)\b",
+    re.IGNORECASE,
+)
+
+
+@pytest.mark.parametrize("text", ["Ring At\nonce", "nobody who spins", "It would not do so.", "begins anew"])
+def test_a_phrase_to_avoid_would_be_noticed(text: str) -> None:
+    assert AVOIDED.search(text)
+    assert not AVOIDED.search("three_at_once, at one, immediately")
+
+
+def test_no_phrase_to_avoid_is_left() -> None:
+    """In the pages, and in what exercises, runs in a page and verdicts on logs say."""
+    texts = [ROOT / "README.md", ROOT / "index.rst", ROOT / "src/rosspin/page.py", *ROOT.glob("docs/**/*.rst")]
+    for folder, suffix in {"notebooks": "md", "web/src": "js", "src/rosspin/exercises": "py", "examples": "py"}.items():
+        texts += ROOT.glob(f"{folder}/**/*.{suffix}")
+    texts += ROOT.glob("src/rosspin/look/*.py")
+    found = {path: AVOIDED.findall(path.read_text(encoding="utf-8")) for path in texts}
+    assert not {path: words for path, words in found.items() if words}

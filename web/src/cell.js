@@ -435,7 +435,7 @@ export class Cell {
   }
 
   /** @param {import("./protocol.js").RunResult} result */
-  #finish({ status, errors, count, ticks, chunks, alternative, end, test, scenes }) {
+  #finish({ status, errors, count, ticks, lost, chunks, alternative, end, test, scenes }) {
     this.#test = test
     this.pin.hidden = !test
     const none = this.#endSteps
@@ -444,7 +444,7 @@ export class Cell {
         if (this.#endSteps === none) this.#endSteps = offer(this.console.element, this.#name, scenes, this.#pre, this.#ran)
       })
     }
-    if (count) this.plot.finish(ticks, alternative, chunks, end)
+    if (count) this.plot.finish(ticks, alternative, chunks, end, lost)
     const ticked = count ? `: ${count} tick${count === 1 ? "" : "s"}` : ""
     const done = status === BY_CTRL_C ? `done${ticked}, ended by Ctrl-C with a traceback` : SEE_CONSOLE
     this.#say(status ? done : errors ? `done, but with an ${SEE_CONSOLE}` : `done${ticked}`)
@@ -468,7 +468,7 @@ export class Cell {
     this.#say("stopped")
   }
 
-  /** End the run, if there is one, at once. */
+  /** End the run immediately, if there is one. */
   #end() {
     this.#runs++
     this.#worker?.end()

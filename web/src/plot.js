@@ -6,6 +6,7 @@ import { MARGIN, draw, drawTimeline, layOut, percent } from "./svg.js"
 const MOST_TICKS = 2000
 
 /** @typedef {import("./protocol.js").Tick} Tick */
+/** @typedef {import("./protocol.js").Lost} Lost */
 
 /** A time in seconds. */
 const say = (/** @type {number} */ time) => `${Number(time.toFixed(6))} s`
@@ -62,12 +63,13 @@ export class Plot {
    * @param {string} alternative
    * @param {number[][]} chunks
    * @param {number} end
+   * @param {Lost[]} lost
    */
-  finish(ticks, alternative, chunks, end = 0) {
+  finish(ticks, alternative, chunks, end = 0, lost = []) {
     this.clear()
     this.#ticks = ticks
     this.#chunks = chunks
-    this.#paint(`Timeline. ${alternative}`, end)
+    this.#paint(`Timeline. ${alternative}`, end, lost)
     this.#offer()
   }
 
@@ -140,9 +142,13 @@ export class Plot {
     return `${source}, tick ${number}: expected ${say(expected)}, real ${say(real)}, ${lateness}`
   }
 
-  /** @param {string} alternative */
-  #paint(alternative, end = 0) {
-    const { rows, scale, places } = layOut(this.#ticks, end)
+  /**
+   * @param {string} alternative
+   * @param {number} end
+   * @param {Lost[]} lost
+   */
+  #paint(alternative, end = 0, lost = []) {
+    const { rows, scale, places } = layOut(this.#ticks, end, lost)
     this.#places = places
     const textContent = "simulated: this clock has no jitter, at any speed"
     const caption = make("figcaption", { textContent })

@@ -16,8 +16,9 @@
  * What the functions of rosspin.page give back, as JSON but for the text of a trace:
  * @typedef {[isError: boolean, text: string, number: number, line: number]} Chunk of what is printed
  * @typedef {[source: string, number: number, expected: number, real: number, duration: number]} Tick
- * @typedef {{status: number, errors: number, count: number, ticks: Tick[], chunks: number[][], end: number,
- *   alternative: string, test: string, scenes: Scenes | null}} RunResult
+ * @typedef {[source: string, time: number]} Lost when (s) a tick was due that never came
+ * @typedef {{status: number, errors: number, count: number, ticks: Tick[], lost: Lost[], chunks: number[][],
+ *   end: number, alternative: string, test: string, scenes: Scenes | null}} RunResult
  * @typedef {[thread: number, callback: number, line: number]} Where a thread is; callback -1: in none; line 0: in none
  * @typedef {[time: number, said: string, ready: number[], threads: Where[], how: string[]]} Step
  * @typedef {{links: [name: string, waits: string][], to: number}} Ring of waits; to: for whom the last waits, -1: nobody
@@ -79,7 +80,7 @@
 /** A message has at most so many characters. The longest are traces, of little more than 2 MB, whose quotes are escaped. */
 export const LONGEST = 6_000_000
 
-/** So many messages may come at once, and so many more in each second. Python sends 20 in a second. */
+/** So many messages may come together, and so many more in each second. Python sends 20 in a second. */
 export const AT_ONCE = 100
 export const PER_SECOND = 100
 
@@ -144,15 +145,17 @@ function series({ name, part, count, period, chosen, drift, usual, lost, times, 
  * @type {{[K in keyof Results]: (result: Unknown) => Results[K] | false}}
  */
 const RESULTS = {
-  run({ status, errors = 0, count = 0, ticks = [], chunks = [], end = 0, alternative = "", test = "", scenes = null }) {
+  run({ status, errors = 0, count = 0, ticks = [], lost = [], chunks = [], end = 0, alternative = "", ...rest }) {
+    const { test = "", scenes = null } = rest
     const right =
       [status, errors, count, end].every(isNumber) &&
       [alternative, test].every(isText) &&
       isList(ticks, isTick) &&
+      isList(lost, isTuple(isText, isNumber)) &&
       isList(chunks, (of) => isList(of, isNumber)) &&
       ticks.length > 0 === count > 0 &&
       (scenes === null || isScenes(scenes))
-    return right && { status, errors, count, ticks, chunks, end, alternative, test, scenes }
+    return right && { status, errors, count, ticks, lost, chunks, end, alternative, test, scenes }
   },
   trace: ({ trace }) => isText(trace) && { trace },
   judge({ verdict, solved, status, console, said, why = "", hint = "" }) {

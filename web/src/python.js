@@ -25,7 +25,7 @@ export function warmUp(base, answers) {
 }
 
 /**
- * Run a job; `hear(message)` is called with what comes of it. `end()` of what is returned ends it at once.
+ * Run a job; `hear(message)` is called with what comes of it. `end()` of what is returned ends it immediately.
  *
  * @param {string} base
  * @param {import("./runs.js").Text} job

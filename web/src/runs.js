@@ -127,7 +127,7 @@ export function warmUp(answers) {
 }
 
 /**
- * Run a job; `hear(message)` is called with what comes of it. `end()` of what is returned ends it at once.
+ * Run a job; `hear(message)` is called with what comes of it. `end()` of what is returned ends it immediately.
  *
  * @param {Text} job
  * @param {(message: Told) => void} hear
@@ -143,7 +143,7 @@ export function start(job, hear) {
 
 /**
  * Look at a log, of which the browser has these bytes; `hear(message)` is called with what comes of it. `end()` of what
- * is returned ends it at once.
+ * is returned ends it immediately.
  *
  * @param {ArrayBuffer} log
  * @param {string} name

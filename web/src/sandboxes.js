@@ -102,7 +102,7 @@ export class Sandbox {
       this.#port = port1
       port1.onmessage = ({ data }) => this.#receive(data)
       frame.contentWindow?.postMessage(script, "*", [port2]) // it has no origin that could be named
-      // One after the other: that which is to be compiled does not wait for the other one to be unpacked.
+      // One after the other: the one that is to be compiled does not wait for the other one to be unpacked.
       this.#pass(WASM, await compiling)
       this.#pass(SNAPSHOT, await unpacking)
     } catch (error) {
@@ -152,7 +152,7 @@ export class Sandbox {
     this.#say(job)
   }
 
-  /** End all that runs in it, at once. */
+  /** End all that runs in it, immediately. */
   end() {
     this.#port?.close()
     this.#frame?.remove()

@@ -187,7 +187,7 @@ const token = (/** @type {Callback} */ callback) => named("stepper-token", callb
 const row = (/** @type {Callback} */ callback) => named("stepper-row", callback, callback.how)
 
 /**
- * Let the reader go through what a run did; who waits for whom is drawn at once. Returned is what takes that away.
+ * Let the reader go through what a run did; who waits for whom is drawn immediately. Returned is what takes that away.
  *
  * @param {HTMLElement} next what it is to stand before
  * @param {string} name

@@ -9,6 +9,7 @@ const REACH = 13
 const BAR = 10
 const AXIS = 40
 const MOST_ABOVE = 2
+const TITLE = "time (s); line: expected, mark: real"
 const LINE = { stroke: "currentColor", "stroke-opacity": 0.55 }
 export const MARGIN = 0.016 // of the width, on either side of the ticks
 
@@ -124,11 +125,12 @@ function heights(number, ticks) {
  *
  * @param {import("./protocol.js").Tick[]} ticks at least one
  * @param {number} end
+ * @param {import("./protocol.js").Lost[]} lost
  */
-export function layOut(ticks, end) {
+export function layOut(ticks, end, lost = []) {
   const first = ticks[0][1] === 1 ? 0 : Math.min(...ticks.map(([, , expected]) => expected))
   const last = Math.max(end, ...ticks.map(([, , expected, real, duration]) => Math.max(expected, real + duration)))
-  const scale = { first, span: last - first || 1, kinds: 3, title: "time (s); line: expected, mark: real" }
+  const scale = { first, span: last - first || 1, kinds: 3, title: TITLE + (lost.length ? ", cross: lost" : "") }
   /** @type {Map<string, Row>} */
   const found = new Map()
   for (const [source, , expected, real, duration] of ticks) {
@@ -136,6 +138,11 @@ export function layOut(ticks, end) {
     found.set(source, row)
     if (!row[2].includes(expected)) row[2].push(expected)
     row[4].push([real, duration])
+  }
+  for (const [source, time] of lost) {
+    const row = found.get(source)
+    row?.[2].push(time)
+    row?.[3].push(time)
   }
   const rows = [...found.values()]
   const down = new Map(rows.map(([source, , , , when], number) => [source, heights(number, when)]))
@@ -168,7 +175,10 @@ export function drawTimeline(rows, { title, ...scale }, alternative) {
   ])
   return draw(
     "svg",
-    { width: "100%", height: top + AXIS, role: "img", "aria-label": alternative, fill: "currentColor", "font-size": 13 },
+    {
+      ...{ width: "100%", height: top + AXIS, role: "img", "aria-label": alternative },
+      ...{ fill: "currentColor", "font-size": 13, overflow: "visible" }, // on a phone a cross is wider than the margin
+    },
     draw("line", { x1: 0, x2: "100%", y1: top, y2: top, stroke: "currentColor", "stroke-width": 0.8 }),
     draw("text", { x: "100%", dx: -2, y: top + 34, "text-anchor": "end" }, title),
     ...texts,

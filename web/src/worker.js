@@ -14,7 +14,7 @@ const MOST = 50_000
 const MOST_TICKS = 2000
 
 // Python has at most so much memory (bytes): more than ten times what it needs to start, and so little that a computer
-// of 4 GB can judge four answers at once.
+// of 4 GB can judge four answers at the same time.
 const MOST_MEMORY = 512 * 2 ** 20
 const PAGE = 2 ** 16
 

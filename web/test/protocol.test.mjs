@@ -6,7 +6,9 @@ import { test } from "node:test"
 import { LONGEST, read } from "../src/protocol.js"
 
 const BATCH = { kind: "batch", chunks: [[false, "a\n", 0, 0]], leftOut: 0, ticks: [["timer", 1, 0.5, 0.5, 0]] }
-const RUN = { status: 0, errors: 0, count: 1, ticks: [["t", 1, 0.5, 0.5, 0]], chunks: [[0]], end: 1, alternative: "a", test: "", scenes: null }
+const RUN = {
+  status: 0, errors: 0, count: 1, ticks: [["t", 1, 0.5, 0.5, 0]], lost: [["t", 1]], chunks: [[0]], end: 1, alternative: "a", test: "", scenes: null,
+}
 const SCENES = {
   threads: ["MainThread"],
   groups: ["Default group"],
@@ -47,7 +49,7 @@ for (const [job, message] of RIGHT) {
 
 test("a run that went wrong says no more than its status", () => {
   const { result } = read('{"kind": "end", "result": {"status": 1}}', "run")
-  assert.deepEqual(result, { status: 1, errors: 0, count: 0, ticks: [], chunks: [], end: 0, alternative: "", test: "", scenes: null })
+  assert.deepEqual(result, { status: 1, errors: 0, count: 0, ticks: [], lost: [], chunks: [], end: 0, alternative: "", test: "", scenes: null })
 })
 
 test("a reason is short", () => {
@@ -90,6 +92,7 @@ const WRONG = [
   ["run", JSON.stringify(end({ ...RUN, ticks: [] }))],
   ["run", JSON.stringify(end({ ...RUN, chunks: [0] }))],
   ["run", JSON.stringify(end({ ...RUN, test: 5 }))],
+  ["run", JSON.stringify(end({ ...RUN, lost: [["t"]] }))],
   ...[
     { threads: [5] },
     { groups: null },

@@ -29,6 +29,13 @@ test("each source has a row, in the order of the first ticks, with each time tha
   ])
 })
 
+test("a lost tick has its line and its cross in the row of its source, and the title speaks of crosses", () => {
+  const { rows, scale } = layOut([tick("a", 1, 1), tick("b", 1, 1)], 3, [["b", 2], ["b", 3]])
+  assert.deepEqual(rows.map(([, , expected, lost]) => [expected, lost]), [[[1], []], [[1, 2, 3], [2, 3]]])
+  assert.ok(scale.title.endsWith(", cross: lost"))
+  assert.ok(!layOut([tick("a", 1, 1)], 3).scale.title.includes("cross"))
+})
+
 test("ticks at the same time stand one above the other, at most three, and rows below each other", () => {
   const { places } = layOut([1, 2, 3, 4].map((number) => tick("t", number, 1)).concat([tick("u", 1, 1)]), 2)
   const [first, second, third, fourth, below] = places.map(([, down]) => down)

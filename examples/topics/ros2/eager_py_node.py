@@ -19,7 +19,7 @@ class EagerPyNode(Node):
             durability=DurabilityPolicy[durability.value])
         self.counter = 0
         self.publisher = self.create_publisher(UInt32, "counter", qos)
-        # Publish at once, and then every 0.5 s
+        # Publish immediately, and then every 0.5 s
         self.timer_callback()
         self.create_timer(0.5, self.timer_callback)
 

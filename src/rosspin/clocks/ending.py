@@ -103,6 +103,6 @@ def spare_me() -> None:
             # Given None instead, CPython 3.11 would go on looking for an exception at every step.
             ctypes.pythonapi.PyThreadState_SetAsyncExc(ctypes.c_ulong(get_ident()), ctypes.py_object(_Nothing))
             while True:
-                pass  # it comes at once
+                pass  # it comes immediately
     except (_Nothing, Ended):
         pass

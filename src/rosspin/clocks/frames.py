@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import dis
 import linecache
 import os
 import sys
@@ -13,7 +14,8 @@ from types import CodeType, FrameType, TracebackType
 from typing import NamedTuple
 
 __all__ = [
-    *("Place", "Whereabouts", "called_from", "format_error", "is_installed", "node_frame", "node_frames"),
+    *("Place", "Whereabouts", "asleep_in_loop", "called_from", "format_error", "is_installed", "node_frame"),
+    "node_frames",
     *("node_place", "outer_place", "outwards", "places", "trail", "trail_of", "warn"),
 ]
 
@@ -137,6 +139,23 @@ def outwards(frame: FrameType | None) -> Iterator[FrameType]:
         yield frame
         # In a web page another stack, a suspended one, lies below this frame: its frames cannot be looked at.
         frame = None if frame.f_code.co_name == _BASE else frame.f_back
+
+
+def asleep_in_loop(trail: Trail, code: CodeType, call: int) -> bool | None:
+    """Whether a stack is in the ``call`` (an instruction of ``code``), and not elsewhere in a loop around it.
+
+    None if it has left the loop, so that it may never make the call again. A call outside of any loop counts as left.
+    """
+    for each, at, _ in trail:
+        if each is code and any(loop.start <= min(at, call) <= max(at, call) < loop.stop for loop in _loops(code)):
+            return at == call
+    return None
+
+
+def _loops(code: CodeType) -> list[range]:
+    """The instructions of each loop: all between a jump back and its target."""
+    jumps = [each for each in dis.get_instructions(code) if each.opcode in dis.hasjrel and each.argval < each.offset]
+    return [range(jump.argval, jump.offset + 1) for jump in jumps]
 
 
 def trail_of(trace: TracebackType | None) -> Trail:

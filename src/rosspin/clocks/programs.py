@@ -48,7 +48,7 @@ _DEAF = 1.0
 
 
 def end_program() -> None:
-    """End the caller's program at once, or the whole run if that is its main program."""
+    """End the caller's program immediately, or the whole run if that is its main program."""
     stack = current()
     if isinstance(stack, Stack) and stack.program.main is not stack.clock.main:
         stack.clock.end(stack.program, spare_me=False)
@@ -56,7 +56,7 @@ def end_program() -> None:
 
 
 def end_run() -> None:
-    """End the caller's run at once: :class:`Ended` leaves it."""
+    """End the caller's run immediately: :class:`Ended` leaves it."""
     if isinstance(current(), Stack):
         raise Ended
     signal.pthread_kill(threading.main_thread().ident or 0, _END)

@@ -214,7 +214,7 @@ class Simulation:
         return stack
 
     def end(self, program: Program, spare_me: bool = True) -> None:
-        """End all stacks of a program at once, wherever they are; the caller's, too, unless ``spare_me``."""
+        """End all stacks of a program, wherever they are; the caller's, too, unless ``spare_me``."""
         me = current()
         assert isinstance(me, Stack)
         self._to_end.append((program, me if spare_me or me.owner is not program else None))

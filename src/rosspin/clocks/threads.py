@@ -51,7 +51,7 @@ class Lock:
     """A lock whose waiters, if they are stacks, wait in simulated time. For all others it is a plain lock.
 
     As with CPython's locks, one that is released goes to whoever asks for it first, not to the one that has waited
-    longest: a thread that releases a lock and takes it again at once can keep others out.
+    longest: a thread that releases a lock and takes it again immediately can keep others out.
     """
 
     __slots__ = ("__weakref__", "_lock", "_waiting", "holder")

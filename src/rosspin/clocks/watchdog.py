@@ -225,7 +225,7 @@ class _FromAThread(Watchdog):
         computed = perf_counter() - self._set_at
         if self._done.is_set():
             return
-        if computed < _INTERVAL * _LOOKS * _PATIENT:  # several threads have worked at once
+        if computed < _INTERVAL * _LOOKS * _PATIENT:  # several threads have worked at the same time
             self._set_timer()
             return
         if self._stuck is None and not self._taking_down:

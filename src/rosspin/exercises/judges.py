@@ -193,7 +193,7 @@ def overrun(found: Sequence[Printed], wanted: Sequence[float]) -> str:
     if found and abs(found[-1].time / 0.5 - round(found[-1].time / 0.5)) > _CLOSE:
         return "The loop has left its grid of 0.5 s: count deadlines on from the old one, not from now."
     if any(after.time - line.time < 0.5 - _CLOSE for line, after in pairwise(found[2:])):
-        return "A lost pass is not to be made up for: two passes in a row would send two commands at once."
+        return "A lost pass is not to be made up for: two passes in a row would send two commands in quick succession."
     return ""
 
 
@@ -209,7 +209,7 @@ def missing(seen: Seen, when: str, wanted: Sequence[int]) -> Finding:
         said = _as_number(line.text)
         if said != due:
             whole = said is not None and said == int(said)
-            hint = "" if whole else "A tick is missing or not: the number is a whole one."
+            hint = "" if whole else "A tick is either missing or not: the number is whole."
             were = "was" if due == 1 else "were"
             text = f"{when}: callback {number} printed `missing = {plain(line.text)}`, but {due} {were} missing."
             return Finding(False, text, hint)
@@ -239,7 +239,7 @@ def stops(seen: Seen, when: str, calls: int, timer: str = "a `rospy.Timer`") -> 
         return Finding(False, text, "A callback that never returns keeps a thread for ever. Stop the timer and return.")
     if count > calls:
         text = f"the callback was called {count} times in {say(seen.seconds)}, where {calls} would do."
-        silent = "A callback that returns at once is still called. Stop the timer itself."
+        silent = "A callback that returns immediately is still called. Stop the timer itself."
         return Finding(False, text, silent if count > len(counters) else "")
     if "running" in states:
         return Finding(False, "the timer still runs.", "Stop the timer itself.")
@@ -274,7 +274,7 @@ def moved_to_a_timer(seen: Seen, when: str) -> Finding | None:
 def drives_until(seen: Seen, when: str, end: float, again: str, late: str) -> Finding:
     """Whether the motor is driven until the time ``end`` (s), and stands still from then on.
 
-    ``again`` is the hint if it is then driven again, ``late`` the hint if it is not stopped at once.
+    ``again`` is the hint if it is then driven again, ``late`` the hint if it is not stopped immediately.
     """
     printed = [(line.time, _as_number(line.text)) for line in seen.values("MOTOR", "speed")]
     commands = [(time, speed) for time, speed in printed if speed is not None]
@@ -566,7 +566,7 @@ def _ended(seen: Seen, when: str, status: str, at: float, length: int) -> Findin
 
 
 def published_and_heard(answer: Answer) -> Iterator[Finding]:
-    """Whether a counter is published every 0.2 s, with the right type, and heard at once."""
+    """Whether a counter is published every 0.2 s, with the right type, and heard immediately."""
     seen = answer.run(2.0)
     wanted = grid(0.2, 2.0)
     sent = [message for message in seen.sent if message.topic == "/counter"]
@@ -603,7 +603,7 @@ def arrives_once(seen: Seen, when: str, goal: str, at: float) -> Finding:
 
 @_check
 def hears_all(seen: Seen, when: str, period: float, hint: str) -> Finding:
-    """Whether the controller hears each position at once, one of which the sensor publishes each period (s)."""
+    """Whether the controller hears each position immediately, one of which the sensor publishes each period (s)."""
     sent = [Printed(message.time, message.data) for message in seen.sent if message.topic == "/position"]
     published = on_time(sent, grid(period, seen.seconds), "The sensor", "The sensor is to stay as it is.", "position")
     if not published.right:

@@ -38,7 +38,7 @@ class Exercise(NamedTuple):
 
 # --- ROS 1: predict ---------------------------------------------------------------------------------------------------
 
-_AT_ONCE = "A loop makes its first pass at once; `rate.sleep()` comes at the end of a pass."
+_AT_ONCE = "A loop makes its first pass immediately; `rate.sleep()` comes at the end of a pass."
 _PERIOD = "This takes 0.4 for a frequency. A timer is given its period, in seconds."
 _FREQUENCY = "This takes 4 for a period. A rate is given its frequency, in Hz."
 _UNMOVED = "The slow callback keeps its timer busy until it returns: no other call of it can begin before."
@@ -51,7 +51,7 @@ _PREDICT = {
     "first-ticks": Exercise(
         title="The first ticks",
         needs=("notebooks/timer", "notebooks/rate"),
-        reveals="A timer calls back at once. A duration is a frequency. A rate sleeps for a whole period after the "
+        reveals="A timer calls back immediately. A duration is a frequency. A rate sleeps for a whole period after the "
         "work.",
         hint="When does the first tick come: at the start, or one period later? How far apart are the ticks?",
         judge=predicted(
@@ -69,7 +69,7 @@ _PREDICT = {
                 (
                     "loop",
                     "the loop",
-                    "4 Hz are 4 passes a second. What does the loop do before it sleeps for the first time?",
+                    "4 Hz is 4 passes a second. What does the loop do before it sleeps for the first time?",
                 ): {
                     (0.0, 0.25, 0.5): RIGHT,
                     (0.25, 0.5, 0.75): _AT_ONCE,
@@ -291,7 +291,7 @@ _DIAGNOSE = {
             {
                 "A": "Then the ticks would come at a steady 2 s, or 0.5 Hz: 1 divided by what was asked for, and never "
                 "late.",
-                "B": "A loop makes its first pass at once; then each pass takes the work and the sleep together.",
+                "B": "A loop makes its first pass immediately; then each pass takes the work and the sleep together.",
                 "C": "After one slow call the ticks are a period apart again.",
                 "D": "A timer makes its first call after one period; from then on each call begins when the last one "
                 "ends.",
@@ -334,7 +334,7 @@ _PUBLISH = {
                     (1, 2, 3): RIGHT,
                     (2, 3, 4): _LATCHES,
                 },
-                ("three_at_once", "three at once", "How many messages does a publisher that latches keep?"): {
+                ("three_at_once", "three in a row", "How many messages does a publisher that latches keep?"): {
                     (3,): RIGHT,
                     (1, 2, 3): "A publisher that latches keeps one message only, the last.",
                     (1,): "It is the last message that is kept, not the first.",
@@ -415,7 +415,7 @@ _START_2 = {
     "first-call": Exercise(
         title="When the first call comes",
         needs=("notebooks/ros2-timer",),
-        reveals="A timer calls back at once.",
+        reveals="A timer calls back immediately.",
         hint="Does a timer call back before it has waited? What does the loop do before it sleeps?",
         judge=predicted(
             {
@@ -431,7 +431,7 @@ _START_2 = {
                 },
                 ("loop", "the loop", "Follow it line by line. What does it do before it sleeps for the first time?"): {
                     (0.0, 0.4, 0.8): RIGHT,
-                    (0.4, 0.8, 1.2): "A loop makes its first pass at once; it sleeps at the end of a pass.",
+                    (0.4, 0.8, 1.2): "A loop makes its first pass immediately; it sleeps at the end of a pass.",
                 },
             }
         ),
@@ -495,14 +495,14 @@ _START_2 = {
 
 _BUSY = "While the callback runs, the executor calls nothing: no other call can begin before it returns."
 _SAME_GRID = "The timer does not count from the call that came late: it goes back to its grid."
-_ONE = "However many ticks are overdue when the callback returns, one of them comes at once, and no more."
+_ONE = "However many ticks are overdue when the callback returns, one of them comes immediately, and no more."
 _SPIN_CALLS = "A timer of ROS 2 has no thread of its own. Its callback is called by the thread that spins."
 
 _PREDICT_2 = {
     "who-calls": Exercise(
         title="Who calls the callback",
         needs=("notebooks/ros2-timer",),
-        reveals="A timer calls back by itself, whether anybody spins or not.",
+        reveals="A timer calls back by itself, whether the node spins or not.",
         hint="In ROS 2 a timer has no thread of its own. Who calls the callback?",
         judge=predicted(
             {
@@ -538,7 +538,7 @@ _PREDICT_2 = {
                     (1.6, 2.0, 2.4): _BUSY,
                     (2.2, 2.2, 2.4): _ONE,
                     (2.2, 2.6, 3.0): _SAME_GRID,
-                    (2.4, 2.8, 3.2): "One tick is overdue when the callback returns, and it comes at once.",
+                    (2.4, 2.8, 3.2): "One tick is overdue when the callback returns, and it comes immediately.",
                 },
                 (
                     "after_1_8_seconds",
@@ -743,7 +743,7 @@ _WAIT_2 = {
                     (1, 1, 2, 2): "This is the usual order: thread 2 looks up what thread 1 has written.",
                     (1, 2, 2, 1): "Here thread 1 writes last, over what thread 2 has counted.",
                     (2, 1, 1, 2): "Here thread 2 begins. Thread 1 runs its first line before anything else.",
-                    (2, 1, 2, 1): "Here thread 1 writes last, over what thread 2 has counted, which began.",
+                    (2, 1, 2, 1): "Here thread 2 begins, and thread 1 writes last, over what thread 2 has counted.",
                     (2, 2, 1, 1): "Here thread 1 looks up what thread 2 has written, and nothing is lost.",
                     (1, 2): "Each thread runs two lines, so each stands in the list twice.",
                 },
@@ -773,9 +773,8 @@ _END_2 = {
     "wake-a-rate": Exercise(
         title="Wake a Rate that sleeps for ever",
         needs=("notebooks/ros2-rate", "docs/ros2/how-timing-works"),
-        reveals="A Rate needs nobody who spins. Ctrl-C wakes everybody who sleeps.",
-        hint="A Rate is a timer that wakes whoever is asleep in `sleep()`: while one thread sleeps, another has to "
-        "spin.",
+        reveals="A Rate needs no thread that spins. Ctrl-C wakes every thread that sleeps.",
+        hint="A Rate is a timer that wakes the thread in `sleep()`: while one thread sleeps, another has to spin.",
         judge=by.makes_passes_until_signalled,
     ),
     "end-without-a-traceback": Exercise(
@@ -783,7 +782,7 @@ _END_2 = {
         needs=("docs/ros2/tutorial", "docs/ros2/how-timing-works"),
         reveals="Ctrl-C makes `rclpy.spin` return. What stands after `spin` is done in any case.",
         hint="`try:` around `spin`, `except (KeyboardInterrupt, ExternalShutdownException): pass`, and in a `finally:` "
-        "what has to be done in any case.",
+        "what must be done in any case.",
         judge=by.every(
             by.run(2.08, _drives_until_2(2.08), by.ends_well, when="Ctrl-C while the node waits"),
             by.run(2.03, _drives_until_2(2.03), by.ends_well, when="Ctrl-C while the sensor is read"),

@@ -63,7 +63,7 @@ class Topic(Fault):
     ``duplicate`` is a ValueError: no transport of ROS hands a message over twice.
 
     What a process sends to itself does not leave it in ROS 2, and is left alone; in ROS 1 it goes over TCP, too. What a
-    test publishes comes from another process, and what a node publishes reaches the test at once.
+    test publishes comes from another process, and what a node publishes reaches the test immediately.
     """
 
     topic: str
@@ -105,8 +105,8 @@ class Topic(Fault):
 class Crash(Fault):
     """The process of a node is killed with SIGKILL, after all that is due ``at`` that time.
 
-    The others notice it as late as on a real ROS: in ROS 1 its connections break at once; in ROS 2 nobody is told, and
-    its process is missed 20 s later. What restarts nodes that die, as ``respawn`` does, restarts this one.
+    The others notice it as late as on a real ROS: in ROS 1 its connections break immediately; in ROS 2 nobody is told,
+    and its process is missed 20 s later. What restarts nodes that die, as ``respawn`` does, restarts this one.
     """
 
     node: str

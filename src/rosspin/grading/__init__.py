@@ -1,4 +1,4 @@
-"""Judge what students hand in, on a computer: what the page for teachers does, for a whole class at once.
+"""Judge what students hand in, on a computer: what the page for teachers does, for a whole class in one go.
 
 Hand-ins are found in folders and archives as learning platforms export them. Each answer runs in a process of its own,
 and is judged by the notes of its runs in another one, in which nothing of it has run.

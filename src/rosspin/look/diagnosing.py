@@ -23,7 +23,7 @@ TITLES = {
     "doubled": "Two counts in one line: two nodes of one name, or two publishers",
     "queue": "A subscriber behind a full queue",
     "lost": "Numbers left out together with their time: lost on the way",
-    "stalled": "All late at once: the machine stalled, or a garbage collection",
+    "stalled": "All late together: the machine stalled, or a garbage collection",
     "blocked": "A slow callback that blocks its neighbours",
     "overran": "A pass that took longer than its period",
     "held-up": "Held up, and the log does not say by what",
@@ -104,14 +104,14 @@ class _Diagnosis:
 
     def clock_back(self) -> None:
         """A time that is earlier than the one before it, in a line that one process logs in order."""
-        evidence, where, anew = list[str](), list[Series](), list[str]()
+        evidence, where, restarts = list[str](), list[Series](), list[str]()
         for series in self.rows:
             for n, (one, other) in enumerate(pairwise(series.times), 1):
                 if one - other > 20 * MS and len(series.times) >= FEWEST:
                     self.jumps.append(other)
                     count = series.counts[n - 1 : n + 1]
                     if count and count[1] <= count[0]:
-                        anew.append(f"“{series.name}” goes back to {self.at(other)} and to {count[1]}.")
+                        restarts.append(f"“{series.name}” goes back to {self.at(other)} and to {count[1]}.")
                         continue
                     where.append(series)
                     back = one - other + (series.period or 0)
@@ -119,8 +119,8 @@ class _Diagnosis:
                     evidence.append(
                         f"“{series.name}” goes back by {say_time(back / NS)}, to {self.at(other)}{goes_on}."
                     )
-        if anew:
-            self.say("unknown", "sure", [*anew[:2], "There are several runs in this file: look at each by itself."])
+        if restarts:
+            self.say("unknown", "sure", [*restarts[:2], "There are several runs in this file: look at each by itself."])
             return
         if not evidence:
             return
@@ -299,7 +299,7 @@ class _Diagnosis:
             f"{say_time(median(gap.excess for _, gap in w.late) / NS)}, each by the same, and go on as before."
             for w in windows[:3]
         ]
-        evidence.append("Nothing that was due came all at once afterwards, as it does when a machine has stalled.")
+        evidence.append("Nothing that was due came together afterwards, as it does when a machine has stalled.")
         self.say("clock", "likely", evidence, windows[0].lines)
 
     def _in_one(self, node: str, windows: list[Window]) -> None:

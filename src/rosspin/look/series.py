@@ -306,7 +306,7 @@ def _forget(series: Series) -> None:
 
 
 def _one_a_pass(series: Series) -> None:
-    """Of several lines that each pass logs at once, keep the first."""
+    """Of several lines that each pass logs together, keep the first."""
     steps = [later - earlier for earlier, later in pairwise(series.times)]
     if len(steps) < FEWEST:
         return
@@ -323,7 +323,7 @@ def _one_a_pass(series: Series) -> None:
 
 
 def _lay(series: Series) -> None:
-    """Number the entries on a grid that follows them slowly, and begins anew where several agree that it must."""
+    """Number the entries on a grid that follows them slowly, and begins again where several agree that it must."""
     times, period = series.times, series.period
     due, number = float(times[0]), 0
     series.steps, series.late, series.grids = [0], [0.0], [0]
@@ -357,7 +357,7 @@ def _runs(series: Series) -> list[range]:
 
 
 def _refine(series: Series) -> None:
-    """Fit a line through the times of all grids at once: by least squares, without what is far off."""
+    """Fit a line through the times of all grids together: by least squares, without what is far off."""
     across = up = 0.0
     for run in _runs(series):
         near = [n for n in run if abs(series.late[n]) < 0.25 * series.period]

@@ -1,6 +1,6 @@
 """ROS 1's binary format, step by step as in the code that genpy generates (source: genpy/generator.py).
 
-A message is written in steps: numbers in a row at once, strings, arrays. Nested messages are flattened into their
+A message is written in steps: numbers in a row in one go, strings, arrays. Nested messages are flattened into their
 parent's steps, except inside of an array. The order of the steps and the value that each has at hand (genpy's ``_x``)
 are kept, because the texts of errors show them.
 """

@@ -49,6 +49,8 @@ __all__ = [
 # The ticks of a run; and what a plot shows: such ticks, named by their source, or several by the names to give them.
 One = Run | Sequence[Tick]
 Ticks = One | Mapping[str, One]
+# The period (s) of all rows, or of some rows by their names.
+Period = float | Mapping[str, float] | None
 
 _KINDS = 3  # of rows, each with a colour and a mark of its own
 # Blue, vermilion and green of Okabe and Ito's colour-blind-safe set: at least 3:1 on white and on near-black alike.
@@ -79,7 +81,7 @@ _MARGIN = 0.0135  # half a mark, as a fraction of the width
 
 def timeline(
     ticks: Ticks,
-    period: float | None = None,
+    period: Period = None,
     kinds: int = _KINDS,
     end: float = 0.0,
     *,
@@ -89,11 +91,11 @@ def timeline(
 ) -> Axes:
     """Plot when each tick was expected and when it came, in seconds; a bar shows how long it took.
 
-    With ``period`` (s, above 0), there is a line for every period, even where no tick came, and a cross for every lost
-    tick, in a simulated Run up to its end. The rows take turns with up to three ``kinds``, each with its own mark and
-    colour. Calls that overlap have a lane each. The axis goes to the last tick, or to the ``end`` of the run (s), which
-    a Run knows. What ``faults`` did, which a Run knows, too, has rows of its own, with triangles; a bar shows by how
-    much something came late.
+    With ``period`` (s, above 0), there is a line for every period, even where no tick came, and a cross for every
+    lost tick, in a simulated Run up to its end; ``{"callback": 0.5}`` does so in one row. The rows take turns with
+    up to three ``kinds``, each with its own mark and colour. Calls that overlap have a lane each. The axis goes to
+    the last tick, or to the ``end`` of the run (s), which a Run knows. What ``faults`` did, which a Run knows, too,
+    has rows of its own, with triangles; a bar shows by how much something came late.
     """
     groups = _groups(ticks)
     coming = _coming(ticks)
@@ -107,7 +109,7 @@ def timeline(
 
 def picture(
     ticks: Ticks,
-    period: float | None = None,
+    period: Period = None,
     kinds: int = _KINDS,
     end: float = 0.0,
     *,
@@ -441,14 +443,15 @@ def _caption(caption: str | None, ticks: Ticks) -> str:
 
 def _describe(
     groups: Mapping[str, Sequence[Tick]],
-    period: float | None,
+    period: Period,
     coming: Mapping[str, Sequence[Tick]],
     position: str = "",
 ) -> str:
     words = []
     for name, group in groups.items():
-        gone = len(lost(group, period, coming.get(name, ()))) if period else 0
-        words.append(describe_timeline(name, group) + (f" Lost ticks: {gone}." if period and (group or gone) else ""))
+        own = _period_of(name, period)
+        gone = len(lost(group, own, coming.get(name, ()))) if own else 0
+        words.append(describe_timeline(name, group) + (f" Lost ticks: {gone}." if own and (group or gone) else ""))
     return f"Timeline{position}. " + " ".join(words)
 
 
@@ -467,23 +470,28 @@ class _Row(NamedTuple):
 
 def _rows(
     groups: Mapping[str, Sequence[Tick]],
-    period: float | None,
+    period: Period,
     coming: Mapping[str, Sequence[Tick]],
     worded: bool = False,
 ) -> list[_Row]:
     """Make the rows of a timeline, ``worded`` with a few words on each. One without ticks has the others' grid."""
-    if period is not None and not 0 < period < math.inf:
-        raise ValueError(f"a period is above 0 s, not {period!r}")
-    rows = [_row(name, group, period, coming.get(name, ())) for name, group in groups.items()]
+    periods = {name: _period_of(name, period) for name in groups}
+    for each in periods.values():
+        if each is not None and not 0 < each < math.inf:
+            raise ValueError(f"a period is above 0 s, not {each!r}")
+    rows = [_row(name, group, periods[name], coming.get(name, ())) for name, group in groups.items()]
     grid = max((row.expected for row in rows), key=len)
     due = len(grid)
     for number, (name, group) in enumerate(groups.items()):
-        words = (
-            (verdict(group, period, due, coming.get(name, ())) if period else describe_pace(group)) if worded else ""
-        )
-        expected = rows[number].expected or (grid if period else [])
+        own = periods[name]
+        words = (verdict(group, own, due, coming.get(name, ())) if own else describe_pace(group)) if worded else ""
+        expected = rows[number].expected or (grid if own else [])
         rows[number] = rows[number]._replace(words=words, expected=expected)
     return rows
+
+
+def _period_of(name: str, period: Period) -> float | None:
+    return period.get(name) if isinstance(period, Mapping) else period
 
 
 def _row(name: str, group: Sequence[Tick], period: float | None, coming: Sequence[Tick]) -> _Row:
@@ -523,13 +531,13 @@ def _times(rows: Iterable[_Row]) -> Iterator[float]:
         yield from (*row.expected, *(real + duration for real, duration in row.ticks))
 
 
-def _title(period: float | None) -> str:
+def _title(period: Period) -> str:
     return "time (s); line: expected, mark: real" + (", cross: lost" if period else "")
 
 
 def _timeline(
     rows: Sequence[_Row],
-    period: float | None,
+    period: Period,
     kinds: int,
     alt: str,
     caption: str,

@@ -333,7 +333,7 @@ class ActionServer(_ActionEnd):
     def register_handle_accepted_callback(
         self, handle_accepted_callback: Callable[[ServerGoalHandle], Any] | None
     ) -> None:
-        """Replace the function that is told of accepted goals; None: each is executed at once."""
+        """Replace the function that is told of accepted goals; None: each is executed immediately."""
         self._handle_accepted_callback = handle_accepted_callback or default_handle_accepted_callback
 
     def register_cancel_callback(self, cancel_callback: Callable[[ServerGoalHandle], Any] | None) -> None:
@@ -611,7 +611,7 @@ class ActionClient(_ActionEnd):
         future = Future()
         future.add_done_callback(self._forget)
         self._futures.append(future)
-        # In one go: the answer may come to another thread at once.
+        # In one go: the answer may come to another thread immediately.
         with client._lock:
             self._pending[client, client.send_request(request)] = future, goal_id
         return future

@@ -101,7 +101,7 @@ class Context:
         raise InvalidHandle()
 
     def on_shutdown(self, callback: Callable[[], Any]) -> None:
-        """Call ``callback`` at ``shutdown``, or at once after it. Raises TypeError if it cannot be called.
+        """Call ``callback`` at ``shutdown``, or immediately after it. Raises TypeError if it cannot be called.
 
         It is not called when a signal ends the context (rclpy issue 1148).
         """

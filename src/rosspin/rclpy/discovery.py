@@ -2,7 +2,7 @@
 
 Other processes know a context some time after its first node was made, and the end of a topic, or of a service, soon
 after it was made.
-Each side learns of the other by itself. Within a process all is known at once.
+Each side learns of the other by itself. Within a process all is known immediately.
 """
 
 from __future__ import annotations

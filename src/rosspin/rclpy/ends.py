@@ -63,7 +63,7 @@ class Owner(Held):
         raise NotImplementedError()
 
     def _leave(self) -> None:
-        """Let the others learn that it is gone: at once in this process, later in others."""
+        """Let the others learn that it is gone: immediately in this process, later in others."""
         self._destroyed = True
         self.withdraw()
         for peer in self.peers:

@@ -1,8 +1,8 @@
 """Clients and services (sources: rclpy/client.py, rclpy/service.py, rmw_fastrtps).
 
 On a real ROS a middleware carries requests and answers, as messages of two topics. Here the ends put copies of them
-into each other's queues. Those in one process find each other at once; :mod:`rosspin.rclpy.discovery` says how others
-do.
+into each other's queues. Those in one process find each other immediately; :mod:`rosspin.rclpy.discovery` says how
+others do.
 """
 
 from __future__ import annotations

@@ -34,7 +34,7 @@ class Future:
     """A result that is still to come. ``await`` it in a callback that is a coroutine.
 
     A result wakes nobody: a coroutine that awaits it goes on in the executor's next round, whenever that comes. Done
-    callbacks are run by the future's executor, if it has one, else at once.
+    callbacks are run by the future's executor, if it has one, else immediately.
     """
 
     _state = _PENDING

@@ -146,7 +146,7 @@ class _Counterpart:
 
 
 class _ServiceEnd:
-    """The tester's end of a service. The nodes' ends know it at once."""
+    """The tester's end of a service. The nodes' ends know it immediately."""
 
     asks: bool
     is_gone = False

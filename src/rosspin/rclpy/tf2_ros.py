@@ -371,4 +371,4 @@ MODULES: dict[str, ModuleType] = dict.fromkeys(
     sys.modules[__name__],
 )
 for _name in MODULES:
-    globals().setdefault(_name.rpartition(".")[2], sys.modules[__name__])  # so that tf2_ros.buffer is there at once
+    globals().setdefault(_name.rpartition(".")[2], sys.modules[__name__])  # so that tf2_ros.buffer is there immediately

@@ -3,11 +3,13 @@
 from __future__ import annotations
 
 import inspect
+import sys
 import threading
-from collections.abc import Callable, Iterable
+from collections.abc import Callable, Iterable, Mapping
+from types import CodeType
 from typing import Any, NamedTuple
 
-from ..clocks.frames import Place
+from ..clocks.frames import Place, Trail, asleep_in_loop
 from .callback_groups import CallbackGroup
 from .clock import Clock, ROSClock
 from .context import Context, get_default_context
@@ -80,6 +82,8 @@ class Timer(Held):
         if self._ticks is not None:
             self.source = world.source(getattr(callback, "__name__", type(callback).__name__))
             self._ticks.timers.add(self)
+            if timer_period_ns >= _LEAST_PERIOD:
+                self._ticks.periods.setdefault(self.source, timer_period_ns)
         self.callback = callback
         if isinstance(clock, ROSClock):
             clock.timers[self] = None
@@ -110,6 +114,7 @@ class Timer(Held):
     def timer_period_ns(self, value: float) -> None:
         self._check()
         self._period = int(value)
+        self._moved()
 
     def is_ready(self) -> bool:
         """Whether a call is due."""
@@ -131,6 +136,7 @@ class Timer(Held):
         self._check()
         self._next = self.clock.ns() + self._period
         self._cancelled = False
+        self._moved()
         if self.nudge:
             self.nudge()
 
@@ -196,6 +202,10 @@ class Timer(Held):
 
     def coming(self) -> list[tuple[str, int, int, int]]:
         """The next calls: see ``world.graph.Ticking``."""
+        return [(self.source, self._count + n, due, real) for n, (due, real) in enumerate(self.next_calls(), 1)]
+
+    def next_calls(self) -> list[tuple[int, int]]:
+        """When they are due, and when they would come, as they are recorded."""
         if not self.is_flowing() or self._period < _LEAST_PERIOD:
             return []
         due, now = self._next, self.clock.ns()
@@ -203,8 +213,12 @@ class Timer(Held):
         if due <= now:
             following = now + self._period - (now - due) % self._period
             calls.append((following, following))
-        source, stamp = self.source, self.stamp
-        return [(source, self._count + n, stamp(due), stamp(real)) for n, (due, real) in enumerate(calls, 1)]
+        return [(self.stamp(due), self.stamp(real)) for due, real in calls]
+
+    def _moved(self) -> None:
+        """Note that the calls are no longer due on the grid of the first ones."""
+        if self._ticks is not None:
+            self._ticks.periods[self.source] = 0
 
     def is_due(self) -> bool:
         """Whether a call is due."""
@@ -232,19 +246,21 @@ class Timer(Held):
         if self._credit is not None and (now or self.clock.flows):
             self._next, self._last = now - self._credit + self._period, now - self._credit
             self._credit = None
+            self._moved()
 
     def after_jump(self) -> None:
         """Begin anew if ROS time went back before the last call: the next call is due after one period."""
         now = self.clock.ns()
         if self._next > now and now < self._last:
             self._next, self._last = now + self._period, now
+            self._moved()
 
 
 class Rate:
     """Sleeps in a loop so that its passes begin at a fixed rate. Made by ``Node.create_rate``.
 
     A timer wakes whoever sleeps, so another thread has to spin, or the sleep lasts for ever. If a pass takes too long,
-    one ``sleep`` returns at once; then the grid goes on.
+    one ``sleep`` returns immediately; then the grid goes on.
     """
 
     def __init__(self, timer: Timer, *, context: Context) -> None:
@@ -261,6 +277,7 @@ class Rate:
         self._source = ""
         self._passes = 0
         self._due = self._expected = self._pass_start = timer.in_run()
+        self._slept: tuple[int, CodeType, int]  # in which thread and where in its code
 
     def _wake(self) -> None:
         if not self._event.is_set():
@@ -277,7 +294,7 @@ class Rate:
         self._event.set()
 
     def sleep(self) -> None:
-        """Sleep until the timer wakes it; return at once if it did since the last ``sleep``.
+        """Sleep until the timer wakes it; return immediately if it did since the last ``sleep``.
 
         A signal does not wake it. Raises ROSInterruptException at ``rclpy.shutdown()``, RuntimeError if destroyed.
         """
@@ -304,10 +321,29 @@ class Rate:
     def _record_pass(self) -> None:
         ticks = self._world.recording.log
         if ticks is not None:
-            self._source = self._source or self._world.source("Rate")
+            if not self._source:
+                self._source = self._world.source("Rate")
+                ticks.periods[self._source] = self._timer.timer_period_ns
+                ticks.rates.add(self)
             self._passes += 1
             duration = self._timer.in_run() - self._pass_start
             ticks.add(self._source, self._passes, self._expected, self._pass_start, duration)
+            loop = sys._getframe(2)
+            self._slept = threading.get_ident(), loop.f_code, loop.f_lasti
+
+    def coming(self, trails: Mapping[int, Trail]) -> list[tuple[str, int, int, int]]:
+        """The next passes: see ``world.graph.Looping``.
+
+        What the timer was due to wake while a pass went on is one pass, which begins late: the others are lost.
+        """
+        thread, code, call = self._slept
+        is_asleep = asleep_in_loop(trails.get(thread, []), code, call)
+        if is_asleep is None or self._is_destroyed:
+            return []
+        begun = [] if is_asleep else [(self._expected, self._pass_start)]
+        woken = [(self._due, self._timer.in_run())] if self._event.is_set() else []
+        passes = [*begun, *woken, *self._timer.next_calls()]
+        return [(self._source, self._passes + n, due, real) for n, (due, real) in enumerate(passes, 1)]
 
 
 _SLEEP = Rate.sleep.__code__

@@ -1,7 +1,7 @@
 """Publishers and subscriptions (sources: rclpy/publisher.py, rclpy/subscription.py, rclpy/wait_for_message.py).
 
 On a real ROS a middleware carries the messages. Here a publisher puts copies of them into the subscriptions' queues.
-The ends in one process find each other at once; :mod:`rosspin.rclpy.discovery` says how others do.
+The ends in one process find each other immediately; :mod:`rosspin.rclpy.discovery` says how others do.
 """
 
 from __future__ import annotations
@@ -207,7 +207,7 @@ class Publisher(TopicEnd):
                 subscription.hear(self)
 
     def wait_for_all_acked(self, timeout: Any = None) -> bool:
-        """Wait until what was published has arrived, which it has at once unless a fault delays it.
+        """Wait until what was published has arrived, which it has immediately unless a fault delays it.
 
         Return whether it has; ``timeout`` is a Duration, for ever if None or negative.
         """
@@ -343,7 +343,7 @@ class Subscription(TopicEnd):
             lease.restart()
 
     def join(self, other: Any) -> None:
-        """See the base. A publisher of another process is alive at once, unless by hand."""
+        """See the base. A publisher of another process is alive immediately, unless by hand."""
         super().join(other)
         faults = self.world.graph.faults
         if faults and (self.is_remote(other) or not isinstance(other, Owner)):

@@ -116,7 +116,7 @@ class _Publication(Publication):
 
 
 class _Subscription:
-    """A subscription and its only connection, which is there at once.
+    """A subscription and its only connection, which is there immediately.
 
     So no message is lost, and each is checked as if a node had received it.
     """

@@ -5,11 +5,12 @@ from __future__ import annotations
 import sys
 import threading
 import traceback
-from collections.abc import Callable
+from collections.abc import Callable, Mapping
+from types import CodeType
 from typing import Any
 
 from ..clocks.clock import nanoseconds
-from ..clocks.frames import node_frame
+from ..clocks.frames import Trail, asleep_in_loop, node_frame
 from ..messages import genpy
 from .exceptions import ROSInterruptException, ROSTimeMovedBackwardsException
 from .rostime import Duration, Time
@@ -32,6 +33,7 @@ class Rate:
         self._source = ""
         self._passes = 0
         self._start = self._pass_start = state().in_run()
+        self._slept: tuple[int, CodeType, int]  # in which thread and where in its code
 
     @property
     def sleep_dur(self) -> Duration:
@@ -41,6 +43,7 @@ class Rate:
     @sleep_dur.setter
     def sleep_dur(self, period: genpy.Duration) -> None:
         before, self._period = self._period, period.to_nsec()
+        self._moved()
         self._start += self._passes * (before - self._period)  # the next pass is still expected when it was
 
     @property
@@ -51,6 +54,7 @@ class Rate:
     @last_time.setter
     def last_time(self, time: genpy.Time) -> None:
         self._last = time.to_nsec()
+        self._moved()
 
     def remaining(self) -> genpy.Duration:
         """How long ``sleep`` would sleep now; negative after an overrun."""
@@ -89,6 +93,7 @@ class Rate:
                 if not self._reset:
                     raise
                 self._last = node.now()
+                self._moved()
                 return
         self._last += self._period
         if now - self._last > 2 * self._period:
@@ -97,13 +102,48 @@ class Rate:
     def _record_pass(self, node: State) -> None:
         ticks = node.world.recording.log
         if ticks is not None:
-            self._source = self._source or node.world.source("Rate")
+            if not self._source:
+                self._source = node.world.source("Rate")
+                ticks.periods.setdefault(self._source, self._period)
+                ticks.rates.add(self)
+                self._node = node
             expected = self._start + self._passes * self._period
             self._passes += 1
             duration = node.in_run() - self._pass_start
             ticks.add(self._source, self._passes, expected, self._pass_start, duration)
             if tell := node.world.recording.tell:
                 tell("says", f"ends pass {self._passes} of its loop.")
+            loop = sys._getframe(2)
+            self._slept = threading.get_ident(), loop.f_code, loop.f_lasti
+
+    def _moved(self) -> None:
+        """Note that the passes are no longer due on the grid of the first ones."""
+        log = state().world.recording.log
+        if log is not None and self._source:
+            log.periods[self._source] = 0
+
+    def coming(self, trails: Mapping[int, Trail]) -> list[tuple[str, int, int, int]]:
+        """The next passes: see ``world.graph.Looping``."""
+        node = self._node
+        thread, code, call = self._slept
+        is_asleep = asleep_in_loop(trails.get(thread, []), code, call)
+        if is_asleep is None or node.ros_time is not None or self._period <= 0:
+            return []
+        reals = _next_calls(self._last, node.clock.system(), self._period)
+        begins = [*([] if is_asleep else [self._pass_start]), *(real - node.clock.ahead for real in reals)]
+        first = self._start + self._passes * self._period
+        return [(self._source, self._passes + n + 1, first + n * self._period, real) for n, real in enumerate(begins)]
+
+
+def _next_calls(mark: int, now: int, period: int) -> list[int]:
+    """When ``sleep`` would return, called again and again from ``now`` on, until it has made up for what is overdue."""
+    calls = list[int]()
+    while not calls or mark <= now:
+        if calls and now - mark > 2 * period:
+            mark = now
+        mark += period
+        calls.append(max(mark, now))
+    return calls
 
 
 def sleep(duration: float | genpy.Duration) -> None:
@@ -229,15 +269,12 @@ class Timer(threading.Thread):
         is_over = self._shutdown or not self.is_alive() or (self._oneshot and self._number)
         if is_over or self._node.ros_time is not None:
             return []
-        now, ahead, period = self._node.clock.system(), self._node.clock.ahead, self._rate._period
-        mark, due, calls = self._rate._last, self._due, list[tuple[str, int, int, int]]()
-        while not calls or mark <= now:
-            if calls and now - mark > 2 * period:
-                mark = now
-            mark += period
-            calls.append((self.source, self._number + len(calls) + 1, due - ahead, max(mark, now) - ahead))
-            due += self._period.to_nsec()
-        return calls
+        clock, period = self._node.clock, self._period.to_nsec()
+        reals = _next_calls(self._rate._last, clock.system(), self._rate._period)
+        return [
+            (self.source, self._number + n + 1, self._due + n * period - clock.ahead, real - clock.ahead)
+            for n, real in enumerate(reals)
+        ]
 
     def run(self) -> None:
         """Sleep and call back until shutdown, in the timer's thread."""
@@ -256,6 +293,7 @@ class Timer(threading.Thread):
             node.timers.append(self)
             self._number, self._due, self._rate, self._node = 0, expected, rate, node  # for ``coming``
             ticks.timers.add(self)
+            ticks.periods.setdefault(source, period)
         faults = world.graph.faults
         slow = faults.call if faults and faults.slows else None
         tell = world.recording.tell

@@ -28,7 +28,7 @@ from .state import State, state
 __all__ = ["Publisher", "SubscribeListener", "Subscriber", "Topic"]
 
 # How long (ns) two nodes take to connect, by who comes later: what was measured most often on a real ROS. A subscriber
-# learns at once who publishes, but the master tells subscribers of a new publisher only every 0.1 s.
+# learns immediately who publishes, but the master tells subscribers of a new publisher only every 0.1 s.
 LATER_SUBSCRIBER = 5_000_000
 LATER_PUBLISHER = 100_000_000
 
@@ -183,7 +183,7 @@ class Subscription:
 
     def connect(self, publication: Publication, delay: int) -> None:
         """Connect to a publisher after ``delay`` ns."""
-        if delay and self.node.clock.explores:  # a test is connected at once
+        if delay and self.node.clock.explores:  # a test is connected immediately
             ends = f"{publication.node.name} to {self.node.name}: {self.topic}"
             delay += LATE * self.node.clock.choose([f"{ends} connects", f"{ends} connects late"])
         self.node.world.start(Connection(publication, self, delay))
@@ -197,7 +197,7 @@ class Subscription:
         self.queue_size = None if queue_size == -1 else queue_size
 
     def add_callback(self, callback: Callable[..., Any], args: Any) -> None:
-        """Call a function with each message, and at once with the last message of each publisher that latches."""
+        """Call a function with each message, and immediately with the last message of each publisher that latches."""
         with self.lock:
             self.callbacks = [*self.callbacks, (callback, args)]
         for connection in self.connections:

@@ -328,7 +328,7 @@ class Host:
         self._failed = self._errors()
         assert isinstance(self.clock, Simulation)
         if self.recording.log is not None:
-            self.recording.log.look_ahead()
+            self.recording.log.look_ahead({stack.ident: stack.trail for stack in self.clock.suspended()})
         said = explain_threads(self.clock, self.recording.tell)
         if graph := self._graphs.get(2):
             said += ROSES[2].stand_in.explain_waits(graph, self.recording.tell)

@@ -345,7 +345,7 @@ PATCHES: list[Patch] = [
 
 
 def leave(status: int, world: World) -> None:
-    """Exit at once if a killed node has left threads for which Python would wait."""
+    """Exit immediately if a killed node has left threads for which Python would wait."""
     if any(thread.ident in world.idents and not thread.daemon for thread in threading.enumerate()):
         sys.stdout.flush()
         sys.stderr.flush()

@@ -48,7 +48,7 @@ class Stale:
 class Facts:
     """Statements about runs, with the names that they share.
 
-    After one that fails the others are still run, so that all that no longer holds is found at once. A failure is
+    After one that fails the others are still run, so that all that no longer holds is found in one go. A failure is
     passed over if it only follows from an earlier one, which left a name unset.
     """
 

@@ -21,6 +21,7 @@ from sphinx.application import Sphinx
 from sphinx.util.typing import ExtensionMetadata
 
 from ..clocks.simulation import Simulation
+from ..measures import lost_by_source
 from ..plots import picture
 from ..plots.pictures import page
 from ..run.explain import TimeStandsStill
@@ -112,13 +113,15 @@ def plot(text: str) -> str:
     with capture():
         try:
             clock = Simulation()
-            ticks = run_node(load_source(text, "<listing>"), seconds, args, clock, TickLog()).ticks
+            result = run_node(load_source(text, "<listing>"), seconds, args, clock, TickLog())
         except (SyntaxError, NotSimulated, TimeStandsStill):
             return ""
-    if not ticks:
+    if not result.ticks:
         return ""
-    end = min(clock.seconds(), seconds)
-    figure = picture(ticks, end=end, caption=f"simulated when this page was made: the first {seconds:g} s")
+    end, recording = min(clock.seconds(), seconds), result.host.recording
+    periods, run = recording.periods(), result.run("", "simulated", end)
+    some_lost = {source: periods[source] for source in lost_by_source(run.ticks, periods, run.coming)}
+    figure = picture(run, some_lost, caption=f"simulated when this page was made: the first {seconds:g} s")
     return page(figure).replace('<figure class="', '<figure class="live-made ', 1)
 
 

@@ -8,13 +8,14 @@ from __future__ import annotations
 import gc
 import math
 import threading
-from collections.abc import Callable, Iterator
+from collections.abc import Callable, Iterator, Mapping
 from contextlib import contextmanager
 from functools import partial
 from typing import Any, Generic, Protocol, TypeVar
 from weakref import WeakSet
 
 from ..clocks.clock import NS, Clock
+from ..clocks.frames import Trail
 from ..results.ticks import Call, Message, Mishap, Tick
 
 __all__ = ["CallMade", "End", "Faults", "Graph", "Published", "Recording", "Tester", "TickLog", "Wire"]
@@ -98,6 +99,16 @@ class Ticking(Protocol):
         """The next calls, if nothing more delayed them, until one is on time: source, number, expected, real (ns)."""
 
 
+class Looping(Protocol):
+    """A Rate whose passes are recorded."""
+
+    def coming(self, trails: Mapping[int, Trail]) -> list[tuple[str, int, int, int]]:
+        """The pass that goes on and the next ones, in the same form; none if the loop has ended.
+
+        ``trails`` are where threads are, by their idents.
+        """
+
+
 class TickLog:
     """The ticks of a run, in the order in which they were recorded. Times are in ns; a tick is known by its place.
 
@@ -113,11 +124,15 @@ class TickLog:
     def __init__(self) -> None:
         self._fields: list[Any] = []  # source, number, expected, real, duration, source, number, ...
         self.timers: WeakSet[Ticking] = WeakSet()  # those that may go on when the run ends
+        self.rates: WeakSet[Looping] = WeakSet()
+        self.periods: dict[str, int] = {}  # ns, of each source; 0: its grid was moved
         self.coming: list[tuple[str, int, int, int]] = []  # source, number, expected, real: see results.ticks.Run
 
-    def look_ahead(self) -> None:
-        """Note which calls of timers would come next."""
-        self.coming = [call for timer in sorted(self.timers, key=lambda each: each.source) for call in timer.coming()]
+    def look_ahead(self, trails: Mapping[int, Trail]) -> None:
+        """Note which calls of timers and passes of loops would come next. ``trails``: see :class:`Looping`."""
+        timers = sorted(self.timers, key=lambda each: each.source)
+        self.coming = [call for timer in timers for call in timer.coming()]
+        self.coming += sorted(call for rate in self.rates for call in rate.coming(trails))
 
     def __len__(self) -> int:
         return len(self._fields) // self._FIELDS
@@ -211,10 +226,21 @@ class Recording:
             self.published.append((topic, node, self._clock.now(), make))
 
     def coming(self) -> tuple[Tick, ...]:
-        """The calls of timers that would have come next."""
-        calls = self.log.coming if self.log else []
+        """The calls of timers and the passes of loops that would have come next."""
+        if not self.log or not self.log.coming:
+            return ()
         start = self.start
-        return tuple(Tick(name, n, (due - start) / NS, (real - start) / NS, math.nan) for name, n, due, real in calls)
+        sources, numbers, *_ = self.log.columns()
+        last = dict(zip(sources, numbers))  # some come even after Ctrl-C
+        return tuple(
+            Tick(name, number, (due - start) / NS, (real - start) / NS, math.nan)
+            for name, number, due, real in self.log.coming
+            if number > last.get(name, 0)
+        )
+
+    def periods(self) -> dict[str, float]:
+        """The period (s) of each timer and each Rate that has kept to one grid, by its source."""
+        return {name: period / NS for name, period in self.log.periods.items() if period > 0} if self.log else {}
 
     def ticks(self, since: int = 0) -> tuple[Tick, ...]:
         """The recorded ticks, from the tick ``since`` on."""

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import re
+from html import unescape
 
 import pytest
 from listings_in_page import (
@@ -55,6 +56,60 @@ def test_the_axis_goes_to_the_end_of_the_run(tutorial: Page) -> None:
     assert cell.plot.locator("circle").get_attribute("cx") == "5%"
     wide, narrow = (float(x) for x in re.findall(r'<circle cx="([\d.]+)"', plot(text)))
     assert 0.05 < wide / 760 < 0.07 and 0.05 < narrow / 365 < 0.07
+
+
+LATE = {
+    "ROS 1": """
+import rospy
+
+rospy.init_node("a_node")
+rospy.Timer(rospy.Duration(0.5), lambda event: rospy.sleep(9))
+rate = rospy.Rate(2)
+for work in (0.1, 9, 9):
+    rospy.sleep(work)
+    if rospy.is_shutdown():
+        break
+    rate.sleep()
+""",
+    "ROS 2": """
+import threading
+import time
+
+import rclpy
+
+rclpy.init()
+node = rclpy.create_node("a_node")
+node.create_timer(0.5, lambda: time.sleep(9))
+
+def loop():
+    rate = node.create_rate(2)
+    while rclpy.ok():
+        rate.sleep()
+
+threading.Thread(target=loop, daemon=True).start()
+rclpy.spin(node)
+""",
+}
+
+
+@pytest.mark.parametrize(("ros", "axis"), [("ROS 1", 9.5), ("ROS 2", 3.0)])
+def test_a_run_has_crosses_up_to_its_end(tutorial: Page, ros: str, axis: float) -> None:
+    """For what its timers and loops lost by the rule of their ROS: the same as below the listing, when it was made.
+
+    In ROS 1 Ctrl-C does not end the last pass, so the axis goes on.
+    """
+    cell = Cell(tutorial, TIMER)
+    cell.write(LATE[ros])
+    cell.run(3)
+    cell.ends("done")
+    made = plot(f"%%simulate 3\n{LATE[ros]}")
+    said = cell.plot.first.get_attribute("aria-label")
+    assert said and "Lost ticks: " in said and said in unescape(made)
+    crosses = cell.plot.locator("svg > path")
+    expect(crosses).to_have_count(sum(map(int, re.findall(r"Lost ticks: (\d+)", said))))
+    shares = [float(str(cross.get_attribute("x"))[:-1]) for cross in cell.plot.locator("g svg").all()]
+    assert max(shares) == pytest.approx(100 * 3 / axis, abs=1e-3)
+    expect(cell.plot.first).to_contain_text("cross: lost")
 
 
 def test_a_finger_chooses_a_tick(browser: Browser, address: str) -> None:
