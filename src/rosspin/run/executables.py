@@ -14,8 +14,7 @@ from pathlib import Path
 from types import ModuleType
 from typing import Any
 
-from .source import Node as Code
-from .source import load
+from .source import Code, load
 
 __all__ = ["find_node", "find_python", "is_cpp"]
 

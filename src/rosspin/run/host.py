@@ -32,7 +32,7 @@ from .explain import keep_those_of, say_killed, stands_still
 from .kept import KEPT, one_at_a_time, state_of_names, state_of_node, state_of_process
 from .process import PATCHES, Process, Slots
 from .roses import ROSES
-from .source import Node
+from .source import Code
 
 if TYPE_CHECKING:
     from ..faults import Fault
@@ -110,7 +110,7 @@ class Host:
 
     def add(
         self,
-        node: Node,
+        node: Code,
         args: Sequence[str] = (),
         environment: Mapping[str, str] | None = None,
         folder: str = "",

@@ -12,7 +12,7 @@ from typing import Any
 from ..messages import MessageFinder
 from ..world.world import World
 from .roses import ROSES, ros_of
-from .source import Node, folder_of, is_own, names_a_ros, own_folders
+from .source import Code, folder_of, is_own, names_a_ros, own_folders
 
 __all__ = ["Imports"]
 
@@ -26,7 +26,7 @@ class Imports(MetaPathFinder):
 
     def __init__(
         self,
-        node: Node,
+        node: Code,
         world: World,
         stand_in: Callable[[int, str], Mapping[str, ModuleType]],
         hidden: Callable[[Mapping[str, ModuleType]], None],

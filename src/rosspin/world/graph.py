@@ -11,13 +11,16 @@ import threading
 from collections.abc import Callable, Iterator
 from contextlib import contextmanager
 from functools import partial
-from typing import Any, Generic, Protocol, TypeVar
+from typing import TYPE_CHECKING, Any, Generic, Protocol, TypeVar
 from weakref import WeakSet
 
 from ..clocks.clock import NS, Clock
 from ..results.ticks import Call, Message, Mishap, Tick
 
-__all__ = ["CallMade", "End", "Faults", "Graph", "Published", "Recording", "Tester", "TickLog", "Wire"]
+if TYPE_CHECKING:
+    from .tester import Tester
+
+__all__ = ["CallMade", "End", "Faults", "Graph", "Published", "Recording", "TickLog", "Wire"]
 
 Part = TypeVar("Part")
 
@@ -32,16 +35,6 @@ class End(Protocol):
     @property
     def type(self) -> str:
         """The type of its messages, as in std_msgs/String."""
-
-
-class Tester(Protocol):
-    """A node that a test plays: it has an end of its own for each end that the others have."""
-
-    def publication(self, subscription: Any) -> Any:
-        """Its end for a subscription."""
-
-    def subscription(self, publication: Any) -> Any:
-        """Its end for a publication."""
 
 
 class Wire(Protocol):

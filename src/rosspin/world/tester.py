@@ -28,7 +28,9 @@ Then = Callable[[Any], None]
 
 
 class Tester(ABC):
-    """``messages`` has the classes by name, as in ``messages["std_msgs/UInt32"]``; ``fail`` ends the run."""
+    """A node that a test plays: it has an end of its own for each end that the others have.
+
+    ``messages`` has the classes by name, as in ``messages["std_msgs/UInt32"]``; ``fail`` ends the run."""
 
     def __init__(self, world: World, messages: Any, fail: Callable[[Exception], None]) -> None:
         self._world = world

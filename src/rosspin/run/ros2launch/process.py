@@ -12,7 +12,7 @@ from ...clocks.simulation import Simulation
 from ...clocks.threads import unlist_threads
 from ..host import Host
 from ..process import Process
-from ..source import Node as Code
+from ..source import Code
 from ..streams import Lines, nowhere
 from . import events
 from .substitutions import perform, perform_typed

@@ -23,8 +23,7 @@ from ...clocks.simulation import Simulation
 from ...messages.library import Library
 from ..executables import find_node, is_cpp
 from ..host import Host
-from ..source import Node as Code
-from ..source import compiled, load, read, warn_of_files
+from ..source import Code, compiled, load, read, warn_of_files
 from ..tags import Fault
 from . import events
 from .actions import ExecuteProcess, IncludeLaunchDescription, LaunchDescription

@@ -19,7 +19,7 @@ from ...rospy.state import Master
 from ...world.world import World
 from ..explain import say_where
 from ..host import Host
-from ..source import Node as Code
+from ..source import Code
 from ..streams import nowhere
 from .launch import Launch, Node
 
