@@ -11,7 +11,7 @@ __all__ = ["advice", "innermost"]
 
 
 def advice(error: BaseException) -> str:
-    """A sentence of advice on an error in a node; an empty string if there is none."""
+    """Advise on an error in a node, in a sentence; an empty text stands for no advice."""
     frame = innermost(error)
     if frame is None:
         return ""
@@ -67,7 +67,7 @@ def _on_rclpy(error: BaseException, module: str, frame: FrameType) -> str:
 
 
 def innermost(error: BaseException) -> FrameType | None:
-    """The frame in which an error was raised, if that was in a stand-in and not in a line of the node."""
+    """Return the frame in which an error was raised, if that was in a stand-in and not in a line of the node."""
     trace = error.__traceback__
     while trace and trace.tb_next:
         trace = trace.tb_next

@@ -94,13 +94,13 @@ def picture(
     faults: Sequence[Mishap] = (),
     caption: str | None = None,
 ) -> Figure:
-    """A :func:`timeline` in a figure that pyplot does not know: no window opens, and nobody has to close it."""
+    """Draw a :func:`timeline` in a figure that pyplot does not know: no window opens, and nobody has to close it."""
     ax = pictures.new_axes(height_of([*make_rows(_groups(ticks), None, {}), *fault_rows(_faults(ticks, faults))]))
     return pictures.figure_of(timeline(ticks, period, kinds, end, faults=faults, caption=caption, ax=ax))
 
 
 def overview(ticks: Ticks, *, caption: str | None = None) -> Figure:
-    """A :func:`timeline`, the :func:`lateness` and a :func:`period_histogram` below each other, unknown to pyplot."""
+    """Draw a :func:`timeline`, the :func:`lateness` and a :func:`period_histogram` in a figure unknown to pyplot."""
     heights = [height_of(make_rows(_groups(ticks), None, {})), _PLOT, _PLOT]
     axes = pictures.new_column(heights)
     for draw, ax in zip((timeline, lateness, period_histogram), axes, strict=True):
@@ -247,7 +247,7 @@ def _groups(ticks: Ticks) -> dict[str, list[Tick]]:
 
 
 def _coming(ticks: Ticks) -> dict[str, list[Tick]]:
-    """The ticks that would have followed, of those that know it."""
+    """Return the ticks that would have followed, of those that know it."""
     if isinstance(ticks, Run):
         return by_source(ticks.coming)
     named = ticks if isinstance(ticks, Mapping) else {}

@@ -68,17 +68,17 @@ def keep_those_of(node: Code, stacks: Sequence[Whereabouts]) -> list[Whereabouts
 
 
 def where_it_was_kept(node: Code, waited: Sequence[Whereabouts]) -> Place | None:
-    """The first place in a node's code that kept it from its end."""
+    """Return the first place in a node's code that kept it from its end."""
     return next((_of_nodes([node], places) for places in _keeping(node, waited)), None)
 
 
 def _keeping(node: Code, waited: Sequence[Whereabouts]) -> list[list[Place]]:
-    """The places of the threads that Python waits for and that are in the node's code, not waiting for others."""
+    """Find where in the node's code the threads are that Python waits for, but for those that wait for others."""
     return [places for _, places, daemon in waited if not daemon and _of_nodes([node], places)]
 
 
 def _of_nodes(nodes: Sequence[Code], places: Sequence[Place]) -> Place | None:
-    """The innermost place in a node's file or its folder."""
+    """Return the innermost place in a node's file or its folder."""
     folders = tuple(name for node in nodes for name in (node.filename, f"{node.folder or node.filename}{os.sep}"))
     return next((place for place in places if place.filename.startswith(folders)), None)
 

@@ -114,7 +114,7 @@ class _Given(Loader):
 
 
 def _named_by_who_asks(frame: FrameType | None) -> int:
-    """The ROS that the importing code names: 1, 2, or 0."""
+    """Return the ROS that the importing code names: 1, 2, or 0."""
     while frame and frame.f_code.co_filename.startswith("<frozen importlib"):
         frame = frame.f_back
     return names_a_ros(frame.f_code) if frame else 0

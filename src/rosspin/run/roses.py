@@ -41,7 +41,7 @@ class Ros(NamedTuple):
         return import_module(self.home(self.roots[0]))
 
     def home(self, package: str) -> str:
-        """The name of the module here that stands in for one of its packages, or has what does."""
+        """Return the name of the module here that stands in for one of its packages, or has what does."""
         return f"rosspin.{self.beside.get(package, self.roots[0])}"
 
     def words(self, flag: str, settings: Iterable[str]) -> list[str]:
@@ -91,5 +91,5 @@ _OF_ROOTS = {root: ros for ros in ROSES.values() for root in ros.roots}
 
 
 def ros_of(module: str) -> Ros | None:
-    """The ROS to which a module such as rclpy.node belongs by its name; None for any other module."""
+    """Return the ROS to which a module such as rclpy.node belongs by its name; None for any other module."""
     return _OF_ROOTS.get(module.partition(".")[0])

@@ -188,7 +188,7 @@ def _imports(node: Code) -> set[str]:
 
 
 def _hint(codes: Sequence[CodeType], folder: str | None) -> int:
-    """The ROS that code names, or else the one that the neighbours it imports name; 0 if they name none, or both."""
+    """Return the ROS that code names, else the one that the neighbours it imports name; 0 if it is none, or both."""
     seen: set[str] = set()
     while codes:
         names = {name for code in codes for name in _names(code)}
@@ -208,12 +208,12 @@ def _compiled(paths: Sequence[str]) -> Iterator[CodeType]:
 
 
 def names_a_ros(code: CodeType) -> int:
-    """The ROS that code names by itself, whatever it imports; 0 if it names none, or both."""
+    """Return the ROS that code names by itself, whatever it imports; 0 if it names none, or both."""
     return _hint([code], None)
 
 
 def _names(code: CodeType) -> Iterator[str]:
-    """The names in code and in its functions; those of the modules that it imports are among them."""
+    """Yield the names in code and in its functions; those of the modules that it imports are among them."""
     yield from code.co_names
     for constant in code.co_consts:
         if isinstance(constant, CodeType):
@@ -226,7 +226,7 @@ def neighbour(folder: str, name: str) -> str | None:
 
 
 def own_folders(node: Code) -> list[str]:
-    """The folder of a node's file, and the one from which its package can be imported, if it is in one."""
+    """Return the folder of a node's file, and the one from which its package can be imported, if it is in one."""
     folders = [] if node.folder is None else [node.folder, around_package(node.folder)]
     return [os.path.join(folder, "") for folder in filter(None, folders)]
 
@@ -240,7 +240,7 @@ def is_own(name: str, file: str, folders: Sequence[str]) -> bool:
 
 
 def around_package(folder: str) -> str:
-    """The folder from which a package can be imported, as after ``colcon build``; "" if ``folder`` is not a package."""
+    """Find the folder from which a package is imported, as after ``colcon build``; "" if ``folder`` is no package."""
     around = folder
     while os.path.isfile(os.path.join(around, "__init__.py")):
         around = os.path.dirname(around)
@@ -248,5 +248,5 @@ def around_package(folder: str) -> str:
 
 
 def folder_of(node: Code) -> Path | None:
-    """The folder of a node's code, even a function's: the search for its package begins there."""
+    """Return the folder of a node's code, even a function's: the search for its package begins there."""
     return Path(node.filename).parent if os.path.exists(node.filename) else None

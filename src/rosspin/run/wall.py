@@ -163,7 +163,7 @@ class _Apart:
             os.killpg(self._child.pid, number)
 
     def outcome(self) -> _Outcome:
-        """What came of the run, after its end. Raises what prevented it."""
+        """Return the result of the run, after its end. Raises the error that prevented it."""
         if self._ended:
             outcome: _Outcome | Exception = pickle.loads(self._outcome)
             if isinstance(outcome, Exception):

@@ -88,7 +88,7 @@ class Ticking(Protocol):
     source: str
 
     def coming(self) -> list[tuple[str, int, int, int]]:
-        """The next calls, if nothing more delayed them, until one is on time: source, number, expected, real (ns)."""
+        """List the next calls, undelayed by anything new, up to one on time: source, number, expected, real (ns)."""
 
 
 class TickLog:
@@ -204,13 +204,13 @@ class Recording:
             self.published.append((topic, node, self._clock.now(), make))
 
     def coming(self) -> tuple[Tick, ...]:
-        """The calls of timers that would have come next."""
+        """Return the calls of timers that would have come next."""
         calls = self.log.coming if self.log else []
         start = self.start
         return tuple(Tick(name, n, (due - start) / NS, (real - start) / NS, math.nan) for name, n, due, real in calls)
 
     def ticks(self, since: int = 0) -> tuple[Tick, ...]:
-        """The recorded ticks, from the tick ``since`` on."""
+        """Return the recorded ticks, from the tick ``since`` on."""
         if self.log is None:
             return ()
         start = self.start
@@ -230,7 +230,7 @@ class Recording:
             )
 
     def messages(self, since: int = 0) -> tuple[Message, ...]:
-        """The recorded messages, from the message ``since`` on."""
+        """Return the recorded messages, from the message ``since`` on."""
         published = self.published or ()
         with _no_collections():
             return tuple(map(self._message, published[since:]))
@@ -249,7 +249,7 @@ class Recording:
         return len(self._mishaps)
 
     def mishaps(self, since: int = 0) -> tuple[Mishap, ...]:
-        """What faults did, from the mishap ``since`` on."""
+        """Return what faults did, from the mishap ``since`` on."""
         return tuple(
             Mishap((time - self.start) / NS, what, which, by / NS, message and self._message(message))
             for time, what, which, by, message in self._mishaps[since:]
@@ -263,7 +263,7 @@ class Recording:
         return call
 
     def calls(self, since: int = 0) -> tuple[Call, ...]:
-        """The recorded calls, from the call ``since`` on."""
+        """Return the recorded calls, from the call ``since`` on."""
         return tuple(call.since(self.start) for call in self._calls[since:])
 
     def __len__(self) -> int:
@@ -294,7 +294,7 @@ class Graph:
         self._subscriptions: _Ends[Any] = _Ends()
 
     def part(self, kind: type[Part]) -> Part:
-        """What one ROS keeps for all its nodes of this run: ``kind()``, made when it is first asked for."""
+        """Return what one ROS keeps for all its nodes of this run: ``kind()``, made when it is first asked for."""
         if kind not in self._parts:
             self._parts[kind] = kind()
         return self._parts[kind]  # type: ignore[no-any-return]
@@ -322,16 +322,16 @@ class Graph:
             self._subscriptions.remove(end)
 
     def topics(self) -> list[tuple[str, str]]:
-        """The topics that somebody publishes, and their types."""
+        """Return the topics that somebody publishes, and their types."""
         with self._lock:
             return self._publications.types()
 
     def names(self) -> list[str]:
-        """The topics that somebody has, or has had."""
+        """Return the topics that somebody has, or has had."""
         with self._lock:
             return list(dict.fromkeys(self._publications.names() + self._subscriptions.names()))
 
     def subscribed(self) -> list[tuple[str, str]]:
-        """The topics to which somebody subscribes, and their types."""
+        """Return the topics to which somebody subscribes, and their types."""
         with self._lock:
             return self._subscriptions.types()

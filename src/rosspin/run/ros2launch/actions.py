@@ -407,7 +407,7 @@ class Node(ExecuteProcess):
 
 
 def _joined(base: str | None, name: str | None) -> str | None:
-    """An absolute namespace of an outer one and one in it; None if there is none."""
+    """Return an absolute namespace of an outer one and one in it; None if there is none."""
     if base is None and name is None:
         return None
     joined = name or "" if not base or (name or "").startswith("/") else f"{base.rstrip('/')}/{name or ''}"

@@ -184,7 +184,7 @@ def _exit_code(process: Process) -> int:
 
 
 def _shown(output: Any) -> set[str]:
-    """Which of stdout and stderr go to the screen."""
+    """Return which of stdout and stderr go to the screen."""
     if not isinstance(output, dict):
         if output not in _OUTPUTS:
             raise ValueError(f'{output} is not a valid standard output config i.e. "screen", "log" or "both"')

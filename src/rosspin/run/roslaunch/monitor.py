@@ -50,7 +50,7 @@ class _Member:
         self.respawns_at: int | None = None  # when (ns) it is to be started again
 
     def exit_code(self) -> int:
-        """The exit code as roslaunch has it: negative for a signal."""
+        """Return the exit code as roslaunch has it: negative for a signal."""
         return self.world.exit_status or 0
 
 
