@@ -303,7 +303,7 @@ class _Diagnosis:
         self.say("clock", "likely", evidence, windows[0].lines)
 
     def _in_one(self, node: str, windows: list[Window]) -> None:
-        """Lines of one node were silent."""
+        """Say why lines of one node were silent."""
         if all(window.is_clock() and not window.on_time for window in windows):
             self._say_forward(windows)
             return

@@ -36,14 +36,14 @@ def fewest_first(usual: Order, seed: int, deep: bool) -> Iterator[Order]:
 
 
 def at_random(usual: Order, seed: int, deep: bool) -> Iterator[Order]:
-    """Orders in which everything that may be next is equally likely, at each point."""
+    """Yield orders in which everything that may be next is equally likely, at each point."""
     draw = random.Random(seed)
     while True:
         yield Order(decide=lambda point, options: draw.randrange(len(options)), deep=deep)
 
 
 def by_priority(usual: Order, seed: int, deep: bool) -> Iterator[Order]:
-    """Orders in which the thread with the highest priority goes on. Priorities are random, and change at random points.
+    """Yield orders in which the thread with the highest of random priorities goes on. These change at random points.
 
     Source: PCT, in Burckhardt, Kothari, Musuvathi and Nagarakatte, a "scheduler with probabilistic guarantees of
     finding bugs" (ASPLOS 2010), algorithm 1. Of things that are no threads, such as what an executor has seen, one has

@@ -135,7 +135,7 @@ class Process(Slots):
         return is_own(module.__name__, getattr(module, "__file__", None) or "", self._own)
 
     def namesakes(self) -> set[str]:
-        """Names of modules that whoever runs the node has imported, and that lie, as other files, beside the node."""
+        """Return the names of imported modules that a file beside the node has, too, and that are not that file."""
         folder = self.node.folder
         names = {entry.partition(".")[0] for entry in os.listdir(folder)} if folder else set()
         loaded = {name: module for name in names - {"__main__", "rosspin"} if (module := sys.modules.get(name))}

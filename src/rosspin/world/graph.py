@@ -11,16 +11,13 @@ import threading
 from collections.abc import Callable, Iterator
 from contextlib import contextmanager
 from functools import partial
-from typing import TYPE_CHECKING, Any, Generic, Protocol, TypeVar
+from typing import Any, Generic, Protocol, TypeVar
 from weakref import WeakSet
 
 from ..clocks.clock import NS, Clock
 from ..results.ticks import Call, Message, Mishap, Tick
 
-if TYPE_CHECKING:
-    from .tester import Tester
-
-__all__ = ["CallMade", "End", "Faults", "Graph", "Published", "Recording", "TickLog", "Wire"]
+__all__ = ["CallMade", "Counterpart", "End", "Faults", "Graph", "Published", "Recording", "TickLog", "Wire"]
 
 Part = TypeVar("Part")
 
@@ -35,6 +32,16 @@ class End(Protocol):
     @property
     def type(self) -> str:
         """The type of its messages, as in std_msgs/String."""
+
+
+class Counterpart(Protocol):
+    """Has an end of its own for each end that the nodes have: the node that a test plays."""
+
+    def publication(self, subscription: Any) -> Any:
+        """Return its end for a subscription."""
+
+    def subscription(self, publication: Any) -> Any:
+        """Return its end for a publication."""
 
 
 class Wire(Protocol):
@@ -286,7 +293,7 @@ class Graph:
     """The topics that the nodes of one ROS share in a run."""
 
     def __init__(self) -> None:
-        self.tester: Tester | None = None
+        self.tester: Counterpart | None = None
         self.faults: Faults | None = None
         self._parts: dict[type, Any] = {}
         self._lock = threading.Lock()

@@ -149,11 +149,7 @@ class UnsetLaunchConfiguration(Action):
         context.launch_configurations.pop(perform(context, self.name), None)
 
 
-@dataclass(eq=False)
-class SetEnvironmentVariable(Action):
-    name: Any
-    value: Any
-
+class SetEnvironmentVariable(SetLaunchConfiguration):
     def execute(self, context: LaunchContext) -> None:
         context.environment[perform(context, self.name)] = perform(context, self.value)
 

@@ -101,7 +101,7 @@ class _Entity:
         return None if value is None else parse_substitution(value)
 
     def texts(self, *names: str) -> list[Any]:
-        """Attributes that must be there, in which substitutions are made."""
+        """Return attributes that must be there, in which substitutions are made."""
         return [self.text(name, optional=False) for name in names]
 
     def typed(self, name: str, kind: Any, optional: bool = True) -> Any:
