@@ -328,7 +328,7 @@ def _picture(ticks: Sequence[Tick], faults: Sequence[Mishap]) -> Any:
 
 
 def _wrong(options: argparse.Namespace) -> Sequence[Fault]:
-    """What is to go wrong in the run."""
+    """Return what is to go wrong in the run."""
     return with_jitter([read(text) for text in options.fault], options.jitter)
 
 

@@ -20,7 +20,7 @@ _APT = "on Debian and Ubuntu: sudo apt-get install"
 
 
 def chromium() -> str | None:
-    """The path of Chromium, or of its sibling Chrome; None if neither is installed."""
+    """Return the path of Chromium, or of its sibling Chrome; None if neither is installed."""
     return shutil.which("chromium") or shutil.which("chromium-browser") or shutil.which("google-chrome")
 
 

@@ -59,7 +59,7 @@ def topic_ticks(messages: Sequence[Message], topic: str, period: float | None = 
 
 
 def rostopic_hz(ticks: Sequence[Tick], window: int = 50_000) -> str:
-    """What ``rostopic hz`` would print after the last of these ticks, or messages, of one source.
+    """Return what ``rostopic hz`` would print after the last of these ticks, or messages, of one source.
 
     Of the last ``window`` ticks: the mean rate in Hz, the shortest and the longest period, their standard deviation
     (source: rostopic/__init__.py, ROSTopicHz). It prints ``no new messages`` as long as there is no period.
@@ -76,12 +76,12 @@ def rostopic_hz(ticks: Sequence[Tick], window: int = 50_000) -> str:
 
 
 def periods(ticks: Sequence[Tick]) -> list[float]:
-    """The time from each tick to the next, in seconds. The ticks are of one source."""
+    """Return the time from each tick to the next, in seconds. The ticks are of one source."""
     return [later.real - earlier.real for earlier, later in pairwise(ticks)]
 
 
 def lost(ticks: Sequence[Tick], period: float, coming: Sequence[Tick] = ()) -> list[float]:
-    """The times (s) that a timer or a rate skipped, on the grid of ``period`` seconds through the first expected tick.
+    """Return the times (s) that a timer or a rate skipped, on a grid of ``period`` (s) from the first expected tick.
 
     Each tick stands for the last time on the grid that is not after its expected time. A time is lost if no tick stands
     for it, although one stands for a later time. The ticks are of one source; ``coming`` are those that a Run says
@@ -109,7 +109,7 @@ def lost(ticks: Sequence[Tick], period: float, coming: Sequence[Tick] = ()) -> l
 def lost_by_source(
     ticks: Sequence[Tick], periods: Mapping[str, float], coming: Sequence[Tick] = ()
 ) -> dict[str, list[float]]:
-    """The times (s) that were :func:`lost`, of each source whose period (s) is given and that lost any."""
+    """Return the times (s) that were :func:`lost`, of each source whose period (s) is given and that lost any."""
     found = {}
     following = by_source(coming)
     for source, group in by_source(ticks).items():
@@ -121,7 +121,7 @@ def lost_by_source(
 
 
 def side_by_side(ticks: Sequence[Tick]) -> int:
-    """How many of these calls ran at the same time, at most. An overlap of less than a millisecond does not count."""
+    """Return how many of these calls ran at the same time, at most. An overlap below a millisecond does not count."""
     most, ends = 0, list[float]()
     for tick in ticks:
         ends = [*(end for end in ends if end >= tick.real + 1e-3), tick.real + tick.duration]
@@ -130,7 +130,7 @@ def side_by_side(ticks: Sequence[Tick]) -> int:
 
 
 def quantile(values: Sequence[float], share: float) -> float:
-    """The smallest value that at least the fraction ``share`` (0 to 1) of the values do not exceed.
+    """Return the smallest value that at least the fraction ``share`` (0 to 1) of the values do not exceed.
 
     ``share`` counts as it is written in decimals: 0.07 of a hundred values are seven of them, although the float is a
     little more. Raises ValueError if there are no values, or if ``share`` is not between 0 and 1.

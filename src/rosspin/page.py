@@ -45,7 +45,7 @@ from .run.roses import ROSES
 from .run.roslaunch.launch import Launch
 from .run.roslaunch.launch import Node as LaunchNode
 from .run.simulate import run_node, run_nodes
-from .run.source import Node, load_source, split_words
+from .run.source import Code, load_source, split_words
 from .run.steps_seen import StepsSeen, ThreadsSeen
 from .world.graph import TickLog
 from .world.world import NotSimulated, World
@@ -255,10 +255,10 @@ def _node(text: str) -> str:
 
 
 def _run(
-    node: Node,
+    node: Code,
     seconds: float,
     args: Sequence[str],
-    others: Sequence[tuple[Node, Sequence[str]]],
+    others: Sequence[tuple[Code, Sequence[str]]],
     pacer: _Pacer,
     printed: _Printed,
 ) -> dict[str, Any]:

@@ -53,7 +53,7 @@ class _StartNode:
         return started
 
     def _found(self, node: Any) -> Any:
-        """A node, or several, whose relative paths are relative to the folder of the test's file."""
+        """Return a node, or several, whose relative paths are relative to the folder of the test's file."""
         if isinstance(node, (list, tuple)):
             return [self._found(each) for each in node]
         if isinstance(node, (str, os.PathLike)):

@@ -87,7 +87,7 @@ def test_parameter_of_another_type(write: Callable[[str], Any]) -> None:
 
 def test_node_before_init(write: Callable[[str], Any]) -> None:
     path = write("import rclpy.node\nrclpy.node.Node('a')\n")
-    assert _said(path) == "Call rclpy.init() before you make a node."
+    assert _said(path) == "Call rclpy.init() before you make a node, and rclpy.shutdown() only at the end."
 
 
 def _said(path: Any, *args: str) -> str:

@@ -43,7 +43,7 @@ KEEPERS = {
     "greenlet": {"clocks.stacks"},
     "IPython": {"site.magics"},
     "rosbags": {"look.bags"},
-    "matplotlib": {"plots", "plots.pictures", "plots.vehicle"},
+    "matplotlib": {"plots", "plots.pictures", "plots.rows", "plots.two_orders", "plots.vehicle"},
     "js": {"clocks.jspi", "page"},
     "pyodide": {"clocks.jspi", "page"},
     "sphinx": {

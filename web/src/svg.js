@@ -1,5 +1,5 @@
-// How a page draws a timeline: as rosspin/plots.py draws the ones that are made with the site, from the same rows. Across in
-// percent of the width and down in pixels.
+// How a page draws a timeline: as rosspin/plots/rows.py draws the ones that are made with the site, from the same rows.
+// Across in percent of the width and down in pixels.
 
 export const COLOURS = ["#0072b2", "#d55e00", "#009e73"]
 const TOP = 2

@@ -113,7 +113,7 @@ def verdict(which: int | str, answer: str, traced: str) -> Verdict:
 
 
 def _plain(text: str) -> str:
-    """A text that nobody reads as Markdown."""
+    """Return a text without the marks of Markdown."""
     return text.replace("`", "")
 
 

@@ -7,12 +7,12 @@ from types import FrameType
 from ..clocks.frames import node_frames
 from ..rospy.exceptions import ROSInitException
 
-__all__ = ["advice", "innermost"]
+__all__ = ["advice"]
 
 
 def advice(error: BaseException) -> str:
-    """A sentence of advice on an error in a node; an empty string if there is none."""
-    frame = innermost(error)
+    """Advise on an error in a node, in a sentence; an empty text stands for no advice."""
+    frame = _innermost(error)
     if frame is None:
         return ""
     module = str(frame.f_globals["__name__"])
@@ -48,8 +48,12 @@ def _on_rclpy(error: BaseException, module: str, frame: FrameType) -> str:
         RCLError,
     )
 
-    if isinstance(error, NotInitializedException):
-        return "Call rclpy.init() before you make a node."
+    if isinstance(error, NotInitializedException) or (isinstance(error, RCLError) and "rcl_init()" in str(error)):
+        return "Call rclpy.init() before you make a node, and rclpy.shutdown() only at the end."
+    if isinstance(error, AttributeError) and (error.name or "").startswith("_"):
+        return 'A class of Node begins its __init__ with super().__init__("a_name").'
+    if isinstance(error, ZeroDivisionError):
+        return "Nothing can have a frequency of 0 Hz."
     if isinstance(error, ParameterNotDeclaredException):
         return 'Declare a parameter before you read it: self.declare_parameter("frequency", 2.0).'
     if isinstance(error, InvalidParameterTypeException):
@@ -66,8 +70,8 @@ def _on_rclpy(error: BaseException, module: str, frame: FrameType) -> str:
     return ""
 
 
-def innermost(error: BaseException) -> FrameType | None:
-    """The frame in which an error was raised, if that was in a stand-in and not in a line of the node."""
+def _innermost(error: BaseException) -> FrameType | None:
+    """Return the frame in which an error was raised, if that was in a stand-in and not in a line of the node."""
     trace = error.__traceback__
     while trace and trace.tb_next:
         trace = trace.tb_next

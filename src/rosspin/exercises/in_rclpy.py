@@ -7,18 +7,11 @@ from types import CodeType, FrameType
 from typing import Any
 
 from .. import rclpy
-from ..rclpy.exceptions import (
-    ExternalShutdownException,
-    InvalidParameterTypeException,
-    NotInitializedException,
-    ParameterNotDeclaredException,
-    RCLError,
-    ROSInterruptException,
-)
+from ..rclpy.exceptions import ExternalShutdownException, RCLError, ROSInterruptException
 from ..rclpy.executors import Executor, _call
 from ..rclpy.timer import Timer
 from ..world.world import World
-from .advice import innermost
+from .advice import advice
 
 __all__ = ["ENDINGS", "WAITING", "hint", "timer_of", "timers", "whose"]
 
@@ -56,22 +49,4 @@ def hint(error: BaseException, whose: str) -> str:
     """Return what may be behind an error that rclpy raises."""
     if isinstance(error, AttributeError) and error.obj is None:
         return "This is None. The result of a future is None until the answer has come: use it in a done callback."
-    if innermost(error) is None:
-        return ""
-    if isinstance(error, NotInitializedException) or (isinstance(error, RCLError) and "rcl_init()" in str(error)):
-        return "Call `rclpy.init()` before you make a node, and `rclpy.shutdown()` only at the end."
-    if isinstance(error, AttributeError) and (error.name or "").startswith("_"):
-        return 'A class of `Node` begins its `__init__` with `super().__init__("a_name")`.'
-    if isinstance(error, ParameterNotDeclaredException):
-        return 'A parameter is declared before it is read: `self.declare_parameter("name", default)`.'
-    if isinstance(error, InvalidParameterTypeException):
-        return "A parameter keeps the type of its default. A float has a point: `0.5`, `2.0`."
-    if isinstance(error, RCLError) and "period must be non-negative" in str(error):
-        return "A timer is given its period, in seconds, and refuses a negative one."
-    if isinstance(error, ZeroDivisionError):
-        return "Nothing can have a frequency of 0 Hz."
-    if isinstance(error, TypeError) and "positional argument" in str(error):
-        return "In ROS 2 a timer calls back without arguments: `def timer_callback(self)`."
-    if isinstance(error, TypeError) and "not callable" in str(error):
-        return "Give a timer the callback itself, without calling it: `self.timer_callback`."
-    return ""
+    return advice(error)

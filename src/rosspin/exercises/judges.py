@@ -463,12 +463,12 @@ def one_image_at_a_time(seen: Seen, when: str, takes: float) -> Finding:
 # --- what it asks -----------------------------------------------------------------------------------------------------
 
 
-def goes_on(seconds: float, *checks: Check, given: str = "", when: str = "", hint: str) -> Judge:
+def goes_on(seconds: float, *checks: Check, given: str = "", hint: str) -> Judge:
     """Run an answer that may hang, and check it first; then it has to end at Ctrl-C. ``hint`` is for one that hangs."""
 
     def judge(answer: Answer) -> Iterator[Finding]:
         seen = answer.run(seconds, given, has_to_end=False)
-        said = when or _with(given)
+        said = _with(given)
         yield from _found(seen, said, checks)
         if seen.killed:
             start = f"{said}: the" if said else "the"

@@ -7,6 +7,7 @@ from collections.abc import Callable, Collection, Iterator, Sequence
 from itertools import zip_longest
 from typing import Any
 
+from ..run.roses import ROSES
 from .feedback import Finding
 from .seen import Error, Seen, Value
 from .traces import Outcome, Request
@@ -25,11 +26,6 @@ __all__ = [
     "say_kept",
     "started",
 ]
-
-# For each ROS: what a node imports, what its loop asks, and what its main part ends with.
-_MODULES = {1: "rospy", 2: "rclpy"}
-_GOES_ON = {1: "rospy.is_shutdown()", 2: "rclpy.ok()"}
-_SPINS = {1: "rospy.spin()", 2: "rclpy.spin(node)"}
 
 _DAEMON = (
     "After Ctrl-C nothing wakes a Rate any more, and Python waits for the thread that is asleep. Use a Rate only in a "
@@ -98,13 +94,11 @@ class Answer:
 
     def hint_for_early_end(self) -> str:
         """Return a hint for a node that ended before its time; empty for any other."""
-        return _ENDS_EARLY.format(_SPINS[self._ros]) if self._ended_early else ""
+        return _ENDS_EARLY.format(ROSES[self._ros].spins) if self._ended_early else ""
 
     def _args(self, given: str) -> tuple[str, ...]:
         """Return the command line that gives a node of this ROS a parameter."""
-        if not given:
-            return ()
-        return (given,) if self._ros == 1 else ("--ros-args", "-p", given)
+        return tuple(ROSES[self._ros].words("-p", [given])) if given else ()
 
     def _node(self, request: Request) -> Seen:
         tree = self._parse()
@@ -139,7 +133,7 @@ class Answer:
         return self._tree
 
     def _refuse_the_other_ros(self, imported: Collection[str]) -> None:
-        own, other = _MODULES[self._ros], _MODULES[3 - self._ros]
+        own, other = (ROSES[ros].roots[0] for ros in (self._ros, 3 - self._ros))
         if other not in imported:
             return
         here = f"This exercise is on ROS {self._ros}, where a node imports `{own}`."
@@ -149,7 +143,7 @@ class Answer:
 
     def _refuse(self, seen: Seen, args: Sequence[str], allowed: str) -> None:
         """End the check if something went wrong in a run."""
-        may_end = self._ros == 2 and seen.interrupted
+        may_end = ROSES[self._ros].raises and seen.interrupted
 
         def is_well(error: Error) -> bool:
             return bool(allowed and allowed in error.said) or (may_end and error.ending)
@@ -235,7 +229,7 @@ def say_kept(seen: Seen, ros: int) -> str:
     """Say what kept a node from ending before it was killed, as the rest of a sentence."""
     if seen.kept_by_rate:
         return "one of its threads was still asleep in a Rate's `sleep()`."
-    asks = f"Does its loop ask `{_GOES_ON[ros]}`?"
+    asks = f"Does its loop ask `{ROSES[ros].goes_on}`?"
     return f"it was still in line {seen.kept_at.line}, `{plain(seen.kept_at.call)}`. {asks}" if seen.kept_at else asks
 
 

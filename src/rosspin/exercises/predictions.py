@@ -2,18 +2,18 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable, Iterator, Mapping, Sequence
+import pkgutil
+import tomllib
+from collections.abc import Callable, Iterator, Sequence
+from typing import Any
 
 from .feedback import Finding
 from .judging import Answer, Judge, a_value, above, plain, say
 from .seen import Value
 
-__all__ = ["RIGHT", "chosen", "predicted", "same"]
+__all__ = ["chosen", "predicted", "same"]
 
-RIGHT = ""
-"""Marks the right numbers, in place of what to say about wrong ones."""
-
-Meanings = Mapping[tuple[float, ...], str]
+_TABLES: dict[str, Any] = tomllib.loads((pkgutil.get_data(__package__, "predictions.toml") or b"").decode())
 
 # What can be asked for: how to say one number, what to call a list of them, and an example.
 _ASKED = {
@@ -24,18 +24,19 @@ _ASKED = {
 _NTH = ("the first", "the second", "the third")
 
 
-def predicted(predictions: Mapping[tuple[str, str, str], Meanings], asked: str = "times") -> Judge:
+def predicted(name: str, asked: str = "times") -> Judge:
     """Judge whether variables are lists of the right numbers: "times" (s), "counters" or "numbers", as ``asked``.
 
-    ``predictions`` maps each variable, given by its name, in words and with a hint, to numbers that somebody may give:
-    the right ones, and those that follow from a wrong belief, with what to say to whoever holds it. The hint is for
-    whoever gives other numbers.
+    ``name`` is the exercise's in ``predictions.toml``. A table there is a variable: what it stands for, in words; the
+    ``right`` numbers; and numbers that follow from a wrong belief, with what to say to whoever holds it. The hint is
+    for whoever gives other numbers.
     """
+    predictions = _TABLES[name]
 
     def judge(answer: Answer) -> Iterator[Finding]:
-        variables = answer.variables(*(variable for variable, *_ in predictions))
-        for (variable, what, hint), meanings in predictions.items():
-            value = variables.get(variable)
+        variables = answer.variables(*predictions)
+        for variable, table in predictions.items():
+            value, what = variables.get(variable), table["what"]
             if value is None or value.is_open:
                 yield Finding(None, f"{what}: there is no prediction yet.", f"Give `{variable}` a list of {asked}.")
             elif value.numbers is None:
@@ -43,18 +44,18 @@ def predicted(predictions: Mapping[tuple[str, str, str], Meanings], asked: str =
                 text = f"{what}: the prediction is a list of {listed}, not {a_value(value.type)}."
                 yield Finding(False, text, f"Write it as `{example}`.")
             else:
-                yield _compare(what, value.numbers, meanings, asked, hint)
+                yield _compare(value.numbers, table, asked)
 
     return judge
 
 
-def _compare(what: str, given: Sequence[float], meanings: Meanings, asked: str, hint: str) -> Finding:
+def _compare(given: Sequence[float], table: Any, asked: str) -> Finding:
+    what, hint, right = table["what"], table["hint"], table["right"]
     say_one = _ASKED[asked][0]
     said = ", ".join(map(say_one, given)) or "nothing at all"
-    right = next(numbers for numbers, why in meanings.items() if why == RIGHT)
     if same(given, right):
         return Finding(True, f"{what}: {said}.")
-    why = next((why for numbers, why in meanings.items() if same(given, numbers)), "")
+    why = next((why for why, wrong in table["wrong"].items() if any(same(given, each) for each in wrong)), "")
     if not why and len(given) != len(right) == len(_NTH):
         return Finding(False, f"{what}: {len(right)} {asked} are asked for, not {len(given)}.", hint)
     pairs = zip(given, right, strict=False)
@@ -81,8 +82,12 @@ def same(one: Sequence[float], other: Sequence[float]) -> bool:
     return len(one) == len(other) and all(abs(a - b) < 0.01 for a, b in zip(one, other, strict=True))
 
 
-def chosen(right: Mapping[str, str], choices: Mapping[str, str]) -> Judge:
-    """Judge whether variables are the right letters. ``choices`` says what would be seen if a letter were right."""
+def chosen(name: str) -> Judge:
+    """Judge whether variables are the right letters.
+
+    ``name`` is the exercise's in ``predictions.toml``, where ``choices`` say what would be seen if a letter were right.
+    """
+    right, choices = _TABLES[name]["right"], _TABLES[name]["choices"]
 
     def judge(answer: Answer) -> Iterator[Finding]:
         variables = answer.variables(*right)

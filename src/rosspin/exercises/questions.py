@@ -10,7 +10,7 @@ from typing import NamedTuple
 
 from . import judges as by
 from .judging import Judge
-from .predictions import RIGHT, chosen, predicted
+from .predictions import chosen, predicted
 
 __all__ = ["EXERCISES", "Exercise"]
 
@@ -38,14 +38,6 @@ class Exercise(NamedTuple):
 
 # --- ROS 1: predict ---------------------------------------------------------------------------------------------------
 
-_AT_ONCE = "A loop makes its first pass immediately; `rate.sleep()` comes at the end of a pass."
-_PERIOD = "This takes 0.4 for a frequency. A timer is given its period, in seconds."
-_FREQUENCY = "This takes 4 for a period. A rate is given its frequency, in Hz."
-_UNMOVED = "The slow callback keeps its timer busy until it returns: no other call of it can begin before."
-_MADE_UP = "The two ticks that were due meanwhile both come late: rospy makes up for short delays."
-_NEW_GRID = "The timer does not go back to its old grid: after a long delay rospy begins a new one."
-_NEW_GRID_CPP = "The timer does not go back to its old grid: after such a delay roscpp begins a new one."
-_TOO_LONG = "Calls in a row follow a shorter delay. This one is too long to be made up for."
 
 _PREDICT = {
     "first-ticks": Exercise(
@@ -54,42 +46,7 @@ _PREDICT = {
         reveals="A timer calls back immediately. A duration is a frequency. A rate sleeps for a whole period after the "
         "work.",
         hint="When does the first tick come: at the start, or one period later? How far apart are the ticks?",
-        judge=predicted(
-            {
-                (
-                    "timer",
-                    "the timer",
-                    "A `rospy.Duration` is a time in seconds. Does a timer call back before it has waited?",
-                ): {
-                    (0.4, 0.8, 1.2): RIGHT,
-                    (0.0, 0.4, 0.8): "A timer waits for one period before its first call.",
-                    (2.5, 5.0, 7.5): _PERIOD,
-                    (0.0, 2.5, 5.0): _PERIOD,
-                },
-                (
-                    "loop",
-                    "the loop",
-                    "4 Hz is 4 passes a second. What does the loop do before it sleeps for the first time?",
-                ): {
-                    (0.0, 0.25, 0.5): RIGHT,
-                    (0.25, 0.5, 0.75): _AT_ONCE,
-                    (0.0, 4.0, 8.0): _FREQUENCY,
-                    (4.0, 8.0, 12.0): _FREQUENCY,
-                },
-                (
-                    "busy_loop",
-                    "the loop with 0.1 s of work",
-                    "`rate.sleep()` sleeps until the next period begins. How long is that after 0.1 s of work?",
-                ): {
-                    (0.0, 0.25, 0.5): RIGHT,
-                    (0.25, 0.5, 0.75): _AT_ONCE,
-                    (0.0, 0.35, 0.7): "`rate.sleep()` sleeps until the next period begins: the work is a part of the "
-                    "period.",
-                    (0.1, 0.35, 0.6): "This is when the work ends. The counter is printed before it.",
-                    (0.1, 0.45, 0.8): "The counter is printed before the work, and the work is a part of the period.",
-                },
-            }
-        ),
+        judge=predicted("first-ticks"),
     ),
     "after-a-slow-callback": Exercise(
         title="The ticks after a slow callback",
@@ -97,32 +54,7 @@ _PREDICT = {
         reveals="A timer calls back on time, whatever its callback does. Ticks that are due meanwhile all wait in a "
         "queue.",
         hint="The callback ends at 1.2 s plus the time for which it blocks. Which ticks were due by then?",
-        judge=predicted(
-            {
-                (
-                    "after_1_0_seconds",
-                    "blocked for 1.0 s",
-                    "The callback begins at 1.2 s and blocks for 1.0 s. Which ticks are overdue when it returns?",
-                ): {
-                    (2.2, 2.2, 2.4): RIGHT,
-                    (1.6, 2.0, 2.4): _UNMOVED,
-                    (2.2, 2.6, 3.0): "This is what roscpp does. rospy starts a new grid only after a longer delay.",
-                    (2.2, 2.4, 2.8): _MADE_UP,
-                },
-                (
-                    "after_1_8_seconds",
-                    "blocked for 1.8 s",
-                    "The callback begins at 1.2 s and blocks for 1.8 s. Which ticks are overdue when it returns?",
-                ): {
-                    (3.0, 3.4, 3.8): RIGHT,
-                    (1.6, 2.0, 2.4): _UNMOVED,
-                    (3.0, 3.0, 3.0): "This is what a queue of calls would give. There is none: ticks are lost here.",
-                    (3.0, 3.2, 3.6): _NEW_GRID,
-                    (3.0, 3.0, 3.2): _TOO_LONG,
-                    (3.0, 3.0, 3.4): _TOO_LONG,
-                },
-            }
-        ),
+        judge=predicted("after-a-slow-callback"),
     ),
     "cpp-ticks": Exercise(
         title="The ticks of a C++ node",
@@ -130,38 +62,7 @@ _PREDICT = {
         reveals="roscpp and rospy time their timers alike. A ros::Timer that nobody keeps goes on calling back.",
         hint="The callback ends at 1.2 s plus the time for which it blocks. Is the call after the next one due by "
         "then, too?",
-        judge=predicted(
-            {
-                (
-                    "after_0_6_seconds",
-                    "blocked for 0.6 s",
-                    "The callback begins at 1.2 s and blocks for 0.6 s. Which tick is overdue when it returns?",
-                ): {
-                    (1.8, 2.0, 2.4): RIGHT,
-                    (1.6, 2.0, 2.4): _UNMOVED,
-                    (1.8, 2.2, 2.6): "roscpp starts a new grid only if the call after the next one is overdue as well.",
-                },
-                (
-                    "after_1_0_seconds",
-                    "blocked for 1.0 s",
-                    "The callback begins at 1.2 s and blocks for 1.0 s. Which ticks are overdue when it returns?",
-                ): {
-                    (2.2, 2.6, 3.0): RIGHT,
-                    (1.6, 2.0, 2.4): _UNMOVED,
-                    (2.2, 2.2, 2.4): "This is what rospy does. roscpp never has more than one call of a timer waiting.",
-                    (2.2, 2.4, 2.8): _NEW_GRID_CPP,
-                },
-                (
-                    "not_kept",
-                    "with a timer that nobody keeps",
-                    "What becomes of a timer when the last `ros::Timer` that stands for it is gone?",
-                ): {
-                    (): RIGHT,
-                    (0.4, 0.8, 1.2): "This is what rospy does. In C++ a timer ends with the last `ros::Timer` that "
-                    "stands for it.",
-                },
-            }
-        ),
+        judge=predicted("cpp-ticks"),
     ),
 }
 
@@ -285,28 +186,12 @@ _DIAGNOSE = {
         needs=("notebooks/rate", "notebooks/slow-callback", "notebooks/drift"),
         reveals="A loop that is slow and a timer that is slow look alike. A traceback means that the node has ended.",
         hint="Look at the first tick, at the distances between the ticks, and at what goes on to the end.",
-        judge=chosen(
-            {"log_1": "B", "log_2": "E", "log_3": "D", "log_4": "C"},
-            # The faults to choose from, and what a console would show of each.
-            {
-                "A": "Then the ticks would come at a steady 2 s, or 0.5 Hz: 1 divided by what was asked for, and never "
-                "late.",
-                "B": "A loop makes its first pass immediately; then each pass takes the work and the sleep together.",
-                "C": "After one slow call the ticks are a period apart again.",
-                "D": "A timer makes its first call after one period; from then on each call begins when the last one "
-                "ends.",
-                "E": "Then a traceback would name a thread, one counter would end there, and whatever else there is "
-                "would go on.",
-                "F": "Then a traceback would be the last thing on the console: nothing of the node goes on.",
-                "G": "Then each number would be printed once, by one tag or by the other.",
-            },
-        ),
+        judge=chosen("name-the-fault"),
     ),
 }
 
 # --- ROS 1: publish ---------------------------------------------------------------------------------------------------
 
-_LATCHES = "A publisher that latches keeps its last message for whoever connects later."
 
 _PUBLISH = {
     "what-is-heard": Exercise(
@@ -316,43 +201,7 @@ _PUBLISH = {
         "callback wait for the next message.",
         hint="Is the connection there when the message is published? Which message is the newest one when the callback "
         "is free?",
-        judge=predicted(
-            {
-                (
-                    "without_latch",
-                    "without `latch`",
-                    "Is the subscriber connected when the first message is published?",
-                ): {
-                    (2, 3, 4): RIGHT,
-                    (1, 2, 3): "When 1 is published, the subscriber is not connected yet: nobody keeps it for later.",
-                },
-                (
-                    "with_latch",
-                    "with `latch`",
-                    "Which message does a publisher that latches keep for whoever connects later?",
-                ): {
-                    (1, 2, 3): RIGHT,
-                    (2, 3, 4): _LATCHES,
-                },
-                ("three_at_once", "three in a row", "How many messages does a publisher that latches keep?"): {
-                    (3,): RIGHT,
-                    (1, 2, 3): "A publisher that latches keeps one message only, the last.",
-                    (1,): "It is the last message that is kept, not the first.",
-                    (): _LATCHES,
-                },
-                (
-                    "slow_callback",
-                    "the slow callback",
-                    "Only one message can wait in the queue. Which one is it when the callback is free again?",
-                ): {
-                    (0, 3, 6): RIGHT,
-                    (0, 1, 2): "This is what happens without a `queue_size`. With 1, all but the newest are dropped.",
-                    (0, 4, 8): "The callback does not wait for the next message: the newest one is there already.",
-                    (0, 1, 4): "The message that waits is replaced by each newer one.",
-                },
-            },
-            asked="counters",
-        ),
+        judge=predicted("what-is-heard", asked="counters"),
     ),
     "publish-the-counter": Exercise(
         title="Publish the counter",
@@ -383,17 +232,7 @@ _PUBLISH = {
         needs=("docs/publish", "notebooks/publish", "docs/how-to/irregular-loop"),
         reveals="rostopic hz says what the rate is now. If the average is right, the loop is regular.",
         hint="Compare the average with what was asked for, `min` with `max`, and the first report with the second.",
-        judge=chosen(
-            {"report_1": "C", "report_2": "D", "report_3": "E", "report_4": "B"},
-            # The causes to choose from, and what rostopic would show of each.
-            {
-                "A": "Then the average would be as asked for, and `min` and `max` equal to the period.",
-                "B": "Then there would be twice as many messages as asked for.",
-                "C": "Then the average would have been right at first, and `max` would be the period that it has now.",
-                "D": "Then the average would be right, `min` 0 and `max` many periods.",
-                "E": "Then the average would be too low from the start, and `min` and `max` nearly equal.",
-            },
-        ),
+        judge=chosen("rostopic-hz"),
     ),
 }
 
@@ -402,7 +241,6 @@ _PUBLISH = {
 _STOPS_ALL = "Stop one timer, and no more: what ends the node, or keeps its callback from returning, stops them all."
 _DECLARED = 'The parameter is called "frequency". Its name has no `~` in ROS 2, and it is declared before it is read.'
 _IN_SECONDS = 'The parameter is called "period". Is it what the timer is given, in seconds?'
-_IN_HZ = "This takes the number for a frequency. `create_timer` is given the period, in seconds."
 
 _START_2 = {
     "make-it-10-hz": Exercise(
@@ -417,24 +255,7 @@ _START_2 = {
         needs=("notebooks/ros2-timer",),
         reveals="A timer calls back immediately.",
         hint="Does a timer call back before it has waited? What does the loop do before it sleeps?",
-        judge=predicted(
-            {
-                (
-                    "timer",
-                    "the timer",
-                    "`create_timer(0.4, ...)` waits for 0.4 s from one call to the next. And before the first one?",
-                ): {
-                    (0.4, 0.8, 1.2): RIGHT,
-                    (0.0, 0.4, 0.8): "A timer waits for one period before its first call.",
-                    (2.5, 5.0, 7.5): _IN_HZ,
-                    (0.0, 2.5, 5.0): _IN_HZ,
-                },
-                ("loop", "the loop", "Follow it line by line. What does it do before it sleeps for the first time?"): {
-                    (0.0, 0.4, 0.8): RIGHT,
-                    (0.4, 0.8, 1.2): "A loop makes its first pass immediately; it sleeps at the end of a pass.",
-                },
-            }
-        ),
+        judge=predicted("first-call"),
     ),
     "two-timers": Exercise(
         title="Give a node two timers",
@@ -493,10 +314,6 @@ _START_2 = {
 
 # --- ROS 2: predict ---------------------------------------------------------------------------------------------------
 
-_BUSY = "While the callback runs, the executor calls nothing: no other call can begin before it returns."
-_SAME_GRID = "The timer does not count from the call that came late: it goes back to its grid."
-_ONE = "However many ticks are overdue when the callback returns, one of them comes immediately, and no more."
-_SPIN_CALLS = "A timer of ROS 2 has no thread of its own. Its callback is called by the thread that spins."
 
 _PREDICT_2 = {
     "who-calls": Exercise(
@@ -504,22 +321,7 @@ _PREDICT_2 = {
         needs=("notebooks/ros2-timer",),
         reveals="A timer calls back by itself, whether the node spins or not.",
         hint="In ROS 2 a timer has no thread of its own. Who calls the callback?",
-        judge=predicted(
-            {
-                ("without_spin", "without spin", _SPIN_CALLS): {
-                    (): RIGHT,
-                    (0.4, 0.8, 1.2, 1.6, 2.0): _SPIN_CALLS,
-                    (0.4, 0.8, 1.2): _SPIN_CALLS,
-                },
-                ("spin_once", "with one `spin_once`", "`spin_once` waits until something is due. Then it calls it."): {
-                    (0.4,): RIGHT,
-                    (): "`spin_once` waits until something is due, and calls one callback.",
-                    (0.0,): "Nothing is due at the start. `spin_once` waits until something is.",
-                    (0.4, 0.8, 1.2, 1.6, 2.0): "`spin_once` starts nothing: it calls one callback, and returns.",
-                    (0.4, 0.8, 1.2): "`spin_once` starts nothing: it calls one callback, and returns.",
-                },
-            }
-        ),
+        judge=predicted("who-calls"),
     ),
     "slow-timer": Exercise(
         title="When a slow timer ticks again",
@@ -527,51 +329,12 @@ _PREDICT_2 = {
         reveals="Ticks that were lost are made up for, or a timer counts on from a late call.",
         hint="When does the callback return? Which tick is overdue then, and which is the next place of the grid 0.4, "
         "0.8, 1.2?",
-        judge=predicted(
-            {
-                (
-                    "after_1_0_seconds",
-                    "blocked for 1.0 s",
-                    "The callback begins at 1.2 s and blocks for 1.0 s. Which ticks are overdue when it returns?",
-                ): {
-                    (2.2, 2.4, 2.8): RIGHT,
-                    (1.6, 2.0, 2.4): _BUSY,
-                    (2.2, 2.2, 2.4): _ONE,
-                    (2.2, 2.6, 3.0): _SAME_GRID,
-                    (2.4, 2.8, 3.2): "One tick is overdue when the callback returns, and it comes immediately.",
-                },
-                (
-                    "after_1_8_seconds",
-                    "blocked for 1.8 s",
-                    "The callback begins at 1.2 s and blocks for 1.8 s. Which ticks are overdue when it returns?",
-                ): {
-                    (3.0, 3.2, 3.6): RIGHT,
-                    (1.6, 2.0, 2.4): _BUSY,
-                    (3.0, 3.4, 3.8): _SAME_GRID,
-                    (3.0, 3.0, 3.0): "There is no queue of calls. However many ticks are overdue, one of them comes.",
-                    (3.2, 3.6, 4.0): "One overdue tick still comes, as soon as the callback returns.",
-                },
-                (
-                    "always_slow",
-                    "each callback takes 0.6 s",
-                    "A callback that begins at 0.4 s returns at 1.0 s. Which tick is overdue then?",
-                ): {
-                    (0.4, 1.0, 1.6): RIGHT,
-                    (0.4, 0.8, 1.2): _BUSY,
-                    (0.4, 1.2, 2.0): "When the callback returns, a tick is overdue, and it does not wait any longer.",
-                    (0.4, 1.4, 2.4): "The timer does not count from the end of a callback.",
-                },
-            }
-        ),
+        judge=predicted("slow-timer"),
     ),
 }
 
 # --- ROS 2: publish ---------------------------------------------------------------------------------------------------
 
-_LOST = "When 3 is published, there is no subscription yet, and nobody keeps the message for later."
-_ASKED_FOR = "A subscription hears what the publisher has kept only if it asks for that, with the same durability."
-_KEPT = "A publisher with `TRANSIENT_LOCAL` keeps its last messages for whoever comes later: as many as its depth."
-_OFFERED = "A subscription is not connected to a publisher that offers less than it asks for."
 _QUEUE = "The last argument of `create_subscription` says how many messages may wait there."
 
 _PUBLISH_2 = {
@@ -587,34 +350,7 @@ _PUBLISH_2 = {
         needs=("docs/ros2/publish", "notebooks/ros2-publish"),
         reveals="What is published waits for its subscribers.",
         hint="Who keeps a message that was published before anybody subscribed?",
-        judge=predicted(
-            {
-                ("both_plain", "with `10` on both sides", _LOST): {
-                    (4, 5, 6): RIGHT,
-                    (1, 2, 3): _LOST,
-                    (3, 4, 5): _LOST,
-                },
-                ("both_keep", "with the profile on both sides", _KEPT): {
-                    (3, 4, 5): RIGHT,
-                    (4, 5, 6): _KEPT,
-                    (1, 2, 3): "The publisher keeps as many messages as its depth says, the last ones. Its depth is 1.",
-                    (1, 4, 5): "It is the last message that is kept, not the first.",
-                },
-                ("only_publisher", "with the profile on the publisher's side", _ASKED_FOR): {
-                    (4, 5, 6): RIGHT,
-                    (3, 4, 5): _ASKED_FOR,
-                    (1, 2, 3): _ASKED_FOR,
-                    (): "The publisher offers more than the subscription asks for, and that is enough to connect.",
-                },
-                ("only_subscription", "with the profile on the subscription's side", _OFFERED): {
-                    (): RIGHT,
-                    (4, 5, 6): _OFFERED,
-                    (3, 4, 5): _OFFERED,
-                    (1, 2, 3): _OFFERED,
-                },
-            },
-            asked="counters",
-        ),
+        judge=predicted("late-listener", asked="counters"),
     ),
     "match-the-qos": Exercise(
         title="Make both ends match",
@@ -732,31 +468,7 @@ _WAIT_2 = {
         needs=("docs/how-to/find-the-order",),
         reveals="What has never failed in a test has no race.",
         hint="What has each thread looked up when it writes?",
-        judge=predicted(
-            {
-                (
-                    "order",
-                    "the order",
-                    "It has four lines: each thread runs its first line before its second one, and thread 1 begins.",
-                ): {
-                    (1, 2, 1, 2): RIGHT,
-                    (1, 1, 2, 2): "This is the usual order: thread 2 looks up what thread 1 has written.",
-                    (1, 2, 2, 1): "Here thread 1 writes last, over what thread 2 has counted.",
-                    (2, 1, 1, 2): "Here thread 2 begins. Thread 1 runs its first line before anything else.",
-                    (2, 1, 2, 1): "Here thread 2 begins, and thread 1 writes last, over what thread 2 has counted.",
-                    (2, 2, 1, 1): "Here thread 1 looks up what thread 2 has written, and nothing is lost.",
-                    (1, 2): "Each thread runs two lines, so each stands in the list twice.",
-                },
-                ("report", "the report", "Ten calls count a part each, and one of these parts is written over."): {
-                    (9,): RIGHT,
-                    (10,): "This is what it reports in the usual order.",
-                    (8,): "Two threads are in it, but only one of their two parts is lost.",
-                    (5,): "That is half of them: it happens once, not at each call.",
-                    (0,): "Only one part is lost; those before and after it stay counted.",
-                },
-            },
-            asked="numbers",
-        ),
+        judge=predicted("find-the-order", asked="numbers"),
     ),
 }
 

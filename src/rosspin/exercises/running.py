@@ -27,7 +27,7 @@ from ..run.explain import TimeStandsStill, waits_for_a_rate, where_it_was_kept
 from ..run.host import Result
 from ..run.shaking import shaken
 from ..run.simulate import run_node
-from ..run.source import Node, load_source
+from ..run.source import Code, load_source
 from ..run.streams import capture
 from ..world.graph import TickLog
 from ..world.world import NotSimulated, World
@@ -251,7 +251,7 @@ class Runner:
         return self._seen(request, node, clock, result, variables)
 
     def _seen(
-        self, request: Request, node: Node, clock: _Watched, result: Result, variables: list[tuple[str, Value]]
+        self, request: Request, node: Code, clock: _Watched, result: Result, variables: list[tuple[str, Value]]
     ) -> Seen:
         world = result.world
         kept_at = where_it_was_kept(node, world.waited)
@@ -288,14 +288,14 @@ class Runner:
         return tuple(kept)
 
     @cached_property
-    def _node(self) -> Node:
+    def _node(self) -> Code:
         try:
             return load_source(self._text, _FILENAME)._replace(hint=self._ros_number)
         except SyntaxError as error:
             raise _Failed(*not_python(error, self._text)) from None
 
     @cached_property
-    def _shaken(self) -> Node:
+    def _shaken(self) -> Code:
         return shaken(self._node)
 
     def _error(self, error: BaseException) -> Error:

@@ -176,7 +176,7 @@ class Engine:
     # --- in the end ---------------------------------------------------------------------------------------------------
 
     def idle(self) -> list[tuple[str, bool]]:
-        """Say of each fault that has done nothing why not, and whether that is because nothing has the name it says."""
+        """Say why each idle fault has done nothing, and whether that is because nothing has the name that it gives."""
         return [(f"{fault!r}: {words}", is_wrong) for fault in self._faults for words, is_wrong in self._idle(fault)]
 
     def _idle(self, fault: Fault) -> list[tuple[str, bool]]:

@@ -65,12 +65,12 @@ class _Owner(NamedTuple):
 
     @property
     def person(self) -> _Owner:
-        """The same for each of a student's files."""
+        """Who the student is: equal for all files of one student."""
         return _Owner(self.name, self.id, self.sent)
 
     @property
     def key(self) -> tuple[str, ...]:
-        """What rows are known by."""
+        """What identifies a student's row in the table."""
         return ("sent" if self.sent else "folder", self.name, self.id)
 
     @property

@@ -42,7 +42,7 @@ class Look:
     verdicts: tuple[Verdict, ...]
 
     def as_dict(self) -> dict[str, Any]:
-        """All of it for JSON, times in seconds from the first entry; ``late`` and ``missing`` of a grid alone."""
+        """Return all of it for JSON: times in seconds from the first entry; ``late`` and ``missing`` only of a grid."""
         return {
             "name": self.name,
             "kind": self.kind,
@@ -66,7 +66,7 @@ class Look:
         }
 
     def ticks(self) -> list[Tick]:
-        """The entries of up to 12 regular series as ticks, in seconds from the first entry, for :mod:`rosspin.plots`.
+        """Return up to 12 regular series as ticks for :mod:`rosspin.plots`, in seconds from the first entry.
 
         They are expected on the grid that fits best; how long they took is not known.
         """
@@ -77,7 +77,7 @@ class Look:
         ]
 
     def report(self) -> Iterator[str]:
-        """What a terminal shows: the series, then the verdicts with their evidence, line by line."""
+        """Yield what a terminal shows: the series, then the verdicts with their evidence, line by line."""
         yield f"{self.name}: {self.kind}, {self.entries} entries in {self.seconds:.1f} s"
         yield from self.notes
         yield ""

@@ -55,7 +55,7 @@ class Verdict:
 
 
 def diagnose(log: Log, rows: Sequence[Series]) -> list[Verdict]:
-    """All that the log shows, what matters most first; never nothing."""
+    """Return all that the log shows, what matters most first; never nothing."""
     return _Diagnosis(log, rows).verdicts()
 
 
@@ -103,7 +103,7 @@ class _Diagnosis:
     # --- the clock ----------------------------------------------------------------------------------------------------
 
     def clock_back(self) -> None:
-        """A time that is earlier than the one before it, in a line that one process logs in order."""
+        """Say where the time goes back in a line that one process logs in order."""
         evidence, where, restarts = list[str](), list[Series](), list[str]()
         for series in self.rows:
             for n, (one, other) in enumerate(pairwise(series.times), 1):
@@ -229,7 +229,7 @@ class _Diagnosis:
             self.say("queue", "sure" if grows else "likely", evidence, [series])
 
     def lost(self) -> None:
-        """Where numbers are missing and just their time: somebody sent them, or logged them, all the same."""
+        """Say where numbers are missing in gaps of just their length: somebody has sent or logged them all the same."""
         for series in self.regular:
             gone = [_left_out(series, gap) for gap in series.gaps]
             if sum(map(bool, gone)) >= max(2, 0.5 * len(gone)):
@@ -240,7 +240,7 @@ class _Diagnosis:
                 self.say("lost", "likely", evidence, [series])
 
     def _ages(self, series: Series) -> list[int]:
-        """How much later than in another line each number comes in this one (ns), if there is such a line."""
+        """Return how much later than in another line each number comes in this one (ns), if there is such a line."""
         for other in self.rows:
             if other is series or not other.counts or not series.counts:
                 continue
@@ -254,7 +254,7 @@ class _Diagnosis:
     # --- gaps ---------------------------------------------------------------------------------------------------------
 
     def gaps(self) -> None:
-        """What held up one line or several."""
+        """Say what held up one line or several."""
         rows = [series for series in self.rows if series not in self.queues]
         at_once, by_node = list[Window](), dict[str, list[Window]]()
         for window in find_windows(rows, self._is_explained):
@@ -270,7 +270,7 @@ class _Diagnosis:
             self._in_one(node, windows)
 
     def _is_explained(self, series: Series, gap: Gap) -> bool:
-        """Whether the clock was set then, numbers were lost, or the node was started again: its count is smaller."""
+        """Whether in a gap the clock was set, numbers were lost, or the node was started again and counts from 1 again."""
         counts = series.counts
         jumped = any(gap.start <= jump <= gap.end for jump in self.jumps)
         return jumped or _left_out(series, gap) > 0 or (bool(counts) and counts[gap.at] <= counts[gap.at - 1])
@@ -303,7 +303,7 @@ class _Diagnosis:
         self.say("clock", "likely", evidence, windows[0].lines)
 
     def _in_one(self, node: str, windows: list[Window]) -> None:
-        """Lines of one node were silent."""
+        """Say why lines of one node were silent."""
         if all(window.is_clock() and not window.on_time for window in windows):
             self._say_forward(windows)
             return
@@ -325,7 +325,7 @@ class _Diagnosis:
             self._some_lines(node, lines, windows, evidence)
 
     def _one_line(self, series: Series, windows: list[Window], evidence: list[str]) -> None:
-        """A single line was silent: was it its own work?"""
+        """Judge whether the only line that was silent was held up by its own work."""
         beside = dict.fromkeys(other for window in windows for other in window.on_time)
         passes = every(windows)
         if sum(bool(window.on_time) for window in windows) >= 0.6 * len(windows):
@@ -352,7 +352,7 @@ class _Diagnosis:
             self.say("held-up", "sure", evidence, lines)
 
     def _starter(self, node: str, windows: Sequence[Window]) -> tuple[Series, str, int] | None:
-        """The line of this node that stands where these windows begin, or where they end, and hardly elsewhere."""
+        """Find the line of this node that comes where these windows begin, or where they end, and hardly elsewhere."""
         found = []
         for series in self.rows:
             if node_of(series) != node or all(window.lines == [series] for window in windows):
@@ -453,7 +453,7 @@ def _alternates(series: Series) -> bool:
 
 
 def _left_out(series: Series, gap: Gap) -> int:
-    """How many numbers are missing in a gap, if it is as long as they would have taken; else 0."""
+    """Return how many numbers are missing in a gap, if it is as long as they would have taken; else 0."""
     if not series.counts or series.per_pass > 1:
         return 0
     step = series.counts[gap.at] - series.counts[gap.at - 1]

@@ -140,7 +140,7 @@ def as_files(found: Look) -> dict[str, str]:
 
 
 def _chosen(found: Look) -> Sequence[Series]:
-    """The regular lines of one node that the files are about: each once."""
+    """Return the regular lines of one node that the files are about: each once."""
     regular = [series for series in found.series if series.is_regular]
     if not regular:
         return []
@@ -175,7 +175,7 @@ def _round(seconds: float) -> float:
 
 
 def _counted(text: str, n: int) -> str:
-    """A text as an f-string in which a count stands in place of its first number."""
+    """Return a text as an f-string in which a count stands in place of its first number."""
     line, numbers = shape(text)
     if not numbers:
         return _quoted(text)
@@ -186,5 +186,5 @@ def _counted(text: str, n: int) -> str:
 
 
 def _quoted(text: str) -> str:
-    """A text as Python writes it, between double quotes if it has none; what cannot be seen is escaped."""
+    """Return a text as Python writes it, between double quotes if it has none; what cannot be seen is escaped."""
     return repr(text) if '"' in text else repr(text + "'")[:-2] + '"'

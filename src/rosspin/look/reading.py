@@ -118,12 +118,12 @@ def _decode(data: bytes) -> str:
 
 
 def plain(text: str) -> str:
-    """The text without what a terminal would obey."""
+    """Remove the escape sequences that a terminal would obey."""
     return _ESCAPE.sub("", text)
 
 
 def shape(text: str) -> tuple[str, tuple[str, ...]]:
-    """The text with ``#`` for each number, and the numbers. Those in a word, as in leg2, are part of it."""
+    """Return the text with ``#`` for each number, and the numbers. Those in a word, as in leg2, are part of it."""
     return _NUMBER.sub("#", text), tuple(_NUMBER.findall(text))
 
 
@@ -239,7 +239,7 @@ def _is_csv(rows: Sequence[Sequence[str]]) -> bool:
 
 
 def _stamp_columns(rows: Sequence[Sequence[str]]) -> int | None:
-    """The column of the first ``builtin_interfaces/Time``: seconds that hardly change, then nanoseconds below 1e9."""
+    """Find the column of the first ``builtin_interfaces/Time``: steady seconds, then nanoseconds below 1e9."""
     for column in range(len(rows[0]) - 1):
         pairs = [row[column : column + 2] for row in rows[:-1]]
         if not all(len(pair) == 2 and _is_whole(pair[0]) and _is_whole(pair[1]) for pair in pairs):

@@ -71,7 +71,7 @@ class Series:
     _order: tuple[list[int], list[int]] | None = field(default=None, repr=False)
 
     def between(self, first: float, last: float) -> list[int]:
-        """Which entries came from ``first`` to ``last`` (ns), in the order of their times."""
+        """Return which entries came from ``first`` to ``last`` (ns), in the order of their times."""
         if self._order is None:
             order = sorted(range(len(self.times)), key=self.times.__getitem__)
             self._order = order, [self.times[n] for n in order]
@@ -143,7 +143,7 @@ class Series:
 
 
 def nice(period: float, close: float = _CLOSE) -> float:
-    """The period (ns) that somebody may have chosen, if this is one; else the longest round one below it, if near."""
+    """Return the period (ns) if somebody may have chosen it; else the longest round one below it, if near."""
     if period <= 0:
         return 0.0
     near = [each for each in _RATES if abs(period / each - 1) < close]
@@ -220,7 +220,7 @@ def _name(node: str, text: str, members: Sequence[Entry]) -> str:
 
 
 def _counting(entries: Sequence[Entry]) -> list[int]:
-    """The numbers at the first place in the text where whole numbers count up; none if there is no such place."""
+    """Return the numbers at the first place in the text where whole numbers count up; none if there is none."""
     width = min((len(each.numbers) for each in entries), default=0)
     if len(entries) < FEWEST:
         return []
@@ -352,7 +352,7 @@ def _lay(series: Series) -> None:
 
 
 def _runs(series: Series) -> list[range]:
-    """The parts of a series that are on one grid, as positions."""
+    """Return the parts of a series that are on one grid, as positions."""
     return [range(one, other) for one, other in pairwise([*series.grids, len(series.times)]) if other > one]
 
 

@@ -19,7 +19,7 @@ _AT_ONCE = 5 * MS
 
 
 def node_of(series: Series) -> str:
-    """What runs by itself, as far as the log says: the process or the node; "" if it names none."""
+    """Return what runs by itself, as far as the log says: the process or the node; "" if it names none."""
     return series.process or series.node
 
 
@@ -52,7 +52,7 @@ class Window:
         return self.end - self.start
 
     def of(self, node: str) -> Window:
-        """The part of this that is about one node."""
+        """Return the part of this that is about one node."""
         return Window([(series, gap) for series, gap in self.late if node_of(series) == node], self.on_time)
 
     def is_clock(self) -> bool | None:
@@ -75,11 +75,11 @@ class Window:
         return bool(series.between(self.due + _AT_ONCE, self.end - 0.25 * (self.end - self.due)))
 
     def begins(self, series: Series) -> list[int]:
-        """The entries of a line that come where this begins: before the first tick that was due in it."""
+        """Return the entries of a line that come where this begins: before the first tick that was due in it."""
         return series.between(self.start - _AT_ONCE, self.due + _AT_ONCE)
 
     def ends(self, series: Series) -> list[int]:
-        """The entries of a line that come where this ends; of a late one that is no wonder."""
+        """Return the entries of a line that come where this ends; of a late one that is no wonder."""
         return [] if series in self.lines else series.between(self.end - 0.1 * self.length, self.end + 2 * _AT_ONCE)
 
 
@@ -107,7 +107,7 @@ def find_windows(rows: Sequence[Series], leave_out: Callable[[Series, Gap], bool
 
 
 def _leading(rows: Sequence[Series]) -> list[Series]:
-    """The regular lines, but of several that one pass logs the first alone."""
+    """Return the regular lines, but of several that one pass logs the first alone."""
     leading: list[Series] = []
     for series in sorted((series for series in rows if series.is_regular), key=lambda series: series.times[0]):
         if not any(_accompanies(series, other) for other in leading):

@@ -35,7 +35,7 @@ def instants(usual: Order, failing: Order, start: int = 0) -> list[Instant]:
 
 
 def _by_time(turns: Iterable[Turn]) -> dict[int, list[Turn]]:
-    """The turns at each time, each once in a row."""
+    """Group the turns by their times; of the same one in a row, only the first."""
     by_time: dict[int, list[Turn]] = {}
     for turn, _ in groupby(turns):
         by_time.setdefault(turn.time, []).append(turn)

@@ -18,7 +18,7 @@ run before the next is asked for."""
 
 
 def fewest_first(usual: Order, seed: int, deep: bool) -> Iterator[Order]:
-    """All orders: first those that deviate once from the usual one, then twice, ...
+    """Yield all orders: first those that deviate once from the usual one, then twice, ...
 
     Source: iterative context bounding, in Musuvathi and Qadeer, "Iterative context bounding for systematic testing of
     multithreaded programs" (PLDI 2007), as in CHESS. There preemptions are counted, here deviations.
@@ -36,14 +36,14 @@ def fewest_first(usual: Order, seed: int, deep: bool) -> Iterator[Order]:
 
 
 def at_random(usual: Order, seed: int, deep: bool) -> Iterator[Order]:
-    """Orders in which everything that may be next is equally likely, at each point."""
+    """Yield orders in which everything that may be next is equally likely, at each point."""
     draw = random.Random(seed)
     while True:
         yield Order(decide=lambda point, options: draw.randrange(len(options)), deep=deep)
 
 
 def by_priority(usual: Order, seed: int, deep: bool) -> Iterator[Order]:
-    """Orders in which the thread with the highest priority goes on. Priorities are random, and change at random points.
+    """Yield orders in which the thread with the highest of random priorities goes on. These change at random points.
 
     Source: PCT, in Burckhardt, Kothari, Musuvathi and Nagarakatte, a "scheduler with probabilistic guarantees of
     finding bugs" (ASPLOS 2010), algorithm 1. Of things that are no threads, such as what an executor has seen, one has
@@ -75,7 +75,7 @@ def _priorities(draw: random.Random, points: int, changes: int) -> Decide:
 
 
 def bound_of_pct(threads: int, points: int, schedules: int, depth: int) -> float:
-    """The least probability with which ``schedules`` runs of PCT find a fault of a depth.
+    """Return the least probability with which ``schedules`` runs of PCT find a fault of a depth.
 
     The first run is in the usual order; the others take turns with the depths. Each of that depth finds it with at
     least 1 / (n k^(depth - 1)), for n threads and k points (theorem 9 there).

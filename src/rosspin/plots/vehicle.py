@@ -60,7 +60,7 @@ class _Arc(NamedTuple):
     curvature: float
 
     def after(self, seconds: float) -> tuple[float, float, float]:
-        """Where it is then, and its heading."""
+        """Return where the vehicle is then, and its heading."""
         way = _SPEED * seconds
         heading = self.heading + self.curvature * way
         # The chord of the arc, which points where it headed halfway.
@@ -107,7 +107,7 @@ class Drive(NamedTuple):
         return "".join(parts)
 
     def at(self, time: float) -> tuple[float, float, float]:
-        """Where it is at a time, and its heading."""
+        """Return where the vehicle is at a time, and its heading."""
         arc = next(arc for arc in reversed(self.arcs) if arc.time <= time)
         return arc.after(time - arc.time)
 
@@ -131,7 +131,7 @@ def drive(ticks: Iterable[float]) -> Drive:
 
 
 def _nearest(x: float, y: float, place: int) -> int:
-    """The index of the nearest point of the line, found from where it was last: the line may come near twice."""
+    """Find the nearest point of the line, as an index, from where it was last: the line may come near twice."""
     for step in (1, -1):
         while math.dist((x, y), _LINE[place + step]) < math.dist((x, y), _LINE[place]):
             place += step

@@ -177,7 +177,7 @@ class _Reader:
         self._thread.start()
 
     def text(self) -> str:
-        """All that was printed so far. Waits a little for what is still on its way."""
+        """Return all that was printed so far. Waits a little for what is still on its way."""
         self._thread.join(1.0)
         return "".join(self._lines)
 
@@ -242,7 +242,7 @@ def say_deaths(deaths: Mapping[str, int], onward: TextIO | None) -> str:
 
 
 def shell_status(code: int) -> int:
-    """An exit status as a shell has it: 128 + number for a signal."""
+    """Return an exit status as a shell has it: 128 + number for a signal."""
     return 128 - code if code < 0 else code
 
 

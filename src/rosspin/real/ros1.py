@@ -237,7 +237,7 @@ class Workspace(Children):
 
 
 def _package_of(file: Path) -> Path | None:
-    """The folder of the catkin package that a file is in."""
+    """Return the folder of the catkin package that a file is in."""
     return next((folder for folder in file.resolve().parents if (folder / "package.xml").exists()), None)
 
 

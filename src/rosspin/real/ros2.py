@@ -66,7 +66,7 @@ class Ros2Missing(RuntimeError):
 
 @cache
 def python() -> str:
-    """The Python that has rclpy: that of ``make ros2``, or of a ROS 2 whose set-up has been sourced; "" if none has."""
+    """Find a Python with rclpy: that of ``make ros2``, or of a ROS 2 whose set-up was sourced; "" if there is none."""
     if _MADE.exists():
         return str(_MADE)
     if "AMENT_PREFIX_PATH" in os.environ:
@@ -76,7 +76,7 @@ def python() -> str:
 
 @cache
 def version() -> str:
-    """Which ROS 2 is installed, such as ``Jazzy, rclpy 7.1.6``; "" if none is."""
+    """Return which ROS 2 is installed, such as ``Jazzy, rclpy 7.1.6``; "" if none is."""
     code = (
         "import os, rclpy; from importlib.metadata import distributions, version\n"
         "wheels = [found.name for found in distributions() if found.name.endswith('-rclpy')]\n"
@@ -152,7 +152,7 @@ class Nodes(Children):
 
     @property
     def environment(self) -> dict[str, str]:
-        """The environment of whatever runs here."""
+        """The environment of each program that is started here."""
         unwanted = _UNWANTED if python() != str(_MADE) else _UNWANTED_BY_WHEELS
         return {
             **{name: value for name, value in super().environment.items() if not unwanted.fullmatch(name)},
@@ -228,7 +228,7 @@ class _Told:
         return ""
 
     def ticks(self) -> tuple[Tick, ...]:
-        """The ticks, in the order in which they began."""
+        """Return the ticks, in the order in which they began."""
         ticks = [
             Tick(*key, (expected - self._zero) / NS, (real - self._zero) / NS, self._durations.get(key, math.nan) / NS)
             for key, (expected, real) in self._ticks.items()

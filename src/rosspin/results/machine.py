@@ -12,7 +12,7 @@ __all__ = ["describe"]
 
 
 def describe(packages: Iterable[str] = ("rosspin",)) -> dict[str, str]:
-    """The processor, its cores, the system, Python, and the version of each of the packages that is installed."""
+    """Name the processor, its cores, the system, Python, and the version of each of the packages that is installed."""
     facts = {
         "Processor": _processor(),
         "Cores": str(os.cpu_count() or "unknown"),

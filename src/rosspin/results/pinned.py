@@ -51,7 +51,7 @@ def _seen(tick: Tick) -> tuple[str, int, float, float]:
 
 
 def _grid(ticks: Sequence[Tick]) -> str:
-    """The ticks of one source as an expression, if each came on time on a grid that begins with the run; else ""."""
+    """Write the ticks of a source as an expression, if all are on time on a grid that begins with the run; else ""."""
     if len(ticks) < 3:
         return ""
     source, last = ticks[0].source, len(ticks)
@@ -63,6 +63,6 @@ def _grid(ticks: Sequence[Tick]) -> str:
 
 
 def _text(text: str, indent: str) -> str:
-    """A text as Python writes it, line by line."""
+    """Write a text as Python does, line by line."""
     lines = [f"{indent}    {line!r}" for line in text.splitlines(keepends=True)]
     return "\n".join(["(", *lines, f"{indent})"]) if lines else "''"

@@ -26,7 +26,7 @@ class Timer(NamedTuple):
 
 
 def timer_ticks(timers: Sequence[Timer], seconds: float) -> list[Tick]:
-    """The ticks of timers whose calls one thread makes, up to ``seconds`` after they were made.
+    """Return the ticks of timers whose calls one thread makes, up to ``seconds`` after they were made.
 
     When a call begins, the next one is due one period after this one was. If that has passed, it is due at the next
     place on the grid (source: rcl/timer.c, ``rcl_timer_call``). So the rule is that of rclpy's timer.
@@ -53,7 +53,7 @@ def timer_ticks(timers: Sequence[Timer], seconds: float) -> list[Tick]:
 
 
 def rate_passes(period: float, duration: Callable[[int], float], seconds: float) -> list[Tick]:
-    """The passes of a loop that sleeps on an ``rclcpp::Rate``, up to ``seconds`` after it was made.
+    """Return the passes of a loop that sleeps on an ``rclcpp::Rate``, up to ``seconds`` after it was made.
 
     ``duration(number)`` is how long pass ``number``, counted from 1, works (s). A pass is expected on the grid of the
     first.
@@ -80,7 +80,7 @@ def rate_passes(period: float, duration: Callable[[int], float], seconds: float)
 
 
 def timer_probe(seconds: float, args: Sequence[str]) -> list[Tick]:
-    """The ticks of ``examples/ros2/timer_probe.cpp`` with this command line, up to ``seconds``.
+    """Return the ticks of ``examples/ros2/timer_probe.cpp`` with this command line, up to ``seconds``.
 
     Raises ValueError for a parameter that the rule does not know, for a period that is not above 0, and where several
     threads make calls of one group.
@@ -101,7 +101,7 @@ def timer_probe(seconds: float, args: Sequence[str]) -> list[Tick]:
 
 
 def rate_probe(seconds: float, args: Sequence[str]) -> list[Tick]:
-    """The passes of ``examples/ros2/rate_probe.cpp`` with this command line, up to ``seconds``.
+    """Return the passes of ``examples/ros2/rate_probe.cpp`` with this command line, up to ``seconds``.
 
     Raises ValueError for a parameter that the rule does not know, and for a period that is not above 0.
     """

@@ -52,7 +52,7 @@ class Recording(Run):
 
 
 def live_caption(run: Run, short: bool = False) -> str:
-    """When and where a live run was made, in the words of a recording's caption."""
+    """Return when and where a live run was made, in the words of a recording's caption."""
     here = describe()
     version = re.search(r"/rosversion: (\S+)", run.console)  # roslaunch says so among its parameters
     ros = f" with ROS {version[1]}" if version else " with ROS 2" if run.runtime == "ros2" else ""

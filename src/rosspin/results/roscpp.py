@@ -18,7 +18,7 @@ _NS = 1_000_000_000
 
 
 def timer_ticks(period: float, duration: Callable[[int], float], seconds: float, *, second: bool = False) -> list[Tick]:
-    """The ticks of the only timer of a roscpp node in ``ros::spin``, up to ``seconds`` after it was made.
+    """Return the ticks of the only timer of a roscpp node in ``ros::spin``, up to ``seconds`` after it was made.
 
     ``period`` is the timer's (s); ``duration(number)`` is how long call ``number``, counted from 1, takes (s). With a
     ``second`` timer of the same period, made after it, its ticks are there as well. Its calls take no time, but wait
@@ -50,7 +50,7 @@ def timer_ticks(period: float, duration: Callable[[int], float], seconds: float,
 
 
 def timer_probe(seconds: float, args: Sequence[str]) -> list[Tick]:
-    """The ticks of ``examples/timing_probes/src/timer_probe.cpp`` with these parameters, up to ``seconds``.
+    """Return the ticks of ``examples/timing_probes/src/timer_probe.cpp`` with these parameters, up to ``seconds``.
 
     Raises ValueError for a parameter that does not concern its timers, and for a period that is not above 0.
     """
@@ -62,7 +62,7 @@ def timer_probe(seconds: float, args: Sequence[str]) -> list[Tick]:
 
 
 def call_lengths(given: Mapping[str, str]) -> Callable[[int], float]:
-    """How long (s) each call of a probe takes, counted from 1, by the probe's parameters."""
+    """Return how long (s) each call of a probe takes, counted from 1, by the probe's parameters."""
     blocks = [float(length) for length in given.get("blocks", "").strip("[]").split(",") if length]
     block, first = float(given.get("block", 0)), int(given.get("block_call", 0))
     calls = int(given.get("block_calls", 1))

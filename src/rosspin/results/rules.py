@@ -19,7 +19,7 @@ _RULES = {
 
 
 def calculated(path: str, seconds: float, args: Sequence[str]) -> list[Tick]:
-    """The ticks of the node in a C++ file with this command line, up to ``seconds``.
+    """Return the ticks of the node in a C++ file with this command line, up to ``seconds``.
 
     Raises ValueError for any node but the timing probes, and for parameters that the rules do not know.
     """

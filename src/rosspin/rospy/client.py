@@ -152,7 +152,7 @@ def load_command_line_node_params(argv: list[str]) -> dict[str, Any]:
 
 
 def myargv(argv: list[str] | None = None) -> list[str]:
-    """The command line without its remappings."""
+    """Return the command line without its remappings."""
     return [arg for arg in (state().world.argv if argv is None else argv) if not rosgraph.is_legal_remap(arg)]
 
 
@@ -295,7 +295,7 @@ def search_param(param_name: str) -> str | None:
 
 
 def get_param_names() -> list[str]:
-    """The full names of all parameters."""
+    """Return the full names of all parameters."""
 
     def leaves(prefix: str, value: Any) -> list[str]:
         if not isinstance(value, dict):

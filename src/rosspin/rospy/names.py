@@ -30,12 +30,12 @@ TOPIC_ANYTYPE = SERVICE_ANYTYPE = ANYTYPE
 
 
 def get_namespace() -> str:
-    """The node's namespace; it ends in ``/``."""
+    """Return the node's namespace; it ends in ``/``."""
     return state().namespace
 
 
 def get_name() -> str:
-    """The node's full name; ``/unnamed`` before ``init_node``."""
+    """Return the node's full name; ``/unnamed`` before ``init_node``."""
     return state().name
 
 
@@ -97,12 +97,12 @@ def scoped_name(caller_id: str, name: str) -> str:
 
 
 def get_mappings() -> dict[str, str]:
-    """The remappings of the command line, as they are written there."""
+    """Return the remappings of the command line, as they are written there."""
     return state().mappings
 
 
 def get_resolved_mappings() -> dict[str, str]:
-    """The remappings of the command line as full names; there are none before ``init_node``."""
+    """Return the remappings of the command line as full names; there are none before ``init_node``."""
     return state().resolved_mappings
 
 

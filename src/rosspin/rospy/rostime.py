@@ -36,7 +36,7 @@ class Time(genpy.Time):
 
     @staticmethod
     def now() -> Time:
-        """The current time. Raises ROSInitException before ``init_node``."""
+        """Return the current time. Raises ROSInitException before ``init_node``."""
         return get_rostime()
 
     @classmethod
@@ -46,12 +46,12 @@ class Time(genpy.Time):
 
 
 def get_rostime() -> Time:
-    """The current time. Raises ROSInitException before ``init_node``."""
+    """Return the current time. Raises ROSInitException before ``init_node``."""
     return Time._of(state().now())
 
 
 def get_time() -> float:
-    """The current time in seconds. Raises ROSInitException before ``init_node``."""
+    """Return the current time in seconds. Raises ROSInitException before ``init_node``."""
     return get_rostime().to_sec()
 
 
@@ -78,7 +78,7 @@ def _set_rostime(t: genpy.Time) -> None:
 
 
 def get_rostime_cond() -> threading.Condition:
-    """The condition that is notified whenever ROS time is set."""
+    """Return the condition that is notified whenever ROS time is set."""
     return state().ros_time_changed
 
 

@@ -97,7 +97,7 @@ class Services:
             connection.hang_up()
 
     def class_of(self, name: str) -> type[ros1.Service]:
-        """The class of one of the services."""
+        """Return the class of one of the services."""
         return self._own[name].service_class
 
     def reach(self, connection: Connection | None) -> None:

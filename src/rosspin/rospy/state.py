@@ -91,13 +91,13 @@ class State:
         self.shutdown_requested = self.shutdown = True
 
     def now(self) -> int:
-        """The time (ns) that /clock tells, else that of the clock. Raises ROSInitException before ``init_node``."""
+        """Return the time (ns) of /clock if used, else of the clock. Raises ROSInitException before ``init_node``."""
         if not self.time_initialized:
             raise ROSInitException("time is not initialized. Have you called init_node()?")
         return self.clock.system() if self.ros_time is None else self.ros_time
 
     def in_run(self) -> int:
-        """The time (ns) by which ticks are recorded: that of /clock, else that of the run, in which no clock jumps."""
+        """Return the time (ns) to record ticks with: that of /clock, else that of the run, which never jumps."""
         return self.clock.now() if self.ros_time is None else self.ros_time
 
     def wait_for_ros_time(self, seconds: float) -> None:
@@ -113,7 +113,7 @@ class State:
 
 
 def state() -> State:
-    """The state of the calling node. Raises RuntimeError outside a run."""
+    """Return the state of the calling node. Raises RuntimeError outside a run."""
     return current_world().part(State)
 
 

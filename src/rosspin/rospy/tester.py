@@ -32,7 +32,7 @@ class Tester(tester.Tester):
         self._publications: dict[tuple[str, type[Message]], _Publication] = {}
 
     def publication(self, subscription: Any) -> Publication:
-        """The tester's end for a subscription."""
+        """Return the tester's end for a subscription."""
         key = subscription.topic, subscription.data_class
         if key not in self._publications:
             self._publications[key] = _Publication(self._node, *key)

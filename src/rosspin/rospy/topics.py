@@ -65,7 +65,7 @@ class Publication:
             subscription.connect(self, LATER_PUBLISHER)
 
     def reply(self) -> dict[str, str]:
-        """The header that it sends to whoever connects."""
+        """Return the header that it sends to whoever connects."""
         return {
             "callerid": self.node.name,
             "latching": "1" if self.latches else "0",
@@ -273,7 +273,7 @@ class Connection(threading.Thread):
         self._gate.acquire()
 
     def request(self) -> dict[str, str]:
-        """The header that a subscriber sends when it connects."""
+        """Return the header that a subscriber sends when it connects."""
         wanted = self.subscription.data_class
         return {
             "callerid": self.subscription.node.name,
@@ -490,7 +490,7 @@ class Topic:
         self.impl: Any = None
 
     def get_num_connections(self) -> int:
-        """How many nodes this one is connected to on the topic."""
+        """Return how many nodes this one is connected to on the topic."""
         return len(self.impl.connections)
 
     def _forget(self) -> None:
@@ -607,7 +607,7 @@ class SubscribeListener:
     def peer_subscribe(
         self, topic_name: str, topic_publish: Callable[[Any], Any], peer_publish: Callable[[Any], Any]
     ) -> None:
-        """A node has connected. ``peer_publish(message)`` publishes to it alone, ``topic_publish`` to all."""
+        """Called when a node connects. ``peer_publish(message)`` publishes to it alone, ``topic_publish`` to all."""
 
     def peer_unsubscribe(self, topic_name: str, num_peers: int) -> None:
-        """A node has gone; ``num_peers`` are left."""
+        """Called when a node leaves; ``num_peers`` are left."""

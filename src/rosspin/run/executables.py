@@ -14,8 +14,7 @@ from pathlib import Path
 from types import ModuleType
 from typing import Any
 
-from .source import Node as Code
-from .source import load
+from .source import Code, load
 
 __all__ = ["find_node", "find_python", "is_cpp"]
 
@@ -45,7 +44,7 @@ def is_cpp(package: Path, name: str) -> bool:
 
 
 def find_node(package: Path, name: str) -> Code | None:
-    """What a package of ROS 2 installs under a name: one of its entry points, or a script; None if nothing in Python.
+    """Find what a package of ROS 2 installs under a name: an entry point or a script; None if nothing in Python.
 
     Raises OSError and SyntaxError.
     """

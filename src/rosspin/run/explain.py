@@ -12,7 +12,7 @@ from ..clocks.simulation import Simulation, Standstill
 from ..clocks.watchdog import Stuck
 from ..world.world import NotSimulated
 from .roses import ROSES
-from .source import Node
+from .source import Code
 
 __all__ = [
     "TimeStandsStill",
@@ -30,7 +30,7 @@ class TimeStandsStill(RuntimeError):
     """The node keeps simulated time from going on. The message says where and how."""
 
 
-def say_killed(node: Node, ros: int, seconds: float | None, waited: Sequence[Whereabouts], patience: int) -> str:
+def say_killed(node: Code, ros: int, seconds: float | None, waited: Sequence[Whereabouts], patience: int) -> str:
     """Say why a node of ROS 1 or 2 was killed ``patience`` seconds after Ctrl-C, and where its threads were."""
     at = "" if seconds is None else f" at {seconds:.10g} s"
     why = f"Does its loop check {ROSES[ros].goes_on}?"
@@ -43,7 +43,7 @@ def say_killed(node: Node, ros: int, seconds: float | None, waited: Sequence[Whe
     return said + say_where(node, waited)
 
 
-def say_where(node: Node, waited: Sequence[Whereabouts]) -> str:
+def say_where(node: Code, waited: Sequence[Whereabouts]) -> str:
     """Say where the threads of a node were, a line for each."""
     lines = []
     for thread, places, _ in waited:
@@ -53,7 +53,7 @@ def say_where(node: Node, waited: Sequence[Whereabouts]) -> str:
     return "".join(lines)
 
 
-def waits_for_a_rate(node: Node, ros: int, waited: Sequence[Whereabouts]) -> bool:
+def waits_for_a_rate(node: Code, ros: int, waited: Sequence[Whereabouts]) -> bool:
     """Whether nothing but threads asleep on a Rate of ROS 2 keeps a node from its end.
 
     In ROS 1 a Rate looks at the clock by itself.
@@ -62,28 +62,28 @@ def waits_for_a_rate(node: Node, ros: int, waited: Sequence[Whereabouts]) -> boo
     return ros == 2 and bool(kept) and all(map(ROSES[2].stand_in.timer.is_asleep_on_a_rate, kept))
 
 
-def keep_those_of(node: Node, stacks: Sequence[Whereabouts]) -> list[Whereabouts]:
+def keep_those_of(node: Code, stacks: Sequence[Whereabouts]) -> list[Whereabouts]:
     """Keep the stacks that are in a node's code."""
     return [each for each in stacks if _of_nodes([node], each.places)]
 
 
-def where_it_was_kept(node: Node, waited: Sequence[Whereabouts]) -> Place | None:
-    """The first place in a node's code that kept it from its end."""
+def where_it_was_kept(node: Code, waited: Sequence[Whereabouts]) -> Place | None:
+    """Return the first place in a node's code that kept it from its end."""
     return next((_of_nodes([node], places) for places in _keeping(node, waited)), None)
 
 
-def _keeping(node: Node, waited: Sequence[Whereabouts]) -> list[list[Place]]:
-    """The places of the threads that Python waits for and that are in the node's code, not waiting for others."""
+def _keeping(node: Code, waited: Sequence[Whereabouts]) -> list[list[Place]]:
+    """Find where in the node's code the threads are that Python waits for, but for those that wait for others."""
     return [places for _, places, daemon in waited if not daemon and _of_nodes([node], places)]
 
 
-def _of_nodes(nodes: Sequence[Node], places: Sequence[Place]) -> Place | None:
-    """The innermost place in a node's file or its folder."""
+def _of_nodes(nodes: Sequence[Code], places: Sequence[Place]) -> Place | None:
+    """Return the innermost place in a node's file or its folder."""
     folders = tuple(name for node in nodes for name in (node.filename, f"{node.folder or node.filename}{os.sep}"))
     return next((place for place in places if place.filename.startswith(folders)), None)
 
 
-def stands_still(nodes: Sequence[Node], ros: int, error: Standstill | Stuck, clock: Simulation) -> TimeStandsStill:
+def stands_still(nodes: Sequence[Code], ros: int, error: Standstill | Stuck, clock: Simulation) -> TimeStandsStill:
     now = f"simulated time stands still at {clock.now() / NS} s"
     fallback = clock.failed if isinstance(error, Stuck) else error.place
     place = _of_nodes(nodes, error.places) or (None if fallback else _of_nodes(nodes, clock.left))

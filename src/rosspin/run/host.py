@@ -32,7 +32,7 @@ from .explain import keep_those_of, say_killed, stands_still
 from .kept import KEPT, one_at_a_time, state_of_names, state_of_node, state_of_process
 from .process import PATCHES, Process, Slots
 from .roses import ROSES
-from .source import Node
+from .source import Code
 
 if TYPE_CHECKING:
     from ..faults import Fault
@@ -110,7 +110,7 @@ class Host:
 
     def add(
         self,
-        node: Node,
+        node: Code,
         args: Sequence[str] = (),
         environment: Mapping[str, str] | None = None,
         folder: str = "",
@@ -149,7 +149,7 @@ class Host:
             self._go_on(here)
 
     def graph(self, ros: int) -> Graph:
-        """The graph of the nodes of ROS 1 or 2."""
+        """Return the graph of the nodes of ROS 1 or 2."""
         if ros not in self._graphs:
             graph = self._graphs[ros] = Graph()
             graph.faults = self.faults
@@ -158,7 +158,7 @@ class Host:
         return self._graphs[ros]
 
     def _stand_in(self, ros: int, package: str = "") -> Mapping[str, ModuleType]:
-        """The modules that stand in for a ROS, or for a package beside it, by their names."""
+        """Return the modules that stand in for a ROS, or for a package beside it, by their names."""
         home = ROSES[ros].home(package)
         if home not in self._stand_ins:
             known = home in sys.modules
@@ -450,7 +450,7 @@ class Host:
         return next((process.world.ros or process.node.hint for process in self.processes), 0) or 1
 
     def result(self) -> Result:
-        """How the run ended."""
+        """Return how the run ended."""
         status = self.supervisor.status if self.supervisor else self.processes[0].world.exit_status
         assert status is not None
         return Result(status, self.recording.ticks(), self.recording.start / NS, self)
@@ -486,11 +486,11 @@ class Result(NamedTuple):
         )
 
     def messages(self) -> tuple[Message, ...]:
-        """What was published (nothing if not recorded)."""
+        """Return what was published (nothing if not recorded)."""
         return self.host.recording.messages()
 
     def calls(self) -> tuple[Call, ...]:
-        """What services were asked (nothing if not recorded)."""
+        """Return what services were asked (nothing if not recorded)."""
         return self.host.recording.calls()
 
 

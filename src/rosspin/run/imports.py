@@ -12,7 +12,7 @@ from typing import Any
 from ..messages import MessageFinder
 from ..world.world import World
 from .roses import ROSES, ros_of
-from .source import Node, folder_of, is_own, names_a_ros, own_folders
+from .source import Code, folder_of, is_own, names_a_ros, own_folders
 
 __all__ = ["Imports"]
 
@@ -26,7 +26,7 @@ class Imports(MetaPathFinder):
 
     def __init__(
         self,
-        node: Node,
+        node: Code,
         world: World,
         stand_in: Callable[[int, str], Mapping[str, ModuleType]],
         hidden: Callable[[Mapping[str, ModuleType]], None],
@@ -114,7 +114,7 @@ class _Given(Loader):
 
 
 def _named_by_who_asks(frame: FrameType | None) -> int:
-    """The ROS that the importing code names: 1, 2, or 0."""
+    """Return the ROS that the importing code names: 1, 2, or 0."""
     while frame and frame.f_code.co_filename.startswith("<frozen importlib"):
         frame = frame.f_back
     return names_a_ros(frame.f_code) if frame else 0

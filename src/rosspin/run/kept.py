@@ -62,7 +62,7 @@ def one_at_a_time() -> Iterator[None]:
 
 
 def refuse_a_run_within_a_run() -> None:
-    """Raise RuntimeError if a node asks."""
+    """Raise RuntimeError if it is a node that calls this."""
     if whose() is not None:
         raise RuntimeError("a node cannot start a run of its own")
 
@@ -358,7 +358,7 @@ def _folder() -> Put:
 
 
 def working_folder() -> str | None:
-    """The working directory; None if it was removed."""
+    """Return the working directory; None if it was removed."""
     try:
         return os.getcwd()
     except FileNotFoundError:

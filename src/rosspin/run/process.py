@@ -30,7 +30,8 @@ from ..clocks.threads import begin_main, end_main
 from ..world.world import NotSimulated, World, not_simulated
 from .imports import Imports
 from .kept import working_folder
-from .source import Node, around_package, is_own, neighbour, own_folders
+from .roses import ROSES
+from .source import Code, around_package, is_own, neighbour, own_folders
 
 __all__ = ["PATCHES", "Process", "Slots", "leave", "starter"]
 
@@ -89,7 +90,7 @@ class Process(Slots):
 
     def __init__(
         self,
-        node: Node,
+        node: Code,
         args: Sequence[str],
         make_world: Callable[[list[str]], World],
         stand_in: Callable[[int, str], Mapping[str, ModuleType]],
@@ -134,7 +135,7 @@ class Process(Slots):
         return is_own(module.__name__, getattr(module, "__file__", None) or "", self._own)
 
     def namesakes(self) -> set[str]:
-        """Names of modules that whoever runs the node has imported, and that lie, as other files, beside the node."""
+        """Return the names of imported modules that a file beside the node has, too, and that are not that file."""
         folder = self.node.folder
         names = {entry.partition(".")[0] for entry in os.listdir(folder)} if folder else set()
         loaded = {name: module for name in names - {"__main__", "rosspin"} if (module := sys.modules.get(name))}
@@ -150,6 +151,11 @@ class Process(Slots):
     def messages(self) -> Any:
         """The classes of its messages by name, as in ``messages["std_msgs/UInt32"]``."""
         return self.imports.messages
+
+    @property
+    def raises_at_ctrl_c(self) -> bool:
+        """Whether Ctrl-C raises KeyboardInterrupt in its node, as in ROS 2. If that ends it, it has not failed."""
+        return bool(self.world.ros) and ROSES[self.world.ros].raises
 
     def run(self) -> None:
         """Run the node's code as the interpreter runs a program, and keep the exit status."""

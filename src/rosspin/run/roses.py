@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Mapping
+from collections.abc import Iterable, Mapping
 from importlib import import_module
 from types import ModuleType
 from typing import Any, NamedTuple
@@ -15,16 +15,23 @@ class Ros(NamedTuple):
 
     Importing one of the packages ``roots`` makes a process one of this ROS; the first root is the stand-in's own.
     ``beside`` are packages that its nodes may import, too, and the modules here that stand in for them.
-    ``needed`` are the modules that its nodes need beside Python's own. The rest completes sentences about a node: what
-    kills it if it does not end, what its loops should check, what else is a thread, how its loops should sleep.
+    ``needed`` are the modules that its nodes need beside Python's own. ``naming`` is what names a node on its command
+    line, and ``sets`` the option before what is set there, if there is one. ``raises`` says whether Ctrl-C raises
+    KeyboardInterrupt in a node, which ends it if nobody catches that. The rest completes sentences about a node: what
+    kills it if it does not end, what its loops should check, what its main part ends with, what else is a thread, how
+    its loops should sleep.
     """
 
     number: int
     roots: tuple[str, ...]
     beside: Mapping[str, str]
     needed: frozenset[str]
+    naming: str
+    sets: str
+    raises: bool
     kills: str
     goes_on: str
+    spins: str
     also_threads: str
     sleep: str
 
@@ -34,8 +41,12 @@ class Ros(NamedTuple):
         return import_module(self.home(self.roots[0]))
 
     def home(self, package: str) -> str:
-        """The name of the module here that stands in for one of its packages, or has what does."""
+        """Return the name of the module here that stands in for one of its packages, or has what does."""
         return f"rosspin.{self.beside.get(package, self.roots[0])}"
+
+    def words(self, flag: str, settings: Iterable[str]) -> list[str]:
+        """Return the words of a command line that set parameters (``flag`` is -p) or names (-r), as in ``a:=b``."""
+        return [self.sets, *(word for each in settings for word in (flag, each))] if self.sets else list(settings)
 
     @property
     def tester(self) -> Any:
@@ -49,8 +60,12 @@ ROSES = {
         ("rospy", "genpy"),
         {},
         frozenset({"genpy", "rosgraph", "rosgraph_msgs", "roslib", "rospkg", "rospy", "std_msgs", "yaml"}),
+        "__name",
+        "",
+        False,
         ", as roslaunch does",
         "rospy.is_shutdown()",
+        "rospy.spin()",
         " (a rospy.Timer is one, too)",
         "rospy.sleep(0.1)",
     ),
@@ -61,8 +76,12 @@ ROSES = {
         frozenset(
             {"builtin_interfaces", "rcl_interfaces", "rclpy", "rosgraph_msgs", "rosidl_runtime_py", "rpyutils", "yaml"}
         ),
+        "__node",
+        "--ros-args",
+        True,
         "",
         "rclpy.ok()",
+        "rclpy.spin(node)",
         "",
         "time.sleep(0.1)",
     ),
@@ -72,5 +91,5 @@ _OF_ROOTS = {root: ros for ros in ROSES.values() for root in ros.roots}
 
 
 def ros_of(module: str) -> Ros | None:
-    """The ROS to which a module such as rclpy.node belongs by its name; None for any other module."""
+    """Return the ROS to which a module such as rclpy.node belongs by its name; None for any other module."""
     return _OF_ROOTS.get(module.partition(".")[0])

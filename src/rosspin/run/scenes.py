@@ -174,7 +174,7 @@ def _callback(entity: Any) -> Any:
 
 
 def _entities(executor: Executor) -> list[Any]:
-    """What an executor may call, in its order, but the services for parameters."""
+    """Return what an executor may call, in its order, but the services for parameters."""
     nodes = executor.get_nodes()
     found = [waitable for node in nodes for waitable in node._rosspin_waitables if waitable not in node._rosspin_events]
     for node in nodes:
@@ -184,5 +184,5 @@ def _entities(executor: Executor) -> list[Any]:
 
 
 def _owner(entity: Any) -> Any:
-    """What the callback is a method of."""
+    """Return what the callback is a method of."""
     return getattr(getattr(entity, "callback", None), "__self__", None)

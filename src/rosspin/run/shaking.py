@@ -19,7 +19,7 @@ from typing import Any
 
 from ..clocks.explored import ExploredSimulation, Turn, name_of
 from ..clocks.stacks import Stack, current
-from .source import Node, program
+from .source import Code, program
 
 __all__ = ["shaken"]
 
@@ -32,7 +32,7 @@ _TELL = "__tell__"
 _LEFT = ("annotation", "returns", "pattern", "type", "type_params")
 
 
-def shaken(node: Node) -> Node:
+def shaken(node: Code) -> Code:
     """Make a node give way where its run's order says so, and note the lines that it runs if they are wanted.
 
     So do the modules of its own that it imports: what lies beside it, or in its package. Raises ValueError for a node

@@ -17,7 +17,7 @@ from .ros2launch.launch_file import LaunchFile
 from .roslaunch import launch
 from .roslaunch.monitor import Monitor
 from .shaking import shaken as shake
-from .source import Node, NodeLike, is_launch_of_ros2, load, refuse_text, warn_of_files
+from .source import Code, NodeLike, is_launch_of_ros2, load, refuse_text, warn_of_files
 from .streams import capture
 from .together import Together
 
@@ -99,7 +99,7 @@ class Prepared(NamedTuple):
     """What is to run, loaded: several nodes, or a launch file, or one node, whose command line is ``args``."""
 
     launched: Launched | None
-    codes: list[Node]
+    codes: list[Code]
     args: Sequence[str]
     faults: Sequence[Fault] = ()
 
@@ -164,7 +164,7 @@ def several(
 
 
 def run_captured(
-    clock: Clock, node: Node, seconds: float, args: Sequence[str], *streams: TextIO, faults: Sequence[Fault] = ()
+    clock: Clock, node: Code, seconds: float, args: Sequence[str], *streams: TextIO, faults: Sequence[Fault] = ()
 ) -> Run:
     """Run a loaded node on a clock, in this process. What it prints also goes to ``streams``: stdout's and stderr's."""
     duration(seconds)  # run_node takes None as for ever
@@ -175,7 +175,7 @@ def run_captured(
 
 
 def run_node(
-    node: Node,
+    node: Code,
     seconds: float | None,
     args: Sequence[str],
     clock: Clock,
@@ -206,7 +206,7 @@ def run_nodes(
     seconds: float,
     clock: Simulation,
     ticks: TickLog | None = None,
-    codes: Sequence[Node] | None = None,
+    codes: Sequence[Code] | None = None,
     faults: Sequence[Fault] = (),
 ) -> Result:
     """Run several nodes on one simulated clock; otherwise as :func:`run_node`.
@@ -221,7 +221,7 @@ def run_nodes(
     return host.result()
 
 
-def supervisor(nodes: Launched, host: Host, codes: Sequence[Node] | None = None) -> Supervisor:
+def supervisor(nodes: Launched, host: Host, codes: Sequence[Code] | None = None) -> Supervisor:
     """Make the supervisor of nodes: roslaunch, ros2 launch, or one that treats nodes of ROS 2 as in terminals."""
     if isinstance(nodes, LaunchFile):
         from .ros2launch.service import LaunchService  # only needed where there is such a file

@@ -22,13 +22,13 @@ from .kept import working_folder
 from .roses import ROSES, ros_of
 
 __all__ = [
-    *("Node", "NodeLike", "around_package", "folder_of", "load", "load_source", "names_a_ros"),
+    *("Code", "NodeLike", "around_package", "folder_of", "load", "load_source", "names_a_ros"),
     *("compiled", "is_launch_of_ros2", "is_own", "own_folders", "read", "refuse_other_ros", "refuse_text"),
     *("program", "split_words", "warn_of_files"),
 ]
 
 
-class Node(NamedTuple):
+class Code(NamedTuple):
     """What can be run: the node's own code, the first word of its command line, the file that the code is in."""
 
     main: Callable[[], Any]
@@ -48,7 +48,7 @@ class Node(NamedTuple):
 NodeLike = str | os.PathLike[str] | Callable[[], Any]
 
 
-def load(node: NodeLike) -> Node:
+def load(node: NodeLike) -> Code:
     """Make a node of a file or a function.
 
     Raises OSError if it cannot be read, SyntaxError if it is not Python, ValueError for several nodes or a launch file,
@@ -61,7 +61,7 @@ def load(node: NodeLike) -> Node:
         name = getattr(function, "__name__", type(function).__name__)
         code = getattr(function, "__code__", None) or getattr(type(function).__call__, "__code__", None)
         main = partial(_call, node, sys.modules.get("__main__"))
-        return Node(main, name, code.co_filename if code else "", None, hint=_hint([code] if code else [], None))
+        return Code(main, name, code.co_filename if code else "", None, hint=_hint([code] if code else [], None))
     path = os.fspath(node) if isinstance(node, (str, os.PathLike)) else ""
     if isinstance(node, (list, tuple)) or path.endswith(".launch") or is_launch_of_ros2(path):
         raise ValueError("several nodes and launch files run in simulated time (rosspin.simulate) or on a real ROS")
@@ -70,11 +70,11 @@ def load(node: NodeLike) -> Node:
     return load_source(read(path), path)
 
 
-def load_source(source: str, filename: str) -> Node:
+def load_source(source: str, filename: str) -> Code:
     """Load a node from its source text. Raises SyntaxError if it is not Python."""
     code = compiled(source, filename)
     folder = str(Path(filename).resolve().parent) if os.path.exists(filename) else None
-    return Node(program(code, filename), filename, filename, folder, source, _hint([code], folder))
+    return Code(program(code, filename), filename, filename, folder, source, _hint([code], folder))
 
 
 def compiled(source: str, filename: str) -> CodeType:
@@ -151,13 +151,13 @@ def split_words(words: Sequence[str]) -> tuple[Sequence[str], Sequence[str]]:
     return words[:at], words[at + 1 :]
 
 
-def warn_of_files(nodes: Sequence[Node]) -> None:
+def warn_of_files(nodes: Sequence[Code]) -> None:
     """Say on ``sys.stderr`` which files beside nodes hide modules of Python or of a real ROS."""
     for line in dict.fromkeys(line for node in nodes for line in _in_the_way(node)):
         sys.stderr.write(f"rosspin: {line}\n")
 
 
-def _in_the_way(node: Node) -> Iterator[str]:
+def _in_the_way(node: Code) -> Iterator[str]:
     if node.folder is None:
         return
     for entry in sorted(os.listdir(node.folder)):
@@ -180,7 +180,7 @@ def _finds(name: str) -> Callable[[Any], bool]:
     return lambda importer: importer.find_spec(name) is not None
 
 
-def _imports(node: Node) -> set[str]:
+def _imports(node: Code) -> set[str]:
     return {name.partition(".")[0] for name in _names(_compile(node.source or "", node.filename))}
 
 
@@ -188,7 +188,7 @@ def _imports(node: Node) -> set[str]:
 
 
 def _hint(codes: Sequence[CodeType], folder: str | None) -> int:
-    """The ROS that code names, or else the one that the neighbours it imports name; 0 if they name none, or both."""
+    """Return the ROS that code names, else the one that the neighbours it imports name; 0 if it is none, or both."""
     seen: set[str] = set()
     while codes:
         names = {name for code in codes for name in _names(code)}
@@ -208,12 +208,12 @@ def _compiled(paths: Sequence[str]) -> Iterator[CodeType]:
 
 
 def names_a_ros(code: CodeType) -> int:
-    """The ROS that code names by itself, whatever it imports; 0 if it names none, or both."""
+    """Return the ROS that code names by itself, whatever it imports; 0 if it names none, or both."""
     return _hint([code], None)
 
 
 def _names(code: CodeType) -> Iterator[str]:
-    """The names in code and in its functions; those of the modules that it imports are among them."""
+    """Yield the names in code and in its functions; those of the modules that it imports are among them."""
     yield from code.co_names
     for constant in code.co_consts:
         if isinstance(constant, CodeType):
@@ -225,8 +225,8 @@ def neighbour(folder: str, name: str) -> str | None:
     return next((file for file in (f"{path}.py", os.path.join(path, "__init__.py")) if os.path.isfile(file)), None)
 
 
-def own_folders(node: Node) -> list[str]:
-    """The folder of a node's file, and the one from which its package can be imported, if it is in one."""
+def own_folders(node: Code) -> list[str]:
+    """Return the folder of a node's file, and the one from which its package can be imported, if it is in one."""
     folders = [] if node.folder is None else [node.folder, around_package(node.folder)]
     return [os.path.join(folder, "") for folder in filter(None, folders)]
 
@@ -240,13 +240,13 @@ def is_own(name: str, file: str, folders: Sequence[str]) -> bool:
 
 
 def around_package(folder: str) -> str:
-    """The folder from which a package can be imported, as after ``colcon build``; "" if ``folder`` is not a package."""
+    """Find the folder from which a package is imported, as after ``colcon build``; "" if ``folder`` is no package."""
     around = folder
     while os.path.isfile(os.path.join(around, "__init__.py")):
         around = os.path.dirname(around)
     return around if around != folder else ""
 
 
-def folder_of(node: Node) -> Path | None:
-    """The folder of a node's code, even a function's: the search for its package begins there."""
+def folder_of(node: Code) -> Path | None:
+    """Return the folder of a node's code, even a function's: the search for its package begins there."""
     return Path(node.filename).parent if os.path.exists(node.filename) else None

@@ -178,7 +178,7 @@ class StartedNode:
     def _failed(self, process: Process) -> bool:
         """Whether a process has ended with a status that means failure. In ROS 2, most nodes end with 130 at Ctrl-C."""
         status = self._status_of(process)
-        is_end = status == _INTERRUPTED and self._closed and process.world.ros == 2
+        is_end = status == _INTERRUPTED and self._closed and process.raises_at_ctrl_c
         return bool(status) and not process.world.crashed and not is_end
 
     def _status_of(self, process: Process) -> int | None:
@@ -244,14 +244,14 @@ class StartedNode:
         self._tester(lambda tester: tester.publish(topic, args, fields))
 
     def message(self, type: str, /, **fields: Any) -> Any:
-        """A message of any type that the node can import: ``node.message("geometry_msgs/Twist", linear={"x": 0.5})``.
+        """Make a message of a type that a node can import, as in ``node.message("std_msgs/UInt32", data=1)``.
 
         Raises LookupError if there is no such type, and what the class raises for wrong fields.
         """
         return self._tester(lambda tester: tester.message(type, fields))
 
     def messages(self, topic: str) -> list[Message]:
-        """All messages that were published on a topic so far, without those of the test.
+        """Return all messages that were published on a topic so far, without those of the test.
 
         Raises LookupError if the node does not publish on it.
         """
@@ -344,10 +344,10 @@ class StartedNode:
 
     def _is_end(self, process: Process, error: BaseException) -> bool:
         """Whether an error is how a node of ROS 2 ends at Ctrl-C."""
-        return isinstance(error, KeyboardInterrupt) and process.world.ros == 2 and not self._failed(process)
+        return isinstance(error, KeyboardInterrupt) and process.raises_at_ctrl_c and not self._failed(process)
 
     def _run_since(self, piece: int, tick: int, message: int, call: int, mishap: int, time: int) -> Run:
-        """What the node has done since ``time`` (ns): its console, ticks, messages and so on, from these numbers on."""
+        """Return what the node has done since ``time`` (ns): its ticks, messages and so on, from these numbers on."""
         return Run(
             self._capture.text(piece),
             self._host.recording.ticks(tick),

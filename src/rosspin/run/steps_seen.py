@@ -74,7 +74,7 @@ class StepsSeen:
         return len(self._steps) >= _MOST or len(self._callbacks) > _MOST_CALLBACKS
 
     def _running(self) -> list[Any] | None:
-        """What runs now; None as long as there is nothing to tell."""
+        """Return what runs now; None as long as there is nothing to tell."""
         raise NotImplementedError()
 
     def _before(self, when: int) -> None:
@@ -89,7 +89,7 @@ class StepsSeen:
         raise NotImplementedError()
 
     def _inside(self, thread: int) -> Any:
-        """What runs in a thread."""
+        """Return what runs in a thread."""
         raise NotImplementedError()
 
     def _where(self, here: int) -> Iterator[tuple[int, int, int]]:
@@ -117,14 +117,14 @@ class StepsSeen:
         return ", ".join(self._names[self._callbacks[entity]][0] for entity in entities)
 
     def _group(self, entity: Any) -> tuple[Any, str]:
-        """The group of a callback, and its name."""
+        """Return the group of a callback, and its name."""
         raise NotImplementedError()
 
     def _name(self, entity: Any) -> str:
         raise NotImplementedError()
 
     def _begin(self, callback: Any) -> int:
-        """The line in the file where a callback begins; 0 if it is of another file."""
+        """Return the line in the file where a callback begins; 0 if it is of another file."""
         code = code_of(callback)
         return code.co_firstlineno if code and code.co_filename == self._filename else 0
 
@@ -172,6 +172,6 @@ class ThreadsSeen(StepsSeen):
 
 
 def code_of(callback: Any) -> CodeType | None:
-    """The code of a callback, also of a partial or wrapped one."""
+    """Return the code of a callback, also of a partial or wrapped one."""
     code: CodeType | None = getattr(inspect.unwrap(getattr(callback, "func", callback)), "__code__", None)
     return code

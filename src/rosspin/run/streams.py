@@ -22,11 +22,11 @@ class Capture:
         self.stderr = byte_stream(self._keep(stderr))
 
     def __len__(self) -> int:
-        """How many pieces were written."""
+        """Return how many pieces were written."""
         return len(self._chunks)
 
     def text(self, since: int = 0) -> str:
-        """All of it, from the piece ``since`` on."""
+        """Return the text, from the piece ``since`` on."""
         return b"".join(self._chunks[since:]).decode(errors="replace")
 
     @contextmanager
@@ -61,13 +61,13 @@ class _Sink(io.BufferedIOBase):
 
 
 def byte_stream(take: Callable[[bytes], None]) -> TextIO:
-    """A stream such as ``sys.stdout``: ``take`` is called with all that is written, as UTF-8."""
+    """Make a stream such as ``sys.stdout``: ``take`` is called with all that is written, as UTF-8."""
     sink: Any = _Sink(take)
     return io.TextIOWrapper(sink, encoding="utf-8", errors="backslashreplace", newline="\n", write_through=True)
 
 
 def nowhere() -> TextIO:
-    """A stream that drops what is written."""
+    """Make a stream that drops what is written."""
     return byte_stream(lambda data: None)
 
 

@@ -13,8 +13,9 @@ from ..clocks.simulation import Simulation
 from .explain import say_killed
 from .host import PATIENCE, Host
 from .process import Process
+from .roses import ROSES
 from .roslaunch.launch import Node
-from .source import Node as Code
+from .source import Code
 from .streams import nowhere
 
 __all__ = ["Together"]
@@ -70,7 +71,9 @@ class Together:
     def _note_end(self, process: Process) -> None:
         world = process.world
         status = world.exit_status or 0
-        is_fine = status == 0 or world.crashed or (status == _INTERRUPTED and world.ros == 2 and self._interrupted)
+        is_fine = (
+            status == 0 or world.crashed or (self._interrupted and status == _INTERRUPTED and process.raises_at_ctrl_c)
+        )
         if not is_fine:
             status = 128 - status if status < 0 else status
             self._stderr.write(f"rosspin: {process.node.name} ended with status {status}\n")
@@ -95,8 +98,7 @@ class Together:
 
 def _give_names(process: Process, node: Node) -> None:
     """Add the node's name and namespace to its command line, as its ROS takes them there."""
-    names = {"name" if process.world.ros == 1 else "node": node.name, "ns": node.namespace.rstrip("/")}
-    words = [f"__{key}:={value}" for key, value in names.items() if value]
-    if words and process.world.ros == 2:
-        words = ["--ros-args", *(part for word in words for part in ("-r", word))]
-    process.world.argv += words
+    ros = ROSES[process.world.ros]
+    names = {ros.naming: node.name, "__ns": node.namespace.rstrip("/")}
+    if given := [f"{key}:={value}" for key, value in names.items() if value]:
+        process.world.argv += ros.words("-r", given)

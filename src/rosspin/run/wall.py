@@ -30,7 +30,7 @@ from .host import Result, duration
 from .kept import refuse_a_run_within_a_run
 from .process import leave
 from .simulate import run_captured, run_node
-from .source import Node, NodeLike, folder_of, load, load_source, refuse_text
+from .source import Code, NodeLike, folder_of, load, load_source, refuse_text
 from .streams import Capture, byte_stream
 
 __all__ = ["measure", "measured"]
@@ -62,7 +62,7 @@ def measure(node: NodeLike, seconds: float, args: Sequence[str] = ()) -> Run:
     return measured(load(node), seconds, args)
 
 
-def measured(node: Node, seconds: float, args: Sequence[str], *streams: TextIO) -> Run:
+def measured(node: Code, seconds: float, args: Sequence[str], *streams: TextIO) -> Run:
     """Run a loaded node as :func:`measure` does. What it prints also goes to ``streams``: stdout's and stderr's."""
     if node.source is None or not hasattr(os, "fork"):
         return run_captured(WallClock(), node, seconds, args, *streams)
@@ -163,7 +163,7 @@ class _Apart:
             os.killpg(self._child.pid, number)
 
     def outcome(self) -> _Outcome:
-        """What came of the run, after its end. Raises what prevented it."""
+        """Return the result of the run, after its end. Raises the error that prevented it."""
         if self._ended:
             outcome: _Outcome | Exception = pickle.loads(self._outcome)
             if isinstance(outcome, Exception):

@@ -30,7 +30,7 @@ __all__ = ["note", "noted", "setup"]
 
 
 def noted(env: BuildEnvironment) -> dict[str, set[Stale]]:
-    """What no longer holds, by page."""
+    """Return what no longer holds, by the names of the pages."""
     return cast(dict[str, set[Stale]], env.__dict__.setdefault("rosspin_stale", {}))
 
 

@@ -41,7 +41,7 @@ class ExerciseDirective(SphinxDirective):
     option_spec: ClassVar = {"solution": directives.flag}
 
     def run(self) -> list[nodes.Node]:
-        """The title, the cell, which runs in the page, and below it what is folded. Of no such exercise, nothing."""
+        """Show the title, the cell that runs in the page, and below it what is folded; nothing of no such exercise."""
         lesson = next((each for each in LESSONS if each.exercise.name == self.arguments[0]), None)
         if lesson is None:
             from .checks import note  # which imports this module

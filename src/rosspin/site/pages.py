@@ -81,7 +81,7 @@ class TicksDirective(SphinxDirective):
     }
 
     def run(self) -> list[nodes.Node]:
-        """The plot, as inline SVG."""
+        """Return the plot, as inline SVG."""
         try:
             return list(self._shown(self._plot()))
         except Exception as error:
@@ -294,7 +294,7 @@ class FactRole(SphinxRole):
     """``fact``: a value from the page's facts, given as an expression and a format as in an f-string."""
 
     def run(self) -> tuple[list[nodes.Node], list[nodes.system_message]]:
-        """The value as text."""
+        """Return the value as text."""
         text, error = _facts(self.env).value(self.text)
         if error:
             note(self.env, self.get_source_info()[1], self.rawtext, error)
@@ -315,7 +315,7 @@ class ListingDirective(LiteralInclude):
     option_spec: ClassVar = {**LiteralInclude.option_spec, "changed-from": directives.unchanged_required}
 
     def run(self) -> list[nodes.Node]:
-        """The listing."""
+        """Return the listing."""
         if "changed-from" in self.options:
             old, new = (self._lines(name) for name in (self.options["changed-from"], self.arguments[0]))
             changed = [str(n + 1) for _, _, _, start, end in differences(old, new) for n in range(start, end)]
@@ -346,7 +346,7 @@ class LookDirective(SphinxDirective):
     option_spec: ClassVar = dict.fromkeys(("plot", "seconds", "shows", "without"), directives.unchanged_required)
 
     def run(self) -> list[nodes.Node]:
-        """The console, and the plot as inline SVG."""
+        """Return the console, and the plot as inline SVG."""
         relative, path = self.env.relfn2path(self.arguments[0])
         self.env.note_dependency(relative)
         try:
@@ -387,7 +387,7 @@ class VehicleDirective(SphinxDirective):
     """``.. vehicle::``: the figure of the first page, a vehicle that nodes steer in simulated time."""
 
     def run(self) -> list[nodes.Node]:
-        """The figure, as inline SVG with all its positions."""
+        """Return the figure, as inline SVG with all its positions."""
         for file, _ in NODES.values():
             self.env.note_dependency(file)
         try:
@@ -403,7 +403,7 @@ class UsageDirective(SphinxDirective):
     optional_arguments = 1
 
     def run(self) -> list[nodes.Node]:
-        """The text, as it is."""
+        """Return the text, as it is."""
         command = [sys.executable, "-m", "rosspin", *self.arguments, "--help"]
         environment = {**os.environ, "COLUMNS": "72", "NO_COLOR": "1"}
         text = subprocess.run(command, env=environment, check=True, capture_output=True, text=True).stdout
@@ -416,7 +416,7 @@ class NamesDirective(SphinxDirective):
     required_arguments = 2
 
     def run(self) -> list[nodes.Node]:
-        """A table of the names that there are, or of what some of them lack; for ``none`` a row of names."""
+        """Return a table of the names that there are, or of what some of them lack; for ``none`` a row of names."""
         module, which = self.arguments
         stand_in = {"rospy": rospy, "rclpy": rclpy}[module]
         match which:
@@ -442,7 +442,7 @@ def _code(*names: str) -> str:
 
 
 def _rospy_does(name: str) -> str:
-    """The first paragraph of a name's docstring."""
+    """Return the first paragraph of a name's docstring."""
     value = getattr(rospy, name)
     if isinstance(value, int):
         return f"A severity, {value}, for the ``log_level`` of ``init_node``."
@@ -450,13 +450,13 @@ def _rospy_does(name: str) -> str:
 
 
 def _rclpy_lacks() -> set[str]:
-    """The modules, their names and the methods of Node that the stand-in for rclpy lacks."""
+    """Return the modules, their names and the methods of Node that the stand-in for rclpy lacks."""
     lacking = {"rclpy": rclpy.NOT_SIMULATED, "Node": rclpy.node.NOT_SIMULATED, **rclpy.LACKING}
     return {f"{where}.{name}" for where, names in lacking.items() for name in names}
 
 
 def _rclpy_names() -> dict[str, list[str]]:
-    """The names of each module of rclpy. If a file stands for several, a name is listed in the module it belongs to."""
+    """Return the names of each module of rclpy. Where a file stands for several, each name is listed in its own."""
     return {
         module: [
             name
@@ -499,7 +499,7 @@ class MachineDirective(SphinxDirective):
     final_argument_whitespace = True
 
     def run(self) -> list[nodes.Node]:
-        """A table."""
+        """Return a table."""
         packages = "".join(self.arguments).split()
         described = machine.describe(packages)
         self.env.metadata[self.env.docname]["machine"] = packages, described

@@ -33,7 +33,7 @@ class NotesDirective(SphinxDirective):
     option_spec: ClassVar = {"minutes": directives.positive_int}
 
     def run(self) -> list[nodes.Node]:
-        """The notes, under a line that gives the minutes."""
+        """Return the notes, under a line that gives the minutes."""
         minutes = self.options.get("minutes", 0)
         title = f"For the speaker, {minutes} min" if minutes else "For the speaker"
         begins = f"<div class='rosspin-notes' role='note' data-minutes='{minutes}'><p><b>{title}</b></p>"

@@ -73,7 +73,7 @@ def save_preview(root: Path, file: Path, title: str) -> None:
 
 
 def _position(name: str, length: float, shown: Drive) -> tuple[str, str, str, str, float]:
-    """What web/src/vehicle.js shows of a drive."""
+    """Return what web/src/vehicle.js shows of a drive."""
     words = f"It {shown.words}.".replace(" s.", "\N{NO-BREAK SPACE}s.")
     return words, _alternative(name, length, shown), shown.path, shown.dashes, round(shown.when, 2)
 

@@ -18,7 +18,7 @@ from ..clocks.clock import NS, Clock
 from ..clocks.frames import Trail
 from ..results.ticks import Call, Message, Mishap, Tick
 
-__all__ = ["CallMade", "End", "Faults", "Graph", "Published", "Recording", "Tester", "TickLog", "Wire"]
+__all__ = ["CallMade", "Counterpart", "End", "Faults", "Graph", "Published", "Recording", "TickLog", "Wire"]
 
 Part = TypeVar("Part")
 
@@ -35,14 +35,14 @@ class End(Protocol):
         """The type of its messages, as in std_msgs/String."""
 
 
-class Tester(Protocol):
-    """A node that a test plays: it has an end of its own for each end that the others have."""
+class Counterpart(Protocol):
+    """Has an end of its own for each end that the nodes have: the node that a test plays."""
 
     def publication(self, subscription: Any) -> Any:
-        """Its end for a subscription."""
+        """Return its end for a subscription."""
 
     def subscription(self, publication: Any) -> Any:
-        """Its end for a publication."""
+        """Return its end for a publication."""
 
 
 class Wire(Protocol):
@@ -96,14 +96,14 @@ class Ticking(Protocol):
     source: str
 
     def coming(self) -> list[tuple[str, int, int, int]]:
-        """The next calls, if nothing more delayed them, until one is on time: source, number, expected, real (ns)."""
+        """List the next calls, undelayed by anything new, up to one on time: source, number, expected, real (ns)."""
 
 
 class Looping(Protocol):
     """A Rate whose passes are recorded."""
 
     def coming(self, trails: Mapping[int, Trail]) -> list[tuple[str, int, int, int]]:
-        """The pass that goes on and the next ones, in the same form; none if the loop has ended.
+        """List the pass that goes on and the next ones, in the same form; none if the loop has ended.
 
         ``trails`` are where threads are, by their idents.
         """
@@ -226,7 +226,7 @@ class Recording:
             self.published.append((topic, node, self._clock.now(), make))
 
     def coming(self) -> tuple[Tick, ...]:
-        """The calls of timers and the passes of loops that would have come next."""
+        """Return the calls of timers and the passes of loops that would have come next."""
         if not self.log or not self.log.coming:
             return ()
         start = self.start
@@ -239,11 +239,11 @@ class Recording:
         )
 
     def periods(self) -> dict[str, float]:
-        """The period (s) of each timer and each Rate that has kept to one grid, by its source."""
+        """Return the period (s) of each timer and each Rate that has kept to one grid, by its source."""
         return {name: period / NS for name, period in self.log.periods.items() if period > 0} if self.log else {}
 
     def ticks(self, since: int = 0) -> tuple[Tick, ...]:
-        """The recorded ticks, from the tick ``since`` on."""
+        """Return the recorded ticks, from the tick ``since`` on."""
         if self.log is None:
             return ()
         start = self.start
@@ -263,7 +263,7 @@ class Recording:
             )
 
     def messages(self, since: int = 0) -> tuple[Message, ...]:
-        """The recorded messages, from the message ``since`` on."""
+        """Return the recorded messages, from the message ``since`` on."""
         published = self.published or ()
         with _no_collections():
             return tuple(map(self._message, published[since:]))
@@ -282,7 +282,7 @@ class Recording:
         return len(self._mishaps)
 
     def mishaps(self, since: int = 0) -> tuple[Mishap, ...]:
-        """What faults did, from the mishap ``since`` on."""
+        """Return what faults did, from the mishap ``since`` on."""
         return tuple(
             Mishap((time - self.start) / NS, what, which, by / NS, message and self._message(message))
             for time, what, which, by, message in self._mishaps[since:]
@@ -296,7 +296,7 @@ class Recording:
         return call
 
     def calls(self, since: int = 0) -> tuple[Call, ...]:
-        """The recorded calls, from the call ``since`` on."""
+        """Return the recorded calls, from the call ``since`` on."""
         return tuple(call.since(self.start) for call in self._calls[since:])
 
     def __len__(self) -> int:
@@ -319,7 +319,7 @@ class Graph:
     """The topics that the nodes of one ROS share in a run."""
 
     def __init__(self) -> None:
-        self.tester: Tester | None = None
+        self.tester: Counterpart | None = None
         self.faults: Faults | None = None
         self._parts: dict[type, Any] = {}
         self._lock = threading.Lock()
@@ -327,7 +327,7 @@ class Graph:
         self._subscriptions: _Ends[Any] = _Ends()
 
     def part(self, kind: type[Part]) -> Part:
-        """What one ROS keeps for all its nodes of this run: ``kind()``, made when it is first asked for."""
+        """Return what one ROS keeps for all its nodes of this run: ``kind()``, made when it is first asked for."""
         if kind not in self._parts:
             self._parts[kind] = kind()
         return self._parts[kind]  # type: ignore[no-any-return]
@@ -355,16 +355,16 @@ class Graph:
             self._subscriptions.remove(end)
 
     def topics(self) -> list[tuple[str, str]]:
-        """The topics that somebody publishes, and their types."""
+        """Return the topics that somebody publishes, and their types."""
         with self._lock:
             return self._publications.types()
 
     def names(self) -> list[str]:
-        """The topics that somebody has, or has had."""
+        """Return the topics that somebody has, or has had."""
         with self._lock:
             return list(dict.fromkeys(self._publications.names() + self._subscriptions.names()))
 
     def subscribed(self) -> list[tuple[str, str]]:
-        """The topics to which somebody subscribes, and their types."""
+        """Return the topics to which somebody subscribes, and their types."""
         with self._lock:
             return self._subscriptions.types()

@@ -28,7 +28,9 @@ Then = Callable[[Any], None]
 
 
 class Tester(ABC):
-    """``messages`` has the classes by name, as in ``messages["std_msgs/UInt32"]``; ``fail`` ends the run."""
+    """A node that a test plays: it has an end of its own for each end that the others have.
+
+    ``messages`` has the classes by name, as in ``messages["std_msgs/UInt32"]``; ``fail`` ends the run."""
 
     def __init__(self, world: World, messages: Any, fail: Callable[[Exception], None]) -> None:
         self._world = world
@@ -39,10 +41,10 @@ class Tester(ABC):
 
     @abstractmethod
     def publication(self, subscription: Any) -> Any:
-        """Its end for a subscription."""
+        """Return its end for a subscription."""
 
     def subscription(self, publication: Any) -> Any:
-        """Its end for a publication."""
+        """Return its end for a publication."""
         self._published[publication.topic] = publication.type
         return self._listen(publication)
 
@@ -50,7 +52,7 @@ class Tester(ABC):
     def _listen(self, publication: Any) -> Any: ...
 
     def published(self, topic: str) -> str:
-        """The full name of a topic that a node publishes, or has published. Raises LookupError if none does."""
+        """Return the full name of a topic that a node publishes, or has published. Raises LookupError if none does."""
         name = _full_name(topic)
         if name not in self._published:
             raise LookupError(f"no node publishes {name}; published are: {_list(self._published.items())}")
@@ -92,7 +94,7 @@ class Tester(ABC):
 
     @abstractmethod
     def _offered(self, name: str) -> dict[str, str]:
-        """The services of the other nodes, and their types. Somebody looks for that of a name."""
+        """Return the services of the other nodes, and their types, for whoever looks for one by its name."""
 
     @abstractmethod
     def _request(
@@ -132,10 +134,10 @@ class Tester(ABC):
     @staticmethod
     @abstractmethod
     def _types(data_class: Any) -> dict[str, str]:
-        """The fields of a message and their types, as in ``std_msgs/Header`` and ``time[]``."""
+        """Return the fields of a message and their types, as in ``std_msgs/Header`` and ``time[]``."""
 
     def _value(self, type_: str, value: Any) -> Any:
-        """A field's value. As for rostopic, a dict stands for a message; here, a number of seconds also for a time."""
+        """Make a field's value. A dict stands for a message, as for rostopic, and a number of seconds for a time."""
         base, _, array = type_.partition("[")
         if array and isinstance(value, (list, tuple)):
             return [self._value(base, item) for item in value]
@@ -145,7 +147,7 @@ class Tester(ABC):
 
     @abstractmethod
     def _number(self, type_: str, value: float) -> Any:
-        """The value of a field for which a number is given: a time, if the type is one."""
+        """Return the value of a field for which a number is given: a time, if the type is one."""
 
     def _nested(self, type_: str, fields: Mapping[str, Any]) -> Any:
         return self.message(type_, fields)

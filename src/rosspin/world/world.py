@@ -172,7 +172,7 @@ class World(Program):
             thread.start()
 
     def part(self, kind: type[Part]) -> Part:
-        """What a ROS, ``kind.ROS``, keeps of this node: ``kind(world)``, made when it is first asked for.
+        """Return what a ROS, ``kind.ROS``, keeps of this node: ``kind(world)``, made when it is first asked for.
 
         That makes it a node of this ROS.
         """
@@ -187,7 +187,7 @@ class World(Program):
 
 
 def current_world() -> World:
-    """The world of the node that asks. Raises RuntimeError outside a run."""
+    """Return the world of the node that asks. Raises RuntimeError outside a run."""
     world = whose()
     if isinstance(world, World):
         return world

@@ -149,11 +149,7 @@ class UnsetLaunchConfiguration(Action):
         context.launch_configurations.pop(perform(context, self.name), None)
 
 
-@dataclass(eq=False)
-class SetEnvironmentVariable(Action):
-    name: Any
-    value: Any
-
+class SetEnvironmentVariable(SetLaunchConfiguration):
     def execute(self, context: LaunchContext) -> None:
         context.environment[perform(context, self.name)] = perform(context, self.value)
 
@@ -407,7 +403,7 @@ class Node(ExecuteProcess):
 
 
 def _joined(base: str | None, name: str | None) -> str | None:
-    """An absolute namespace of an outer one and one in it; None if there is none."""
+    """Return an absolute namespace of an outer one and one in it; None if there is none."""
     if base is None and name is None:
         return None
     joined = name or "" if not base or (name or "").startswith("/") else f"{base.rstrip('/')}/{name or ''}"

@@ -57,5 +57,5 @@ class LaunchContext:
         self.events.append(event)
 
     def perform_substitution(self, substitution: Substitution) -> str:
-        """The text of a substitution."""
+        """Return the text of a substitution."""
         return substitution.perform(self)

@@ -92,7 +92,7 @@ class EventHandler:
         return self.matcher(event)
 
     def handle(self, event: Any, context: LaunchContext) -> Iterable[Any]:
-        """What is to be done next."""
+        """Return what is to be done next."""
         context.known.update({"event": event})
         if self.handle_once:
             context.event_handlers.remove(self)

@@ -75,7 +75,7 @@ class _Entity:
         self._children = list(tag.children)
 
     def take(self, name: str, kind: Any = str, optional: bool = True) -> Any:
-        """An attribute, which is a text or of the type ``kind``; if that is None, of any type."""
+        """Return an attribute, which is a text or of the type ``kind``; if that is None, of any type."""
         tag, in_yaml = self.tag, isinstance(self.tag, _YamlTag)
         if name not in self._left:
             if optional:
@@ -96,28 +96,28 @@ class _Entity:
         return values[0] if separator is None else values
 
     def text(self, name: str, optional: bool = True) -> Any:
-        """An attribute in which substitutions are made."""
+        """Return an attribute in which substitutions are made."""
         value = self.take(name, optional=optional)
         return None if value is None else parse_substitution(value)
 
     def texts(self, *names: str) -> list[Any]:
-        """Attributes that must be there, in which substitutions are made."""
+        """Return attributes that must be there, in which substitutions are made."""
         return [self.text(name, optional=False) for name in names]
 
     def typed(self, name: str, kind: Any, optional: bool = True) -> Any:
-        """An attribute of a type, or the substitutions that make it."""
+        """Return an attribute of a type, or the substitutions that make it."""
         return _typed(self.take(name, kind, optional))
 
     def words(self, name: str) -> list[Any]:
-        """A command line, some of whose words are substitutions."""
+        """Return a command line, some of whose words are substitutions."""
         return _words(self.take(name) or "")
 
     def pairs(self, nested: str, *names: str) -> list[tuple[Any, ...]]:
-        """The attributes of nested tags."""
+        """Return the attributes of nested tags."""
         return [tuple(child.texts(*names)) for child in self.nested(nested)]
 
     def nested(self, *names: str) -> Iterator[_Entity]:
-        """The tags of these names within it; any, if none is given."""
+        """Yield the tags of these names within it; any, if none is given."""
         for child in self._children[:]:
             if not names or child.name in names:
                 self._children.remove(child)
@@ -213,7 +213,7 @@ def _timer(entity: _Entity) -> Any:
 
 
 def _process(entity: _Entity) -> dict[str, Any]:
-    """What <node> and <executable> have in common."""
+    """Return what <node> and <executable> have in common."""
     given = {name: entity.text(name) for name in ("cwd", "output", "respawn", "sigterm_timeout", "sigkill_timeout")}
     given["respawn_delay"] = entity.take("respawn_delay", float)
     given["respawn_max_retries"] = entity.take("respawn_max_retries", int)
@@ -253,7 +253,7 @@ def _param(entity: _Entity) -> Any:
 
 
 def _pair(entity: _Entity) -> tuple[Any, Any]:
-    """The name of a parameter with its value, or with those whose names begin with it."""
+    """Return the name of a parameter with its value, or with those whose names begin with it."""
     type_name = entity.take("type")
     if type_name is not None and type_name not in _TYPES:
         raise ValueError(f"{type_name!r} is no type of a parameter: {', '.join(_TYPES)}")

@@ -43,7 +43,7 @@ class ParameterFile:
 
 
 def evaluate(context: LaunchContext, parameters: Mapping[Any, Any], prefix: str = "") -> Iterator[tuple[str, Any]]:
-    """The names and values that a dictionary gives. Raises TypeError and ValueError."""
+    """Yield the names and values that a dictionary gives. Raises TypeError and ValueError."""
     for key, value in parameters.items():
         name = prefix + perform(context, key)
         if isinstance(value, Mapping):
@@ -83,7 +83,7 @@ def _value(context: LaunchContext, name: str, value: Any) -> Any:
 
 
 def words_for(context: LaunchContext, parameters: Sequence[Any], node: str) -> Iterator[str]:
-    """The words of a command line that give parameters to a node, by its full name or "/**"."""
+    """Yield the words of a command line that give parameters to a node, by its full name or "/**"."""
     import yaml
 
     for each in parameters:
@@ -105,7 +105,7 @@ def words_for(context: LaunchContext, parameters: Sequence[Any], node: str) -> I
 
 
 def _path(context: LaunchContext, file: ParameterFile) -> str:
-    """The path of a file; if substitutions are made in it, that of a copy."""
+    """Return the path of a file; if substitutions are made in it, that of a copy."""
     path = os.fspath(file.param_file) if isinstance(file.param_file, os.PathLike) else perform(context, file.param_file)
     if perform_typed(context, file.allow_substs, bool):
         with open(path, encoding="utf-8") as opened:

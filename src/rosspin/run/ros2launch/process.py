@@ -12,7 +12,7 @@ from ...clocks.simulation import Simulation
 from ...clocks.threads import unlist_threads
 from ..host import Host
 from ..process import Process
-from ..source import Node as Code
+from ..source import Code
 from ..streams import Lines, nowhere
 from . import events
 from .substitutions import perform, perform_typed
@@ -184,7 +184,7 @@ def _exit_code(process: Process) -> int:
 
 
 def _shown(output: Any) -> set[str]:
-    """Which of stdout and stderr go to the screen."""
+    """Return which of stdout and stderr go to the screen."""
     if not isinstance(output, dict):
         if output not in _OUTPUTS:
             raise ValueError(f'{output} is not a valid standard output config i.e. "screen", "log" or "both"')

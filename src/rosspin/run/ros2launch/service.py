@@ -23,8 +23,7 @@ from ...clocks.simulation import Simulation
 from ...messages.library import Library
 from ..executables import find_node, is_cpp
 from ..host import Host
-from ..source import Node as Code
-from ..source import compiled, load, read, warn_of_files
+from ..source import Code, compiled, load, read, warn_of_files
 from ..tags import Fault
 from . import events
 from .actions import ExecuteProcess, IncludeLaunchDescription, LaunchDescription
@@ -185,7 +184,7 @@ class LaunchService:
         return description
 
     def package(self, name: str) -> Path:
-        """The folder of a package, which is its share folder, too. Raises PackageNotFoundError."""
+        """Return the folder of a package, which is its share folder, too. Raises PackageNotFoundError."""
         folder = self._library.package(name)
         if folder is None:
             raise PackageNotFoundError(f"package '{name}' not found around the launch file")
@@ -204,7 +203,7 @@ class LaunchService:
         return self._file.skip_cpp
 
     def node(self, place: str, package: str, name: str) -> Code | None:
-        """The code of a package's node; None if it is left out. Raises ValueError if it is none in Python."""
+        """Return the code of a package's node; None if it is left out. Raises ValueError if it is none in Python."""
         folder = self._library.package(package)
         code = find_node(folder, name) if folder else None
         if code or self.leaves_out(place, f"{package}/{name}"):
@@ -216,7 +215,7 @@ class LaunchService:
         raise ValueError(f"executable '{name}' not found in package '{package}'")
 
     def command(self, place: str, words: Sequence[str]) -> tuple[Code | None, Sequence[str]]:
-        """The code of a program, and the rest of its command line. Raises ValueError if it is not in Python."""
+        """Return the code of a program, and the rest of its command line. Raises ValueError if it is not in Python."""
         match words:
             case ["ros2", "run", package, name, *rest]:
                 return self.node(place, package, name), rest

@@ -44,7 +44,7 @@ def listed(some: Any) -> list[Substitution]:
 
 
 def perform(context: LaunchContext, some: Any) -> str:
-    """The text of what :func:`listed` takes."""
+    """Return the text of what :func:`listed` takes."""
     return "".join(each.perform(context) for each in listed(some))
 
 

@@ -148,7 +148,7 @@ class _Reader:
                     raise
 
     def _attributes(self, tag: Tag, scope: _Scope) -> dict[str, str] | None:
-        """A tag's attributes, with substitutions made; None if its "if" or "unless" leaves the tag out."""
+        """Return a tag's attributes, with substitutions made; None if its "if" or "unless" leaves the tag out."""
         needed, names = _ATTRIBUTES[tag.name][0], _ATTRIBUTES[tag.name][1].split()
         found = {
             name: self._resolve(value, scope) for name, value in tag.attributes.items() if name in ("if", "unless")
@@ -336,7 +336,7 @@ class _Reader:
         return folder
 
     def _find_node(self, package: str, kind: str) -> Path | None:
-        """The file of a node; None if it is to be left out."""
+        """Return the file of a node; None if it is to be left out."""
         folder = self._library.package(package)
         if folder is None:
             if self._skip_cpp:

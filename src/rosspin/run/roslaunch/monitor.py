@@ -19,7 +19,7 @@ from ...rospy.state import Master
 from ...world.world import World
 from ..explain import say_where
 from ..host import Host
-from ..source import Node as Code
+from ..source import Code
 from ..streams import nowhere
 from .launch import Launch, Node
 
@@ -50,7 +50,7 @@ class _Member:
         self.respawns_at: int | None = None  # when (ns) it is to be started again
 
     def exit_code(self) -> int:
-        """The exit code as roslaunch has it: negative for a signal."""
+        """Return the exit code as roslaunch has it: negative for a signal."""
         return self.world.exit_status or 0
 
 
