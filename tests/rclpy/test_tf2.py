@@ -228,6 +228,14 @@ def test_all_its_names_can_be_imported(write: Any) -> None:
     assert simulate(node, 1).console == "True\n"
 
 
+def test_it_passes_on_the_messages_that_many_nodes_import_from_it(write: Any) -> None:
+    node = write(
+        "import rclpy, geometry_msgs.msg, tf2_msgs.msg\nfrom tf2_ros import TFMessage, TransformStamped\n"
+        "print(TransformStamped is geometry_msgs.msg.TransformStamped, TFMessage is tf2_msgs.msg.TFMessage)"
+    )
+    assert simulate(node, 1).console == "True True\n"
+
+
 def test_what_it_lacks_says_so(write: Any) -> None:
     with pytest.raises(NotSimulated, match=r"^tf2_ros\.BufferClient is not simulated; run this node on a real ROS"):
         simulate(write("import rclpy\nfrom tf2_ros import BufferClient\n"), 1)

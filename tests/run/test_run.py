@@ -307,6 +307,18 @@ def test_a_function_finds_the_program_that_it_is_of() -> None:
     assert found == [(sys.modules["__main__"], "<lambda>")]
 
 
+def test_a_launch_file_of_ros_2_finds_the_path_of_a_package(tmp_path: Any) -> None:
+    (tmp_path / "package.xml").write_text("<package><name>mine</name></package>")
+    file = tmp_path / "path.launch.py"
+    file.write_text(
+        "from ament_index_python.packages import get_package_share_path\n"
+        "from launch import LaunchDescription\nfrom launch.actions import LogInfo\n"
+        "def generate_launch_description():\n"
+        "    return LaunchDescription([LogInfo(msg=f'in {get_package_share_path(\"mine\").name}')])\n"
+    )
+    assert f"in {tmp_path.name}" in simulate(file, 1).console
+
+
 def test_a_node_of_ros_2_finds_the_folders_of_packages(tmp_path: Any, monkeypatch: pytest.MonkeyPatch) -> None:
     """Those of its workspace; a package has one folder, its source."""
     for name in ("mine", "other"):

@@ -50,6 +50,7 @@ from . import (
 from .context import Context, get_default_context
 from .executors import Executor, SingleThreadedExecutor
 from .parameter import Parameter
+from .passed_on import PASSED_ON, passing_on
 from .signals import SignalHandlerOptions, install_signal_handlers, uninstall_signal_handlers
 from .state import state
 from .task import Future
@@ -189,8 +190,6 @@ IN_PART = {
     "``destroy_node()`` is still there.",
     "Publisher": "Fields are always checked, as with ``ROS_PYTHON_CHECK_FIELDS=1``.",
     "PublisherEventCallbacks": "``incompatible_type`` is never called, as with Fast DDS.",
-    "QoSPresetProfiles": "Without short keys: take ``QoSPresetProfiles.SENSOR_DATA.value``, not "
-    "``get_from_short_key``. So are the policies.",
     "QoSProfile": "``avoid_ros_namespace_conventions`` has no effect.",
     "RcutilsLogger": "On the console and on ``/rosout``, not in a file. rcl itself says little.",
     "Service": "As ``Client``.",
@@ -264,6 +263,8 @@ MODULES: dict[str, ModuleType] = {
 
 for _name, _lacking in LACKING.items():
     MODULES[_name].__getattr__ = refusing(_name, _lacking)  # type: ignore[method-assign]
+for _name, _sources in PASSED_ON.items():
+    MODULES[_name].__getattr__ = passing_on(_name, _sources)  # type: ignore[method-assign]
 
 # Says why something waits for ever.
 explain_waits = deadlock.explain

@@ -57,7 +57,9 @@ class _Call:
         self.settings = settings
         self.options = options
         self.calls = 0
-        self.last = -math.inf  # when it logged, in ns
+        clock = options.get("throttle_time_source_type")
+        # When it logged, in ns. rclpy begins with 0, which is long ago for all clocks but a simulator's.
+        self.last = 0 if getattr(clock, "ros_time_is_active", False) else -math.inf
 
     def is_wanted(self) -> bool:
         """Whether the filters let this call through. Each is asked only if those before it let it through."""

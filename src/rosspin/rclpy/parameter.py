@@ -256,7 +256,8 @@ class Parameters:
                 _check_static(name, value, descriptor)
                 descriptor.type, value = value.value, None
             elif not descriptor.dynamic_typing:
-                descriptor.type = _Type.from_parameter_value(value).value
+                is_message = isinstance(value, import_module("rcl_interfaces.msg").ParameterValue)
+                descriptor.type = value.type if is_message else _Type.from_parameter_value(value).value
                 if descriptor.type == 0:
                     raise ValueError(
                         "Cannot declare a statically typed parameter with default value of type PARAMETER_NOT_SET"

@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Sequence
-from enum import Enum, IntEnum
+from enum import Enum, EnumType, IntEnum
 from typing import Any, NamedTuple
 
 from ..clocks.frames import warn
@@ -47,7 +47,19 @@ def qos_policy_name_from_kind(policy_kind: QoSPolicyKind | int) -> str:
     return QoSPolicyKind(policy_kind).name
 
 
-class QoSPolicyEnum(IntEnum):
+class _ByShortKey(EnumType):
+    """Enumerations whose values have short names."""
+
+    def short_keys(cls) -> list[str]:
+        """Return the short names of all values."""
+        return [name.lower() for name in cls.__members__]
+
+    def get_from_short_key(cls, name: str) -> Any:
+        """Return the value with a short name, in whatever case. Raises KeyError if there is none."""
+        return cls[name.upper()].value
+
+
+class QoSPolicyEnum(IntEnum, metaclass=_ByShortKey):
     """Base of the policies."""
 
     @property
@@ -319,7 +331,7 @@ qos_profile_best_available = QoSProfile(
 qos_profile_action_status_default = QoSProfile(depth=1, durability=DurabilityPolicy.TRANSIENT_LOCAL)
 
 
-class QoSPresetProfiles(Enum):
+class QoSPresetProfiles(Enum, metaclass=_ByShortKey):
     """The profiles that ROS has names for."""
 
     UNKNOWN = qos_profile_unknown

@@ -29,6 +29,7 @@ from .duration import Duration
 from .executors import SingleThreadedExecutor
 from .logging import RcutilsLogger
 from .node import Node
+from .passed_on import passing_on
 from .qos import DurabilityPolicy, QoSProfile
 from .task import Future
 from .time import Time
@@ -360,7 +361,14 @@ def _stamped(target: str, source: str, transform: Transform, time: int) -> Any:
     return message
 
 
-__getattr__ = refusing("tf2_ros", {"BufferClient", "BufferInterface", "ConvertRegistration", "TransformRegistration"})
+_refuse = refusing("tf2_ros", {"BufferClient", "BufferInterface", "ConvertRegistration", "TransformRegistration"})
+# Names that tf2_ros passes on, as its broadcasters import them; many nodes have them from here.
+_pass_on = passing_on("tf2_ros", {"geometry_msgs.msg": "TransformStamped", "tf2_msgs.msg": "TFMessage"})
+
+
+def __getattr__(name: str) -> Any:
+    return _pass_on(name) if name in ("TransformStamped", "TFMessage") else _refuse(name)
+
 
 # What a node may import, by its name on a real ROS.
 MODULES: dict[str, ModuleType] = dict.fromkeys(

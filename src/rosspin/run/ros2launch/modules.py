@@ -104,7 +104,8 @@ def modules(service: LaunchService) -> dict[str, ModuleType]:
         return str(service.package(package_name))
 
     # A package has one folder here, which stands for all that are installed.
-    folders = {"get_package_share_directory": share, "get_package_prefix": share}
+    folders: dict[str, Any] = {"get_package_share_directory": share, "get_package_prefix": share}
+    folders["get_package_share_path"] = service.package
     vars(made["launch"]).update(SomeSubstitutionsType=object, LaunchDescriptionEntity=object)
     vars(made["launch.logging"]).update(get_logger=get_logger)
     vars(made["ament_index_python"]).update(folders)
