@@ -415,6 +415,20 @@ def test_seconds_that_no_clock_can_hold(run: Any) -> None:
         run(lambda: None, 1e300)
 
 
+def test_a_long_loop_of_looks_takes_few() -> None:
+    """It sees the end of a thread nearly when it comes, and a run does not take longer than its time."""
+
+    def node() -> None:
+        thread = threading.Thread(target=time.sleep, args=[1.0])
+        thread.start()
+        looks = 0
+        while thread.is_alive():
+            looks += 1
+        print(looks < 100_000, time.time() < 1.001)
+
+    assert simulate(node, 2).console == "True True\n"
+
+
 def test_a_turn_that_was_interrupted_goes_to_the_next_who_waits() -> None:
     def node() -> None:
         lock = threading.Lock()

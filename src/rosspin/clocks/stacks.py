@@ -124,7 +124,7 @@ class Stack(Switched):
             None  # what else it waits for, and who is to give it
         )
         self.polled = -1  # when (ns) it last looked in vain for something
-        self.polls = 0  # how often it did so at that time
+        self.polls = 0  # how often in a row it has
         self.interrupt: Callable[[], None] | None = None  # what it is to call as soon as it goes on
         self.resumed = False  # whether it was scheduled to go on for its interrupt
         self.ended: Any = None  # a lock that is released when it has ended

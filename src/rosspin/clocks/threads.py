@@ -41,8 +41,8 @@ _real_lock = _thread.allocate_lock
 _real_rlock = _thread.RLock
 _real_ident = _thread.get_ident
 
-# What a look in vain costs (ns) in a loop of nothing but looks: about as much as on a real machine. The first looks at
-# one time are free, more than a node without such a loop needs.
+# What a look in vain costs (ns) in a loop of nothing but looks: at first about as much as on a real machine; soon more,
+# or a loop of a second would take a million looks. The first in a row are free, more than other code needs.
 _POLL = 1_000
 _FREE_POLLS = 1_000
 
@@ -135,14 +135,14 @@ class Lock:
 
 
 def _poll() -> None:
-    """Count a look in vain. The first looks at one time are free; more of them are a loop, and have to cost time."""
+    """Count a look in vain. The first ones in a row are free; more are a loop, in which each costs ever more time."""
     stack = current()
     if isinstance(stack, Stack):
-        now = stack.clock.now()
-        stack.polls = stack.polls + 1 if stack.polled == now else 1
-        stack.polled = now
+        clock = stack.clock
+        stack.polls = stack.polls + 1 if stack.polled == clock.now() else 1
         if stack.polls > _FREE_POLLS:
-            stack.clock.sleep(_POLL)
+            clock.sleep(_POLL * (stack.polls // _FREE_POLLS))
+        stack.polled = clock.now()
 
 
 def _check_timeout(blocking: bool, timeout: float) -> None:

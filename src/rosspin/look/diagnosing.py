@@ -270,7 +270,7 @@ class _Diagnosis:
             self._in_one(node, windows)
 
     def _is_explained(self, series: Series, gap: Gap) -> bool:
-        """Whether in a gap the clock was set, numbers were lost, or the node was started again and counts from 1 again."""
+        """Whether in a gap the clock was set, numbers were lost, or the node was started again and counts from 1."""
         counts = series.counts
         jumped = any(gap.start <= jump <= gap.end for jump in self.jumps)
         return jumped or _left_out(series, gap) > 0 or (bool(counts) and counts[gap.at] <= counts[gap.at - 1])
