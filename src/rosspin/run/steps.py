@@ -358,6 +358,7 @@ class StartedNode:
             tuple(self._messages[message:]),
             self._host.recording.calls(call),
             self._host.recording.mishaps(mishap),
+            self._host.recording.coming(),
         )
 
 
