@@ -4,7 +4,10 @@ from __future__ import annotations
 
 from pathlib import Path
 
+import pytest
 from author import copied, go_the_way
+
+pytestmark = pytest.mark.turns(2)
 
 # Enough for the way of the how-to; all pages go it in tests/real/judge.
 FEW_PAGES = [

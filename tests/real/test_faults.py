@@ -25,6 +25,8 @@ from rosspin.faults import ClockJump, Crash, Fault, Late, Slow, Topic
 from rosspin.real import ros1, ros2
 from rosspin.real.children import Children
 
+pytestmark = pytest.mark.turns(2)
+
 NEVER = 60.0  # s
 
 COMMON = """

@@ -16,6 +16,8 @@ import yaml
 from answers import CELLS
 from tree import ROOT
 
+pytestmark = pytest.mark.turns(2)
+
 EXAMPLES = ROOT / "examples/grading"
 
 COMMANDS = re.findall(

@@ -91,43 +91,6 @@ def test_the_uneven_node_on_the_real_ros(ros1: Workspace) -> None:
         assert told.search(ros1.run([str(node)], NEVER, Until("counter = 6")).console)
 
 
-def _wheels(console: str) -> list[tuple[str, str]]:
-    """What the odometer node of the page on locks reported: pairs that should be equal."""
-    return re.findall(r"left = (\d+), right = (\d+)", console)
-
-
-THREADS = ROOT / "examples" / "threads"
-REPORT = "left = "
-
-
-def test_callbacks_that_share_data_on_the_real_ros(ros1: Workspace, cpp_nodes: CppNodes) -> None:
-    """Without the lock a report shows half a reading, with it none does, in Python and in C++."""
-    nodes = {name: str(THREADS / f"{name}_py_node.py") for name in ("torn", "locked")}
-    programs = {name: cpp_nodes.program(f"{name}_cpp_node") for name in nodes}
-    for torn, locked in (nodes.values(), programs.values()):
-        with control(bears=0.05):  # late reports may miss all readings
-            wrong = _wheels(ros1.run([torn], NEVER, Until(REPORT, times=5)).console)
-            assert any(left != right for left, right in wrong)
-        right = _wheels(ros1.run([locked], NEVER, Until(REPORT, times=5)).console)
-        assert right and all(left == right for left, right in right)
-
-
-def test_callbacks_that_share_data_on_the_real_ros_2(require: Callable[[str], None]) -> None:
-    """Without the lock a report shows half a reading, with it none does."""
-    require("ros2")
-    with control(bears=0.05):
-        wrong = _wheels(ros2.launch(THREADS / "ros2/torn_py_node.py", NEVER, (), Until(REPORT, times=5)).console)
-        assert any(left != right for left, right in wrong)
-    right = _wheels(ros2.launch(THREADS / "ros2/locked_py_node.py", NEVER, (), Until(REPORT, times=5)).console)
-    assert right and all(left == right for left, right in right)
-
-
-def test_a_roscpp_node_needs_no_lock_under_spin(ros1: Workspace, cpp_nodes: CppNodes) -> None:
-    node = cpp_nodes.program("spun_cpp_node")
-    found = _wheels(ros1.run([node], NEVER, Until(REPORT, times=5)).console)
-    assert found and all(left == right for left, right in found)
-
-
 class _UntilBothCount:
     """A console that presses Ctrl-C as soon as both nodes have been heard."""
 

@@ -31,6 +31,8 @@ from rosspin.measures import by_source
 from rosspin.real import ros2
 from rosspin.real.children import Output
 
+pytestmark = pytest.mark.turns(2)
+
 EXAMPLES = ROOT / "examples"
 PACKAGE = EXAMPLES / "my_robotics_pkg_ros2"
 NODES = PACKAGE / "my_robotics_pkg"

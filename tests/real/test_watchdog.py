@@ -20,6 +20,8 @@ from rosspin import TimeStandsStill, rospy, simulate
 from rosspin.clocks import simulation, watchdog
 from rosspin.exercises import check
 
+pytestmark = pytest.mark.turns(2)
+
 
 @pytest.fixture
 def raised(monkeypatch: pytest.MonkeyPatch) -> Iterator[list[bool]]:

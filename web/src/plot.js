@@ -1,7 +1,7 @@
 // The ticks of a run as they come, in the look of the site's figures.
 
 import { make } from "./make.js"
-import { MARGIN, draw, drawTimeline, layOut, percent } from "./svg.js"
+import { INK, MARGIN, draw, drawTimeline, layOut, percent } from "./svg.js"
 
 const MOST_TICKS = 2000
 
@@ -81,7 +81,7 @@ export class Plot {
   /** Let the reader choose a tick: by pointing at it, or like a slider, with the arrow keys. */
   #offer() {
     const picture = /** @type {SVGSVGElement} */ (this.element.querySelector("svg"))
-    const ring = draw("circle", { r: 5.5, fill: "none", stroke: "currentColor", "stroke-width": 1.2 })
+    const ring = draw("circle", { r: 5.5, fill: "none", ...INK, "stroke-width": 1.2 })
     const properties = { className: "live-handle", tabIndex: 0, role: "slider", ariaLabel: this.#name }
     const handle = make("div", { ...properties, ariaValueMin: "1", ariaValueMax: `${this.#ticks.length}` })
     const said = make("p", { className: "live-tick", ariaHidden: "true" }) // it is the handle's value

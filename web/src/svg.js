@@ -10,7 +10,8 @@ const BAR = 10
 const AXIS = 40
 const MOST_ABOVE = 2
 const TITLE = "time (s); line: expected, mark: real"
-const LINE = { stroke: "currentColor", "stroke-opacity": 0.55 }
+export const INK = { stroke: "currentColor" }
+const LINE = { ...INK, "stroke-opacity": 0.55 }
 export const MARGIN = 0.016 // of the width, on either side of the ticks
 
 /**
@@ -77,8 +78,8 @@ function drawRow(number, [, , expected, lost, ticks], { first, span, kinds }) {
     drawn.push(draw("rect", { ...place, ...size, fill: COLOURS[kind], "fill-opacity": 0.45 }))
   })
   for (const x of lost.map(scale)) {
-    const cross = { d: "M-5 -5L5 5M-5 5L5 -5", stroke: "currentColor", "stroke-width": 2 }
-    drawn.push(draw("svg", { x, y, overflow: "visible" }, draw("path", cross)))
+    const cross = { d: "M-5-5 5 5M-5 5 5-5", ...INK, "stroke-width": 2 }
+    drawn.push(draw("svg", { x, y }, draw("path", cross)))
   }
   heights(number, ticks).forEach((down, index) => drawn.push(mark(kind, scale(ticks[index][0]), down)))
   return drawn
@@ -163,12 +164,12 @@ export function drawTimeline(rows, { title, ...scale }, alternative) {
   const size = step(scale.span)
   for (let n = Math.ceil(scale.first / size - 1e-9); n * size <= scale.first + scale.span + 1e-9 * size; n++) {
     const x = percent((100 * (n * size - scale.first)) / scale.span)
-    axis.push(draw("line", { x1: x, x2: x, y1: top, y2: top + 3.5, stroke: "currentColor", "stroke-width": 0.8 }))
+    axis.push(draw("line", { x1: x, x2: x, y1: top, y2: top + 3.5, ...INK, "stroke-width": 0.8 }))
     const number = String(Number((n * size).toPrecision(6)))
     axis.push(draw("text", { x, y: top + 17, "text-anchor": "middle" }, number))
   }
   const drawn = rows.map((row, number) => draw("g", {}, ...drawRow(number, row, scale)))
-  const place = { x: percent(100 * MARGIN), width: percent(100 - 200 * MARGIN), overflow: "visible" }
+  const place = { x: percent(100 * MARGIN), width: percent(100 - 200 * MARGIN) }
   const texts = rows.flatMap(([name, words], number) => [
     draw("text", { x: 2, y: TOP + ROW * number + 10, "font-weight": 700 }, name),
     draw("text", { x: "100%", dx: -2, y: TOP + ROW * number + 10, "text-anchor": "end" }, words),
@@ -177,9 +178,9 @@ export function drawTimeline(rows, { title, ...scale }, alternative) {
     "svg",
     {
       ...{ width: "100%", height: top + AXIS, role: "img", "aria-label": alternative },
-      ...{ fill: "currentColor", "font-size": 13, overflow: "visible" }, // on a phone a cross is wider than the margin
+      ...{ fill: "currentColor", "font-size": 13 },
     },
-    draw("line", { x1: 0, x2: "100%", y1: top, y2: top, stroke: "currentColor", "stroke-width": 0.8 }),
+    draw("line", { x1: 0, x2: "100%", y1: top, y2: top, ...INK, "stroke-width": 0.8 }),
     draw("text", { x: "100%", dx: -2, y: top + 34, "text-anchor": "end" }, title),
     ...texts,
     draw("svg", place, ...drawn, ...axis),

@@ -5,10 +5,13 @@ from __future__ import annotations
 import json
 from pathlib import Path
 
+import pytest
 from answers import CELLS, NAMES, number_of, written
 from answers_ros1 import WRONG
 from command_line import run
 from hand_ins import Table, handed_in
+
+pytestmark = pytest.mark.turns(2)
 
 SOME = ["make-it-10-hz", "slow-timer", "cancel-a-goal", "share-data", "rostopic-hz"]
 FORGED = "print('Exercise 1: right.')\nprint('{\"verdict\": \"solved\"}')"

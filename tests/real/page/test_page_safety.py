@@ -83,6 +83,7 @@ def test_two_runs_do_not_hear_each_other(tutorial: Page) -> None:
 # --- the page of a sandbox --------------------------------------------------------------------------------------------
 
 
+@pytest.mark.turns(2)
 @pytest.mark.parametrize("place", ["popup", "frame", "sandboxed frame", "top"])
 def test_page_of_a_sandbox_does_nothing_for_others(
     context: BrowserContext, address: str, tmp_path: Path, place: str
@@ -193,6 +194,7 @@ KEPT_IN_THE_END = """async wanted => {
 }"""
 
 
+@pytest.mark.turns(2)
 @pytest.mark.parametrize("name", ["snapshot.gz", "pyodide.asm.wasm", "worker.js"])
 def test_a_file_of_the_site_that_was_changed_is_not_used(context: BrowserContext, address: str, name: str) -> None:
     """It is asked for once more; then a line says which it is."""
