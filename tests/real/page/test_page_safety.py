@@ -18,6 +18,8 @@ from playwright.sync_api import Browser, BrowserContext, Page, expect
 
 from rosspin import doctor
 
+pytestmark = pytest.mark.turns(2)
+
 
 @pytest.fixture(scope="module")
 def browser(require: Callable[[str], None]) -> Iterator[Browser]:
@@ -83,7 +85,6 @@ def test_two_runs_do_not_hear_each_other(tutorial: Page) -> None:
 # --- the page of a sandbox --------------------------------------------------------------------------------------------
 
 
-@pytest.mark.turns(2)
 @pytest.mark.parametrize("place", ["popup", "frame", "sandboxed frame", "top"])
 def test_page_of_a_sandbox_does_nothing_for_others(
     context: BrowserContext, address: str, tmp_path: Path, place: str
@@ -194,7 +195,6 @@ KEPT_IN_THE_END = """async wanted => {
 }"""
 
 
-@pytest.mark.turns(2)
 @pytest.mark.parametrize("name", ["snapshot.gz", "pyodide.asm.wasm", "worker.js"])
 def test_a_file_of_the_site_that_was_changed_is_not_used(context: BrowserContext, address: str, name: str) -> None:
     """It is asked for once more; then a line says which it is."""

@@ -23,7 +23,7 @@ from tree import EXAMPLES
 from rosspin import simulate
 from rosspin.measures import describe_timeline
 
-pytestmark = pytest.mark.turns(2)
+pytestmark = pytest.mark.turns(4)
 
 
 @pytest.mark.parametrize("index", range(len(LISTINGS)))

@@ -26,7 +26,7 @@ from tree import EXAMPLES
 
 from rosspin import simulate
 
-pytestmark = pytest.mark.turns(2)
+pytestmark = pytest.mark.turns(4)
 
 
 def _asked(page: Page, name: str) -> list[str]:
