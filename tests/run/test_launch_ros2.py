@@ -259,6 +259,16 @@ def test_the_command_line(capsys: pytest.CaptureFixture[str]) -> None:
     assert "malformed launch argument 'needed', expected format '<name>:=<value>'" in capsys.readouterr().err
 
 
+def test_a_file_called_launch_py_is_one(tmp_path: Path) -> None:
+    """It hides the package ``launch`` from nobody."""
+    text = (
+        "from launch import LaunchDescription\nfrom launch.actions import LogInfo\n"
+        "def generate_launch_description():\n    return LaunchDescription([LogInfo(msg='here')])\n"
+    )
+    (tmp_path / "launch.py").write_text(text)
+    assert simulate(tmp_path / "launch.py", 2).console == "[INFO] [launch.user]: here\n"
+
+
 def test_a_file_that_is_not_there_or_not_python(write: Any) -> None:
     with pytest.raises(FileNotFoundError):
         simulate("lost.launch.py", 1)

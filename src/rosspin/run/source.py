@@ -129,7 +129,7 @@ def _compile(source: str, filename: str) -> CodeType:
 
 def is_launch_of_ros2(path: str) -> bool:
     """Whether a file is a launch file of ROS 2, by its name."""
-    return bool(re.search(r"[._]launch\.(py|xml|ya?ml)$", path))
+    return bool(re.search(r"(^|[._/\\])launch\.(py|xml|ya?ml)$", path))
 
 
 def refuse_other_ros(path: str, ros: int) -> None:
