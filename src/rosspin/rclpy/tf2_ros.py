@@ -363,11 +363,12 @@ def _stamped(target: str, source: str, transform: Transform, time: int) -> Any:
 
 _refuse = refusing("tf2_ros", {"BufferClient", "BufferInterface", "ConvertRegistration", "TransformRegistration"})
 # Names that tf2_ros passes on, as its broadcasters import them; many nodes have them from here.
-_pass_on = passing_on("tf2_ros", {"geometry_msgs.msg": "TransformStamped", "tf2_msgs.msg": "TFMessage"})
+_PASSED_ON = {"geometry_msgs.msg": "TransformStamped", "tf2_msgs.msg": "TFMessage"}
+_pass_on = passing_on("tf2_ros", _PASSED_ON)
 
 
 def __getattr__(name: str) -> Any:
-    return _pass_on(name) if name in ("TransformStamped", "TFMessage") else _refuse(name)
+    return _pass_on(name) if name in _PASSED_ON.values() else _refuse(name)
 
 
 # What a node may import, by its name on a real ROS.
