@@ -7,8 +7,9 @@ from contextlib import contextmanager
 
 from answers import CELLS, NOTEBOOKS, answer_in, number_of
 from listings_in_page import exercise, lines_of
-from looks import PATIENCE, faults
+from looks import faults
 from playwright.sync_api import Browser, Page, expect
+from readers import reader
 
 from rosspin.exercises import EXERCISES, check
 
@@ -16,8 +17,7 @@ from rosspin.exercises import EXERCISES, check
 @contextmanager
 def open_pages(browser: Browser, address: str) -> Iterator[dict[int, Page]]:
     """The page of exercises on each ROS; nothing may go wrong in them."""
-    with browser.new_context(viewport={"width": 1280, "height": 900}) as context:
-        context.set_default_timeout(PATIENCE)
+    with reader(browser, viewport={"width": 1280, "height": 900}) as context:
         pages = {ros: context.new_page() for ros in NOTEBOOKS}
         wrong = [faults(page, address) for page in pages.values()]
         for ros, page in pages.items():

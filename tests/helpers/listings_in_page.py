@@ -9,8 +9,8 @@ import time
 import zlib
 from typing import Any
 
-from looks import PATIENCE
 from playwright.sync_api import Locator, Page, expect
+from readers import PATIENCE
 from tree import EXAMPLES
 
 TUTORIAL = "docs/tutorial.html"

@@ -6,11 +6,6 @@ from typing import Literal
 
 from playwright.sync_api import Page, expect
 
-# How long a test waits for what should be on a page until it gives up (ms). Playwright's own 5 s are too short where
-# Python starts, or the machine is busy.
-PATIENCE = 120_000
-
-
 Scheme = Literal["light", "dark"]
 SCHEMES: tuple[Scheme, ...] = ("light", "dark")
 

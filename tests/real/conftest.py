@@ -14,8 +14,8 @@ from in_chromium import launched, served
 from lacking import LACKS
 from ledger import TURN
 from leftovers import processes
-from looks import PATIENCE
 from playwright.sync_api import Browser, expect
+from readers import PATIENCE
 from turns import waiting
 
 from rosspin import doctor

@@ -31,7 +31,7 @@ from rosspin.measures import by_source
 from rosspin.real import ros2
 from rosspin.real.children import Output
 
-pytestmark = pytest.mark.turns(2)
+pytestmark = pytest.mark.turns(4)
 
 EXAMPLES = ROOT / "examples"
 PACKAGE = EXAMPLES / "my_robotics_pkg_ros2"

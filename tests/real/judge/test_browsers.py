@@ -12,6 +12,7 @@ from corpus_checks import each
 from firefox import firefox, tab
 from looks import faults
 from playwright.sync_api import Browser
+from readers import reader
 from sandboxes import Evaluate, Sandbox, check
 
 PAGE = "docs/tutorial.html"
@@ -20,7 +21,7 @@ PAGE = "docs/tutorial.html"
 @pytest.fixture(scope="module")
 def in_chromium(request: pytest.FixtureRequest, address: str) -> Iterator[Evaluate]:
     browser: Browser = request.getfixturevalue("browser")
-    with browser.new_context() as context:
+    with reader(browser) as context:
         page = context.new_page()
         wrong = faults(page, address)
         page.goto(address + PAGE)

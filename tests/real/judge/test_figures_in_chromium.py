@@ -8,11 +8,12 @@ import pytest
 from figures import Kind, kinds
 from figures_in_chromium import moves_by_keyboard, moves_by_pointer
 from playwright.sync_api import Browser, BrowserContext
+from readers import reader
 
 
 @pytest.fixture
 def context(browser: Browser) -> Iterator[BrowserContext]:
-    with browser.new_context(viewport={"width": 1280, "height": 900}) as context:
+    with reader(browser, viewport={"width": 1280, "height": 900}) as context:
         yield context
 
 

@@ -8,8 +8,9 @@ from pathlib import Path
 import pytest
 from hand_ins import NO_PYTHON, Table, exchange
 from listings_in_page import LISTINGS, Cell, open_tutorial
-from looks import PATIENCE, faults
+from looks import faults
 from playwright.sync_api import Browser, BrowserContext, Page, ViewportSize
+from readers import reader
 
 LARGE = ViewportSize(width=1280, height=900)
 
@@ -17,8 +18,7 @@ LARGE = ViewportSize(width=1280, height=900)
 @pytest.fixture
 def context(browser: Browser) -> Iterator[BrowserContext]:
     """A reader who comes for the first time."""
-    with browser.new_context(viewport=LARGE) as context:
-        context.set_default_timeout(PATIENCE)
+    with reader(browser, viewport=LARGE) as context:
         yield context
 
 
@@ -36,8 +36,7 @@ def page(context: BrowserContext, address: str) -> Iterator[Page]:
 
 @pytest.fixture(scope="module")
 def _tutorial(browser: Browser, address: str) -> Iterator[tuple[Page, list[str]]]:
-    with browser.new_context(viewport=LARGE) as context:
-        context.set_default_timeout(PATIENCE)
+    with reader(browser, viewport=LARGE) as context:
         page = context.new_page()
         wrong = faults(page, address)
         open_tutorial(page, address)

@@ -8,6 +8,7 @@ from axe import COLOURS, violations
 from listings_in_page import Cell, exercise, open_tutorial
 from looks import FAINT, faults
 from playwright.sync_api import Browser, Page, expect
+from readers import reader
 
 pytestmark = pytest.mark.turns(2)
 
@@ -83,10 +84,10 @@ def test_a_listing_by_keyboard(page: Page, address: str) -> None:
 @pytest.mark.parametrize("name", PAGES)
 def test_nothing_moves_where_motion_is_reduced(browser: Browser, address: str, name: str) -> None:
     """By itself: two pictures, a while after each other, are the same; and no page scrolls smoothly."""
-    with browser.new_context(reduced_motion="reduce", viewport={"width": 1280, "height": 900}) as context:
+    with reader(browser, reduced_motion="reduce", viewport={"width": 1280, "height": 900}) as context:
         page = context.new_page()
         wrong = faults(page, address)
-        page.goto(address + name, wait_until="networkidle")
+        page.goto(address + name)
         assert page.evaluate("document.getAnimations().filter(each => each.playState === 'running').length") == 0
         assert page.evaluate("getComputedStyle(document.documentElement).scrollBehavior") == "auto"
         first = page.screenshot()
@@ -98,9 +99,9 @@ def test_nothing_moves_where_motion_is_reduced(browser: Browser, address: str, n
 @pytest.mark.parametrize("name", PAGES)
 def test_in_forced_colours(browser: Browser, address: str, name: str) -> None:
     """Buttons have an edge, plots and words a contrast."""
-    with browser.new_context(forced_colors="active") as context:
+    with reader(browser, forced_colors="active") as context:
         page = context.new_page()
-        page.goto(address + name, wait_until="networkidle")
+        page.goto(address + name)
         assert page.evaluate("matchMedia('(forced-colors: active)').matches")
         assert page.evaluate(FAINT) + violations(page, COLOURS) == []
         edges = page.evaluate("""[...document.querySelectorAll("article :is(.live-bar, figure) button")]

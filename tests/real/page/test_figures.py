@@ -11,6 +11,7 @@ from figures import FIGURES, SHOWN, SPINNER_ROS2, Figure, Kind, opened, probes, 
 from figures_in_chromium import moves_by_keyboard, moves_by_pointer
 from looks import FAINT, TOO_WIDE, Scheme, look
 from playwright.sync_api import Browser, BrowserContext, Locator, Page, expect
+from readers import asks_for_no_more, reader
 
 from rosspin import Tick
 from rosspin.plots import with_handle
@@ -30,7 +31,7 @@ def test_by_pointer(context: BrowserContext, address: str) -> None:
 
 
 def test_by_touch(browser: Browser, address: str) -> None:
-    with browser.new_context(viewport={"width": 390, "height": 844}, has_touch=True) as context:
+    with reader(browser, viewport={"width": 390, "height": 844}, has_touch=True) as context:
         figure = opened(context.new_page(), address, FIGURES[0])
         first = figure.value()
         box = figure.handle.bounding_box()
@@ -63,7 +64,7 @@ def test_the_page_draws_each_position_as_matplotlib_does(browser: Browser, site:
         }
         for block in blocks
     }
-    with browser.new_context(viewport={"width": width, "height": 800}) as context:
+    with reader(browser, viewport={"width": width, "height": 800}) as context:
         page = context.new_page()
         for block in blocks:
             still = with_handle("The third call takes", "s", runs, at=block, period=0.5, kinds=2)
@@ -101,7 +102,7 @@ def test_one_figure_moves_alone(context: BrowserContext, address: str) -> None:
 
 
 def test_without_javascript_the_first_position_stands(browser: Browser, address: str) -> None:
-    with browser.new_context(java_script_enabled=False) as context:
+    with reader(browser, java_script_enabled=False) as context:
         page = context.new_page()
         for kind in FIGURES:
             page.goto(address + kind.page)
@@ -117,7 +118,7 @@ def test_a_figure_needs_no_python(context: BrowserContext, address: str) -> None
     asked: list[str] = []
     page.on("request", lambda request: asked.append(request.url.removeprefix(address).partition("?")[0]))
     figure = opened(page, address, FIGURES[0])
-    page.wait_for_load_state("networkidle")
+    asks_for_no_more(page)
     already = len(asked)
     figure.handle.press("End")
     figure.check()
@@ -131,7 +132,7 @@ def test_a_figure_needs_no_python(context: BrowserContext, address: str) -> None
 
 def test_plots_follow_the_switch_of_the_theme(browser: Browser, address: str) -> None:
     """Not only the system's: here that is light."""
-    with browser.new_context(viewport={"width": 1280, "height": 844}, color_scheme="light") as context:
+    with reader(browser, viewport={"width": 1280, "height": 844}, color_scheme="light") as context:
         page = context.new_page()
         page.goto(address + "notebooks/rate.html")
         for theme in ("light", "dark"):
@@ -169,7 +170,7 @@ def test_moved_figures(page: Page, address: str, name: str) -> None:
 @pytest.mark.parametrize(("width", "height"), [(390, 844), (1280, 800)])
 def test_the_first_screen(browser: Browser, address: str, width: int, height: int, scheme: Scheme) -> None:
     """What one will learn, the vehicle and what moves it, and the ways in: nobody has to scroll for them."""
-    with browser.new_context(viewport={"width": width, "height": height}, color_scheme=scheme) as context:
+    with reader(browser, viewport={"width": width, "height": height}, color_scheme=scheme) as context:
         page = context.new_page()
         page.goto(address)
 

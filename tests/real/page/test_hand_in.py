@@ -13,6 +13,7 @@ from answers import number_of
 from hand_ins import EXERCISES, RIGHT, TEACHERS, WRONG, Table
 from listings_in_page import Cell
 from playwright.sync_api import Browser, BrowserContext, Download, FilePayload, Page, expect
+from readers import reader
 
 pytestmark = pytest.mark.turns(2)
 
@@ -90,7 +91,7 @@ def test_without_jspi(context: BrowserContext, address: str) -> None:
 
 
 def test_without_javascript(browser: Browser, address: str) -> None:
-    with browser.new_context(java_script_enabled=False) as context:
+    with reader(browser, java_script_enabled=False) as context:
         page = context.new_page()
         page.goto(address + TEACHERS)
         expect(page.get_by_text("To check answers here, this page needs JavaScript.")).to_be_visible()

@@ -15,7 +15,7 @@ from typing import Any
 from urllib.request import Request, urlopen
 
 import pytest
-from playwright.sync_api import Browser, expect
+from playwright.sync_api import BrowserContext, expect
 from tree import ROOT
 
 from rosspin.real.ros1 import _free_port
@@ -92,59 +92,55 @@ def test_notebook_is_a_notebook(lab: str, name: str) -> None:
     assert {"code", "markdown"} <= {cell["cell_type"] for cell in model["content"]["cells"]}
 
 
-def test_a_link_opens_the_next_notebook(lab: str, browser: Browser) -> None:
+def test_a_link_opens_the_next_notebook(lab: str, context: BrowserContext) -> None:
     """A plain Markdown link works in JupyterLab, too: there it opens the file, as a notebook."""
-    page = browser.new_page()
-    page.set_default_timeout(PATIENCE * 1e3)
+    page = context.new_page()
     page.goto(f"{lab}/lab/tree/notebooks/timer.md?token={TOKEN}")
     page.locator(".jp-MarkdownOutput").get_by_role("link", name="the rate notebook").click()
     title = page.locator(".jp-Notebook:visible h1")
-    expect(title).to_contain_text("Spin in a loop with a rate", timeout=PATIENCE * 1e3)
-    page.close()
+    expect(title).to_contain_text("Spin in a loop with a rate")
 
 
 @pytest.mark.parametrize(
     ("name", "picture", "count"),
     [("ros2-executors", "figure.rosspin-scenes li", 15), ("slow-callback", "svg.rosspin-drawing", 1)],
 )
-def test_pictures_of_the_mechanism_are_outputs(lab: str, browser: Browser, name: str, picture: str, count: int) -> None:
+def test_pictures_of_the_mechanism_are_outputs(
+    lab: str, context: BrowserContext, name: str, picture: str, count: int
+) -> None:
     """No directive, which only Sphinx reads, stands as raw text: without the page's script the steps are a list."""
-    page = browser.new_page()
-    page.set_default_timeout(PATIENCE * 1e3)
+    page = context.new_page()
     page.goto(f"{lab}/lab/tree/notebooks/{name}.md?token={TOKEN}&reset")
-    expect(page.get_by_text(re.compile(r"Python 3.* \| Idle"))).to_be_visible(timeout=PATIENCE * 1e3)
+    expect(page.get_by_text(re.compile(r"Python 3.* \| Idle"))).to_be_visible()
     page.get_by_role("menuitem", name="Run", exact=True).click()
     page.get_by_role("menuitem", name="Run All Cells", exact=True).click()
-    expect(page.locator(f".jp-OutputArea-output {picture}")).to_have_count(count, timeout=PATIENCE * 1e3)
+    expect(page.locator(f".jp-OutputArea-output {picture}")).to_have_count(count)
     assert not re.search(r"```|:::|\.\. \w+::", page.locator(".jp-Notebook:visible").inner_text())
-    page.close()
 
 
 @pytest.mark.parametrize("theme", ["JupyterLab Light", "JupyterLab Dark"])
-def test_a_notebook_runs_and_shows_its_plots(lab: str, browser: Browser, theme: str) -> None:
+def test_a_notebook_runs_and_shows_its_plots(lab: str, context: BrowserContext, theme: str) -> None:
     """As the page does, in the theme's colours, and as wide as there is room."""
     setting = json.dumps({"raw": json.dumps({"theme": theme})}).encode()
     url = f"{lab}/lab/api/settings/@jupyterlab/apputils-extension:themes"
     urlopen(Request(url, setting, {"Authorization": f"token {TOKEN}"}, method="PUT")).close()
-    with browser.new_context(viewport={"width": 1280, "height": 900}) as context:
-        page = context.new_page()
-        page.set_default_timeout(PATIENCE * 1e3)
-        page.goto(f"{lab}/lab/tree/notebooks/rate.md?token={TOKEN}&reset")
-        expect(page.locator(f"body[data-jp-theme-name='{theme}']")).to_be_attached(timeout=PATIENCE * 1e3)
-        expect(page.locator(".jp-Notebook:visible h1")).to_contain_text("Spin in a loop", timeout=PATIENCE * 1e3)
-        expect(page.get_by_text(re.compile(r"Python 3.* \| Idle"))).to_be_visible(timeout=PATIENCE * 1e3)
-        page.get_by_role("menuitem", name="Run", exact=True).click()
-        page.get_by_role("menuitem", name="Run All Cells", exact=True).click()
-        plots = page.locator(".jp-OutputArea-output figure.rosspin-plot")
-        expect(plots).to_have_count(5, timeout=PATIENCE * 1e3)
-        for index in range(5):
-            picture = plots.nth(index).locator("svg[role=img]:visible")
-            expect(picture).to_have_count(1)
-            colour = picture.locator("text").first.evaluate("text => getComputedStyle(text).fill")
-            assert (max(map(int, re.findall(r"\d+", colour)[:3])) > 150) == (theme == "JupyterLab Dark")
-            box, place = picture.bounding_box(), plots.nth(index).bounding_box()
-            assert box and place and box["width"] > place["width"] - 2 > 400
-        assert not page.locator(".jp-OutputArea-output img").count()
-        if folder := os.environ.get("ROSSPIN_SHOTS"):
-            plots.nth(4).scroll_into_view_if_needed()
-            page.screenshot(path=f"{folder}/lab-{theme[11:]}.png")
+    page = context.new_page()
+    page.goto(f"{lab}/lab/tree/notebooks/rate.md?token={TOKEN}&reset")
+    expect(page.locator(f"body[data-jp-theme-name='{theme}']")).to_be_attached()
+    expect(page.locator(".jp-Notebook:visible h1")).to_contain_text("Spin in a loop")
+    expect(page.get_by_text(re.compile(r"Python 3.* \| Idle"))).to_be_visible()
+    page.get_by_role("menuitem", name="Run", exact=True).click()
+    page.get_by_role("menuitem", name="Run All Cells", exact=True).click()
+    plots = page.locator(".jp-OutputArea-output figure.rosspin-plot")
+    expect(plots).to_have_count(5)
+    for index in range(5):
+        picture = plots.nth(index).locator("svg[role=img]:visible")
+        expect(picture).to_have_count(1)
+        colour = picture.locator("text").first.evaluate("text => getComputedStyle(text).fill")
+        assert (max(map(int, re.findall(r"\d+", colour)[:3])) > 150) == (theme == "JupyterLab Dark")
+        box, place = picture.bounding_box(), plots.nth(index).bounding_box()
+        assert box and place and box["width"] > place["width"] - 2 > 400
+    assert not page.locator(".jp-OutputArea-output img").count()
+    if folder := os.environ.get("ROSSPIN_SHOTS"):
+        plots.nth(4).scroll_into_view_if_needed()
+        page.screenshot(path=f"{folder}/lab-{theme[11:]}.png")

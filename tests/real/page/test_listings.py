@@ -16,6 +16,7 @@ from listings_in_page import (
 )
 from looks import FAINT, SCHEMES, TOO_WIDE, look
 from playwright.sync_api import Browser, BrowserContext, Page, Response, expect
+from readers import asks_for_no_more, reader
 from tree import EXAMPLES
 
 pytestmark = pytest.mark.turns(4)
@@ -25,7 +26,8 @@ def test_listing_costs_two_small_requests_until_it_is_touched(context: BrowserCo
     page = context.new_page()
     found: list[Response] = []
     page.on("response", lambda response: found.append(response))
-    page.goto(address + TUTORIAL, wait_until="networkidle")
+    page.goto(address + TUTORIAL)
+    asks_for_no_more(page)
     ours = {response.url: len(response.body()) for response in found if "/live/" in response.url}
     assert 1 <= len(ours) <= 2
     assert sum(ours.values()) < 20_000
@@ -98,7 +100,7 @@ def test_without_jspi(context: BrowserContext, address: str) -> None:
 
 
 def test_without_javascript(browser: Browser, address: str) -> None:
-    with browser.new_context(java_script_enabled=False) as context:
+    with reader(browser, java_script_enabled=False) as context:
         page = context.new_page()
         page.goto(address + TUTORIAL)
         _is_plain(page, "To run this listing here, the page needs JavaScript.")

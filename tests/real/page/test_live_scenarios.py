@@ -19,6 +19,7 @@ from ledger import SHARE, TURN
 from listings_in_page import lines_of
 from looks import faults
 from playwright.sync_api import Browser, Page
+from readers import reader
 from sandboxes import Sandbox, check
 from tree import ROOT
 
@@ -27,7 +28,7 @@ from rosspin import Node, simulate
 
 @pytest.fixture(scope="module")
 def page(browser: Browser, address: str) -> Iterator[Page]:
-    with browser.new_context() as context:
+    with reader(browser) as context:
         page = context.new_page()
         wrong = faults(page, address)
         page.goto(address + "docs/tutorial.html")

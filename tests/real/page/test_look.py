@@ -12,6 +12,7 @@ from axe import in_both_schemes
 from log_page import SHOW, LogPage
 from looks import FAINT, SCHEMES, TOO_WIDE, look
 from playwright.sync_api import Browser, BrowserContext, Page, expect
+from readers import reader
 from tree import TESTS
 
 pytestmark = pytest.mark.turns(4)
@@ -193,7 +194,7 @@ def test_nothing_leaves_the_computer(page: Page, address: str) -> None:
 
 
 def test_without_javascript(browser: Browser, address: str) -> None:
-    with browser.new_context(java_script_enabled=False) as context:
+    with reader(browser, java_script_enabled=False) as context:
         page = context.new_page()
         page.goto(address + SHOW)
         expect(page.get_by_text("To look at a log here, this page needs JavaScript.")).to_be_visible()

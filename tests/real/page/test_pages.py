@@ -10,6 +10,7 @@ import pytest
 from axe import in_both_schemes
 from looks import FAINT, TOO_WIDE, faults, look
 from playwright.sync_api import Browser, Page, ViewportSize
+from readers import read_to_the_end, reader
 from tree import SITE
 
 # The pictures that leave more than a little of the place that they have beside them. A ring of waits is not made
@@ -31,12 +32,6 @@ SMALL = """() => [...document.querySelectorAll("figure.rosspin-plot svg[role=img
 LARGE = ViewportSize(width=1280, height=844)
 
 
-def _open(page: Page, address: str) -> None:
-    """Open a page and scroll to its end, so that all of it is loaded."""
-    page.goto(address)
-    page.evaluate("window.scrollTo(0, document.body.scrollHeight)")
-
-
 def _seen(page: Page, *looks: str) -> list[Any]:
     return [found for script in looks for found in page.evaluate(script)]
 
@@ -52,7 +47,7 @@ def test_the_site_is_built(site: Path) -> None:
 @pytest.fixture(scope="module")
 def tab(browser: Browser) -> Iterator[Page]:
     """One tab, in which page after page is opened."""
-    with browser.new_context(viewport=LARGE, color_scheme="light") as context:
+    with reader(browser, viewport=LARGE, color_scheme="light") as context:
         yield context.new_page()
 
 
@@ -67,14 +62,14 @@ def opened(tab: Page, wrong: list[str], address: str, name: str) -> Iterator[Pag
     """A page of the site on a large screen, in light. Nothing may go wrong in it, such as a request to another host."""
     wrong.clear()
     tab.set_viewport_size(LARGE)
-    _open(tab, address + name)
-    tab.wait_for_load_state("networkidle")
+    tab.goto(address + name)
+    read_to_the_end(tab)
     look(tab, "light")
     yield tab
     assert not wrong
 
 
-@pytest.mark.turns(2)
+@pytest.mark.turns(4)
 @pytest.mark.parametrize("name", NAMES)
 def test_it_fits(opened: Page) -> None:
     """No sideways scrolling; plots can be read, in light and in dark; on large screens they are as wide as the text."""

@@ -8,6 +8,7 @@ from collections.abc import Iterator
 import pytest
 from figures import FIGURES, opened
 from playwright.sync_api import Browser, BrowserContext, Locator, Page, expect
+from readers import reader
 
 pytestmark = pytest.mark.turns(4)
 
@@ -15,10 +16,10 @@ pytestmark = pytest.mark.turns(4)
 @pytest.fixture(params=["light", "dark"])
 def paper(browser: Browser, address: str, request: pytest.FixtureRequest) -> Iterator[Page]:
     """A page as it is printed, by a reader with light or dark pages."""
-    page = browser.new_page(color_scheme=request.param)
-    page.emulate_media(media="print", color_scheme=request.param)
-    yield page
-    page.close()
+    with reader(browser, color_scheme=request.param) as context:
+        page = context.new_page()
+        page.emulate_media(media="print", color_scheme=request.param)
+        yield page
 
 
 def _all_visible(found: Locator) -> bool:
@@ -88,7 +89,7 @@ def test_on_paper_the_first_position_stands(context: BrowserContext, address: st
 
 
 def test_plots_are_on_paper(browser: Browser, address: str) -> None:
-    with browser.new_context(viewport={"width": 1280, "height": 844}, color_scheme="dark") as context:
+    with reader(browser, viewport={"width": 1280, "height": 844}, color_scheme="dark") as context:
         page = context.new_page()
         page.goto(address + "notebooks/rate.html")
         page.emulate_media(media="print")

@@ -7,8 +7,8 @@ import re
 import pytest
 from axe import in_both_schemes
 from listings_in_page import Cell
-from looks import PATIENCE
 from playwright.sync_api import Browser, Locator, Page, expect
+from readers import reader
 
 pytestmark = pytest.mark.turns(4)
 
@@ -69,12 +69,12 @@ def test_it_plays_until_it_is_stopped(page: Page, address: str) -> None:
 @pytest.mark.parametrize("motion", ["no-preference", "reduce"])
 def test_by_touch(browser: Browser, address: str, motion: str) -> None:
     """On a phone nothing is wider than the screen; callbacks move to their threads if motion is wanted."""
-    with browser.new_context(
+    with reader(
+        browser,
         viewport={"width": 390, "height": 844},
         has_touch=True,
-        reduced_motion=motion,  # type: ignore[arg-type]
+        reduced_motion=motion,
     ) as context:
-        context.set_default_timeout(PATIENCE)
         page = context.new_page()
         figure = opened(page, address)
         for _ in range(2):

@@ -20,8 +20,8 @@ from listings_in_page import (
     have_workers,
     open_tutorial,
 )
-from looks import PATIENCE
 from playwright.sync_api import BrowserContext, Page, expect
+from readers import PATIENCE, asks_for_no_more
 from tree import EXAMPLES
 
 from rosspin import simulate
@@ -50,7 +50,7 @@ def test_python_is_asked_for_when_the_reader_points_at_run(context: BrowserConte
     page = context.new_page()
     asked = _asked(page, "")
     open_tutorial(page, address)
-    page.wait_for_load_state("networkidle")
+    asks_for_no_more(page)
     assert not [url for url in asked if "/live/live." not in url]
     with page.expect_request(re.compile("/snapshot.gz")):
         getattr(Cell(page, TIMER).button("Run"), sign)()

@@ -14,8 +14,8 @@ from listings_in_page import (
     node2,
     open_tutorial,
 )
-from looks import PATIENCE
 from playwright.sync_api import Browser, Page, expect
+from readers import reader
 from tree import EXAMPLES
 
 from rosspin import simulate
@@ -116,8 +116,7 @@ def test_a_run_has_crosses_up_to_its_end(tutorial: Page, ros: str, axis: float) 
 
 
 def test_a_finger_chooses_a_tick(browser: Browser, address: str) -> None:
-    with browser.new_context(viewport={"width": 390, "height": 800}, has_touch=True, is_mobile=True) as context:
-        context.set_default_timeout(PATIENCE)
+    with reader(browser, viewport={"width": 390, "height": 800}, has_touch=True, is_mobile=True) as context:
         page = context.new_page()
         open_tutorial(page, address)
         cell = Cell(page, TIMER)

@@ -9,6 +9,7 @@ import pytest
 from axe import in_both_schemes
 from looks import FAINT, SCHEMES, TOO_WIDE, look
 from playwright.sync_api import Browser, BrowserContext, Locator, Page, expect
+from readers import reader
 
 pytestmark = pytest.mark.turns(4)
 
@@ -55,7 +56,7 @@ def test_by_keyboard(context: BrowserContext, address: str) -> None:
 
 def test_by_touch_on_a_phone(browser: Browser, address: str) -> None:
     size = {"width": 390, "height": 844}
-    with browser.new_context(viewport=size, has_touch=True, **STILL) as context:  # type: ignore[arg-type]
+    with reader(browser, viewport=size, has_touch=True, **STILL) as context:
         page = context.new_page()
         figure = opened(page, address)
         slider = figure.get_by_role("slider")
@@ -93,7 +94,7 @@ def test_it_plays_once_and_can_be_paused(context: BrowserContext, address: str) 
 
 def test_it_stands_still_where_motion_is_reduced(browser: Browser, address: str) -> None:
     """At the moment at which it is off its line most, as it was drawn with the page. Who presses Play sees it move."""
-    with browser.new_context(**STILL) as context:  # type: ignore[arg-type]
+    with reader(browser, **STILL) as context:
         page = context.new_page()
         page.clock.install()
         figure = opened(page, address)
@@ -112,7 +113,7 @@ def test_it_stands_still_where_motion_is_reduced(browser: Browser, address: str)
 
 
 def test_it_is_drawn_without_javascript(browser: Browser, address: str) -> None:
-    with browser.new_context(java_script_enabled=False) as context:
+    with reader(browser, java_script_enabled=False) as context:
         page = context.new_page()
         page.goto(f"{address}index.html")
         figure = page.locator("figure[data-vehicle]")
@@ -122,7 +123,7 @@ def test_it_is_drawn_without_javascript(browser: Browser, address: str) -> None:
 
 
 def test_how_it_looks(browser: Browser, address: str) -> None:
-    with browser.new_context(viewport={"width": 1280, "height": 900}, **STILL) as context:  # type: ignore[arg-type]
+    with reader(browser, viewport={"width": 1280, "height": 900}, **STILL) as context:
         page = context.new_page()
         opened(page, address)
         assert in_both_schemes(page) == []
