@@ -5,12 +5,11 @@ from __future__ import annotations
 import base64
 import json
 import re
-import time
 import zlib
 from typing import Any
 
 from playwright.sync_api import Locator, Page, expect
-from readers import PATIENCE
+from readers import until
 from tree import EXAMPLES
 
 TUTORIAL = "docs/tutorial.html"
@@ -82,10 +81,7 @@ def open_tutorial(page: Page, address: str) -> None:
 
 def have_workers(page: Page, count: int) -> None:
     """Wait until a page has so many workers: 1 where the next Python is ready, and no node runs."""
-    end = time.monotonic() + PATIENCE / 1e3
-    while len(page.workers) != count and time.monotonic() < end:
-        page.wait_for_timeout(50)
-    assert len(page.workers) == count
+    until(page, lambda: len(page.workers) == count)
 
 
 def node(body: str) -> str:

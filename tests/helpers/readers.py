@@ -2,7 +2,8 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterator
+import time
+from collections.abc import Callable, Iterator
 from contextlib import contextmanager
 from typing import Any
 
@@ -23,9 +24,19 @@ def reader(browser: Browser, **options: Any) -> Iterator[BrowserContext]:
 
 def read_to_the_end(page: Page) -> None:
     """Scroll to the end of a page that is loaded; what is only loaded there has come when this returns."""
-    page.evaluate("window.scrollTo(0, document.body.scrollHeight)")
-    page.wait_for_function("[...document.images].every(image => image.complete)")
-    page.evaluate("async () => { await document.fonts.ready }")
+    page.evaluate("""async () => {
+        window.scrollTo(0, document.body.scrollHeight)
+        await Promise.allSettled([...document.images].map(image => image.decode()))
+        await document.fonts.ready
+    }""")
+
+
+def until(page: Page, holds: Callable[[], bool]) -> None:
+    """Wait until something holds of a page. Playwright's ``wait_for_function`` does not go with our policy: no eval."""
+    end = time.monotonic() + PATIENCE / 1e3
+    while not holds() and time.monotonic() < end:
+        page.wait_for_timeout(50)
+    assert holds()
 
 
 def asks_for_no_more(page: Page) -> None:

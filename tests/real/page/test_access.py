@@ -15,6 +15,10 @@ pytestmark = pytest.mark.turns(2)
 # The pages on which most moves or is drawn, and slides.
 PAGES = ["index.html", "docs/tutorial.html", "docs/ros2/how-timing-works.html", "docs/slides/ros2.html?slides"]
 
+# What is on the move in a page, and whether that is a fading of colours, which comes to an end.
+MOVING = "document.getAnimations().filter(each => each.playState === 'running')"
+FADES = "each => each instanceof CSSTransition"
+
 # Whether what has the focus can be told from what has not, other than by the caret in a text.
 SEEN = """() => {
     const style = getComputedStyle(document.activeElement)
@@ -88,8 +92,11 @@ def test_nothing_moves_where_motion_is_reduced(browser: Browser, address: str, n
         page = context.new_page()
         wrong = faults(page, address)
         page.goto(address + name)
-        # The theme fades its colours in; then nothing is under way.
-        page.wait_for_function("!document.getAnimations().some(each => each.playState === 'running')")
+        # The theme fades its colours in, once.
+        page.evaluate(
+            f"async () => {{ await Promise.allSettled({MOVING}.filter({FADES}).map(each => each.finished)) }}"
+        )
+        assert page.evaluate(f"{MOVING}.length") == 0
         assert page.evaluate("getComputedStyle(document.documentElement).scrollBehavior") == "auto"
         first = page.screenshot()
         page.wait_for_timeout(1500)

@@ -16,7 +16,7 @@ from listings_in_page import (
 )
 from looks import FAINT, SCHEMES, TOO_WIDE, look
 from playwright.sync_api import Browser, BrowserContext, Page, Response, expect
-from readers import asks_for_no_more, reader
+from readers import asks_for_no_more, reader, until
 from tree import EXAMPLES
 
 pytestmark = pytest.mark.turns(4)
@@ -124,7 +124,7 @@ def test_policy_forbids(context: BrowserContext, address: str) -> None:
     page.evaluate("window.blocked = []; addEventListener('securitypolicyviolation', e => blocked.push(e.blockedURI))")
     for number, attempt in enumerate(FORBIDDEN, 1):
         page.evaluate(f"async () => {{ try {{ await {attempt} }} catch {{}} }}")
-        page.wait_for_function(f"blocked.length >= {number}")
+        until(page, lambda: page.evaluate("blocked.length") >= number)
         page.wait_for_timeout(100)
         assert page.evaluate("blocked.length") == number, attempt
     page.evaluate("document.body.append(Object.assign(document.createElement('script'), {text: 'window.mine = 1'}))")

@@ -4,7 +4,6 @@ from __future__ import annotations
 
 import gzip
 import re
-import time
 from functools import cache
 from pathlib import Path
 from urllib.parse import urlsplit
@@ -21,7 +20,7 @@ from listings_in_page import (
     open_tutorial,
 )
 from playwright.sync_api import BrowserContext, Page, expect
-from readers import PATIENCE, asks_for_no_more
+from readers import asks_for_no_more, until
 from tree import EXAMPLES
 
 from rosspin import simulate
@@ -64,10 +63,7 @@ def _kept(page: Page) -> list[str]:
 
 def _until_kept(page: Page) -> None:
     """Wait for that of this site, and for no other: some time after the first run."""
-    end = time.monotonic() + PATIENCE / 1e3
-    while (len(kept := _kept(page)) != 1 or kept == ["old"]) and time.monotonic() < end:
-        page.wait_for_timeout(50)
-    assert len(kept) == 1 and kept != ["old"]
+    until(page, lambda: len(kept := _kept(page)) == 1 and kept != ["old"])
 
 
 def test_snapshot_is_kept_for_the_next_page(context: BrowserContext, address: str) -> None:
