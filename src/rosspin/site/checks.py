@@ -12,7 +12,7 @@ import re
 from collections.abc import Iterator, Sequence
 from collections.abc import Set as AbstractSet
 from pathlib import Path
-from typing import Any, cast
+from typing import Any
 
 from docutils import nodes
 from sphinx.application import ENV_PICKLE_FILENAME, Sphinx
@@ -21,25 +21,13 @@ from sphinx.environment import BuildEnvironment
 from sphinx.util.typing import ExtensionMetadata
 
 from ..exercises import EXERCISES
-from .claims import MIME, Stale, report, sentence_near
+from .claims import MIME, Stale, report
 from .doctests import stale_examples
 from .lessons import counted, stale_files, stale_lessons
+from .notes import note, noted
 from .outputs import stale_copies, stale_picture, write
 
-__all__ = ["note", "noted", "setup"]
-
-
-def noted(env: BuildEnvironment) -> dict[str, set[Stale]]:
-    """Return what no longer holds, by the names of the pages."""
-    return cast(dict[str, set[Stale]], env.__dict__.setdefault("rosspin_stale", {}))
-
-
-def note(env: BuildEnvironment, line: int, stands: str, now: str, block: tuple[int, int] | None = None) -> None:
-    """Add something on the page being read to the list. ``block`` are the lines whose sentence it is about."""
-    path = Path(env.doc2path(env.docname))
-    text = sentence_near(path.read_text(encoding="utf-8"), *block) if block else ""
-    stale = Stale(path.relative_to(env.srcdir).as_posix(), line, stands, now, text)
-    noted(env).setdefault(env.docname, set()).add(stale)
+__all__ = ["setup"]
 
 
 class OutputsBuilder(DummyBuilder):

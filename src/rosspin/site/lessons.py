@@ -19,6 +19,7 @@ from sphinx.util.typing import ExtensionMetadata
 from ..exercises import EXERCISES, check
 from ..exercises.own import FAULTS, LESSONS, Answer, Lesson
 from .claims import Stale
+from .notes import note
 
 __all__ = ["counted", "setup", "stale_files", "stale_lessons"]
 
@@ -44,8 +45,6 @@ class ExerciseDirective(SphinxDirective):
         """Show the title, the cell that runs in the page, and below it what is folded; nothing of no such exercise."""
         lesson = next((each for each in LESSONS if each.exercise.name == self.arguments[0]), None)
         if lesson is None:
-            from .checks import note  # which imports this module
-
             if not any(fault.file.stem.replace("_", "-") == self.arguments[0] for fault in FAULTS):
                 file = f"lessons/{self.arguments[0].replace('-', '_')}.py"
                 note(self.env, self.lineno, f".. exercise:: {self.arguments[0]}", f"there is no {file}")

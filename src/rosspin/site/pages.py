@@ -43,8 +43,8 @@ from ..run.host import kept, replaced
 from ..run.simulate import run_captured
 from ..run.source import load, load_source
 from . import scenes
-from .checks import note
 from .claims import Facts, one_line
+from .notes import note
 from .outputs import differences
 from .vehicle import NODES, figure
 

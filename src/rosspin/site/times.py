@@ -18,9 +18,9 @@ from sphinx.environment import BuildEnvironment
 from sphinx.util.docutils import SphinxRole
 from sphinx.util.typing import ExtensionMetadata
 
-from .checks import note, noted
 from .claims import Edit, Stale
 from .live import SECONDS
+from .notes import note, noted
 
 __all__ = ["Seconds", "rounded", "seconds", "setup"]
 
