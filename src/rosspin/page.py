@@ -41,12 +41,12 @@ from .measures import by_source, describe_timeline, lost_by_source, quantile
 from .results.pinned import as_test
 from .run.alone import ON_A_COMPUTER, refuse_processes
 from .run.explain import TimeStandsStill, say_error
-from .run.roses import ROSES
+from .run.roses import ROSES, Ros
 from .run.roslaunch.launch import Launch
 from .run.roslaunch.launch import Node as LaunchNode
 from .run.simulate import run_node, run_nodes
 from .run.source import Code, load_source, split_words
-from .run.steps_seen import StepsSeen, ThreadsSeen
+from .run.steps_seen import StepsSeen
 from .world.graph import TickLog
 from .world.world import NotSimulated, World
 
@@ -65,12 +65,6 @@ gc.freeze()
 
 # An argument that sets something in a node: an option of ROS 2, or a parameter or name as ROS 1 has them.
 _FOR_ROS = re.compile(r"-p$|--param$|-r$|--remap$|_\w+:=")
-
-# What to say of a node that has a timer and ends before it is due, by its ROS.
-_NOBODY_SPINS = {
-    ros: f"The node had a timer, which was never called. Is {spin} missing at its end?"
-    for ros, spin in {1: "rospy.spin()", 2: "rclpy.spin(node)"}.items()
-}
 
 # How many ticks, the last ones, a plot shows at most.
 _MOST_TICKS = 2000
@@ -140,7 +134,7 @@ def run(source: str, filename: str, seconds: float, args: str, speed: float, bes
                 node_args = _split(args, "arguments")
             others = [(load_source(*code), _split(words, "arguments")) for *code, words in loads(beside)]
             node = load_source(_node(source), filename)
-            pacer = _Pacer(page, speed, printed, "" if others else filename, node.hint or 1)
+            pacer = _Pacer(page, speed, printed, "" if others else filename, ROSES[node.hint or 1])
             return dumps(_run(node, seconds, node_args, others, pacer, printed))
         except (ValueError, SyntaxError, NotSimulated, TimeStandsStill) as error:
             print(say_error(error), file=sys.stderr)
@@ -273,10 +267,12 @@ def _run(
     errors = [error for process in result.host.processes for error in process.world.errors]
     hints = [_hint(error) for error in errors]
     ended_early = result.status == 0 and pacer.simulation.now() < seconds * NS
-    if ended_early and not result.ticks and result.world.has_sources:
-        hints.append(_NOBODY_SPINS[result.world.ros])
-    if result.world.ros == 2 and "--ros-args" not in args and any(_FOR_ROS.match(word) for word in args):
-        hints.append("In ROS 2, what is for ROS follows --ros-args, as in: --ros-args -p frequency:=5.0")
+    ros = ROSES.get(result.world.ros)
+    if ros and ended_early and not result.ticks and result.world.has_sources:
+        hints.append(f"The node had a timer, which was never called. Is {ros.spins} missing at its end?")
+    if ros and ros.sets and ros.sets not in args and any(_FOR_ROS.match(word) for word in args):
+        like = " ".join(ros.words("-p", ["frequency:=5.0"]))
+        hints.append(f"In ROS {ros.number}, what is for ROS follows {ros.sets}, as in: {like}")
     for hint in dict.fromkeys(filter(None, hints)):
         print(hint, file=sys.stderr)
     groups = by_source(result.ticks)
@@ -363,14 +359,10 @@ class _Pacer:
     Of the node in the file ``filename``, if one is given, it keeps the steps.
     """
 
-    def __init__(self, page: Any, speed: float, ticks: TickLog, filename: str, ros: int) -> None:
+    def __init__(self, page: Any, speed: float, ticks: TickLog, filename: str, ros: Ros) -> None:
         self.scenes: StepsSeen | None = None
         if filename:
-            seen: type[StepsSeen] = ThreadsSeen
-            if ros == 2:
-                from .run.scenes import Scenes as seen  # which loads rclpy
-
-            self.scenes = seen(ticks, filename, *([self._wait] if speed else []))
+            self.scenes = ros.steps_seen(ticks, filename, *([self._wait] if speed else []))
         paced = self.scenes.clock if self.scenes else PacedSimulation(self._wait) if speed else None
         self.simulation: Simulation = paced or Simulation()
         self._page = page

@@ -49,6 +49,7 @@ CASES = [
     ("%%answer x\nimport rospy\n", 1, 0, FIRST_LINE),
     ("%%simulate 1.2.3\nimport rospy\n", 1, 0, FIRST_LINE),
     ("%%measure 2\nimport rospy\n", 1, 0, FIRST_LINE),
+    ("%% -- a\nimport rospy\n", 1, 0, FIRST_LINE),
     ("%%simulate nan\nimport rospy\n", 1, 0, "seconds must be a number of at least 0, not nan"),
 ]
 

@@ -17,9 +17,9 @@ class Ros(NamedTuple):
     ``beside`` are packages that its nodes may import, too, and the modules here that stand in for them.
     ``needed`` are the modules that its nodes need beside Python's own. ``naming`` is what names a node on its command
     line, and ``sets`` the option before what is set there, if there is one. ``raises`` says whether Ctrl-C raises
-    KeyboardInterrupt in a node, which ends it if nobody catches that. The rest completes sentences about a node: what
-    kills it if it does not end, what its loops should check, what its main part ends with, what else is a thread, how
-    its loops should sleep.
+    KeyboardInterrupt in a node, which ends it if nobody catches that. ``steps`` is the class that notes its steps. The
+    rest completes sentences about a node: what kills it if it does not end, what its loops should check, what its main
+    part ends with, what else is a thread, how its loops should sleep.
     """
 
     number: int
@@ -29,6 +29,7 @@ class Ros(NamedTuple):
     naming: str
     sets: str
     raises: bool
+    steps: str
     kills: str
     goes_on: str
     spins: str
@@ -53,6 +54,12 @@ class Ros(NamedTuple):
         """The module of the node that a test plays."""
         return import_module(f"rosspin.{self.roots[0]}.tester")
 
+    @property
+    def steps_seen(self) -> Any:
+        """The class of the steps of its nodes, as a page shows them. That of ROS 2 loads rclpy."""
+        module, _, name = self.steps.partition(".")
+        return getattr(import_module(f"rosspin.run.{module}"), name)
+
 
 ROSES = {
     1: Ros(
@@ -63,6 +70,7 @@ ROSES = {
         "__name",
         "",
         False,
+        "steps_seen.ThreadsSeen",
         ", as roslaunch does",
         "rospy.is_shutdown()",
         "rospy.spin()",
@@ -79,6 +87,7 @@ ROSES = {
         "__node",
         "--ros-args",
         True,
+        "scenes.Scenes",
         "",
         "rclpy.ok()",
         "rclpy.spin(node)",
