@@ -218,14 +218,9 @@ def _run(options: argparse.Namespace, args: Sequence[str]) -> int:
         refuse_other_ros(options.file, 1 if options.ros1 else 2)
     if options.skip_cpp and not (launched and options.simulated):
         raise ValueError("--skip-cpp is for launch files in simulated time")
-    if options.start is not None and not options.simulated:
-        raise ValueError("--start is for simulated time: --simulated")
-    if options.fault and not options.simulated:
-        raise ValueError("--fault is for simulated time: --simulated")
-    if options.jitter and not options.simulated:
-        raise ValueError("--jitter is for simulated time: --simulated")
-    if options.schedule is not None and not options.simulated:
-        raise ValueError("--schedule is for simulated time: --simulated")
+    for name in ("start", "fault", "jitter", "schedule"):
+        if getattr(options, name) != options.parser.get_default(name) and not options.simulated:
+            raise ValueError(f"--{name} is for simulated time: --simulated")
     if options.plot is not None:
         _check_plot(options.plot)
     guarded = guard_threads(_say_where_it_computed) if options.simulated and options.alone else nullcontext()

@@ -224,6 +224,22 @@ def test_one_that_ignores_ctrl_c_is_killed(pair: tuple[str, str], write: Any) ->
     assert run.status == 137 and "did not end the node; it was killed 17 s later" in run.console
 
 
+def fails() -> None:
+    __import__("rclpy").init()
+    sys.exit(3)
+
+
+def test_several_run_as_the_ros_does_that_they_import_whatever_their_code_names(write: Any) -> None:
+    run = simulate([lambda: timer(0.5), lambda: fails()], 1)
+    assert run.status == 3 and run.console.startswith("rosspin: <lambda> ended with status 3\ntick\ntick\nTraceback")
+    migrating = write("try:\n    import rclpy\nexcept ImportError:\n    import rospy\n" + TALKER, "migrating.py")
+    run = simulate([Node(migrating, name="left"), Node(lambda: timer(0.5), name="right")], 1)
+    assert {tick.source for tick in run.ticks} == {"/left <lambda>", "/right <lambda>"}
+    assert run.status == 0 and "killing on exit" not in run.console
+
+
 def test_only_roslaunch_starts_nodes_again(pair: tuple[str, str]) -> None:
     with pytest.raises(ValueError, match="required and respawn are for nodes of ROS 1 only"):
         simulate([Node(pair[0], respawn=True)], 1)
+    with pytest.raises(ValueError, match="required and respawn are for nodes of ROS 1 only"):
+        simulate([Node(lambda: timer(0.5), required=True)], 1)

@@ -157,6 +157,11 @@ class Process(Slots):
         """Whether Ctrl-C raises KeyboardInterrupt in its node, as in ROS 2. If that ends it, it has not failed."""
         return bool(self.world.ros) and ROSES[self.world.ros].raises
 
+    def fails_with(self, status: int, interrupted: bool) -> bool:
+        """Whether an exit status means failure. In ROS 2, most nodes end with 130 when they are ``interrupted``."""
+        is_end = interrupted and status == 128 + signal.SIGINT and self.raises_at_ctrl_c
+        return status != 0 and not self.world.crashed and not is_end
+
     def run(self) -> None:
         """Run the node's code as the interpreter runs a program, and keep the exit status."""
         try:

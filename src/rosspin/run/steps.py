@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-import signal
 from collections.abc import Callable, Iterator, Mapping, Sequence
 from contextlib import contextmanager, suppress
 from pathlib import Path
@@ -31,8 +30,6 @@ if TYPE_CHECKING:
     from ..faults import Fault
 
 __all__ = ["NodeFailed", "StartedNode", "start", "start_in_order"]
-
-_INTERRUPTED = 128 + signal.SIGINT
 
 # How many lines of a failed node's console, the last ones, are shown.
 _LINES = 10
@@ -176,10 +173,8 @@ class StartedNode:
         return next(filter(None, statuses), None if None in statuses else 0)
 
     def _failed(self, process: Process) -> bool:
-        """Whether a process has ended with a status that means failure. In ROS 2, most nodes end with 130 at Ctrl-C."""
-        status = self._status_of(process)
-        is_end = status == _INTERRUPTED and self._closed and process.raises_at_ctrl_c
-        return bool(status) and not process.world.crashed and not is_end
+        """Whether a process has ended with a status that means failure."""
+        return process.fails_with(self._status_of(process) or 0, self._closed)
 
     def _status_of(self, process: Process) -> int | None:
         world = process.world

@@ -6,6 +6,8 @@ import signal
 import sys
 import threading
 from collections.abc import Sequence
+from contextlib import suppress
+from functools import partial
 
 from ..clocks.clock import NS
 from ..clocks.programs import press_ctrl_c, where_it_waits
@@ -18,9 +20,7 @@ from .roslaunch.launch import Node
 from .source import Code
 from .streams import nowhere
 
-__all__ = ["Together"]
-
-_INTERRUPTED = 128 + signal.SIGINT
+__all__ = ["Together", "give_names"]
 
 
 class Together:
@@ -42,14 +42,19 @@ class Together:
         self._interrupted = False
 
     def run(self) -> None:
-        """Start the nodes, wait until Ctrl-C comes or they have ended, and end those that are left."""
+        """Start the nodes, and go on with them."""
+        self.go_on([self._start(node, code) for node, code in self._nodes])
+
+    def go_on(self, processes: Sequence[Process]) -> None:
+        """Wait until Ctrl-C comes or the processes of the nodes have ended, and end those that are left."""
         self._ended = threading.Event()
-        processes = []
-        try:
-            processes += [self._start(node, code) for node, code in self._nodes]
+        for process in processes:
+            if process.world.over:
+                self._note_end(process)
+            else:
+                process.world.at_end.append(partial(self._note_end, process))
+        with suppress(KeyboardInterrupt):
             self._wait(processes)
-        except KeyboardInterrupt:
-            pass
         signal.signal(signal.SIGINT, signal.SIG_IGN)  # for this program only: its Ctrl-C may still come
         self._interrupted = True
         for process in processes:
@@ -63,21 +68,16 @@ class Together:
     def _start(self, node: Node, code: Code) -> Process:
         stdout = None if node.output == "screen" else nowhere()
         process = self._host.add(code, node.args, node.env, node.cwd, stdout)
-        process.world.at_bind.append(lambda: _give_names(process, node))
-        process.world.at_end.append(lambda: self._note_end(process))
+        process.world.at_bind.append(lambda: give_names(process, node))
         self._host.begin(process)
         return process
 
     def _note_end(self, process: Process) -> None:
-        world = process.world
-        status = world.exit_status or 0
-        is_fine = (
-            status == 0 or world.crashed or (self._interrupted and status == _INTERRUPTED and process.raises_at_ctrl_c)
-        )
-        if not is_fine:
+        status = process.world.exit_status or 0
+        if process.fails_with(status, self._interrupted):
             status = 128 - status if status < 0 else status
             self._stderr.write(f"rosspin: {process.node.name} ended with status {status}\n")
-        self.status = self.status or (0 if is_fine else status)
+            self.status = self.status or status
         self._ended.set()
 
     def _wait(self, processes: Sequence[Process], patience: int | None = None) -> None:
@@ -96,7 +96,7 @@ class Together:
         self._clock.end(world)
 
 
-def _give_names(process: Process, node: Node) -> None:
+def give_names(process: Process, node: Node) -> None:
     """Add the node's name and namespace to its command line, as its ROS takes them there."""
     ros = ROSES[process.world.ros]
     names = {ros.naming: node.name, "__ns": node.namespace.rstrip("/")}

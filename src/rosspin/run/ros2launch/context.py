@@ -10,7 +10,6 @@ from typing import TYPE_CHECKING, Any
 
 if TYPE_CHECKING:
     from .service import LaunchService
-    from .substitutions import Substitution
 
 __all__ = ["LaunchContext"]
 
@@ -56,6 +55,6 @@ class LaunchContext:
         """Let an event be handled after those that wait already."""
         self.events.append(event)
 
-    def perform_substitution(self, substitution: Substitution) -> str:
+    def perform_substitution(self, substitution: Any) -> str:
         """Return the text of a substitution."""
-        return substitution.perform(self)
+        return str(substitution.perform(self))

@@ -19,8 +19,10 @@ from ...rospy.state import Master
 from ...world.world import World
 from ..explain import say_where
 from ..host import Host
+from ..process import Process
 from ..source import Code
 from ..streams import nowhere
+from ..together import Together, give_names
 from .launch import Launch, Node
 
 __all__ = ["Monitor"]
@@ -46,8 +48,12 @@ class _Member:
         self.code = code
         self.name = f"{node.namespace.strip('/')}/{node.name or code.name}-{number}".removeprefix("/")
         self.args = [*node.args, *([f"__name:={node.name}"] if node.name else [])]
-        self.world: World  # that of the process that is running, or was
+        self.process: Process  # the one that is running, or was
         self.respawns_at: int | None = None  # when (ns) it is to be started again
+
+    @property
+    def world(self) -> World:
+        return self.process.world
 
     def exit_code(self) -> int:
         """Return the exit code as roslaunch has it: negative for a signal."""
@@ -55,9 +61,12 @@ class _Member:
 
 
 class Monitor:
-    """Runs the nodes of a launch file, whose code is ``codes``, in a host."""
+    """Runs the nodes of a launch file, whose code is ``codes``, in a host.
 
-    status = 0  # whatever becomes of the nodes
+    Most nodes whose code does not name their ROS import it at time 0. If that is ROS 2, :class:`Together` goes on.
+    """
+
+    status = 0  # whatever becomes of the nodes of ROS 1
 
     def __init__(self, host: Host, launch: Launch, codes: Sequence[Code]) -> None:
         self._host = host
@@ -79,19 +88,30 @@ class Monitor:
         try:
             for member in self._members:
                 self._start(member)
+            if not all(member.code.hint for member in self._members):
+                self._clock.sleep(0)
+                if any(member.world.ros == 2 for member in self._members):
+                    self._hand_over()
+                    return
+                self._clock.sleep(_LOOK)  # its first look comes before the nodes do anything
             while self._watch():
                 self._clock.sleep(_LOOK)
         except KeyboardInterrupt:
             pass
         self._end_all()
 
+    def _hand_over(self) -> None:
+        together = Together(self._host, [each.node for each in self._members], [each.code for each in self._members])
+        together.go_on([member.process for member in self._members])
+        self.status = together.status
+
     def _start(self, member: _Member) -> None:
         node = member.node
         namespace = node.namespace.rstrip("/")
         environment = {**node.env, **({"ROS_NAMESPACE": namespace} if namespace else {})}
         stdout = None if node.output == "screen" else nowhere()
-        process = self._host.add(member.code, member.args, environment, node.cwd, stdout)
-        member.world = process.world
+        process = member.process = self._host.add(member.code, member.args, environment, node.cwd, stdout)
+        process.world.at_bind.append(lambda: _name_in_ros2(process, node))
         self._host.begin(process)
 
     def _watch(self) -> bool:
@@ -169,3 +189,10 @@ class Monitor:
 
     def _complain(self, text: str) -> None:
         self._stderr.write(f"\033[31m{text}\033[0m\n" if self._stderr.isatty() else text + "\n")
+
+
+def _name_in_ros2(process: Process, node: Node) -> None:
+    """Give a process its names in the words of ROS 2, if that is its ROS."""
+    if process.world.ros == 2:
+        process.world.argv[1:] = node.args
+        give_names(process, node)
