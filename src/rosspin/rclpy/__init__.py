@@ -9,7 +9,7 @@ import sys
 from types import ModuleType
 from typing import Any
 
-from ..world.world import NotSimulated, refusing
+from ..world.world import NotSimulated, World, current_world, refusing
 from . import (
     action,
     callback_groups,
@@ -52,7 +52,6 @@ from .executors import Executor, SingleThreadedExecutor
 from .parameter import Parameter
 from .passed_on import PASSED_ON, passing_on
 from .signals import SignalHandlerOptions, install_signal_handlers, uninstall_signal_handlers
-from .state import state
 from .task import Future
 from .utilities import get_rmw_implementation_identifier, ok, try_shutdown
 
@@ -114,9 +113,18 @@ def create_node(node_name: str, **kwargs: Any) -> node.Node:
     return node.Node(node_name, **kwargs)
 
 
+class _Global:
+    """Of a process: the executor of :func:`get_global_executor`."""
+
+    ROS = 2
+
+    def __init__(self, world: World) -> None:
+        self.executor: Executor | None = None
+
+
 def get_global_executor() -> Executor:
     """The executor that ``spin``, ``spin_once`` and ``spin_until_future_complete`` use if they are given none."""
-    own = state()
+    own = current_world().part(_Global)
     if own.executor is None:
         own.executor = executor = SingleThreadedExecutor()
 

@@ -22,10 +22,9 @@ from ..messages.ros2 import Action, Message
 from ..world.world import current_world
 from .callback_groups import CallbackGroup
 from .exceptions import NameValidationException, RCLError, no_type_support
-from .executors import await_or_execute
 from .qos import QoSProfile, qos_profile_action_status_default, qos_profile_services_default
 from .services import Client, Service, look_until
-from .task import Future
+from .task import Future, await_or_execute
 from .topics import Publisher, Subscription
 from .waits import waiting_for
 

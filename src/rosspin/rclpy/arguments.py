@@ -9,7 +9,7 @@ from typing import Any, NamedTuple
 from .exceptions import RCLError, UnknownROSArgsError
 from .names import expand_topic_name
 
-__all__ = ["Arguments", "remove_ros_args"]
+__all__ = ["Arguments"]
 
 _TRUE = {"y", "yes", "on", "true"}
 _FALSE = {"n", "no", "off", "false"}
@@ -175,13 +175,6 @@ class Arguments:
             if re.fullmatch(pattern, full_name):
                 found |= {name: value for each, name, value in self.overrides if each == node}
         return found
-
-
-def remove_ros_args(args: list[str] | None = None) -> list[str]:
-    """Return a command line (default: the process's) without the words for ROS."""
-    from .state import state
-
-    return Arguments(state().world.argv if args is None else args).rest
 
 
 def _until_two_dashes(words: Iterator[str]) -> Iterator[str]:

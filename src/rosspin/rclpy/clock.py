@@ -7,16 +7,13 @@ import time
 from collections.abc import Callable, Iterator
 from contextlib import contextmanager
 from enum import Enum, IntEnum
-from typing import TYPE_CHECKING, Any
+from typing import Any
 
-from .context import Context, get_default_context
+from .context import Context, get_default_context, state
 from .duration import Duration
 from .exceptions import NotInitializedException
-from .state import Gate, state
+from .gate import Gate
 from .time import ClockType, Time
-
-if TYPE_CHECKING:
-    from .timer import Timer
 
 __all__ = ["Clock", "ClockChange", "ClockType", "JumpHandle", "JumpThreshold", "ROSClock", "TimeJump"]
 
@@ -239,7 +236,7 @@ class ROSClock(Clock):
     def __init__(self, *, clock_type: ClockType = ClockType.ROS_TIME) -> None:
         super().__init__(clock_type=ClockType.ROS_TIME)
         self._told = 0
-        self.timers: dict[Timer, None] = {}  # the timers that go by this clock
+        self.timers: dict[Any, None] = {}  # the timers that go by this clock
 
     @property
     def ros_time_is_active(self) -> bool:

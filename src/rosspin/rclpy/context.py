@@ -7,10 +7,11 @@ from inspect import ismethod
 from typing import TYPE_CHECKING, Any
 from weakref import WeakKeyDictionary, WeakMethod
 
+from ..world.world import World, current_world
 from . import logging
 from .arguments import Arguments
 from .exceptions import InvalidHandle, RCLError
-from .state import state
+from .gate import Gate
 
 if TYPE_CHECKING:
     from .node import Node
@@ -18,11 +19,45 @@ if TYPE_CHECKING:
 __all__ = ["Context"]
 
 
+class State:
+    """Of a process: its contexts, who sleeps, and what signals do. rclpy keeps that in module variables."""
+
+    ROS = 2
+
+    def __init__(self, world: World) -> None:
+        self.world = world
+        self.clock = world.clock
+        self.default: Context | None = None
+        self.contexts: list[Context] = []  # those that were initialised and have not ended
+        world.at_end.append(self._be_missed)
+        self.sleepers: list[Gate] = []  # who sleeps until a time of the system's clock
+        world.at_jump.append(self._wake_sleepers)
+        self.waiting: WeakKeyDictionary[Gate, None] = WeakKeyDictionary()  # the gates that a signal opens
+        self.handled: set[int] = set()  # signals that shut the contexts down
+        self.before: dict[int, Any] = {}  # signal handlers that were there before rclpy's
+        self.asleep = False  # whether the main thread sleeps on a Clock, in C code, where no handler runs
+        self.pending: Callable[[], Any] | None = None  # the handler that is to run after that sleep
+
+    def _wake_sleepers(self) -> None:
+        for gate in self.sleepers:
+            gate.open()
+
+    def _be_missed(self) -> None:
+        for context in self.contexts:
+            context.leave(not self.world.finished)
+
+
+def state() -> State:
+    """The state of the calling process. Raises RuntimeError outside a run."""
+    return current_world().part(State)
+
+
 class Context:
     """What nodes share: the command line, and whether to go on. A ``with`` block begins and ends it."""
 
     def __init__(self) -> None:
         self.state = state()
+        self.logs = logging.logs()
         self.arguments: Arguments | None = None  # None: not initialised
         self.valid = False
         self._hooks: list[Callable[[], Any]] = []
@@ -31,6 +66,7 @@ class Context:
         self.born: WeakKeyDictionary[Node, int] = WeakKeyDictionary()  # when (ns) each was made
         self.joined: int | None = None  # when (ns) its first node was made
         self.left: int | None = None  # from when (ns) other processes miss it
+        self.leave: Callable[[bool], None] = lambda killed: None  # lets them miss it
 
     def init(
         self, args: list[str] | None = None, *, initialize_logging: bool = True, domain_id: int | None = None
@@ -54,6 +90,7 @@ class Context:
         self.valid = True
         self._domain_id = domain_id or 0
         self.state.contexts.append(self)
+        self.logs.is_over = False
 
     def ok(self) -> bool:
         """Whether it was initialised and not shut down."""
@@ -75,8 +112,8 @@ class Context:
         if not self.valid:
             return
         self.end()
-        if not self.state.contexts and self.state.rosout:
-            self.state.rosout.clear()
+        if self.logs.is_over and self.logs.rosout:
+            self.logs.rosout.clear()
         for hook in list(self._hooks):
             # Methods are kept as weak references. rclpy calls every hook as if it were one, and then what that returns.
             found = hook()
@@ -87,9 +124,10 @@ class Context:
     def end(self) -> None:
         """End as at a signal: no hook is called."""
         self.valid = False
-        self.state.participants.leave(self)
+        self.leave(False)
         if self in self.state.contexts:
             self.state.contexts.remove(self)
+        self.logs.is_over = not self.state.contexts
 
     def destroy(self) -> None:
         """End, and raise InvalidHandle at each further question."""
@@ -121,8 +159,6 @@ class Context:
         name = node.get_fully_qualified_name()
         self.state.world.name = self.state.world.name or name
         self.state.world.nodes.append(name)
-        if self.joined is None:
-            self.state.participants.join(self)
 
     def forget(self, callback: Callable[[], Any]) -> None:
         """Take back ``on_shutdown(callback)``."""
@@ -146,9 +182,9 @@ class Context:
 def get_default_context(*, shutting_down: bool = False) -> Context:
     """Return the context that is used where none is given. With ``shutting_down``, the next call makes a new one."""
     own = state()
-    if own.context is None:
-        own.context = Context()
-    context = own.context
+    if own.default is None:
+        own.default = Context()
+    context = own.default
     if shutting_down:
-        own.context = None
+        own.default = None
     return context

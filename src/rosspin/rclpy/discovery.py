@@ -9,18 +9,15 @@ from __future__ import annotations
 
 from collections.abc import Iterator
 from functools import partial
-from typing import TYPE_CHECKING, Any
+from typing import TYPE_CHECKING
 
 from ..clocks.clock import LATE
-from .qos import incompatible_policy
+from .context import Context
 
 if TYPE_CHECKING:
-    from .context import Context
-    from .ends import Owner
     from .node import Node
-    from .topics import Publisher, Subscription
 
-__all__ = ["ENDPOINT", "KEPT", "Participants", "discover", "introduce", "lose"]
+__all__ = ["ENDPOINT", "KEPT", "Participants", "late"]
 
 # How long (ns) it takes until ..., as measured most often.
 ENDPOINT = 1_000_000  # another process knows an end of a topic
@@ -38,9 +35,12 @@ class Participants:
         self._late: set[frozenset[Context]] = set()  # pairs that learn of each other later than usual
 
     def join(self, context: Context) -> None:
-        """Add a context that has its first node."""
+        """Add a context, unless it is there, that has its first node."""
+        if context.joined is not None:
+            return
         clock = context.state.clock
         context.joined = clock.now()
+        context.leave = partial(self._leave, context)
         for other in self._contexts:
             if clock.explores and other.state is not context.state:
                 pair = f"{context.state.world.name} and {other.state.world.name}"
@@ -48,20 +48,21 @@ class Participants:
                     self._late.add(frozenset((context, other)))
         self._contexts.append(context)
 
-    def meeting(self, one: Context, other: Context) -> int:
-        """How long (ns) it takes until two contexts know each other."""
-        return PARTICIPANT + (LATE if frozenset((one, other)) in self._late else 0)
+    def met(self, one: Context, other: Context) -> int:
+        """Return when (ns) two contexts know each other."""
+        assert one.joined is not None and other.joined is not None
+        return max(one.joined, other.joined) + PARTICIPANT + (LATE if frozenset((one, other)) in self._late else 0)
 
-    def leave(self, context: Context, killed: bool = False) -> None:
+    def _leave(self, context: Context, killed: bool) -> None:
         """Let the others miss a context that was shut down, or whose process has ended."""
-        if context.joined is not None and context.left is None:
+        if context.left is None:
             context.left = context.state.clock.now() + (LEASE if killed else END)
             for node in context.nodes:
                 waited = (end for waitable in node._rosspin_waitables for end in waitable.ends)
                 for publisher in node._publishers if killed else ():
                     publisher.fall_silent()
                 for end in (*node._publishers, *node._subscriptions, *node._clients, *node._services, *waited):
-                    lose(end, context.left)
+                    end.be_missed(context.left)
                     if not killed:
                         end.withdraw()
 
@@ -74,43 +75,13 @@ class Participants:
         now = context.state.clock.now()
         for other in self._contexts:
             if other.state is not context.state and (other.left is None or now < other.left):
-                met = _met(context, other)
+                met = self.met(context, other)
                 for node in other.nodes:
-                    if max(met, other.born[node] + ENDPOINT) + _late(context.state.world.name, node) <= now:
+                    if max(met, other.born[node] + ENDPOINT) + late(context.state.world.name, node) <= now:
                         yield node
 
 
-def _met(one: Context, other: Context) -> int:
-    """Return when (ns) two contexts know each other."""
-    assert one.joined is not None and other.joined is not None
-    return max(one.joined, other.joined) + one.state.participants.meeting(one, other)
-
-
-def _late(name: str, node: Node) -> int:
+def late(name: str, node: Node) -> int:
     """Return how much (ns) later than usual a node is to be known to the node of a name, in another process."""
     faults = node.context.state.world.graph.faults
     return faults.lateness(name, node.get_fully_qualified_name()) if faults else 0
-
-
-def discover(publisher: Publisher, subscription: Subscription) -> None:
-    """Let two ends of a topic in different processes find each other."""
-    if publisher.end.type != subscription.end.type:
-        return
-    policy = incompatible_policy(publisher.policies, subscription.policies)
-    subscription.expect(publisher)
-    introduce(publisher, subscription, policy)
-
-
-def introduce(one: Any, another: Any, *more: Any) -> None:
-    """Let two ends in different processes learn of each other, each by its ``meet(other, *more)``."""
-    met = _met(one.node.context, another.node.context)
-    late = _late(one.node.get_fully_qualified_name(), another.node)
-    for end, other in ((one, another), (another, one)):
-        end.world.at(max(end.made, other.made + ENDPOINT, met) + late, partial(end.meet, other, *more))
-
-
-def lose(end: Owner, when: int) -> None:
-    """Let the ends in other processes learn at ``when`` (ns) that an end is gone."""
-    for other in [*end.peers]:
-        if other.world is not end.world:
-            other.world.at(when, partial(other.part, end))

@@ -2,9 +2,10 @@
 
 from __future__ import annotations
 
+from functools import partial
 from typing import TYPE_CHECKING, Any, NamedTuple
 
-from .discovery import ENDPOINT, lose
+from .discovery import ENDPOINT, Participants, late
 from .handle import Held
 from .qos import QoSProfile
 
@@ -58,6 +59,14 @@ class Owner(Held):
         """Whether another end is in another process, where it has to be found."""
         return isinstance(other, Owner) and other.world is not self.world
 
+    def introduce(self, other: Any, *more: Any) -> None:
+        """Let it and an end in another process learn of each other, each by its ``meet(other, *more)``."""
+        met = self.world.graph.part(Participants).met(self.node.context, other.node.context)
+        lag = late(self.node.get_fully_qualified_name(), other.node)
+        both: tuple[Any, Any] = (self, other)
+        for end, another in (both, both[::-1]):
+            end.world.at(max(end.made, another.made + ENDPOINT, met) + lag, partial(end.meet, another, *more))
+
     def withdraw(self) -> None:
         """Let nobody find it any more."""
         raise NotImplementedError()
@@ -69,7 +78,13 @@ class Owner(Held):
         for peer in self.peers:
             if peer.world is self.world:
                 peer.part(self)
-        lose(self, self.world.clock.now() + ENDPOINT)
+        self.be_missed(self.world.clock.now() + ENDPOINT)
+
+    def be_missed(self, when: int) -> None:
+        """Let the ends in other processes learn at ``when`` (ns) that it is gone."""
+        for peer in [*self.peers]:
+            if peer.world is not self.world:
+                peer.world.at(when, partial(peer.part, self))
 
     def part(self, other: Any) -> None:
         """Learn that another end is gone."""

@@ -18,9 +18,9 @@ from .exceptions import (
     TimeoutException,
     invalid_context,
 )
+from .gate import Gate
 from .handle import Held
-from .state import Gate
-from .task import Future, Task, is_coroutine_function
+from .task import Future, Task, await_or_execute, is_coroutine_function
 from .topics import Subscription
 from .waits import waiting_for
 
@@ -407,11 +407,6 @@ class Executor:
 
     def __exit__(self, *error: object) -> None:
         self.shutdown()
-
-
-async def await_or_execute(callback: Callable[..., Any], *args: Any) -> Any:
-    """Call a function, or await a coroutine function, and return the result."""
-    return await callback(*args) if inspect.iscoroutinefunction(callback) else callback(*args)
 
 
 async def _call(entity: Any, executor: Executor, node: Node) -> None:

@@ -7,18 +7,15 @@ import os
 import re
 import sys
 import time
+from collections.abc import Callable
 from enum import IntEnum
 from pathlib import Path
 from types import FrameType
-from typing import TYPE_CHECKING, Any, NamedTuple
+from typing import Any, NamedTuple
 
 from ..clocks.clock import NS
-from .arguments import LEVELS
-from .state import State, state
-
-if TYPE_CHECKING:
-    from .arguments import Arguments
-    from .node import Node
+from ..world.world import World, current_world
+from .arguments import LEVELS, Arguments
 
 __all__ = [
     *("LoggingSeverity", "RcutilsLogger", "clear_config", "get_logger", "get_logger_effective_level"),
@@ -37,6 +34,9 @@ class LoggingSeverity(IntEnum):
     ERROR = 40
     FATAL = 50
 
+
+# Publishes a message: its severity, its logger's name, its text, and the frame of the call.
+Publish = Callable[[int, str, str, FrameType], None]
 
 _COLOURS = {10: "\033[32m", 20: "\033[0m", 30: "\033[33m", 40: "\033[31m", 50: "\033[31m"}
 _DEFAULT_FORMAT = "[{severity}] [{time}] [{name}]: {message}"
@@ -65,7 +65,7 @@ class _Call:
         """Whether the filters let this call through. Each is asked only if those before it let it through."""
         if self.options.get("throttle_duration_sec"):
             clock = self.options.get("throttle_time_source_type")
-            now = state().clock.system() if clock is None else clock.now().nanoseconds
+            now = logs().clock.system() if clock is None else clock.now().nanoseconds
             if now < self.last + self.options["throttle_duration_sec"] * 1e9:
                 return False
             self.last = now
@@ -75,12 +75,41 @@ class _Call:
         return not self.options.get("once") or self.calls == 1
 
 
+class _Form(NamedTuple):
+    """The format of lines, whether they go to stdout, and whether they are coloured (None: on a terminal)."""
+
+    line: str
+    to_stdout: bool
+    coloured: bool | None
+
+
+class Logs:
+    """What a process logs, from which level on, and how."""
+
+    ROS = 2
+
+    def __init__(self, world: World) -> None:
+        self.clock = world.clock
+        self.level = 20  # INFO
+        self.levels: dict[str, int] = {}
+        self.console = True
+        self.root_logger: RcutilsLogger | None = None
+        self.rosout: dict[str, Publish] | None = {}  # what publishes for a logger; None: nothing may
+        self.is_over = False  # whether its contexts have ended, so that nothing can be published
+        self.form: _Form | None = None  # None: not looked up yet
+
+
+def logs() -> Logs:
+    """The logs of the calling process. Raises RuntimeError outside a run."""
+    return current_world().part(Logs)
+
+
 class RcutilsLogger:
     """A logger. Its level is the nearest one that is set: that of ``a.b``, of ``a``, or the default."""
 
     def __init__(self, name: str = "") -> None:
         self.name = name
-        self._state = state()
+        self._logs = logs()
         self._calls: dict[tuple[str, int, int], _Call] = {}
 
     def get_child(self, name: str) -> RcutilsLogger:
@@ -88,8 +117,8 @@ class RcutilsLogger:
         if not name:
             raise ValueError("Child logger name must not be empty.")
         child = RcutilsLogger(f"{self.name}.{name}" if self.name else name)
-        if self._state.rosout and self.name in self._state.rosout:
-            self._state.rosout[child.name] = self._state.rosout[self.name]
+        if self._logs.rosout and self.name in self._logs.rosout:
+            self._logs.rosout[child.name] = self._logs.rosout[self.name]
         return child
 
     def set_level(self, level: int) -> None:
@@ -98,11 +127,11 @@ class RcutilsLogger:
 
     def get_effective_level(self) -> LoggingSeverity:
         """Return the lowest severity that is printed."""
-        return LoggingSeverity(_effective(self._state, self.name))
+        return LoggingSeverity(_effective(self._logs, self.name))
 
     def is_enabled_for(self, severity: int) -> bool:
         """Whether messages of a severity are printed."""
-        return LoggingSeverity(severity) >= _effective(self._state, self.name)
+        return LoggingSeverity(severity) >= _effective(self._logs, self.name)
 
     def log(self, message: str, severity: int, **kwargs: Any) -> bool:
         """Print a message. Return whether it passed the level and the filters.
@@ -113,7 +142,7 @@ class RcutilsLogger:
         ValueError if the options of a line change between calls.
         """
         severity = LoggingSeverity(severity)
-        if severity < _effective(self._state, self.name):
+        if severity < _effective(self._logs, self.name):
             return False
         name = kwargs.pop("name", self.name)
         filters = _filters(kwargs) if kwargs else []
@@ -142,7 +171,7 @@ class RcutilsLogger:
                 f"{severity!r}, {name!r}, {message!r}, {frame.f_code.co_name!r}, "
                 f"{os.path.abspath(where[0])!r}, {where[1]}"
             )
-        _write(self._state, severity, name, message, frame)
+        _write(self._logs, severity, name, message, frame)
         return True
 
     def debug(self, message: str, **kwargs: Any) -> bool:
@@ -190,7 +219,7 @@ def _refuse(call: _Call, *settings: Any) -> None:
     raise ValueError("Logging filter parameters cannot be changed between calls.")
 
 
-def _effective(own: State, name: str) -> int:
+def _effective(own: Logs, name: str) -> int:
     levels = own.levels
     while levels and name:
         if level := levels.get(name):
@@ -199,20 +228,20 @@ def _effective(own: State, name: str) -> int:
     return own.level
 
 
-def _write(own: State, severity: LoggingSeverity, name: str, message: str, frame: FrameType) -> None:
+def _write(own: Logs, severity: LoggingSeverity, name: str, message: str, frame: FrameType) -> None:
     """Write a line in one go, coloured on a terminal, and publish it. By default all levels go to stderr."""
     if own.console:
         _print(own, severity, name, message, frame)
-    node = own.rosout.get(name) if own.rosout else None
-    if node and own.contexts:
-        node._rosspin_topics.tell_log(severity, name, message, frame)
-    elif node:  # a signal has come, and nobody has shut down
+    publish = own.rosout.get(name) if own.rosout else None
+    if publish and not own.is_over:
+        publish(severity, name, message, frame)
+    elif publish:  # a signal has come, and nobody has shut down
         sys.stderr.write("Failed to publish log message to rosout: publisher's context is invalid\n")
 
 
-def _print(own: State, severity: LoggingSeverity, name: str, message: str, frame: FrameType) -> None:
+def _print(own: Logs, severity: LoggingSeverity, name: str, message: str, frame: FrameType) -> None:
     now = own.clock.system()
-    form = own.log_form or _read_form(own)
+    form = own.form or _read_form(own)
     if form.line == _DEFAULT_FORMAT:
         line = f"[{severity.name}] [{now // NS}.{now % NS:09d}] [{name}]: {message}"
     else:
@@ -235,18 +264,10 @@ def _print(own: State, severity: LoggingSeverity, name: str, message: str, frame
     stream.write(line + "\n")
 
 
-class LogForm(NamedTuple):
-    """The format of lines, whether they go to stdout, and whether they are coloured (None: on a terminal)."""
-
-    line: str
-    to_stdout: bool
-    coloured: bool | None
-
-
-def _read_form(own: State) -> LogForm:
+def _read_form(own: Logs) -> _Form:
     """Read the form of lines from the environment. rcutils looks once, at ``init`` or at the first line."""
     coloured = os.environ.get("RCUTILS_COLORIZED_OUTPUT")
-    own.log_form = form = LogForm(
+    own.form = form = _Form(
         os.environ.get("RCUTILS_CONSOLE_OUTPUT_FORMAT", _DEFAULT_FORMAT),
         os.environ.get("RCUTILS_LOGGING_USE_STDOUT") == "1",
         None if coloured is None else coloured == "1",
@@ -256,7 +277,7 @@ def _read_form(own: State) -> LogForm:
 
 def configure(arguments: Arguments) -> None:
     """Set the log levels of a command line."""
-    own = state()
+    own = logs()
     _read_form(own)
     own.level = own.level if arguments.level is None else arguments.level
     own.levels.update(arguments.levels)
@@ -268,20 +289,18 @@ def configure(arguments: Arguments) -> None:
         )
 
 
-def publish_on_rosout(name: str, node: Node) -> bool:
-    """Register a node's logger for /rosout, and warn of a second one with its name. Return whether it may publish."""
-    loggers = state().rosout
-    if loggers is None:
-        return False
+def publish_on_rosout(name: str, node: str, publish: Publish) -> None:
+    """Register the logger of a ``node`` for /rosout, and warn of a second one with its name."""
+    loggers = logs().rosout
+    assert loggers is not None
     if name in loggers:
         get_logger("rcl.logging_rosout").warning(
-            f"Publisher already registered for node name: '{node.get_name()}'. If this is due to multiple nodes with "
+            f"Publisher already registered for node name: '{node}'. If this is due to multiple nodes with "
             f"the same name then all logs for the logger named '{name}' will go out over the existing publisher. As "
             "soon as any node with that name is destructed it will unregister the publisher, preventing any further "
             "logs for that name from being published on the rosout topic."
         )
-    loggers.setdefault(name, node)
-    return True
+    loggers.setdefault(name, publish)
 
 
 def get_logger(name: str) -> RcutilsLogger:
@@ -293,7 +312,7 @@ def get_logger(name: str) -> RcutilsLogger:
 
 def __getattr__(name: str) -> Any:
     if name == "_root_logger":
-        own = state()
+        own = logs()
         own.root_logger = own.root_logger or RcutilsLogger()
         return own.root_logger
     raise AttributeError(f"module 'rclpy.logging' has no attribute '{name}'", name=name)
@@ -307,13 +326,13 @@ def get_logging_directory() -> Path:
 
 def clear_config() -> None:
     """Forget what the command line said about logging: levels are as at first, and nothing goes to /rosout."""
-    own = state()
+    own = logs()
     own.level, own.levels, own.console, own.rosout = LoggingSeverity.INFO, {}, True, None
 
 
 def set_logger_level(name: str, level: int, detailed_error: bool = False) -> None:
     """Let the logger with this name, and those below it, print only what is at least so serious."""
-    own, severity = state(), LoggingSeverity(level)
+    own, severity = logs(), LoggingSeverity(level)
     if name:
         own.levels[name] = severity
     else:
@@ -322,13 +341,13 @@ def set_logger_level(name: str, level: int, detailed_error: bool = False) -> Non
 
 def get_logger_level(name: str) -> LoggingSeverity:
     """Return the level that was set for the logger with this name, UNSET if none was."""
-    own = state()
+    own = logs()
     return LoggingSeverity(own.levels.get(name, 0) if name else own.level)
 
 
 def get_logger_effective_level(name: str) -> LoggingSeverity:
     """Return the lowest severity that the logger with this name prints."""
-    return LoggingSeverity(_effective(state(), name))
+    return LoggingSeverity(_effective(logs(), name))
 
 
 def get_logging_severity_from_string(log_severity: str) -> LoggingSeverity:

@@ -17,6 +17,7 @@ from .arguments import Arguments
 from .callback_groups import CallbackGroup, MutuallyExclusiveCallbackGroup, ReentrantCallbackGroup
 from .clock import Clock, ROSClock
 from .context import Context, get_default_context
+from .discovery import Participants
 from .event_handler import EventHandler, PublisherEventCallbacks, SubscriptionEventCallbacks
 from .exceptions import (
     InvalidHandle,
@@ -133,9 +134,12 @@ class Node(Parameters):
             values = arguments.parameters(self.__full_name)
             overrides |= {name: Parameter(name, value=value) for name, value in values.items()}
         overrides |= {parameter.name: parameter for parameter in parameter_overrides or ()}
-        self.__on_rosout = enable_rosout and logging.publish_on_rosout(self._logger.name, self)
         self._context.add_node(self)
+        self.__participants.join(self._context)
+        self.__on_rosout = enable_rosout and self._context.logs.rosout is not None
         self._rosspin_topics = own_topics.OwnTopics(self, import_module("rcl_interfaces.msg"), self.__on_rosout)
+        if self.__on_rosout:
+            logging.publish_on_rosout(self._logger.name, self.__name, self._rosspin_topics.tell_log)
         super().__init__(overrides, allow_undeclared_parameters, self.__tell_parameters)
         self._clock = ROSClock()
         try:
@@ -495,8 +499,11 @@ class Node(Parameters):
 
     def __nodes(self) -> list[Node]:
         """The known nodes: those of its context, and those found in other processes."""
-        others = self._context.state.participants.nodes(self._context)
-        return [*self._context.nodes, *others]
+        return [*self._context.nodes, *self.__participants.nodes(self._context)]
+
+    @property
+    def __participants(self) -> Participants:
+        return self._context.state.world.graph.part(Participants)
 
     def get_publisher_names_and_types_by_node(
         self, node_name: str, node_namespace: str, no_demangle: bool = False
@@ -716,10 +723,10 @@ class Node(Parameters):
         for entities in (*ends, self._timers, self._guards):
             while entities:
                 self.__destroy(entities[0], entities)
-        loggers = self._context.state.rosout
+        loggers = self._context.logs.rosout
         if self.__on_rosout and loggers and not self.__destroyed:
             publishing = loggers.get(self._logger.name)
-            for name in [name for name, node in loggers.items() if node is publishing]:
+            for name in [name for name, publish in loggers.items() if publish is publishing]:
                 del loggers[name]
         self.__destroyed = True
         if self in self._context.nodes:

@@ -10,6 +10,7 @@ from collections import deque
 from types import CodeType, FrameType, ModuleType
 from typing import TYPE_CHECKING, Any
 
+from .discovery import Participants
 from .duration import Duration
 from .parameter import Parameter
 from .qos import DurabilityPolicy, QoSProfile, qos_profile_parameter_events
@@ -100,8 +101,9 @@ class OwnTopics:
 
 def look(node: Node, topic: str) -> None:
     """Let every node of the run, those to come as well, publish on one of these topics."""
-    looked = node.context.state.world.graph.part(_Looked)
+    graph = node.context.state.world.graph
+    looked = graph.part(_Looked)
     if topic in TYPES and topic not in looked:
         looked.add(topic)
-        for each in node.context.state.participants.all_nodes():
+        for each in graph.part(Participants).all_nodes():
             each._rosspin_topics.make(topic)

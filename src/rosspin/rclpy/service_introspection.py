@@ -13,7 +13,8 @@ from .topics import Publisher
 
 if TYPE_CHECKING:
     from ..messages.ros2 import Message
-    from .services import Client, ServiceEnd
+    from ..messages.ros2 import Service as Interface
+    from .ends import Owner
 
 __all__ = ["ServiceIntrospectionState"]
 
@@ -32,8 +33,9 @@ class ServiceIntrospectionState(IntEnum):
 class Events:
     """Publishes what a client or service does, on ``<service>/_service_event``."""
 
-    def __init__(self, end: ServiceEnd) -> None:
+    def __init__(self, end: Owner, srv_type: type[Interface]) -> None:
         self._end = end
+        self._type: Any = srv_type
         self._state = ServiceIntrospectionState.OFF
         self._publisher: Publisher | None = None
         self._clock: Clock | None = None
@@ -57,7 +59,7 @@ class Events:
             self.stop()
         elif not self._publisher:
             topic = f"{end.end.topic}/_service_event"
-            self._publisher = end.node._rosspin_publish(end.srv_type.Event, topic, qos)
+            self._publisher = end.node._rosspin_publish(self._type.Event, topic, qos)
 
     def stop(self) -> None:
         """Publish no more."""
@@ -65,13 +67,12 @@ class Events:
             end, self._publisher = self._publisher, None
             self._end.node.destroy_publisher(end)
 
-    def tell(self, number: int, client: Client, sequence: int, **contents: Message) -> None:
+    def tell(self, number: int, gid: bytes, sequence: int, **contents: Message) -> None:
         """Publish an event by its number in ServiceEventInfo; ``request`` or ``response`` is what was said."""
         if self._publisher and self._clock:
             kind = import_module("service_msgs.msg").ServiceEventInfo
-            info = kind(event_type=number, client_gid=list(client.gid), sequence_number=sequence)
+            info = kind(event_type=number, client_gid=list(gid), sequence_number=sequence)
             info.stamp = self._clock.now().to_msg()
             said = {name: [message] for name, message in contents.items()}
             said = said if self._state is ServiceIntrospectionState.CONTENTS else {}
-            event: Any = self._end.srv_type.Event
-            self._publisher.publish(event(info=info, **said))
+            self._publisher.publish(self._type.Event(info=info, **said))

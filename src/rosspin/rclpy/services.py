@@ -19,13 +19,11 @@ from ..clocks.frames import warn
 from ..messages.ros2 import Message, received, transfer
 from ..messages.ros2 import Service as Interface
 from ..world.graph import CallMade
-from .discovery import introduce
 from .ends import Owner
 from .exceptions import RCLError
-from .executors import await_or_execute
 from .qos import Policies, QoSProfile, incompatible_policy
 from .service_introspection import Events, ServiceIntrospectionState
-from .task import Future
+from .task import Future, await_or_execute
 from .waits import waiting_for
 
 if TYPE_CHECKING:
@@ -107,14 +105,14 @@ class ServiceEnd(Owner):
         self.messages: deque[Any] = deque(maxlen=qos.kept)
         self.nudge: Callable[[], None] | None = None  # tells the executor that waits
         self._executor_event = False
-        self.events = Events(self)
+        self.events = Events(self, srv_type)
         self._offered, self._requested = Policies.offered(qos), Policies.requested(qos)
 
     def join(self) -> None:
         """Find the other ends of the service, and be found."""
         for other in self.world.graph.part(Ends).add(self):
             if self.is_remote(other):
-                introduce(self, other)
+                self.introduce(other)
             else:
                 self.meet(other)
                 other.meet(self)
@@ -220,7 +218,7 @@ class Client(ServiceEnd):
         for service in list(self.peers):
             if self._reaches(service):
                 service.receive(message, Header(self, self._sent, call))
-        self.events.tell(0, self, self._sent, request=message)
+        self.events.tell(0, self.gid, self._sent, request=message)
         return self._sent
 
     def _check_type(self, request: Any) -> None:
@@ -264,7 +262,7 @@ class Client(ServiceEnd):
 
     def _settle(self, sequence: int, response: Message | None) -> None:
         if response:
-            self.events.tell(3, self, sequence, response=response)
+            self.events.tell(3, self.gid, sequence, response=response)
         with self._lock:
             future = self._pending_requests.get(sequence)
         if future:
@@ -308,7 +306,7 @@ class Service(ServiceEnd):
 
     def _call(self, message: Any) -> Any:
         request, header = message
-        self.events.tell(1, header.client, header.sequence, request=request)
+        self.events.tell(1, header.client.gid, header.sequence, request=request)
         return self._answer, (request, header._replace(is_known=self._reaches(header.client))), None
 
     async def _answer(self, request: Message, header: Header) -> None:
@@ -336,7 +334,7 @@ class Service(ServiceEnd):
             if self._reaches(client):
                 own = client is header.client
                 client.receive(header.sequence if own else 0, message if own else None)
-        self.events.tell(2, header.client, header.sequence, response=message)
+        self.events.tell(2, header.client.gid, header.sequence, response=message)
 
 
 def look_until(is_ready: Callable[[], bool], context: Context, timeout_sec: float | None) -> bool:

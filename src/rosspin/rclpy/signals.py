@@ -6,7 +6,7 @@ import signal
 from enum import Enum
 from typing import Any
 
-from .state import state
+from .context import state
 
 __all__ = [
     *("SignalHandlerOptions", "get_current_signal_handlers_options", "install_signal_handlers"),

@@ -11,7 +11,7 @@ from typing import TYPE_CHECKING, Any
 from weakref import ref
 
 from ..clocks.frames import warn
-from .state import world_here
+from ..world.world import World, current_world
 
 if TYPE_CHECKING:
     from .executors import Executor
@@ -53,7 +53,7 @@ class Future:
 
     def __del__(self) -> None:
         # A future collected after its run has nobody to tell.
-        if self._exception is not None and not self._fetched and world_here() is self._world:
+        if self._exception is not None and not self._fetched and _world_here() is self._world:
             sys.stderr.write(f"The following exception was never retrieved: {self._exception}\n")
 
     def __await__(self) -> Generator[None, None, Any]:
@@ -94,7 +94,7 @@ class Future:
     def set_exception(self, exception: BaseException) -> None:
         """Set its exception: the future is done."""
         self._exception = exception
-        self._world = world_here()
+        self._world = _world_here()
         self._fetched = False
         self._settle(_FINISHED)
 
@@ -140,12 +140,25 @@ def _nobody() -> None:
     return None
 
 
+def _world_here() -> World | None:
+    """The world of the calling node; None outside a run."""
+    try:
+        return current_world()
+    except RuntimeError:
+        return None
+
+
 def is_coroutine_function(function: Any) -> bool:
     """``inspect.iscoroutinefunction``, which takes long to say no to a plain function or method."""
     plain = getattr(function, "__func__", function)
     if type(plain) is FunctionType and not plain.__dict__:  # nothing marks it as one
         return bool(plain.__code__.co_flags & inspect.CO_COROUTINE)
     return inspect.iscoroutinefunction(function)
+
+
+async def await_or_execute(callback: Callable[..., Any], *args: Any) -> Any:
+    """Call a function, or await a coroutine function, and return the result."""
+    return await callback(*args) if inspect.iscoroutinefunction(callback) else callback(*args)
 
 
 class Task(Future):

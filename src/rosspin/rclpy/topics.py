@@ -20,13 +20,13 @@ from ..messages.ros2 import Message, received, transfer
 from ..world.graph import Wire
 from ..world.tester import NAME as TESTER
 from .callback_groups import ReentrantCallbackGroup
-from .discovery import KEPT, discover
+from .discovery import KEPT
 from .ends import Owner
 from .event_handler import EventHandler, QoSPublisherEventType, QoSSubscriptionEventType
 from .exceptions import RCLError
+from .gate import Gate
 from .lateness import Countdown, Lasting
 from .qos import FOR_EVER, Policies, QoSPolicyKind, QoSProfile, incompatible_policy, length
-from .state import Gate
 
 if TYPE_CHECKING:
     from enum import IntEnum
@@ -158,7 +158,7 @@ class Publisher(TopicEnd):
         self._watches = [*self._lease, *self._countdown(self.DEADLINE, self.policies.deadline, again=True)]
         for subscription in subscriptions:
             if self.is_remote(subscription):
-                discover(self, subscription)
+                _discover(self, subscription)
             else:
                 _connect(self, subscription, subscription, self)
 
@@ -263,7 +263,7 @@ class Subscription(TopicEnd):
         self._hears = self.policies.lease < FOR_EVER and self._handler(self.LIVELINESS) is not None
         for publisher in publishers:
             if self.is_remote(publisher):
-                discover(publisher, self)
+                _discover(publisher, self)
             else:
                 _connect(publisher, self, publisher, self)
 
@@ -416,6 +416,14 @@ class Subscription(TopicEnd):
         """How many publishers it receives from."""
         self._check()
         return len(self.peers)
+
+
+def _discover(publisher: Publisher, subscription: Subscription) -> None:
+    """Let two ends in different processes find each other."""
+    if publisher.end.type == subscription.end.type:
+        policy = incompatible_policy(publisher.policies, subscription.policies)
+        subscription.expect(publisher)
+        publisher.introduce(subscription, policy)
 
 
 def _connect(publisher: Publisher, subscription: Subscription, *by_age: Publisher | Subscription) -> None:

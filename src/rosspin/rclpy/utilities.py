@@ -3,9 +3,8 @@
 from __future__ import annotations
 
 from ..clocks.clock import NS
-from .arguments import remove_ros_args
-from .context import Context, get_default_context
-from .state import state
+from .arguments import Arguments
+from .context import Context, get_default_context, state
 
 __all__ = [
     "get_default_context",
@@ -24,14 +23,18 @@ def ok(*, context: Context | None = None) -> bool:
 
 def try_shutdown(*, context: Context | None = None) -> None:
     """End a context unless it has ended. After the default one, ``init`` makes a new one."""
-    own = state()
     if context is not None:
         context.try_shutdown()
         return
     context = get_default_context()
     context.try_shutdown()
-    if own.context is context:
-        own.context = None
+    if state().default is context:
+        state().default = None
+
+
+def remove_ros_args(args: list[str] | None = None) -> list[str]:
+    """Return a command line (default: the process's) without the words for ROS."""
+    return Arguments(state().world.argv if args is None else args).rest
 
 
 def timeout_sec_to_nsec(timeout_sec: float | None) -> int:
