@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-import sys
 import tempfile
 import time
 from collections.abc import Callable, Iterator
@@ -11,6 +10,7 @@ from pathlib import Path
 from statistics import median
 from typing import Any
 
+from planted_orders import PLANTS
 from ratios import by_turns, line, ratio
 
 from rosspin import explore, rospy
@@ -18,9 +18,6 @@ from rosspin.clocks.explored import ExploredSimulation, Order
 from rosspin.clocks.simulation import Simulation
 from rosspin.run.simulate import prepare, run_prepared
 from rosspin.world.graph import TickLog
-
-sys.path.append(str(Path(__file__).parent.parent / "tests" / "helpers"))
-from planted_orders import PLANTS
 
 NS = 1_000_000_000
 
