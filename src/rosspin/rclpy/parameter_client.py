@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-import time
 from collections.abc import Callable, Sequence
 from importlib import import_module
 from typing import TYPE_CHECKING, Any
@@ -11,6 +10,7 @@ from .own_topics import PARAMETER_EVENTS
 from .parameter import Parameter, parameter_dict_from_yaml_file
 from .parameter_service import SERVICES
 from .qos import QoSProfile, qos_profile_parameter_events, qos_profile_services_default
+from .services import look_until
 
 if TYPE_CHECKING:
     from .callback_groups import CallbackGroup
@@ -56,11 +56,7 @@ class AsyncParameterClient:
 
     def wait_for_services(self, timeout_sec: float | None = None) -> bool:
         """Look every 0.25 s whether all services are there, for ``timeout_sec`` (None: for ever). Return whether."""
-        left = float("inf") if timeout_sec is None else timeout_sec
-        while not self.services_are_ready() and left > 0:
-            time.sleep(0.25)
-            left -= 0.25
-        return self.services_are_ready()
+        return look_until(self.services_are_ready, None, timeout_sec)  # also after rclpy.shutdown()
 
     def _ask(self, name: str, callback: Callback | None, **fields: Any) -> Future:
         future = self._clients[name].call_async(getattr(self._types, SERVICES[name]).Request(**fields))

@@ -337,10 +337,13 @@ class Service(ServiceEnd):
         self.events.tell(2, header.client.gid, header.sequence, response=message)
 
 
-def look_until(is_ready: Callable[[], bool], context: Context, timeout_sec: float | None) -> bool:
-    """Look every 0.25 s until something is ready, or these pauses add up to ``timeout_sec``. Return whether it is."""
+def look_until(is_ready: Callable[[], bool], context: Context | None, timeout_sec: float | None) -> bool:
+    """Look every 0.25 s until something is ready, or these pauses add up to ``timeout_sec``. Return whether it is.
+
+    Who gives a ``context`` stops looking when that has ended.
+    """
     left = float("inf") if timeout_sec is None else timeout_sec
-    while context.ok() and not is_ready() and left > 0.0:
+    while (context is None or context.ok()) and not is_ready() and left > 0.0:
         time.sleep(_LOOK)
         left -= _LOOK
     return is_ready()
