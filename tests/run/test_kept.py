@@ -20,6 +20,7 @@ from hypothesis import strategies as st
 
 import rosspin
 from rosspin import Run, rospy, simulate
+from rosspin.run.host import replaced
 from rosspin.run.kept import KEPT
 
 _REFERENCE = {
@@ -273,3 +274,35 @@ def test_a_run_goes_on_with_the_numbers_of_who_starts_it() -> None:
 
 def test_the_list_of_what_is_kept_names_each_once() -> None:
     assert len({each.what for each in KEPT}) == len(KEPT)
+
+
+def names_of_the_library() -> dict[tuple[str, str], Any]:
+    """What the modules of the standard library and their classes hold now, by their names, but what sys holds."""
+    found: dict[tuple[str, str], Any] = {}
+    for name, module in list(sys.modules.items()):
+        if name.partition(".")[0] in sys.stdlib_module_names - {"sys"}:
+            places = [module, *(each for each in vars(module).values() if isinstance(each, type))]
+            for place in places:
+                own = place.__module__ if isinstance(place, type) else name
+                where = f"{name}.{place.__qualname__}" if isinstance(place, type) else name
+                found |= {(where, key): value for key, value in vars(place).items() if own == name}
+    return found
+
+
+@pytest.mark.parametrize("ros", ["rospy", "rclpy"])
+def test_all_that_a_run_replaces_is_in_the_list_that_a_page_shows(ros: str) -> None:
+    listed = {
+        (f"{place.__module__}.{place.__qualname__}" if isinstance(place, type) else place.__name__, name)
+        for place, name, _ in replaced()
+    }
+    during: dict[tuple[str, str], Any] = {}
+
+    def node() -> None:
+        __import__(ros)
+        during.update(names_of_the_library())
+
+    before = names_of_the_library()
+    simulate(node, 1)
+    changed = {name for name, value in during.items() if name in before and value is not before[name]}
+    assert len(changed) > 50
+    assert changed - listed <= {("warnings", "filters")}  # which is each process's own, and among what is kept

@@ -14,7 +14,7 @@ from types import ModuleType
 from typing import TYPE_CHECKING, Any, NamedTuple, Protocol, TextIO
 
 from ..clocks import signals, threads, virtual_time
-from ..clocks.clock import NS, Clock, WallClock, nanoseconds
+from ..clocks.clock import NS, Clock, nanoseconds
 from ..clocks.ending import Ended
 from ..clocks.explored import ExploredSimulation
 from ..clocks.frames import Whereabouts
@@ -505,7 +505,7 @@ def _export(before: Mapping[bytes, bytes], after: Mapping[bytes, bytes]) -> None
 
 def replaced() -> list[Patch]:
     """List what is replaced in modules while processes run; all code but theirs still gets the real thing."""
-    return [*threads.PATCHES, *virtual_time.PATCHES, *signals.PATCHES, *PATCHES, *Host(WallClock(), None)._patches()]
+    return [*threads.PATCHES, *virtual_time.PATCHES, *signals.PATCHES, *PATCHES, *Host(Simulation(), None)._patches()]
 
 
 def kept() -> list[str]:
