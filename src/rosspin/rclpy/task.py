@@ -11,6 +11,7 @@ from typing import TYPE_CHECKING, Any
 from weakref import ref
 
 from ..clocks.frames import warn
+from ..clocks.stacks import current
 from .state import world_here
 
 if TYPE_CHECKING:
@@ -166,6 +167,7 @@ class Task(Future):
         self._is_coroutine = is_coroutine_function(handler)
         self._executing = False
         self._turn = [None]  # taken by the thread that runs it
+        self._stack: Any = None  # on which it runs, or last did
         self._tell: Callable[..., None] | None = None  # called when it begins and ends
 
     def __call__(self) -> None:
@@ -177,7 +179,7 @@ class Task(Future):
         try:
             if self._state is not _PENDING or self._executing:
                 return
-            self._executing = True
+            self._executing, self._stack = True, current()
             try:
                 if self._coroutine is None:
                     assert self._handler
