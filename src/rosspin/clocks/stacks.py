@@ -158,9 +158,9 @@ def waiting_for(what: str, giver: Callable[[], Switched | None]) -> Iterator[Non
         me.needs = None
 
 
-def keeper(stack: Stack) -> tuple[Stack, bool] | None:
+def keeper(stack: object) -> tuple[Stack, bool] | None:
     """Return who has the lock for which a stack waits, and whether that lock is its end; None if no other stack has."""
-    lock = stack.lock
+    lock = stack.lock if isinstance(stack, Stack) else None
     holder = lock.holder if lock and stack in lock._waiting else None
     if holder is None or holder is stack or holder.dead:
         return None

@@ -12,7 +12,7 @@ from collections.abc import Callable, Iterator
 from typing import TYPE_CHECKING, Any, NamedTuple
 
 from ..clocks.frames import Place, node_place, places
-from ..clocks.stacks import Stack, Switched, keeper, thread_name
+from ..world.world import keeper, thread_name
 from .action import ActionClient, ActionServer
 from .discovery import Participants
 from .executors import MultiThreadedExecutor
@@ -132,9 +132,9 @@ class _Run:
             inner = getattr(inner, "cr_await", None)
         return None
 
-    def _on(self, stack: Switched) -> _Waiter | None:
+    def _on(self, stack: Any) -> _Waiter | None:
         """What waits on a stack: for a lock, or what :mod:`rosspin.rclpy.waits` knows of."""
-        if isinstance(stack, Stack) and keeper(stack):
+        if keeper(stack):
             task = next((task for task in self._tasks if task.executing() and task._stack is stack), None)
             name = self._name(task) if task else thread_name(stack)
             return _Waiter(stack, task, name, node_place(places(stack.trail)))
@@ -156,8 +156,8 @@ class _Run:
 
     def _step(self, waiter: _Waiter) -> _Step | None:
         at = [f"  at {waiter.place.shown()}"] if waiter.place else []
-        if isinstance(waiter.goal, Stack):
-            return self._blocked(waiter, at)
+        if kept := keeper(waiter.goal):
+            return self._blocked(waiter, at, *kept)
         if isinstance(waiter.goal, Timer):
             return self._kept([f"{waiter.name} waits for its Rate", *at, "its timer is due"], waiter.goal, waiter, "it")
         for client, number, entity in self._asked(waiter.goal):
@@ -176,13 +176,11 @@ class _Run:
                         return self._after([*begin, f"{self._name(task)} has to give that"], task, "")
         return None
 
-    def _blocked(self, waiter: _Waiter, at: list[str]) -> _Step | None:
+    def _blocked(self, waiter: _Waiter, at: list[str], holder: object, is_end: bool) -> _Step | None:
         """Say who has the lock, or has not ended; None if that one may go on."""
-        found = keeper(waiter.goal)
-        following = found and self._on(found[0])
-        if not (found and following):
+        if (following := self._on(holder)) is None:
             return None
-        what, advice = ("the end of {}", "") if found[1] else ("a lock that {} holds", _HOLDING)
+        what, advice = ("the end of {}", "") if is_end else ("a lock that {} holds", _HOLDING)
         return _Step([f"{waiter.name} waits for {what.format(following.name)}", *at], following, advice)
 
     def _asked(self, goal: Any) -> Iterator[tuple[Client, int, Any]]:

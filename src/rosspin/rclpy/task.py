@@ -11,7 +11,7 @@ from typing import TYPE_CHECKING, Any
 from weakref import ref
 
 from ..clocks.frames import warn
-from ..clocks.stacks import current
+from ..world.world import current
 from .state import world_here
 
 if TYPE_CHECKING:

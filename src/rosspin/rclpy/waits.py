@@ -10,7 +10,7 @@ from types import FrameType
 from typing import TYPE_CHECKING, Any, NamedTuple
 
 from ..clocks.frames import Place, outwards, places, trail
-from ..clocks.stacks import Switched, current
+from ..world.world import current
 from .task import Task
 
 if TYPE_CHECKING:
@@ -27,7 +27,7 @@ class Wait(NamedTuple):
 
     goal: Any
     thread: str
-    stack: Switched
+    stack: object
     where: Callable[[], tuple[Task | None, list[Place]]]
 
 
