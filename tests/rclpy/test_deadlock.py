@@ -183,6 +183,67 @@ rclpy.spin(node)
 """,
         ["the timer's callback ask waits for the answer of /work", "the callback group of the service"],
     ),
+    "a lock that the service needs": (
+        """
+import threading
+lock = threading.Lock()
+def locked(request, response):
+    with lock: return response
+serve(group=Group(), callback=locked)
+client = client_of(group=Group())
+def ask():
+    with lock: client.call(Trigger.Request())
+node.create_timer(0.5, ask)
+spin_with(4)
+""",
+        [
+            "the timer's callback ask waits for the answer of /work",
+            "the callback of the service /work (locked) has to give that",
+            "the callback of the service /work (locked) waits for a lock that the timer's callback ask holds",
+            "node.py:31: with lock: return response",
+            "Hold no lock while you wait for what needs it.",
+        ],
+    ),
+    "a lock held while a Rate sleeps": (
+        """
+import threading
+lock = threading.Lock()
+def tick():
+    with lock: pass
+node.create_timer(0.1, tick)
+rate = node.create_rate(2)
+threading.Thread(target=rclpy.spin, args=(node,), daemon=True).start()
+with lock: rate.sleep()
+""",
+        [
+            "the thread MainThread waits for its Rate",
+            "but the only thread of the executor is in a callback:",
+            "the timer's callback tick waits for a lock that the thread MainThread holds",
+            "Hold no lock while you wait for what needs it.",
+        ],
+    ),
+    "a callback that waits for the end of a thread that asks": (
+        """
+import threading
+serve()
+client = client_of()
+def ask():
+    client.call(Trigger.Request())
+def tick():
+    thread = threading.Thread(target=ask, name="asker")
+    thread.start()
+    thread.join()
+node.create_timer(0.5, tick)
+rclpy.spin(node)
+""",
+        [
+            "the thread asker waits for the answer of /work",
+            "the callback group of the service lets one callback run at a time:",
+            "the timer's callback tick waits for the end of the thread asker",
+            "node.py:36: thread.join()",
+            "Ask with call_async, or send_goal_async, and go on in a done callback. Or spin with a Multi",
+        ],
+    ),
     "a goal sent on one thread": (
         """
 server = ActionServer(node, Fibonacci, "fibonacci", lambda goal: Fibonacci.Result())
@@ -252,6 +313,39 @@ rclpy.spin(node)
 """,
     "a future of the node's own": """
 rclpy.spin_until_future_complete(node, rclpy.task.Future())
+""",
+    "a lock that is released in the end": """
+import threading, time
+lock = threading.Lock()
+def locked(request, response):
+    with lock: return response
+serve(group=Group(), callback=locked)
+client = client_of(group=Group())
+def hold():
+    with lock: time.sleep(5)
+node.create_timer(0.4, hold, Group())
+node.create_timer(0.5, lambda: client.call(Trigger.Request()))
+spin_with(4)
+""",
+    "a thread that spins": """
+import threading
+executor = MultiThreadedExecutor(num_threads=2)
+executor.add_node(node)
+thread = threading.Thread(target=executor.spin)
+thread.start()
+thread.join()
+""",
+    "an executor within a callback": """
+import threading
+other = MultiThreadedExecutor(num_threads=2)
+other.add_node(rclpy.create_node("other"))
+def answer(request, response):
+    other.spin_once()
+    return response
+serve(callback=answer)
+client = client_of()
+threading.Thread(target=rclpy.spin, args=(node,), daemon=True).start()
+client.call(Trigger.Request())
 """,
     "a call with a time limit": """
 serve()

@@ -148,3 +148,22 @@ rospy.spin()
 
 def test_nothing_is_said_of_threads_that_only_wait(write: Any) -> None:
     assert simulate(write(WAITING), 2).console == ""
+
+
+HAS_WAITED = """
+import asyncio, threading, time
+lock = threading.Lock()
+def work():
+    with lock: pass
+    asyncio.new_event_loop().run_forever()
+thread = threading.Thread(target=work, daemon=True)
+with lock:
+    thread.start()
+    time.sleep(0.1)
+time.sleep(0.1)
+with lock: thread.join()
+"""
+
+
+def test_a_thread_does_not_wait_for_a_lock_that_it_has_had(write: Any) -> None:
+    assert "waits for ever" not in simulate(write(HAS_WAITED), 2).console

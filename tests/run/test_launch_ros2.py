@@ -153,6 +153,9 @@ def test_a_fault_in_the_midst_ends_the_run(launched: Write) -> None:
     path = launched("Node(package='pkg', executable='script.py'), TimerAction(period=1.0, actions=[LogInfo(msg=5)])")
     with pytest.raises(ValueError, match=r"a\.launch\.py:12: 'int' object is not iterable"):
         simulate(path, 2)
+    path = launched("LogInfo(msg=PythonExpression('lost + 1'))")
+    with pytest.raises(ValueError, match=r"a\.launch\.py:12: name 'lost' is not defined"):
+        simulate(path, 2)
     path = launched("RegisterEventHandler(OnShutdown(on_shutdown=lambda event, context: {}['lost']))")
     with pytest.raises(ValueError, match=r"a\.launch\.py:12: KeyError: 'lost'"):
         simulate(path, 2)

@@ -21,8 +21,8 @@ if TYPE_CHECKING:
     from .simulation import Simulation
 
 __all__ = [
-    *("Program", "Stack", "StackExit", "acting_for", "current", "enter"),
-    *("Switched", "telling_no_turns", "telling_turns", "waiting_for", "whose"),
+    *("Program", "Stack", "StackExit", "acting_for", "current", "enter", "keeper"),
+    *("Switched", "telling_no_turns", "telling_turns", "thread_name", "waiting_for", "whose"),
 ]
 
 
@@ -156,6 +156,21 @@ def waiting_for(what: str, giver: Callable[[], Switched | None]) -> Iterator[Non
         yield
     finally:
         me.needs = None
+
+
+def keeper(stack: object) -> tuple[Stack, bool] | None:
+    """Return who has the lock for which a stack waits, and whether that lock is its end; None if no other stack has."""
+    lock = stack.lock if isinstance(stack, Stack) else None
+    holder = lock.holder if lock and stack in lock._waiting else None
+    if holder is None or holder is stack or holder.dead:
+        return None
+    return holder, lock in (holder.ended, holder.program.main_ended)
+
+
+def thread_name(stack: Stack) -> str:
+    """Call a stack by the name of its thread."""
+    thread = threading._active.get(stack.ident)  # type: ignore[attr-defined]
+    return f"the thread {thread.name}" if thread else "a thread"
 
 
 def enter(program: Program | None) -> Program | None:

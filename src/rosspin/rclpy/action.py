@@ -22,6 +22,7 @@ from ..messages.ros2 import Action, Message
 from ..world.world import current_world
 from .callback_groups import CallbackGroup
 from .exceptions import NameValidationException, RCLError, no_type_support
+from .lateness import Countdown
 from .qos import QoSProfile, qos_profile_action_status_default, qos_profile_services_default
 from .services import Client, Service, look_until
 from .task import Future, await_or_execute
@@ -222,10 +223,11 @@ class ServerGoalHandle:
                     "Failed to update goal state: goal_handle attempted invalid transition from state "
                     f"{self._status.name} with event {event}"
                 )
-            if not after.is_active:
-                self.ended = self._action_server._now()
             self._status = after
             self._action_server._publish_status()
+            if not after.is_active:
+                self.ended = self._action_server._now()
+                self._action_server._expire_later()
 
     def execute(self, execute_callback: Callable[[ServerGoalHandle], Any] | None = None) -> None:
         """Let the executor call the server's function, or this one, with the goal."""
@@ -302,6 +304,8 @@ class ActionServer(_ActionEnd):
         self.register_cancel_callback(cancel_callback)
         self.register_execute_callback(execute_callback)
         super().__init__(node, action_type, action_name, callback_group)
+        if result_timeout < 0:
+            raise ValueError("Failed to create action server: timer period must be non-negative")
         impl, group = action_type.Impl, self.callback_group
 
         def serve(srv_type: Any, part: str, qos: QoSProfile) -> Service:
@@ -318,6 +322,8 @@ class ActionServer(_ActionEnd):
         self._goal_handles: dict[bytes, ServerGoalHandle] = {}
         self._result_futures: dict[bytes, Future] = {}
         self._result_timeout = int(result_timeout * 1e9)
+        self._expiry = Countdown(node.context.state.world, self._result_timeout, self._look_for_expired)
+        self._looks_for_expired = False
         self._join([self._goals_asked, self._cancels_asked, self._results_asked, self._feedback, self._status])
 
     @property
@@ -348,14 +354,28 @@ class ActionServer(_ActionEnd):
     def _now(self) -> int:
         return self._node.context.state.clock.now()
 
+    @property
+    def messages(self) -> bool:
+        """Whether there is something to take, or to forget."""
+        return super().messages or self._looks_for_expired
+
+    async def _execute(self, taken: list[tuple[Any, Any, Any]]) -> None:
+        await super()._execute(taken)
+        if self._looks_for_expired:
+            self._looks_for_expired = False
+            self._drop_expired()
+
     async def _serve(self, end: Any, request: Any, header: Any) -> None:
-        self._drop_expired()
         if end is self._goals_asked:
             await self._take_goal(request, header)
         elif end is self._cancels_asked:
             await self._cancel(request, header)
         else:
             self._give_result(request, header)
+
+    def _look_for_expired(self) -> None:
+        self._looks_for_expired = True
+        self._node._rosspin_nudge()
 
     def _drop_expired(self) -> None:
         now = self._now()
@@ -364,6 +384,17 @@ class ActionServer(_ActionEnd):
                 handle.destroy()
                 del self._goal_handles[uuid]
                 self._futures.remove(self._result_futures.pop(uuid))
+        self._expire_later()
+
+    def _expire_later(self) -> None:
+        """Look for expired goals later (source: _recalculate_expire_timer in rcl_action/action_server.c).
+
+        As there, the timer begins anew with its old period, so that each goal that ends puts the look off.
+        """
+        ended = [handle.ended for handle in self._goal_handles.values() if not handle.is_active]
+        if ended:
+            self._expiry.restart()
+            self._expiry.period = max(0, min(ended) + self._result_timeout - self._now())
 
     async def _take_goal(self, request: Any, header: Any) -> None:
         uuid, impl = bytes(request.goal_id.uuid), self._action_type.Impl
@@ -468,6 +499,7 @@ class ActionServer(_ActionEnd):
         for handle in self._goal_handles.values():
             handle.destroy()
         self._futures.clear()
+        self._expiry.stop()
         super().destroy()
 
 

@@ -133,9 +133,10 @@ class Context:
         """End, and raise InvalidHandle at each further question."""
         if self.arguments is not None:
             self.end()
-            self.ok = self._is_destroyed  # type: ignore[method-assign]
+            for name in ("ok", "shutdown", "try_shutdown", "on_shutdown", "get_domain_id"):
+                setattr(self, name, self._is_destroyed)
 
-    def _is_destroyed(self) -> bool:
+    def _is_destroyed(self, *_: object) -> Any:
         raise InvalidHandle()
 
     def on_shutdown(self, callback: Callable[[], Any]) -> None:

@@ -2,8 +2,8 @@
 
 A callback, or a thread, waits for a future or a Rate. An executor ends that wait by calling another entity: a service
 that has the request, a client that has the answer, the Rate's timer. Another callback may hold that call up, because it
-holds the entity's callback group or the executor's thread. If that callback waits, too, the search goes on from there,
-until it comes round, or to something that nobody does.
+holds the entity's callback group or the executor's thread. If that callback waits, too, perhaps for a lock, the search
+goes on from there, until it comes round, or to something that nobody does.
 """
 
 from __future__ import annotations
@@ -12,6 +12,7 @@ from collections.abc import Callable, Iterator
 from typing import TYPE_CHECKING, Any, NamedTuple
 
 from ..clocks.frames import Place, node_place, places
+from ..world.world import keeper, thread_name
 from .action import ActionClient, ActionServer
 from .discovery import Participants
 from .executors import MultiThreadedExecutor
@@ -35,6 +36,7 @@ _GROUP = f"{_OWN.capitalize()}, or {_DONE}."
 _MORE = f"Give the executor more threads, or {_DONE}."
 _GROUP_OF_AWAIT = "An async callback keeps its group while it awaits: put that callback into a group of its own."
 _RING = "No executor and no group helps here: let one of these callbacks answer without asking."
+_HOLDING = "Hold no lock while you wait for what needs it."
 _SPIN = "Spin the node meanwhile: with rclpy.spin_until_future_complete, or in another thread."
 _SERVE = "Start the node that offers it, and wait for that with a time limit before you ask."
 _RATE = "Let a timer call what the loop does, or keep the loop in a thread of its own, beside the one that spins."
@@ -48,7 +50,7 @@ _OF_ACTIONS = {
 
 
 class _Waiter(NamedTuple):
-    """What waits: a callback in a task of an executor, or else a thread."""
+    """What waits: a callback in a task of an executor, or else a thread. If for a lock, its stack is the goal."""
 
     goal: Any
     task: Task | None
@@ -80,7 +82,8 @@ def explain(graph: Graph, tell: Callable[..., None] | None = None) -> str:
         if steps:
             told.update(id(step.next.goal) for step in steps if step.next)
             lines += ["this waits for ever:", *(f"  {line}" for step in steps for line in step.lines)]
-            lines.append(next((step.advice for step in steps if step.advice), _RING))
+            advice = [step.advice for step in steps if step.advice]
+            lines.append(_HOLDING if _HOLDING in advice else (advice or [_RING])[0])
             if tell:
                 tell("ring", _links(waiter, steps))
         told.add(id(waiter.goal))
@@ -107,7 +110,8 @@ class _Run:
         self._tasks: dict[Task, tuple[Any, Executor]] = {
             task: (entity, executor) for executor in executors.values() for task, entity, _ in executor._tasks
         }
-        self.waiters = [self._in_thread(wait) for wait in graph.part(Waits).current]
+        self._waits = graph.part(Waits).current
+        self.waiters = [self._in_thread(wait) for wait in self._waits]
         self.waiters += [found for task in self._tasks if (found := self._in_coroutine(task))]
 
     def _in_thread(self, wait: Wait) -> _Waiter:
@@ -128,6 +132,14 @@ class _Run:
             inner = getattr(inner, "cr_await", None)
         return None
 
+    def _on(self, stack: Any) -> _Waiter | None:
+        """What waits on a stack: for a lock, or what :mod:`rosspin.rclpy.waits` knows of."""
+        if keeper(stack):
+            task = next((task for task in self._tasks if task.executing() and task._stack is stack), None)
+            name = self._name(task) if task else thread_name(stack)
+            return _Waiter(stack, task, name, node_place(places(stack.trail)))
+        return next((self._in_thread(wait) for wait in reversed(self._waits) if wait.stack is stack), None)
+
     def way(self, waiter: _Waiter) -> list[_Step]:
         """Follow what a waiter waits for; no steps if it may still go on."""
         steps: list[_Step] = []
@@ -144,6 +156,8 @@ class _Run:
 
     def _step(self, waiter: _Waiter) -> _Step | None:
         at = [f"  at {waiter.place.shown()}"] if waiter.place else []
+        if kept := keeper(waiter.goal):
+            return self._blocked(waiter, at, *kept)
         if isinstance(waiter.goal, Timer):
             return self._kept([f"{waiter.name} waits for its Rate", *at, "its timer is due"], waiter.goal, waiter, "it")
         for client, number, entity in self._asked(waiter.goal):
@@ -161,6 +175,13 @@ class _Run:
                     if other is serving or self._executes(task, serving, client, number):
                         return self._after([*begin, f"{self._name(task)} has to give that"], task, "")
         return None
+
+    def _blocked(self, waiter: _Waiter, at: list[str], holder: object, is_end: bool) -> _Step | None:
+        """Say who has the lock, or has not ended; None if that one may go on."""
+        if (following := self._on(holder)) is None:
+            return None
+        what, advice = ("the end of {}", "") if is_end else ("a lock that {} holds", _HOLDING)
+        return _Step([f"{waiter.name} waits for {what.format(following.name)}", *at], following, advice)
 
     def _asked(self, goal: Any) -> Iterator[tuple[Client, int, Any]]:
         """Find who asked for a future: the client, the number of its request, and the entity that takes the answer."""
@@ -205,7 +226,7 @@ class _Run:
 
     def _after(self, lines: list[str], task: Task, advice: str) -> _Step | None:
         """Go on with what a task waits for; None if it waits for nothing."""
-        following = next((each for each in self.waiters if each.task is task), None)
+        following = next((each for each in self.waiters if each.task is task), None) or self._on(task._stack)
         return following and _Step(lines, following, advice)
 
     @staticmethod

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import inspect
 import time
-from collections.abc import Callable, Iterator
+from collections.abc import Callable, Coroutine, Iterator
 from concurrent.futures import ThreadPoolExecutor
 from itertools import chain
 from typing import TYPE_CHECKING, Any, TypeAlias, TypeVar
@@ -133,7 +133,7 @@ class Executor:
         """Its context."""
         return self._context
 
-    def create_task(self, callback: Callable[..., Any], *args: Any, **kwargs: Any) -> Task:
+    def create_task(self, callback: Callable[..., Any] | Coroutine[Any, Any, Any], *args: Any, **kwargs: Any) -> Task:
         """Let the executor call a function or a coroutine. The newest task goes first."""
         if inspect.iscoroutinefunction(callback):
             callback(*args, **kwargs).close()  # raises TypeError for arguments that it does not take

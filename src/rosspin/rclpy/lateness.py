@@ -18,12 +18,12 @@ __all__ = ["Countdown", "Lasting"]
 class Countdown:
     """Calls ``function`` when ``period`` (ns) has passed since the last :meth:`restart`.
 
-    Once, or with ``again`` after each further period, too.
+    Once, or with ``again`` after each further period, too. Another ``period`` holds from the next restart on.
     """
 
     def __init__(self, world: World, period: int, function: Callable[[], object], again: bool = False) -> None:
         self._world = world
-        self._period = period
+        self.period = period
         self._function = function
         self._again = again
         self._due: int | None = None
@@ -36,7 +36,7 @@ class Countdown:
 
     def restart(self) -> None:
         """Begin anew."""
-        self._due = self._world.clock.now() + self._period
+        self._due = self._world.clock.now() + self.period
         self._look_later()
 
     def stop(self) -> None:
@@ -44,14 +44,14 @@ class Countdown:
         self._due = None
 
     def _look_later(self) -> None:
-        if self._due is not None and self._period < FOR_EVER and not self._looks:
+        if self._due is not None and self.period < FOR_EVER and not self._looks:
             self._looks = True
             self._world.at(self._due, self._look)
 
     def _look(self) -> None:
         self._looks = False
         if self._due is not None and self._due <= self._world.clock.now():
-            self._due = self._due + self._period if self._again else None
+            self._due = self._due + self.period if self._again else None
             self._function()
         self._look_later()
 

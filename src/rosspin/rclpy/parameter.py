@@ -464,11 +464,16 @@ class Parameters:
         self._pre_set_parameters_callbacks.insert(0, callback)
 
     def add_on_set_parameters_callback(self, callback: Callable[[list[Parameter]], Any]) -> None:
-        """Let a function refuse parameters by the SetParametersResult that it returns; the newest goes first."""
+        """Let a function refuse parameters by the SetParametersResult that it returns; the newest goes first.
+
+        Raises TypeError if it cannot be called, as ``add_post_set_parameters_callback`` does.
+        """
+        _check_callable(callback)
         self._on_set_parameters_callbacks.insert(0, callback)
 
     def add_post_set_parameters_callback(self, callback: Callable[[list[Parameter]], Any]) -> None:
         """Call a function with the parameters that were set; the newest goes first."""
+        _check_callable(callback)
         self._post_set_parameters_callbacks.insert(0, callback)
 
     def remove_pre_set_parameters_callback(self, callback: Callable[[list[Parameter]], list[Parameter]]) -> None:
@@ -482,6 +487,11 @@ class Parameters:
     def remove_post_set_parameters_callback(self, callback: Callable[[list[Parameter]], Any]) -> None:
         """Do not call it any more; ValueError if it is not there."""
         self._post_set_parameters_callbacks.remove(callback)
+
+
+def _check_callable(callback: object) -> None:
+    if not callable(callback):
+        raise TypeError("Callback must be callable, got {}", type(callback))
 
 
 class _Descriptor:

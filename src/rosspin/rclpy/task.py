@@ -11,7 +11,7 @@ from typing import TYPE_CHECKING, Any
 from weakref import ref
 
 from ..clocks.frames import warn
-from ..world.world import World, current_world
+from ..world.world import World, current, current_world
 
 if TYPE_CHECKING:
     from .executors import Executor
@@ -166,19 +166,20 @@ class Task(Future):
 
     def __init__(
         self,
-        handler: Callable[..., Any],
+        handler: Callable[..., Any] | Coroutine[Any, Any, Any],
         args: tuple[Any, ...] = (),
         kwargs: dict[str, Any] | None = None,
         executor: Executor | None = None,
     ) -> None:
         super().__init__(executor=executor)
-        self._handler: Callable[..., Any] | None = handler
+        self._handler: Any = handler
         self._arguments = (args, kwargs or {})
         # Made only when the task is called: Python warns of a coroutine that never began, perhaps in a later run.
         self._coroutine: Coroutine[Any, Any, Any] | None = None
-        self._is_coroutine = is_coroutine_function(handler)
+        self._is_coroutine = inspect.iscoroutine(handler) or is_coroutine_function(handler)
         self._executing = False
         self._turn = [None]  # taken by the thread that runs it
+        self._stack: Any = None  # on which it runs, or last did
         self._tell: Callable[..., None] | None = None  # called when it begins and ends
 
     def __call__(self) -> None:
@@ -190,14 +191,16 @@ class Task(Future):
         try:
             if self._state is not _PENDING or self._executing:
                 return
-            self._executing = True
+            self._executing, self._stack = True, current()
             try:
                 if self._coroutine is None:
                     assert self._handler
                     if self._tell:
                         self._tell("calls", self, self._executor())
                     args, kwargs = self._arguments
-                    result = self._handler(*args, **kwargs)
+                    result = self._handler
+                    if not inspect.iscoroutine(result):
+                        result = result(*args, **kwargs)
                     if self._is_coroutine:
                         self._coroutine = result
                 if self._coroutine is not None:
@@ -227,6 +230,7 @@ class Task(Future):
 
     def cancel(self) -> None:
         """Cancel it, and close its coroutine."""
-        if self._state is _PENDING and self._coroutine is not None:
-            self._coroutine.close()
+        coroutine = self._coroutine or self._handler
+        if self._state is _PENDING and inspect.iscoroutine(coroutine):
+            coroutine.close()
         super().cancel()

@@ -10,6 +10,7 @@ from types import FrameType
 from typing import TYPE_CHECKING, Any, NamedTuple
 
 from ..clocks.frames import Place, outwards, places, trail
+from ..world.world import current
 from .task import Task
 
 if TYPE_CHECKING:
@@ -19,13 +20,14 @@ __all__ = ["Wait", "Waits", "waiting_for"]
 
 
 class Wait(NamedTuple):
-    """A thread that waits for ``goal``, a future or a Rate's timer.
+    """A thread, on ``stack``, that waits for ``goal``, a future or a Rate's timer.
 
     ``where()`` returns the task of an executor in which it does, or None, and the places of its stack.
     """
 
     goal: Any
     thread: str
+    stack: object
     where: Callable[[], tuple[Task | None, list[Place]]]
 
 
@@ -41,11 +43,8 @@ def waiting_for(goal: Any, world: World) -> Iterator[None]:
     """Within this context the calling thread waits for a future, or for a Rate's timer."""
     waits = world.graph.part(Waits).current
     frame = sys._getframe(2)
-    if sys.platform == "emscripten":  # a page cannot look at a stack that is suspended
-        seen = _look(frame)
-        wait = Wait(goal, threading.current_thread().name, lambda: seen)
-    else:
-        wait = Wait(goal, threading.current_thread().name, lambda: _look(frame))
+    seen = _look(frame) if sys.platform == "emscripten" else None  # a page cannot look at a stack that is suspended
+    wait = Wait(goal, threading.current_thread().name, current(), lambda: seen or _look(frame))
     waits.append(wait)
     try:
         yield

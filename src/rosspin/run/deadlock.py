@@ -2,12 +2,11 @@
 
 from __future__ import annotations
 
-import threading
 from collections.abc import Callable
 
 from ..clocks.frames import node_place, outer_place, places
 from ..clocks.simulation import Simulation
-from ..clocks.stacks import Stack
+from ..clocks.stacks import Stack, keeper, thread_name
 
 __all__ = ["explain_threads"]
 
@@ -34,7 +33,7 @@ def explain_threads(clock: Simulation, tell: Callable[..., None] | None = None) 
             ring = list(path)[list(path).index(stack) :]
             lines += ["this waits for ever:", *(line for each in ring for line in _say(each, path[each]))]
             if tell:
-                tell("ring", {"links": [[_name(each), f"waits for {path[each]}"] for each in ring], "to": 0})
+                tell("ring", {"links": [[thread_name(each), f"waits for {path[each]}"] for each in ring], "to": 0})
             locks = [path[each].startswith(_LOCK) for each in ring]
             lines.append(
                 _NEITHER if not any(locks) else _TWICE if len(ring) == 1 else _ORDER if all(locks) else _HOLDING
@@ -49,25 +48,19 @@ def _step(stack: Stack) -> tuple[str, Stack] | None:
         return None
     if stack.needs:
         what, giver = stack.needs[0], stack.needs[1]()
-        return (f"{what}, which {_name(giver)} has to give", giver) if isinstance(giver, Stack) else None
-    lock = stack.lock
-    holder = lock.holder if lock else None
-    if holder is None or holder.dead:
-        return None
-    if holder is stack:
+        return (f"{what}, which {thread_name(giver)} has to give", giver) if isinstance(giver, Stack) else None
+    if found := keeper(stack):
+        holder, is_end = found
+        name = thread_name(holder)
+        return (f"the end of {name}" if is_end else f"{_LOCK} {name} holds"), holder
+    if stack.lock and stack.lock.holder is stack:
         # Events, conditions and the like wait for a lock that they have taken themselves, until somebody releases it.
         place = outer_place(places(stack.trail))
         return (f"{_LOCK} it holds", stack) if place and node_place([place]) else None
-    is_end = lock in (holder.ended, holder.program.main_ended)
-    return (f"the end of {_name(holder)}" if is_end else f"{_LOCK} {_name(holder)} holds"), holder
+    return None
 
 
 def _say(stack: Stack, what: str) -> list[str]:
     place = node_place(places(stack.trail))
     at = [f"    at {place.shown()}"] if place else []
-    return [f"  {_name(stack)} waits for {what}", *at]
-
-
-def _name(stack: Stack) -> str:
-    thread = threading._active.get(stack.ident)  # type: ignore[attr-defined]
-    return f"the thread {thread.name}" if thread else "a thread"
+    return [f"  {thread_name(stack)} waits for {what}", *at]

@@ -12,10 +12,20 @@ from typing import Any, TypeVar
 from ..clocks.clock import NS, Clock
 from ..clocks.frames import Whereabouts
 from ..clocks.simulation import Simulation
-from ..clocks.stacks import Program, acting_for, current, waiting_for, whose
+from ..clocks.stacks import Program, acting_for, current, keeper, thread_name, waiting_for, whose
 from .graph import Graph, Recording
 
-__all__ = ["NotSimulated", "World", "current", "current_world", "not_simulated", "refusing", "waiting_for"]
+__all__ = [
+    "NotSimulated",
+    "World",
+    "current",
+    "current_world",
+    "keeper",
+    "not_simulated",
+    "refusing",
+    "thread_name",
+    "waiting_for",
+]
 
 Part = TypeVar("Part")
 

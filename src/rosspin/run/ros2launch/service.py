@@ -271,7 +271,7 @@ def _say(error: Exception, place: str) -> str:
     if type(error) is KeyError:
         said = f"KeyError: {said}"
     while trace:
-        if not (is_installed(trace.tb_frame) or trace.tb_frame.f_code.co_filename.startswith("<frozen")):
+        if not (is_installed(trace.tb_frame) or trace.tb_frame.f_code.co_filename.startswith("<")):
             place = f"{trace.tb_frame.f_code.co_filename}:{trace.tb_lineno}"
         trace = trace.tb_next
     if isinstance(error, OSError) and error.filename:
