@@ -671,9 +671,9 @@ WRONG: dict[str, list[tuple[Answer, str, str]]] = {
         (FOR_ROS_1, "This node is for ROS 1", "This exercise is on ROS 2"),
     ],
     "late-listener": [
-        (times(BOTH, 1, 2, 3), "With `10` on both sides: not 1, 2, 3", "nobody keeps the message"),
-        (times(BOTH, 3, 4, 5), "With `10` on both sides: not 3, 4, 5", "nobody keeps the message"),
-        (times(BOTH, 4, 5, 7), "the third of these counters is not 7", "nobody keeps the message"),
+        (times(BOTH, 1, 2, 3), "With `10` on both sides: not 1, 2, 3", "the message is not kept"),
+        (times(BOTH, 3, 4, 5), "With `10` on both sides: not 3, 4, 5", "the message is not kept"),
+        (times(BOTH, 4, 5, 7), "the third of these counters is not 7", "the message is not kept"),
         (times(KEEPS_ONE, 4, 5, 6), "not 4, 5, 6", "keeps its last messages"),
         (times(KEEPS_ONE, 1, 2, 3), "not 1, 2, 3", "Its depth is 1"),
         (times(KEEPS_ONE, 1, 4, 5), "not 1, 4, 5", "not the first"),
