@@ -936,7 +936,11 @@ rospy.spin()
         ),
     ],
     "stop-the-motor": [
-        ({**HOOKED, HOOK: ""}, "Ctrl-C while the loop sleeps: nothing stops the motor", "`rospy.on_shutdown(function)`"),
+        (
+            {**HOOKED, HOOK: ""},
+            "Ctrl-C while the loop sleeps: nothing stops the motor",
+            "`rospy.on_shutdown(function)`",
+        ),
         (
             {**HOOKED, ASKS: DRIVES},
             "stopped at 2.03 s, and driven again at 2.13 s",
