@@ -936,7 +936,11 @@ rospy.spin()
         ),
     ],
     "stop-the-motor": [
-        ({**HOOKED, HOOK: ""}, "Ctrl-C while the loop sleeps: nobody stops the motor", "`rospy.on_shutdown(function)`"),
+        (
+            {**HOOKED, HOOK: ""},
+            "Ctrl-C while the loop sleeps: nothing stops the motor",
+            "`rospy.on_shutdown(function)`",
+        ),
         (
             {**HOOKED, ASKS: DRIVES},
             "stopped at 2.03 s, and driven again at 2.13 s",
@@ -944,7 +948,7 @@ rospy.spin()
         ),
         (
             {**HOOKED, HOOK: "", PASS: PASS + "\n    motor.drive(0.0)\n"},
-            "The sensor fails: nobody stops the motor",
+            "The sensor fails: nothing stops the motor",
             "on_shutdown",
         ),
         (
@@ -984,7 +988,7 @@ rospy.spin()
         ({**HOOKED, "        rate.sleep()": ""}, "up to then the motor was told a speed", "drive the motor as before"),
         (
             {**HOOKED, HOOK: "    rospy.on_shutdown(lambda: motor.drive(0.1))\n"},
-            "nobody stops the motor",
+            "nothing stops the motor",
             "on_shutdown",
         ),
     ],
@@ -1131,7 +1135,7 @@ rospy.spin()
         ({NEWEST: 'self.positionCallback, queue_size="1")'}, "queue size must be an integer", "has a queue, too"),
         ({"rospy.sleep(0.33)": "rospy.sleep(0.05)"}, "less than 0.33 s after the last time", "takes 0.33 s"),
         ({"Duration(0.1)": "Duration(0.4)"}, "the sensor published 25 positions", "The sensor is as it is"),
-        ({'position = " + str(message.data)': 'position = " + str(message)'}, "is no position that", "has a queue"),
+        ({'position = " + str(message.data)': 'position = " + str(message)'}, "is not a position that", "has a queue"),
         (
             {"        rospy.sleep(0.33)": "        raise RuntimeError\n        rospy.sleep(0.33)"},
             "RuntimeError",

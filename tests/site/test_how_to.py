@@ -71,20 +71,19 @@ SPINNER_ROS2 = PACKAGE_ROS2, "my_robotics_pkg/spinner_py_node.py"
 AS_THEY_ARE = {Changed(*CONTROLLER_NODE): 2, Changed(*CONTROLLER_NODE_ROS2): 2}
 AS_THEY_ARE |= {Changed(*SPINNER): 7, Changed(*SPINNER_ROS2): 10}
 
-IGNORES_SILENCE = Changed(
-    *CONTROLLER_NODE, "return rospy.Time.now() - self.last_heard < rospy.Duration(0.2)", "return True"
-)
-MISSPELT = Changed(*CONTROLLER_NODE, "message.range", "message.rang")
+IGNORES_SILENCE = Changed(*CONTROLLER_NODE_ROS2, "return silence < Duration(seconds=0.2)", "return True")
+MISSPELT = Changed(*CONTROLLER_NODE_ROS2, "message.range", "message.rang")
 WRONG = [
     IGNORES_SILENCE,
     MISSPELT,
+    Changed(*CONTROLLER_NODE, "return rospy.Time.now() - self.last_heard < rospy.Duration(0.2)", "return True"),
+    Changed(*CONTROLLER_NODE, "message.range", "message.rang"),
     Changed(*CONTROLLER_NODE, "rospy.Duration(0.02)", "rospy.Duration(0.025)"),
     Changed(*CONTROLLER_NODE, "rospy.Duration(0.02)", "rospy.Duration(0.01)"),
     Changed(*CONTROLLER_NODE, "rospy.Duration(0.2)", "rospy.Duration(0.25)"),
     Changed(*CONTROLLER_NODE, "rospy.Duration(0.2)", "rospy.Duration(0.1)"),
     Changed(*CONTROLLER_NODE, "linear.x = 0.5", "linear.x = 1.0"),
     Changed(*CONTROLLER_NODE, "rospy.spin()", "while True: rospy.sleep(1)"),
-    Changed(*CONTROLLER_NODE_ROS2, "return silence < Duration(seconds=0.2)", "return True"),
     Changed(*CONTROLLER_NODE_ROS2, "timer(0.02,", "timer(0.025,"),
     Changed(*SPINNER, "in_seconds = 0.5", "in_seconds = 0.6"),
     Changed(*SPINNER, "rospy.spin()", "1 / 0"),

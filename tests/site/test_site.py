@@ -119,6 +119,12 @@ def test_no_markup_stands_as_text(pages: dict[Path, BeautifulSoup]) -> None:
     assert not raw
 
 
+def test_no_step_and_no_listing_stands_as_a_quotation(pages: dict[Path, BeautifulSoup]) -> None:
+    """A space too many before an item begins a quotation, and the numbers of a list begin again at 1."""
+    quoted = [path.relative_to(SITE) for path, page in pages.items() if page.select("article blockquote :is(li, pre)")]
+    assert not quoted
+
+
 def test_the_contents_of_a_page_show_its_exercises(pages: dict[Path, BeautifulSoup]) -> None:
     """Elsewhere "On this page" stops at the headings of the second level."""
     shown = {path.stem for path, page in pages.items() if page.select(".toc-h2 > .pst-show_toc_level > .toc-h3")}

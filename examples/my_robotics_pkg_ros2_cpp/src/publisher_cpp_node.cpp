@@ -36,7 +36,7 @@ private:
   // Start counting from zero
   unsigned int counter_ = 0;
 
-  // Keep both: each ends when nobody has it any more
+  // Keep both: each ends when nothing holds it any more
   rclcpp::Publisher<std_msgs::msg::UInt32>::SharedPtr publisher_;
   rclcpp::TimerBase::SharedPtr timer_for_counting_;
 };

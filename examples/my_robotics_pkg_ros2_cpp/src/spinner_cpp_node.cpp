@@ -32,7 +32,7 @@ private:
   // Start counting from zero
   unsigned int counter_ = 0;
 
-  // Keep the timer: it ends when nobody has it any more
+  // Keep the timer: it ends when nothing holds it any more
   rclcpp::TimerBase::SharedPtr timer_for_counting_;
 };
 

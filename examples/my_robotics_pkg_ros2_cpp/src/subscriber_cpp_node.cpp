@@ -28,7 +28,7 @@ private:
         "[SUBSCRIBER CPP NODE] counter = " << message.data);
   }
 
-  // Keep the subscription: it ends when nobody has it any more
+  // Keep the subscription: it ends when nothing holds it any more
   rclcpp::Subscription<std_msgs::msg::UInt32>::SharedPtr subscription_;
 };
 

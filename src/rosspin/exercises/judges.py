@@ -287,7 +287,7 @@ def drives_until(seen: Seen, when: str, end: float, again: str, late: str) -> Fi
         return Finding(False, f"{when}: up to then the motor was {told}.", hint)
     stop = next((n for n, (_, speed) in enumerate(commands) if not speed), None)
     if stop is None:
-        return Finding(False, f"{when}: nobody stops the motor. It goes on at its last speed.")
+        return Finding(False, f"{when}: nothing stops the motor. It goes on at its last speed.")
     time = commands[stop][0]
     if later := [after for after, speed in commands[stop:] if speed]:
         text = f"{when}: the motor was stopped at {say(time)}, and driven again at {say(later[0])}."
@@ -341,7 +341,7 @@ def refuses(seen: Seen, when: str, name: str) -> Finding:
     """Whether a node has refused a parameter in words, with a status other than 0 and without a traceback."""
     look = f"Look at the {name} before you make the timer: write an error line, and end with `sys.exit(1)`."
     if counters := seen.counters():
-        text = f"{when}: the node ticked all the same, {len(counters)} times in {say(seen.seconds)}."
+        text = f"{when}: the node ticked anyway, {len(counters)} times in {say(seen.seconds)}."
         return Finding(False, text, f"A timer takes a {name} of 0, and then calls back without a pause. {look}")
     if seen.errors:
         return Finding(False, f"{when}: the {say_error(seen.errors[-1])}", look)
@@ -397,7 +397,7 @@ def parts_add_up(seen: Seen, when: str, lock: str) -> Finding:
         time, text, _ = reports[number - 1]
         reported = _as_whole(text)
         if reported is None:
-            return Finding(False, f"{start}`parts = {plain(text)}` is no number of parts.")
+            return Finding(False, f"{start}`parts = {plain(text)}` is not a number of parts.")
         total += reported
         passed = 5 * number
         if total not in (passed - 1, passed):
@@ -438,7 +438,7 @@ def one_image_at_a_time(seen: Seen, when: str, takes: float) -> Finding:
     least = 5 if takes < 1 else 3
     if len(begun) < least:
         text = f"{what} took {len(begun)} images in {say(seen.seconds)}; it can take {least}."
-        return Finding(False, text, "The camera is to work as before: each second, as far as its work allows.")
+        return Finding(False, text, "The camera has to work as before: every second, or as often as its work allows.")
     for image, later in pairwise(begun):
         if not any(image.time <= line.time <= later.time for line in done):
             text = f"{what} began image {later.text} at {say(later.time)}, while it still took image {image.text}."
@@ -453,10 +453,10 @@ def one_image_at_a_time(seen: Seen, when: str, takes: float) -> Finding:
         if end is None or abs(end.time - image.time - takes) > _CLOSE:
             after = f"done after {say(end.time - image.time)}" if end else "never done"
             text = f"{what}: image {number} was {after}, not after {say(takes)}."
-            return Finding(False, text, "An image takes its time, and nothing can be done about that.")
+            return Finding(False, text, "Leave the time that an image takes as it is.")
     if takes < 1 and (late := [line for n, line in enumerate(begun, 1) if abs(line.time - n) > _CLOSE]):
         text = f"{what} began image {late[0].text} at {say(late[0].time)}, not at {say(float(late[0].text))}."
-        return Finding(False, text, "The camera is to work as before: each second.")
+        return Finding(False, text, "The camera has to work as before: every second.")
     return Finding(True, f"{what} took {len(begun)} images, one after the other.")
 
 
@@ -497,7 +497,7 @@ def answered(
     start = f"{when}: " if when else ""
     calls = [call for call in seen.calls if call.service == service and call.asked < seen.seconds]
     if not calls:
-        return Finding(False, f"{start}nobody asked `{service}`.", "The answer is to come from the service.")
+        return Finding(False, f"{start}`{service}` was never asked.", "The answer is to come from the service.")
     wanted, same_often = at or [call.asked for call in calls], "How often it is asked is not to change."
     due = 0.0
     for number, time in enumerate(wanted):
@@ -558,7 +558,7 @@ def _ended(seen: Seen, when: str, status: str, at: float, length: int) -> Findin
         return Finding(False, text, "Look before each number, and take 0.5 s for each, as before.")
     if numbers[0].text != str(length):
         text = f"{when}: the result has {plain(numbers[0].text)} numbers, not {length}."
-        return Finding(False, text, "Return the numbers that the server has, also if the goal is cancelled.")
+        return Finding(False, text, "Return the numbers that the server has, even if the goal is cancelled.")
     return Finding(True, f"{when}: the goal was {names[status]} at {say(at)}, with {length} numbers.")
 
 
@@ -626,12 +626,12 @@ def steers_by_the_newest(seen: Seen, when: str) -> Finding:
         return Finding(False, f"{steered} in {say(seen.seconds)}; it can do so 20 times.")
     if short := [after for line, after in pairwise(steps) if after.time - line.time < 0.33 - _CLOSE]:
         text = f"the controller steered again at {say(short[0].time)}, less than 0.33 s after the last time."
-        return Finding(False, text, "Its computation takes 0.33 s, and nothing else can be done about that.")
+        return Finding(False, text, "Its computation takes 0.33 s: leave that as it is.")
     for time, text, _ in steps:
         number = _as_whole(text)
         made = None if number is None else sent.get(number)
         if made is None:
-            return Finding(False, f"`position = {plain(text)}` is no position that the sensor has published.")
+            return Finding(False, f"`position = {plain(text)}` is not a position that the sensor has published.")
         if time - made > 0.1 + _CLOSE:
             said = f"at {say(time)} the controller steered by position {text}, which was {say(time - made)} old."
             return Finding(False, f"{said} A newer one had arrived.")
