@@ -15,7 +15,7 @@ from rosspin.clocks.clock import WallClock
 
 # Programs that a test of the simulated lane may start: Python and node, what the author of a page types, and commands
 # in launch files.
-PROGRAMS = (*("python", "node"), *("make", "git", "sh"), *("false", "yes", "rosspin-nowhere"))
+PROGRAMS = ("python", "node", "sh", "false", "yes", "rosspin-nowhere")
 
 _real_sleep = time.sleep
 _watched = False

@@ -29,6 +29,8 @@ from rosspin.site.lessons import stale_lessons
 print(json.dumps([vars(each) for each in stale_lessons(__import__("pathlib").Path(sys.argv[1]))]))
 """
 
+pytestmark = pytest.mark.turns(2)
+
 
 def in_site(folder: Path, code: str, *args: str) -> str:
     """What some code prints, in a Python that has the lessons of a site."""

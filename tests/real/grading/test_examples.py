@@ -20,6 +20,8 @@ from nbclient import NotebookClient
 from nbclient.exceptions import CellExecutionError
 from tree import ROOT
 
+pytestmark = pytest.mark.turns(2)
+
 EXAMPLES = ROOT / "examples/grading"
 HOW_TO = (ROOT / "docs/how-to/judge-hand-ins.rst").read_text(encoding="utf-8")
 

@@ -17,6 +17,8 @@ from tree import ROOT
 
 from rosspin import simulate
 
+pytestmark = pytest.mark.turns(2)
+
 PACKAGE = ROOT / "examples" / "my_robotics_pkg"
 PACKAGE_ROS2 = ROOT / "examples" / "my_robotics_pkg_ros2"
 CONTROLLER = ROOT / "examples" / "controller"
