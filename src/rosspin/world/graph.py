@@ -283,7 +283,7 @@ class Recording:
 
     def _message(self, published: Published) -> Message:
         topic, node, time, make = published
-        return Message(topic, node, (time - self.start) / NS, make())
+        return tuple.__new__(Message, (topic, node, (time - self.start) / NS, make()))  # as quick as in ``ticks``
 
     def add_mishap(self, what: str, which: str, by: int = 0, message: Published | None = None) -> None:
         """Record what a fault does, now; ``by`` is in ns."""
