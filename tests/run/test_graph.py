@@ -45,13 +45,17 @@ def test_threads_that_record_at_the_same_time_end_their_own_ticks() -> None:
 
 def test_a_tick_finds_its_place_when_another_thread_comes_in_between() -> None:
     class Raced(list[object]):
-        """A list to which another thread adds a tick as soon as one was added."""
+        """A list to which another thread adds a tick just before one is added, and just after."""
 
         def __iadd__(self, row: tuple[object, ...]) -> Raced:  # type: ignore[override,misc]
-            self.extend([*row, "other", 1, 0, 0, None])
+            self.extend(["other", 1, 0, 0, None, *row, "other", 2, 0, 0, None])
             return self
 
     log = TickLog()
     log._fields = Raced()
     log.end(log.add("timer", 1, 5, 6), 3)
-    assert [*zip(*log.columns())] == [("timer", 1, 5, 6, 3), ("other", 1, 0, 0, None)]
+    assert [*zip(*log.columns())] == [
+        ("other", 1, 0, 0, None),
+        ("timer", 1, 5, 6, 3),
+        ("other", 2, 0, 0, None),
+    ]

@@ -125,13 +125,22 @@ def _numbers(members: list[tuple[str, Kind]]) -> Step:
         at[0] = message
         out(pack(*get(message)))
 
+    def read_one(message: Any, data: bytes, start: int) -> int:
+        end = start + size
+        (value,) = unpack(data[start:end])
+        set_one(message, bool(value) if one_is_bool else value)
+        return end
+
     def read_all(message: Any, data: bytes, start: int) -> int:
         end = start + size
         for (set_, is_bool), value in zip(setters, unpack(data[start:end])):
             set_(message, bool(value) if is_bool else value)
         return end
 
-    return Step(write_one if len(members) == 1 else write_all, read_all)
+    if len(members) == 1:
+        ((set_one, one_is_bool),) = setters
+        return Step(write_one, read_one)
+    return Step(write_all, read_all)
 
 
 def _string(name: str) -> Step:

@@ -272,8 +272,8 @@ class Timer(threading.Thread):
         clock, period = self._node.clock, self._period.to_nsec()
         reals = _next_calls(self._rate._last, clock.system(), self._rate._period)
         return [
-            (self.source, self._number + n + 1, self._due + n * period - clock.ahead, real - clock.ahead)
-            for n, real in enumerate(reals)
+            (self.source, number + 1, self._first + number * period - clock.ahead, real - clock.ahead)
+            for number, real in enumerate(reals, self._number)
         ]
 
     def run(self) -> None:
@@ -291,7 +291,7 @@ class Timer(threading.Thread):
         if ticks is not None:
             self.source = source  # the name under which its ticks are recorded
             node.timers.append(self)
-            self._number, self._due, self._rate, self._node = 0, expected, rate, node  # for ``coming``
+            self._number, self._first, self._rate, self._node = 0, expected, rate, node  # for ``coming``
             ticks.timers.add(self)
             ticks.periods.setdefault(source, period)
         faults = world.graph.faults
@@ -309,12 +309,14 @@ class Timer(threading.Thread):
             if self._shutdown or world.interrupted:
                 break
             began, set_to = clock.now(), clock.ahead
-            ahead = set_to if node.ros_time is None else 0
-            real = began + ahead if node.ros_time is None else node.now()
+            real = in_run = began if node.ros_time is None else node.now()
+            due = expected
+            if set_to and node.ros_time is None:
+                real, due = real + set_to, due - set_to
             number += 1
             if ticks is not None:
-                tick = ticks.add(source, number, expected - ahead, real - ahead)
-                self._number, self._due = number, expected + period
+                tick = ticks.add(source, number, due, in_run)
+                self._number = number
             callback = self._callback  # calling a local variable skips the search among the methods
             if slow:
                 slow(node.name, callback)

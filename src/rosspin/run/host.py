@@ -326,10 +326,11 @@ class Host:
     def _before_ctrl_c(self) -> None:
         """Note what has failed so far, and say what waits for ever: threads, and the callbacks of ROS 2."""
         self._failed = self._errors()
-        assert isinstance(self.clock, Simulation)
+        clock = self.clock
+        assert isinstance(clock, Simulation)
         if self.recording.log is not None:
-            self.recording.log.look_ahead({stack.ident: stack.trail for stack in self.clock.suspended()})
-        said = explain_threads(self.clock, self.recording.tell)
+            self.recording.log.look_ahead(lambda: {stack.ident: stack.trail for stack in clock.suspended()})
+        said = explain_threads(clock, self.recording.tell)
         if graph := self._graphs.get(2):
             said += ROSES[2].stand_in.explain_waits(graph, self.recording.tell)
         if said:

@@ -10,7 +10,7 @@ import math
 import threading
 from collections.abc import Callable, Iterator, Mapping
 from contextlib import contextmanager
-from functools import partial
+from itertools import repeat
 from typing import Any, Generic, Protocol, TypeVar
 from weakref import WeakSet
 
@@ -86,8 +86,7 @@ E = TypeVar("E", bound=End)
 Published = tuple[str, str, int, Callable[[], Any]]
 
 
-# A run may have a million ticks: a Tick from a tuple takes half as long as one from its fields.
-_new_tick = partial(tuple.__new__, Tick)
+_FIELDS = 5  # of a tick in a TickLog
 
 
 class Ticking(Protocol):
@@ -116,8 +115,6 @@ class TickLog:
     longer in the processor's cache when it is needed again, and that the garbage collector goes through.
     """
 
-    _FIELDS = 5
-
     # Called with what executors do and of what, if the run is to be gone through step by step.
     tell: Callable[..., None] | None = None
 
@@ -128,35 +125,39 @@ class TickLog:
         self.periods: dict[str, int] = {}  # ns, of each source; 0: its grid was moved
         self.coming: list[tuple[str, int, int, int]] = []  # source, number, expected, real: see results.ticks.Run
 
-    def look_ahead(self, trails: Mapping[int, Trail]) -> None:
-        """Note which calls of timers and passes of loops would come next. ``trails``: see :class:`Looping`."""
+    def look_ahead(self, find_trails: Callable[[], Mapping[int, Trail]]) -> None:
+        """Note which calls of timers and passes of loops would come next. For the trails see :class:`Looping`."""
         timers = sorted(self.timers, key=lambda each: each.source)
         self.coming = [call for timer in timers for call in timer.coming()]
-        self.coming += sorted(call for rate in self.rates for call in rate.coming(trails))
+        if self.rates:
+            trails = find_trails()
+            self.coming += sorted(call for rate in self.rates for call in rate.coming(trails))
 
     def __len__(self) -> int:
-        return len(self._fields) // self._FIELDS
+        return len(self._fields) // _FIELDS
 
     def add(self, source: str, number: int, expected: int, real: int, duration: int | None = None) -> int:
         """Record a tick (ns) and return its place. If it has no duration yet, ``end`` gives it one."""
         fields = self._fields
+        at = len(fields)
         fields += (source, number, expected, real, duration)  # in one go, whatever other threads and signals do
-        end = len(fields)
-        while fields[end - 4] != number or fields[end - 5] != source:
-            end -= self._FIELDS  # another thread came in between
-        return end // self._FIELDS - 1
+        if len(fields) != at + _FIELDS:  # they came in between
+            at = len(fields) - _FIELDS
+            while fields[at + 1] != number or fields[at] != source:
+                at -= _FIELDS
+        return at // _FIELDS
 
     def end(self, place: int, duration: int) -> None:
         """Record how long a tick took, in ns, now that it has ended."""
-        self._fields[place * self._FIELDS + 4] = duration
+        self._fields[place * _FIELDS + 4] = duration
 
     def is_running(self, place: int) -> bool:
         """Whether a tick has not ended."""
-        return self._fields[place * self._FIELDS + 4] is None
+        return self._fields[place * _FIELDS + 4] is None
 
     def columns(self, since: int = 0) -> tuple[list[Any], ...]:
         """Sources, numbers, when expected, when real, durations (None while it runs), from the tick ``since`` on."""
-        return tuple(self._fields[since * self._FIELDS + field :: self._FIELDS] for field in range(self._FIELDS))
+        return tuple(self._fields[since * _FIELDS + field :: _FIELDS] for field in range(_FIELDS))
 
 
 class _Ends(Generic[E]):
@@ -204,6 +205,21 @@ class CallMade:
         return Call(service, client, asked_at, request(), server, (answered - start) / NS, response())
 
 
+@contextmanager
+def _no_collections() -> Iterator[None]:
+    """Within this context the garbage collector is off: it would go through a growing result again and again.
+
+    Around a whole function, it stays off until the function's own lists are gone, too.
+    """
+    collects = gc.isenabled()
+    gc.disable()
+    try:
+        yield
+    finally:
+        if collects:
+            gc.enable()
+
+
 class Recording:
     """The ticks, messages and calls of a run that began at ``start`` (ns). If ``log`` is None, nothing is recorded.
 
@@ -242,35 +258,32 @@ class Recording:
         """Return the period (s) of each timer and each Rate that has kept to one grid, by its source."""
         return {name: period / NS for name, period in self.log.periods.items() if period > 0} if self.log else {}
 
+    @_no_collections()
     def ticks(self, since: int = 0) -> tuple[Tick, ...]:
         """Return the recorded ticks, from the tick ``since`` on."""
         if self.log is None:
             return ()
         start = self.start
         sources, numbers, expected, real, durations = self.log.columns(since)
-        with _no_collections():
-            return tuple(
-                map(
-                    _new_tick,
-                    zip(
-                        sources,
-                        numbers,
-                        [(time - start) / NS for time in expected],
-                        [(time - start) / NS for time in real],
-                        [math.nan if duration is None else duration / NS for duration in durations],
-                    ),
-                )
-            )
+        fields = zip(
+            sources,
+            numbers,
+            [(time - start) / NS for time in expected],
+            [(time - start) / NS for time in real],
+            [math.nan if duration is None else duration / NS for duration in durations],
+        )
+        # A run may have a million ticks: from its fields, a Tick takes twice as long.
+        return tuple(map(tuple.__new__, repeat(Tick), fields))
 
+    @_no_collections()
     def messages(self, since: int = 0) -> tuple[Message, ...]:
         """Return the recorded messages, from the message ``since`` on."""
         published = self.published or ()
-        with _no_collections():
-            return tuple(map(self._message, published[since:]))
+        return tuple(map(self._message, published[since:]))
 
     def _message(self, published: Published) -> Message:
         topic, node, time, make = published
-        return Message(topic, node, (time - self.start) / NS, make())
+        return tuple.__new__(Message, (topic, node, (time - self.start) / NS, make()))  # as quick as in ``ticks``
 
     def add_mishap(self, what: str, which: str, by: int = 0, message: Published | None = None) -> None:
         """Record what a fault does, now; ``by`` is in ns."""
@@ -301,18 +314,6 @@ class Recording:
 
     def __len__(self) -> int:
         return len(self._calls)
-
-
-@contextmanager
-def _no_collections() -> Iterator[None]:
-    """Within this context the garbage collector is off: it would go through a growing result again and again."""
-    collects = gc.isenabled()
-    gc.disable()
-    try:
-        yield
-    finally:
-        if collects:
-            gc.enable()
 
 
 class Graph:
