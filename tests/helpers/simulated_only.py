@@ -1,4 +1,4 @@
-"""What keeps the simulated lane simulated: no real pause, and no process but Python, node and what makes the site."""
+"""What keeps the simulated lane simulated: no real pause, and no process but Python and node."""
 
 from __future__ import annotations
 
@@ -13,8 +13,7 @@ from unittest import mock
 
 from rosspin.clocks.clock import WallClock
 
-# Programs that a test of the simulated lane may start: Python and node, what the author of a page types, and commands
-# in launch files.
+# Programs that a test of the simulated lane may start: Python and node, and commands in launch files.
 PROGRAMS = ("python", "node", "sh", "false", "yes", "rosspin-nowhere")
 
 _real_sleep = time.sleep
