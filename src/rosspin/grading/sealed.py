@@ -41,7 +41,7 @@ _CAPABILITIES_3 = 0x20080522
 _SIGKILL = 9
 _NOBODY = 65534
 
-# At most (bytes): memory, as much as a sandbox of the page has beside what Python itself needs; a file; the folder.
+# At most (bytes): memory beside what the process has already, as much as a sandbox of the page; a file; the folder.
 _MEMORY = 1 << 30
 _FILE = 10 << 20
 _FOLDER = "size=16m,mode=700"
@@ -110,7 +110,7 @@ def limit(seconds: int) -> None:
     """Limit what this process takes: processor time (s), memory, files, and no dump of its memory when it dies."""
     for kind, most in (
         (resource.RLIMIT_CPU, seconds),
-        (resource.RLIMIT_AS, _MEMORY),
+        (resource.RLIMIT_AS, _taken() + _MEMORY),
         (resource.RLIMIT_FSIZE, _FILE),
         (resource.RLIMIT_NOFILE, 64),
         (resource.RLIMIT_CORE, 0),
@@ -118,3 +118,15 @@ def limit(seconds: int) -> None:
         _, hard = resource.getrlimit(kind)
         with suppress(ValueError, OSError):  # macOS has no limit of memory
             resource.setrlimit(kind, (min(most, hard) if hard >= 0 else most,) * 2)
+
+
+def _taken() -> int:
+    """How many addresses (bytes) this process takes up; 0 where the system does not say so.
+
+    A process that has had many threads takes up most of a gigabyte: beside that, none could begin under the limit.
+    """
+    try:
+        with open("/proc/self/statm") as file:
+            return int(file.read().split()[0]) * resource.getpagesize()
+    except OSError:
+        return 0

@@ -12,6 +12,7 @@ import sys
 import termios
 from collections.abc import Iterator
 from contextlib import suppress
+from mmap import mmap
 from pathlib import Path
 
 import pytest
@@ -80,6 +81,22 @@ def test_nothing_that_an_answer_does_is_solved(at_work: Lanes) -> None:
     for text, found in zip(HOSTILE, judged(at_work, *(Task("ten-hertz", text) for text in HOSTILE)), strict=True):
         kind, said = HOSTILE[text]
         assert not found.solved and found.verdict.startswith(kind) and said in found.said, (text[:99], found)
+
+
+def test_however_much_the_process_takes_up_that_judges(at_work: Lanes) -> None:
+    with mmap(-1, 1 << 30):
+        (found,) = judged(at_work, Task("slow-timer", SOLVED))
+    assert found.solved
+
+
+def test_an_answer_has_a_gigabyte(at_work: Lanes) -> None:
+    tries = """for size in (1 << 29, 1 << 31):
+    try:
+        print(len(bytearray(size)))
+    except MemoryError:
+        print("no")"""
+    (found,) = judged(at_work, Task("ten-hertz", tries))
+    assert found.console == f"{1 << 29}\nno\n"
 
 
 def test_an_exercise_that_there_is_not(at_work: Lanes) -> None:
