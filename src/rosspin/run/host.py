@@ -511,7 +511,8 @@ def replaced() -> list[Patch]:
 
 def kept() -> list[str]:
     """List what is put back at the end of a run."""
-    return [each.what for each in KEPT] + ["names in rospy, rclpy, message classes and the standard library's modules"]
+    names = "names in rospy, rclpy, message classes and the standard library's modules"
+    return [*(each.what for each in KEPT), "running loop and policy of asyncio", names]
 
 
 def duration(seconds: float, name: str = "seconds") -> int:
