@@ -12,8 +12,10 @@ from typing import Any
 import pytest
 
 from rosspin import NotSimulated, rospy, simulate
+from rosspin.exercises.advice import advice
 from rosspin.results.ticks import Call
 from rosspin.rospy.service import FIND
+from rosspin.world.world import current_world
 
 FOUND = FIND / 1e9
 
@@ -237,3 +239,29 @@ def test_a_name_that_is_not_legal_is_warned_of() -> None:
 
     expected = "'a b' is not a legal ROS graph resource name. This may cause problems with other ROS tools"
     assert simulate(node, 1).console == f"{expected} in {os.path.basename(__file__)}\n"
+
+
+@pytest.mark.parametrize(
+    ("handler", "text"),
+    [
+        (lambda: None, "A service passes its handler one argument"),
+        ("no function", "Pass a service the handler itself"),
+    ],
+)
+def test_advice_on_a_handler(handler: Any, text: str) -> None:
+    errors: list[BaseException] = []
+
+    def node() -> None:
+        from std_srvs.srv import Empty
+
+        rospy.init_node("n")
+        rospy.Service("a", Empty, handler)
+        try:
+            rospy.ServiceProxy("a", Empty)()
+        except rospy.ServiceException:
+            pass
+        errors.extend(current_world().errors)
+
+    simulate(node, 1)
+    (error,) = errors
+    assert advice(error).startswith(text)

@@ -9,6 +9,18 @@ from ..rospy.exceptions import ROSInitException
 
 __all__ = ["advice"]
 
+# What each module of rospy passes to its callbacks, and what it is to be given.
+_PASSED = {
+    "timer": "A timer passes its callback one argument, the event: def callback(event), or (self, event) in a class.",
+    "topics": "A subscriber passes its callback one argument: def callback(message), or (self, message) in a class.",
+    "service": "A service passes its handler one argument: def handle(request), or (self, request) in a class.",
+}
+_ITSELF = {
+    "timer": "Pass a timer the callback itself, without calling it: self.timerCallback, not self.timerCallback().",
+    "topics": "Pass a subscriber the callback itself, without calling it: self.callback, not self.callback().",
+    "service": "Pass a service the handler itself, without calling it: self.handle, not self.handle().",
+}
+
 
 def advice(error: BaseException) -> str:
     """Advise on an error in a node, in a sentence; an empty text stands for no advice."""
@@ -26,17 +38,10 @@ def _on_rospy(error: BaseException, module: str) -> str:
         return "Nothing can have a frequency of 0 Hz or a period of 0 s: give rospy.Rate and rospy.Timer more than 0."
     if isinstance(error, AttributeError) and error.name == "to_sec":
         return "The period of a rospy.Timer is a Duration: rospy.Timer(rospy.Duration(0.5), callback)"
-    if isinstance(error, TypeError) and module.endswith(".topics"):
-        if "positional argument" in str(error):
-            return (
-                "A subscriber passes its callback one argument: def callback(message), or (self, message) in a class."
-            )
-        if "not callable" in str(error):
-            return "Pass a subscriber the callback itself, without calling it: self.callback, not self.callback()."
     if isinstance(error, TypeError) and "positional argument" in str(error):
-        return "A timer passes its callback one argument, the event: def callback(event), or (self, event) in a class."
+        return _PASSED.get(module.rpartition(".")[2], "")
     if isinstance(error, TypeError) and "not callable" in str(error):
-        return "Pass a timer the callback itself, without calling it: self.timerCallback, not self.timerCallback()."
+        return _ITSELF.get(module.rpartition(".")[2], "")
     return ""
 
 
