@@ -119,14 +119,15 @@ HINTS = (
     "Pass a timer the callback",
     "A subscriber passes",
     "A service passes",
-    "Pass a sub",
+    "Pass a s",
 )
 
 
 def lines_of(console: str) -> list[str]:
     """The lines of a console, without addresses and what depends on Python's version: code in tracebacks, messages."""
     text = re.sub(r'^(  File ").*?([^/"]+", line .*)\n(?:    .*\n)*', r"\1\2\n", console, flags=re.MULTILINE)
-    text = re.sub(r"\\n +[~^]+(?=\\n)", "", text)  # the marks in a traceback that is logged as a list
+    # In a traceback that is logged as a list: the folders, and the marks.
+    text = re.sub(r"\\n +[~^]+(?=\\n)", "", re.sub(r"('  File \")[^\"]*/", r"\1", text))
     text = re.sub(r"^(rosspin:     at .*:\d+: )with (.*): \.\.\.$", r"\1\2", text, flags=re.M)  # from 3.14 on as here
     text = re.sub(r'^  File "threading\.py", .*\n', "", text, flags=re.M)
     text = re.sub(r"^(rosspin: .*?) (was at|had done) .*", r"\1", text, flags=re.M)  # the page has no neighbours there
