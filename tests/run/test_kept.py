@@ -278,7 +278,7 @@ def test_the_list_of_what_is_kept_names_each_once() -> None:
 
 
 def names_of_the_library() -> dict[tuple[str, str], Any]:
-    """What the modules of the standard library and their classes hold now, by their names, but what sys holds."""
+    """What the modules of the standard library and their classes hold now, by their names, except what sys holds."""
     found: dict[tuple[str, str], Any] = {}
     for name, module in list(sys.modules.items()):
         if name.partition(".")[0] in sys.stdlib_module_names - {"sys"}:

@@ -159,7 +159,7 @@ def waiting_for(what: str, giver: Callable[[], Switched | None]) -> Iterator[Non
 
 
 def keeper(stack: object) -> tuple[Stack, bool] | None:
-    """Return who has the lock for which a stack waits, and whether that lock is its end; None if no other stack has."""
+    """Return who has the lock for which a stack waits, and whether that lock is its end; None if no other has it."""
     lock = stack.lock if isinstance(stack, Stack) else None
     holder = lock.holder if lock and stack in lock._waiting else None
     if holder is None or holder is stack or holder.dead:

@@ -121,7 +121,7 @@ def limit(seconds: int) -> None:
 
 
 def _taken() -> int:
-    """How many addresses (bytes) this process takes up; 0 where the system does not say so.
+    """Return how much address space (bytes) this process takes up; 0 where the system does not say.
 
     A process that has had many threads takes up most of a gigabyte: beside that, none could begin under the limit.
     """

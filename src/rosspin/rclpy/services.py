@@ -340,7 +340,7 @@ class Service(ServiceEnd):
 def look_until(is_ready: Callable[[], bool], context: Context | None, timeout_sec: float | None) -> bool:
     """Look every 0.25 s until something is ready, or these pauses add up to ``timeout_sec``. Return whether it is.
 
-    Who gives a ``context`` stops looking when that has ended.
+    With a ``context``, it also stops looking when that has ended.
     """
     left = float("inf") if timeout_sec is None else timeout_sec
     while (context is None or context.ok()) and not is_ready() and left > 0.0:
