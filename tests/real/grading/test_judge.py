@@ -29,14 +29,19 @@ OPEN = CELLS["slow-timer"][0].source
 WRONG_TIMER = "%%answer slow-timer\nafter_1_0_seconds = [1]\n"
 
 
-@pytest.fixture(scope="module")
-def at_work() -> Iterator[Lanes]:
-    """Lanes that give an answer as long as a busy machine makes it take."""
+@pytest.fixture(scope="module", autouse=True)
+def _patient() -> Iterator[None]:
+    """Lanes of this process give an answer as long as a busy machine makes it take."""
     with pytest.MonkeyPatch.context() as patient:
         patient.setattr("rosspin.grading.lanes.TIME", 300)
-        made = Lanes()
-        yield made
-        made.close()
+        yield
+
+
+@pytest.fixture(scope="module")
+def at_work() -> Iterator[Lanes]:
+    made = Lanes()
+    yield made
+    made.close()
 
 
 def judged(at_work: Lanes, *tasks: Task) -> list[Verdict]:
@@ -123,7 +128,7 @@ def test_what_the_system_allows_is_kept_from_answers(at_work: Lanes, tmp_path: P
     assert "net" in net.said  # refused, or unreachable
 
 
-def test_the_folder_of_the_answers_is_gone_in_the_end(at_work: Lanes) -> None:
+def test_the_folder_of_the_answers_is_gone_in_the_end() -> None:
     own = Lanes()
     assert Path(own._folder).is_dir()
     judged(own, Task("ten-hertz", "open('x', 'w').write('a')"))
@@ -143,7 +148,7 @@ def test_where_the_system_allows_no_namespaces(tmp_path: Path, monkeypatch: pyte
     assert not Path(own._folder).exists()
 
 
-def test_ctrl_c_keeps_what_is_done(at_work: Lanes) -> None:
+def test_ctrl_c_keeps_what_is_done() -> None:
     own = Lanes()
     found = {}
     before = signal.getsignal(signal.SIGINT)
