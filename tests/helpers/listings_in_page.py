@@ -116,10 +116,11 @@ HINTS = (
     "A subscription passes",
     "Nothing can have a frequency",
     "The period of a rospy.Timer is a Duration",
-    "Pass a timer the callback",
     "A subscriber passes",
     "A service passes",
-    "Pass a s",
+    "Pass a timer the callback",
+    "Pass a sub",
+    "Pass a service",
 )
 
 

@@ -837,3 +837,16 @@ def test_a_coroutine_that_a_run_has_left_is_not_heard_of_in_a_later_run(
         assert simulate(write(ends), 2).console == ""
     finally:
         gc.enable()
+
+
+def test_a_destroyed_context_refuses_what_is_asked_by_keyword_too() -> None:
+    def node() -> None:
+        context = rclpy.context.Context()
+        context.init()
+        context.destroy()
+        for ask in (lambda: context.on_shutdown(callback=print), context.ok):
+            with pytest.raises(rclpy.exceptions.InvalidHandle):
+                ask()
+        print("asked")
+
+    assert simulate(node, 1).console == "asked\n"

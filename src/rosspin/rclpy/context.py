@@ -136,7 +136,7 @@ class Context:
             for name in ("ok", "shutdown", "try_shutdown", "on_shutdown", "get_domain_id"):
                 setattr(self, name, self._is_destroyed)
 
-    def _is_destroyed(self, *_: object) -> Any:
+    def _is_destroyed(self, *_: object, **__: object) -> Any:
         raise InvalidHandle()
 
     def on_shutdown(self, callback: Callable[[], Any]) -> None:

@@ -491,7 +491,7 @@ class Parameters:
 
 def _check_callable(callback: object) -> None:
     if not callable(callback):
-        raise TypeError("Callback must be callable, got {}", type(callback))
+        raise TypeError("Callback must be callable, got {}", type(callback))  # two arguments, as rclpy raises it
 
 
 class _Descriptor:
