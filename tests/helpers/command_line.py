@@ -12,7 +12,7 @@ _SOURCES = ROOT / "examples" / "my_robotics_pkg" / "src"
 TIMER_NODE, RATE_NODE = str(_SOURCES / "spinner_py_node.py"), str(_SOURCES / "spinner_rate_py_node.py")
 
 # Only so that a test that hangs ends at all.
-NEVER = 60
+NEVER = 300
 
 
 def start(*args: str, **options: Any) -> subprocess.Popen[str]:
