@@ -66,6 +66,16 @@ def test_importing_no_message_needs_neither_numpy_nor_yaml() -> None:
     assert subprocess.run([sys.executable, "-c", code], capture_output=True, text=True).stdout == "set()\n"
 
 
+def test_numpy_is_there_before_the_first_message_that_needs_it() -> None:
+    """On the wall clock a node would have to wait for it in the midst of its run: a goal's first id took 0.2 s."""
+    code = (
+        "import sys; from rosspin.messages import MessageFinder\n"
+        "with MessageFinder(2):\n  from example_interfaces.action import Fibonacci\n"
+        "print('numpy' in sys.modules)"
+    )
+    assert subprocess.run([sys.executable, "-c", code], capture_output=True, text=True).stdout == "True\n"
+
+
 # --- ROS 1: what a node sees ------------------------------------------------------------------------------------------
 
 

@@ -113,7 +113,15 @@ def test_the_threads_of_a_wall_run_do_not_outlive_it() -> None:
 
 
 def test_on_the_wall_a_process_can_be_forked_but_not_made_anew(write: Any) -> None:
-    text = "import multiprocessing\nmultiprocessing.get_context({!r}).Process(target=print, args=['hi']).start()\n"
+    """And the node waits for it at its end, as Python does."""
+    text = """
+        import multiprocessing
+        import time
+        def late():
+            time.sleep(0.3)
+            print("hi")
+        multiprocessing.get_context({!r}).Process(target=late).start()
+        """
     assert measure(write(text.format("fork")), 60).console == "hi\n"
     with pytest.raises(
         NotSimulated, match=r"multiprocessing.Process \(spawn\) is not simulated; run this node on a re"

@@ -5,7 +5,6 @@ They are built where CMake finds rclcpp, such as in a shell in which ROS 2 has b
 
 from __future__ import annotations
 
-import os
 import re
 import signal
 import subprocess
@@ -14,7 +13,6 @@ from concurrent.futures import ThreadPoolExecutor
 from pathlib import Path
 
 import pytest
-from leftovers import shared_memory
 from rclcpp_nodes import Programs, build, libraries, read_ticks
 from record_ros2 import random_blocks
 from seeds import SEED
@@ -36,10 +34,8 @@ def programs(require: Callable[[str], None]) -> Programs:
 
 @pytest.fixture
 def nodes(leaves_nothing: Path) -> Iterator[ros2.Nodes]:
-    before = set(os.listdir("/dev/shm"))
     with ros2.Nodes() as nodes:
         yield nodes
-    assert shared_memory() <= before
 
 
 def said(console: str) -> list[str]:

@@ -286,6 +286,8 @@ class Messages(classes.Messages[Message]):
             for field in definition.fields
         }
         slots = {f"_{field}" for field in (*fields, "check_fields")}
+        if any(field.code and field.kind.length is not None for field in fields.values()):
+            _numpy()  # as rosidl's modules do; later, a node on the wall clock would have to wait for it
 
         def __init__(self: Any, **kwargs: Any) -> None:
             wrong = ", ".join(sorted(key for key in kwargs if f"_{key}" not in slots))

@@ -157,7 +157,8 @@ class Nodes(Children):
         return {
             **{name: value for name, value in super().environment.items() if not unwanted.fullmatch(name)},
             **self._discovery,
-            # With shared memory, Fast DDS would leave half a megabyte behind for every node that is killed.
+            # With shared memory, Fast DDS would leave half a megabyte behind for every node that is killed. Nodes that
+            # meet have some all the same: on localhost alone, rmw_fastrtps chooses the transports itself.
             "FASTDDS_BUILTIN_TRANSPORTS": "UDPv4",
         }
 

@@ -326,21 +326,26 @@ def starter(frame: FrameType) -> str:
 def _fork(real: Callable[..., Any]) -> Callable[..., Any]:
     """Start no process for ``multiprocessing`` in simulated time, and none that is not forked; others may start any.
 
-    Its processes wait for each other in real time. One that is not forked is a Python without stand-ins.
+    Its processes wait for each other in real time. One that is not forked is a Python without stand-ins. At its
+    end the node waits for them, as in Python (source: _exit_function in multiprocessing/util.py).
     """
 
     def fork(*args: Any) -> Any:
-        world = whose()
+        world, process = whose(), None
         if isinstance(world, World) and os.getpid() == world.pid:
             for frame, _ in traceback.walk_stack(sys._getframe(1)):
                 if frame.f_globals.get("__name__") == "multiprocessing.process" and frame.f_code.co_name == "start":
-                    method = getattr(frame.f_locals["self"], "_start_method", None)
+                    process = frame.f_locals["self"]
+                    method = getattr(process, "_start_method", None)
                     method = method or sys.modules["multiprocessing"].get_start_method()
                     if method != "fork":
                         raise NotSimulated(f"{starter(frame)} ({method})")
                     if isinstance(world.clock, Simulation):
                         raise NotSimulated(f"{starter(frame)} ({method})", "the wall clock or on a real ROS")
-        return real(*args)
+        pid = real(*args)
+        if isinstance(world, World) and process and pid and not process.daemon:
+            world.at_exit.insert(0, (process.join, (), {}))
+        return pid
 
     return fork
 

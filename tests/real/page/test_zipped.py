@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import os
 import re
 import shlex
 import socket
@@ -102,10 +103,13 @@ def test_a_listing_runs_from_the_server_that_the_first_page_names(page: Page, fo
     assert of_windows.split()[1:] == command.split()[1:]
     python, *words, port = shlex.split(command)
     assert (python, port) == ("python3", "8000")
-    with socket.create_server(("127.0.0.1", 0)) as free:
-        port = str(free.getsockname()[1])
-    with subprocess.Popen([sys.executable, *words, port], cwd=folder, stderr=subprocess.PIPE, text=True) as server:
+    environment = {**os.environ, "PYTHONUNBUFFERED": "1"}
+    with subprocess.Popen(
+        [sys.executable, *words, "0"], cwd=folder, env=environment, stdout=subprocess.PIPE, stderr=subprocess.DEVNULL
+    ) as server:
         try:
+            assert server.stdout
+            port = re.search(rb" port (\d+) ", server.stdout.readline())[1].decode()  # type: ignore[index]
             with pytest.raises(OSError):  # by another of this machine's addresses
                 socket.create_connection(("127.0.0.2", int(port)), 5)
             _runs(page, f"http://127.0.0.1:{port}/")
@@ -114,12 +118,6 @@ def test_a_listing_runs_from_the_server_that_the_first_page_names(page: Page, fo
 
 
 def _runs(page: Page, address: str) -> None:
-    for attempt in range(50):
-        try:
-            socket.create_connection(("127.0.0.1", int(address.rpartition(":")[2].rstrip("/"))), 1).close()
-            break
-        except OSError:
-            page.wait_for_timeout(100 + attempt)
     tab = page.context.new_page()
     wrong = faults(tab, address)
     tab.goto(f"{address}docs/ros2/tutorial.html")
