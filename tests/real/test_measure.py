@@ -2,6 +2,8 @@
 
 from __future__ import annotations
 
+import multiprocessing
+import os
 import sys
 import threading
 import time
@@ -127,6 +129,25 @@ def test_on_the_wall_a_process_can_be_forked_but_not_made_anew(write: Any) -> No
         NotSimulated, match=r"multiprocessing.Process \(spawn\) is not simulated; run this node on a re"
     ):
         measure(write(text.format("spawn")), 60)
+
+
+def test_a_process_that_a_function_has_forked_runs_on() -> None:
+    """As its caller does: it is not the end of a program."""
+    forked: list[Any] = []
+    read, write = os.pipe()
+
+    def node() -> None:
+        forked.append(multiprocessing.get_context("fork").Process(target=os.read, args=(read, 1)))
+        forked[0].start()
+
+    try:
+        assert measure(node, 60).status == 0
+        assert forked[0].is_alive()
+    finally:
+        os.write(write, b".")
+        forked[0].join()
+        os.close(read)
+        os.close(write)
 
 
 def test_a_node_that_catches_everything_is_ended_and_does_nothing_afterwards(impatient: None) -> None:

@@ -212,6 +212,8 @@ class Process(Slots):
         except BaseException as error:
             sys.stderr.write("Exception ignored in: <module 'threading'>\n")
             _print_error(world, error)
+        if self.node.source is not None:  # a program, which waits for them (source: _exit_function in multiprocessing)
+            world.at_exit[:0] = [(child.join, (), {}) for child in world.forked]
         _run_at_exit(world)
         world.exit_status = status
         world.finished = True
@@ -326,8 +328,7 @@ def starter(frame: FrameType) -> str:
 def _fork(real: Callable[..., Any]) -> Callable[..., Any]:
     """Start no process for ``multiprocessing`` in simulated time, and none that is not forked; others may start any.
 
-    Its processes wait for each other in real time. One that is not forked is a Python without stand-ins. At its
-    end the node waits for them, as in Python (source: _exit_function in multiprocessing/util.py).
+    Its processes wait for each other in real time. One that is not forked is a Python without stand-ins.
     """
 
     def fork(*args: Any) -> Any:
@@ -344,7 +345,7 @@ def _fork(real: Callable[..., Any]) -> Callable[..., Any]:
                         raise NotSimulated(f"{starter(frame)} ({method})", "the wall clock or on a real ROS")
         pid = real(*args)
         if isinstance(world, World) and process and pid and not process.daemon:
-            world.at_exit.insert(0, (process.join, (), {}))
+            world.forked.append(process)
         return pid
 
     return fork

@@ -113,6 +113,7 @@ class World(Program):
         self.on_failure: Callable[[], None] | None = None  # called for each error, and a main status other than 0
         self.waited: list[Whereabouts] = []  # where its threads were when it was killed
         self.at_exit: list[tuple[Callable[..., Any], tuple[Any, ...], dict[str, Any]]] = []
+        self.forked: list[Any] = []  # processes of multiprocessing that it has started, but no daemons
         self._sources: dict[str, int] = {}
         self._parts: dict[type, Any] = {}
 
