@@ -393,11 +393,29 @@ def test_bad_files(run: Any, write: Any) -> None:
 
 
 def test_a_module_of_ros_is_not_simulated(write: Any) -> None:
-    for module in ("control_srvs.srv", "tf2_ros", "my_robot_msgs.msg"):
+    for module in ("control_srvs.srv", "cv_bridge", "my_robot_msgs.msg", "my_robot_interfaces.msg"):
         package = module.partition(".")[0]
         with pytest.raises(NotSimulated, match=rf"^{package}(\.msg)? is not simulated; run this node on a real ROS$"):
             simulate(write(f"import {module}"), 1)
     assert simulate(write("import no_such_module"), 1).status == 1
+
+
+@pytest.mark.parametrize(
+    ("ros", "modules"),
+    [
+        ("rospy", "dynamic_reconfigure.server image_geometry laser_geometry rosbag smach tf_conversions"),
+        ("rclpy", "image_geometry launch_testing moveit.planning nav2_simple_commander.robot_navigator rosbag2_py"),
+    ],
+)
+def test_packages_of_its_ros_are_not_simulated_and_those_of_the_other_are_not_there(
+    write: Any, ros: str, modules: str
+) -> None:
+    for module in modules.split():
+        with pytest.raises(NotSimulated, match=rf"^{module.partition('.')[0]} is not simulated"):
+            simulate(write(f"import {ros}\nimport {module}"), 1)
+    for other in {"rospy": ["rosbag2_py", "ros2cli"], "rclpy": ["rosbag", "dynamic_reconfigure"]}[ros]:
+        run = simulate(write(f"import {ros}\nimport {other}"), 1)
+        assert run.console.endswith(f"ModuleNotFoundError: No module named '{other}'\n")
 
 
 def test_the_master_is_not_simulated_wherever_it_is_met() -> None:

@@ -14,6 +14,7 @@ from ..clocks.frames import Whereabouts
 from ..clocks.simulation import Simulation
 from ..clocks.stacks import Program, acting_for, current, keeper, thread_name, waiting_for, whose
 from .graph import Graph, Recording
+from .packages import PACKAGES
 
 __all__ = [
     "NotSimulated",
@@ -29,14 +30,6 @@ __all__ = [
 
 Part = TypeVar("Part")
 
-# Packages of ROS that a node may import and that have no stand-in.
-_ROS_PACKAGES = {
-    *("actionlib", "cv_bridge", "dynamic_reconfigure", "message_filters", "rosbag", "rosgraph", "roslaunch", "roslib"),
-    *("rosnode", "rosparam", "rospkg", "rosservice", "rostopic", "tf", "tf2_ros", "tf_conversions"),
-    *("ament_index_python", "example_interfaces", "launch", "launch_ros", "rosidl_runtime_py"),
-}
-
-
 class NotSimulated(NotImplementedError):
     """The node needs something that only a real ROS has, or only the place that ``where`` names."""
 
@@ -50,12 +43,14 @@ class NotSimulated(NotImplementedError):
 
 
 def not_simulated(error: BaseException) -> NotSimulated | None:
-    """Turn an error into NotSimulated if it says that a package of ROS cannot be imported; else None."""
+    """Turn an error into NotSimulated if it says that a package of the node's ROS cannot be imported; else None."""
     name = error.name or "" if isinstance(error, ModuleNotFoundError) else ""
     root, _, rest = name.partition(".")
+    world = whose()
+    ros = world.ros if isinstance(world, World) else 0
     lacking = (
-        root in _ROS_PACKAGES
-        or root.endswith(("_msgs", "_srvs"))
+        any(root in PACKAGES[each] for each in ([ros] if ros else PACKAGES))
+        or root.endswith(("_msgs", "_srvs", "_interfaces"))
         or rest.startswith("srv")
         or rest.partition(".")[0] in getattr(sys.modules.get(root), "NOT_SIMULATED", ())
     )

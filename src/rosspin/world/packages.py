@@ -1,0 +1,51 @@
+"""Well-known packages of each ROS that have Python modules, by the names that nodes import. Messages are not here."""
+
+from __future__ import annotations
+
+__all__ = ["PACKAGES"]
+
+_BOTH = """
+angles apriltag_ros ar_track_alvar camera_calibration camera_calibration_parsers camera_info_manager
+camera_info_manager_py controller_manager cv_bridge diagnostic_aggregator diagnostic_analysis
+diagnostic_common_diagnostics diagnostic_updater domain_coordinator gazebo_plugins gazebo_ros geodesy image_geometry
+image_proc image_publisher image_rotate image_transport image_view interactive_markers joint_state_publisher
+joint_state_publisher_gui joy_teleop kdl_parser_py key_teleop laser_geometry mavros message_filters mouse_teleop
+moveit_commander octomap_server pcl_ros pluginlib py_trees_ros python_qt_binding qt_dotgraph qt_gui qt_gui_cpp
+qt_gui_py_common resource_retriever robot_localization robot_state_publisher ros_numpy rosbridge_library
+rosbridge_server rosapi rqt_action rqt_bag rqt_bag_plugins rqt_console rqt_graph rqt_gui rqt_gui_py rqt_image_view
+rqt_msg rqt_plot rqt_publisher rqt_py_common rqt_py_console rqt_reconfigure rqt_robot_monitor
+rqt_robot_steering rqt_service_caller rqt_shell rqt_srv rqt_tf_tree rqt_top rqt_topic rviz slam_toolbox smach
+smach_ros teleop_twist_joy teleop_twist_keyboard tf2_geometry_msgs tf2_kdl tf2_py tf2_ros tf2_sensor_msgs tf2_tools
+turtle_tf2 turtlesim urdf_parser_py urdfdom_py velodyne_driver xacro
+"""
+
+_ROS1 = """
+actionlib actionlib_tutorials bondpy catkin catkin_pkg controller_manager_tests ddynamic_reconfigure_python
+dynamic_reconfigure executive_smach gencpp genlisp genmsg jsk_rviz_plugins move_base_flex
+moveit_python mbf_abstract_nav nodelet nodelet_topic_tools pr2_controller_manager rosbag rosboost_cfg rosclean
+roscreate rosdep2 rosdistro rosgraph rosinstall roslaunch roslib roslint roslz4 rosmake rosmaster rosmsg rosnode
+rosparam rospkg rospy_message_converter rospy_tutorials rosserial_arduino rosserial_client rosserial_python rosservice
+rostest rostopic rosunit roswtf rqt_launch rqt_logger_level rqt_nav_view rqt_rviz rqt_web rviz_plugin_tutorials tf
+tf_conversions topic_tools turtle_actionlib turtle_tf xmlrpcpp
+"""
+
+_ROS2 = """
+action_tutorials_py ament_copyright ament_flake8 ament_index_python ament_lint ament_package ament_pep257
+demo_nodes_py examples_rclpy_executors examples_rclpy_guard_conditions examples_rclpy_minimal_action_client
+examples_rclpy_minimal_action_server examples_rclpy_minimal_client examples_rclpy_minimal_publisher
+examples_rclpy_minimal_service examples_rclpy_minimal_subscriber examples_rclpy_pointcloud_publisher
+examples_tf2_py launch launch_param_builder launch_pytest launch_ros launch_testing launch_testing_ament_cmake
+launch_testing_ros launch_xml launch_yaml lifecycle_py moveit moveit_configs_utils moveit_py moveit_task_constructor
+nav2_bringup nav2_common nav2_simple_commander nav2_util osrf_pycommon pymoveit2 quality_of_service_demo_py
+rclpy_message_converter rmw_implementation ros2action ros2bag ros2cli ros2component ros2controlcli ros2doctor
+ros2interface ros2launch ros2lifecycle ros2multicast ros2node ros2param ros2pkg ros2run ros2service ros2topic
+ros2trace ros2_numpy ros_gz_bridge ros_gz_sim ros_testing rosbag2_py rosbag2_storage rosidl_adapter rosidl_cli
+rosidl_generator_py rosidl_parser rosidl_pycommon rosidl_runtime_py rpyutils rviz2 rviz_common sensor_msgs_py
+sros2 test_launch_ros test_tracetools tf_transformations topic_monitor topic_tools tracetools_analysis
+tracetools_launch tracetools_read tracetools_trace turtle_tf2_py ur_robot_driver webots_ros2_driver
+"""
+
+PACKAGES: dict[int, frozenset[str]] = {
+    1: frozenset(f"{_BOTH}{_ROS1}".split()),
+    2: frozenset(f"{_BOTH}{_ROS2}".split()),
+}
