@@ -3,7 +3,6 @@
 from __future__ import annotations
 
 import json
-import os
 from collections import defaultdict
 from collections.abc import Iterator
 from contextlib import nullcontext
@@ -12,10 +11,10 @@ from textwrap import dedent
 from typing import Any
 
 import pytest
-from hypothesis import settings
-from ledger import TURN
+from hypothesis import HealthCheck, settings
 from seeds import SEED
 from settle import settle
+from shares import SHARE
 from simulated_only import simulated_only
 from tree import DOCTREES, ROOT, SITE, TESTS
 
@@ -27,17 +26,20 @@ pytest_plugins = ["quiet_lane"]
 
 
 def pytest_report_header() -> str:
-    return f"random tests: ROSSPIN_SEED={SEED}; scenarios on real clocks: ROSSPIN_TURN={TURN}"
+    return f"random tests: ROSSPIN_SEED={SEED}; share of the tests in the real lane: ROSSPIN_SHARE={SHARE}"
 
 
-settings.register_profile("judge", max_examples=1000)  # ten times as many as by default
+# What it draws follows from the seed alone, not from earlier runs, nor from the time that one takes.
+settings.register_profile(
+    "seeded", database=None, deadline=None, print_blob=True, suppress_health_check=[HealthCheck.too_slow]
+)
+settings.register_profile("judge", settings.get_profile("seeded"), max_examples=1000)  # ten times as many
+settings.load_profile("seeded")
 
 
 @pytest.hookimpl(tryfirst=True)
 def pytest_configure(config: pytest.Config) -> None:
-    if "ROSSPIN_SEED" in os.environ:
-        settings.load_profile("default")  # CI's takes no seed
-        config.option.hypothesis_seed = SEED
+    config.option.hypothesis_seed = SEED
 
 
 # --- lanes ------------------------------------------------------------------------------------------------------------

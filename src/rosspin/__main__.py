@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import argparse
+import datetime
 import json
 import os
 import signal
@@ -150,7 +151,7 @@ def _parser() -> argparse.ArgumentParser:
 
 
 def _doctor(options: argparse.Namespace, args: Sequence[str]) -> int:
-    for line in report():
+    for line in report(datetime.date.today()):
         print(line)
     return 0
 

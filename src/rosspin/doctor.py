@@ -24,8 +24,11 @@ def chromium() -> str | None:
     return shutil.which("chromium") or shutil.which("chromium-browser") or shutil.which("google-chrome")
 
 
-def report() -> Iterator[str]:
-    """Yield a line for each runtime: its name, yes or no, and after a no what to install."""
+def report(today: datetime.date) -> Iterator[str]:
+    """Yield a line for each runtime: its name, yes or no, and after a no what to install.
+
+    In a checkout there is another one for each ROS: how many days before ``today`` its recordings were confirmed.
+    """
     lacking = [name for name in ("greenlet", "yaml") if not importlib.util.find_spec(name)]
     yield _line("stand-in", lacking, "pip install greenlet PyYAML")
     yield _line("rospy", ros1.missing(cpp=False), f"{_APT} python3-rospy python3-roslaunch python3-rosmaster")
@@ -33,20 +36,20 @@ def report() -> Iterator[str]:
     yield _line("rclpy", ros2.missing(), ros2.unavailable() or ros2.REMEDY)
     yield _line("browser", [] if chromium() else ["Chromium"], f"{_APT} chromium")
     if _LEDGER.exists():
-        yield from _recordings()
+        yield from _recordings(today)
 
 
 def _line(runtime: str, lacking: list[str], remedy: str) -> str:
     return f"{runtime:<9} no   lacks {', '.join(lacking)}; {remedy}" if lacking else f"{runtime:<9} yes"
 
 
-def _recordings() -> Iterator[str]:
+def _recordings(today: datetime.date) -> Iterator[str]:
     """Yield a line for each ROS: how many of its recordings there are, and for how long the oldest is unconfirmed."""
     batches = tomllib.loads(_LEDGER.read_text(encoding="utf-8")).get("confirmed", ())
     for ros in sorted({batch["ros"] for batch in batches}):
         own = [batch for batch in batches if batch["ros"] == ros]
         count = sum(len(batch["hashes"]) for batch in own)
         oldest = min(own, key=lambda batch: batch["date"])
-        days = (datetime.date.today() - oldest["date"]).days
+        days = (today - oldest["date"]).days
         when = f"{days} day{'s' * (days != 1)} ago or later" if days else "today"
         yield f"recorded  ROS {ros}: {count} scenarios, confirmed {when} by {oldest['version']} (make judge)"

@@ -1,7 +1,7 @@
 """Which recording was confirmed by which version of the real ROS, and when; and which scenarios have changed since.
 
 A recording is stale once its key is another one: its scenario or the harness has changed, or the text itself. The real
-ROS runs a part of the scenarios each time: those that a change touches, known by hash, and a twentieth that goes round.
+ROS runs a part of the scenarios each time: those that a change touches, known by hash, and a twentieth of the others.
 """
 
 from __future__ import annotations
@@ -9,7 +9,6 @@ from __future__ import annotations
 import ast
 import datetime
 import hashlib
-import os
 import re
 import tomllib
 from collections.abc import Iterable, Sequence
@@ -18,6 +17,7 @@ from pathlib import Path
 from typing import NamedTuple, Protocol
 
 from corpus import Scenario
+from shares import SHARE, is_in
 from tree import SOURCE, TESTS
 
 LEDGER = TESTS / "ledger.toml"
@@ -25,12 +25,9 @@ LEDGER = TESTS / "ledger.toml"
 # What renews a recording.
 RENEW = ".venv/bin/pytest tests/real/judge/test_corpus.py -k ros{0.ros}-{0.name}"
 
-# Of those that a change touches so many (of each ROS) are run each time, with those whose turn it is.
+# Of those that a change touches so many (of each ROS) are run each time, with those of the share.
 MOST = 12
-SHARE = 20
-
-# Whose turn it is: another twentieth each day, the same in all processes of a run.
-TURN = int(os.environ.setdefault("ROSSPIN_TURN", str(datetime.date.today().toordinal() % SHARE)))
+SHARES = 20
 
 _HEAD = """# Which recording was confirmed by which version of the real ROS, and when: written by `make judge`.
 # The first hash is of the scenario, the harness, the version and the recording, the second of what of the stand-in the
@@ -172,10 +169,10 @@ def part(scenarios: Sequence[Scenario], version: str) -> tuple[list[Scenario], i
     ``version`` is that of the real ROS here, which may be another one than that of the recordings; "" if there is none.
     """
     ledger = Ledger.read()
-    turn = scenarios[TURN % SHARE :: SHARE]
+    own = [scenario for scenario in scenarios if is_in(scenario.name, SHARES, SHARE)]
     touched = [scenario for scenario in scenarios if ledger.is_touched(scenario, version)]
-    others = [scenario for scenario in touched if scenario not in turn]
+    others = [scenario for scenario in touched if scenario not in own]
     most = max(0, MOST - (len(touched) - len(others)))
-    begin = TURN * MOST % (len(others) or 1)
-    chosen = {*turn, *(others[begin:] + others[:begin])[:most]}
+    begin = SHARE * MOST % (len(others) or 1)
+    chosen = {*own, *(others[begin:] + others[:begin])[:most]}
     return [scenario for scenario in scenarios if scenario in chosen], max(0, len(others) - most)

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import os
+import re
 import sys
 import time
 from collections.abc import Iterator
@@ -14,7 +15,7 @@ from unittest import mock
 from rosspin.clocks.clock import WallClock
 
 # Programs that a test of the simulated lane may start: Python and node, and commands in launch files.
-PROGRAMS = ("python", "node", "sh", "false", "yes", "rosspin-nowhere")
+PROGRAMS = re.compile(r"python[\d.]*|node|sh|false|yes|rosspin-nowhere")
 
 _real_sleep = time.sleep
 _watched = False
@@ -63,7 +64,7 @@ def _look(event: str, args: tuple[Any, ...]) -> None:
     if not _watched or event != "subprocess.Popen":
         return
     program = Path(os.fspath(args[0])).name
-    if not program.startswith(PROGRAMS):
+    if not PROGRAMS.fullmatch(program):
         _refuse(f"it starts {program}")
     if "rosspin.run.wall" in str(args[1]):
         _refuse("it runs a node on the wall clock")

@@ -18,7 +18,7 @@ import sandboxes
 from corpus import Scenario, recorded, scenarios, simulated
 from corpus_pairs import PAIR_LIST
 from ledger import Ledger, key, part, stand_in
-from turns import waiting
+from shares import is_left_out
 from verdicts import Inconclusive
 
 ALL = [*corpus_ros1.SCENARIO_LIST, *corpus_ros2.SCENARIO_LIST]
@@ -91,19 +91,19 @@ def test_a_module_of_a_stand_in_concerns_those_that_name_what_it_defines(
     assert [old == new for old, new in zip(before, after, strict=True)] == [False, True]
 
 
-def test_the_real_ros_runs_each_scenario_within_twenty_turns(monkeypatch: pytest.MonkeyPatch) -> None:
+def test_the_real_ros_runs_each_scenario_in_one_of_twenty_shares(monkeypatch: pytest.MonkeyPatch) -> None:
     monkeypatch.setattr(Ledger, "is_touched", lambda *about: False)
     seen: list[str] = []
-    for turn in range(ledger.SHARE):
-        monkeypatch.setattr(ledger, "TURN", turn)
+    for share in range(ledger.SHARES):
+        monkeypatch.setattr(ledger, "SHARE", share)
         chosen, left = part(corpus_ros1.SCENARIO_LIST, VERSION)
-        assert len(chosen) <= len(corpus_ros1.SCENARIO_LIST) / ledger.SHARE + 1
+        assert 0 < len(chosen) < len(corpus_ros1.SCENARIO_LIST) / 8
         assert left == 0
         seen += [scenario.name for scenario in chosen]
     assert sorted(seen) == sorted(scenario.name for scenario in corpus_ros1.SCENARIO_LIST)
 
 
-def test_a_test_whose_cases_take_turns_runs_each_within_twenty(request: pytest.FixtureRequest) -> None:
+def test_the_share_of_a_test_follows_from_its_name_alone(request: pytest.FixtureRequest) -> None:
     def case(name: str, *marks: pytest.MarkDecorator) -> pytest.Item:
         item = pytest.Function.from_parent(request.node.parent, name=name, callobj=lambda: None)
         for mark in marks:
@@ -111,10 +111,10 @@ def test_a_test_whose_cases_take_turns_runs_each_within_twenty(request: pytest.F
         return item
 
     whole = case("whole")
-    cases = [case(f"{test}[{n}]", pytest.mark.turns(share)) for test, share in (("a", 4), ("b", 5)) for n in range(11)]
-    days = [waiting([whole, *cases], turn) for turn in range(ledger.SHARE)]
-    assert all(whole not in others for others in days)
-    assert [sum(each not in others for others in days) for each in cases] == [5] * 11 + [4] * 11
+    cases = [case(f"{test}[{n}]", pytest.mark.shares(of)) for test, of in (("a", 4), ("b", 5)) for n in range(11)]
+    runs = [[share for share in range(20) if not is_left_out(each, share)] for each in (whole, *cases)]
+    assert [len(each) for each in runs] == [20] + [5] * 11 + [4] * 11
+    assert len({first for first, *_ in runs[1:12]}) > 1  # those of one test are spread
 
 
 def test_the_real_ros_runs_what_has_changed(monkeypatch: pytest.MonkeyPatch) -> None:

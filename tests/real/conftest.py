@@ -12,11 +12,10 @@ from cpp_nodes import CppNodes, built
 from firefox import Tab, firefox, tab
 from in_chromium import launched, served
 from lacking import LACKS
-from ledger import TURN
 from leftovers import processes
 from playwright.sync_api import Browser, expect
 from readers import PATIENCE
-from turns import waiting
+from shares import SHARE, is_left_out
 
 from rosspin import doctor
 
@@ -31,7 +30,7 @@ def _required() -> set[str]:
 
 
 def pytest_addoption(parser: pytest.Parser) -> None:
-    parser.addoption("--turns", action="store_true", help="of tests marked turns(n), the part whose turn it is")
+    parser.addoption("--share", action="store_true", help="of tests marked shares(n), that of ROSSPIN_SHARE alone")
 
 
 def pytest_configure() -> None:
@@ -40,10 +39,9 @@ def pytest_configure() -> None:
 
 
 def pytest_collection_modifyitems(config: pytest.Config, items: list[pytest.Item]) -> None:
-    if config.option.turns:
-        others = waiting(items, TURN)
-        config.hook.pytest_deselected(items=others)
-        items[:] = [item for item in items if item not in others]
+    if config.option.share:
+        config.hook.pytest_deselected(items=[item for item in items if is_left_out(item, SHARE)])
+        items[:] = [item for item in items if not is_left_out(item, SHARE)]
 
 
 @pytest.fixture(scope="session")

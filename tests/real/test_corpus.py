@@ -1,4 +1,4 @@
-"""On the real ROS 1 and 2 and on the wall clock: scenarios that a change touches, and a twentieth that goes round.
+"""On the real ROS 1 and 2 and on the wall clock: scenarios that a change touches, and a twentieth of the others.
 
 The real ones do what is recorded beside the scenarios, the stand-ins on the wall clock what they do in simulated time.
 `make judge` runs all scenarios.
@@ -14,7 +14,7 @@ import corpus_ros2
 import pytest
 from corpus import Scenario
 from lacking import LACKS
-from ledger import TURN, part
+from ledger import part
 from runs import Runs, asked_for, check
 from runtimes import RUNTIMES, version
 
@@ -38,9 +38,7 @@ def runs(request: pytest.FixtureRequest) -> Iterator[Runs]:
         yield runs
 
 
-@pytest.mark.parametrize(
-    "runtime, scenario", CASES, ids=[f"{runtime}-{scenario.name}-turn {TURN}" for runtime, scenario in CASES]
-)
+@pytest.mark.parametrize("runtime, scenario", CASES, ids=[f"{runtime}-{scenario.name}" for runtime, scenario in CASES])
 def test_scenario(runs: Runs, require: Callable[[str], None], runtime: str, scenario: Scenario) -> None:
     if runtime in LACKS:
         require(runtime)

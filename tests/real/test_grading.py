@@ -16,7 +16,7 @@ import yaml
 from answers import CELLS
 from tree import ROOT
 
-pytestmark = pytest.mark.turns(2)
+pytestmark = pytest.mark.shares(2)
 
 EXAMPLES = ROOT / "examples/grading"
 

@@ -10,7 +10,7 @@ import pytest
 from author import copied, listed_in, typed
 from lesson import COMMANDS, FILES
 
-pytestmark = pytest.mark.turns(2)
+pytestmark = pytest.mark.shares(2)
 
 
 def test_the_how_to_is_a_way_to_a_lesson(tmp_path: Path) -> None:

@@ -30,7 +30,7 @@ EXAMPLES = ROOT / "examples"
 PACKAGE = EXAMPLES / "my_robotics_pkg"
 PROBES = EXAMPLES / "timing_probes"
 
-pytestmark = [pytest.mark.usefixtures("leaves_nothing"), pytest.mark.turns(4)]
+pytestmark = [pytest.mark.usefixtures("leaves_nothing"), pytest.mark.shares(4)]
 
 
 @pytest.fixture(scope="module", autouse=True)

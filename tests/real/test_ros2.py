@@ -31,7 +31,7 @@ from rosspin.measures import by_source
 from rosspin.real import ros2
 from rosspin.real.children import Output
 
-pytestmark = [pytest.mark.usefixtures("leaves_nothing"), pytest.mark.turns(4)]
+pytestmark = [pytest.mark.usefixtures("leaves_nothing"), pytest.mark.shares(4)]
 
 EXAMPLES = ROOT / "examples"
 PACKAGE = EXAMPLES / "my_robotics_pkg_ros2"
@@ -322,7 +322,7 @@ def test_a_ros_2_that_has_been_sourced(
     python = tmp_path / "python3"
     python.write_text(f'#!/bin/sh\nexport PYTHONPATH="${{PYTHONPATH%%:*}}"\nexec {ros2.python()} "$@"\n')
     python.chmod(0o755)
-    monkeypatch.setattr(ros2, "_MADE", Path("/nonexistent"))
+    monkeypatch.setattr(ros2, "_MADE", tmp_path / "nowhere")
     monkeypatch.setattr(ros2, "_SYSTEM", str(tmp_path))
     monkeypatch.setenv("AMENT_PREFIX_PATH", "/opt/ros/jazzy")
     monkeypatch.setenv("PYTHONPATH", "/opt/ros/jazzy/lib/python3/site-packages")

@@ -17,13 +17,15 @@ def no_ros(monkeypatch: pytest.MonkeyPatch) -> None:
         monkeypatch.setattr(name, lambda cpp=True: [])
 
 
+TODAY = datetime.date(2026, 3, 1)
+
+
 def recorded() -> list[str]:
-    return [line for line in doctor.report() if line.startswith("recorded ")]
+    return [line for line in doctor.report(TODAY) if line.startswith("recorded ")]
 
 
 def test_it_says_how_old_the_recordings_are(monkeypatch: pytest.MonkeyPatch, tmp_path: Path) -> None:
-    today = datetime.date.today()
-    batches = (1, today, "new", 3), (1, today - datetime.timedelta(9), "old", 2), (2, today, "Jazzy", 1)
+    batches = (1, TODAY, "new", 3), (1, datetime.date(2026, 2, 20), "old", 2), (2, TODAY, "Jazzy", 1)
     text = "".join(
         f'[[confirmed]]\nros = {ros}\ndate = {date}\nversion = "{version}"\n[confirmed.hashes]\n'
         + "".join(f'scenario_{number} = ""\n' for number in range(count))

@@ -48,8 +48,8 @@ def test_a_missing_file(launch: Callable[..., object], node: Path) -> None:
         launch(node.with_stem("nonsuch"), 1.0)
 
 
-def test_ros_1_is_missing(monkeypatch: pytest.MonkeyPatch) -> None:
-    monkeypatch.setattr(ros1, "_path", lambda: "/nonexistent")
+def test_ros_1_is_missing(monkeypatch: pytest.MonkeyPatch, tmp_path: Path) -> None:
+    monkeypatch.setattr(ros1, "_path", lambda: str(tmp_path))
     with pytest.raises(ros1.Ros1Missing, match="sudo apt-get install .*libroscpp-dev.*python3-rospy"):
         ros1.launch(LAUNCH_FILE, 1.0)
 
@@ -80,9 +80,15 @@ def forgetful() -> Iterator[None]:
     ],
 )
 def test_ros_2_is_missing(
-    forgetful: None, monkeypatch: pytest.MonkeyPatch, system: str, machine: str, version: tuple[int, int], says: str
+    forgetful: None,
+    monkeypatch: pytest.MonkeyPatch,
+    tmp_path: Path,
+    system: str,
+    machine: str,
+    version: tuple[int, int],
+    says: str,
 ) -> None:
-    monkeypatch.setattr(ros2, "_MADE", Path("/nonexistent"))
+    monkeypatch.setattr(ros2, "_MADE", tmp_path / "nowhere")
     monkeypatch.delenv("AMENT_PREFIX_PATH", raising=False)
     monkeypatch.setattr(platform, "system", lambda: system)
     monkeypatch.setattr(platform, "machine", lambda: machine)

@@ -14,7 +14,7 @@ from listings_in_page import (
 )
 from playwright.sync_api import Browser, Page, expect
 
-pytestmark = pytest.mark.turns(2)
+pytestmark = pytest.mark.shares(2)
 
 
 @pytest.fixture(scope="module")

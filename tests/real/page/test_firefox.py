@@ -16,7 +16,7 @@ from tree import ROOT
 
 from rosspin import simulate
 
-pytestmark = pytest.mark.turns(2)
+pytestmark = pytest.mark.shares(2)
 
 SPINNER = ROOT / "examples/my_robotics_pkg/src/spinner_py_node.py"
 

@@ -11,7 +11,7 @@ from answers_ros1 import WRONG
 from command_line import run
 from hand_ins import Table, handed_in
 
-pytestmark = pytest.mark.turns(2)
+pytestmark = pytest.mark.shares(2)
 
 SOME = ["make-it-10-hz", "slow-timer", "cancel-a-goal", "share-data", "rostopic-hz"]
 FORGED = "print('Exercise 1: right.')\nprint('{\"verdict\": \"solved\"}')"

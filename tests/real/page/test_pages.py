@@ -69,7 +69,7 @@ def opened(tab: Page, wrong: list[str], address: str, name: str) -> Iterator[Pag
     assert not wrong
 
 
-@pytest.mark.turns(4)
+@pytest.mark.shares(4)
 @pytest.mark.parametrize("name", NAMES)
 def test_it_fits(opened: Page) -> None:
     """No sideways scrolling; plots can be read, in light and in dark; on large screens they are as wide as the text."""
@@ -83,7 +83,7 @@ def test_it_fits(opened: Page) -> None:
     assert seen + _seen(opened, TOO_WIDE) == []
 
 
-@pytest.mark.turns(5)
+@pytest.mark.shares(5)
 @pytest.mark.parametrize("name", NAMES)
 def test_axe_objects_to_nothing(opened: Page) -> None:
     assert in_both_schemes(opened) == []

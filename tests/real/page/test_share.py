@@ -24,7 +24,7 @@ from tree import EXAMPLES
 from rosspin import simulate
 from rosspin.results.pinned import as_test
 
-pytestmark = pytest.mark.turns(4)
+pytestmark = pytest.mark.shares(4)
 
 
 def _copied(page: Page) -> str:

@@ -22,7 +22,7 @@ from tree import ROOT
 
 from rosspin.site.zipped import START
 
-pytestmark = pytest.mark.turns(4)
+pytestmark = pytest.mark.shares(4)
 
 
 @pytest.fixture(scope="module")
