@@ -99,3 +99,18 @@ def pytest_runtest_makereport(item: pytest.Item, call: pytest.CallInfo[None]) ->
             if console := node.run.console:
                 report.sections.append((f"Console of {node.name}", console))
             node.__exit__(call.excinfo.type, call.excinfo.value, call.excinfo.tb)
+
+
+@pytest.hookimpl
+def pytest_exception_interact(call: pytest.CallInfo[None], report: pytest.CollectReport | pytest.TestReport) -> None:
+    """Say what to do if a test, or its file, imports a ROS that is not installed."""
+    error = call.excinfo and (call.excinfo.value.__cause__ or call.excinfo.value)
+    if isinstance(error, ModuleNotFoundError) and error.name:
+        from .run.roses import is_of_a_ros
+
+        if is_of_a_ros(error.name):
+            text = (
+                f"{error.name} is there only while a node runs. Import it in a node's file, or in the function that is "
+                "the node, and start that with the fixture start_node, or with rosspin.simulate."
+            )
+            report.sections.append(("rosspin", text))

@@ -10,13 +10,14 @@ import sys
 import time
 import warnings
 from collections.abc import Callable
+from importlib import import_module
 from typing import Any, NamedTuple
 
 import pytest
 from graphs import LENGTH, Sink, Source
 from seeds import SEED
 
-from rosspin import Node, NotSimulated, Run, TimeStandsStill, rospy, simulate
+from rosspin import Node, NotSimulated, Run, TimeStandsStill, rospy, simulate, start
 from rosspin.rospy.topics import LATER_PUBLISHER, LATER_SUBSCRIBER
 
 NS = 1_000_000_000
@@ -683,6 +684,28 @@ def in_the_model(index: int, sink: Sink, sink_ends: int, sender: int, source: So
             now += sink.takes
         free = now
     return [call for call in called if call[2] < min(sink_ends, LENGTH)]
+
+
+def test_each_of_several_nodes_has_its_own_parameters() -> None:
+    def of_ros1() -> None:
+        rospy.init_node("one", anonymous=True)
+        print(rospy.get_param("~rate", "none"))
+
+    def of_ros2() -> None:
+        rclpy = import_module("rclpy")
+        rclpy.init()
+        print(rclpy.create_node("two").declare_parameter("rate", "none").value)
+
+    for node, name in ((of_ros1, "~rate"), (of_ros2, "rate")):
+        nodes: list[Any] = [Node(node, parameters={name: "5"}), Node(node, name="other", parameters={name: "x"}), node]
+        assert simulate(nodes, 1.0).console.splitlines()[:3] == ["5", "x", "none"]
+        with start(nodes) as started:
+            assert started.run.console.split("\n")[:3] == ["5", "x", "none"]
+    wrong: list[Any] = [Node(of_ros2, parameters={"rate": {}}), of_ros2]
+    with pytest.raises(TypeError, match="the parameter rate can be a bool"):
+        simulate(wrong, 1.0)
+    with pytest.raises(TypeError, match="the parameter rate can be a bool"):
+        start(wrong)
 
 
 @pytest.mark.parametrize("seed", range(SEED, SEED + 100))

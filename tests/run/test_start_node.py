@@ -133,3 +133,15 @@ def test_of_a_name_that_is_wrong(start_node):
 """)
     run.assert_outcomes(passed=2, errors=1)
     run.stdout.fnmatch_lines(["*ValueError: Topic('/aa', delay=0.5): no node had the topic /aa; there were /b, /a*"])
+
+
+@pytest.mark.parametrize("module", ["rclpy", "rclpy.node", "rospy", "std_msgs.msg"])
+@pytest.mark.parametrize("where", ["", "def test_it():\n    "])
+def test_who_imports_a_ros_in_a_test_is_told_where_it_is(run_tests: Any, module: str, where: str) -> None:
+    run = run_tests(f"{where}import {module}\n")
+    advice = "* is there only while a node runs. Import it in a node's file, * start_node, or with rosspin.simulate."
+    run.stdout.fnmatch_lines(["*ModuleNotFoundError: No module named *", "*- rosspin -*", advice])
+
+
+def test_other_modules_are_left_to_python(run_tests: Callable[..., Any]) -> None:
+    assert "while a node runs" not in run_tests("import there_is_none").stdout.str()

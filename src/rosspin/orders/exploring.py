@@ -118,7 +118,7 @@ def explore(
 
     Raises what :func:`simulate` raises but TimeStandsStill; TypeError for a ``check`` that cannot be called; ValueError
     for an unknown strategy, for ``schedules`` below 1, for a ``seed`` that is no whole number, and for a function, or a
-    launch file of ROS 2, that is to be explored ``deep``.
+    launch file of ROS 2, that is to be explored ``deep``. Among several nodes, functions are explored as without it.
     """
     _refuse(schedules, strategy, seed)
     if check is not None and not callable(check):
@@ -135,11 +135,14 @@ def explore(
         return failure
 
     found = search(attempt, schedules, strategy, seed, deep)
+    functions = [code.name for code in prepared.codes if deep and code.source is None]
+    left_out = [f"Only files were explored deep, not {', '.join(functions)}."] if functions else []
     order = found.order
     if order is None:
-        return Exploration("", "", found.schedules, found.bound, None, runs.get(_USUAL[deep]), None, found.said)
+        text = " ".join([found.said, *left_out])
+        return Exploration("", "", found.schedules, found.bound, None, runs.get(_USUAL[deep]), None, text)
     orders = compare_orders(node, seconds, order, args, faults=faults)
-    lines = [found.failure, f"In {found.said}: {order.token}", *side_by_side(orders)]
+    lines = [found.failure, f"In {found.said}: {order.token}", *side_by_side(orders), *left_out]
     return Exploration(
         found.failure,
         order.token,

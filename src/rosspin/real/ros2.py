@@ -20,7 +20,7 @@ from pathlib import Path
 from typing import TextIO
 
 from ..results.ticks import Run, Tick
-from ..run.source import around_package
+from ..run.source import around_package, words_of
 from .children import SITECUSTOMIZE, START_PATIENCE, Children, Patience, check_seconds, say_deaths
 
 __all__ = ["REMEDY", "Nodes", "Ros2Missing", "launch", "missing", "python", "unavailable", "version"]
@@ -174,7 +174,7 @@ class Nodes(Children):
         told = _Told()
         folders = (str(self.folder), around_package(str(file.resolve().parent)), self.environment.get("PYTHONPATH"))
         path = os.pathsep.join(filter(None, folders))
-        command = [python(), str(file), *args]
+        command = [python(), *words_of(str(file)), *args]
         begins = None if seconds is None else _BEGIN
         output = self.run(command, seconds, onward, begins, patience, told, {"PYTHONPATH": path})
         # Python itself has reported an interrupt; nobody has reported an abort or a kill.

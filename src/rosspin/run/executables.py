@@ -5,16 +5,12 @@ from __future__ import annotations
 import ast
 import os
 import re
-import sys
 from configparser import ConfigParser
 from contextlib import suppress
-from functools import partial
-from importlib import import_module
 from pathlib import Path
-from types import ModuleType
 from typing import Any
 
-from .source import Code, load
+from .source import Code, load, load_entry_point
 
 __all__ = ["find_node", "find_python", "is_cpp"]
 
@@ -48,22 +44,14 @@ def find_node(package: Path, name: str) -> Code | None:
 
     Raises OSError and SyntaxError.
     """
-    module, _, function = _entry_points(package).get(name, "").partition(":")
-    for root in (package, package / "src"):
-        path = root / f"{module.replace('.', '/')}.py"
-        if module and path.is_file():
-            main = partial(_run_entry_point, module, function, str(path))
-            return load(path)._replace(main=main, folder=str(root))
+    if entry := _entry_points(package).get(name):
+        for root in (package, package / "src"):
+            with suppress(FileNotFoundError):
+                return load_entry_point(entry, str(root))
     script = find_python(package, name)
     if script is None and not (package / "setup.py").is_file():  # CMake may install a script without its ending
         script = find_python(package, f"{name}.py")
     return load(script) if script else None
-
-
-def _run_entry_point(module: str, function: str, path: str) -> None:
-    main = sys.modules["__main__"] = ModuleType("__main__")
-    main.__file__ = path
-    sys.exit(getattr(import_module(module), function)())
 
 
 def _entry_points(package: Path) -> dict[str, str]:

@@ -260,7 +260,7 @@ class Host:
         modules = sys.modules
         own = before.modules
         if len(modules) != self._count:
-            own = before.modules = {name: modules[name] for name in list(modules) if self._is_own(name, before)}
+            own = before.modules = self._own_modules(before)
         for name in own:
             own[name] = modules.pop(name, own[name])
         modules.update(process.modules)
@@ -280,16 +280,20 @@ class Host:
         sys.modules.update(modules)
         self._count += len(sys.modules) - before
 
+    def _own_modules(self, process: Slots) -> dict[str, ModuleType]:
+        """Return the modules that only this process has. What it has imported besides is shared from now on."""
+        new = [name for name in sys.modules if not (name in self._shared or name in process.stand_in)]
+        own = {name for name in new if self._is_own(name, process)}
+        if isinstance(process, Process):
+            own |= process.with_its_ros(set(new) - own, own)
+        self._shared.update(set(new) - own)
+        return {name: sys.modules[name] for name in (*self._own, *own) if name in sys.modules}
+
     def _is_own(self, name: str, process: Slots) -> bool:
-        if name in self._shared or name in process.stand_in:
-            return name in self._own
         package = name.partition(".")[0]
-        if package in _ROOTS:
-            return True
-        if isinstance(process, Process) and (package in process.imports.found or process.owns(sys.modules[name])):
-            return True
-        self._shared.add(name)
-        return False
+        return package in _ROOTS or (
+            isinstance(process, Process) and (package in process.imports.found or process.owns(sys.modules[name]))
+        )
 
     def _patches(self) -> list[Patch]:
         def noted(real: Callable[[Any], None]) -> Callable[[Any], None]:

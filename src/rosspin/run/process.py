@@ -12,7 +12,7 @@ import traceback
 import warnings
 from collections.abc import Callable, Mapping, Sequence
 from operator import attrgetter
-from types import FrameType, MappingProxyType, ModuleType
+from types import FrameType, FunctionType, MappingProxyType, ModuleType
 from typing import Any, TextIO
 
 try:
@@ -25,7 +25,7 @@ from ..clocks.frames import format_error, is_installed, is_installed_file
 from ..clocks.patches import Patch
 from ..clocks.programs import Died, end_program, end_run
 from ..clocks.simulation import Simulation
-from ..clocks.stacks import StackExit, whose
+from ..clocks.stacks import StackExit, acting_for, whose
 from ..clocks.threads import begin_main, end_main
 from ..world.world import NotSimulated, World, not_simulated
 from .imports import Imports
@@ -38,6 +38,9 @@ __all__ = ["PATCHES", "Process", "Slots", "leave", "starter"]
 # What the module sys keeps once for a process, and each node has for itself.
 _OF_SYS = ("argv", "path", "meta_path", "excepthook", "unraisablehook", "stdin", "stdout", "stderr")
 _of_sys = attrgetter(*_OF_SYS)
+
+# Where what the stand-ins define says that it is from.
+_STAND_INS = ("rosspin.rospy", "rosspin.rclpy", "rosspin.tf2")
 
 # Taken now, because nodes may put something else in its place.
 _environ: Any = os.environ
@@ -134,6 +137,34 @@ class Process(Slots):
             return False
         return is_own(module.__name__, getattr(module, "__file__", None) or "", self._own)
 
+    def with_its_ros(self, names: set[str], own: set[str]) -> set[str]:
+        """Return those of the imported modules that hold something of its ROS, its messages, or modules of its ``own``.
+
+        They are its own, too: in the next run the same names would mean other objects. So is all of their package.
+        """
+        roots = {name.partition(".")[0] for name in own} | self.imports.found | set(ROSES[self.world.ros or 1].roots)
+        left = {name for name in names if name.partition(".")[0] not in _COMMON}
+        count = -1
+        while count != len(roots):
+            count = len(roots)
+            roots |= {name.partition(".")[0] for name in left if _holds(sys.modules[name], roots)}
+            left = {name for name in left if name.partition(".")[0] not in roots}
+        return {name for name in names if name.partition(".")[0] in roots}
+
+    def give_parameters(self, parameters: Mapping[str, Any]) -> None:
+        """Set parameters before the node runs, once it is known of which ROS it is. A wrong value ends the run."""
+
+        def give() -> None:
+            try:
+                with acting_for(self.world):
+                    ROSES[self.world.ros].tester.give_parameters(self.world, parameters)
+            except Exception as error:
+                self.world.failure = error
+                end_run()
+
+        if parameters:
+            self.world.at_bind.append(give)
+
     def namesakes(self) -> set[str]:
         """Return the names of imported modules that a file beside the node has, too, and that are not that file."""
         folder = self.node.folder
@@ -217,6 +248,24 @@ class Process(Slots):
         _run_at_exit(world)
         world.exit_status = status
         world.finished = True
+
+
+# What is not made for one run: the standard library, and this package.
+_COMMON = sys.stdlib_module_names | {"rosspin"}
+
+
+def _holds(module: object, roots: set[str]) -> bool:
+    """Whether a module has a name for something that comes from one of the packages ``roots``."""
+    if not isinstance(module, ModuleType):
+        return False
+    for value in list(vars(module).values()):
+        if isinstance(value, ModuleType):
+            home = value.__name__
+        else:
+            home = (value if isinstance(value, (type, FunctionType)) else type(value)).__module__
+        if isinstance(home, str) and (home.startswith(_STAND_INS) or home.partition(".")[0] in roots):
+            return True
+    return False
 
 
 def _status(end: SystemExit) -> int:

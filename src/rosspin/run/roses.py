@@ -7,7 +7,7 @@ from importlib import import_module
 from types import ModuleType
 from typing import Any, NamedTuple
 
-__all__ = ["ROSES", "Ros", "ros_of"]
+__all__ = ["ROSES", "Ros", "is_of_a_ros", "ros_of"]
 
 
 class Ros(NamedTuple):
@@ -102,3 +102,10 @@ _OF_ROOTS = {root: ros for ros in ROSES.values() for root in ros.roots}
 def ros_of(module: str) -> Ros | None:
     """Return the ROS to which a module such as rclpy.node belongs by its name; None for any other module."""
     return _OF_ROOTS.get(module.partition(".")[0])
+
+
+def is_of_a_ros(module: str) -> bool:
+    """Whether a module is, by its name, one that only a ROS has."""
+    root = module.partition(".")[0]
+    known = {name for ros in ROSES.values() for name in (*ros.roots, *ros.beside, *ros.needed)} - {"yaml"}
+    return root in known or root.endswith(("_msgs", "_srvs", "_interfaces"))

@@ -41,8 +41,11 @@ def shaken(node: Code) -> Code:
     if node.source is None:
         raise ValueError(f"{node.name}: deep is for node files; a function cannot be shaken")
     everywhere = node.hint == 1
+    loader = partial(_Loader, everywhere)
+    if node.is_entry_point:
+        return node._replace(loader=loader)
     main = program(_shaken(node.source, node.filename, everywhere), node.filename, _NAMES)
-    return node._replace(main=main, loader=partial(_Loader, everywhere))
+    return node._replace(main=main, loader=loader)
 
 
 @lru_cache(256)  # of the modules that each of a thousand runs imports anew

@@ -48,14 +48,17 @@ def simulate(
     ``start`` is what the node's clocks tell at first, in s: 0, or with 1.7e9 a time as on a real computer. What the run
     gives counts from there.
 
-    ``node`` is the path of a node file, or a function. Whichever of ``rospy`` and ``rclpy`` it imports first decides
-    its ROS. ``args`` are its command line, such as ``"__ns:=/mrp"``, or ``"--ros-args", "-r", "__ns:=/mrp"`` in ROS 2.
-    What is due exactly at ``seconds`` still runs; then Ctrl-C is pressed. Then, as on a real ROS, rospy ends with
-    status 0, and rclpy raises KeyboardInterrupt, with status 130 if nothing catches it. The run ends earlier if the
-    node does. As on a real ROS, an exception in the node is printed and gives status 1.
+    ``node`` is the path of a node file, a function, or the name of one, as in ``"package.module:main"``. Whichever of
+    ``rospy`` and ``rclpy`` it imports first decides its ROS. ``args`` are its command line, such as ``"__ns:=/mrp"``,
+    or ``"--ros-args", "-r", "__ns:=/mrp"`` in ROS 2. What is due exactly at ``seconds`` still runs; then Ctrl-C is
+    pressed. Then, as on a real ROS, rospy ends with status 0, and rclpy raises KeyboardInterrupt, with status 130 if
+    nothing catches it. The run ends earlier if the node does. As on a real ROS, an exception in the node is printed and
+    gives status 1.
 
-    What the node changes in modules or in the process is undone afterwards. From ``random`` it draws the numbers that
-    the caller would have drawn next, and still will: two runs in a row draw the same unless you set a seed in between.
+    What the node changes in modules or in the process is undone afterwards. Modules that lie beside its file, or hold
+    something of ROS, such as a class of messages, are imported again in the next run. From ``random`` it draws the
+    numbers that the caller would have drawn next, and still will: two runs in a row draw the same unless you set a seed
+    in between.
 
     Several nodes run together if ``node`` is a list of them, or the path of a launch file, which is then given the
     ``args``. They are started in this order, all at time 0, each as a process of its own. In a list, :class:`Node`
@@ -113,7 +116,7 @@ def prepare(
 ) -> Prepared:
     """Load what is to run, once for many runs. Raises what :func:`simulate` raises for it.
 
-    Nodes that are to be ``shaken`` raise ValueError if they are functions, or nodes of a launch file of ROS 2.
+    Nodes that are to be ``shaken`` raise ValueError if all are functions, or if they are of a launch file of ROS 2.
     """
     refuse_text(args)
     launched = several(node, args, skip_cpp)
@@ -123,7 +126,10 @@ def prepare(
         return Prepared(launched, [], args, faults)
     nodes: list[Any] = [node] if launched is None else [each.node for each in launched.nodes]
     codes = [load(each) for each in nodes]
-    return Prepared(launched, [shake(code) for code in codes] if shaken else codes, args, faults)
+    if shaken:
+        only_functions = all(code.source is None for code in codes)
+        codes = [shake(code) if only_functions or code.source is not None else code for code in codes]
+    return Prepared(launched, codes, args, faults)
 
 
 def run_prepared(prepared: Prepared, seconds: float, clock: Simulation, ticks: TickLog | None) -> Result:

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import ast
 import inspect
 import io
 import linecache
@@ -11,9 +12,13 @@ import sys
 import tokenize
 from collections.abc import Callable, Iterator, Mapping, Sequence
 from contextlib import suppress
+from errno import ENOENT
 from functools import partial
+from importlib import import_module
 from importlib.abc import Loader
-from importlib.machinery import BuiltinImporter, FrozenImporter
+from importlib.machinery import BuiltinImporter, FrozenImporter, PathFinder
+from importlib.util import find_spec
+from operator import attrgetter
 from pathlib import Path
 from types import CodeType, ModuleType
 from typing import Any, NamedTuple
@@ -22,9 +27,9 @@ from .kept import working_folder
 from .roses import ROSES, ros_of
 
 __all__ = [
-    *("Code", "NodeLike", "around_package", "folder_of", "load", "load_source", "names_a_ros"),
+    *("Code", "NodeLike", "around_package", "folder_of", "load", "load_entry_point", "load_source", "names_a_ros"),
     *("compiled", "is_launch_of_ros2", "is_own", "own_folders", "read", "refuse_other_ros", "refuse_text"),
-    *("program", "split_words", "warn_of_files"),
+    *("program", "split_words", "warn_of_files", "words_of"),
 ]
 
 
@@ -38,6 +43,7 @@ class Code(NamedTuple):
     source: str | None = None  # the text that it was made from, if any
     hint: int = 0  # 1 or 2: the ROS that its code seems to name, or 0; what it imports decides
     loader: Callable[[str, str], Loader] | None = None  # of a module beside it, by name and path, if not Python's own
+    is_entry_point: bool = False  # whether the file is imported as a module, whose function is then called
 
     @property
     def name(self) -> str:
@@ -49,7 +55,7 @@ NodeLike = str | os.PathLike[str] | Callable[[], Any]
 
 
 def load(node: NodeLike) -> Code:
-    """Make a node of a file or a function.
+    """Make a node of a file, a function, or the name of a function, as in ``package.module:main``.
 
     Raises OSError if it cannot be read, SyntaxError if it is not Python, ValueError for several nodes or a launch file,
     TypeError for anything else.
@@ -67,7 +73,46 @@ def load(node: NodeLike) -> Code:
         raise ValueError("several nodes and launch files run in simulated time (rosspin.simulate) or on a real ROS")
     if not isinstance(node, (str, os.PathLike)):
         raise TypeError(f"a node is the path of a file, or a function, not {node!r}")
+    if not os.path.exists(path) and _ENTRY.fullmatch(entry := path if ":" in path else _console_script(path)):
+        return load_entry_point(entry)
     return load_source(read(path), path)
+
+
+# How a function of a module is written (source: the specification of entry points, packaging.python.org).
+_ENTRY = re.compile(r"\w+(\.\w+)*:\w+(\.\w+)*")
+
+
+def _console_script(name: str) -> str:
+    """Return the function that an installed package has given the name of a command; "" if there is none."""
+    from importlib.metadata import entry_points  # takes a while, and most nodes are files
+
+    return next((found.value for found in entry_points(group="console_scripts", name=name)), "")
+
+
+def load_entry_point(entry: str, folder: str = "") -> Code:
+    """Load a function that is written as ``package.module:function``. Its module is imported as itself, in the run.
+
+    It is looked for in ``folder``, or where Python would look for it, the working directory first. Raises
+    FileNotFoundError if it is not there, and what :func:`load` raises for its file.
+    """
+    module, _, function = entry.partition(":")
+    first, *rest = module.split(".")
+    spec = PathFinder.find_spec(first, [folder or working_folder() or ""]) or (None if folder else find_spec(first))
+    for part in rest:
+        spec = spec and PathFinder.find_spec(part, spec.submodule_search_locations or [])
+    if not spec or not (spec.origin or "").endswith(".py"):
+        raise FileNotFoundError(ENOENT, f"there is no module {module}, neither in this folder nor installed", entry)
+    path = str(spec.origin)
+    root = Path(path).parents[module.count(".") + (os.path.basename(path) == "__init__.py")]
+    main = partial(_call_entry_point, module, function, path)
+    return load_source(read(path), path)._replace(main=main, folder=str(root), is_entry_point=True)
+
+
+def _call_entry_point(module: str, function: str, path: str) -> None:
+    """Do what the script does that an installer makes of an entry point."""
+    main = sys.modules["__main__"] = ModuleType("__main__")
+    main.__file__ = path
+    sys.exit(attrgetter(function)(import_module(module))())
 
 
 def load_source(source: str, filename: str) -> Code:
@@ -85,12 +130,17 @@ def compiled(source: str, filename: str) -> CodeType:
 
 
 def program(code: CodeType, filename: str, more: Mapping[str, Any] | None = None) -> Callable[[], None]:
-    """Return what runs code as the module ``__main__``, which has these names besides its own."""
+    """Return what runs code as the module ``__main__``, which has these names besides its own.
+
+    A file of a package can import from the package by relative names, as with ``python -m package.module``.
+    """
     file = os.path.abspath(filename) if os.path.exists(filename) else filename
+    package = package_of(filename)
 
     def execute() -> None:
         module = ModuleType("__main__")
         module.__file__ = file
+        module.__package__ = package
         module.__dict__.update(more or {})
         sys.modules["__main__"] = module
         exec(code, module.__dict__)
@@ -245,6 +295,22 @@ def around_package(folder: str) -> str:
     while os.path.isfile(os.path.join(around, "__init__.py")):
         around = os.path.dirname(around)
     return around if around != folder else ""
+
+
+def package_of(filename: str) -> str | None:
+    """Return the name of the package that a file is in, as in ``package.part``; None if it is in none."""
+    folder = os.path.dirname(os.path.realpath(filename)) if os.path.exists(filename) else ""
+    around = around_package(folder) if folder else ""
+    return os.path.relpath(folder, around).replace(os.sep, ".") if around else None
+
+
+def words_of(path: str) -> list[str]:
+    """Return what a Python is given to run a node file: its path, or the module that it is, if it needs its package."""
+    package = package_of(path)
+    with suppress(SyntaxError):  # the run will show it
+        if package and any(isinstance(each, ast.ImportFrom) and each.level for each in ast.walk(ast.parse(read(path)))):
+            return ["-m", f"{package}.{Path(path).stem}"]
+    return [path]
 
 
 def folder_of(node: Code) -> Path | None:

@@ -13,7 +13,6 @@ from ..clocks.explored import ExploredSimulation, Order
 from ..clocks.frames import node_frames
 from ..clocks.programs import end_run
 from ..clocks.simulation import Simulation
-from ..clocks.stacks import acting_for
 from ..results.ticks import Message, Run
 from ..world.graph import Graph, Recording, TickLog
 from ..world.world import World
@@ -54,7 +53,7 @@ def start(
     this returns; the time then waits for :meth:`StartedNode.advance`. ``faults`` and ``jitter`` are as for
     :func:`simulate`; a node that a fault kills has not failed. Raises what :func:`simulate` and ``advance`` raise,
     TypeError for a value that no parameter can have, and ValueError for parameters of several nodes: give each of them
-    its own on its command line.
+    its own, with :class:`Node`.
     """
     __tracebackhide__ = True  # pytest shows the lines of the test and of the node, not these
     return start_in_order(None, node, args, parameters, with_jitter(faults, jitter))
@@ -97,15 +96,12 @@ class StartedNode:
         __tracebackhide__ = True
         launched, codes, *_ = prepare(node, args, skip_cpp=False, shaken=order is not None and order.deep)
         if launched and parameters:
-            raise ValueError(
-                "give each of several nodes its parameters on its own command line: rosspin.Node(node, args)"
-            )
+            raise ValueError("give each of several nodes its own parameters: rosspin.Node(node, parameters=...)")
         if isinstance(launched, LaunchFile):
             names = [launched.path]
         else:
             names = [code.argv0 for code in codes]
         self.name = ", ".join(Path(name).name for name in names)  # of files, or of functions
-        self._parameters = parameters
         self._capture = Capture()
         self._clock = ExploredSimulation(order) if order else Simulation()
         self._host = Host(self._clock, TickLog(), launched is not None, faults)
@@ -124,8 +120,7 @@ class StartedNode:
                 self._host.supervisor = supervisor(launched, self._host, codes)
             else:
                 warn_of_files(codes)
-                world = self._host.add(codes[0], args).world
-                world.at_bind.append(lambda: self._give_parameters(world))
+                self._host.add(codes[0], args).give_parameters(parameters)
         try:
             self.advance(0)
         except BaseException:
@@ -137,13 +132,6 @@ class StartedNode:
         world = World(self._clock, [], Recording(self._clock, None), lambda ros: graph)
         world.bind(ros)
         graph.tester = self._testers[ros] = ROSES[ros].tester.Tester(world, _Messages(self._host, ros), self._fail)
-
-    def _give_parameters(self, world: World) -> None:
-        try:
-            with acting_for(world):
-                ROSES[world.ros].tester.give_parameters(world, self._parameters)
-        except Exception as error:
-            self._fail(error)
 
     def _fail(self, error: Exception) -> None:
         """End the run with an error that is the test's, not the node's."""

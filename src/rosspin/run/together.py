@@ -69,6 +69,7 @@ class Together:
         stdout = None if node.output == "screen" else nowhere()
         process = self._host.add(code, node.args, node.env, node.cwd, stdout)
         process.world.at_bind.append(lambda: give_names(process, node))
+        process.give_parameters(node.parameters)
         self._host.begin(process)
         return process
 

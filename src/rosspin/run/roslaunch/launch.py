@@ -33,7 +33,8 @@ class Node:
     node gives itself, and ``namespace`` is the one that it starts in. If a ``required`` node ends, all nodes end; a
     node with ``respawn`` is started again ``respawn_delay`` seconds after its end. ``output`` is "screen", or "log" to
     keep what the node prints on stdout off the console. ``cwd`` is the folder that it starts in (default: that of this
-    process), and ``env`` is added to its environment.
+    process), and ``env`` is added to its environment. ``parameters`` are set before it runs: in ROS 1 private ones by
+    names such as ``"~rate"``, in ROS 2 those that it declares.
     """
 
     node: NodeLike
@@ -46,6 +47,7 @@ class Node:
     output: str = "screen"
     cwd: str = ""
     env: Mapping[str, str] = field(default_factory=dict)
+    parameters: Mapping[str, Any] = field(default_factory=dict)
 
 
 @dataclass(frozen=True)

@@ -112,6 +112,7 @@ class Monitor:
         stdout = None if node.output == "screen" else nowhere()
         process = member.process = self._host.add(member.code, member.args, environment, node.cwd, stdout)
         process.world.at_bind.append(lambda: _name_in_ros2(process, node))
+        process.give_parameters(node.parameters)
         self._host.begin(process)
 
     def _watch(self) -> bool:
