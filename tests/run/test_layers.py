@@ -22,6 +22,7 @@ LAYERS = [
     "faults",
     "messages",
     "tf2",
+    "filters",
     "rospy",
     "rclpy",
     "run",
@@ -179,10 +180,11 @@ def test_the_stand_ins_do_not_know_of_each_other() -> None:
                 assert not {name for name in imports(module) & MODULES.keys() if layer(name) == other}
 
 
-def test_transforms_know_nothing_of_ros() -> None:
+@pytest.mark.parametrize("room", ["tf2", "filters"])
+def test_transforms_and_filters_know_nothing_of_ros(room: str) -> None:
     for module in MODULES:
-        if layer(module) == "tf2":
-            assert {layer(name) for name in imports(module) & MODULES.keys()} <= {"tf2"}
+        if layer(module) == room:
+            assert {layer(name) for name in imports(module) & MODULES.keys()} <= {room}
 
 
 def test_data_are_below_the_simulator() -> None:

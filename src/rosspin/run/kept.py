@@ -40,7 +40,10 @@ Put = Callable[[], None]
 Undo = Callable[[], Put]
 
 # The modules that nodes are given, under other names, and what their message classes are made of.
-_STAND_INS = ("rosspin.rospy", "rosspin.rclpy", "rosspin.tf2", "rosspin.messages.genpy", "rosspin.messages.ros")
+_STAND_INS = (
+    *("rosspin.rospy", "rosspin.rclpy", "rosspin.tf2", "rosspin.filters"),
+    *("rosspin.messages.genpy", "rosspin.messages.ros"),
+)
 
 # Modules of the standard library that nodes may patch and the stand-ins are built on; of some, also the classes.
 _LIBRARY = ("atexit", "copy", "functools", "json", "math", "os", "signal", "subprocess", "time", "warnings")

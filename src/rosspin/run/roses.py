@@ -65,7 +65,7 @@ ROSES = {
     1: Ros(
         1,
         ("rospy", "genpy"),
-        {},
+        {"message_filters": "rospy.message_filters"},
         frozenset({"genpy", "rosgraph", "rosgraph_msgs", "roslib", "rospkg", "rospy", "std_msgs", "yaml"}),
         "__name",
         "",
@@ -80,7 +80,12 @@ ROSES = {
     2: Ros(
         2,
         ("rclpy",),
-        {"ament_index_python": "rclpy.ament_index", "tf2_py": "rclpy.tf2_ros", "tf2_ros": "rclpy.tf2_ros"},
+        {
+            "ament_index_python": "rclpy.ament_index",
+            "message_filters": "rclpy.message_filters",
+            "tf2_py": "rclpy.tf2_ros",
+            "tf2_ros": "rclpy.tf2_ros",
+        },
         frozenset(
             {"builtin_interfaces", "rcl_interfaces", "rclpy", "rosgraph_msgs", "rosidl_runtime_py", "rpyutils", "yaml"}
         ),

@@ -30,6 +30,7 @@ __all__ = [
 
 Part = TypeVar("Part")
 
+
 class NotSimulated(NotImplementedError):
     """The node needs something that only a real ROS has, or only the place that ``where`` names."""
 

@@ -1,0 +1,17 @@
+"""Packages beside rclpy that are in no package index, held to what their own code printed on the real rclpy."""
+
+from __future__ import annotations
+
+from pathlib import Path
+
+import pytest
+from runtimes import kept
+
+from rosspin import simulate
+
+NODES = sorted((Path(__file__).parent / "beside").glob("*.py"))
+
+
+@pytest.mark.parametrize("node", NODES, ids=lambda node: node.stem)
+def test_it_prints_what_the_real_one_has_printed(node: Path) -> None:
+    assert kept(simulate(node, 10).console) == kept(node.with_suffix(".txt").read_text(encoding="utf-8"))
