@@ -7,12 +7,13 @@ import datetime
 import json
 import os
 import signal
+import stat
 import sys
 import warnings
 from collections.abc import Callable, Sequence
 from contextlib import nullcontext, suppress
 from pathlib import Path
-from typing import Any
+from typing import Any, BinaryIO
 
 from .clocks.clock import Clock, WallClock
 from .clocks.descendants import adopt_orphans, descendants, kill_descendants
@@ -22,7 +23,7 @@ from .clocks.guard import guard_threads
 from .clocks.simulation import Simulation
 from .doctor import report
 from .faults import Fault, read
-from .look import LIMIT, Look, NoLog, is_bag, look
+from .look import Look, NoLog, look
 from .look.pinning import as_files
 from .measures import by_source, describe_faults, describe_periods, describe_timeline
 from .orders.beside import side_by_side
@@ -167,15 +168,12 @@ def _judge(options: argparse.Namespace, args: Sequence[str]) -> int:
 def _look(options: argparse.Namespace, args: Sequence[str]) -> int:
     if options.plot is not None:
         _check_plot(options.plot)
-    with open(options.log, "rb") if options.log != "-" else nullcontext(sys.stdin.buffer) as file:
-        data = file.read(LIMIT)
-        if is_bag(data):
-            data += file.read()
     name = options.log if options.log != "-" else "standard input"
-    try:
-        found = look(data, name)
-    except NoLog as error:
-        raise ValueError(f"{name}: {error}") from error
+    with _open_log(options.log) if options.log != "-" else nullcontext(sys.stdin.buffer) as file:
+        try:
+            found = look(file, name, _show_part if sys.stderr.isatty() else lambda part: None)
+        except NoLog as error:
+            raise ValueError(f"{name}: {error}") from error
     if options.json:
         print(json.dumps(found.as_dict(), indent=1))
     else:
@@ -183,6 +181,23 @@ def _look(options: argparse.Namespace, args: Sequence[str]) -> int:
     if options.test is not None:
         _write_test(found, Path(options.test))
     return _save(options.plot, lambda: overview(found.ticks())) if options.plot is not None else 0
+
+
+def _open_log(path: str) -> BinaryIO:
+    """Open a log. A device is none, and to open one may change it; a named pipe is not waited for."""
+    mode = os.stat(path).st_mode
+    if stat.S_ISCHR(mode) or stat.S_ISBLK(mode):
+        raise ValueError(f"{path}: this is a device, and no log")
+    file = open(path, "rb", opener=lambda path, flags: os.open(path, flags | getattr(os, "O_NONBLOCK", 0)))
+    if stat.S_ISFIFO(mode):
+        os.set_blocking(file.fileno(), True)  # if nothing writes into it, it is empty
+    return file
+
+
+def _show_part(part: float) -> None:
+    """Show on the terminal how far it is, and at the end nothing."""
+    bar = f"[{'#' * round(20 * part):.<20}] {part:.0%}" if part < 1 else ""
+    print(f"\r{bar}\033[K", end="", file=sys.stderr, flush=True)
 
 
 def _write_test(found: Look, folder: Path) -> None:

@@ -102,6 +102,26 @@ def test_a_file_that_is_too_long_is_read_in_part(monkeypatch: pytest.MonkeyPatch
     assert found.entries < 50 and found.notes[-1].startswith("Only the first")
 
 
+def test_of_very_many_lines_the_first_are_read(monkeypatch: pytest.MonkeyPatch) -> None:
+    monkeypatch.setattr("rosspin.look.reading._MOST_LINES", 100)
+    found = look(b"".join(b"[INFO] [%d.5]: counter = %d\n" % (n, n) for n in range(1000)))
+    assert found.entries == 100 and found.notes == ("Only the first 100 lines were read.",)
+
+
+@pytest.mark.parametrize("begin", [b"[INFO] [1.5]: a ", b"%time,field.data\n1500000000,"])
+def test_of_a_very_long_line_the_beginning_is_read(begin: bytes) -> None:
+    (entry,) = read(begin + b"7 " * 100_000).entries
+    assert 1900 < len(entry.text) <= 2000 and len(entry.numbers) <= 1000
+
+
+def test_of_very_many_different_lines_the_most_frequent_are_looked_at(monkeypatch: pytest.MonkeyPatch) -> None:
+    monkeypatch.setattr("rosspin.look.series._MOST", 3)
+    words = ("a", "b", "a", "c", "a", "b", "d", "e", "c", "a")
+    found = look(b"".join(b"[INFO] [%d.5]: %s\n" % (n, word.encode()) for n, word in enumerate(words * 10)))
+    assert [series.name for series in found.series] == ["a", "b", "c"]
+    assert found.notes == ("Of 5 different lines or topics, the 3 most frequent were looked at.",)
+
+
 @settings(deadline=None)
 @given(some.binary(max_size=300))
 def test_whatever_it_is_there_is_no_trace(data: bytes) -> None:

@@ -5,10 +5,11 @@ Plain Python, so that the page does it, too, without the text leaving the comput
 
 from __future__ import annotations
 
+import io
 import math
-from collections.abc import Iterator
+from collections.abc import Callable, Iterator
 from dataclasses import dataclass
-from typing import Any
+from typing import Any, BinaryIO
 
 from ..measures import quantile, say_time
 from ..results.ticks import Tick
@@ -16,9 +17,12 @@ from .diagnosing import TITLES, Verdict, diagnose
 from .reading import BAGS, LIMIT, Log, NoLog, read
 from .series import FEWEST, Series, first_run, group
 
-__all__ = ["LIMIT", "TITLES", "Look", "NoLog", "Series", "Verdict", "is_bag", "look"]
+__all__ = ["TITLES", "Look", "NoLog", "Series", "Verdict", "look"]
 
 NS = 10**9
+
+# Is told now and then which part has been read.
+Progress = Callable[[float], None]
 
 
 @dataclass(frozen=True)
@@ -131,16 +135,26 @@ def _row(series: Series) -> tuple[str, ...]:
     )
 
 
-def look(data: bytes, name: str = "") -> Look:
-    """Look at a text or a bag, of which ``data`` are the bytes and ``name`` is the file's name.
+def look(log: bytes | BinaryIO, name: str = "", progress: Progress = lambda part: None) -> Look:
+    """Look at a text or a bag: its bytes, or a file that is open, of which no more is read than is looked at.
 
+    ``name`` is what to call it; ``progress`` is told now and then which part of a bag has been read, from 0 to 1.
     Raises :class:`NoLog`, which is a ValueError, if nothing can be made of it; the message says why in a line.
     """
-    log = _bag(data) if is_bag(data) else read(data[:LIMIT])
+    file = io.BytesIO(log) if isinstance(log, bytes) else log
+    begin = file.read(8)
+    if begin == b"SQLite f":
+        begin += file.read(8)
+    return _look(_bag(begin, file, progress) if begin in BAGS else read(begin + file.read(LIMIT - len(begin))), name)
+
+
+def _look(log: Log, name: str) -> Look:
     log.entries, others = first_run(log.entries)
     if others:
         log.notes.append(f"Another run begins after {len(log.entries)} entries, or the same again: it was set aside.")
-    series = tuple(group(log.entries, log.kind))
+    series, of = group(log.entries, log.kind)
+    if of:
+        log.notes.append(f"Of {of:,} different lines or topics, the {len(series)} most frequent were looked at.")
     log.ros = log.ros or (2 if any(each.node for each in series) else 1)
     times = [entry.time for entry in log.entries]
     start = min(times)
@@ -152,19 +166,14 @@ def look(data: bytes, name: str = "") -> Look:
         start,
         (max(times) - start) / NS,
         tuple(log.notes),
-        series,
+        tuple(series),
         tuple(diagnose(log, series)),
     )
 
 
-def is_bag(data: bytes) -> bool:
-    """Whether a file that begins with these bytes is a bag."""
-    return any(data.startswith(magic) for magic in BAGS)
-
-
-def _bag(data: bytes) -> Log:
+def _bag(magic: bytes, file: BinaryIO, progress: Progress) -> Log:
     try:
         from .bags import read_bag
     except ImportError:  # in a page
         raise NoLog("this is a bag, which is read on your computer only: rosspin look FILE") from None
-    return read_bag(data)
+    return read_bag(magic, file, progress)

@@ -20,14 +20,19 @@ NS = 10**9
 # Of a longer file only this much is read, in bytes: some 200,000 lines, which take some seconds.
 LIMIT = 16_000_000
 
-BAGS = {b"#ROSBAG V": ".bag", b"SQLite format 3\0": ".db3", b"\x89MCAP0\r\n": ".mcap"}
+# Of a text, no more lines than these are looked at, and of a line no more characters.
+_MOST_LINES = 500_000
+_WIDEST = 2_000
+
+# The first bytes of a bag.
+BAGS = {b"#ROSBAG ": ".bag", b"SQLite format 3\0": ".db3", b"\x89MCAP0\r\n": ".mcap"}
 
 
 class NoLog(ValueError):
     """This is no log that can be looked at; the message says why, and what to do."""
 
 
-@dataclass(frozen=True)
+@dataclass(frozen=True, slots=True)
 class Entry:
     """One line of a console, one row of a table or one message of a bag.
 
@@ -87,6 +92,8 @@ def read(data: bytes) -> Log:
     if not data.strip():
         raise NoLog("the file is empty")
     lines = _decode(data).splitlines()
+    cut = len(lines) > _MOST_LINES
+    del lines[_MOST_LINES:]
     try:
         table = _table(lines)
     except csv.Error:  # of what looked like one
@@ -94,6 +101,8 @@ def read(data: bytes) -> Log:
     log = table if table is not None else _console(lines)
     if len(data) >= LIMIT:
         log.notes.append(f"Only the first {LIMIT // 10**6} MB were read.")
+    elif cut:
+        log.notes.append(f"Only the first {_MOST_LINES:,} lines were read.")
     return log
 
 
@@ -129,6 +138,7 @@ def shape(text: str) -> tuple[str, tuple[str, ...]]:
 
 def entry(time: int, node: str, process: str, text: str) -> Entry:
     """Make an entry of its text."""
+    text = text[:_WIDEST]
     return Entry(time, node, process, text, *shape(text))
 
 
@@ -139,7 +149,7 @@ def _console(lines: Sequence[str]) -> Log:
     log = Log("console", [])
     untimed = other = 0
     for raw in lines:
-        line = plain(raw).strip()
+        line = plain(raw[:_WIDEST]).strip()
         if not line:
             continue
         if _SAID.search(line):

@@ -5,6 +5,7 @@ from __future__ import annotations
 from bisect import bisect_left, bisect_right
 from collections.abc import Sequence
 from dataclasses import dataclass, field
+from heapq import nlargest
 from itertools import pairwise
 from statistics import median
 
@@ -18,6 +19,9 @@ MS = 10**6
 
 # A row of fewer entries says nothing of a period.
 FEWEST = 6
+
+# Of more different lines, only the most frequent are series.
+_MOST = 300
 
 # Periods as somebody would choose them (ns): the roundest; those, a whole number of Hz, or such a number of seconds.
 _ROUND = sorted(chosen * 10.0**power for chosen in (1, 2, 2.5, 4, 5) for power in range(5, 12))
@@ -173,23 +177,27 @@ def _begins(entries: Sequence[Entry], begin: dict[tuple[str, str, str], list[Ent
     again: dict[tuple[str, str, str], list[Entry]] = {}
     for entry in entries:
         again.setdefault((entry.process, entry.node, entry.shape), []).append(entry)
-    for line, firsts in begin.items():
+    for line, entries in again.items():
+        firsts = begin.get(line, [])
         numbers = [entry.numbers for entry in firsts]
-        same = [entry.numbers for entry in again.get(line, [])[:3]] == numbers
-        if same and (len({*numbers}) > 1 or firsts[0].time == again[line][0].time):
+        same = bool(firsts) and [entry.numbers for entry in entries[:3]] == numbers
+        if same and (len({*numbers}) > 1 or firsts[0].time == entries[0].time):
             return True
     return False
 
 
-def group(entries: Sequence[Entry], kind: str) -> list[Series]:
-    """Find the series of a log, the most frequent first, each fitted. What several counts run through is split."""
+def group(entries: Sequence[Entry], kind: str) -> tuple[list[Series], int]:
+    """Find the series of a log, the most frequent first, each fitted. What several counts run through is split.
+
+    Returns them, and of how many lines, tables or topics they were chosen, if there were too many of these; else 0.
+    """
     found: dict[tuple[str, str, str], list[Entry]] = {}
     for entry in entries:
         # A table is one topic, and so is what a bag has of one, whoever published it.
         key = ("", entry.node, "" if kind != "console" else entry.shape)
         found.setdefault((entry.process if kind == "console" else "", *key[1:]), []).append(entry)
     made = []
-    for (process, node, text), group in found.items():
+    for (process, node, text), group in nlargest(_MOST, found.items(), key=lambda each: len(each[1])):
         numbers = _counting(group)
         rows = _rows(numbers) if numbers else [list(range(len(group)))]
         for part, row in enumerate(rows, 1):
@@ -206,7 +214,8 @@ def group(entries: Sequence[Entry], kind: str) -> list[Series]:
             series.part = part if len(rows) > 1 else 0
             fit(series)
             made.append(series)
-    return sorted(made, key=lambda series: -len(series.times))
+    made.sort(key=lambda series: -len(series.times))
+    return made, len(found) if len(found) > _MOST else 0
 
 
 def _name(node: str, text: str, members: Sequence[Entry]) -> str:
