@@ -390,7 +390,10 @@ def test_a_line_of_a_carried_definition_is_read_as_written() -> None:
 
 ADD = "int64 a\nint64 b\n---\nint64 sum  # of both\n"
 COUNT = "uint32 LIMIT=10\nuint32 goal\n---\nuint32[] reached\n---\nuint32 at 1\n"
-CARRIED_PACKAGES = ("std_srvs", "nav_msgs", "turtlesim", "example_interfaces", "action_msgs", "nav2_msgs", "test_msgs")
+CARRIED_PACKAGES = (
+    *("std_srvs", "nav_msgs", "turtlesim", "example_interfaces", "action_msgs", "nav2_msgs", "test_msgs"),
+    *("action_tutorials_interfaces", "control_msgs", "tf2_msgs"),
+)
 
 
 @pytest.mark.parametrize("ros", [1, 2])
@@ -400,7 +403,7 @@ def test_every_carried_service_and_action_can_be_made(ros: int) -> None:
     messages: Any = kind(library)
     found = [
         messages.whole(folder, f"{package}/{name}").__module__
-        for folder in ("srv", "action")
+        for folder in ("srv", "action")[:ros]
         for package in CARRIED_PACKAGES
         for name in library.names(package, folder)
     ]
@@ -455,6 +458,32 @@ def test_a_package_has_services_and_actions_of_its_own(package: Package) -> None
 
         assert Two.Response(sum=3).sum == 3
         assert (Count.Goal.LIMIT, Count.Feedback().at) == (10, 1)
+
+
+def test_an_action_of_ros1_is_seven_messages(package: Package) -> None:
+    folder = package(kind="action", Count="uint32 LIMIT=10\nuint32 goal\n---\nuint32[] reached\n---\nuint32 at\n")
+    with MessageFinder(1, folder):
+        from actionlib_tutorials.msg import FibonacciAction
+        from move_base_msgs.msg import MoveBaseAction
+        from my_robotics_pkg import msg
+        from my_robotics_pkg.msg import CountAction
+
+        parts = "Action ActionFeedback ActionGoal ActionResult Feedback Goal Result"
+        assert msg.__all__ == [f"Count{each}" for each in parts.split()]
+        assert (CountAction().action_goal.goal.LIMIT, CountAction().action_feedback.feedback.at) == (10, 0)
+        assert CountAction.__module__ == "my_robotics_pkg.msg._CountAction"
+        # as genpy has them
+        assert FibonacciAction._md5sum == "f59df5767bf7634684781c92598b2406"
+        assert MoveBaseAction._md5sum == "70b6aca7c7f7746d8d1609ad94c80bb8"
+        with pytest.raises(ImportError):
+            import my_robotics_pkg.action  # noqa: F401
+
+
+def test_a_faulty_action_of_ros1_says_where(package: Package) -> None:
+    folder = package(kind="action", Count="uint32 goal\n---\nhuge reached\n---\n")
+    with MessageFinder(1, folder), pytest.raises(DefinitionError, match="there is no message") as caught:
+        from my_robotics_pkg.msg import CountResult  # noqa: F401
+    assert caught.value.lineno == 3
 
 
 @pytest.mark.parametrize(

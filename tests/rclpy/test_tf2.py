@@ -239,8 +239,27 @@ def test_it_passes_on_the_messages_that_many_nodes_import_from_it(write: Any) ->
 def test_what_it_lacks_says_so(write: Any) -> None:
     with pytest.raises(NotSimulated, match=r"^tf2_ros\.BufferClient is not simulated; run this node on a real ROS"):
         simulate(write("import rclpy\nfrom tf2_ros import BufferClient\n"), 1)
-    with pytest.raises(NotSimulated, match=r"^Buffer\.transform is not simulated"):
-        simulate(write(f"{HEAD}Buffer().transform(None, 'map')\n"), 1)
+
+
+def test_a_buffer_transforms_what_it_is_told_how_to(write: Any) -> None:
+    ask = """
+import tf2_ros
+buffer = Buffer()
+buffer.set_transform_static(transform('map', 'door', 1.0), 'me')
+asked = tf2_ros.Stamped(transform('', '', 0.0), Time().to_msg(), 'door')
+try:
+    buffer.transform(asked, 'map')
+except tf2_ros.TypeException as error:
+    print(error)
+tf2_ros.TransformRegistration().add(TransformStamped, lambda what, by: by.transform.translation.x)
+print(buffer.transform(asked, 'map'), buffer.transform(asked, 'map', Duration(seconds=1)))
+print(buffer.transform_full(asked, 'map', Time(), 'map'), tf2_ros.convert([1], list))
+"""
+    assert said(write, ask) == [
+        "Type <class 'geometry_msgs.msg._transform_stamped.TransformStamped'> is not loaded or supported",
+        "1.0 1.0",
+        "1.0 [1]",
+    ]
 
 
 def test_nothing_of_it_is_left_after_a_run(write: Any) -> None:

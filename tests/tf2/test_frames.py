@@ -1,4 +1,4 @@
-"""Transforms between frames, held to what tf2's own core (Jazzy) has answered to the same calls."""
+"""Transforms between frames, held to what tf2's own core has answered to the same calls: that of Jazzy, of ROS 1."""
 
 from __future__ import annotations
 
@@ -11,8 +11,10 @@ import pytest
 from rosspin.tf2.exceptions import TransformException
 from rosspin.tf2.frames import Frames
 from rosspin.tf2.geometry import Transform
+from rosspin.tf2.noetic import NoeticFrames
 
 RECORDED = json.loads((Path(__file__).parent / "recorded.json").read_text(encoding="utf-8"))
+RECORDED_NOETIC = json.loads((Path(__file__).parent / "recorded_noetic.json").read_text(encoding="utf-8"))
 
 
 def answer(frames: Frames, method: str, args: list[Any]) -> Any:
@@ -37,3 +39,12 @@ def test_answers_are_those_of_tf2(name: str) -> None:
     for method, args, expected in recorded["steps"]:
         assert answer(frames, method, args) == expected, (method, args)
     assert logged == recorded["logged"]
+
+
+@pytest.mark.parametrize("name", RECORDED_NOETIC)
+def test_answers_are_those_of_tf2_in_ros1(name: str) -> None:
+    recorded = RECORDED_NOETIC[name]
+    frames = NoeticFrames(recorded["keep"], str, str)
+    for method, args, expected in recorded["steps"]:
+        found = answer(frames, method, args)
+        assert ("" if found is None and expected == "" else found) == expected, (method, args)

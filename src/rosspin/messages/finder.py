@@ -76,7 +76,8 @@ class MessageFinder(MetaPathFinder, Loader):
         if not rest:
             return self._package(package)
         folder, *modules = rest
-        if folder not in FOLDERS or not self.library.names(package, folder):
+        folders = FOLDERS[:2] if self.library.ros == 1 else FOLDERS  # in ROS 1, an action becomes messages
+        if folder not in folders or not self.library.names(package, folder):
             return None
         if not modules:
             return ModuleSpec(fullname, self, origin="rosspin", is_package=True)

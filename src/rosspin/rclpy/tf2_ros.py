@@ -12,6 +12,15 @@ from types import ModuleType
 from typing import Any
 
 from ..clocks.clock import NS
+from ..tf2 import buffer as buffer_
+from ..tf2.buffer import (
+    BufferInterface,
+    ConvertRegistration,
+    NotImplementedException,
+    TransformRegistration,
+    TypeException,
+    convert,
+)
 from ..tf2.exceptions import (
     ConnectivityException,
     ExtrapolationException,
@@ -21,8 +30,7 @@ from ..tf2.exceptions import (
     TransformException,
 )
 from ..tf2.frames import Frames
-from ..tf2.geometry import Transform
-from ..world.world import NotSimulated, refusing
+from ..world.world import refusing
 from .callback_groups import ReentrantCallbackGroup
 from .clock import Clock
 from .duration import Duration
@@ -37,22 +45,29 @@ from .time import Time
 __all__ = [
     "Buffer",
     "BufferCore",
+    "BufferInterface",
     "ConnectivityException",
+    "ConvertRegistration",
     "ExtrapolationException",
     "InvalidArgumentException",
     "LookupException",
+    "NotImplementedException",
+    "Stamped",
     "StaticTransformBroadcaster",
     "TimeoutException",
     "TransformBroadcaster",
     "TransformException",
     "TransformListener",
+    "TransformRegistration",
+    "TypeException",
+    "convert",
 ]
 
 # How often (s) a lookup with a timeout looks.
 _LOOK = 0.02
 
 
-class BufferCore:
+class BufferCore(buffer_.BufferCore):
     """Keeps transforms, and looks them up. Its times may be Times or messages."""
 
     def __init__(self, cache_time: Any = None) -> None:
@@ -60,81 +75,34 @@ class BufferCore:
         logger = RcutilsLogger()
         self._frames = Frames(keep, logger.error, logger.warning)
 
-    def set_transform(self, transform: Any, authority: str) -> None:
-        """Add a geometry_msgs/TransformStamped that ``authority`` has sent. One that is faulty is only logged."""
-        self._set(transform, authority, False)
+    def _nanoseconds(self, time: Any) -> int:
+        return _nanoseconds(time)
 
-    def set_transform_static(self, transform: Any, authority: str) -> None:
-        """Add one that holds for ever."""
-        self._set(transform, authority, True)
+    def _time(self, nanoseconds: int) -> Time:
+        return Time(nanoseconds=nanoseconds)
 
-    def _set(self, stamped: Any, authority: str, is_static: bool) -> None:
-        header, move, turn = stamped.header, stamped.transform.translation, stamped.transform.rotation
-        transform = Transform((move.x, move.y, move.z), (turn.x, turn.y, turn.z, turn.w))
-        stamp = _nanoseconds(header.stamp)
-        self._frames.add(header.frame_id, stamped.child_frame_id, stamp, transform, authority, is_static)
+    def _stamp(self, nanoseconds: int) -> Any:
+        return self._time(nanoseconds).to_msg()
 
-    def lookup_transform_core(self, target_frame: str, source_frame: str, time: Any) -> Any:
-        """The transform from ``source_frame`` to ``target_frame``, as a message. Raises TransformException."""
-        return _stamped(target_frame, source_frame, *self._frames.find(target_frame, source_frame, _nanoseconds(time)))
-
-    def lookup_transform_full_core(
-        self, target_frame: str, target_time: Any, source_frame: str, source_time: Any, fixed_frame: str
-    ) -> Any:
-        """The transform from a frame at one time to another at another time; ``fixed_frame`` has not moved between."""
-        times = _nanoseconds(target_time), _nanoseconds(source_time)
-        found = self._frames.find_full(target_frame, times[0], source_frame, times[1], fixed_frame)
-        return _stamped(target_frame, source_frame, *found)
-
-    def can_transform_core(self, target_frame: str, source_frame: str, time: Any) -> tuple[int, str]:
-        """Whether the lookup would succeed, and why not."""
-        why = self._frames.why_not(target_frame, source_frame, _nanoseconds(time))
-        return int(not why), why
-
-    def can_transform_full_core(
-        self, target_frame: str, target_time: Any, source_frame: str, source_time: Any, fixed_frame: str
-    ) -> tuple[int, str]:
-        """Whether the lookup would succeed, and why not."""
-        times = _nanoseconds(target_time), _nanoseconds(source_time)
-        why = self._frames.why_not_full(target_frame, times[0], source_frame, times[1], fixed_frame)
-        return int(not why), why
-
-    def get_latest_common_time(self, target_frame: str, source_frame: str) -> Time:
-        """The latest time for which the transform is known. Raises TransformException."""
-        for frame in (target_frame, source_frame):
-            self._frames.check(frame, "get_latest_common_time")
-        try:
-            return Time(nanoseconds=self._frames.latest_common_time(target_frame, source_frame))
-        except TransformException as error:
-            raise TransformException(*error.args) from None
-
-    def clear(self) -> None:
-        """Forget all but static transforms."""
-        self._frames.clear()
-
-    def all_frames_as_string(self) -> str:
-        """The tree, a line for each frame with a parent."""
-        return self._frames.as_string()
-
-    def all_frames_as_yaml(self) -> str:
-        """The tree in YAML."""
-        return self._frames.as_yaml()
-
-    def _frameExists(self, frame: str) -> bool:
-        return frame in self._frames
-
-    def _getFrameStrings(self) -> list[str]:
-        return list(self._frames)
+    def _message(self) -> Any:
+        return import_module("geometry_msgs.msg").TransformStamped()
 
 
-class Buffer(BufferCore):
+def Stamped(obj: Any, stamp: Any, frame_id: str) -> Any:
+    """Give an object a header, and return it."""
+    obj.header = import_module("std_msgs.msg").Header(frame_id=frame_id, stamp=stamp)
+    return obj
+
+
+class Buffer(BufferCore, BufferInterface):
     """Keeps the transforms of the last ``cache_time`` (10 s), and waits for those to come.
 
     With a ``node``, the service tf2_frames tells what it knows. It is not cleared when the time jumps back.
     """
 
     def __init__(self, cache_time: Duration | None = None, node: Node | None = None) -> None:
-        super().__init__(cache_time)
+        BufferCore.__init__(self, cache_time)
+        BufferInterface.__init__(self)
         self._new_data_callbacks: list[Callable[[], None]] = []
         if node is not None:
             self.srv = node.create_service(import_module("tf2_msgs.srv").FrameGraph, "tf2_frames", self._tell)
@@ -218,12 +186,6 @@ class Buffer(BufferCore):
             self._new_data_callbacks.append(look)
             future.add_done_callback(lambda _: self._new_data_callbacks.remove(look))
         return future
-
-    def transform(self, *args: Any, **kwargs: Any) -> Any:
-        """Raises NotSimulated: what it can transform, tf2_geometry_msgs would tell it."""
-        raise NotSimulated("Buffer.transform")
-
-    transform_full = transform
 
     async def lookup_transform_async(self, target_frame: str, source_frame: str, time: Any) -> Any:
         """Wait for a transform, and return it."""
@@ -351,17 +313,7 @@ def _nanoseconds(time: Any, what: str = "time") -> int:
     raise TypeError(f"{what} must have sec and nanosec, or nanoseconds.")
 
 
-def _stamped(target: str, source: str, transform: Transform, time: int) -> Any:
-    message = import_module("geometry_msgs.msg").TransformStamped(child_frame_id=source)
-    message.header.frame_id = target
-    message.header.stamp = Time(nanoseconds=time).to_msg()
-    move, turn = message.transform.translation, message.transform.rotation
-    move.x, move.y, move.z = transform.translation
-    turn.x, turn.y, turn.z, turn.w = transform.rotation
-    return message
-
-
-_refuse = refusing("tf2_ros", {"BufferClient", "BufferInterface", "ConvertRegistration", "TransformRegistration"})
+_refuse = refusing("tf2_ros", {"BufferClient"})
 # Names that tf2_ros passes on, as its broadcasters import them; many nodes have them from here.
 _PASSED_ON = {"geometry_msgs.msg": "TransformStamped", "tf2_msgs.msg": "TFMessage"}
 _pass_on = passing_on("tf2_ros", _PASSED_ON)
@@ -374,7 +326,7 @@ def __getattr__(name: str) -> Any:
 # What a node may import, by its name on a real ROS.
 MODULES: dict[str, ModuleType] = dict.fromkeys(
     (
-        *("tf2_py", "tf2_ros", "tf2_ros.buffer", "tf2_ros.static_transform_broadcaster"),
+        *("tf2_py", "tf2_ros", "tf2_ros.buffer", "tf2_ros.buffer_interface", "tf2_ros.static_transform_broadcaster"),
         *("tf2_ros.transform_broadcaster", "tf2_ros.transform_listener"),
     ),
     sys.modules[__name__],

@@ -65,7 +65,11 @@ ROSES = {
     1: Ros(
         1,
         ("rospy", "genpy"),
-        {"message_filters": "rospy.message_filters"},
+        {
+            "message_filters": "rospy.message_filters",
+            "tf2_py": "rospy.tf2_ros",
+            "tf2_ros": "rospy.tf2_ros",
+        },
         frozenset({"genpy", "rosgraph", "rosgraph_msgs", "roslib", "rospkg", "rospy", "std_msgs", "yaml"}),
         "__name",
         "",

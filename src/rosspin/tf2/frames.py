@@ -17,12 +17,12 @@ from .exceptions import (
 )
 from .geometry import IDENTITY, Transform, interpolate
 
-__all__ = ["Frames"]
+__all__ = ["Frames", "Moving", "faults", "shown"]
 
 _DEEPEST = 1000  # how far a frame may be from the root
 
 
-class _Moving:
+class Moving:
     """Where a frame was, in which parent, during the last ``keep`` ns."""
 
     def __init__(self, keep: int) -> None:
@@ -30,20 +30,20 @@ class _Moving:
         self.stamps: list[int] = []  # in order
         self._states: list[tuple[str, Transform]] = []
 
-    def add(self, stamp: int, parent: str, transform: Transform) -> bool:
-        """Add a transform. Return False for one that is too old."""
+    def add(self, stamp: int, parent: str, transform: Transform) -> str:
+        """Add a transform. Return why it is ignored; "" if it is not."""
         stamps, state = self.stamps, (parent, transform)
         if stamps:
             oldest = stamps[-1] - self._keep
             old = bisect_left(stamps, oldest)
             del stamps[:old], self._states[:old]
             if stamp < oldest:
-                return False
+                return "TF_OLD_DATA ignoring data from the past"
         at = bisect_right(stamps, stamp)
         if state not in self._states[at - stamps.count(stamp) : at]:
             stamps.insert(at, stamp)
             self._states.insert(at, state)
-        return True
+        return ""
 
     def at(self, time: int) -> tuple[str, Transform]:
         """The parent at a time, and the transform. Raises ExtrapolationException."""
@@ -56,18 +56,18 @@ class _Moving:
             return self._states[0]
         if len(stamps) == 1:
             raise ExtrapolationException(
-                f"Lookup would require extrapolation at time {_shown(time)}, "
-                f"but only time {_shown(stamps[0])} is in the buffer"
+                f"Lookup would require extrapolation at time {self._shown(time)}, "
+                f"but only time {self._shown(stamps[0])} is in the buffer"
             )
         if time > stamps[-1]:
             raise ExtrapolationException(
-                f"Lookup would require extrapolation into the future.  Requested time {_shown(time)} "
-                f"but the latest data is at time {_shown(stamps[-1])}"
+                f"Lookup would require extrapolation {self._by(time - stamps[-1])}into the future.  "
+                f"Requested time {self._shown(time)} but the latest data is at time {self._shown(stamps[-1])}"
             )
         if time < stamps[0]:
             raise ExtrapolationException(
-                f"Lookup would require extrapolation into the past.  Requested time {_shown(time)} "
-                f"but the earliest data is at time {_shown(stamps[0])}"
+                f"Lookup would require extrapolation {self._by(stamps[0] - time)}into the past.  "
+                f"Requested time {self._shown(time)} but the earliest data is at time {self._shown(stamps[0])}"
             )
         after = bisect_right(stamps, time)
         (parent, one), (later_parent, other) = self._states[after - 1 : after + 1]
@@ -85,15 +85,22 @@ class _Moving:
         self.stamps.clear()
         self._states.clear()
 
+    def _shown(self, time: int) -> str:
+        return shown(time)
+
+    def _by(self, distance: int) -> str:
+        """By how much something is too far away, as texts say it."""
+        return ""
+
 
 class _Static:
-    """Where a frame is for ever; the methods are those of :class:`_Moving`."""
+    """Where a frame is for ever; the methods are those of :class:`Moving`."""
 
     stamps = (0,)
 
-    def add(self, stamp: int, parent: str, transform: Transform) -> bool:
+    def add(self, stamp: int, parent: str, transform: Transform) -> str:
         self._state = parent, transform
-        return True
+        return ""
 
     def at(self, time: int) -> tuple[str, Transform]:
         return self._state
@@ -112,7 +119,7 @@ class Frames:
         self._keep = keep
         self._error = error
         self._warning = warning
-        self._caches: dict[str, _Moving | _Static | None] = {}  # None: has no parent
+        self._caches: dict[str, Moving | _Static | None] = {}  # None: has no parent
         self._authorities: dict[str, str] = {}
 
     def __iter__(self) -> Iterator[str]:
@@ -129,22 +136,55 @@ class Frames:
     ) -> None:
         """Add where a frame was in its parent, as ``authority`` says."""
         parent, child = parent.removeprefix("/"), child.removeprefix("/")
-        transform = transform.normalised()
-        if faults := list(_faults(parent, child, transform, authority)):
-            for fault in faults:
+        transform = self._taken(transform)
+        if found := list(self._faults(parent, child, transform, authority)):
+            for fault in found:
                 self._error(fault)
             return
         cache = self._caches.get(child)
-        if cache is None or isinstance(cache, _Static) is not is_static:
-            cache = self._caches[child] = _Static() if is_static else _Moving(self._keep)
+        if cache is None or self._is_replaced(cache, is_static):
+            cache = self._caches[child] = _Static() if is_static else self._moving(self._keep)
         self._caches.setdefault(parent, None)
-        if cache.add(stamp, parent, transform):
-            self._authorities[child] = authority
-        else:
+        if why := cache.add(stamp, parent, transform):
             self._warning(
-                f"TF_OLD_DATA ignoring data from the past for frame {child} at time {_shown(stamp)} according to "
-                f"authority {authority}\nPossible reasons are listed at http://wiki.ros.org/tf/Errors%20explained"
+                f"{why} for frame {child} at time {shown(stamp)} according to authority {authority}{self._REASONS}"
             )
+        else:
+            self._authorities[child] = authority
+
+    # What differs in the core of ROS 1 follows, and is replaced there.
+
+    _REASONS = "\nPossible reasons are listed at http://wiki.ros.org/tf/Errors%20explained"
+    _moving = Moving
+
+    def _taken(self, transform: Transform) -> Transform:
+        """The transform as it is kept, or given."""
+        return transform.normalised()
+
+    def _faults(self, parent: str, child: str, transform: Transform, authority: str) -> Iterator[str]:
+        return faults(parent, child, transform, authority)
+
+    def _is_replaced(self, cache: Moving | _Static, is_static: bool) -> bool:
+        """Whether a transform makes what is kept of its frame start again."""
+        return isinstance(cache, _Static) is not is_static
+
+    def _misnamed(self, frame: str, where: str) -> str:
+        """What is wrong with the name of a frame; "" if nothing is."""
+        if frame.startswith("/"):
+            return f"Invalid argument \"{frame}\" passed to {where} - in tf2 frame_ids cannot start with a '/'"
+        return "" if frame else f'Invalid argument "" passed to {where} - in tf2 frame_ids cannot be empty'
+
+    def _why_unusable(self, **frames: str) -> str:
+        for name, frame in frames.items():
+            where = f"canTransform argument {name}_frame"
+            if why := self._misnamed(frame, where):
+                return why.replace("Invalid argument", "Invalid frame ID", 1)
+            if frame not in self._caches:
+                return f'Invalid frame ID "{frame}" passed to {where} - frame does not exist'
+        return ""
+
+    def _shown(self, time: int) -> str:
+        return shown(time)
 
     # --- looking up ---
 
@@ -156,7 +196,7 @@ class Frames:
         self.check(target, "lookupTransform argument target_frame")
         self.check(source, "lookupTransform argument source_frame")
         transform, time = self._walk(target, source, time)
-        return transform.normalised(), time
+        return self._taken(transform), time
 
     def find_full(
         self, target: str, target_time: int, source: str, source_time: int, fixed: str
@@ -184,16 +224,10 @@ class Frames:
 
     def check(self, frame: str, where: str) -> None:
         """Raise InvalidArgumentException or LookupException for the name of a frame that cannot be looked up."""
-        if why := _misnamed(frame):
-            raise InvalidArgumentException(f'Invalid argument "{frame}" passed to {where} - {why}')
+        if why := self._misnamed(frame, where):
+            raise InvalidArgumentException(why)
         if frame not in self._caches:
             raise LookupException(f'"{frame}" passed to {where} does not exist. ')
-
-    def _why_unusable(self, **frames: str) -> str:
-        for name, frame in frames.items():
-            if why := _misnamed(frame) or ("" if frame in self._caches else "frame does not exist"):
-                return f'Invalid frame ID "{frame}" passed to canTransform argument {name}_frame - {why}'
-        return ""
 
     def _why_no_way(self, target: str, source: str, time: int) -> str:
         try:
@@ -293,23 +327,18 @@ class Frames:
             told += (
                 f"{name}: \n  parent: '{latest[1]}'\n  broadcaster: '{self._authorities[name]}'\n"
                 f"  rate: {len(cache.stamps) * 1e9 / max(span, 100_000):.3f}\n"
-                f"  most_recent_transform: {_shown(cache.stamps[-1])}\n  oldest_transform: {_shown(cache.stamps[0])}\n"
+                f"  most_recent_transform: {self._shown(cache.stamps[-1])}\n"
+                f"  oldest_transform: {self._shown(cache.stamps[0])}\n"
                 f"  buffer_length: {span / 1e9:.3f}\n"
             )
         return told
-
-
-def _misnamed(frame: str) -> str:
-    if frame.startswith("/"):
-        return "in tf2 frame_ids cannot start with a '/'"
-    return "" if frame else "in tf2 frame_ids cannot be empty"
 
 
 def _first(ancestors: list[tuple[int, str]]) -> int:
     return min((stamp for stamp, _ in ancestors if stamp), default=0)
 
 
-def _faults(parent: str, child: str, transform: Transform, authority: str) -> Iterator[str]:
+def faults(parent: str, child: str, transform: Transform, authority: str) -> Iterator[str]:
     """Why tf2 ignores a transform."""
     if child == parent:
         yield (
@@ -331,6 +360,7 @@ def _faults(parent: str, child: str, transform: Transform, authority: str) -> It
         yield f"TF_DENORMALIZED_QUATERNION: {ignoring} an invalid quaternion in the transform {quaternion}"
 
 
-def _shown(time: int) -> str:
+def shown(time: int) -> str:
+    """A time in seconds, with six digits after the point."""
     seconds, nanoseconds = divmod(time, 1_000_000_000)
     return f"{seconds + 1e-9 * nanoseconds:.6f}"
