@@ -141,3 +141,74 @@ def test_both(start_node):
 """)
     run.assert_outcomes(failed=1)
     run.stdout.fnmatch_lines(["*in the shortest order found, which deviates once from the usual one*"])
+
+
+RACE = """
+import pytest, rosspin
+
+def of_ros1():
+    import rospy
+    from std_msgs.msg import Empty
+    from std_srvs.srv import Trigger, TriggerResponse
+    count = [0]
+    def tick(event):
+        count[0] += 1
+        assert count[0] < 2, "not reset in time"
+    def reset(request):
+        count[0] = 0
+        return TriggerResponse()
+    rospy.init_node("n")
+    rospy.Timer(rospy.Duration(0.5), tick)
+    rospy.Subscriber("/reset", Empty, reset)
+    rospy.Service("/reset", Trigger, reset)
+    rospy.spin()
+
+def of_ros2():
+    import rclpy
+    from std_msgs.msg import Empty
+    from std_srvs.srv import Trigger
+    rclpy.init()
+    node = rclpy.create_node("n")
+    count = [0]
+    def tick():
+        count[0] += 1
+        assert count[0] < 2, "not reset in time"
+    def reset(request, response=None):
+        count[0] = 0
+        return response
+    node.create_timer(0.5, tick)
+    node.create_subscription(Empty, "/reset", reset, 10)
+    node.create_service(Trigger, "/reset", reset)
+    rclpy.spin(node)
+
+@rosspin.explored({more})
+def test_race(start_node):
+    node = start_node({node})
+    for _ in range(3):
+        {step}
+        node.{act}("/reset")
+    node.advance(0.1)
+"""
+
+
+@pytest.mark.parametrize("node", ["of_ros1", "of_ros2"])
+@pytest.mark.parametrize("act", ["call", "publish"])
+def test_what_a_test_does_races_with_what_is_due(run_tests: Any, node: str, act: str) -> None:
+    """What is due exactly at the end of a step comes before or after what the test does then."""
+    text = RACE.format(node=node, act=act, step="node.advance(0.5)", more="schedules=300")
+    run = run_tests(text)
+    run.assert_outcomes(failed=1)
+    run.stdout.fnmatch_lines(["*AssertionError: not reset in time", "*in the shortest order found, which deviates *"])
+    token = str(run.stdout).partition('@rosspin.explored(schedule="')[2].partition('"')[0]
+    again = run_tests(RACE.format(node=node, act=act, step="node.advance(0.5)", more=f'schedule="{token}"'))
+    again.assert_outcomes(failed=1)
+    again.stdout.fnmatch_lines(["*AssertionError: not reset in time"])
+
+
+@pytest.mark.parametrize("node", ["of_ros1", "of_ros2"])
+@pytest.mark.parametrize(
+    "step", ["assert node.advance(0.5).ticks", "node.advance(0.5); assert len(node.run.ticks) == _ + 1"]
+)
+def test_what_a_test_looks_at_has_run(run_tests: Any, node: str, step: str) -> None:
+    """Where a test looks at a step before it does something, all that was due has run, as it says."""
+    run_tests(RACE.format(node=node, act="call", step=step, more="schedules=20")).assert_outcomes(passed=1)

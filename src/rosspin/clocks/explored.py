@@ -16,17 +16,21 @@ from typing import Any, NamedTuple
 
 from .frames import node_place, places
 from .simulation import LAST, STANDSTILL, Simulation
-from .stacks import Stack, current
+from .stacks import Program, Stack, current
 
 __all__ = ["Decide", "Deviation", "ExploredSimulation", "Order", "Turn", "name_of"]
 
-# A token: the version of what is counted, whether inside of lines too, and where and how the order deviates.
+# A token: the version of what is counted, whether inside of lines too, and where and how the order deviates. A ``t``
+# stands before the number of a point at which a test goes on first.
 _VERSION = 1
-_TOKEN = re.compile(r"(\d+)(d?)((?:-\d+\.\d+)*)")
+_TOKEN = re.compile(r"(\d+)(d?)((?:-t?\d+\.\d+)*)")
 
 # So many wake-ups at one instant may pass over one that is due then; more would not be fair. On a real computer a
 # thread that only looks again and again does not keep another one from its turn.
 _PATIENCE = 200
+
+# What comes instead of a stack if a test goes on before it.
+_TEST = "the test"
 
 Due = tuple[int, int, Stack]
 """A wake-up, as it is on a simulation's heap."""
@@ -66,6 +70,11 @@ class Order:
         self.turns: list[Turn] | None = None  # the lines that are run, if they are wanted
         self.said: list[Deviation] = []  # the deviations in words, if the turns are wanted
         self.planned = dict(deviations or {})
+        self.acts: set[int] | None = None  # the steps of a test after which it may act early; None: all of them
+        self.acted: set[int] = set()  # those after which it did something to a node, before it looked at anything
+        self._steps = 0
+        self._ends: list[int] = []  # the steps at whose end the test could go on first, once for each time
+        self._unseen: int | None = None  # the newest step, unless the test has looked at what came of it
         self._decide = decide
         self._known: set[Hashable] = set()  # what there was to choose among
 
@@ -79,13 +88,44 @@ class Order:
         if int(version) != _VERSION:
             raise ValueError(f"the schedule {token} is of another version of rosspin: explore again")
         points = [pair.partition(".") for pair in pairs.split("-")[1:]]
-        return cls({int(point): int(choice) for point, _, choice in points}, deep=bool(deep))
+        return cls({int(point.replace("t", "-")): int(choice) for point, _, choice in points}, deep=bool(deep))
 
     @property
     def token(self) -> str:
         """Its deviations so far, in one short line that :meth:`of` reads."""
-        pairs = "".join(f"-{point}.{choice}" for point, choice in sorted(self.made.items()))
+        pairs = "".join(f"-{_name(point)}.{choice}" for point, choice in sorted(self.made.items()))
         return f"{_VERSION}{'d' * self.deep}{pairs}"
+
+    def begin_step(self, is_looked_at: bool) -> None:
+        """A test lets the time of a node go on; ``is_looked_at`` says whether it takes what that returns."""
+        self._steps += 1
+        self._unseen = None if is_looked_at else self._steps
+
+    def note_look(self) -> None:
+        """A test looks at a node: nothing that is due may be left for later."""
+        self._unseen = None
+
+    def note_act(self) -> None:
+        """A test does something to a node."""
+        if self._unseen is not None:
+            self.acted.add(self._unseen)
+
+    @property
+    def ends(self) -> list[int]:
+        """The points of a test's steps at which the test, too, may be next: below 0, the first of them is -1."""
+        steps = self.acted if self.acts is None else self.acts
+        return [-number for number, step in enumerate(self._ends, 1) if step in steps]
+
+    def lets_test_go_on(self, due: Hashable, now: int) -> bool:
+        """Whether a test goes on at a time (ns) before something that is due then, the end of its step."""
+        self._ends.append(self._steps)
+        point = -len(self._ends)
+        if self._decide:
+            is_open = self.acts is not None and self._steps in self.acts
+            choice = self._decide(point, [due, _TEST]) if is_open else 0
+        else:
+            choice = self.planned.get(point, 0)
+        return self._note(point, choice, [due, _TEST], now) == 1
 
     def choose(self, options: Sequence[Hashable], now: int) -> int:
         """Return the place of what is next, at a time (ns)."""
@@ -96,6 +136,9 @@ class Order:
             choice = self._decide(point, options)
         elif (choice := self.planned.get(point, 0)) >= len(options):
             choice = 0
+        return self._note(point, choice, options, now)
+
+    def _note(self, point: int, choice: int, options: Sequence[Hashable], now: int) -> int:
         if choice:
             self.made[point] = choice
             if self.turns is not None:
@@ -111,9 +154,11 @@ class Order:
         """Raise ValueError unless it has deviated where it was to."""
         for point, choice in sorted(self.planned.items()):
             if self.made.get(point) != choice:
-                at = f"{point}.{choice}"
+                at = f"{_name(point)}.{choice}"
                 there = (
-                    f"{self.options[point]} things can happen next"
+                    f"a test's step has {len(self._ends)} points at which the test could go on first"
+                    if point < 0
+                    else f"{self.options[point]} things can happen next"
                     if point < len(self.options)
                     else f"the run has only {len(self.options)} points at which the order is open"
                 )
@@ -136,6 +181,12 @@ class ExploredSimulation(Simulation):
         super().__init__(start)
         self.order = order
         self._due: list[Due] = []  # wake-ups that are due together, off the heap, in their usual order
+        self.in_steps = False  # whether a test lets it go on: at the end of a step, that may go on first
+        self._until: int | None = None
+
+    def advance(self, until: int | None = None) -> None:
+        self._until = until if self.in_steps else None
+        super().advance(until)
 
     def sleep(self, ns: int) -> None:
         me = current()
@@ -198,6 +249,8 @@ class ExploredSimulation(Simulation):
             return super()._next()
         if due:
             when = due[0][0]
+        elif heap and heap[0][0] == self._until:
+            when = self._until
         elif len(heap) > 1 and heap[0][0] in (heap[1][0], heap[-1][0] if len(heap) == 2 else heap[2][0]):
             when = heap[0][0]
         else:
@@ -206,20 +259,34 @@ class ExploredSimulation(Simulation):
         if not due:
             return super()._next()
         choice = 0
-        if len(due) > 1 and self._is_open and not self._has_waited_enough(due[0]):
-            choice = self.order.choose([stack for _, _, stack in due], when)
-        chosen = due.pop(choice)
+        if self._is_open and not self._has_waited_enough(due[0]):
+            if when == self._until and self.order.lets_test_go_on(due[0][2], when):
+                choice = -1
+            elif len(due) > 1:
+                choice = self.order.choose([stack for _, _, stack in due], when)
+        chosen = self._end_of_step(when) if choice < 0 else due.pop(choice)
         if when > self._now:
             self._move(when)
         elif self._order - self._last_move > STANDSTILL:
             self._stand_still(chosen[2])
         return chosen if chosen[2] else _now(chosen)
 
+    def _end_of_step(self, when: int) -> Due:
+        """Return what ends a step before all that is due has run."""
+
+        def pause() -> None:
+            self._paused = True
+
+        return when, -1, self._stack(pause, Program(), 0, "")
+
     def _collect(self, when: int) -> None:
         """Take the wake-ups of stacks that are due at a time off the heap."""
         heap, due, cancelled = self._heap, self._due, self._cancelled
+        before = len(due)
         while heap and heap[0][0] == when and heap[0][1] < LAST:
             due.append(heappop(heap))
+        if before and due[before - 1][1] > due[-1][1]:
+            due.sort()  # what a test has done comes last
         if cancelled:
             gone = [entry for entry in due if entry[1] in cancelled]
             for entry in gone:
@@ -237,6 +304,10 @@ class ExploredSimulation(Simulation):
 
     def _has_waited_enough(self, due: Due) -> bool:
         return due[0] == self._now and self._order - max(due[1], self._last_move) > _PATIENCE + 2 * len(self._heap)
+
+
+def _name(point: int) -> str:
+    return f"t{-point}" if point < 0 else str(point)
 
 
 def _now(due: Due) -> Due:

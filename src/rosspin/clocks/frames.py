@@ -15,7 +15,7 @@ from typing import NamedTuple
 
 __all__ = [
     *("Place", "Whereabouts", "asleep_in_loop", "called_from", "format_error", "is_installed", "node_frame"),
-    "node_frames",
+    *("is_statement", "node_frames"),
     *("node_place", "outer_place", "outwards", "places", "trail", "trail_of", "warn"),
 ]
 
@@ -150,6 +150,12 @@ def asleep_in_loop(trail: Trail, code: CodeType, call: int) -> bool | None:
         if each is code and any(loop.start <= min(at, call) <= max(at, call) < loop.stop for loop in _loops(code)):
             return at == call
     return None
+
+
+def is_statement(frame: FrameType) -> bool:
+    """Whether the call that a frame is in is a statement by itself: what it returns is dropped."""
+    following = (each for each in dis.get_instructions(frame.f_code) if each.offset > frame.f_lasti)
+    return next((each.opname for each in following), "") == "POP_TOP"
 
 
 def _loops(code: CodeType) -> list[range]:

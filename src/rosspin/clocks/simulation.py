@@ -22,7 +22,7 @@ from .ending import ending_here
 from .frames import Place, places, trail
 from .stacks import Program, Stack, StackExit, Switched, current, telling_no_turns
 
-__all__ = ["LAST", "PacedSimulation", "Simulation", "Standstill"]
+__all__ = ["FROM_OUTSIDE", "LAST", "PacedSimulation", "Simulation", "Standstill"]
 
 # This many wake-ups in a row without the time moving mean a loop that never sleeps: ten thousand threads that begin,
 # meet and end at one time take a tenth of them.
@@ -30,6 +30,7 @@ STANDSTILL = 1_000_000
 
 # Added to a wake-up's order, the first makes it the last at its time; the second marks a pause, which comes even later.
 LAST = 1 << 61
+FROM_OUTSIDE = 1 << 60  # of what a test does: last of all that a run does by itself
 _PAUSE = 1 << 62
 
 _IN_PAGE = sys.platform == "emscripten"
@@ -225,6 +226,11 @@ class Simulation:
         self._order += 1
         stack = self._stack(function, Program(), 0, "")
         heappush(self._heap, (when, LAST + self._order, stack))
+
+    def soon(self, function: Callable[[], object]) -> None:
+        """Call ``function`` now, after all stacks that are due."""
+        self._order += 1
+        heappush(self._heap, (self._now, FROM_OUTSIDE + self._order, self._stack(function, Program(), 0, "")))
 
     def interrupt(self, stack: Stack, handler: Callable[[], None]) -> None:
         """Call ``handler`` on a suspended stack, as a signal handler: its sleep, or its wait, goes on afterwards."""

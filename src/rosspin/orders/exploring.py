@@ -252,7 +252,7 @@ def search(attempt: Try, schedules: int, strategy: str, seed: int, deep: bool) -
     usual = Order(deep=deep)
     if failure := attempt(usual):
         return Found(usual, failure, 1, 0, "the usual order")
-    if not usual.options:
+    if not (usual.options or usual.ends):
         return Found(None, failure, 1, math.inf, "There is only one order: nothing is open at any instant. It is well.")
     different, points, threads, tried, bound = {_USUAL[deep]}, len(usual.options), 0, 1, 0.0
     for order in STRATEGIES[strategy](usual, seed, deep):
@@ -327,6 +327,8 @@ def _shorten(attempt: Try, order: Order, failure: object, usual: Order) -> tuple
         for point, options in enumerate(usual.options):
             if any(fails({point: choice}) for choice in range(1, options)):
                 break
+        else:
+            any(fails({point: 1}) for point in usual.ends)
     return best
 
 
@@ -346,7 +348,9 @@ def explored(
     the usual order first. If it fails in another one, the shortest such order is looked for, and the failure is that
     one's; its last lines name the order. With that as ``schedule`` the test is run in this order alone.
 
-    The arguments are those of :func:`explore`, which also says what may differ. Raises TypeError for a test without
+    The arguments are those of :func:`explore`, which also says what may differ. Besides, what the test publishes, calls
+    or sends as a goal, right after a step whose result it does not use, may come before what is due at that instant.
+    Raises TypeError for a test without
     ``start_node``, and ValueError as :func:`explore` does, or if the ``schedule`` is none of this test.
     """
     _refuse(schedules, strategy, seed)
@@ -363,12 +367,18 @@ def explored(
         def run(*args: Any, start_node: Any, **fixtures: Any) -> None:
             __tracebackhide__ = True
 
+            acts: set[int] | None = None  # as in the usual order, which comes first
+
             def attempt(order: Order) -> BaseException | None:
+                nonlocal acts
+                order.acts = acts
                 try:
                     with start_node.in_order(order):
                         test(*args, start_node=start_node, **fixtures)
                 except start_node.failures as error:
                     return error  # type: ignore[no-any-return]
+                finally:
+                    acts = order.acted if acts is None else acts
                 return None
 
             said = "the order of its schedule"

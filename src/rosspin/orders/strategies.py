@@ -27,11 +27,14 @@ def fewest_first(usual: Order, seed: int, deep: bool) -> Iterator[Order]:
     while level:
         following = []
         for before in level:
-            for point in range(max(before.made, default=-1) + 1, len(before.options)):
-                for choice in range(1, before.options[point]):
-                    order = Order({**before.made, point: choice}, deep=deep)
-                    yield order
-                    following.append(order)
+            last = max(before.made, default=-1)
+            ends = [point for point in before.ends if last < 0 and point < min(before.made, default=0)]
+            points = range(last + 1, len(before.options))
+            choices = [(point, choice) for point in points for choice in range(1, before.options[point])]
+            for point, choice in (*((point, 1) for point in ends), *choices):
+                order = Order({**before.made, point: choice}, deep=deep)
+                yield order
+                following.append(order)
         level = following
 
 

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import sys
 from collections.abc import Callable, Iterator, Mapping, Sequence
 from contextlib import contextmanager, suppress
 from pathlib import Path
@@ -10,7 +11,7 @@ from typing import TYPE_CHECKING, Any
 
 from ..clocks.clock import NS
 from ..clocks.explored import ExploredSimulation, Order
-from ..clocks.frames import node_frames
+from ..clocks.frames import is_statement, node_frames
 from ..clocks.programs import end_run
 from ..clocks.simulation import Simulation
 from ..results.ticks import Message, Run
@@ -103,6 +104,7 @@ class StartedNode:
             names = [code.argv0 for code in codes]
         self.name = ", ".join(Path(name).name for name in names)  # of files, or of functions
         self._capture = Capture()
+        self._order = order
         self._clock = ExploredSimulation(order) if order else Simulation()
         self._host = Host(self._clock, TickLog(), launched is not None, faults)
         self._host.on_failure = self._clock.pause
@@ -126,6 +128,8 @@ class StartedNode:
         except BaseException:
             self._abandon()
             raise
+        if isinstance(self._clock, ExploredSimulation):
+            self._clock.in_steps = True
 
     def _take_part(self, ros: int, graph: Graph) -> None:
         """Join the graph of a ROS, as another node, when a node has used it for the first time."""
@@ -157,6 +161,10 @@ class StartedNode:
     @property
     def status(self) -> int | None:
         """The node's exit status; None while it runs. Of several: the first that is not 0, else None while one runs."""
+        self._note_look()
+        return self._status()
+
+    def _status(self) -> int | None:
         statuses = [self._status_of(process) for process in self._host.processes]
         return next(filter(None, statuses), None if None in statuses else 0)
 
@@ -172,6 +180,7 @@ class StartedNode:
     @property
     def run(self) -> Run:
         """All that the node has done so far. While it runs, ``run.status`` is 0 and ``run.seconds`` is the time."""
+        self._note_look()
         return self._run_since(0, 0, 0, 0, 0, 0)
 
     def advance(self, seconds: float) -> Run:
@@ -190,6 +199,8 @@ class StartedNode:
         if self._closed:
             raise RuntimeError(f"the node was closed at {self.time} s")
         until = self._now + duration(seconds)
+        if self._order:
+            self._order.begin_step(is_looked_at=not is_statement(sys._getframe(1)))
         return self._step(until, lambda: self._host.advance(until))
 
     def close(self) -> None:
@@ -224,7 +235,7 @@ class StartedNode:
         Raises LookupError if the node does not subscribe to the topic. For unknown fields or wrong values, raises what
         ``rospy.Publisher.publish`` or, in ROS 2, the message's class raises.
         """
-        self._tester(lambda tester: tester.publish(topic, args, fields))
+        self._act(lambda tester: tester.publish(topic, args, fields))
 
     def message(self, type: str, /, **fields: Any) -> Any:
         """Make a message of a type that a node can import, as in ``node.message("std_msgs/UInt32", data=1)``.
@@ -238,6 +249,7 @@ class StartedNode:
 
         Raises LookupError if the node does not publish on it.
         """
+        self._note_look()
         name = self._tester(lambda tester: tester.published(topic))
         return [message for message in self._messages if message.topic == name]
 
@@ -250,7 +262,7 @@ class StartedNode:
 
         Raises LookupError if no node offers the service, and for wrong requests what ``publish`` raises.
         """
-        self._tester(lambda tester: tester.call(service, args, fields))
+        self._act(lambda tester: tester.call(service, args, fields))
 
     def send_goal(self, action: str, /, **fields: Any) -> None:
         """Send a goal to an action of a node of ROS 2, and ask for the result as soon as it is accepted.
@@ -258,7 +270,7 @@ class StartedNode:
         The run's ``calls`` have both, of ``<action>/_action/send_goal`` and of ``<action>/_action/get_result``;
         ``node.messages("<action>/_action/feedback")`` has the feedback. Raises what :meth:`call` raises.
         """
-        self._tester(lambda tester: tester.send_goal(action, fields))
+        self._act(lambda tester: tester.send_goal(action, fields))
 
     def serve(self, service: str, type: str, handler: Callable[[Any], Mapping[str, Any] | None]) -> None:
         """Offer a service to the node: ``node.serve("/drive", "std_srvs/SetBool", lambda request: {"success": True})``.
@@ -270,6 +282,15 @@ class StartedNode:
         Raises LookupError if there is no such type.
         """
         self._tester(lambda tester: tester.serve(service, type, handler))
+
+    def _note_look(self) -> None:
+        if self._order:
+            self._order.note_look()
+
+    def _act(self, act: Callable[[Any], None]) -> None:
+        if self._order:
+            self._order.note_act()
+        self._tester(act)
 
     def _tester(self, ask: Callable[[Any], Any]) -> Any:
         """Ask the testers, one for each ROS, until one can answer. LookupError if none can."""
@@ -334,7 +355,7 @@ class StartedNode:
         return Run(
             self._capture.text(piece),
             self._host.recording.ticks(tick),
-            self.status or 0,
+            self._status() or 0,
             "simulated",
             (self._now - time) / NS,
             0.0,

@@ -90,7 +90,7 @@ class Tester(ABC):
             raise LookupError(f"no node offers {name}; offered are: {_list(offered.items())}")
         clock = self._world.clock
         assert isinstance(clock, Simulation)
-        clock.at(clock.now(), self._request(name, args, fields, then))
+        clock.soon(self._request(name, args, fields, then))
 
     @abstractmethod
     def _offered(self, name: str) -> dict[str, str]:
