@@ -10,6 +10,7 @@ import pytest
 from planted_orders import PLANTS
 
 import rosspin
+import rosspin.rclpy  # with all that it imports: pytester takes away what is imported only in its own runs
 from rosspin import pytest_plugin
 
 pytest_plugins = ["pytester"]
