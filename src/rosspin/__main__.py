@@ -71,7 +71,9 @@ def _parser() -> argparse.ArgumentParser:
         description="Run a node file on the wall clock until Ctrl-C, in simulated time, or on the real ROS 1 or 2.",
         usage="%(prog)s FILE... [--seconds S] [--simulated [--skip-cpp] [--start S] [--fault FAULT]... "
         "[--jitter S] [--schedule TOKEN] | --ros1 | --ros2] [--plot FILE] [-- NODE ARGS]",
-        epilog="Everything after -- is passed to the node: __ns:=/mrp _rate:=10, or on ROS 2 --ros-args -r __ns:=/mrp.",
+        epilog="Everything after -- is passed to the node: __ns:=/mrp _rate:=10, or on ROS 2 --ros-args -r __ns:=/mrp. "
+        "Nodes and launch files are programs, and run with all your rights: a launch file may run commands "
+        "(<param command>), or any Python ($(eval), .launch.py).",
         allow_abbrev=False,
     )
     run.add_argument(
@@ -299,7 +301,8 @@ def _result(options: argparse.Namespace, args: Sequence[str], record: bool) -> R
 def _warn_of_files(file: str, args: Sequence[str]) -> None:
     # The run will show what is wrong with the file.
     with suppress(OSError, SyntaxError, ValueError), warnings.catch_warnings(action="ignore"):
-        nodes = [each.node for each in read_launch(file, args, True).nodes] if file.endswith(".launch") else [file]
+        launched = read_launch(file, args, skip_cpp=True, commands=False).nodes if file.endswith(".launch") else ()
+        nodes = [each.node for each in launched] or [file]
         warn_of_files([load(node) for node in nodes if str(node).endswith(".py")])
 
 

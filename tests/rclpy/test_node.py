@@ -303,6 +303,31 @@ def test_a_file_of_parameters(tmp_path: Path) -> None:
     assert {name: parameter.value for name, parameter in found.items()} == {"rate": 7, "sub.x": [1, 2], "all": "hi"}
 
 
+ALIASES = "a: &a [1]\n" + "".join(f"{name}: &{name} [*a, *a]\n" for name in "bcd")
+
+
+@pytest.mark.parametrize(
+    ("words", "says"),
+    [
+        (
+            ["--params-file", "FILE"],
+            "Couldn't parse params file: '--params-file FILE'. Error: Will not support aliasing at line 2",
+        ),
+        (
+            ["-p", "a:=[&x 1, *x]"],
+            "Couldn't parse parameter override rule: '-p a:=[&x 1, *x]'. Error: Unknown YAML event",
+        ),
+        (["-p", "a:=*x"], "Couldn't parse parameter override rule: '-p a:=*x'. Error: Unknown YAML event"),
+    ],
+)
+def test_rcl_takes_no_aliases(tmp_path: Path, words: list[str], says: str) -> None:
+    """As the real one says it: rcl_yaml_param_parser/parse.c. So there are no bombs of them."""
+    file = tmp_path / "params.yaml"
+    file.write_text(ALIASES)
+    done = run(lambda node: None, "--ros-args", *(word.replace("FILE", str(file)) for word in words))
+    assert done.status == 1 and says.replace("FILE", str(file)) in done.console
+
+
 # --- warnings ---------------------------------------------------------------------------------------------------------
 
 WARNS = """import rclpy

@@ -174,6 +174,15 @@ def test_what_is_wrong_is_said_with_file_and_line(launched: Launched, text: str,
     assert str(caught.value).startswith(str(path.parent))
 
 
+# Each line holds ten of the one before.
+YAML_LAUGHS = "a: &a x\n" + "".join(
+    f"{name}: &{name} [{', '.join([f'*{before}'] * 10)}]\n" for before, name in zip("abcdefgh", "bcdefghi", strict=True)
+)
+YAML_MERGES = "a: &a {x: 1}\n" + "".join(
+    f"{name}: &{name} {{<<: [{', '.join([f'*{before}'] * 10)}]}}\n"
+    for before, name in zip("abcdefgh", "bcdefghi", strict=True)
+)
+
 TENFOLD = ["x"] + [f"&{name};" * 10 for name in "abcdefg"]
 LAUGHS = "".join(f'<!ENTITY {name} "{text}">' for name, text in zip("abcdefgh", TENFOLD, strict=True))
 
@@ -184,7 +193,15 @@ LAUGHS = "".join(f'<!ENTITY {name} "{text}">' for name, text in zip("abcdefgh", 
         (f"\n<!DOCTYPE launch [{LAUGHS}]><launch><rosparam>&h;</rosparam></launch>", ":2: this is not XML: limit on"),
         ("<rosparam>a: &amp;a [*a]</rosparam>", "does not take: cannot marshal recursive sequences"),
         ("<rosparam>a: &amp;a {b: *a}</rosparam>", "does not take: cannot marshal recursive dictionaries"),
-        (f"<rosparam>a: {'[' * 5000}</rosparam>", ":2: rosparam is not YAML: "),
+        (f"<rosparam>a: {'[' * 5000}</rosparam>", ":2: rosparam is not YAML: it is nested too deeply"),
+        (
+            f"<rosparam>{YAML_LAUGHS.replace('&', '&amp;')}</rosparam>",
+            "is not YAML: its aliases repeat more than 100,000",
+        ),
+        (
+            f"<rosparam>{YAML_MERGES.replace('&', '&amp;').replace('<<', '&lt;&lt;')}</rosparam>",
+            "is not YAML: its aliases",
+        ),
         (f"<rosparam>a: {'9' * 5000}</rosparam>", ":2: rosparam has a value that YAML cannot read: Exceeds the limit"),
         ("<include file='$(dirname)/a.launch'/>", ":2 -> ..."),
         ("<include file='$(dirname)/d.launch'/>", "d.launch:3 -> "),
@@ -197,6 +214,17 @@ def test_what_never_ends_is_said_with_file_and_line(launched: Launched, text: st
         simulate(path, 1)
     assert message in str(caught.value)
     assert str(caught.value).startswith(f"{path.parent}/")
+
+
+def test_a_file_that_is_refused_runs_no_command(launched: Launched, tmp_path: Path) -> None:
+    (tmp_path / "touch.py").write_text(f"open({str(tmp_path / 'ran')!r}, 'w')")
+    command = f"<param name='a' command='{sys.executable} {tmp_path}/touch.py'/>"
+    for refused in ("<foo/>", "<rosparam>[</rosparam>", node(name="a/b"), node(type="lost.py")):
+        with pytest.raises(ValueError):
+            simulate(launched(command + refused), 1)
+        assert not (tmp_path / "ran").exists()
+    simulate(launched(command), 1)
+    assert (tmp_path / "ran").exists()
 
 
 @pytest.mark.parametrize("several", [SPINNERS, str(SPINNERS), [lambda: None]], ids=["path", "name", "list"])

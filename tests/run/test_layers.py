@@ -65,7 +65,6 @@ OF_SPHINX = {
 KEEPERS = {
     "greenlet": {"clocks.stacks"},
     "IPython": {"site.magics"},
-    "rosbags": {"look.bags"},
     "matplotlib": {"plots", "plots.pictures", "plots.rows", "plots.two_orders", "plots.vehicle"},
     "js": {"clocks.jspi", "page"},
     "pyodide": {"clocks.jspi", "page"},
@@ -74,7 +73,7 @@ KEEPERS = {
     "pytest": {"pytest_plugin"},
     "yaml": {
         *("run.roslaunch.launch", "run.ros2launch.frontend", "run.ros2launch.parameters"),
-        *("run.ros2launch.substitutions", "rospy.client", "rclpy.arguments", "rclpy.parameter", "messages.ros1"),
+        *("run.ros2launch.substitutions", "rclpy.arguments", "rclpy.parameter", "messages.ros1", "world.yaml_texts"),
     },
 }
 

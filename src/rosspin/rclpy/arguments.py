@@ -4,8 +4,10 @@ from __future__ import annotations
 
 import re
 from collections.abc import Callable, Iterator
+from pathlib import Path
 from typing import Any, NamedTuple
 
+from ..world import yaml_texts
 from .exceptions import RCLError, UnknownROSArgsError
 from .names import expand_topic_name
 
@@ -114,7 +116,9 @@ class Arguments:
 
         node, name, value = match.groups()
         try:
-            tree = yaml.compose(value)
+            if _alias(value):
+                raise ValueError("Unknown YAML event")
+            tree = yaml_texts.compose(value)
         except yaml.YAMLError:
             tree = None
         self.overrides.append((f"/{node}" if node else "/**", name, _value(tree)))
@@ -123,8 +127,10 @@ class Arguments:
         import yaml
 
         try:
-            with open(path, encoding="utf-8") as file:
-                tree = yaml.compose(file)
+            text = Path(path).read_text(encoding="utf-8")
+            if line := _alias(text):
+                raise ValueError(f"Will not support aliasing at line {line}")
+            tree = yaml_texts.compose(text)
         except OSError:
             raise ValueError("Error opening YAML file") from None
         except yaml.YAMLError as error:
@@ -186,6 +192,14 @@ def _until_two_dashes(words: Iterator[str]) -> Iterator[str]:
 
 
 # --- YAML as rcl reads it ---------------------------------------------------------------------------------------------
+
+
+def _alias(text: str) -> int:
+    """Return the line of the first alias in a text, which rcl refuses; 0 if there is none."""
+    import yaml
+
+    tokens = yaml.scan(text, yaml.SafeLoader)
+    return next((token.start_mark.line + 1 for token in tokens if isinstance(token, yaml.AliasToken)), 0)
 
 
 def _items(tree: Any) -> Iterator[tuple[str, Any]]:

@@ -10,6 +10,7 @@ from importlib import import_module
 from typing import Any
 
 from ..clocks.frames import warn
+from ..world import yaml_texts
 from .exceptions import (
     InvalidParameterTypeException,
     InvalidParameterValueException,
@@ -144,7 +145,7 @@ def get_parameter_value(string_value: str) -> Any:
     import yaml  # only needed here and on command lines, and many nodes do without
 
     try:
-        value = yaml.safe_load(string_value)
+        value = yaml_texts.load(string_value)
         return Parameter("", value=string_value if value is None else value).get_parameter_value()
     except (yaml.parser.ParserError, TypeError):
         return Parameter("", value=string_value).get_parameter_value()
@@ -158,10 +159,8 @@ def parameter_dict_from_yaml_file(
     They are those of the ``target_nodes`` (none: of all nodes in the file), with ``use_wildcard`` also those of
     ``/**``. Raises RuntimeError if a node is not in the file, or has no ``ros__parameters``.
     """
-    import yaml
-
     with open(parameter_file, encoding="utf-8") as file:
-        tree = yaml.safe_load(file)
+        tree = yaml_texts.load(file)
     nodes = ["/**"] if use_wildcard and "/**" in tree else []
     for node in target_nodes or ():
         if node not in tree:

@@ -14,6 +14,7 @@ from typing import Any
 
 from ..clocks.clock import nanoseconds
 from ..messages.genpy import Duration
+from ..world import yaml_texts
 from . import names, rosgraph
 from .core import add_client_shutdown_hook, handle_signal, signal_shutdown
 from .exceptions import ROSException, ROSInitException, ROSInterruptException
@@ -144,9 +145,7 @@ def load_command_line_node_params(argv: list[str]) -> dict[str, Any]:
         pairs = [(name[1:], text) for name, text in rosgraph.split_remappings(argv) if rosgraph.is_parameter(name)]
         if not pairs:
             return {}
-        import yaml  # slow to import, and most command lines set no parameter
-
-        return {name: yaml.safe_load(text) for name, text in pairs}
+        return {name: yaml_texts.load(text) for name, text in pairs}
     except Exception as error:
         raise ROSInitException(f"invalid command-line parameters: {error}")
 

@@ -7,6 +7,7 @@ from collections.abc import Callable, Iterator
 from contextlib import suppress
 from typing import Any
 
+from ...world import yaml_texts
 from ..tags import Fault, Tag, parse
 from . import actions
 from .parameters import ParameterFile, ParameterValue
@@ -30,7 +31,7 @@ def read_yaml(path: str) -> actions.LaunchDescription:
 
     with open(path, encoding="utf-8") as file:
         try:
-            root = yaml.compose(file, yaml.SafeLoader)
+            root = yaml_texts.compose(file)
             if not isinstance(root, yaml.MappingNode) or len(root.value) != 1:
                 raise Fault(f"{path}:1: Expected only one root")
             return _description(_YamlTag.made(path, *root.value[0]))

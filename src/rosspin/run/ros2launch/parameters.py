@@ -7,6 +7,7 @@ from collections.abc import Iterator, Mapping, Sequence
 from dataclasses import KW_ONLY, dataclass
 from typing import TYPE_CHECKING, Any
 
+from ...world import yaml_texts
 from .substitutions import is_substitution, parse_substitution, perform, perform_typed
 
 if TYPE_CHECKING:
@@ -54,13 +55,11 @@ def evaluate(context: LaunchContext, parameters: Mapping[Any, Any], prefix: str 
 
 
 def _value(context: LaunchContext, name: str, value: Any) -> Any:
-    import yaml  # only needed where there are parameters
-
     if isinstance(value, ParameterValue):
         return perform_typed(context, value.value, value.value_type)
     if is_substitution(value):
         text = perform(context, value)
-        value = yaml.safe_load(text) if text else text
+        value = yaml_texts.load(text) if text else text
         if not isinstance(value, (bool, int, float, str, list)):
             raise TypeError(
                 "Allowed value types are bytes, bool, int, float, str, Sequence[bool], Sequence[int], Sequence[float], "
@@ -71,7 +70,7 @@ def _value(context: LaunchContext, name: str, value: Any) -> Any:
         return value
     if not isinstance(value, Sequence):
         raise TypeError(f"Unexpected type for parameter value {value!r}")
-    items = [yaml.safe_load(perform(context, item)) if is_substitution(item) else item for item in value]
+    items = [yaml_texts.load(perform(context, item)) if is_substitution(item) else item for item in value]
     if {type(item) for item in items} == {int, float}:
         return [float(item) for item in items]
     if len({type(item) for item in items}) != 1 or not isinstance(items[0], (bool, int, float, str)):

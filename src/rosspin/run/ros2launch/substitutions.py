@@ -13,6 +13,8 @@ from typing import TYPE_CHECKING, Any, get_args
 if TYPE_CHECKING:
     from .context import LaunchContext
 
+from ...world import yaml_texts
+
 __all__ = [
     *("AndSubstitution", "EnvironmentVariable", "EqualsSubstitution", "ExecutableInPackage", "FindPackageShare"),
     *("IfElseSubstitution", "LaunchConfiguration", "NotEqualsSubstitution", "NotSubstitution", "OrSubstitution"),
@@ -71,7 +73,7 @@ def coerce(text: str, kind: Any) -> Any:
     import yaml  # only needed where there are such values
 
     try:
-        value = yaml.safe_load({"1": "true", "0": "false"}.get(text, text) if kind is bool else text)
+        value = yaml_texts.load({"1": "true", "0": "false"}.get(text, text) if kind is bool else text)
     except yaml.YAMLError as error:
         raise ValueError(f"Failed to convert '{text}' using yaml rules: yaml.safe_load() failed\n{error}") from None
     if not is_of(value, kind):

@@ -14,6 +14,7 @@ from typing import Any
 
 from ...messages.library import Library
 from ...rospy.rosgraph import PRIV_NAME, canonicalize_name, load_mappings, make_global_ns, ns_join
+from ...world import yaml_texts
 from ..executables import find_python, is_cpp
 from ..source import NodeLike
 from ..tags import Tag, parse
@@ -59,14 +60,22 @@ class Launch:
     left_out: Sequence[str] = ()
 
 
-def read_launch(path: str | os.PathLike[str], args: Sequence[str] = (), skip_cpp: bool = False) -> Launch:
+def read_launch(
+    path: str | os.PathLike[str], args: Sequence[str] = (), skip_cpp: bool = False, commands: bool = True
+) -> Launch:
     """Read a launch file; ``args`` are its own, as in ``"rate:=10"``.
 
     The packages that it names are looked for around the file. With ``skip_cpp`` nodes that are not in Python are left
-    out. Raises OSError if a file cannot be read, and ValueError, with file and line, for anything that is faulty or not
-    simulated.
+    out. What ``<param command>`` names is run when all of the file has been found right, and with ``commands`` only:
+    else such parameters are left out. Raises OSError if a file cannot be read, and ValueError, with file and line, for
+    anything that is faulty or not simulated.
     """
-    reader = _Reader(Path(path), skip_cpp)
+    launch = _read_launch(path, args, skip_cpp, commands=False)
+    return _read_launch(path, args, skip_cpp, commands=True) if commands else launch
+
+
+def _read_launch(path: str | os.PathLike[str], args: Sequence[str], skip_cpp: bool, commands: bool) -> Launch:
+    reader = _Reader(Path(path), skip_cpp, commands)
     reader.read(os.fspath(path), _Scope(os.fspath(path), args=load_mappings([*args])))
     for name, count in Counter(ns_join(node.namespace, node.name) for node in reader.nodes).items():
         if count > 1:
@@ -120,12 +129,13 @@ _TRUTHS = {"true": True, "1": True, "false": False, "0": False}
 class _Reader:
     """Reads a launch file and those that it includes."""
 
-    def __init__(self, path: Path, skip_cpp: bool) -> None:
+    def __init__(self, path: Path, skip_cpp: bool, commands: bool) -> None:
         self.nodes: list[Node] = []
         self.parameters: dict[str, Any] = {}
         self.left_out: list[str] = []
         self._library = Library(1, path.absolute().parent)
         self._skip_cpp = skip_cpp
+        self._commands = commands
         self._includes: list[str] = []  # the <include> tags that lead to the file that is being read
 
     def read(self, path: str, scope: _Scope) -> None:
@@ -245,7 +255,10 @@ class _Reader:
         elif textfile is not None:
             text = _read(textfile)
         else:
-            text = _output(command or "", name)
+            words = _words(command or "", "command")
+            if not self._commands:
+                return
+            text = _output(words, command or "", name)
         found = _convert(text, type.lower().strip(), name)
         _check_values(found, name)
         name = name.strip()
@@ -398,12 +411,12 @@ def _read(path: str) -> str:
         raise _Fault(f"{path} is not UTF-8: {error}") from None
 
 
-def _output(command: str, name: str) -> str:
-    """Run a command, and return what it prints on stdout. Raises _Fault."""
+def _output(words: Sequence[str], command: str, name: str) -> str:
+    """Run the words of a command, and return what it prints on stdout. Raises _Fault."""
     import subprocess
 
     try:
-        process = subprocess.run(_words(command, "command"), stdout=subprocess.PIPE, encoding="utf-8")
+        process = subprocess.run(words, stdout=subprocess.PIPE, encoding="utf-8")
     except (OSError, IndexError):
         raise _Fault(f"param {name}: there is no command {command!r}") from None
     except UnicodeDecodeError as error:
@@ -462,8 +475,8 @@ def _yaml(text: str, name: str) -> Any:
     import yaml  # only needed where there is some
 
     try:
-        data = yaml.safe_load(text)
-    except (yaml.YAMLError, RecursionError) as error:
+        data = yaml_texts.load(text)
+    except yaml.YAMLError as error:
         raise _Fault(f"{name} is not YAML: {error}") from None
     except ValueError as error:  # a date such as 2024-13-01
         raise _Fault(f"{name} has a value that YAML cannot read: {str(error).partition(';')[0]}") from None
