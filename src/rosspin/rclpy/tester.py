@@ -95,6 +95,10 @@ class Tester(tester.Tester):
             if repr(type(args[0])) != repr(data_class):  # each process has a class of its own with that name
                 raise TypeError(f"Expected {data_class}, got {type(args[0])}")
             return args[0]
+        if len(args) == 1 and hasattr(args[0], "get_fields_and_field_types") and not fields:
+            if repr(type(args[0])) != repr(data_class):
+                raise TypeError(f"Expected {data_class}, got {type(args[0])}")
+            return data_class(**self._filled(data_class, _fields_of(args[0])))
         names = data_class.get_fields_and_field_types()
         if len(args) == 1 and isinstance(args[0], Mapping) and not fields and args[0].keys() <= names.keys():
             return data_class(**self._filled(data_class, args[0]))
@@ -112,6 +116,13 @@ class Tester(tester.Tester):
             return value
         sec, nanosec = divmod(nanoseconds(value), NS)
         return self._messages[type_](sec=sec, nanosec=nanosec)
+
+
+def _fields_of(value: Any) -> Any:
+    """Take a message of a real ROS apart: a test beside which one is installed may have imported its class."""
+    if hasattr(value, "get_fields_and_field_types"):
+        return {name: _fields_of(getattr(value, name)) for name in value.get_fields_and_field_types()}
+    return [_fields_of(each) for each in value] if isinstance(value, list) else value
 
 
 class _Counterpart:
