@@ -63,7 +63,8 @@ class Imports(MetaPathFinder):
             return None
         number = self._world.ros or self._node.hint or _named_by_who_asks(sys._getframe(1)) or 1
         if fullname.partition(".")[0] in ROSES[number].beside:
-            return self._find_ros(fullname, number)
+            # Some have messages, too: actionlib.msg
+            return self._find_ros(fullname, number) or self._finder_of(number).find_spec(fullname, path, target)
         return self._finder_of(number).find_spec(fullname, path, target) or self._find_own(fullname, path)
 
     def _find_own(self, fullname: str, path: Sequence[str] | None) -> ModuleSpec | None:

@@ -66,6 +66,7 @@ ROSES = {
         1,
         ("rospy", "genpy"),
         {
+            "actionlib": "rospy.actionlib",
             "message_filters": "rospy.message_filters",
             "tf2_py": "rospy.tf2_ros",
             "tf2_ros": "rospy.tf2_ros",
