@@ -29,10 +29,10 @@ CASES = [
         "A timer passes its callback no argument",
     ),
     (
-        node("def callback(event):\n    import tf2_ros\nrospy.Timer(rospy.Duration(1), callback)\nrospy.spin()"),
+        node("def callback(event):\n    import cv_bridge\nrospy.Timer(rospy.Duration(1), callback)\nrospy.spin()"),
         1,
         0,
-        "node.py:5: tf2_ros is not simulated; run this node on a real ROS",
+        "node.py:5: cv_bridge is not simulated; run this node on a real ROS",
     ),
     (
         node2(

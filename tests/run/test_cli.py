@@ -281,9 +281,9 @@ def test_time_that_stands_still(
         ("import rospy\nfrom control_srvs.srv import Empty\n", "control_srvs", 2),
         ("import rospy.msproxy\n", "rospy.msproxy", 1),
         (
-            "import rospy\nrospy.init_node('n')\ndef callback(event):\n    import tf2_ros\n"
+            "import rospy\nrospy.init_node('n')\ndef callback(event):\n    import cv_bridge\n"
             "rospy.Timer(rospy.Duration(0.1), callback)\nrospy.spin()\n",
-            "tf2_ros",
+            "cv_bridge",
             4,
         ),
         (

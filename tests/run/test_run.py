@@ -594,7 +594,7 @@ def test_a_process_of_a_node_in_simulated_time_is_named(write: Any, name: str, m
 
 
 def test_a_node_can_do_without_a_package_of_ros(write: Any) -> None:
-    node = write("import rospy\ntry:\n    import tf2_ros\nexcept ImportError:\n    print('without')\n")
+    node = write("import rospy\ntry:\n    import cv_bridge\nexcept ImportError:\n    print('without')\n")
     assert simulate(node, 1).console == "without\n"
 
 
