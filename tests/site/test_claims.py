@@ -114,6 +114,6 @@ def links(site: Path, page: Path, within: Tag) -> list[tuple[Tag, str]]:
 def test_the_releases_that_were_checked_are_those_of_the_constraints() -> None:
     """The real lane holds the constraints to what is installed, and to what there is."""
     page = " ".join((ROOT / "docs/reference/rclpy-names.rst").read_text(encoding="utf-8").split())
-    pins = "".join((ROOT / f"constraints-ros2{other}.txt").read_text(encoding="utf-8") for other in ("", "-kilted"))
-    jazzy, kilted = re.findall(r"^ros_rclpy==(.*)$", pins, re.MULTILINE)
+    pins = "".join((ROOT / f"pins/ros2{other}.txt").read_text(encoding="utf-8") for other in ("", "-kilted"))
+    jazzy, kilted = re.findall(r"^ros-rclpy==(\S+)", pins, re.MULTILINE)
     assert f"**Jazzy**, with rclpy {jazzy}, and **Kilted**, with rclpy {kilted}." in page
