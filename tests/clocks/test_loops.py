@@ -192,6 +192,24 @@ except KeyboardInterrupt:
         assert node.run.console == "1.0 True\n"
 
 
+def test_a_coroutine_that_blocks_keeps_no_other_thread_from_its_loop(write: Any) -> None:
+    """Each thread has its own running loop, and the task in it."""
+    code = """
+async def blocks(name):
+    for _ in range(2):
+        time.sleep(0.5)
+        await asyncio.sleep(0.1)
+    print(name, now(), asyncio.current_task().get_name())
+def later():
+    time.sleep(0.25)
+    asyncio.run(blocks('later'))
+threading.Thread(target=later).start()
+asyncio.run(blocks('main'))
+"""
+    lines = said(write, code)
+    assert [line.rsplit(maxsplit=1)[0] for line in lines] == ["main 1.2", "later 1.45"]
+
+
 def test_a_run_within_a_loop_is_not_in_it(write: Any) -> None:
     async def outside() -> None:
         loop = asyncio.get_running_loop()

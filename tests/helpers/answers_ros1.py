@@ -617,7 +617,7 @@ WRONG: dict[str, list[tuple[Answer, str, str]]] = {
         ({"= 0.1": "= 10"}, "no counter was printed", NOT_A_FREQUENCY),
         ({"= 0.1": "= 0.01"}, "counter 1 came at 0.01 s, not at 0.1 s", NOT_A_FREQUENCY),
         ({"= 0.1": "= 1"}, "counter 1 came at 1 s, not at 0.1 s", NOT_A_FREQUENCY),
-        ({"= 0.1": "= 1 // 10"}, "timer died of `ZeroDivisionError: float division by zero`", "a period of 0 s"),
+        ({"= 0.1": "= 1 // 10"}, "timer died of `ZeroDivisionError: division by zero`", "a period of 0 s"),
         ({"rospy.Duration(timer_delta_t_in_seconds)": "0.1"}, "has no attribute 'to_sec'", "is a Duration"),
         ({"+= 1": "+= 10"}, "where counter 1 was due, counter 10 came", NOT_A_FREQUENCY),
         ({"= 0.1": "= -0.1"}, "simulated time stands still", "goes on without ever sleeping"),

@@ -9,6 +9,7 @@ import zlib
 from typing import Any
 
 from playwright.sync_api import Locator, Page, expect
+from python_texts import of_any_python
 from readers import until
 from tree import EXAMPLES
 
@@ -126,13 +127,10 @@ HINTS = (
 
 def lines_of(console: str) -> list[str]:
     """The lines of a console, without addresses and what depends on Python's version: code in tracebacks, messages."""
-    text = re.sub(r'^(  File ").*?([^/"]+", line .*)\n(?:    .*\n)*', r"\1\2\n", console, flags=re.MULTILINE)
+    text = re.sub(r'^(  File ").*?([^/"]+", line .*)\n(?:    .*\n)*', r"\1\2\n", of_any_python(console), flags=re.M)
     # In a traceback that is logged as a list: the folders, and the marks.
     text = re.sub(r"\\n +[~^]+(?=\\n)", "", re.sub(r"('  File \")[^\"]*/", r"\1", text))
-    text = re.sub(r"^(rosspin:     at .*:\d+: )with (.*): \.\.\.$", r"\1\2", text, flags=re.M)  # from 3.14 on as here
     text = re.sub(r'^  File "threading\.py", .*\n', "", text, flags=re.M)
     text = re.sub(r"^(rosspin: .*?) (was at|had done) .*", r"\1", text, flags=re.M)  # the page has no neighbours there
-    text = text.replace("float division by zero", "division by zero")
-    text = text.replace(" and no __dict__ for setting new attributes", "")
     text = re.sub(r"\b0x[0-9a-f]+", "0xN", text)
     return [line for line in text.splitlines() if not line.startswith(HINTS)]

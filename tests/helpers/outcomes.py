@@ -8,6 +8,8 @@ import re
 from collections.abc import Iterator
 from typing import NamedTuple
 
+from python_texts import of_any_python
+
 __all__ = [
     "CTRL_C",
     "JITTER",
@@ -53,7 +55,7 @@ def outcome(console: str, status: int, end: float | None) -> Outcome:
             stalled = max(stalled, times[0] or 0.0)
         elif label != "zero":
             marks.setdefault(label, []).append(times)
-    return Outcome(status, _normal(_MARK.sub("", console)), marks, end, stalled)
+    return Outcome(status, _normal(_MARK.sub("", of_any_python(console))), marks, end, stalled)
 
 
 def _normal(text: str) -> str:

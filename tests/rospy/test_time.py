@@ -9,6 +9,7 @@ from typing import Any
 import pytest
 from hypothesis import assume, given, settings
 from hypothesis import strategies as st
+from python_texts import of_any_python
 
 from rosspin import rospy, simulate
 from rosspin.messages import genpy
@@ -159,7 +160,7 @@ DURATION: Any = rospy.Duration
         (lambda: DURATION() - TIME(), TypeError, UNSUPPORTED + "-: 'Duration' and 'Time'"),
         (lambda: DURATION(1) * "2", TypeError, "can't multiply sequence by non-int of type 'Duration'"),
         (lambda: DURATION(1) % 1, TypeError, UNSUPPORTED + "%: 'Duration' and 'int'"),
-        (lambda: DURATION(1) / 0, ZeroDivisionError, "float division by zero"),
+        (lambda: DURATION(1) / 0, ZeroDivisionError, "division by zero"),
         (lambda: DURATION("1"), TypeError, UNSUPPORTED + "-: 'str' and 'int'"),
     ],
 )
@@ -167,7 +168,7 @@ def test_what_goes_wrong_says_so_as_genpy_does(wrong: Any, error: type[Exception
     with pytest.raises(error) as caught:
         wrong()
     assert type(caught.value) is error
-    assert str(caught.value) == text
+    assert of_any_python(str(caught.value)) == text
 
 
 @pytest.mark.parametrize("early", [rospy.Time.now, rospy.get_time, rospy.get_rostime, lambda: rospy.Rate(1)])

@@ -13,6 +13,7 @@ from typing import Any
 import pytest
 from hypothesis import given, settings
 from hypothesis import strategies as st
+from python_texts import of_any_python
 
 from rosspin import Run, TimeStandsStill, rospy, simulate
 from rosspin.rospy import rostime
@@ -213,7 +214,7 @@ def test_a_rate_gives_its_period_and_what_is_left_of_it() -> None:
 @pytest.mark.parametrize(
     ("hz", "error", "text"),
     [
-        (0, ZeroDivisionError, "float division by zero"),
+        (0, ZeroDivisionError, "division by zero"),
         ("2", TypeError, "unsupported operand type(s) for /: 'float' and 'str'"),
         (None, TypeError, "unsupported operand type(s) for /: 'float' and 'NoneType'"),
         (float("nan"), ValueError, "cannot convert float NaN to integer"),
@@ -224,7 +225,7 @@ def test_what_is_no_rate(hz: Any, error: type[Exception], text: str) -> None:
         rospy.init_node("node")
         with pytest.raises(error) as caught:
             rospy.Rate(hz)
-        assert str(caught.value) == text
+        assert of_any_python(str(caught.value)) == text
 
     assert simulate(node, 1).status == 0
 
@@ -246,7 +247,7 @@ def test_what_is_no_length_of_sleep(length: Any, text: str) -> None:
         rospy.init_node("node")
         with pytest.raises((TypeError, ValueError)) as caught:
             rospy.sleep(length)
-        assert str(caught.value) == text
+        assert of_any_python(str(caught.value)) == text
 
     assert simulate(node, 1).status == 0
 
@@ -277,7 +278,7 @@ def dies(period: Any) -> Run:
 @pytest.mark.parametrize(
     ("period", "last_line"),
     [
-        (rospy.Duration(0), "ZeroDivisionError: float division by zero"),
+        (rospy.Duration(0), "ZeroDivisionError: division by zero"),
         (0.5, "AttributeError: 'float' object has no attribute 'to_sec'"),
     ],
 )
@@ -286,7 +287,7 @@ def test_a_timer_with_a_bad_period_dies_alone(period: Any, last_line: str) -> No
     assert run.status == 0
     assert run.console.startswith("Exception in thread Thread-1:\nTraceback")
     assert re.search(r'  File ".*", line \d+, in node, which made this timer\n    timer = rospy.Timer\(', run.console)
-    assert run.console.endswith(last_line + "\n")
+    assert of_any_python(run.console).endswith(last_line + "\n")
 
 
 def test_a_timer_with_a_negative_period_is_a_busy_loop() -> None:

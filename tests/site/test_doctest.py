@@ -70,7 +70,8 @@ def test_what_is_true_passes(tmp_path: Path) -> None:
     run = build(site(tmp_path, TRUE), "doctest")
     assert run.returncode == 0, run.stdout + run.stderr
     output = (tmp_path / "build/doctest/output.txt").read_text()
-    assert re.search(r"^Doctest summary\n=+\n +8 tests\n +0 failures in tests\n", output, re.MULTILINE)
+    count = 10 if sys.version_info >= (3, 13) else 8  # since then doctest counts those that it skips
+    assert re.search(rf"^Doctest summary\n=+\n +{count} tests\n +0 failures in tests\n", output, re.MULTILINE)
 
 
 @pytest.mark.parametrize("page", PAGES)

@@ -8,11 +8,10 @@ that ROS leaves open, for an :class:`ExploredSimulation`; and it is known by whe
 from __future__ import annotations
 
 import re
-import sys
 import threading
 from collections.abc import Callable, Hashable, Mapping, Sequence
 from heapq import heappop, heappush
-from typing import Any, NamedTuple
+from typing import NamedTuple
 
 from .frames import node_place, places
 from .simulation import LAST, STANDSTILL, Simulation
@@ -217,18 +216,6 @@ class ExploredSimulation(Simulation):
                 self._go_on(me)
                 if me.interrupt:
                     self._handle_interrupt(me)
-
-    def _go_on(self, me: Stack) -> None:
-        # Whichever loop of asyncio runs on this stack does so on no other, wherever the stack gives way.
-        events: Any = None if sys.platform == "emscripten" else sys.modules.get("asyncio.events")
-        if events is None or (loop := events._get_running_loop()) is None:
-            super()._go_on(me)
-            return
-        events._set_running_loop(None)
-        try:
-            super()._go_on(me)
-        finally:
-            events._set_running_loop(loop)
 
     def interrupt(self, stack: Stack, handler: Callable[[], None]) -> None:
         self._put_back()

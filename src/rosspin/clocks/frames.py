@@ -5,6 +5,7 @@ from __future__ import annotations
 import dis
 import linecache
 import os
+import re
 import sys
 import traceback
 import warnings
@@ -12,6 +13,8 @@ from collections.abc import Callable, Iterable, Iterator
 from itertools import islice
 from types import CodeType, FrameType, TracebackType
 from typing import NamedTuple
+
+from .installed import is_installed_file
 
 __all__ = [
     *("Place", "Whereabouts", "asleep_in_loop", "called_from", "format_error", "is_installed", "node_frame"),
@@ -26,7 +29,6 @@ _FOLDER = os.path.dirname(os.path.dirname(__file__)) + os.sep
 
 # The function with which a stack begins in a web page (clocks/jspi.py).
 _BASE = "_run_stack"
-_LIBRARY = os.path.dirname(traceback.__file__) + os.sep
 
 # The modules that start threads. In a thread's traceback their frames stand above the node's.
 _STARTERS = {"threading", "concurrent.futures.thread"}
@@ -47,8 +49,8 @@ def node_frame(frame: FrameType) -> FrameType:
 
 
 def called_from(frame: FrameType) -> FrameType:
-    """Like ``node_frame``, but it also skips the frames of the standard library."""
-    return _outwards(frame, lambda each: _is_ours(each) or each.f_code.co_filename.startswith(_LIBRARY))
+    """Like ``node_frame``, but it also skips the frames of what is installed."""
+    return _outwards(frame, lambda each: _is_ours(each) or is_installed(each))
 
 
 def _outwards(frame: FrameType, skipped: Callable[[FrameType], bool]) -> FrameType:
@@ -60,11 +62,6 @@ def _outwards(frame: FrameType, skipped: Callable[[FrameType], bool]) -> FrameTy
 def is_installed(frame: FrameType) -> bool:
     """Whether a frame belongs to the standard library or to an installed package."""
     return is_installed_file(frame.f_code.co_filename)
-
-
-def is_installed_file(path: str) -> bool:
-    """Whether a file of code does."""
-    return path.startswith(_LIBRARY) or "site-packages" in path
 
 
 def warn(text: str, category: type[Warning] = UserWarning) -> None:
@@ -179,9 +176,9 @@ def places(trail: Trail) -> list[Place]:
 
 
 def node_place(places: Iterable[Place]) -> Place | None:
-    """The first place that is neither in this package nor in the standard library."""
-    not_the_nodes = (_FOLDER, _LIBRARY, "<frozen")
-    return next((place for place in places if not place.filename.startswith(not_the_nodes)), None)
+    """The first place that is neither in this package nor in what is installed."""
+    own = (place for place in places if not place.filename.startswith(_FOLDER))
+    return next((place for place in own if not is_installed_file(place.filename)), None)
 
 
 def outer_place(places: Iterable[Place]) -> Place | None:
@@ -189,10 +186,28 @@ def outer_place(places: Iterable[Place]) -> Place | None:
     return next((place for place in places if not place.filename.startswith(_HERE)), None)
 
 
+# The instructions with which a with statement enters its context. Python 3.13 and newer give them the place of the
+# expression after ``with``, older ones that of the whole statement.
+_ENTERS = {"BEFORE_WITH", "BEFORE_ASYNC_WITH", "LOAD_SPECIAL"}
+_WITH = re.compile(r"\s*((?:async )?with\b.*)")
+_OPENS_BLOCK = re.compile(r":\s*(#.*)?$")
+
+
 def _call(code: CodeType, at: int) -> str:
     """The source text of the instruction ``at``; a text of several lines is cut after the first."""
-    line, end_line, column, end = next(islice(code.co_positions(), at // 2, None), (None,) * 4)
+    where = next(islice(code.co_positions(), at // 2, None), (None,) * 4)
+    line, end_line, column, end = where
     if line is None or column is None:
         return ""
-    text = linecache.getline(code.co_filename, line).rstrip("\n").encode()
-    return (text[column:end] if line == end_line else text[column:] + b" ...").decode(errors="replace")
+    text = linecache.getline(code.co_filename, line).rstrip("\n")
+    statement = _WITH.match(text)
+    if statement and _has_entered(code, at, where):
+        return statement[1] + (" ..." if line != end_line or _OPENS_BLOCK.search(text) else "")
+    shown = text.encode()
+    return (shown[column:end] if line == end_line else shown[column:] + b" ...").decode(errors="replace")
+
+
+def _has_entered(code: CodeType, at: int, where: tuple[int | None, ...]) -> bool:
+    """Whether an instruction is of a with statement itself, not of the expression at the same place."""
+    places = enumerate(islice(code.co_positions(), at // 2 + 1))
+    return any(place == where and dis.opname[code.co_code[2 * number]] in _ENTERS for number, place in places)

@@ -18,12 +18,15 @@ from .clock import nanoseconds
 from .ending import heed
 from .stacks import Stack, current
 
-__all__ = ["LoopSelector", "Loops"]
+__all__ = ["LoopSelector", "Loops", "put_aside", "put_back"]
 
 # What each round costs (ns) a loop that never waits: about as much as on a real machine. The first rounds are free: a
 # loop with something to do also goes round without waiting.
 _ROUND = 10_000
 _FREE_ROUNDS = 1_000
+
+_IN_PAGE = sys.platform == "emscripten"
+_modules = sys.modules
 
 
 class LoopSelector(selectors.DefaultSelector):
@@ -38,11 +41,9 @@ class LoopSelector(selectors.DefaultSelector):
 
     def _take(self, loop: Any) -> None:
         self._loop = loop
-        self._events = sys.modules["asyncio.events"]
         self._waiting: Stack | None = None
         self._looked = -1  # when (ns) it last looked without waiting
         self._rounds = 0  # how often in a row it did so
-        self._beside: Any = None  # the loop of another stack that runs, and blocks, while this one waits
         loop._write_to_self = self._wake
         loop._clock_resolution = max(loop._clock_resolution, 2 * math.ulp(loop.time()))  # after decades it is coarser
         loop.add_signal_handler = self._add_signal_handler
@@ -52,7 +53,7 @@ class LoopSelector(selectors.DefaultSelector):
         loop = self._loop
         loop._check_signal(number)
         loop._check_closed()
-        loop._signal_handlers[number] = self._events.Handle(callback, args, loop, None)
+        loop._signal_handlers[number] = sys.modules["asyncio.events"].Handle(callback, args, loop, None)
         signal.signal(number, lambda *_: loop._handle_signal(number))
 
     def _wake(self) -> None:
@@ -82,22 +83,44 @@ class LoopSelector(selectors.DefaultSelector):
         self._looked = stack.clock.now()
 
     def _wait(self, stack: Stack, timeout: float | None) -> None:
-        events: Any = self._events
-        events._set_running_loop(self._beside)
         self._waiting = stack
         try:
             stack.clock.wait(None if timeout is None else nanoseconds(timeout))
         finally:
             self._waiting = None
-            self._beside = events._get_running_loop()
-            events._set_running_loop(self._loop)
+
+
+# A loop that runs, and the task that runs in it.
+Running = tuple[Any, Any]
+
+
+def put_aside() -> Running | None:
+    """Let no loop be the running one, so that another stack may run its own. Returns what ran, if anything did."""
+    events: Any = _modules.get("asyncio.events")
+    if events is None or _IN_PAGE or (loop := events._get_running_loop()) is None:
+        return None
+    task = _exchange_task(loop, None)
+    events._set_running_loop(None)
+    return loop, task
+
+
+def put_back(running: Running | None) -> None:
+    """Let the loop run again that was put aside."""
+    if running:
+        sys.modules["asyncio.events"]._set_running_loop(running[0])
+        _exchange_task(*running)
+
+
+def _exchange_task(loop: Any, new: Any) -> Any:
+    """Make a task that of the running loop. Python before 3.14 keeps one for each loop, not one for each thread."""
+    return sys.modules["asyncio.tasks"]._swap_current_task(loop, new) if sys.version_info >= (3, 14) else None
 
 
 class Loops:
     """A context in which no loop runs and none is set, as in a new process. The next time it is as code has left it."""
 
     def __init__(self) -> None:
-        self._inside: tuple[Any, Any] = (None, None)
+        self._inside: tuple[Running | None, Any] = (None, None)
 
     def __enter__(self) -> None:
         self._outside = _exchange(self._inside)
@@ -106,12 +129,12 @@ class Loops:
         self._inside = _exchange(self._outside)
 
 
-def _exchange(new: tuple[Any, Any]) -> tuple[Any, Any]:
-    """Make these the running loop and the policy. Returns those that there were; None stands for none."""
+def _exchange(new: tuple[Running | None, Any]) -> tuple[Running | None, Any]:
+    """Make these what runs and the policy. Returns those that there were; None stands for none."""
     events: Any = sys.modules.get("asyncio.events")
-    if events is None or sys.platform == "emscripten":
+    if events is None or _IN_PAGE:
         return None, None
-    before = events._get_running_loop(), events._event_loop_policy
-    events._set_running_loop(new[0])
+    before = put_aside(), events._event_loop_policy
+    put_back(new[0])
     events._event_loop_policy = new[1]
     return before

@@ -20,6 +20,7 @@ from typing import Any
 from .clock import NS
 from .ending import ending_here
 from .frames import Place, places, trail
+from .loops import put_aside, put_back
 from .stacks import Program, Stack, StackExit, Switched, current, telling_no_turns
 
 __all__ = ["FROM_OUTSIDE", "LAST", "PacedSimulation", "Simulation", "Standstill"]
@@ -147,12 +148,16 @@ class Simulation:
         elif order - self._last_move > STANDSTILL:
             self._stand_still(me)
         if stack is not me:
-            if not stack:
-                # A stack begins as deep in calls as whatever starts it. Home starts them all, as it never gets deeper.
-                heappush(self._heap, due)
-                self._home.switch()
-            else:
-                stack.switch()
+            running = put_aside()
+            try:
+                if not stack:
+                    # A stack begins as deep in calls as whatever starts it. Home starts them all: it never gets deeper.
+                    heappush(self._heap, due)
+                    self._home.switch()
+                else:
+                    stack.switch()
+            finally:
+                put_back(running)
         if me.interrupt:  # type: ignore[attr-defined]
             self._handle_interrupt(me)  # type: ignore[arg-type]
             # As after a signal (PEP 475), the rest of the sleep is still to come.
@@ -368,14 +373,18 @@ class Simulation:
     def _go_on(self, me: Stack) -> None:
         """Go on with the stack that is due next."""
         due = self._next()
-        if due is None:
-            self._home.switch()
-        elif due[2] is not me:
-            if due[2]:
+        if due and due[2] is me:
+            return
+        running = put_aside()
+        try:
+            if due and due[2]:
                 due[2].switch()
             else:
-                heappush(self._heap, due)
+                if due:
+                    heappush(self._heap, due)
                 self._home.switch()
+        finally:
+            put_back(running)
 
     def _stand_still(self, me: Switched, threads: int = 0) -> None:
         self._home.throw(Standstill(places(trail(sys._getframe())), getattr(me, "place", ""), threads))

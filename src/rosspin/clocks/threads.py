@@ -189,7 +189,10 @@ class _Handle:
         self._ended.acquire()
 
     def is_done(self) -> bool:
-        return not self._ended.locked()
+        done = not self._ended.locked()
+        if not done:
+            _poll()
+        return done
 
     def join(self, timeout: float | None = None) -> None:
         if self._ended.acquire(True, -1 if timeout is None or timeout < 0 else timeout):
@@ -235,14 +238,8 @@ def _start_joinable(real: Callable[..., Any]) -> Callable[..., Any]:
             handle = _Handle()
             function.__self__._handle = function.__self__._os_thread_handle = handle  # type: ignore[attr-defined]
 
-        def run() -> None:
-            try:
-                _run(function, (), {})
-            finally:
-                handle._set_done()
-
-        started = handle._ended.holder = _start_stack(stack, run)
-        handle.ident = started.ident
+        started = handle._ended.holder = _start_stack(stack, lambda: _run(function, (), {}))
+        started.ended, handle.ident = handle._ended, started.ident
         return handle
 
     return start_joinable_thread

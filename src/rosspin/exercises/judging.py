@@ -8,6 +8,7 @@ from itertools import zip_longest
 from typing import Any
 
 from ..run.roses import ROSES
+from ..run.source import refuse_null_bytes
 from .feedback import Finding
 from .seen import Error, Seen, Value
 from .traces import Outcome, Request
@@ -126,9 +127,10 @@ class Answer:
         if not isinstance(source, str):
             raise Fails(f"The answer is a text, not {a_value(type(source).__name__)}.")
         try:
+            refuse_null_bytes(source, "<answer>")
             self._tree = ast.parse(source)
         except (SyntaxError, ValueError, RecursionError, MemoryError) as error:
-            raise Fails(*not_python(error, source)) from None
+            raise Fails(*not_python(error)) from None
         self._refuse_the_other_ros(_imported(self._tree))
         return self._tree
 
@@ -238,11 +240,10 @@ def hint_for_kept(seen: Seen) -> str:
     return _DAEMON if seen.kept_by_rate else ""
 
 
-def not_python(error: Exception, text: str) -> tuple[str, str]:
+def not_python(error: Exception) -> tuple[str, str]:
     """Return what to say about a text that Python cannot read, and how to go on."""
     read = "Python could not read the answer, so nothing ran. The error may be in the line before."
     if not isinstance(error, SyntaxError):
         return f"This is not Python: {plain(str(error))}.", read
-    line = error.lineno or text.partition("\0")[0].count("\n") + 1  # Python does not say where a null byte is
     said = plain(error.msg)  # may end in a question
-    return f"Line {line} is not Python: {said}{'' if said.endswith('?') else '.'}", read
+    return f"Line {error.lineno} is not Python: {said}{'' if said.endswith('?') else '.'}", read

@@ -292,7 +292,7 @@ class Runner:
         try:
             return load_source(self._text, _FILENAME)._replace(hint=self._ros_number)
         except SyntaxError as error:
-            raise _Failed(*not_python(error, self._text)) from None
+            raise _Failed(*not_python(error)) from None
 
     @cached_property
     def _shaken(self) -> Code:

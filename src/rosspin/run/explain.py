@@ -8,6 +8,7 @@ from collections.abc import Sequence
 
 from ..clocks.clock import NS
 from ..clocks.frames import Place, Whereabouts, is_installed, node_frames
+from ..clocks.installed import is_installed_file
 from ..clocks.simulation import Simulation, Standstill
 from ..clocks.watchdog import Stuck
 from ..world.world import NotSimulated
@@ -78,9 +79,10 @@ def _keeping(node: Code, waited: Sequence[Whereabouts]) -> list[list[Place]]:
 
 
 def _of_nodes(nodes: Sequence[Code], places: Sequence[Place]) -> Place | None:
-    """Return the innermost place in a node's file or its folder."""
+    """Return the innermost place in a node's file or its folder, but not in what is installed there."""
     folders = tuple(name for node in nodes for name in (node.filename, f"{node.folder or node.filename}{os.sep}"))
-    return next((place for place in places if place.filename.startswith(folders)), None)
+    there = (place for place in places if place.filename.startswith(folders))
+    return next((place for place in there if not is_installed_file(place.filename)), None)
 
 
 def stands_still(nodes: Sequence[Code], ros: int, error: Standstill | Stuck, clock: Simulation) -> TimeStandsStill:

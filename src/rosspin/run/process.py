@@ -21,7 +21,8 @@ except ImportError:  # a web page has no processes
     _posixsubprocess = None  # type: ignore[assignment]
 
 from ..clocks.ending import Ended, heed
-from ..clocks.frames import format_error, is_installed, is_installed_file
+from ..clocks.frames import format_error, is_installed
+from ..clocks.installed import is_installed_file, note_own
 from ..clocks.patches import Patch
 from ..clocks.programs import Died, end_program, end_run
 from ..clocks.simulation import Simulation
@@ -109,6 +110,7 @@ class Process(Slots):
         self.world = make_world(argv)
         self.imports = Imports(node, self.world, stand_in, hidden)
         self._own = own_folders(node)
+        note_own(node.filename, self._own)
         folders = [] if node.folder is None else [node.folder]
         around = [] if node.folder is None else [around_package(node.folder)]
         if folder:
@@ -132,7 +134,7 @@ class Process(Slots):
         self.loggers = dict(self.loggers)
 
     def owns(self, module: object) -> bool:
-        """Whether a module, or its package, lies beside the node or its package; not in a virtual environment there."""
+        """Whether a module, or its package, lies beside the node or its package, and is not installed there."""
         if not isinstance(module, ModuleType):  # a node can put anything into sys.modules
             return False
         return is_own(module.__name__, getattr(module, "__file__", None) or "", self._own)
@@ -364,7 +366,15 @@ _STARTERS = {
 
 
 def starter(frame: FrameType) -> str:
-    """Name what a node has used of the standard library to ask for a process, or for something that processes share."""
+    """Name what a node has used of the standard library to ask for a process, or for something that processes share.
+
+    If a process is being started, the name says how: it depends on the platform, and on Python's version.
+    """
+    process = _being_started(frame)
+    return _starter(frame) + (f" ({_method(process)})" if process else "")
+
+
+def _starter(frame: FrameType) -> str:
     calls = [(each.f_globals.get("__name__"), each.f_code.co_name) for each, _ in traceback.walk_stack(frame)]
     for module, function in reversed(calls):
         if module in _STARTERS:
@@ -372,6 +382,19 @@ def starter(frame: FrameType) -> str:
         if module == "multiprocessing.context" and not function.startswith("_"):
             return f"multiprocessing.{function}"
     return "multiprocessing"
+
+
+def _being_started(frame: FrameType) -> Any:
+    """Return the process of ``multiprocessing`` that is being started, the outermost one; None if there is none."""
+    found = None
+    for each, _ in traceback.walk_stack(frame):
+        if each.f_globals.get("__name__") == "multiprocessing.process" and each.f_code.co_name == "start":
+            found = each.f_locals["self"]
+    return found
+
+
+def _method(process: Any) -> str:
+    return str(getattr(process, "_start_method", None) or sys.modules["multiprocessing"].get_start_method())
 
 
 def _fork(real: Callable[..., Any]) -> Callable[..., Any]:
@@ -383,15 +406,12 @@ def _fork(real: Callable[..., Any]) -> Callable[..., Any]:
     def fork(*args: Any) -> Any:
         world, process = whose(), None
         if isinstance(world, World) and os.getpid() == world.pid:
-            for frame, _ in traceback.walk_stack(sys._getframe(1)):
-                if frame.f_globals.get("__name__") == "multiprocessing.process" and frame.f_code.co_name == "start":
-                    process = frame.f_locals["self"]
-                    method = getattr(process, "_start_method", None)
-                    method = method or sys.modules["multiprocessing"].get_start_method()
-                    if method != "fork":
-                        raise NotSimulated(f"{starter(frame)} ({method})")
-                    if isinstance(world.clock, Simulation):
-                        raise NotSimulated(f"{starter(frame)} ({method})", "the wall clock or on a real ROS")
+            frame = sys._getframe(1)
+            if process := _being_started(frame):
+                if _method(process) != "fork":
+                    raise NotSimulated(starter(frame))
+                if isinstance(world.clock, Simulation):
+                    raise NotSimulated(starter(frame), "the wall clock or on a real ROS")
         pid = real(*args)
         if isinstance(world, World) and process and pid and not process.daemon:
             world.forked.append(process)

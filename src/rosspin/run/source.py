@@ -23,13 +23,14 @@ from pathlib import Path
 from types import CodeType, ModuleType
 from typing import Any, NamedTuple
 
+from ..clocks.installed import is_installed_file
 from .kept import working_folder
 from .roses import ROSES, ros_of
 
 __all__ = [
     *("Code", "NodeLike", "around_package", "folder_of", "load", "load_entry_point", "load_source", "names_a_ros"),
-    *("compiled", "is_launch_of_ros2", "is_own", "own_folders", "read", "refuse_other_ros", "refuse_text"),
-    *("program", "split_words", "warn_of_files", "words_of"),
+    *("compiled", "is_launch_of_ros2", "is_own", "own_folders", "read", "refuse_null_bytes", "refuse_other_ros"),
+    *("refuse_text", "program", "split_words", "warn_of_files", "words_of"),
 ]
 
 
@@ -158,8 +159,15 @@ def _call(function: Callable[[], Any], main: ModuleType | None) -> None:
 def read(path: str) -> str:
     """Read the text of a Python file. Raises SyntaxError for bytes that are not in its encoding."""
     try:
-        with tokenize.open(path) as file:
-            return file.read()
+        try:
+            with tokenize.open(path) as file:
+                return file.read()
+        except SyntaxError:
+            with open(path, "rb") as file_of_bytes:
+                content = file_of_bytes.read()
+            if b"\0" in content:  # which Python 3.14 refuses here; whoever compiles the text says where it is
+                return content.decode()
+            raise
     except UnicodeDecodeError as error:
         line = error.object.count(b"\n", 0, error.start) + 1
         text = f"the byte 0x{error.object[error.start]:02x} is not {error.encoding}"
@@ -167,11 +175,8 @@ def read(path: str) -> str:
 
 
 def _compile(source: str, filename: str) -> CodeType:
-    try:
-        return compile(source, filename, "exec", dont_inherit=True)
-    except SyntaxError as error:  # Python does not say where null bytes are
-        line = source.partition("\0")[0].count("\n") + 1
-        raise error if error.filename else SyntaxError(error.msg, (filename, line, None, None)) from None
+    refuse_null_bytes(source, filename)
+    return compile(source, filename, "exec", dont_inherit=True)
 
 
 # --- what is refused before it runs -----------------------------------------------------------------------------------
@@ -187,6 +192,13 @@ def refuse_other_ros(path: str, ros: int) -> None:
     with suppress(SyntaxError):
         if load_source(read(path), path).hint == 3 - ros:
             raise ValueError(f"{path}: this is a node of ROS {3 - ros}: --ros{3 - ros}")
+
+
+def refuse_null_bytes(source: str, filename: str) -> None:
+    """Raise SyntaxError for a null byte. Python does not say where it is, and older versions raise ValueError."""
+    if "\0" in source:
+        line = source.partition("\0")[0].count("\n") + 1
+        raise SyntaxError("source code cannot contain null bytes", (filename, line, None, None))
 
 
 def refuse_text(args: Sequence[str]) -> None:
@@ -219,7 +231,7 @@ def _in_the_way(node: Code) -> Iterator[str]:
         else:
             continue
         file = neighbour(node.folder, name)  # looked for last: a folder may hold hundreds
-        if not file:
+        if not file or is_installed_file(file):
             continue
         shown = os.path.relpath(file) if working_folder() else file
         hidden = f"{shown} is in the way of {whose} module {name}"
@@ -282,11 +294,10 @@ def own_folders(node: Code) -> list[str]:
 
 
 def is_own(name: str, file: str, folders: Sequence[str]) -> bool:
-    """Whether a module, or its package, lies in such a folder; not in a virtual environment there."""
-    root = name.partition(".")[0]
-    return os.path.abspath(file).startswith(
-        tuple(f"{folder}{root}{end}" for folder in folders for end in (".", os.sep))
-    )
+    """Whether a module, or its package, lies in such a folder, and is not installed there."""
+    root, path = name.partition(".")[0], os.path.abspath(file)
+    ways = tuple(f"{folder}{root}{end}" for folder in folders for end in (".", os.sep))
+    return path.startswith(ways) and not is_installed_file(path)
 
 
 def around_package(folder: str) -> str:
@@ -307,7 +318,7 @@ def package_of(filename: str) -> str | None:
 def words_of(path: str) -> list[str]:
     """Return what a Python is given to run a node file: its path, or the module that it is, if it needs its package."""
     package = package_of(path)
-    with suppress(SyntaxError):  # the run will show it
+    with suppress(SyntaxError, ValueError):  # the run will show it
         if package and any(isinstance(each, ast.ImportFrom) and each.level for each in ast.walk(ast.parse(read(path)))):
             return ["-m", f"{package}.{Path(path).stem}"]
     return [path]

@@ -19,6 +19,7 @@ from typing import Any
 
 from ...clocks.clock import NS, nanoseconds
 from ...clocks.frames import is_installed, node_frames
+from ...clocks.installed import note_own
 from ...clocks.simulation import Simulation
 from ...messages.library import Library
 from ..executables import find_node, is_cpp
@@ -176,6 +177,7 @@ class LaunchService:
             return read_yaml(path)
         module = ModuleType("python_launch_file")
         module.__file__ = path
+        note_own(path, [])
         exec(compiled(read(path), path), module.__dict__)
         if not hasattr(module, "generate_launch_description"):
             text = f"launch file at '{path}' does not contain the required function 'generate_launch_description()'"
