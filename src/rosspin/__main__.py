@@ -124,7 +124,7 @@ def _parser() -> argparse.ArgumentParser:
         "judge",
         help="judge answers to exercises",
         description="Judge answers to the exercises: hand-ins, node files and notebooks, and folders and zips of them.",
-        usage="%(prog)s FILE... [--csv FILE] [--json]",
+        usage="%(prog)s FILE... [--csv FILE] [--json] [--unsealed]",
         epilog="The exit status is 0 if all answers are right, 1 if one is not, 2 if the command line is not, and 130 "
         "after Ctrl-C, which keeps what has been judged.",
         allow_abbrev=False,
@@ -132,6 +132,9 @@ def _parser() -> argparse.ArgumentParser:
     judge.add_argument("paths", metavar="FILE", nargs="+", help="a hand-in, or a folder or zip of them")
     judge.add_argument("--csv", metavar="FILE", help="save a table for spreadsheets, with a row for each student")
     judge.add_argument("--json", action="store_true", help="print all that is known as JSON, in place of words")
+    judge.add_argument(
+        "--unsealed", action="store_true", help="judge also where answers cannot be sealed, with all of your rights"
+    )
     judge.set_defaults(do=_judge, parser=judge)
     look = commands.add_parser(
         "look",
@@ -164,7 +167,7 @@ def _judge(options: argparse.Namespace, args: Sequence[str]) -> int:
         raise ValueError("judge needs Linux or macOS, or WSL on Windows; the page for teachers needs a browser only")
     from .grading import judge  # not there on Windows
 
-    return judge(options.paths, options.csv, options.json)
+    return judge(options.paths, options.csv, options.json, options.unsealed)
 
 
 def _look(options: argparse.Namespace, args: Sequence[str]) -> int:

@@ -35,6 +35,7 @@ def report(today: datetime.date) -> Iterator[str]:
     yield _line("roscpp", ros1.missing(), f"{_APT} {ros1.APT}")
     yield _line("rclpy", ros2.missing(), ros2.unavailable() or ros2.REMEDY)
     yield _line("browser", [] if chromium() else ["Chromium"], f"{_APT} chromium")
+    yield _line("bwrap", [] if shutil.which("bwrap") else ["bubblewrap, which seals answers"], f"{_APT} bubblewrap")
     if _LEDGER.exists():
         yield from _recordings(today)
 

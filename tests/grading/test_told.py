@@ -14,7 +14,7 @@ from tree import ROOT
 
 from rosspin.exercises import Verdict
 from rosspin.grading.students import Class, Row
-from rosspin.grading.told import PAGE_PYTHON, as_data, as_words, hard, say_python, say_seals, write_csv
+from rosspin.grading.told import PAGE_PYTHON, as_data, as_words, hard, say_python, say_unsealed, write_csv
 
 
 def a_class(*rows: tuple[str, dict[str, Verdict]]) -> Class:
@@ -43,7 +43,7 @@ def test_what_the_class_found_hard() -> None:
         "What was hard:\n  slow-timer: 1 of 4 solved\n    2 × h1\n    1 × h2\n  two-timers: 1 of 3 solved\n    1 × h3"
     )
     assert "\n".join(as_words(found)).endswith(words)
-    assert as_data(found, ["disk"])["hard"][0]["hints"] == {"h1": 2, "h2": 1}
+    assert as_data(found)["hard"][0]["hints"] == {"h1": 2, "h2": 1}
 
 
 FORMULAS = ["=1+1", "+1", "-1", "@SUM(A1)", " =x", '"=x', "a,=x", "a;-x", "＝x", "\t=x", "\u200b=x", "a\r\n=x"]
@@ -71,14 +71,13 @@ def test_half_a_character_is_no_error() -> None:
     assert write_csv([["a\ud800"]]).endswith(b'"a?"\r\n')
 
 
-def test_it_is_said_what_the_system_does_not_allow() -> None:
-    assert say_seals({"network", "disk"}) == ""
-    for seals, said in (
-        (set(), "none of your rights"),
-        ({"user"}, "a user who owns nothing"),
-        ({"network"}, "no network"),
-    ):
-        assert f"with {said}" in say_seals(seals)
+def test_it_is_said_first_and_in_each_row_that_answers_were_not_sealed() -> None:
+    found = a_class(("a", {"slow-timer": told("solved")}), ("b", {"slow-timer": told("solved")}))
+    assert say_unsealed(found) == "" and not any("sealed" in line for line in as_words(found))
+    found.why_unsealed = "bubblewrap is not installed"
+    said = "The answers were NOT sealed: each ran with all of your rights. (Bubblewrap is not installed.)"
+    assert say_unsealed(found) == said
+    assert list(as_words(found)) == [said, "a: 1 of 1 solved; NOT sealed", "b: 1 of 1 solved; NOT sealed"]
 
 
 def test_it_is_said_that_a_newer_python_reads_more(monkeypatch: pytest.MonkeyPatch) -> None:

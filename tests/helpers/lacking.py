@@ -13,6 +13,8 @@ from message_probe import PACKAGES
 from runtimes import KILTED_PYTHON
 
 from rosspin import doctor
+from rosspin.grading.lanes import Lanes
+from rosspin.grading.sealed import CannotSeal
 from rosspin.real import ros2
 
 
@@ -26,6 +28,15 @@ def _lacks_ros1() -> str:
     return f"ROS 1 is not all installed ({run.stderr.splitlines()[-1]})" if run.returncode else ""
 
 
+@cache
+def _lacks_bwrap() -> str:
+    try:
+        Lanes().close()
+    except CannotSeal as error:
+        return f"answers cannot be sealed: {error}"
+    return ""
+
+
 # What a test may ask for, and why it is not here ("" if it is).
 LACKS: dict[str, Callable[[], str]] = {
     "ros1": _lacks_ros1,
@@ -33,5 +44,6 @@ LACKS: dict[str, Callable[[], str]] = {
     "rclcpp": rclcpp_nodes.missing,
     "kilted": lambda: "" if KILTED_PYTHON.exists() else "Kilted is not installed (make ros2 DISTRO=kilted)",
     "browser": lambda: "" if doctor.chromium() else "Chromium is not installed",
+    "bwrap": _lacks_bwrap,
     "firefox": lambda: "" if firefox() else "Firefox is not installed",
 }

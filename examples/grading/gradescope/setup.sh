@@ -3,7 +3,7 @@
 # wheel of it, is in the same zip as this file. Another folder than Gradescope's can be given, to try it.
 set -e
 apt-get update
-apt-get install -y python3-venv
+apt-get install -y python3-venv bubblewrap
 cd "${1:-/autograder}"
 python3 -m venv venv
 venv/bin/pip install source/rosspin*

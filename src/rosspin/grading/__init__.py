@@ -16,16 +16,25 @@ from pathlib import Path
 
 from ..exercises import Verdict
 from .lanes import Lanes, Task
+from .sealed import CannotSeal
 from .students import Class
-from .told import as_csv, as_data, as_words, say_python, say_seals, write_csv
+from .told import as_csv, as_data, as_words, say_python, say_unsealed, write_csv
 
 __all__ = ["judge"]
+
+_REMEDY = (
+    "Each would run with all of your rights. Where there is nothing to lose, as in a container with a single student's "
+    "answers, or where the answers are your own, add --unsealed"
+)
 
 _STOPPED = Verdict("stopped", False, "", "", "It was stopped before it was judged.")
 
 
-def judge(paths: Sequence[str], csv: str | None = None, as_json: bool = False) -> int:
-    """Judge what was handed in, and say what came of it. Returns the exit status."""
+def judge(paths: Sequence[str], csv: str | None = None, as_json: bool = False, unsealed: bool = False) -> int:
+    """Judge what was handed in, and say what came of it. Returns the exit status.
+
+    Where answers cannot be sealed, nothing is judged unless it may be ``unsealed``.
+    """
     found = Class()
     for path in paths:
         try:
@@ -37,7 +46,10 @@ def judge(paths: Sequence[str], csv: str | None = None, as_json: bool = False) -
     places = [(row, name) for row in found.rows for name in row.answers]
     for row, name in places:
         row.verdicts[name] = _STOPPED
-    lanes = Lanes()
+    try:
+        lanes = Lanes(unsealed)
+    except CannotSeal as error:
+        return _misused(f"answers cannot be sealed here: {error}. {_REMEDY}")
     progress = _Progress(len(places))
     for said in (*found.notes, *(f"{file} is refused: {why}." for file, why in found.refused)):
         print(said, file=sys.stderr)
@@ -52,7 +64,8 @@ def judge(paths: Sequence[str], csv: str | None = None, as_json: bool = False) -
     finally:
         lanes.close()
         progress.end()
-    for said in (say_seals(lanes.seals), say_python(found)):
+    found.why_unsealed = lanes.why
+    for said in (say_unsealed(found), say_python(found)):
         if said:
             print(said, file=sys.stderr)
     status = 0
@@ -61,7 +74,7 @@ def judge(paths: Sequence[str], csv: str | None = None, as_json: bool = False) -
             Path(csv).write_bytes(write_csv(as_csv(found)))
         except OSError as error:
             status = _misused(f"--csv {csv}: {error.strerror}")
-    _print(found, as_json, lanes.seals)
+    _print(found, as_json)
     if lanes.stopped:
         return 128 + signal.SIGINT
     if not found.rows:
@@ -70,9 +83,9 @@ def judge(paths: Sequence[str], csv: str | None = None, as_json: bool = False) -
     return status or (0 if is_right and all(row.answers for row in found.rows) else 1)
 
 
-def _print(found: Class, as_json: bool, seals: frozenset[str]) -> None:
+def _print(found: Class, as_json: bool) -> None:
     if as_json:
-        print(json.dumps(as_data(found, seals), indent=1))
+        print(json.dumps(as_data(found), indent=1))
         return
     # A terminal that lacks a character is shown something else; and nobody's text moves its cursor.
     encoding = sys.stdout.encoding or "utf-8"

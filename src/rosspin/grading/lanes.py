@@ -1,37 +1,27 @@
 """Judge answers in processes of their own, several at a time.
 
-For each answer two processes are forked from this one, which has imported everything and runs none of an answer. The
-first runs the answer and writes down what it did. The second judges these notes: nothing of the answer has run in it.
-What either sends is a text of limited length, which is checked before it is believed.
+Each lane is a process that has imported everything, and forks twice for each answer. The first child runs the answer
+and writes down what it did. The second judges these notes: nothing of the answer has run in it. What either sends is a
+text of limited length, which is checked before it is believed. A lane that an answer has changed is replaced.
 """
 
 from __future__ import annotations
 
-import errno
-import gc
-import importlib
 import json
 import os
-import pkgutil
 import selectors
-import shutil
 import signal
-import sys
-import sysconfig
-import tempfile
 import time
 from collections import deque
-from collections.abc import Callable, Iterable
+from collections.abc import Callable, Iterable, Iterator
 from contextlib import suppress
-from typing import NamedTuple, NoReturn
+from typing import NamedTuple
 
-from .. import exercises, rclpy, rospy
-from ..clocks.descendants import adopt_orphans, descendants, kill_descendants
 from ..exercises import Verdict
 from ..exercises.traces import LONGEST
-from ..run.alone import refuse_processes
-from .hand_ins import MOST_ANSWER, code
-from .sealed import limit, seal
+from .hand_ins import MOST_ANSWER
+from .sealed import CannotSeal, Process
+from .worker import AS_BEFORE, OPEN, SEALED
 
 __all__ = ["TIME", "Lanes", "Task"]
 
@@ -44,10 +34,9 @@ _MOST_SAID = 30_000
 # How long (s) to wait at most for anything before looking at the time, and whether to stop.
 _LOOK = 0.2
 
-# What answers can import besides ROS: of what is installed here, no more than in a page.
-_KNOWN = {*sys.stdlib_module_names, "__main__", "rosspin", "greenlet", "yaml", "_yaml"}
-
-_OWN_FD = 3  # the end of the pipe that a child writes to
+_NOT_SEALED = "It could not be sealed as it has to be, so nothing of it has run."
+_BROKE_DOWN = "Its Python broke down before it had noted what the answer did."
+_JUDGE_BROKE_DOWN = "The process that judged it broke down."
 
 
 class Task(NamedTuple):
@@ -57,207 +46,198 @@ class Task(NamedTuple):
     text: str
 
 
-class _Child:
-    """A process at work on a task."""
+# The number of a task, and what came of it if it is to be judged.
+_Job = tuple[int, Task, str | None]
 
-    def __init__(self, pid: int, read: int, number: int, task: Task, trace: str | None, folder: str) -> None:
-        self.pid = pid
-        self.read = read
-        self.number = number
-        self.task = task
-        self.trace = trace  # what it judges; None: it runs the answer
-        self.folder = folder
+
+class _Lane:
+    """A process, and what it is doing: the task of this number, which it runs, or judges if there is a trace."""
+
+    def __init__(self, sealed: bool) -> None:
+        self._sealed = sealed
+        self.process = Process(sealed, TIME)
+        self.number = 0
+        self.task = Task("", "")
+        self.traced = False
+        self.deadline = 0.0
+        self._job = b""
+        self._sent = bytearray()
+        self._status = b""
+        for file in (self.process.results, self.process.status, self.process.jobs):
+            os.set_blocking(file, False)
+
+    def begin(self, number: int, task: Task, trace: str | None = None) -> None:
+        """Give it a task, or what came of it to judge."""
+        self.number, self.task, self.traced = number, task, trace is not None
+        self._give(task._asdict() if trace is None else {**task._asdict(), "trace": trace})
+
+    def _give(self, job: dict[str, str]) -> None:
+        self._job = json.dumps(job).encode()
+        self._sent.clear()
+        self._status = b""
         self.deadline = time.monotonic() + TIME
-        self.sent = bytearray()
+        with suppress(BrokenPipeError):  # which is seen when its status is read
+            self.process.control.write(b"%d\n" % len(self._job))
+
+    def work(self) -> bool:
+        """Write and read what can be; whether the child has ended, or has to be."""
+        with suppress(BlockingIOError, BrokenPipeError):
+            if self._job:
+                self._job = self._job[os.write(self.process.jobs, self._job) :]
+        self._read()
+        try:
+            self._status = os.read(self.process.status, 100)
+        except BlockingIOError:
+            return len(self._sent) > LONGEST + 1000
+        self._read()  # all that it sent before it ended, and before another child begins
+        return True
+
+    def _read(self) -> None:
+        with suppress(BlockingIOError):
+            while len(self._sent) <= LONGEST + 1000 and (data := os.read(self.process.results, 1 << 16)):
+                self._sent += data
+
+    def outcome(self) -> tuple[str | None, bytes]:
+        """Return what was sent, and why it is of no use if it is not."""
+        word, newline, sent = bytes(self._sent).partition(b"\n")
+        if word + newline != (SEALED if self._sealed else OPEN):
+            return f"{_NOT_SEALED} ({word.decode(errors='replace')[:100] or 'It said nothing'}.)", b""
+        if not self._status.startswith(b"0 "):
+            return _JUDGE_BROKE_DOWN if self.traced else _BROKE_DOWN, b""
+        return None, sent
+
+    @property
+    def waits_for(self) -> Iterator[tuple[int, int]]:
+        """What it waits for: files, and whether to read them or to write to them."""
+        yield self.process.results, selectors.EVENT_READ
+        yield self.process.status, selectors.EVENT_READ
+        if self._job:
+            yield self.process.jobs, selectors.EVENT_WRITE
+
+    @property
+    def is_as_before(self) -> bool:
+        """Whether the child has changed nothing for the next one."""
+        return self._status == AS_BEFORE and not self._job
+
+    def tried(self) -> str:
+        """Have it do nothing, sealed as for an answer; why that is not so."""
+        self._give({})
+        while not self.work():
+            if time.monotonic() > self.deadline:
+                return "it was not ready in time"
+            time.sleep(0.001)
+        return self.outcome()[0] or ""
 
 
 class Lanes:
-    """Judges tasks, as many at a time as there are processors. Ctrl-C, and SIGTERM, make it stop."""
+    """Judges tasks, as many at a time as there are processors. Ctrl-C, and SIGTERM, make it stop.
 
-    def __init__(self) -> None:
-        """Import all that answers need, and find out how processes can be sealed here: ``seals``."""
-        for name in ("yaml", "xmlrpc.client"):  # which are else loaded when a node needs them
-            importlib.import_module(name)
-        for package in (rospy, rclpy, exercises):
-            for module in pkgutil.iter_modules(package.__path__, f"{package.__name__}."):
-                importlib.import_module(module.name)
-        adopt_orphans()
+    ``why`` says why answers are not sealed; it is empty if they are.
+    """
+
+    def __init__(self, unsealed: bool = False) -> None:
+        """Start a lane. If answers cannot be sealed, they have to be allowed to be ``unsealed``.
+
+        Otherwise :class:`CannotSeal` is raised.
+        """
         self.stopped = False
-        self.lanes = len(os.sched_getaffinity(0)) if hasattr(os, "sched_getaffinity") else os.cpu_count() or 1
-        self._selector = selectors.DefaultSelector()
-        self._folder = tempfile.mkdtemp(prefix="rosspin-judge-")
-        os.chmod(self._folder, 0o711)
-        self.seals = frozenset(self._tried().split())
-
-    def _tried(self) -> str:
-        """Find out which seals there are, in a process that is sealed for that."""
-        pid, read = self._fork(lambda: "", self._folder)
-        with open(read, "rb") as file:
-            said = file.read()
-        os.waitpid(pid, 0)
-        return said.partition(b"\n")[0].decode()
+        self.why = ""
+        self._number = len(os.sched_getaffinity(0)) if hasattr(os, "sched_getaffinity") else os.cpu_count() or 1
+        try:
+            lane = _Lane(sealed=True)
+            if why := lane.tried():
+                lane.process.end()
+                raise CannotSeal(why)
+        except CannotSeal as error:
+            if not unsealed:
+                raise
+            self.why = str(error)
+            lane = _Lane(sealed=False)
+        self._idle = [lane]
+        self._at_work: list[_Lane] = []
 
     def judge(self, tasks: Iterable[Task], done: Callable[[int, Verdict], None]) -> None:
         """Judge tasks, and call ``done`` with the number of each, from 0 on, and its verdict, in the order they come.
 
         Those that are not judged when it stops have no verdict.
         """
-        gc.collect()
-        gc.freeze()
         before = {number: signal.signal(number, self._stop) for number in (signal.SIGINT, signal.SIGTERM)}
-        waiting, others = deque(enumerate(tasks)), descendants(os.getpid())
+        waiting: deque[_Job] = deque((number, task, None) for number, task in enumerate(tasks))
         try:
-            while not self.stopped and (waiting or self._selector.get_map()):
-                while waiting and len(self._selector.get_map()) < self.lanes:
-                    number, task = waiting.popleft()
-                    if len(task.text) > MOST_ANSWER:
-                        said = f"It has {len(task.text)} characters; at most {MOST_ANSWER} are judged."
-                        done(number, _not_judged(task, said))
-                    else:
-                        self._start(number, task, None)
-                self._look(done)
+            while not self.stopped and (waiting or self._at_work):
+                while waiting and len(self._at_work) < self._number:
+                    self._begin(waiting.popleft(), done)
+                self._look(waiting, done)
         finally:
-            for key in list(self._selector.get_map().values()):
-                self._end(key.data)
+            for lane in self._at_work:
+                lane.process.end()
+            self._at_work = []
             for number, handler in before.items():
                 signal.signal(number, handler)
-            if "network" not in self.seals:  # with namespaces, nothing outlives the first process in them
-                kill_descendants(but=others)
-            gc.unfreeze()
 
     def close(self) -> None:
-        """Take the folder of the answers away."""
-        shutil.rmtree(self._folder, ignore_errors=True)
+        """End all lanes."""
+        for lane in self._idle:
+            lane.process.end()
+        self._idle = []
 
     def _stop(self, number: int, frame: object) -> None:
         self.stopped = True
 
-    def _start(self, number: int, task: Task, trace: str | None) -> None:
-        work = (lambda: _trace(task)) if trace is None else (lambda: _judge(task, trace))
-        folder = self._folder if trace is None else ""
-        if folder and "disk" not in self.seals:  # else each has a folder in memory in its place
-            folder = tempfile.mkdtemp(dir=folder)
-        pid, read = self._fork(work, folder)
-        self._selector.register(read, selectors.EVENT_READ, _Child(pid, read, number, task, trace, folder))
-
-    def _fork(self, work: Callable[[], str], folder: str) -> tuple[int, int]:
-        read, write = os.pipe()
-        sys.stdout.flush()
-        sys.stderr.flush()
-        if pid := os.fork():
-            os.close(write)
-            return pid, read
-        _work(work, write, folder)
-
-    def _look(self, done: Callable[[int, Verdict], None]) -> None:
-        for key, _ in self._selector.select(_LOOK):
-            child: _Child = key.data
-            data = os.read(child.read, 1 << 16)
-            child.sent += data
-            if not data or len(child.sent) > LONGEST + 1000:
-                status = self._end(child)
-                self._go_on(child, status, done)
-        now = time.monotonic()
-        for key in list(self._selector.get_map().values()):
-            if key.data.deadline < now:
-                self._end(key.data)
-                said = f"It was ended after {TIME} s."
-                done(key.data.number, _not_judged(key.data.task, said)._replace(verdict="did not end"))
-
-    def _end(self, child: _Child) -> int:
-        """End a process and all that it has started; its status."""
-        self._selector.unregister(child.read)
-        os.close(child.read)
-        for kill in (os.killpg, os.kill):
-            with suppress(ProcessLookupError, PermissionError):
-                kill(child.pid, signal.SIGKILL)
-        status = os.waitstatus_to_exitcode(os.waitpid(child.pid, 0)[1])
-        if child.folder not in ("", self._folder):
-            shutil.rmtree(child.folder, ignore_errors=True)
-        return status
-
-    def _go_on(self, child: _Child, status: int, done: Callable[[int, Verdict], None]) -> None:
-        """Have what was noted judged, or tell the verdict."""
-        _, _, sent = bytes(child.sent).partition(b"\n")
-        if child.trace is None and status:
-            done(
-                child.number, _not_judged(child.task, "Its Python broke down before it had noted what the answer did.")
-            )
-        elif child.trace is None:
-            self._start(child.number, child.task, sent.decode("utf-8", "replace"))
-        else:
-            done(child.number, self._verdict(child.task, sent))
-
-    @staticmethod
-    def _verdict(task: Task, sent: bytes) -> Verdict:
+    def _begin(self, job: _Job, done: Callable[[int, Verdict], None]) -> None:
+        number, task, trace = job
+        if len(task.text) > MOST_ANSWER:
+            said = f"It has {len(task.text)} characters; at most {MOST_ANSWER} are judged."
+            done(number, _not_judged(task, said))
+            return
         try:
-            found = Verdict(*json.loads(sent))
-        except (ValueError, TypeError):
-            found = _not_judged(task, "The process that judged it broke down.")
-        shown = found.console[: max(_MOST_SAID - len(found.said), 0)]
-        said = "\n".join(filter(None, [shown, found.said]))[:_MOST_SAID]
-        return found._replace(said=said)
+            lane = self._idle.pop() if self._idle else _Lane(not self.why)
+        except (CannotSeal, OSError) as error:
+            done(number, _not_judged(task, _NOT_SEALED if isinstance(error, CannotSeal) else str(error)))
+            return
+        self._at_work.append(lane)
+        lane.begin(number, task, trace)
+
+    def _look(self, waiting: deque[_Job], done: Callable[[int, Verdict], None]) -> None:
+        with selectors.DefaultSelector() as selector:
+            for lane in self._at_work:
+                for file, events in lane.waits_for:
+                    selector.register(file, events)
+            selector.select(_LOOK)
+        for lane in [*self._at_work]:
+            if lane.work():
+                self._go_on(lane, waiting, done)
+            elif lane.deadline < time.monotonic():
+                self._at_work.remove(lane)
+                lane.process.end()
+                said = f"It was ended after {TIME} s."
+                done(lane.number, _not_judged(lane.task, said)._replace(verdict="did not end"))
+
+    def _go_on(self, lane: _Lane, waiting: deque[_Job], done: Callable[[int, Verdict], None]) -> None:
+        """Have what was noted judged, or tell the verdict."""
+        self._at_work.remove(lane)
+        why, sent = lane.outcome()
+        if lane.is_as_before:
+            self._idle.append(lane)
+        else:
+            lane.process.end()
+        if why:
+            done(lane.number, _not_judged(lane.task, why))
+        elif lane.traced:
+            done(lane.number, _verdict(lane.task, sent))
+        else:
+            waiting.appendleft((lane.number, lane.task, sent.decode("utf-8", "replace")))
+
+
+def _verdict(task: Task, sent: bytes) -> Verdict:
+    try:
+        found = Verdict(*json.loads(sent))
+    except (ValueError, TypeError):
+        found = _not_judged(task, _JUDGE_BROKE_DOWN)
+    shown = found.console[: max(_MOST_SAID - len(found.said), 0)]
+    said = "\n".join(filter(None, [shown, found.said]))[:_MOST_SAID]
+    return found._replace(said=said)
 
 
 def _not_judged(task: Task, said: str) -> Verdict:
     return Verdict("not judged", False, f"Exercise {task.exercise}: not judged.", "", said)
-
-
-# --- in a child -------------------------------------------------------------------------------------------------------
-
-
-def _work(work: Callable[[], str], write: int, folder: str) -> NoReturn:
-    """In a process that was forked for it: do the work, and send which seals it has, and what comes of it.
-
-    Without a ``folder`` it is not sealed.
-    """
-    try:
-        os.setsid()
-        signal.signal(signal.SIGINT, signal.default_int_handler)
-        signal.signal(signal.SIGTERM, signal.SIG_DFL)
-        nothing = os.open(os.devnull, os.O_RDWR)
-        for number in range(3):
-            os.dup2(nothing, number)
-        os.dup2(write, _OWN_FD)
-        os.closerange(_OWN_FD + 1, 4096)  # the other lanes' pipes among them
-        seals = seal(folder) if folder else ()
-        os.chdir(folder or "/")
-        limit(TIME + 1)
-        _send(" ".join(sorted(seals)) + "\n")
-        _send(work())
-    except BaseException:
-        os._exit(1)
-    os._exit(0)
-
-
-def _send(text: str) -> None:
-    data = text.encode()
-    while data:
-        try:
-            data = data[os.write(_OWN_FD, data) :]
-        except OSError as error:
-            if error.errno != errno.EINTR:
-                raise
-
-
-def _trace(task: Task) -> str:
-    """Run an answer in a Python as the page has it: with the standard library and ROS, and without other processes."""
-    paths = {sysconfig.get_paths()[name] for name in ("stdlib", "platstdlib")}
-    sys.path[:] = [path for path in sys.path if _is_python_s_own(path, paths)]
-    sys.meta_path[:] = [finder for finder in sys.meta_path if "editable" not in repr(finder)]
-    for name in [*sys.modules]:
-        if name.partition(".")[0] not in _KNOWN:
-            del sys.modules[name]
-    refuse_processes()
-    try:
-        return exercises.trace(task.exercise, code(task.text))
-    except ValueError:
-        return ""  # there is no such exercise, which its judge says
-
-
-def _is_python_s_own(path: str, paths: set[str]) -> bool:
-    return path.endswith(".zip") or any(path == own or path == os.path.join(own, "lib-dynload") for own in paths)
-
-
-def _judge(task: Task, trace: str) -> str:
-    return json.dumps(exercises.verdict(task.exercise, code(task.text), trace))

@@ -1,132 +1,211 @@
-"""Seal a process before a student's code runs in it: what it can reach, and how much it can take.
+"""Start the process of a lane: in an empty root of its own, made by bubblewrap, or with all rights of this process.
 
-On Linux the process gets namespaces of its own: without network, with a disk that it can read and not write but for a
-small folder in memory, and without sight of other processes' numbers. Where the system allows none of that, as in most
-containers, root becomes a user who owns nothing, if it can then still read what is needed. Limits hold on any system.
+What bubblewrap was asked for is looked up from outside before anything is said to be sealed.
 """
 
 from __future__ import annotations
 
-import ctypes
+import importlib.util
+import itertools
+import json
 import os
-import resource
-import struct
+import select
+import shutil
+import signal
+import subprocess
 import sys
 import sysconfig
+import tempfile
+from collections.abc import Iterator, Mapping
 from contextlib import suppress
-from typing import Any
+from pathlib import Path
+from typing import IO, Any
 
-__all__ = ["SEALS", "limit", "seal"]
+from ..exercises.own import FOLDER
+from .filtered import is_known
+from .worker import READY
 
-SEALS = {
-    "network": "no network",
-    "disk": "a disk that cannot be written",
-    "user": "a user who owns nothing",
-}
-"""What seals there are, in words; each process has those that the system allows."""
+__all__ = ["CannotSeal", "Process"]
 
-_CLONE_NEWNS = 0x00020000
-_CLONE_NEWIPC = 0x08000000
-_CLONE_NEWUSER = 0x10000000
-_CLONE_NEWPID = 0x20000000
-_CLONE_NEWNET = 0x40000000
-_AT_FDCWD = -100
-_AT_RECURSIVE = 0x8000
-_SYS_MOUNT_SETATTR = 442  # on all processors
-_MOUNT_ATTR_RDONLY = 1
-_MS_NOSUID_NODEV = 2 | 4
-_PR_SET_PDEATHSIG = 1
-_PR_SET_NO_NEW_PRIVS = 38
-_CAPABILITIES_3 = 0x20080522
-_SIGKILL = 9
-_NOBODY = 65534
+# What else than Python a lane imports; the modules of rosspin need no more.
+_PACKAGES = ("greenlet", "yaml")
 
-# At most (bytes): memory beside what the process has already, as much as a sandbox of the page; a file; the folder.
-_MEMORY = 1 << 30
-_FILE = 10 << 20
-_FOLDER = "size=16m,mode=700"
+# Where shared libraries may lie: those that Python was linked with.
+_LIBRARIES = ("/lib", "/lib64", "/usr/lib", "/usr/lib64", "/nix/store", "/etc/ld.so.cache")
+
+_DEVICES = ("/dev/null", "/dev/zero", "/dev/urandom")
+
+_IN = "/rosspin"  # where the packages are in a sealed lane
+
+_NAMESPACES = ("cgroup", "ipc", "mnt", "net", "pid", "uts")
+
+# The folder of an answer (bytes).
+_FOLDER = 16 << 20
+
+_START = """
+import json, sys
+given, own = json.loads(sys.argv[1]), sys.path[:]
+sys.path += given["path"]
+from rosspin.grading.worker import work
+work(given, own)
+"""
+
+# So long (s) a lane may take until it is ready.
+_PATIENCE = 120
+
+_number = itertools.count()
 
 
-def seal(folder: str) -> set[str]:
-    """Seal this process, which was forked for that and has one thread; ``folder`` is empty, and where it may write.
+class CannotSeal(Exception):
+    """Answers cannot be sealed on this machine; the message says why."""
 
-    Returns which of ``SEALS`` are in force. With new namespaces the caller goes on in a child of this process, which
-    has the number 1 there: when that ends, so does all that it has started.
+
+class Process:
+    """The process of a lane, which has said that it is ready.
+
+    Jobs are written to ``jobs`` after their size, as a line, to ``control``; what the child says comes from
+    ``results``, and how it ended from ``status``.
     """
+
+    def __init__(self, seal: bool, seconds: int) -> None:
+        """Start it; an answer has so many seconds. Raises :class:`CannotSeal`, or OSError if it is not to be sealed."""
+        self._folder = "" if seal else tempfile.mkdtemp(prefix="rosspin-judge-")
+        self._init: int | None = None  # of the first process of its namespace
+        given: dict[str, Any] = {"sealed": seal, "time": seconds, "folder": self._folder or "/tmp"}
+        jobs, self.jobs = os.pipe()
+        self.results, results = os.pipe()
+        info, about = os.pipe()
+        given |= {"jobs": jobs, "results": results}
+        try:
+            command = _sealed(given, about) if seal else _unsealed(given)
+            self._process = subprocess.Popen(
+                command,
+                bufsize=0,
+                stdin=subprocess.PIPE,
+                stdout=subprocess.PIPE,
+                stderr=subprocess.PIPE,
+                pass_fds=(jobs, results, about) if seal else (jobs, results),
+                env={},
+                cwd="/",
+                start_new_session=True,
+            )
+        except BaseException:
+            for number in (self.jobs, self.results, info):
+                os.close(number)
+            self._sweep()
+            raise
+        finally:
+            for number in (jobs, results, about):
+                os.close(number)
+        assert self._process.stdin and self._process.stdout and self._process.stderr
+        self.control: IO[bytes] = self._process.stdin
+        self.status: int = self._process.stdout.fileno()
+        try:
+            self._begin(seal, info)
+        except BaseException:
+            self.end()
+            raise
+        finally:
+            os.close(info)
+            self._process.stderr.close()
+
+    def _begin(self, seal: bool, info: int) -> None:
+        """Wait until it is ready, and look whether it is as it was asked for."""
+        assert self._process.stderr
+        said = os.read(self.status, 100) if select.select([self.status], [], [], _PATIENCE)[0] else b""
+        if said != READY:
+            self._process.kill()
+            why = self._process.stderr.read().decode(errors="replace").strip().splitlines() or ["it ended at once"]
+            raise CannotSeal(f"bubblewrap: {why[-1]}") if seal else OSError(why[-1])
+        if seal:
+            try:
+                self._look(json.loads(os.read(info, 10_000)))
+            except (OSError, ValueError, KeyError) as error:
+                raise CannotSeal(f"bubblewrap does not say what it has made ({error})") from None
+
+    def _look(self, made: Mapping[str, int]) -> None:
+        first = made["child-pid"]
+        self._init = os.pidfd_open(first)
+        for name in _NAMESPACES if _has_all_users() else (*_NAMESPACES, "user"):
+            if os.stat(f"/proc/{first}/ns/{name}").st_ino == os.stat(f"/proc/self/ns/{name}").st_ino:
+                raise CannotSeal(f"bubblewrap has made no {name} namespace")
+
+    def end(self) -> None:
+        """End it, and all that it has started."""
+        if self._init is not None:
+            with suppress(ProcessLookupError):  # with the first process of a namespace, all in it end
+                signal.pidfd_send_signal(self._init, signal.SIGKILL)
+            os.close(self._init)
+        with suppress(ProcessLookupError, PermissionError):
+            os.killpg(self._process.pid, signal.SIGKILL)
+        self._process.kill()
+        self._process.wait()
+        for file in (self._process.stdin, self._process.stdout):
+            with suppress(OSError):
+                file and file.close()
+        for number in (self.jobs, self.results):
+            os.close(number)
+        self._sweep()
+
+    def _sweep(self) -> None:
+        if self._folder:
+            shutil.rmtree(self._folder, ignore_errors=True)
+
+
+def _packages() -> Iterator[tuple[str, Path]]:
+    for name in _PACKAGES:
+        spec = importlib.util.find_spec(name)
+        assert spec and spec.origin
+        yield name, Path(spec.origin).parent.absolute()
+    yield "rosspin", Path(__file__).parents[1].absolute()
+
+
+def _python(given: Mapping[str, Any]) -> list[str]:
+    # Without what an environment or a package may change in it, and without installed packages.
+    return [*("-I", "-S", "-B", "-X", "utf8", "-c", _START), json.dumps(given)]
+
+
+def _has_all_users() -> bool:
+    """Whether this is root, and not one in a container who knows only a few users."""
+    return os.geteuid() == 0 and int(Path("/proc/self/uid_map").read_text().split()[2]) > 3_100_000_000
+
+
+def _unsealed(given: Mapping[str, Any]) -> list[str]:
+    paths = [*dict.fromkeys(str(path.parent) for _, path in _packages())]
+    lessons = str(FOLDER.absolute()) if FOLDER else ""
+    return [sys.executable, *_python({**given, "path": paths, "lessons": lessons, "user": 0})]
+
+
+def _sealed(given: Mapping[str, Any], about: int) -> list[str]:
+    bubblewrap = shutil.which("bwrap")
     if sys.platform != "linux":
-        return set()
-    libc = ctypes.CDLL(None, use_errno=True)
-    user, group = os.geteuid(), os.getegid()
-    found = set()
-    if libc.unshare(_CLONE_NEWUSER | _CLONE_NEWNET | _CLONE_NEWNS | _CLONE_NEWPID | _CLONE_NEWIPC) == 0:
-        found.add("network")
-        for name, text in (("setgroups", "deny"), ("uid_map", f"{user} {user} 1"), ("gid_map", f"{group} {group} 1")):
-            with suppress(OSError), open(f"/proc/self/{name}", "w") as file:
-                file.write(text)
-        if _closes_disk(libc, folder):
-            found.add("disk")
-        _fork_once_more(libc)
-        # Rights over these namespaces would undo all that.
-        libc.capset(struct.pack("Ii", _CAPABILITIES_3, 0), bytes(24))
-    elif user == 0 and _can_be_nobody():
-        os.chown(folder, _NOBODY, _NOBODY)
-        os.setgroups([])
-        os.setgid(_NOBODY)
-        os.setuid(_NOBODY)
-        found.add("user")
-    libc.prctl(_PR_SET_NO_NEW_PRIVS, 1, 0, 0, 0)
-    return found
-
-
-def _closes_disk(libc: Any, folder: str) -> bool:
-    """Make all that is mounted read-only, but for an empty folder in memory."""
-    attributes = struct.pack("QQQQ", _MOUNT_ATTR_RDONLY, 0, 0, 0)
-    read_only = libc.syscall(_SYS_MOUNT_SETATTR, _AT_FDCWD, b"/", _AT_RECURSIVE, attributes, len(attributes))
-    if read_only != 0:
-        return False
-    libc.mount(b"tmpfs", os.fsencode(folder), b"tmpfs", _MS_NOSUID_NODEV, _FOLDER.encode())
-    return True
-
-
-def _fork_once_more(libc: Any) -> None:
-    """Go on as the first process of the new namespace; the one before only waits for it, and takes its status."""
-    if child := os.fork():
-        _, status = os.waitpid(child, 0)
-        os._exit(1 if os.waitstatus_to_exitcode(status) else 0)
-    libc.prctl(_PR_SET_PDEATHSIG, _SIGKILL, 0, 0, 0)
-
-
-def _can_be_nobody() -> bool:
-    """Whether somebody who owns nothing can read Python and this package: nothing on the way is closed to others."""
-    for path in (sysconfig.get_paths()["stdlib"], os.path.dirname(__file__)):
-        while path != os.path.dirname(path):
-            if not os.stat(path).st_mode & 0o001:
-                return False
-            path = os.path.dirname(path)
-    return True
-
-
-def limit(seconds: int) -> None:
-    """Limit what this process takes: processor time (s), memory, files, and no dump of its memory when it dies."""
-    for kind, most in (
-        (resource.RLIMIT_CPU, seconds),
-        (resource.RLIMIT_AS, _taken() + _MEMORY),
-        (resource.RLIMIT_FSIZE, _FILE),
-        (resource.RLIMIT_NOFILE, 64),
-        (resource.RLIMIT_CORE, 0),
-    ):
-        _, hard = resource.getrlimit(kind)
-        with suppress(ValueError, OSError):  # macOS has no limit of memory
-            resource.setrlimit(kind, (min(most, hard) if hard >= 0 else most,) * 2)
-
-
-def _taken() -> int:
-    """Return how much address space (bytes) this process takes up; 0 where the system does not say.
-
-    A process that has had many threads takes up most of a gigabyte: beside that, none could begin under the limit.
-    """
-    try:
-        with open("/proc/self/statm") as file:
-            return int(file.read().split()[0]) * resource.getpagesize()
-    except OSError:
-        return 0
+        raise CannotSeal("this needs bubblewrap, which is for Linux")
+    if not is_known():
+        raise CannotSeal(f"this Linux has processors of {os.uname().machine}, and only x86_64 and aarch64 are known")
+    if not bubblewrap:
+        raise CannotSeal("bubblewrap is not installed (on Debian and Ubuntu: sudo apt-get install bubblewrap)")
+    python = os.path.realpath(getattr(sys, "_base_executable", sys.executable))
+    installed = sysconfig.get_paths(vars={"installed_base": sys.base_prefix, "platbase": sys.base_exec_prefix})
+    homes = {os.path.dirname(installed[name]) for name in ("stdlib", "platstdlib")}
+    binds = {path: path for path in (*_LIBRARIES, *sorted(homes), python) if os.path.exists(path)}
+    binds |= {str(path): f"{_IN}/{name}" for name, path in _packages()}
+    lessons = f"{_IN}/lessons" if FOLDER else ""
+    if FOLDER:
+        binds[str(FOLDER.absolute())] = lessons
+    parents = {str(folder) for place in (*binds.values(), *_DEVICES) for folder in Path(place).parents} - {"/"}
+    root = {Path(place).parts[1] for place in parents | {*binds.values(), "/tmp"}}
+    # Root has a user in it who owns nothing, others a namespace of users: each lane has its own.
+    user = 2_000_000_000 + (os.getpid() << 8) % (1 << 30) + next(_number) % 256 if _has_all_users() else 0
+    rights = ("--cap-add", "CAP_SETUID", "--cap-add", "CAP_SETGID", "--cap-add", "CAP_DAC_READ_SEARCH")
+    return [
+        bubblewrap,
+        *(("--cap-drop", "ALL", *rights) if user else ("--unshare-user", "--uid", "65534", "--gid", "65534")),
+        *("--unshare-ipc", "--unshare-pid", "--unshare-net", "--unshare-uts", "--unshare-cgroup"),
+        *("--hostname", "rosspin", "--clearenv", "--new-session", "--die-with-parent", "--info-fd", str(about)),
+        # Which whoever is in it may enter, whatever the real ones are like.
+        *itertools.chain.from_iterable(("--perms", "0755", "--dir", folder) for folder in sorted(parents)),
+        *itertools.chain.from_iterable(("--ro-bind", path, place) for path, place in binds.items()),
+        *itertools.chain.from_iterable(("--dev-bind", path, path) for path in _DEVICES),
+        *("--perms", "1777", "--size", str(_FOLDER), "--tmpfs", "/tmp", "--remount-ro", "/", "--chdir", "/", "--"),
+        *(python, *_python({**given, "path": [_IN], "lessons": lessons, "user": user, "root": sorted(root)})),
+    ]

@@ -83,9 +83,13 @@ _Part = tuple[Found, _Owner, HandIn]
 
 
 class Class:
-    """All that was handed in: ``rows``, the files that were ``refused``, with the reasons, and ``notes`` on others."""
+    """All that was handed in: ``rows``, the files that were ``refused``, with the reasons, and ``notes`` on others.
+
+    ``why_unsealed`` says why the answers were not sealed when they were judged; it is empty if they were.
+    """
 
     def __init__(self) -> None:
+        self.why_unsealed = ""
         self.refused: list[tuple[str, str]] = []
         self.notes: list[str] = []
         self._rows: dict[tuple[str, ...], Row] = {}

@@ -10,10 +10,9 @@ from collections.abc import Iterable, Iterator, Sequence
 from typing import Any, NamedTuple
 
 from ..exercises import EXERCISES
-from .sealed import SEALS
 from .students import Class, Row
 
-__all__ = ["as_csv", "as_data", "as_words", "hard", "say_python", "say_seals", "write_csv"]
+__all__ = ["as_csv", "as_data", "as_words", "hard", "say_python", "say_unsealed", "write_csv"]
 
 # The Python of the page. A newer one reads texts that an older one does not.
 PAGE_PYTHON = (3, 14)
@@ -48,13 +47,15 @@ def hard(found: Class) -> list[Hard]:
 
 def as_words(found: Class) -> Iterator[str]:
     """Yield the lines for a terminal: of a single student all that was said, of more a line for each."""
+    if found.why_unsealed:
+        yield say_unsealed(found)
     if len(found.rows) == 1:
         [row] = found.rows
         for name, verdict in row.verdicts.items():
             yield f"{name}: {verdict.verdict}"
             yield from (f"  {line}" for line in verdict.said.splitlines())
     for row in found.rows:
-        yield _line(row)
+        yield f"{_line(row)}{'; NOT sealed' if found.why_unsealed else ''}"
     if len(found.rows) > 1 and (missed := hard(found)):
         yield "What was hard:"
         for name, _, answered, solved, hints in missed:
@@ -77,13 +78,13 @@ def _line(row: Row) -> str:
 def as_csv(found: Class) -> list[list[str | int]]:
     """Return the table: a row for each student, a column for each exercise, and then one for each reason."""
     names = found.exercises
-    head = ["name", "student ID", "sent by", "sender ID", "late", "file", "note", "date", "answers", "solved"]
+    head = ["name", "student ID", "sent by", "sender ID", "late", "file", "note", "date", "sealed", "answers", "solved"]
     rows: list[list[str | int]] = [[*head, *names, *(f"{name}: why" for name in names)]]
     for row in found.rows:
         verdicts = [row.verdicts.get(name) for name in names]
         date = f"{row.date:%Y-%m-%d %H:%M}" if row.date else ""
         sent = [row.sender, row.sender_id, "late" if row.late else ""]
-        about = [row.name, row.student, *sent, row.file, row.note, date]
+        about = [row.name, row.student, *sent, row.file, row.note, date, "NO" if found.why_unsealed else "yes"]
         said = [each.verdict if each else "" for each in verdicts]
         rows.append([*about, len(row.answers), row.solved, *said, *(each.why if each else "" for each in verdicts)])
     told = {row.file for row in found.rows if row.note}
@@ -108,11 +109,14 @@ def _field(value: str | int) -> str:
     return '"' + "".join(guarded).replace('"', '""') + '"'
 
 
-def as_data(found: Class, seals: Iterable[str]) -> dict[str, Any]:
+def as_data(found: Class) -> dict[str, Any]:
     """Return all that is known, for JSON."""
     return {
+        "sealed": not found.why_unsealed,
+        "warning": say_unsealed(found),
         "students": [
             {
+                "sealed": not found.why_unsealed,
                 "name": row.name,
                 "student": row.student,
                 "sender": row.sender,
@@ -132,20 +136,15 @@ def as_data(found: Class, seals: Iterable[str]) -> dict[str, Any]:
         "refused": [{"file": file, "why": why} for file, why in found.refused],
         "notes": found.notes,
         "hard": [each._asdict() | {"hints": dict(each.hints)} for each in hard(found)],
-        "sealed": sorted(seals),
     }
 
 
-def say_seals(seals: Iterable[str]) -> str:
-    """Say what keeps the answers from doing harm, if that is not all that can be."""
-    found = set(seals)
-    if {"network", "disk"} <= found:
+def say_unsealed(found: Class) -> str:
+    """Say that the answers were not sealed; nothing if they were."""
+    if not found.why_unsealed:
         return ""
-    has = ", ".join(text for name, text in SEALS.items() if name in found) or "none of your rights taken from it"
-    return (
-        f"Each answer runs with a limit of time and memory, and with {has}: this system allows no more. Judge files of "
-        "people you do not trust in a container or on a machine that holds nothing else."
-    )
+    why = found.why_unsealed[0].upper() + found.why_unsealed[1:]
+    return f"The answers were NOT sealed: each ran with all of your rights. ({why}.)"
 
 
 def say_python(found: Class) -> str:

@@ -53,7 +53,7 @@ def test_gradescope(tmp_path: Path) -> None:
     points, found = _graded(tmp_path)
     assert points == [("make-it-10-hz", 0, 1), ("slow-timer", 2, 2)]
     assert "is not Python" in found["tests"][0]["output"]
-    assert set(found) == {"output", "tests"}
+    assert set(found) == {"output", "stdout_visibility", "tests"}
 
 
 def test_gradescope_without_an_answer(tmp_path: Path) -> None:
@@ -68,7 +68,21 @@ def test_gradescope_says_why_the_command_failed(tmp_path: Path) -> None:
     (tmp_path / "venv").symlink_to(sys.prefix)
     command = [sys.executable, str(EXAMPLES / "gradescope/run_autograder"), str(tmp_path)]
     done = subprocess.run(command, capture_output=True, text=True)
-    assert done.returncode == 1 and done.stderr.endswith("submission: No such file or directory\n\n")
+    assert done.returncode == 1 and done.stderr.endswith("submission: No such file or directory\n")
+
+
+def test_gradescope_s_students_do_not_see_that_answers_were_not_sealed(
+    tmp_path: Path, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    """Whoever set the autograder up does: on its output, which is hidden from students."""
+    (tmp_path / "venv").symlink_to(sys.prefix)
+    _handed_in(tmp_path / "submission", slow_timer=RIGHT)
+    command = [sys.executable, str(EXAMPLES / "gradescope/run_autograder"), str(tmp_path)]
+    monkeypatch.setenv("PATH", str(tmp_path))  # no bubblewrap
+    done = subprocess.run(command, capture_output=True, text=True, check=True)
+    results = (tmp_path / "results/results.json").read_text()
+    assert "The answers were NOT sealed" in done.stderr and "sealed" not in results
+    assert json.loads(results)["stdout_visibility"] == "hidden"
 
 
 def test_an_answer_writes_no_results_of_gradescope(tmp_path: Path) -> None:

@@ -18,7 +18,7 @@ from typing import NamedTuple
 from ..judging import plain
 from ..questions import Exercise
 
-__all__ = ["FAULTS", "LESSONS", "Answer", "Fault", "Lesson"]
+__all__ = ["FAULTS", "FOLDER", "LESSONS", "Answer", "Fault", "Lesson"]
 
 Answer = str | Mapping[str, str]
 """A text; or what is to be replaced in that with which the exercise begins, and by what."""
@@ -120,8 +120,11 @@ def _read(name: str, module: ModuleType) -> Lesson | None:
     return Lesson(exercise, file, node, hints, tuple(module.RIGHT), tuple(map(tuple, module.WRONG)))
 
 
-if (folder := _folder()) is not None:
-    __path__.insert(0, str(folder))
+FOLDER = _folder()
+"""The teacher's folder; None if there is none."""
+
+if FOLDER is not None:
+    __path__.insert(0, str(FOLDER))
 
 LESSONS = tuple(lesson for name, module in _modules() if (lesson := _read(name, module)))
 """The teacher's exercises, in the order of their files."""

@@ -1,0 +1,240 @@
+"""The process of a lane, in which answers are run and judged: in an empty root of its own, if it is sealed.
+
+It has imported all that an answer needs, knows no hand-in, and runs nothing of one. For each job it forks a child,
+which reads the job, gives up all that it does not need, sends a word that says so, and does the job. When that has
+ended, the lane says how, and whether all is as it was before.
+"""
+
+from __future__ import annotations
+
+import ctypes
+import gc
+import importlib
+import json
+import os
+import pkgutil
+import resource
+import signal
+import stat
+import struct
+import sys
+import threading
+from collections.abc import Collection, Mapping
+from contextlib import suppress
+from pathlib import Path
+from typing import Any, NoReturn
+
+from .filtered import close_kernel, is_known
+from .hand_ins import code
+
+__all__ = ["AS_BEFORE", "OPEN", "READY", "SEALED", "work"]
+
+READY = b"ready\n"
+"""What a lane says when it can work."""
+
+AS_BEFORE = b"0 as before\n"
+"""What a lane says of a child that ended well and left nothing behind."""
+
+SEALED = b"sealed\n"
+OPEN = b"not sealed\n"
+"""The first word of a child: whether it is sealed."""
+
+# At most (bytes, or their number): memory for all that a process is, a file, open files, threads.
+_MEMORY = 5 << 28
+_FILE = 10 << 20
+_FILES = 64
+_THREADS = 256
+
+_PR_SET_PDEATHSIG = 1
+_CAPABILITIES_3 = 0x20080522
+_OWN = 3  # a child's end of the pipe to the judge
+_CONTROL, _STATUS, _ERRORS = range(3)
+
+
+def work(given: Mapping[str, Any], own_path: list[str]) -> NoReturn:
+    """Be a lane. ``own_path`` is where Python has its own modules.
+
+    Each line on standard input says how many bytes the next job has; there is an answer to each on standard output.
+    """
+    if given["lessons"]:
+        os.environ["ROSSPIN_LESSONS"] = given["lessons"]
+    from .. import exercises, rclpy, rospy
+
+    for name in ("yaml", "xmlrpc.client"):  # which are else loaded when a node needs them
+        importlib.import_module(name)
+    for package in (rospy, rclpy, exercises):
+        for module in pkgutil.iter_modules(package.__path__, f"{package.__name__}."):
+            importlib.import_module(module.name)
+    os.environ.clear()
+    sys.path[:] = own_path
+    if given["user"]:
+        os.setgroups([])
+        os.setresgid(*[given["user"]] * 3)
+        os.setresuid(*[given["user"]] * 3)
+        ctypes.CDLL(None).capset(_header(), bytes(24))
+    if sys.platform == "linux":
+        ctypes.CDLL(None).prctl(_PR_SET_PDEATHSIG, signal.SIGKILL, 0, 0, 0)
+    os.chdir(given["folder"])
+    before = _state()
+    os.write(_STATUS, READY)
+    os.dup2(os.open(os.devnull, os.O_RDWR), _ERRORS)
+    gc.collect()
+    gc.freeze()
+    while size := os.read(_CONTROL, 20):
+        child = os.fork()
+        if not child:
+            _do(given, int(size))
+        _, status = os.waitpid(child, 0)
+        as_before = "as before" if _state() == before else "changed"
+        os.write(_STATUS, f"{os.waitstatus_to_exitcode(status)} {as_before}\n".encode())
+    os._exit(0)
+
+
+def _state() -> object:
+    """Return all that a child can change for the next one: its folder."""
+    try:
+        found = os.stat(".")
+        return os.listdir("."), stat.S_IMODE(found.st_mode), found.st_nlink
+    except OSError as error:
+        return error.errno
+
+
+# --- in a child -------------------------------------------------------------------------------------------------------
+
+
+def _do(given: Mapping[str, Any], size: int) -> NoReturn:
+    try:
+        job = _read(given["jobs"], size)
+        try:
+            confine(given)
+        except OSError as error:
+            _send(f"{error}\n".encode())
+            raise
+        _send(SEALED if given["sealed"] else OPEN)
+        _send(_done(json.loads(job)))
+    except BaseException:
+        os._exit(1)
+    os._exit(0)
+
+
+def _read(file: int, size: int) -> bytes:
+    """Read a job; it is in the memory of this child only, and of none that comes after."""
+    found = bytearray()
+    while len(found) < size:
+        if not (data := os.read(file, size - len(found))):
+            raise EOFError
+        found += data
+    return bytes(found)
+
+
+def _send(data: bytes) -> None:
+    while data:
+        data = data[os.write(_OWN, data) :]
+
+
+def _done(job: Mapping[str, str]) -> bytes:
+    """Run an answer and return the trace, or judge a trace and return the verdict; or do nothing, to try it."""
+    from .. import exercises
+    from ..run.alone import refuse_processes
+
+    if not job:
+        return b""
+    text = code(job["text"])
+    if "trace" in job:
+        return json.dumps(exercises.verdict(job["exercise"], text, job["trace"])).encode()
+    refuse_processes()  # by their names
+    try:
+        return exercises.trace(job["exercise"], text).encode()
+    except ValueError:
+        return b""  # there is no such exercise, which its judge says
+
+
+def confine(given: Mapping[str, Any]) -> None:
+    """Give up all that an answer does not need. Raises OSError where a seal does not hold."""
+    if sys.platform == "linux":
+        ctypes.CDLL(None).prctl(_PR_SET_PDEATHSIG, signal.SIGKILL, 0, 0, 0)
+    nothing = os.open(os.devnull, os.O_RDWR)
+    os.dup2(given["results"], _OWN)
+    for number in range(_OWN):
+        os.dup2(nothing, number)
+    os.closerange(_OWN + 1, 1 << 20)
+    limits = {
+        resource.RLIMIT_CPU: given["time"] + 1,
+        resource.RLIMIT_AS: _MEMORY,
+        resource.RLIMIT_FSIZE: _FILE,
+        resource.RLIMIT_NOFILE: _FILES,
+        resource.RLIMIT_CORE: 0,
+    }
+    if given["sealed"]:
+        limits[resource.RLIMIT_NPROC] = _THREADS  # of a user of its own, or within its own namespace
+    for kind, most in limits.items():
+        _, hard = resource.getrlimit(kind)
+        with suppress(ValueError, OSError):  # macOS has no limit of memory
+            resource.setrlimit(kind, (min(most, hard) if hard >= 0 else most,) * 2)
+    if given["sealed"]:
+        _check_limits(limits)
+        _check_root(given["root"])
+        _check_rights(given["user"])
+    if given["sealed"] or is_known():
+        close_kernel()
+        _check_kernel()
+
+
+class _Unsealed(OSError):
+    """A seal does not hold."""
+
+
+def _check_limits(limits: Mapping[int, int]) -> None:
+    for kind, most in limits.items():
+        if not 0 <= resource.getrlimit(kind)[1] <= most:
+            raise _Unsealed("a limit")
+
+
+def _check_root(names: Collection[str]) -> None:
+    """There is nothing but what was asked for, and nothing of it can be written but one folder."""
+    if not set(os.listdir("/")) <= set(names) or not set(os.listdir("/dev")) <= {"null", "zero", "urandom"}:
+        raise _Unsealed("what is there")
+    for name in ("/", *(f"/{name}" for name in names if name not in ("tmp", "dev"))):
+        with suppress(FileNotFoundError):
+            if not os.statvfs(name).f_flag & os.ST_RDONLY:
+                raise _Unsealed("the disk")
+    if set(os.environ) or Path("/proc").exists():
+        raise _Unsealed("the environment")
+
+
+def _check_rights(user: int) -> None:
+    found = ctypes.create_string_buffer(24)
+    if ctypes.CDLL(None).capget(_header(), found) or any(found.raw):
+        raise _Unsealed("rights of root")
+    if user and {*os.getresuid(), *os.getresgid(), *os.getgroups()} != {user}:
+        raise _Unsealed("a user")
+
+
+def _header() -> bytes:
+    return struct.pack("Ii", _CAPABILITIES_3, 0)  # of this process
+
+
+def _check_kernel() -> None:
+    """Try what must not be possible, and what must be."""
+    import socket
+
+    for name, way in (
+        ("a process", os.fork),
+        ("a socket", socket.socket),
+        ("a signal", lambda: os.kill(0, 0)),
+        ("a namespace", lambda: _called(ctypes.CDLL(None, use_errno=True).unshare(0x10000000))),
+    ):
+        try:
+            if way() == 0 and name == "a process":
+                os._exit(1)
+        except OSError:
+            continue
+        raise _Unsealed(name)
+    thread = threading.Thread(target=int)
+    thread.start()
+    thread.join()
+
+
+def _called(result: int) -> None:
+    if result:
+        raise OSError(ctypes.get_errno(), "not called")

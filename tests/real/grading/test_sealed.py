@@ -1,0 +1,370 @@
+"""What answers try against the computer that judges them: as root and as somebody else, with bubblewrap and without."""
+
+from __future__ import annotations
+
+import csv
+import json
+import os
+import shutil
+import signal
+import subprocess
+import sys
+import tempfile
+import time
+from collections.abc import Callable, Iterator, Mapping, Sequence
+from pathlib import Path
+from typing import Any
+
+import pytest
+from answers import CELLS
+from command_line import NEVER
+from hostile import ATTACKS, got_in, teachers_services, written
+
+from rosspin.exercises import Verdict
+from rosspin.grading import lanes, sealed, worker
+from rosspin.grading.filtered import _ALLOWED
+from rosspin.grading.lanes import Lanes, Task
+
+SOLVED = CELLS["slow-timer"][1].source
+
+_SECRET = {"SECRET": "TOPSECRET"}
+
+# As patient as this process is with a busy machine.
+_PATIENT = "import sys, rosspin.grading.lanes as l, rosspin.__main__ as m; l.TIME = 300; sys.exit(m.main())"
+
+
+@pytest.fixture
+def folder() -> Iterator[Path]:
+    """A folder that everybody can enter, as pytest's own cannot be."""
+    made = Path(tempfile.mkdtemp(prefix="a töst "))
+    made.chmod(0o777)
+    yield made
+    shutil.rmtree(made)
+
+
+def handed_in(folder: Path, name: str, exercise: str, text: str) -> None:
+    (folder / name).mkdir(parents=True, exist_ok=True)
+    (folder / name / f"{exercise}.py").write_text(text)
+
+
+def _for_others(user: str, *command: str) -> Sequence[str]:
+    """A command for this user, or for root: which may enter the folders that Python and this copy are in."""
+    if user == "root":
+        return command
+    opened: list[str] = []
+    for place in (Path(sys.base_prefix), Path(sys.prefix), Path(worker.__file__).parents[2]):
+        above = [*place.parents][-2::-1]
+        if closed := [folder for folder in above if not folder.stat().st_mode & 0o001]:
+            opened += ["--perms", "0755", "--tmpfs", str(closed[0])]
+            for folder in above[above.index(closed[0]) + 1 :]:
+                opened += ["--perms", "0755", "--dir", str(folder)]
+            opened += ["--ro-bind", str(place), str(place)]
+    rights = ["--cap-add", "CAP_SETUID", "--cap-add", "CAP_SETGID"]
+    to = ["setpriv", "--reuid=64321", "--regid=64321", "--clear-groups"]
+    return ["bwrap", "--dev-bind", "/", "/", *opened, *rights, "--", *to, *command]
+
+
+def judge(
+    folder: Path, *args: str, user: str = "root", within: Sequence[str] = (), **environment: str
+) -> tuple[int, dict[str, Any], str]:
+    """Status, what was found, and what was said by ``rosspin judge`` of the hand-ins in a folder."""
+    words = [*within, *_for_others(user, sys.executable, "-c", _PATIENT, "judge", str(folder), "--json", *args)]
+    env = os.environ | _SECRET | environment
+    done = subprocess.run(words, capture_output=True, text=True, timeout=NEVER, env=env)
+    print(done.stderr)
+    return done.returncode, json.loads(done.stdout) if done.stdout else {}, done.stderr
+
+
+def said(found: Mapping[str, Any]) -> dict[str, dict[str, Any]]:
+    """By student what was said of the only answer."""
+    return {student["name"]: next(iter(student["answers"].values())) for student in found["students"]}
+
+
+@pytest.fixture(params=["root", "somebody"])
+def user(request: pytest.FixtureRequest, require: Callable[[str], None]) -> str:
+    require("bwrap")
+    if os.geteuid() and request.param == "root":
+        pytest.skip("this is not root")
+    return "root" if os.geteuid() else str(request.param)  # who is not root is somebody already
+
+
+# --- with bubblewrap --------------------------------------------------------------------------------------------------
+
+
+def test_no_attack_gets_in(user: str, folder: Path) -> None:
+    """Nor does one of them change what is said of an answer beside it."""
+    class_ = folder / "class"
+    for name in ATTACKS:
+        handed_in(class_, name, "ten-hertz", written(name, folder))
+    handed_in(class_, "right", "slow-timer", SOLVED)
+    with teachers_services(folder) as obeyed:
+        (folder / "bus.sock").chmod(0o666)
+        status, found, err = judge(class_, user=user)
+    assert (status, err, found["sealed"]) == (1, "", True)
+    answers = said(found)
+    assert answers.pop("right")["solved"]
+    assert {name: got_in(answer["said"]) for name, answer in answers.items()} == dict.fromkeys(ATTACKS, [])
+    assert {answer["verdict"] for answer in answers.values()} == {"not yet"}
+    assert not obeyed and "TOPSECRET" not in json.dumps(found)
+    assert sorted(os.listdir(folder)) == ["bus.sock", "class", "secret"]
+
+
+HOLDS_ON = """
+import ctypes, os
+libc = ctypes.PyDLL(None)  # which keeps the lock of the interpreter
+libc.prctl(1, 0, 0, 0, 0)
+libc.setsid()
+libc.sigprocmask(0, (ctypes.c_ulong * 16)(*[2**64 - 1] * 16), None)
+for _ in range(60):
+    if libc.fork() == 0:
+        libc.unshare(0x10000000)
+        break
+libc.sleep(600)
+"""
+
+
+def _processes_of(folder: str) -> list[str]:
+    """All processes whose command line names this."""
+    found = []
+    for path in Path("/proc").glob("[0-9]*/cmdline"):
+        try:
+            line = path.read_bytes().replace(b"\0", b" ").decode(errors="replace")
+        except OSError:
+            continue
+        if folder in line and int(path.parent.name) != os.getpid():
+            found.append(line)
+    return found
+
+
+@pytest.mark.parametrize("how", [signal.SIGKILL, signal.SIGTERM, signal.SIGINT])
+def test_nothing_outlives_the_judge(how: signal.Signals, user: str, folder: Path) -> None:
+    """An answer that asks not to be ended, leaves its session, forks, and holds on to namespaces."""
+    handed_in(folder / "class", "eve", "ten-hertz", HOLDS_ON)
+    code = f"mark = {folder.name!r}; {_PATIENT}"
+    mark = f"import rosspin.grading.sealed as s; s._START += '# {folder.name}'; {code}"
+    words = _for_others(user, sys.executable, "-c", mark, "judge", str(folder / "class"), "--json")
+    child = subprocess.Popen(words, stdout=subprocess.PIPE, stderr=subprocess.PIPE)
+    while not any(" -I " in line for line in _processes_of(folder.name)):
+        assert child.poll() is None
+        time.sleep(0.05)
+    time.sleep(1)
+    for pid in _judges(child.pid):
+        os.kill(pid, how)
+    child.communicate(timeout=NEVER)
+    while found := _processes_of(folder.name):  # what is killed is gone a little later
+        time.sleep(0.05)
+    assert found == []
+
+
+def _judges(pid: int) -> list[int]:
+    """The process that judges: this one, or that which an outer bubblewrap has started."""
+    below = Path(f"/proc/{pid}/task/{pid}/children").read_text().split()
+    line = Path(f"/proc/{pid}/cmdline").read_bytes()
+    return _judges(int(below[0])) if line.startswith(b"bwrap") and below else [pid]
+
+
+def test_an_answer_ends_nothing_of_the_next_one(user: str, folder: Path) -> None:
+    """Neither by its signals nor by what it leaves in its folder, nor by ending the process of its lane."""
+    leaves = "import os\nprint('found', os.listdir(), oct(os.stat('.').st_mode))\n"
+    leaves += "open('x', 'x').write('a')\nos.chmod('.', 0)"
+    ends = "import ctypes, os\nlibc = ctypes.CDLL(None)\nprint([libc.kill(pid, 9) for pid in (-1, os.getppid())])"
+    for number in range(6):
+        handed_in(folder / "class", f"a{number}", "ten-hertz", leaves)
+        handed_in(folder / "class", f"b{number}", "ten-hertz", ends)
+        handed_in(folder / "class", f"c{number}", "slow-timer", SOLVED)
+    _, found, _ = judge(folder / "class", user=user)
+    answers = said(found)
+    assert all(answers[f"a{number}"]["said"].startswith("found [] 0o41777\n") for number in range(6))
+    assert all(answers[f"b{number}"]["said"].startswith("[-1, -1]\n") for number in range(6))
+    assert all(answers[f"c{number}"]["solved"] for number in range(6))
+
+
+@pytest.fixture
+def made_lanes(require: Callable[[str], None], monkeypatch: pytest.MonkeyPatch) -> Iterator[list[Lanes]]:
+    require("bwrap")
+    monkeypatch.setattr(lanes, "TIME", 300)
+    made: list[Lanes] = []
+    yield made
+    for each in made:
+        each.close()
+
+
+def judged(made: Lanes, *texts: str) -> list[Verdict]:
+    found: dict[int, Verdict] = {}
+    made.judge([Task("ten-hertz", text) for text in texts], found.__setitem__)
+    return [found[number] for number in range(len(texts))]
+
+
+@pytest.mark.parametrize(
+    ("broken", "name"),
+    [
+        ("close_kernel = lambda: None", "a process"),
+        ("_THREADS = 1 << 20; resource.setrlimit = lambda *a: None", "a limit"),
+        ("os.environ['A'] = 'b'", "the environment"),
+    ],
+)
+def test_an_answer_whose_seals_do_not_hold_does_not_run(
+    broken: str, name: str, made_lanes: list[Lanes], monkeypatch: pytest.MonkeyPatch
+) -> None:
+    """They held when the first lane was tried, and do not in a later one."""
+    own = Lanes()
+    made_lanes.append(own)
+    own.close()
+    before, after = sealed._START.split("work(given, own)")
+    begins = f"{before}import os, resource\nfrom rosspin.grading import worker as w\n"
+    broken = f"do = w._do\ndef _do(*a):\n    exec({broken!r}, vars(w)); do(*a)\nw._do = _do\n"
+    monkeypatch.setattr(sealed, "_START", f"{begins}{broken}work(given, own){after}")
+    (found,) = judged(own, "print('it runs')")
+    assert found.verdict == "not judged" and not found.console
+    assert f"It could not be sealed as it has to be, so nothing of it has run. ({name}.)" in found.said
+
+
+def test_where_no_later_lane_can_be_sealed_nothing_more_runs(
+    made_lanes: list[Lanes], monkeypatch: pytest.MonkeyPatch
+) -> None:
+    own = Lanes(unsealed=True)
+    made_lanes.append(own)
+    own.close()
+    monkeypatch.setattr(shutil, "which", lambda name: None)
+    (found,) = judged(own, "print('it runs')")
+    assert found.verdict == "not judged" and "nothing of it has run" in found.said and not found.console
+
+
+@pytest.mark.parametrize(
+    "left_out", ["--unshare-net", "--unshare-pid", "--unshare-ipc", "--unshare-cgroup", "--clearenv"]
+)
+def test_what_bubblewrap_made_is_looked_up(
+    left_out: str, folder: Path, require: Callable[[str], None], monkeypatch: pytest.MonkeyPatch
+) -> None:
+    """Another program of that name, which makes less than it is asked for."""
+    require("bwrap")
+    real = shutil.which("bwrap")
+    extra = "--setenv SECRET x" if left_out == "--clearenv" else ""
+    (folder / "bwrap").write_text(
+        f'#!/bin/bash\nwords=("$@")\nfor i in "${{!words[@]}}"; do\n'
+        f'  [ "${{words[$i]}}" = {left_out} ] && unset "words[$i]"\ndone\nexec {real} {extra} "${{words[@]}}"\n'
+    )
+    (folder / "bwrap").chmod(0o755)
+    monkeypatch.setenv("PATH", f"{folder}{os.pathsep}{os.environ['PATH']}")
+    if left_out == "--clearenv":
+        Lanes().close()  # what a lane has of an environment it takes away
+    else:
+        with pytest.raises(sealed.CannotSeal, match=f"no {left_out.removeprefix('--unshare-')} namespace"):
+            Lanes()
+
+
+# Runs a command where there are all users, and no more namespaces of users can be made.
+_FORBIDDEN = """
+import ctypes, os, sys
+ours, theirs = os.pipe(), os.pipe()
+if child := os.fork():
+    os.read(ours[0], 1)
+    for name in ("uid_map", "gid_map"):
+        with open(f"/proc/{child}/{name}", "w") as file:
+            file.write("0 0 4294967295")
+    os.write(theirs[1], b"x")
+    sys.exit(os.waitstatus_to_exitcode(os.waitpid(child, 0)[1]))
+assert ctypes.CDLL(None).unshare(0x10000000) == 0
+os.write(ours[1], b"x")
+os.read(theirs[0], 1)
+with open("/proc/sys/user/max_user_namespaces", "w") as file:
+    file.write("0")
+os.execvp(sys.argv[1], sys.argv[1:])
+"""
+
+
+def test_all_users_namespaces_are_taken(user: str, folder: Path, require: Callable[[str], None]) -> None:
+    """Root needs none; whoever does is refused, and nothing runs."""
+    if os.geteuid():
+        pytest.skip("only root can forbid them in a namespace of its own")
+    within = [sys.executable, "-c", _FORBIDDEN]
+    handed_in(folder / "class", "ann", "slow-timer", SOLVED)
+    status, found, err = judge(folder / "class", user=user, within=within)
+    if user == "root":
+        assert (status, found["sealed"], err) == (0, True, "")
+    else:
+        assert (status, found) == (2, {})
+        assert err.startswith("rosspin: answers cannot be sealed here: bubblewrap: ")
+        status, found, err = judge(folder / "class", "--unsealed", user=user, within=within)
+        assert (status, found["sealed"]) == (0, False) and "NOT sealed" in err
+
+
+def test_a_root_that_is_none_outside(folder: Path, require: Callable[[str], None]) -> None:
+    """As in a container that an ordinary user has started: only a few users are known in it."""
+    require("bwrap")
+    handed_in(folder / "class", "ann", "slow-timer", SOLVED)
+    status, found, _ = judge(folder / "class", within=["unshare", "--user", "--map-root-user"])
+    assert status == 0 and found["sealed"]
+
+
+# --- without it -------------------------------------------------------------------------------------------------------
+
+
+@pytest.fixture
+def without(monkeypatch: pytest.MonkeyPatch, tmp_path: Path) -> str:
+    """A PATH on which there is no bubblewrap."""
+    return str(tmp_path)
+
+
+def test_without_a_seal_nothing_is_judged_until_that_is_allowed(without: str, folder: Path) -> None:
+    handed_in(folder, "ann", "slow-timer", SOLVED)
+    status, found, err = judge(folder, PATH=without)
+    assert (status, found) == (2, {})
+    assert err.startswith("rosspin: answers cannot be sealed here: bubblewrap is not installed") and "--unsealed" in err
+
+
+def test_it_is_said_everywhere_that_answers_were_not_sealed(without: str, folder: Path) -> None:
+    handed_in(folder / "class", "ann", "slow-timer", SOLVED)
+    handed_in(folder / "class", "ben", "slow-timer", "after_1_0_seconds = [1]")
+    table = folder / "table.csv"
+    _, found, err = judge(folder / "class", "--unsealed", "--csv", str(table), PATH=without)
+    assert not found["sealed"] and [student["sealed"] for student in found["students"]] == [False, False]
+    assert found["warning"] == err.strip() and err.startswith("The answers were NOT sealed")
+    rows = list(csv.DictReader(table.read_text(encoding="utf-8-sig").splitlines()))
+    assert [row["sealed"] for row in rows] == ["NO", "NO"]
+    command = [sys.executable, "-m", "rosspin", "judge", str(folder / "class"), "--unsealed"]
+    done = subprocess.run(command, capture_output=True, text=True, env=os.environ | {"PATH": without})
+    first, ann, ben, *_ = done.stdout.splitlines()
+    assert first == found["warning"]
+    assert ann == "ann: 1 of 1 solved; NOT sealed" and ben == "ben: 0 of 1 solved; not yet: slow-timer; NOT sealed"
+
+
+# What is kept from an answer all the same: on Linux, by the kernel alone.
+_STILL = ("a socket on the disk", "an abstract socket", "the network", "processes", "the environment", "the kernel")
+
+
+@pytest.mark.skipif(not sys.platform.startswith("linux"), reason="other systems have no such filter")
+def test_what_is_kept_from_an_answer_without_bubblewrap(without: str, folder: Path) -> None:
+    """And each has a folder of its own, which is taken away."""
+    for name in _STILL:
+        handed_in(folder / "class", name, "ten-hertz", written(name, folder))
+    handed_in(folder / "class", "writes", "ten-hertz", "open('x', 'x').write('a')\nimport os\nprint(os.getcwd())")
+    with teachers_services(folder) as obeyed:
+        _, found, _ = judge(folder / "class", "--unsealed", PATH=without)
+    answers = said(found)
+    own = answers.pop("writes")["said"].splitlines()[0]
+    assert own.startswith(tempfile.gettempdir()) and not Path(own).exists()
+    left = {
+        name: [line for line in got_in(answer["said"]) if "IN proc" not in line] for name, answer in answers.items()
+    }
+    assert left == dict.fromkeys(_STILL, []) and not obeyed
+
+
+# --- the list of the kernel's functions -------------------------------------------------------------------------------
+
+
+@pytest.mark.parametrize(
+    ("column", "header"),
+    [(1, "/usr/include/x86_64-linux-gnu/asm/unistd_64.h"), (2, "/usr/include/asm-generic/unistd.h")],
+)
+def test_the_numbers_are_those_of_the_kernel(column: int, header: str) -> None:
+    if not Path(header).exists():
+        pytest.skip("the kernel's headers are not installed (linux-libc-dev)")
+    defined = {}
+    for line in Path(header).read_text().splitlines():
+        words = line.split()
+        if len(words) == 3 and words[0] == "#define" and words[1].startswith("__NR") and words[2].isdecimal():
+            defined[words[1].removeprefix("__NR3264_").removeprefix("__NR_")] = words[2]
+    defined.setdefault("newfstatat", defined.get("fstatat", ""))
+    for name, *numbers in (word.split(":") for word in _ALLOWED.split()):
+        assert numbers[column - 1] == defined.get(name, ""), name
