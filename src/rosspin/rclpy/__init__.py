@@ -42,8 +42,10 @@ from . import (
     time,
     time_source,
     timer,
+    topic_endpoint_info,
     topics,
     type_description_service,
+    type_hash,
     type_support,
     utilities,
 )
@@ -178,7 +180,7 @@ def spin_until_future_complete(
 
 
 # The modules of rclpy that are not here: they need a real ROS.
-NOT_SIMULATED = {"destroyable", "impl", "topic_endpoint_info", "type_hash", "waitable"}
+NOT_SIMULATED = {"destroyable", "impl", "waitable"}
 
 # The names that the modules here lack.
 LACKING = {
@@ -257,8 +259,10 @@ MODULES: dict[str, ModuleType] = {
     "rclpy.time": time,
     "rclpy.time_source": time_source,
     "rclpy.timer": timer,
+    "rclpy.topic_endpoint_info": topic_endpoint_info,
     "rclpy.topic_or_service_is_hidden": names,
     "rclpy.type_description_service": type_description_service,
+    "rclpy.type_hash": type_hash,
     "rclpy.type_support": type_support,
     "rclpy.utilities": utilities,
     "rclpy.validate_full_topic_name": names,

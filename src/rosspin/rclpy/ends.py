@@ -2,7 +2,8 @@
 
 from __future__ import annotations
 
-from functools import partial
+import itertools
+from functools import cached_property, partial
 from typing import TYPE_CHECKING, Any, NamedTuple
 
 from .discovery import ENDPOINT, Participants, late
@@ -29,6 +30,13 @@ def kind_of(data_class: type) -> str:
     return f"{data_class.__module__.replace('.', '/').rpartition('/')[0]}/{data_class.__name__}"
 
 
+class _Numbers:
+    """How many ends of a run have a number. Its processes share them."""
+
+    def __init__(self) -> None:
+        self.numbers = itertools.count(1)
+
+
 class Owner(Held):
     """Base of publishers, subscriptions, clients and services. ``data_class`` is the class of what it carries."""
 
@@ -43,6 +51,11 @@ class Owner(Held):
     def world(self) -> World:
         """The world of its process."""
         return self.node.context.state.world
+
+    @cached_property
+    def rosspin_gid(self) -> bytes:
+        """What tells it from all others of this run."""
+        return next(self.world.graph.part(_Numbers).numbers).to_bytes(16, "little")
 
     @property
     def logger_name(self) -> str:

@@ -38,6 +38,7 @@ from .qos_overriding_options import QoSOverridingOptions, override
 from .services import Client, Ends, Service
 from .time_source import TimeSource
 from .timer import Rate, Timer
+from .topic_endpoint_info import TopicEndpointInfo, info_of
 from .topics import Publisher, Subscription
 from .type_description_service import START_TYPE_DESCRIPTION_SERVICE_PARAM
 from .type_support import check_is_valid_msg_type, check_is_valid_srv_type
@@ -539,6 +540,29 @@ class Node(Parameters):
         own_topics.look(self, full_name)
         return sum(owner.end.topic == full_name for node in self.__nodes() for owner in node._rosspin_ends(kind))
 
+    def get_publishers_info_by_topic(self, topic_name: str, no_mangle: bool = False) -> list[TopicEndpointInfo]:
+        """Tell of the known publishers of a topic. Its name is remapped, unless it is one of DDS (``no_mangle``).
+
+        Raises ValueError and InvalidHandle.
+        """
+        return self.__infos(topic_name, no_mangle, Publisher)
+
+    def get_subscriptions_info_by_topic(self, topic_name: str, no_mangle: bool = False) -> list[TopicEndpointInfo]:
+        """The same of the known subscriptions."""
+        return self.__infos(topic_name, no_mangle, Subscription)
+
+    def __infos(self, name: str, no_mangle: bool, kind: type[Owner]) -> list[TopicEndpointInfo]:
+        self.__check()
+        if no_mangle:
+            name = name.removeprefix("rt") if name.startswith("rt/") else ""
+        else:
+            name = names.expand_topic_name(name, self.get_name(), self.get_namespace())
+            names.validate_full_topic_name(name)
+            name = self.resolve_topic_name(name)
+            own_topics.look(self, name)
+        ends = [(node, owner) for node in self.__nodes() for owner in node._rosspin_ends(kind)]
+        return [info_of(owner, node, kind is Publisher, no_mangle) for node, owner in ends if owner.end.topic == name]
+
     def __check_context(self, error: str) -> None:
         if not self._context.ok():
             raise RCLError(f"{error}: rcl node's context is invalid")
@@ -744,6 +768,4 @@ class Node(Parameters):
 # Methods of rclpy's Node that are not here.
 NOT_SIMULATED = {
     "get_node_names_and_namespaces_with_enclaves",
-    "get_publishers_info_by_topic",
-    "get_subscriptions_info_by_topic",
 }
