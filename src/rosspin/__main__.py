@@ -3,7 +3,6 @@
 from __future__ import annotations
 
 import argparse
-import datetime
 import json
 import os
 import signal
@@ -12,6 +11,7 @@ import sys
 import warnings
 from collections.abc import Callable, Sequence
 from contextlib import nullcontext, suppress
+from importlib.metadata import version
 from pathlib import Path
 from typing import Any, BinaryIO
 
@@ -30,6 +30,7 @@ from .orders.beside import side_by_side
 from .orders.exploring import compare_orders
 from .plots import both_orders, overview, picture, pictures
 from .real import ros1, ros2
+from .results.saving import save_whole
 from .results.ticks import Mishap, Run, Tick
 from .run.explain import say_error
 from .run.host import Result, duration
@@ -44,6 +45,18 @@ __all__ = ["main"]
 
 def main(argv: Sequence[str] | None = None) -> int:
     """Run the command line ``argv`` (default: that of the process) and return the exit status."""
+    try:
+        try:
+            return _main(argv)
+        finally:
+            sys.stdout.flush()
+    except BrokenPipeError:  # whoever read what is printed has seen enough, as after `| head`
+        with open(os.devnull, "wb") as nowhere:
+            os.dup2(nowhere.fileno(), sys.stdout.fileno())
+        return 128 + getattr(signal, "SIGPIPE", 13)
+
+
+def _main(argv: Sequence[str] | None) -> int:
     own, node_args = split_words(sys.argv[1:] if argv is None else argv)
     options, unknown = _parser().parse_known_args(own)
     unknown += [word for word in getattr(options, "files", [])[1:] if not word.endswith(".py")]
@@ -52,6 +65,8 @@ def main(argv: Sequence[str] | None = None) -> int:
     options.alone = argv is None  # this process is there for the command alone
     try:
         return int(options.do(options, node_args))
+    except BrokenPipeError:
+        raise
     except (OSError, ValueError, SyntaxError, RuntimeError) as error:
         sys.stdout.flush()
         print(f"rosspin: {say_error(error)}", file=sys.stderr)
@@ -64,6 +79,7 @@ def _parser() -> argparse.ArgumentParser:
     parser = argparse.ArgumentParser(
         prog="rosspin", description="Run a ROS node without ROS, and see when it ticks.", allow_abbrev=False
     )
+    parser.add_argument("--version", action=_Version, nargs=0, help="show the version")
     commands = parser.add_subparsers(required=True, metavar="COMMAND")
     run = commands.add_parser(
         "run",
@@ -86,7 +102,7 @@ def _parser() -> argparse.ArgumentParser:
     where = run.add_mutually_exclusive_group()
     where.add_argument("--simulated", action="store_true", help="run in simulated time, which takes almost no time")
     where.add_argument("--ros1", action="store_true", help="use the real ROS 1, which must be installed")
-    where.add_argument("--ros2", action="store_true", help="use the real ROS 2, which must be installed (make ros2)")
+    where.add_argument("--ros2", action="store_true", help="use the real ROS 2, which must be installed")
     run.add_argument("--skip-cpp", action="store_true", help="leave out the nodes of a launch file that are in C++")
     run.add_argument(
         "--start",
@@ -156,8 +172,16 @@ def _parser() -> argparse.ArgumentParser:
     return parser
 
 
+class _Version(argparse.Action):
+    """Says the version, which takes a while to look up, when it is asked for."""
+
+    def __call__(self, parser: argparse.ArgumentParser, *others: Any) -> None:
+        print(f"rosspin {version('rosspin')}")
+        parser.exit()
+
+
 def _doctor(options: argparse.Namespace, args: Sequence[str]) -> int:
-    for line in report(datetime.date.today()):
+    for line in report():
         print(line)
     return 0
 
@@ -206,7 +230,7 @@ def _show_part(part: float) -> None:
 
 
 def _write_test(found: Look, folder: Path) -> None:
-    """Write the node and the test; neither if one of them is there already."""
+    """Write the node and the test: both or neither, and none over one that is there already."""
     files = {folder / name: text for name, text in as_files(found).items()}
     if not files:
         raise ValueError(f"{found.name}: nothing in it is regular, so there is no test to write")
@@ -214,8 +238,15 @@ def _write_test(found: Look, folder: Path) -> None:
         if path.exists():
             raise ValueError(f"{path} is there already")
     folder.mkdir(parents=True, exist_ok=True)
-    for path, text in files.items():
-        path.write_text(text, encoding="utf-8")
+    written = list[Path]()
+    try:
+        for path, text in files.items():
+            save_whole(path, text.encode())
+            written.append(path)
+    except OSError:
+        for path in written:
+            path.unlink()
+        raise
     print(f"Written: {', '.join(map(str, files))}", file=sys.stderr)
 
 

@@ -4,14 +4,18 @@ from __future__ import annotations
 
 import io
 import json
+import os
+import subprocess
 import sys
+import tomllib
 from pathlib import Path
 
 import pytest
-from tree import TESTS
+from tree import ROOT, TESTS
 
 from rosspin.__main__ import main
 
+VERSION = tomllib.loads((ROOT / "pyproject.toml").read_text(encoding="utf-8"))["project"]["version"]
 LOGS = TESTS / "look/recorded"
 BLOCKED = str(LOGS / "r2_blocks_two.log")
 
@@ -89,3 +93,44 @@ def test_bad_files(capsys: pytest.CaptureFixture[str], tmp_path: Path, name: str
 def test_no_such_file(capsys: pytest.CaptureFixture[str]) -> None:
     assert main(["look", "no/such.log"]) == 1
     assert capsys.readouterr().err == "rosspin: no/such.log: No such file or directory\n"
+
+
+# --- what is printed and written --------------------------------------------------------------------------------------
+
+
+@pytest.mark.parametrize("words", [["look", BLOCKED], ["look", BLOCKED, "--json"], ["--version"]])
+def test_nobody_has_to_read_to_the_end(words: list[str]) -> None:
+    """As with ``| head``: a shell gives 128 + 13 for it."""
+    reader, writer = os.pipe()
+    os.close(reader)
+    with open(writer, "wb") as nobody:
+        done = subprocess.run([sys.executable, "-m", "rosspin", *words], stdout=nobody, stderr=subprocess.PIPE)
+    assert (done.returncode, done.stderr) == (141, b"")
+
+
+def test_the_version(capsys: pytest.CaptureFixture[str]) -> None:
+    with pytest.raises(SystemExit) as ended:
+        main(["--version"])
+    assert (ended.value.code, capsys.readouterr().out) == (0, f"rosspin {VERSION}\n")
+
+
+# Files of more than 1000 bytes cannot be written, as on a disk that is full.
+FULL = """
+import resource, sys
+from rosspin.__main__ import main
+resource.setrlimit(resource.RLIMIT_FSIZE, (1000, 1000))
+sys.exit(main(sys.argv[1:]))
+"""
+
+
+@pytest.mark.parametrize(("option", "older"), [("--test", ()), ("--plot", ()), ("--plot", ("a.svg",))])
+def test_on_a_full_disk_no_part_of_a_file_is_left(tmp_path: Path, option: str, older: tuple[str, ...]) -> None:
+    for name in older:
+        (tmp_path / name).write_text("older")
+    target = tmp_path / ("a.svg" if option == "--plot" else "")
+    done = subprocess.run(
+        [sys.executable, "-c", FULL, "look", BLOCKED, option, str(target)], capture_output=True, text=True
+    )
+    assert done.returncode == 1 and "File too large" in done.stderr and str(tmp_path) in done.stderr
+    assert sorted(path.name for path in tmp_path.iterdir()) == sorted(older)
+    assert all((tmp_path / name).read_text() == "older" for name in older)

@@ -15,6 +15,7 @@ from collections.abc import Sequence
 from pathlib import Path
 
 from ..exercises import Verdict
+from ..results.saving import save_whole
 from .lanes import Lanes, Task
 from .sealed import CannotSeal
 from .students import Class
@@ -71,7 +72,7 @@ def judge(paths: Sequence[str], csv: str | None = None, as_json: bool = False, u
     status = 0
     if csv:
         try:
-            Path(csv).write_bytes(write_csv(as_csv(found)))
+            save_whole(csv, write_csv(as_csv(found)))
         except OSError as error:
             status = _misused(f"--csv {csv}: {error.strerror}")
     _print(found, as_json)

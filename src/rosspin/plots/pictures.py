@@ -18,6 +18,8 @@ from typing import TYPE_CHECKING, cast
 from weakref import WeakKeyDictionary
 from xml.etree import ElementTree
 
+from ..results.saving import save_whole
+
 if TYPE_CHECKING:
     from matplotlib.axes import Axes
     from matplotlib.figure import Figure
@@ -134,10 +136,13 @@ def save(figure: Figure, path: str | os.PathLike[str]) -> None:
     """
     if Path(path).suffix == ".svg":
         text = f'<?xml version="1.0" encoding="utf-8"?>\n{_svg(figure, "rosspin-wide", standalone=True)}\n'
-        Path(path).write_text(text, encoding="utf-8")
+        save_whole(path, text.encode())
     else:
+        drawn = io.BytesIO()
         undated = {"CreationDate": None} if Path(path).suffix == ".pdf" else {"Software": None}
-        figure.savefig(path, metadata=undated, bbox_inches="tight", pad_inches=_MARGIN / 72)
+        kind = Path(path).suffix.removeprefix(".")
+        figure.savefig(drawn, format=kind, metadata=undated, bbox_inches="tight", pad_inches=_MARGIN / 72)
+        save_whole(path, drawn.getvalue())
 
 
 def _svg(figure: Figure, name: str, standalone: bool = False) -> str:

@@ -23,14 +23,14 @@ from ..results.ticks import Run, Tick
 from ..run.source import around_package, words_of
 from .children import SITECUSTOMIZE, START_PATIENCE, Children, Patience, check_seconds, say_deaths
 
-__all__ = ["REMEDY", "Nodes", "Ros2Missing", "launch", "missing", "python", "unavailable", "version"]
+__all__ = ["Nodes", "Ros2Missing", "launch", "missing", "python", "remedy", "unavailable", "version"]
 
-REMEDY = "make ros2"
 
 NS = 10**9
 
 # Where `make ros2` puts it: in an environment of its own, because its packages restart every Python beside them.
-_MADE = Path(__file__).parents[3] / "build" / "ros2" / "bin" / "python"
+_CHECKOUT = Path(__file__).parents[3]
+_MADE = _CHECKOUT / "build" / "ros2" / "bin" / "python"
 
 # Where the Python is for which a ROS 2 of the system's is made.
 _SYSTEM = "/usr/bin:/bin"
@@ -61,7 +61,7 @@ class Ros2Missing(RuntimeError):
     """ROS 2 is not installed; the message says what to do."""
 
     def __init__(self) -> None:
-        super().__init__(f"ROS 2 is not installed (no rclpy): {unavailable() or REMEDY}")
+        super().__init__(f"ROS 2 is not installed (no rclpy): {remedy()}")
 
 
 @cache
@@ -87,12 +87,20 @@ def version() -> str:
     if not python():
         return ""
     with Nodes() as nodes:
-        return nodes.run([python(), "-c", code], START_PATIENCE).console.strip()
+        output = nodes.run([python(), "-c", code], START_PATIENCE)
+    return output.console.strip() if output.status == 0 else ""
 
 
 def missing() -> list[str]:
     """List what this machine lacks to run ROS 2 nodes. Empty if nothing is missing."""
-    return [] if "rclpy" in version() else ["rclpy"]
+    return [] if version() else ["rclpy"]
+
+
+def remedy() -> str:
+    """Return what to do on this machine to have ROS 2."""
+    if (_CHECKOUT / "Makefile").exists():
+        return unavailable() or "make ros2"
+    return "install ROS 2, and source its setup.bash"
 
 
 def unavailable() -> str:
@@ -198,7 +206,7 @@ def _say_lacking(console: str, onward: TextIO | None) -> str:
     there = sorted(
         path.name for path in _MADE.parents[1].glob("lib/python*/site-packages/*_*s") if _MESSAGES(path.name)
     )
-    line = f"rosspin: {REMEDY} does not install {found[1]}; its message packages are {', '.join(there)}\n"
+    line = f"rosspin: make ros2 does not install {found[1]}; its message packages are {', '.join(there)}\n"
     if onward:
         onward.write(line)
     return line
