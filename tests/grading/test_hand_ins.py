@@ -4,7 +4,9 @@ from __future__ import annotations
 
 import io
 import json
+import os
 import re
+import struct
 import zipfile
 from collections.abc import Mapping
 from datetime import UTC, datetime
@@ -262,7 +264,71 @@ def test_links_in_folders_are_not_followed(tmp_path: Path) -> None:
     (tmp_path / "all" / "ada" / ".git" / "a.json").write_bytes(saved())
     (tmp_path / "all" / "ada" / "a.json").symlink_to(tmp_path / "secret.json")
     (tmp_path / "all" / "ben").symlink_to(tmp_path / "all")
-    assert [(file.path, file.why) for file in find(tmp_path / "all")] == [("ada/a.json", "it is a link, or no file")]
+    why = "it is a link, or no file"
+    assert [(file.path, file.why) for file in find(tmp_path / "all")] == [("ben", why), ("ada/a.json", why)]
+
+
+def many_names(number: int, name: bytes = b"a") -> bytes:
+    """An archive whose list says that it has so many files, none of which is there."""
+    entry = struct.pack("<IHHHHHHIIIHHHHHII", 0x02014B50, 20, 20, 0, 0, 0, 0x21, 0, 0, 0, len(name), *[0] * 6) + name
+    size = len(entry) * number
+    ends = struct.pack("<IQHHIIQQQQ", 0x06064B50, 44, 45, 45, 0, 0, number, number, size, 0)
+    ends += struct.pack("<IIQI", 0x07064B50, 0, size, 1)
+    return entry * number + ends + struct.pack("<IHHHHIIH", 0x06054B50, 0, 0, 0xFFFF, 0xFFFF, 0xFFFFFFFF, 0xFFFFFFFF, 0)
+
+
+TOO_MUCH = {
+    "names": many_names(1_000_000),
+    "names of answers": many_names(100_000, b"slow-timer.py"),
+    "archives": zipped({f"{number}.zip": many_names(15_000) for number in range(20)}),
+    "within archives": zipped({"a.zip": zipped({"b.zip": many_names(300_000)})}),
+    "bytes": zipped({f"{number}.py": b"#" * 1_000_000 for number in range(60)}),
+    "zeros": zipped({"a.zip": bytes(300_000_000)}),
+}
+
+
+@pytest.mark.parametrize("what", TOO_MUCH)
+def test_one_archive_with_too_much_in_it_costs_little_and_the_others_nothing(what: str, tmp_path: Path) -> None:
+    right = zipped({"slow-timer.py": "x = 1"})
+    found = in_archive(zipped({"ada.zip": right, "eve.zip": TOO_MUCH[what], "zoe.zip": right}), tmp_path)
+    ada, *eve, zoe = found
+    assert ada.data == zoe.data == b"x = 1" and zoe.parts == ("zoe.zip", "slow-timer.py")
+    assert eve[-1].why == "there is too much in it" and len(eve) <= 20_000
+    assert sum(len(file.data) for file in eve) <= 40_000_000
+
+
+@pytest.mark.parametrize("what", ["names", "names of answers"])
+def test_too_much_in_all_is_said_once(what: str, tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
+    monkeypatch.setattr("rosspin.grading.found._MOST_ENTRIES", 1000)
+    (file,) = in_archive(TOO_MUCH[what], tmp_path)
+    assert file.why == "there is too much in all; have it judged in parts"
+    (tmp_path / "all").mkdir()
+    for number in range(1001):
+        (tmp_path / "all" / str(number)).touch()
+    assert [file.why for file in find(tmp_path / "all")] == ["there is too much in all; have it judged in parts"]
+
+
+def test_folders_deeper_than_python_goes(tmp_path: Path) -> None:
+    before = os.open(".", os.O_RDONLY)
+    try:
+        os.chdir(tmp_path)
+        for _ in range(1500):
+            os.mkdir("d")
+            os.chdir("d")
+        Path("slow-timer.py").write_text("x = 1")
+    finally:
+        os.fchdir(before)
+        os.close(before)
+    (file,) = find(tmp_path)
+    assert len(file.parts) == 1501 and file.data == b"x = 1"
+
+
+def test_what_is_refused_is_not_said_of_ten_thousand_files(tmp_path: Path) -> None:
+    (tmp_path / "all.zip").write_bytes(zipped({f"{number}.exe": "" for number in range(10_000)}))
+    found = Class()
+    found.add(tmp_path / "all.zip")
+    assert len(found.refused) == 501
+    assert found.refused[-1] == ("...", "9500 more files, for such reasons")
 
 
 # --- who is who -------------------------------------------------------------------------------------------------------

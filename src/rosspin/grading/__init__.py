@@ -36,12 +36,14 @@ def judge(paths: Sequence[str], csv: str | None = None, as_json: bool = False, u
 
     Where answers cannot be sealed, nothing is judged unless it may be ``unsealed``.
     """
-    found = Class()
-    for path in paths:
-        try:
-            found.add(Path(path))
-        except OSError as error:
-            return _misused(f"{path}: {error.strerror}")
+    found, reading = Class(), _Reading()
+    try:
+        for path in paths:
+            found.add(Path(path), reading.step)
+    except OSError as error:
+        return _misused(f"{path}: {error.strerror}")
+    finally:
+        reading.end()
     if csv and (Path(csv).is_dir() or not Path(csv).parent.is_dir()):
         return _misused(f"--csv {csv}: this is a folder, or there is no such folder")
     places = [(row, name) for row in found.rows for name in row.answers]
@@ -98,6 +100,22 @@ def _print(found: Class, as_json: bool) -> None:
 def _misused(said: str) -> int:
     print(f"rosspin: {said}", file=sys.stderr)
     return 2
+
+
+class _Reading:
+    """A line on the terminal that says how many files have been found; elsewhere nothing."""
+
+    def __init__(self) -> None:
+        self._number = 0
+
+    def step(self) -> None:
+        self._number += 1
+        if self._number % 100 == 0 and sys.stderr.isatty():
+            print(f"\r{self._number} files", end="\033[K", file=sys.stderr, flush=True)
+
+    def end(self) -> None:
+        if self._number >= 100 and sys.stderr.isatty():
+            print("\r\033[K", end="", file=sys.stderr, flush=True)
 
 
 class _Progress:

@@ -9,18 +9,22 @@ import re
 import stat
 import zipfile
 import zlib
-from collections.abc import Iterator
+from collections.abc import Iterable, Iterator
 from pathlib import Path
-from typing import IO, NamedTuple
+from typing import IO, Any, NamedTuple, cast
 
 from .hand_ins import MOST_FILE, SUFFIXES
 
 __all__ = ["Found", "find"]
 
-# What is read of archives at most: so many within each other, files in all, and bytes.
+# What is read at most: so many archives within each other; in all, and of an archive among what was handed in together
+# with those within it, so many entries of folders and archives, and bytes: of answers, of packed archives, of lists.
 _DEEPEST = 4
-_MOST_FILES = 50_000
+_MOST_ENTRIES = 200_000
 _MOST_BYTES = 400_000_000
+_MOST_UNPACKED = 2_000_000_000
+_MOST_LISTED = 20_000_000
+_OF_ONE = 10  # a tenth of that
 
 # How entries may be packed: zipfile unpacks these, and no others, without making more of them than is asked for.
 _PACKED = (zipfile.ZIP_STORED, zipfile.ZIP_DEFLATED)
@@ -48,34 +52,98 @@ class Found(NamedTuple):
 
 
 class _Budget:
-    """How much may still be read."""
+    """How much may still be read, and within which other budget."""
 
-    def __init__(self) -> None:
-        self.files = _MOST_FILES
-        self.bytes = _MOST_BYTES
+    def __init__(self, above: _Budget | None = None) -> None:
+        part = _OF_ONE if above else 1
+        self.left = {
+            "entries": _MOST_ENTRIES // part,
+            "answers": _MOST_BYTES // part,
+            "unpacked": _MOST_UNPACKED // part,
+            "listed": _MOST_LISTED // part,
+        }
+        self._above = above
+
+    def take(self, what: str, number: int) -> None:
+        """Take so much. Raises :class:`_TooMuch` if there is less."""
+        self.left[what] -= number
+        if self.left[what] < 0:
+            raise _TooMuch(self)
+        if self._above:
+            self._above.take(what, number)
+
+
+class _TooMuch(Exception):
+    """A budget is used up."""
+
+    def __init__(self, budget: _Budget) -> None:
+        self.budget = budget
+
+
+class _Listed:
+    """An archive whose list is read: no more of it than there may be. What is in it is read within other bounds."""
+
+    def __init__(self, file: IO[bytes], budget: _Budget) -> None:
+        self._file = file
+        self.budget: _Budget | None = budget
+
+    def __getattr__(self, name: str) -> Any:
+        return getattr(self._file, name)
+
+    def read(self, size: int = -1) -> bytes:
+        if self.budget is None:
+            return self._file.read(size)
+        left = self.budget.left["listed"]
+        data = self._file.read(left + 1 if size < 0 else min(size, left + 1))
+        self.budget.take("listed", len(data))
+        return data
 
 
 def find(path: Path) -> Iterator[Found]:
     """Yield the files in a folder or an archive, or a single file. Raises OSError if it is none of these."""
+    try:
+        yield from _find(path, _Budget())
+    except _TooMuch:
+        yield Found((path.name,), why="there is too much in all; have it judged in parts")
+
+
+def _find(path: Path, budget: _Budget) -> Iterator[Found]:
     if not path.is_dir():
-        parts = (path.name,)
         if path.exists() and not path.is_file():  # a pipe may never end
             raise OSError(errno.EINVAL, "it is no file, and no folder")
         with open(path, "rb") as file:
             data = file.read(MOST_FILE + 1)
             if path.suffix.lower() == ".zip" or data.startswith(b"PK\x03\x04"):
                 file.seek(0)
-                yield from _unzipped((), file, _Budget(), 1, path.name)
+                yield from _unzipped((), file, budget, 1, path.name)
                 return
-        yield Found(parts, data)
+        yield Found((path.name,), data)
         return
-    budget = _Budget()
-    for folder, folders, files in os.walk(path):
-        folders[:] = sorted(name for name in folders if not _LEFT_BEHIND.fullmatch(name))
-        for name in sorted(files):
-            if not _LEFT_BEHIND.fullmatch(name):
-                place = Path(folder, name)
-                yield from _file(place, place.relative_to(path).parts, budget)
+    waiting: list[tuple[str, ...]] = [()]
+    while waiting:
+        parts = waiting.pop()
+        try:
+            with os.scandir(Path(path, *parts)) as entries:
+                folders, files = _sorted(entries, budget)
+        except OSError as error:
+            if not parts:
+                raise
+            yield Found(parts, why=f"it cannot be read: {error.strerror}")
+            continue
+        for name in files:
+            yield from _file(Path(path, *parts, name), (*parts, name), budget)
+        waiting += ((*parts, name) for name in reversed(folders))
+
+
+def _sorted(entries: Iterable[os.DirEntry[str]], budget: _Budget) -> tuple[list[str], list[str]]:
+    """Return the folders among them, and the rest, links to folders included."""
+    folders: list[str] = []
+    files: list[str] = []
+    for entry in entries:
+        budget.take("entries", 1)
+        if not _LEFT_BEHIND.fullmatch(entry.name):
+            (folders if entry.is_dir(follow_symlinks=False) else files).append(entry.name)
+    return sorted(folders), sorted(files)
 
 
 def _file(place: Path, parts: tuple[str, ...], budget: _Budget) -> Iterator[Found]:
@@ -85,7 +153,7 @@ def _file(place: Path, parts: tuple[str, ...], budget: _Budget) -> Iterator[Foun
             yield Found(parts, why="it is a link, or no file")
         elif place.suffix.lower() == ".zip":
             with open(place, "rb") as file:
-                yield from _unzipped(parts, file, budget, 1)
+                yield from _handed_in(parts, file, budget, 1)
         else:
             with open(place, "rb") as file:
                 yield _content(parts, file, budget)
@@ -98,31 +166,39 @@ def _content(parts: tuple[str, ...], file: IO[bytes], budget: _Budget) -> Found:
     if not _holds_answers(parts[-1]):
         other = parts[-1].lower().endswith(_OTHER_ARCHIVES)
         return Found(parts, why="unpack it first: of archives, zip is read" if other else "it is no file of answers")
-    data = file.read(min(MOST_FILE + 1, budget.bytes + 1))
-    budget.bytes -= len(data)
-    budget.files -= 1
-    if budget.bytes < 0 or budget.files < 0:
-        return Found(parts, why="there is too much in all; have it judged in parts")
+    data = file.read(MOST_FILE + 1)
+    budget.take("answers", len(data))
     return Found(parts, data)
+
+
+def _handed_in(parts: tuple[str, ...], file: IO[bytes], above: _Budget, depth: int) -> Iterator[Found]:
+    """Yield the files in an archive that is one of several: whatever is in it, others are read as well."""
+    budget = _Budget(above)
+    try:
+        yield from _unzipped(parts, file, budget, depth)
+    except _TooMuch as error:
+        if error.budget is not budget:
+            raise
+        yield Found(parts, why="there is too much in it")
 
 
 def _unzipped(parts: tuple[str, ...], file: IO[bytes], budget: _Budget, depth: int, name: str = "") -> Iterator[Found]:
     """Yield the files in an archive, whose own ``name`` is no part of theirs, and in those within it."""
     try:
-        archive = zipfile.ZipFile(file)
+        listed = _Listed(file, budget)
+        archive = zipfile.ZipFile(cast(IO[bytes], listed))
+        listed.budget = None
         entries = sorted(archive.infolist(), key=_name)
     except (zipfile.BadZipFile, NotImplementedError, ValueError, OSError):
         yield Found(parts or (name,), why="it is no zip archive that can be read")
         return
+    budget.take("entries", len(entries))
     for entry in entries:
         # Only a name: whatever folders it goes up to, nothing is written there.
         inner = tuple(part for part in re.split(r"[/\\]", _name(entry)) if part not in ("", ".", ".."))
         if entry.is_dir() or not inner or any(map(_LEFT_BEHIND.fullmatch, inner)):
             continue
         place = (*parts, *inner)
-        if budget.files < 0:
-            yield Found(place, why="there is too much in all; have it judged in parts")
-            return
         try:
             yield from _entry(archive, entry, place, budget, depth)
         except (zipfile.BadZipFile, zlib.error, NotImplementedError, EOFError, ValueError, OSError):
@@ -145,12 +221,13 @@ def _entry(
         yield Found(place, why=f"it is an archive within {_DEEPEST} others")
     else:
         with archive.open(entry) as file:
-            data = file.read(budget.bytes + 1)
-        budget.bytes -= len(data)
-        if budget.bytes < 0:
-            yield Found(place, why="there is too much in all; have it judged in parts")
+            data = file.read(_MOST_UNPACKED // _OF_ONE + 1)
+        inner = _handed_in if depth == 1 else _unzipped
+        if len(data) > _MOST_UNPACKED // _OF_ONE:
+            yield Found(place, why="there is too much in it")
         else:
-            yield from _unzipped(place, io.BytesIO(data), budget, depth + 1)
+            budget.take("unpacked", len(data))
+            yield from inner(place, io.BytesIO(data), budget, depth + 1)
 
 
 def _holds_answers(name: str) -> bool:

@@ -5,7 +5,7 @@ from __future__ import annotations
 import os
 import re
 import unicodedata
-from collections.abc import Collection, Sequence
+from collections.abc import Callable, Collection, Sequence
 from dataclasses import dataclass, field
 from datetime import datetime
 from pathlib import Path
@@ -23,6 +23,10 @@ _MOODLE = re.compile(r"(?P<name>.+?)_(?P<id>\d+)_assignsubmission_(?:file|online
 _CANVAS = re.compile(r"(?P<name>[^_]+)(?P<late>_LATE)?_(?P<id>\d+)_\d+_(?P<rest>.+)")
 # Gradescope: a folder.
 _GRADESCOPE = re.compile(r"(?P<name>submission_(?P<id>\d+))(?P<rest>)")
+
+
+# So many files are named that are refused.
+_MOST_REFUSED = 500
 
 
 @dataclass
@@ -90,6 +94,7 @@ class Class:
 
     def __init__(self) -> None:
         self.why_unsealed = ""
+        self._refused = 0
         self.refused: list[tuple[str, str]] = []
         self.notes: list[str] = []
         self._rows: dict[tuple[str, ...], Row] = {}
@@ -106,9 +111,12 @@ class Class:
         known = [exercise.name for exercise in EXERCISES if exercise.name in answered]
         return [*known, *sorted(answered.difference(known))]
 
-    def add(self, path: Path) -> None:
-        """Read a file, a folder or an archive. Raises OSError if there is none such."""
-        found = list(find(path))
+    def add(self, path: Path, step: Callable[[], None] = lambda: None) -> None:
+        """Read a file, a folder or an archive. Raises OSError if there is none such. ``step`` is called for each."""
+        found = []
+        for each in find(path):
+            found.append(each)
+            step()
         skipped = len(os.path.commonprefix([file.parts[:-1] for file in found]))
         top = _name_of(path, found[0].parts[:skipped] if found else ())
         loose: dict[_Owner, list[_Part]] = {}
@@ -170,12 +178,20 @@ class Class:
         else:
             self._take(row, key)
 
+    def _refuse(self, file: str, why: str) -> None:
+        """Say it, unless that has been said of so many that nobody would read it."""
+        self._refused += 1
+        if self._refused <= _MOST_REFUSED:
+            self.refused.append((file, why))
+        else:
+            self.refused[_MOST_REFUSED:] = [("...", f"{self._refused - _MOST_REFUSED} more files, for such reasons")]
+
     def _leave(self, owner: _Owner, file: Found, why: str, having: Collection[_Owner], top: str) -> None:
         """Refuse what holds no answers. Whatever else lies beside somebody's answers does not matter."""
         name = file.parts[-1]
         if owner in having and not (name.startswith("rosspin-answers") or name.endswith(".zip")):
             return
-        self.refused.append((plain(file.path), why))
+        self._refuse(plain(file.path), why)
         if owner not in having and owner.name != top and _Owner(top) not in having:
             # A student is missed in the table, whatever was handed in. What lies among answers is no student's folder.
             row = Row(plain(owner.name), plain(file.path), "", owner.sender, owner.id, note=f"refused: {why}")
