@@ -8,7 +8,6 @@ import shutil
 import subprocess
 import sys
 from pathlib import Path
-from typing import Any
 from unittest import mock
 
 import corpus_ros1
@@ -28,19 +27,17 @@ def parent(tmp_path_factory: pytest.TempPathFactory) -> Path:
     return tmp_path_factory.mktemp("places").resolve()
 
 
-def seen(path: Path, seconds: float, args: tuple[str, ...] = ()) -> list[Any]:
+def seen(path: Path, seconds: float, args: tuple[str, ...] = ()) -> list[str]:
     """What a run gives, or why there is none; without the place, and where things lie in the memory."""
-    gave: list[Any]
     try:
         with mock.patch.dict(os.environ):  # a node may set the form of its log lines there
             run = simulate(path, seconds, args)
-        gave = [run.console, run.status, list(run.ticks), run.messages]
+        gave: list[object] = [run.console, run.status, list(run.ticks), *[message[:3] for message in run.messages]]
     except Exception as error:
         gave = [say_error(error)]
-    for folder in (path.parent, path.resolve().parent):
-        gave[0] = gave[0].replace(str(folder), "HERE")
-    gave[0] = re.sub(r"0x[0-9a-f]+", "0x", gave[0])
-    return gave
+    texts = [re.sub(r"0x[0-9a-f]+", "0x", str(each)) for each in gave]
+    places = str(path.parent), str(path.resolve().parent)
+    return [text.replace(places[0], "HERE").replace(places[1], "HERE") for text in texts]
 
 
 @pytest.mark.parametrize(

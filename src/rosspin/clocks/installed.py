@@ -8,7 +8,6 @@ from __future__ import annotations
 
 import os
 import re
-import site
 import sys
 import sysconfig
 from collections.abc import Iterable, Iterator
@@ -18,14 +17,13 @@ from importlib.metadata import distributions
 __all__ = ["is_installed_file", "note_own"]
 
 
-def _libraries() -> Iterator[str | None]:
+def _libraries() -> Iterator[str]:
     """The folders of this interpreter's modules, and those of the one from which a virtual environment was made."""
     yield os.path.dirname(os.__file__)
     for prefix in (sys.prefix, sys.base_prefix):
-        paths = sysconfig.get_paths(vars={"base": prefix, "platbase": prefix})
-        yield from (paths[name] for name in ("stdlib", "platstdlib", "purelib", "platlib"))
-        yield from site.getsitepackages([prefix])
-    yield site.getusersitepackages()
+        for scheme in sysconfig.get_scheme_names():  # a user's own, and Debian's, are among them
+            paths = sysconfig.get_paths(scheme, {"base": prefix, "platbase": prefix})
+            yield from (paths[name] for name in ("stdlib", "platstdlib", "purelib", "platlib"))
     yield "/usr/lib/python3/dist-packages"  # of Debian, whichever Python this is
 
 
@@ -33,7 +31,7 @@ def _spellings(path: str) -> set[str]:
     return {os.path.abspath(path), os.path.realpath(path)}
 
 
-_LIBRARIES = {os.path.join(each, "") for path in _libraries() if path for each in _spellings(path)}
+_LIBRARIES = {os.path.join(each, "") for path in _libraries() for each in _spellings(path)}
 _ROS = re.compile(r"/opt/ros/\w+/lib/")
 
 # Files and folders of nodes. They stay for as long as this Python runs: an error may be told after its run.
