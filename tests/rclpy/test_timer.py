@@ -351,10 +351,16 @@ def test_a_late_pass_says_since_when_it_was_due() -> None:
     assert [tick.expected for tick in run.ticks] == [0, 0.5, 1.0, 1.5, 2.5, 3.0]
 
 
-def test_a_rate_that_nobody_spins_hangs_until_ctrl_c() -> None:
+@pytest.mark.parametrize(
+    "keeps, advice", [(True, "rosspin: Spin the node meanwhile"), (False, "rosspin: Keep the node in a variable")]
+)
+def test_a_rate_that_nobody_spins_hangs_until_ctrl_c(keeps: bool, advice: str) -> None:
     def node() -> None:
         rclpy.init()
-        rate = rclpy.create_node("node").create_rate(2)
+        made = rclpy.create_node("node")
+        rate = made.create_rate(2)
+        if not keeps:
+            del made
         try:
             rate.sleep()
         except KeyboardInterrupt:
@@ -362,7 +368,7 @@ def test_a_rate_that_nobody_spins_hangs_until_ctrl_c() -> None:
 
     *why, hung = simulate(node, 3).console.splitlines()
     assert why[1] == "rosspin:   the thread MainThread waits for its Rate"
-    assert why[-1].startswith("rosspin: Spin the node meanwhile")
+    assert why[-1].startswith(advice)
     assert hung == "hung 3.0"
 
 

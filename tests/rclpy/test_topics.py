@@ -297,9 +297,9 @@ def test_several_nodes_in_one_process() -> None:
         other.create_timer(0.5, lambda: publisher.publish(UInt32(data=len(seen))))
         executor = rclpy.executors.SingleThreadedExecutor()
         executor.add_node(node)
-        spin_until(other, 1.7, executor)
         assert sorted(node.get_fully_qualified_node_names()) == ["/node", "/ns/other"]
         assert dict(node.get_topic_names_and_types())["/topic"] == ["std_msgs/msg/UInt32"]
+        spin_until(other, 1.7, executor)
 
     done = run(body)
     assert (done.status, done.console) == (0, "")

@@ -46,11 +46,12 @@ LAYERS = [
 # and exceptions do so, too. There is no other circle, not even one of annotations.
 PARTS = {
     "rclpy.node": {
-        *("rclpy.action", "rclpy.context", "rclpy.discovery", "rclpy.ends", "rclpy.executors", "rclpy.logging_service"),
-        *("rclpy.own_topics", "rclpy.parameter_service", "rclpy.qos_overriding_options", "rclpy.services"),
-        *("rclpy.time_source", "rclpy.topics"),
+        *("rclpy.action", "rclpy.executors", "rclpy.handle", "rclpy.logging_service", "rclpy.parameter_service"),
+        *("rclpy.qos_overriding_options", "rclpy.time_source", "rclpy.topics"),
     },
-    "rclpy.executors": {"rclpy.task"},
+    "rclpy.executors": {"rclpy.context", "rclpy.handle", "rclpy.task"},
+    "rclpy.context": {"rclpy.handle"},
+    "rclpy.ends": {"rclpy.handle"},
     "rclpy.parameter": {"rclpy.exceptions"},
     "run.ros2launch.service": {"run.ros2launch.context", "run.ros2launch.modules", "run.ros2launch.process"},
     "clocks.simulation": {"clocks.stacks"},

@@ -5,6 +5,8 @@ What is here behaves as in rclpy 7.1 (Jazzy); the rest raises :class:`NotSimulat
 
 from __future__ import annotations
 
+import os
+import signal
 import sys
 from types import ModuleType
 from typing import Any
@@ -194,10 +196,8 @@ IN_PART = {
     "MultiThreadedExecutor": "Without ``num_threads`` it has 4 threads, not as many as there are processors.",
     "Client": "What was asked before the service is known is lost, also with ``TRANSIENT_LOCAL``.",
     "JumpHandle": "One that a node drops goes on; on a real ROS the next jump then calls what is no longer there.",
-    "LifecycleNode": "Managed entities come in the order in which they were added; on a real ROS in any. A destroyed "
-    "node is gone; on a real ROS others see it until Python drops it.",
-    "Node": "The service that describes its types is only named. A node that a program drops without "
-    "``destroy_node()`` is still there.",
+    "LifecycleNode": "Managed entities come in the order in which they were added; on a real ROS in any.",
+    "Node": "The service that describes its types is only named.",
     "Publisher": "Fields are always checked, as with ``ROS_PYTHON_CHECK_FIELDS=1``.",
     "PublisherEventCallbacks": "``incompatible_type`` is never called, as with Fast DDS.",
     "QoSProfile": "``avoid_ros_namespace_conventions`` has no effect.",
@@ -281,8 +281,24 @@ for _name, _sources in PASSED_ON.items():
 # Says why something waits for ever.
 explain_waits = deadlock.explain
 
+
+def _end_of_process() -> None:
+    """Abort if a thread that still spins goes on while the process ends, as daemon threads may.
+
+    On a real ROS such a thread takes Python's lock back within C++ code, and Python ends it there, which C++ does not
+    allow. Whoever goes on later finds the process gone.
+    """
+    own = current_world().part(context.State)
+    if any(executor._rosspin_wakes_within(_ENDING) for executor in list(own.executors)):
+        sys.stderr.write("terminate called without an active exception\n")
+        os._exit(128 + signal.SIGABRT)
+
+
+# How long (ns) a process goes on once its main thread has ended: 0.1 to 0.2 s were measured.
+_ENDING = 150_000_000
+
 # What importing rclpy registers with atexit.
-AT_EXIT: list[Any] = []
+AT_EXIT: list[Any] = [(_end_of_process, (), {})]
 
 # Tracebacks and texts show the names of a real ROS.
 _HOMES = {

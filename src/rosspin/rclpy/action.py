@@ -15,18 +15,19 @@ from hashlib import md5
 from importlib import import_module
 from itertools import count
 from typing import TYPE_CHECKING, Any
-from weakref import ref
+from weakref import WeakMethod, ref
 
 from ..clocks.frames import format_error
 from ..messages.ros2 import Action, Message
 from ..world.world import current_world
 from .callback_groups import CallbackGroup
 from .exceptions import NameValidationException, RCLError, no_type_support
+from .handle import Life
 from .lateness import Countdown
 from .qos import QoSProfile, qos_profile_action_status_default, qos_profile_services_default
-from .services import Client, Service, look_until
+from .services import ClientEnd, ServerEnd, look_until
 from .task import Future, await_or_execute
-from .topics import Publisher, Subscription
+from .topics import PublisherEnd, SubscriptionEnd
 from .waits import waiting_for
 
 if TYPE_CHECKING:
@@ -92,6 +93,17 @@ _UNKNOWN_GOAL = 2
 _GOAL_HAS_ENDED = 3
 
 
+def _weakly(method: Callable[[], object]) -> Callable[[], None]:
+    """Return what calls a method as long as its object is there."""
+    found = WeakMethod(method)
+
+    def call() -> None:
+        if called := found():
+            called()
+
+    return call
+
+
 class GoalIds:
     """Numbers the goals of a run. Their ids are as good as random ones, and the same in each run."""
 
@@ -106,67 +118,83 @@ class GoalIds:
 class _ActionEnd:
     """Base of the server and the client: one entity for the executor, with several ends."""
 
-    _word: str
+    _rosspin_word: str
+    _rosspin: _ActionEnds
 
     def __init__(self, node: Node, action_type: type[Action], action_name: str, group: CallbackGroup | None) -> None:
         if not (isinstance(action_type, type) and issubclass(action_type, Action)):
             raise no_type_support(action_type)
+        node._rosspin.check()
+        if not node.context.ok():
+            raise ValueError(f"Failed to create action {self._rosspin_word}: rcl node's context is invalid")
         self._node = node
         self._action_type = action_type
-        self._action_name = action_name
+        self._rosspin_name = action_name
         try:
-            self._names("send_goal", is_service=True)
+            self._rosspin_names("send_goal", is_service=True)
         except NameValidationException as error:
-            text = f"Failed to create action {self._word} due to invalid topic name '{action_name}' : {error.error_msg}"
-            raise ValueError(text) from None
+            what = f"Failed to create action {self._rosspin_word} due to invalid topic name"
+            raise ValueError(f"{what} '{action_name}' : {error.error_msg}") from None
         self.callback_group = group or node.default_callback_group
         self._executor_event = False
         self._futures: list[Future] = []
-        self._logger = node.get_logger().get_child(f"action_{self._word}")
-        self._ready: list[Any] = []
-        self._destroyed = False
+        self._logger = node.get_logger().get_child(f"action_{self._rosspin_word}")
 
-    def _names(self, part: str, is_service: bool) -> tuple[str, str]:
-        """Return the name and the full name of one of its services, or topics."""
-        name = f"{self._action_name}/_action/{part}"
-        return name, self._node._rosspin_resolve(name, is_service=is_service)
+    def _rosspin_names(self, part: str, is_service: bool) -> str:
+        """Return the full name of one of its services, or topics."""
+        return self._node._rosspin_resolve(f"{self._rosspin_name}/_action/{part}", is_service=is_service)
 
-    def _join(self, ends: Iterable[Any]) -> None:
+    def _rosspin_join(self, ends: Iterable[Any]) -> None:
         """Let executors look at the ends: their order is that in which they are served."""
-        self.ends = list(ends)
-        for end in self.ends:
-            end.nudge = self._node._rosspin_nudge
+        self._rosspin = _ActionEnds(list(ends))
+        self._rosspin_life = Life(self._rosspin.destroy)
+        for end in self._rosspin.ends:
+            end.entity = ref(self)
         self.callback_group.add_entity(self)
         self._node.add_waitable(self)
 
-    @property
-    def messages(self) -> bool:
-        """Whether one of its ends has something to take; which ones is noted for ``take``."""
-        self._ready = [end for end in self.ends if getattr(end, "messages", None)]
-        return bool(self._ready)
-
-    def take(self) -> Any:
+    def _rosspin_take(self) -> Any:
         """Return the call to make: with one message of each end that was ready when the executor looked."""
-        if self._destroyed:
+        own = self._rosspin
+        if own.is_destroyed:
             return None
-        return self._execute, ([(end, *end.messages.popleft()) for end in self._ready if end.messages],), None
+        return self._rosspin_execute, ([(end, *end.messages.popleft()) for end in own.ready if end.messages],), None
 
-    async def _execute(self, taken: list[tuple[Any, Any, Any]]) -> None:
+    async def _rosspin_execute(self, taken: list[tuple[Any, Any, Any]]) -> None:
         for future in self._futures:
             future._set_executor(self._node.executor)
         for end, *message in taken:
-            await self._serve(end, *message)
+            await self._rosspin_serve(end, *message)
 
-    async def _serve(self, end: Any, first: Any, second: Any) -> None:
+    async def _rosspin_serve(self, end: Any, first: Any, second: Any) -> None:
         raise NotImplementedError
 
     def destroy(self) -> None:
+        """Leave the action. Raises ValueError the second time, as the node has it no more."""
+        self._rosspin.destroy()
+        self._node.remove_waitable(self)
+
+
+class _ActionEnds:
+    """The ends of an action's server or client, for an executor."""
+
+    def __init__(self, ends: list[Any]) -> None:
+        self.ends = ends
+        self.ready: list[Any] = []
+        self.is_destroyed = False
+        self.looks_for_expired = False  # of a server
+
+    @property
+    def messages(self) -> bool:
+        """Whether there is something to take, or to forget; which of the ends have it is noted in ``ready``."""
+        self.ready = [end for end in self.ends if getattr(end, "messages", None)]
+        return bool(self.ready) or self.looks_for_expired
+
+    def destroy(self) -> None:
         """Leave the action."""
-        if not self._destroyed:
-            self._destroyed = True
-            for end in self.ends:
-                end.destroy()
-            self._node.remove_waitable(self)
+        self.is_destroyed = True
+        for end in self.ends:
+            end.destroy()
 
 
 # --- the server -------------------------------------------------------------------------------------------------------
@@ -179,9 +207,9 @@ class ServerGoalHandle:
         self._action_server = action_server
         self._goal_info = goal_info
         self._goal_request = goal_request
-        self._status = _Status.ACCEPTED
+        self._rosspin_status = _Status.ACCEPTED
         self._lock = threading.Lock()
-        self.ended = 0  # when (ns)
+        self._rosspin_ended = 0  # when (ns)
 
     def __eq__(self, other: object) -> bool:
         return isinstance(other, ServerGoalHandle) and bool(self.goal_id == other.goal_id)
@@ -201,43 +229,43 @@ class ServerGoalHandle:
     @property
     def is_active(self) -> bool:
         """Whether it has not ended."""
-        return self._status.is_active
+        return self._rosspin_status.is_active
 
     @property
     def is_cancel_requested(self) -> bool:
         """Whether it is to be cancelled, and still active."""
-        return self._status is _Status.CANCELING
+        return self._rosspin_status is _Status.CANCELING
 
     @property
     def status(self) -> int:
         """What has become of it, as in action_msgs/GoalStatus."""
-        return int(self._status)
+        return int(self._rosspin_status)
 
     def _update_state(self, event: str) -> None:
         with self._lock:
-            if self._status is _Status.UNKNOWN:
+            if self._rosspin_status is _Status.UNKNOWN:
                 return
-            after = _AFTER.get((self._status, event))
+            after = _AFTER.get((self._rosspin_status, event))
             if after is None:
                 raise RCLError(
                     "Failed to update goal state: goal_handle attempted invalid transition from state "
-                    f"{self._status.name} with event {event}"
+                    f"{self._rosspin_status.name} with event {event}"
                 )
-            self._status = after
-            self._action_server._publish_status()
+            self._rosspin_status = after
+            self._action_server._rosspin_publish_status()
             if not after.is_active:
-                self.ended = self._action_server._now()
-                self._action_server._expire_later()
+                self._rosspin_ended = self._action_server._rosspin_now()
+                self._action_server._rosspin_expire_later()
 
     def execute(self, execute_callback: Callable[[ServerGoalHandle], Any] | None = None) -> None:
         """Let the executor call the server's function, or this one, with the goal."""
         if not self.is_cancel_requested:
             self._update_state("EXECUTE")
-        self._action_server._start(self, execute_callback)
+        self._action_server.notify_execute(self, execute_callback)
 
     def publish_feedback(self, feedback: Message) -> None:
         """Send feedback to the client. Raises TypeError for what is no feedback of this action."""
-        self._action_server._publish_feedback(self, feedback)
+        self._action_server._rosspin_publish_feedback(self, feedback)
 
     def succeed(self) -> None:
         """Say that it has been reached. Raises RCLError if it has ended."""
@@ -253,7 +281,7 @@ class ServerGoalHandle:
 
     def destroy(self) -> None:
         """Forget what has become of it."""
-        self._status = _Status.UNKNOWN
+        self._rosspin_status = _Status.UNKNOWN
 
 
 def default_handle_accepted_callback(goal_handle: ServerGoalHandle) -> None:
@@ -279,7 +307,7 @@ class ActionServer(_ActionEnd):
     requests are served in the callback group: each goal is executed in a task of its own.
     """
 
-    _word = "server"
+    _rosspin_word = "server"
 
     def __init__(
         self,
@@ -306,25 +334,34 @@ class ActionServer(_ActionEnd):
         super().__init__(node, action_type, action_name, callback_group)
         if result_timeout < 0:
             raise ValueError("Failed to create action server: timer period must be non-negative")
-        impl, group = action_type.Impl, self.callback_group
+        impl = action_type.Impl
 
-        def serve(srv_type: Any, part: str, qos: QoSProfile) -> Service:
-            return Service(_unused, node, srv_type, *self._names(part, True), group, qos)
+        def serve(srv_type: Any, part: str, qos: QoSProfile) -> ServerEnd:
+            return ServerEnd(node._rosspin, srv_type, self._rosspin_names(part, True), qos)
 
-        def publish(msg_type: Any, part: str, qos: QoSProfile) -> Publisher:
-            return Publisher(node, msg_type, *self._names(part, False), qos)
+        def publish(msg_type: Any, part: str, qos: QoSProfile) -> PublisherEnd:
+            return PublisherEnd(node._rosspin, msg_type, self._rosspin_names(part, False), qos).begin()
 
-        self._goals_asked = serve(impl.SendGoalService, "send_goal", goal_service_qos_profile)
-        self._cancels_asked = serve(impl.CancelGoalService, "cancel_goal", cancel_service_qos_profile)
-        self._results_asked = serve(impl.GetResultService, "get_result", result_service_qos_profile)
-        self._feedback = publish(impl.FeedbackMessage, "feedback", feedback_pub_qos_profile)
-        self._status = publish(impl.GoalStatusMessage, "status", status_pub_qos_profile)
+        self._rosspin_goals_asked = serve(impl.SendGoalService, "send_goal", goal_service_qos_profile)
+        self._rosspin_cancels_asked = serve(impl.CancelGoalService, "cancel_goal", cancel_service_qos_profile)
+        self._rosspin_results_asked = serve(impl.GetResultService, "get_result", result_service_qos_profile)
+        self._rosspin_feedback = publish(impl.FeedbackMessage, "feedback", feedback_pub_qos_profile)
+        self._rosspin_status = publish(impl.GoalStatusMessage, "status", status_pub_qos_profile)
         self._goal_handles: dict[bytes, ServerGoalHandle] = {}
         self._result_futures: dict[bytes, Future] = {}
-        self._result_timeout = int(result_timeout * 1e9)
-        self._expiry = Countdown(node.context.state.world, self._result_timeout, self._look_for_expired)
-        self._looks_for_expired = False
-        self._join([self._goals_asked, self._cancels_asked, self._results_asked, self._feedback, self._status])
+        self._rosspin_result_timeout = int(result_timeout * 1e9)
+        self._rosspin_expiry = Countdown(
+            node._rosspin.context.state.world, self._rosspin_result_timeout, _weakly(self._rosspin_look_for_expired)
+        )
+        self._rosspin_join(
+            [
+                self._rosspin_goals_asked,
+                self._rosspin_cancels_asked,
+                self._rosspin_results_asked,
+                self._rosspin_feedback,
+                self._rosspin_status,
+            ]
+        )
 
     @property
     def action_type(self) -> type[Action]:
@@ -351,52 +388,47 @@ class ActionServer(_ActionEnd):
             raise TypeError("Failed to register goal execution callback: not callable")
         self._execute_callback = execute_callback
 
-    def _now(self) -> int:
-        return self._node.context.state.clock.now()
+    def _rosspin_now(self) -> int:
+        return self._node._rosspin.context.state.clock.now()
 
-    @property
-    def messages(self) -> bool:
-        """Whether there is something to take, or to forget."""
-        return super().messages or self._looks_for_expired
+    async def _rosspin_execute(self, taken: list[tuple[Any, Any, Any]]) -> None:
+        await super()._rosspin_execute(taken)
+        if self._rosspin.looks_for_expired:
+            self._rosspin.looks_for_expired = False
+            self._rosspin_drop_expired()
 
-    async def _execute(self, taken: list[tuple[Any, Any, Any]]) -> None:
-        await super()._execute(taken)
-        if self._looks_for_expired:
-            self._looks_for_expired = False
-            self._drop_expired()
-
-    async def _serve(self, end: Any, request: Any, header: Any) -> None:
-        if end is self._goals_asked:
-            await self._take_goal(request, header)
-        elif end is self._cancels_asked:
-            await self._cancel(request, header)
+    async def _rosspin_serve(self, end: Any, request: Any, header: Any) -> None:
+        if end is self._rosspin_goals_asked:
+            await self._rosspin_take_goal(request, header)
+        elif end is self._rosspin_cancels_asked:
+            await self._rosspin_cancel(request, header)
         else:
-            self._give_result(request, header)
+            self._rosspin_give_result(request, header)
 
-    def _look_for_expired(self) -> None:
-        self._looks_for_expired = True
+    def _rosspin_look_for_expired(self) -> None:
+        self._rosspin.looks_for_expired = True
         self._node._rosspin_nudge()
 
-    def _drop_expired(self) -> None:
-        now = self._now()
+    def _rosspin_drop_expired(self) -> None:
+        now = self._rosspin_now()
         for uuid, handle in list(self._goal_handles.items()):
-            if not handle.is_active and now >= handle.ended + self._result_timeout:
+            if not handle.is_active and now >= handle._rosspin_ended + self._rosspin_result_timeout:
                 handle.destroy()
                 del self._goal_handles[uuid]
                 self._futures.remove(self._result_futures.pop(uuid))
-        self._expire_later()
+        self._rosspin_expire_later()
 
-    def _expire_later(self) -> None:
+    def _rosspin_expire_later(self) -> None:
         """Look for expired goals later (source: _recalculate_expire_timer in rcl_action/action_server.c).
 
         As there, the timer begins anew with its old period, so that each goal that ends puts the look off.
         """
-        ended = [handle.ended for handle in self._goal_handles.values() if not handle.is_active]
+        ended = [handle._rosspin_ended for handle in self._goal_handles.values() if not handle.is_active]
         if ended:
-            self._expiry.restart()
-            self._expiry.period = max(0, min(ended) + self._result_timeout - self._now())
+            self._rosspin_expiry.restart()
+            self._rosspin_expiry.period = max(0, min(ended) + self._rosspin_result_timeout - self._rosspin_now())
 
-    async def _take_goal(self, request: Any, header: Any) -> None:
+    async def _rosspin_take_goal(self, request: Any, header: Any) -> None:
         uuid, impl = bytes(request.goal_id.uuid), self._action_type.Impl
         accepted = False
         if uuid not in self._goal_handles:
@@ -412,14 +444,16 @@ class ActionServer(_ActionEnd):
             handle = self._goal_handles[uuid] = ServerGoalHandle(self, info, request.goal)
             self._result_futures[uuid] = Future()
             self._futures.append(self._result_futures[uuid])
-        self._goals_asked.send_response(answer, header)
+        self._rosspin_goals_asked.send_response(answer, header)
         if accepted:
-            self._publish_status()
+            self._rosspin_publish_status()
             await await_or_execute(self._handle_accepted_callback, handle)
 
-    def _start(self, handle: ServerGoalHandle, execute_callback: Callable[[ServerGoalHandle], Any] | None) -> None:
+    def notify_execute(
+        self, goal_handle: ServerGoalHandle, execute_callback: Callable[[ServerGoalHandle], Any] | None
+    ) -> None:
         executor: Any = self._node.executor
-        executor.create_task(self._execute_goal, execute_callback or self._execute_callback, handle)
+        executor.create_task(self._execute_goal, execute_callback or self._execute_callback, goal_handle)
 
     async def _execute_goal(
         self, execute_callback: Callable[[ServerGoalHandle], Any], handle: ServerGoalHandle
@@ -438,9 +472,9 @@ class ActionServer(_ActionEnd):
         response.result = result
         self._result_futures[bytes(handle.goal_id.uuid)].set_result(response)
 
-    async def _cancel(self, request: Any, header: Any) -> None:
+    async def _rosspin_cancel(self, request: Any, header: Any) -> None:
         answer = self._action_type.Impl.CancelGoalService.Response()
-        found, answer.return_code = self._cancelable(request.goal_info)
+        found, answer.return_code = self._rosspin_cancelable(request.goal_info)
         answer.goals_canceling = [handle._goal_info for handle in found]
         # As on the real one, the goal after one that is not cancelled is passed over, and said to be cancelled.
         for info in answer.goals_canceling:
@@ -453,12 +487,14 @@ class ActionServer(_ActionEnd):
                 accepted = False  # it has ended meanwhile
             if not accepted:
                 answer.goals_canceling.remove(info)
-        self._cancels_asked.send_response(answer, header)
+        self._rosspin_cancels_asked.send_response(answer, header)
 
-    def _cancelable(self, info: Any) -> tuple[list[ServerGoalHandle], int]:
+    def _rosspin_cancelable(self, info: Any) -> tuple[list[ServerGoalHandle], int]:
         """Return the goals that a request names, and a code (source: rcl_action_process_cancel_request)."""
         uuid, stamp = bytes(info.goal_id.uuid), (info.stamp.sec, info.stamp.nanosec)
-        cancelable = [handle for handle in self._goal_handles.values() if (handle._status, "CANCEL_GOAL") in _AFTER]
+        cancelable = [
+            handle for handle in self._goal_handles.values() if (handle._rosspin_status, "CANCEL_GOAL") in _AFTER
+        ]
         one = self._goal_handles.get(uuid)
         if any(uuid) and stamp == (0, 0):
             if one is None:
@@ -471,40 +507,36 @@ class ActionServer(_ActionEnd):
 
         return [handle for handle in cancelable if handle is one or accepted(handle) <= until], 0
 
-    def _give_result(self, request: Any, header: Any) -> None:
+    def _rosspin_give_result(self, request: Any, header: Any) -> None:
         future = self._result_futures.get(bytes(request.goal_id.uuid))
         if future is None:
-            self._results_asked.send_response(self._action_type.Impl.GetResultService.Response(), header)
+            self._rosspin_results_asked.send_response(self._action_type.Impl.GetResultService.Response(), header)
         else:
-            future.add_done_callback(partial(self._send_result, header))
+            future.add_done_callback(partial(self._rosspin_send_result, header))
 
-    def _send_result(self, header: Any, future: Future) -> None:
-        if not self._destroyed:
-            self._results_asked.send_response(future.result(), header)
+    def _rosspin_send_result(self, header: Any, future: Future) -> None:
+        if not self._rosspin.is_destroyed:
+            self._rosspin_results_asked.send_response(future.result(), header)
 
-    def _publish_status(self) -> None:
+    def _rosspin_publish_status(self) -> None:
         kind = import_module("action_msgs.msg").GoalStatus
         found = [kind(goal_info=each._goal_info, status=each.status) for each in self._goal_handles.values()]
-        self._status.publish(self._action_type.Impl.GoalStatusMessage(status_list=found))
+        self._rosspin_status.publish(self._action_type.Impl.GoalStatusMessage(status_list=found))
 
-    def _publish_feedback(self, handle: ServerGoalHandle, feedback: Message) -> None:
+    def _rosspin_publish_feedback(self, handle: ServerGoalHandle, feedback: Message) -> None:
         if not isinstance(feedback, self._action_type.Feedback):
             raise TypeError()
-        if handle._status is not _Status.UNKNOWN:
+        if handle._rosspin_status is not _Status.UNKNOWN:
             kind = self._action_type.Impl.FeedbackMessage
-            self._feedback.publish(kind(goal_id=handle.goal_id, feedback=feedback))
+            self._rosspin_feedback.publish(kind(goal_id=handle.goal_id, feedback=feedback))
 
     def destroy(self) -> None:
         """Leave the action, and forget its goals."""
         for handle in self._goal_handles.values():
             handle.destroy()
         self._futures.clear()
-        self._expiry.stop()
+        self._rosspin_expiry.stop()
         super().destroy()
-
-
-def _unused(*_: Any) -> None:
-    """Stand for the callback of an end whose messages the action takes itself."""
 
 
 # --- the client -------------------------------------------------------------------------------------------------------
@@ -567,7 +599,7 @@ class ClientGoalHandle:
 class ActionClient(_ActionEnd):
     """Sends goals to a server. An executor has to spin its node, which takes what the server sends."""
 
-    _word = "client"
+    _rosspin_word = "client"
 
     def __init__(
         self,
@@ -583,24 +615,34 @@ class ActionClient(_ActionEnd):
         status_sub_qos_profile: QoSProfile = qos_profile_action_status_default,
     ) -> None:
         super().__init__(node, action_type, action_name, callback_group)
-        impl, group = action_type.Impl, self.callback_group
+        impl = action_type.Impl
 
-        def ask(srv_type: Any, part: str, qos: QoSProfile) -> Client:
-            return Client(node, srv_type, *self._names(part, True), group, qos)
+        def ask(srv_type: Any, part: str, qos: QoSProfile) -> ClientEnd:
+            return ClientEnd(node._rosspin, srv_type, self._rosspin_names(part, True), qos)
 
-        def hear(msg_type: Any, part: str, qos: QoSProfile) -> Subscription:
-            return Subscription(node, msg_type, *self._names(part, False), _unused, group, qos)
+        def hear(msg_type: Any, part: str, qos: QoSProfile) -> SubscriptionEnd:
+            return SubscriptionEnd(node._rosspin, msg_type, self._rosspin_names(part, False), qos).begin()
 
-        self._goals = ask(impl.SendGoalService, "send_goal", goal_service_qos_profile)
-        self._cancels = ask(impl.CancelGoalService, "cancel_goal", cancel_service_qos_profile)
-        self._results = ask(impl.GetResultService, "get_result", result_service_qos_profile)
-        self._feedback = hear(impl.FeedbackMessage, "feedback", feedback_sub_qos_profile)
-        self._status = hear(impl.GoalStatusMessage, "status", status_sub_qos_profile)
+        self._rosspin_goals = ask(impl.SendGoalService, "send_goal", goal_service_qos_profile)
+        self._rosspin_cancels = ask(impl.CancelGoalService, "cancel_goal", cancel_service_qos_profile)
+        self._rosspin_results = ask(impl.GetResultService, "get_result", result_service_qos_profile)
+        self._rosspin_feedback = hear(impl.FeedbackMessage, "feedback", feedback_sub_qos_profile)
+        self._rosspin_status = hear(impl.GoalStatusMessage, "status", status_sub_qos_profile)
         self._goal_handles: dict[bytes, ref[ClientGoalHandle]] = {}
         self._feedback_callbacks: dict[bytes, Callable[[Any], Any]] = {}
+        self._action_name = action_name
+        self._rosspin_lock = threading.Lock()
         # By client and number of the request: the future of the answer, and the goal that it is about.
-        self._pending: dict[tuple[Client, int], tuple[Future, Any]] = {}
-        self._join([self._goals, self._cancels, self._results, self._feedback, self._status])
+        self._rosspin_pending: dict[tuple[ClientEnd, int], tuple[Future, Any]] = {}
+        self._rosspin_join(
+            [
+                self._rosspin_goals,
+                self._rosspin_cancels,
+                self._rosspin_results,
+                self._rosspin_feedback,
+                self._rosspin_status,
+            ]
+        )
 
     def send_goal(self, goal: Message, **kwargs: Any) -> Any:
         """Send a goal, and wait for its result, while another thread spins. Arguments as of ``send_goal_async``."""
@@ -618,64 +660,66 @@ class ActionClient(_ActionEnd):
             raise TypeError()
         request = self._action_type.Impl.SendGoalService.Request(goal=goal)
         if goal_uuid is None:
-            request.goal_id.uuid = self._node.context.state.world.graph.part(GoalIds).new()
+            request.goal_id.uuid = self._node._rosspin.context.state.world.graph.part(GoalIds).new()
         else:
             request.goal_id = goal_uuid
         if feedback_callback is not None:
             self._feedback_callbacks[bytes(request.goal_id.uuid)] = feedback_callback
-        return self._ask(self._goals, request, request.goal_id, "send goal")
+        return self._rosspin_ask(self._rosspin_goals, request, request.goal_id, "send goal")
 
     def _cancel_goal_async(self, goal_handle: ClientGoalHandle) -> Future:
         _check_handle(goal_handle)
         request = self._action_type.Impl.CancelGoalService.Request()
         request.goal_info.goal_id = goal_handle.goal_id
-        return self._ask(self._cancels, request, goal_handle.goal_id, "send cancel")
+        return self._rosspin_ask(self._rosspin_cancels, request, goal_handle.goal_id, "send cancel")
 
     def _get_result_async(self, goal_handle: ClientGoalHandle) -> Future:
         _check_handle(goal_handle)
         request = self._action_type.Impl.GetResultService.Request(goal_id=goal_handle.goal_id)
-        return self._ask(self._results, request, goal_handle.goal_id, "send result")
+        return self._rosspin_ask(self._rosspin_results, request, goal_handle.goal_id, "send result")
 
-    def _ask(self, client: Client, request: Message, goal_id: Any, what: str) -> Future:
-        if self._destroyed:
+    def _rosspin_ask(self, client: ClientEnd, request: Message, goal_id: Any, what: str) -> Future:
+        if self._rosspin.is_destroyed:
             raise RCLError(f"Failed to {what} request: action client pointer is invalid")
         future = Future()
-        future.add_done_callback(self._forget)
+        future.add_done_callback(self._rosspin_forget)
         self._futures.append(future)
         # In one go: the answer may come to another thread immediately.
-        with client._lock:
-            self._pending[client, client.send_request(request)] = future, goal_id
+        with self._rosspin_lock:
+            self._rosspin_pending[client, client.send_request(request)] = future, goal_id
         return future
 
-    def _forget(self, future: Future) -> None:
-        for (client, number), (pending, goal_id) in list(self._pending.items()):
+    def _rosspin_forget(self, future: Future) -> None:
+        for (client, number), (pending, goal_id) in list(self._rosspin_pending.items()):
             if pending is future:
-                del self._pending[client, number]
+                del self._rosspin_pending[client, number]
                 self._futures.remove(future)
-                if client is self._results:
+                if client is self._rosspin_results:
                     self._feedback_callbacks.pop(bytes(goal_id.uuid), None)
 
-    async def _serve(self, end: Any, first: Any, second: Any) -> None:
-        if end is self._feedback:
+    async def _rosspin_serve(self, end: Any, first: Any, second: Any) -> None:
+        if end is self._rosspin_feedback:
             if callback := self._feedback_callbacks.get(bytes(first.goal_id.uuid)):
                 await await_or_execute(callback, first)
-        elif end is self._status:
-            self._note(first)
+        elif end is self._rosspin_status:
+            self._rosspin_note(first)
         elif second is not None:  # else it is the answer to another client
-            self._settle(end, first, second)
+            self._rosspin_settle(end, first, second)
 
-    def _settle(self, client: Client, number: int, response: Any) -> None:
-        with client._lock:
-            asked = self._pending.get((client, number))
+    def _rosspin_settle(self, client: ClientEnd, number: int, response: Any) -> None:
+        with self._rosspin_lock:
+            asked = self._rosspin_pending.get((client, number))
         if asked is None:
-            what = {self._goals: "goal", self._cancels: "cancel", self._results: "result"}[client]
+            what = {self._rosspin_goals: "goal", self._rosspin_cancels: "cancel", self._rosspin_results: "result"}[
+                client
+            ]
             self._logger.warning(
                 f"Ignoring unexpected {what} response. There may be more than "
-                f"one action server for the action '{self._action_name}'"
+                f"one action server for the action '{self._rosspin_name}'"
             )
             return
         future, goal_id = asked
-        if client is self._goals:
+        if client is self._rosspin_goals:
             handle = ClientGoalHandle(self, goal_id, response)
             if handle.accepted:
                 uuid = bytes(goal_id.uuid)
@@ -686,7 +730,7 @@ class ActionClient(_ActionEnd):
         else:
             future.set_result(response)
 
-    def _note(self, message: Any) -> None:
+    def _rosspin_note(self, message: Any) -> None:
         for each in message.status_list:
             uuid = bytes(each.goal_info.goal_id.uuid)
             if uuid in self._goal_handles:
@@ -697,10 +741,13 @@ class ActionClient(_ActionEnd):
 
     def server_is_ready(self) -> bool:
         """Whether a server is known, with all of its ends."""
-        if self._destroyed:
+        if self._rosspin.is_destroyed:
             raise RCLError("Failed to check if action server is available: rcl node pointer is invalid")
-        clients, heard = (self._goals, self._cancels, self._results), (self._feedback, self._status)
-        return all(client.service_is_ready() for client in clients) and all(each.peers for each in heard)
+        clients, heard = (
+            (self._rosspin_goals, self._rosspin_cancels, self._rosspin_results),
+            (self._rosspin_feedback, self._rosspin_status),
+        )
+        return all(client.is_served() for client in clients) and all(each.peers for each in heard)
 
     def wait_for_server(self, timeout_sec: float | None = None) -> bool:
         """Look for a server every 0.25 s, until these pauses add up to ``timeout_sec`` (default: for ever)."""

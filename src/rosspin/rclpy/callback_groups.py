@@ -53,17 +53,19 @@ class MutuallyExclusiveCallbackGroup(CallbackGroup):
 
     def __init__(self) -> None:
         super().__init__()
-        self._turn = [None]  # taken by the callback that runs: a list's pop() is atomic, and cheaper than a lock
+        self._rosspin_turn = [
+            None
+        ]  # taken by the callback that runs: a list's pop() is atomic, and cheaper than a lock
 
     def can_execute(self, entity: Any) -> bool:
-        return bool(self._turn)
+        return bool(self._rosspin_turn)
 
     def beginning_execution(self, entity: Any) -> bool:
         try:
-            self._turn.pop()
+            self._rosspin_turn.pop()
         except IndexError:
             return False
         return True
 
     def ending_execution(self, entity: Any) -> None:
-        self._turn.append(None)
+        self._rosspin_turn.append(None)

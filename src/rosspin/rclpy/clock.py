@@ -8,6 +8,7 @@ from collections.abc import Callable, Iterator
 from contextlib import contextmanager
 from enum import Enum, IntEnum
 from typing import Any
+from weakref import WeakKeyDictionary
 
 from .context import Context, get_default_context, state
 from .duration import Duration
@@ -50,7 +51,7 @@ class JumpThreshold:
         self.min_backward = min_backward
         self.on_clock_change = on_clock_change
 
-    def _is_met(self, jump: TimeJump) -> bool:
+    def _rosspin_is_met(self, jump: TimeJump) -> bool:
         delta = jump.delta
         return (
             (self.on_clock_change and jump.clock_change is not ClockChange.ROS_TIME_NO_CHANGE)
@@ -101,25 +102,25 @@ class JumpHandle:
             raise ValueError("post_callback must be callable if given")
         self._clock: Clock | None = clock
         threshold.min_forward  # noqa: B018 - AttributeError for what is no threshold
-        self._threshold = threshold
+        self._rosspin_threshold = threshold
         self._pre_callback = pre_callback
         self._post_callback = post_callback
-        clock.jump_handles.append(self)
+        clock._rosspin_jump_handles.append(self)
 
-    def before(self, jump: TimeJump) -> None:
+    def _rosspin_before(self, jump: TimeJump) -> None:
         """Call what is to be called before a jump, if the threshold is met."""
-        if self._pre_callback and self._threshold._is_met(jump):
+        if self._pre_callback and self._rosspin_threshold._rosspin_is_met(jump):
             self._pre_callback()
 
-    def after(self, jump: TimeJump) -> None:
+    def _rosspin_after(self, jump: TimeJump) -> None:
         """Call what is to be called after it."""
-        if self._post_callback and self._threshold._is_met(jump):
+        if self._post_callback and self._rosspin_threshold._rosspin_is_met(jump):
             self._post_callback(jump)
 
     def unregister(self) -> None:
         """Tell nothing any more. A second call does nothing."""
         if self._clock is not None:
-            self._clock.jump_handles.remove(self)
+            self._clock._rosspin_jump_handles.remove(self)
             self._clock = None
 
     def __enter__(self) -> JumpHandle:
@@ -138,23 +139,28 @@ class Clock:
         return object.__new__(ROSClock if clock_type is ClockType.ROS_TIME else cls)
 
     def __init__(self, *, clock_type: ClockType = ClockType.SYSTEM_TIME) -> None:
-        self.clock_type = clock_type
-        self._state = state()
+        self._clock_type = clock_type
+        self._rosspin_state = state()
         # The time in ns: looked up once, as each tick asks several times.
-        self.ns: Callable[[], int] = self._state.clock.system
+        self._rosspin_ns: Callable[[], int] = self._rosspin_state.clock.system
         if clock_type is ClockType.STEADY_TIME:
-            self.ns = time.monotonic_ns
-        self.flows = True  # whether its time goes on by itself
-        self.changes = 0  # how often the source of its time has changed
-        self.watchers: list[Gate] = []  # opened when the time jumps
-        self.jump_handles: list[JumpHandle] = []  # who is told of it
+            self._rosspin_ns = time.monotonic_ns
+        self._rosspin_flows = True  # whether its time goes on by itself
+        self._rosspin_changes = 0  # how often the source of its time has changed
+        self._rosspin_watchers: list[Gate] = []  # opened when the time jumps
+        self._rosspin_jump_handles: list[JumpHandle] = []  # who is told of it
+
+    @property
+    def clock_type(self) -> ClockType:
+        """Which time it tells."""
+        return self._clock_type
 
     def __repr__(self) -> str:
         return f"Clock(clock_type={self.clock_type.name})"
 
     def now(self) -> Time:
         """The time."""
-        return Time(nanoseconds=self.ns(), clock_type=self.clock_type)
+        return Time(nanoseconds=self._rosspin_ns(), clock_type=self.clock_type)
 
     def create_jump_callback(
         self,
@@ -172,14 +178,14 @@ class Clock:
         return JumpHandle(clock=self, threshold=threshold, pre_callback=pre_callback, post_callback=post)
 
     @contextmanager
-    def _jumping(self, change: ClockChange, delta: int = 0) -> Iterator[None]:
+    def _rosspin_jumping(self, change: ClockChange, delta: int = 0) -> Iterator[None]:
         """Within this context the time jumps, by so many ns. Those who want to be told are told before and after."""
         jump = TimeJump(change, Duration(nanoseconds=delta))
-        for handle in list(self.jump_handles):
-            handle.before(jump)
+        for handle in list(self._rosspin_jump_handles):
+            handle._rosspin_before(jump)
         yield
-        for handle in list(self.jump_handles):
-            handle.after(jump)
+        for handle in list(self._rosspin_jump_handles):
+            handle._rosspin_after(jump)
 
     def sleep_until(self, until: Time, context: Context | None = None) -> bool:
         """Sleep until a time of this clock, or until the context is shut down. Return whether the time was reached.
@@ -192,8 +198,8 @@ class Clock:
             raise NotInitializedException()
         if until.clock_type != self.clock_type:
             raise ValueError("until's clock type does not match this clock's type")
-        own, gate = self._state, Gate()
-        changes = self.changes
+        own, gate = self._rosspin_state, Gate()
+        changes = self._rosspin_changes
         stopped = False
 
         def stop() -> None:
@@ -202,17 +208,22 @@ class Clock:
             gate.open()
 
         context.on_shutdown(stop)
-        self.watchers.append(gate)
+        self._rosspin_watchers.append(gate)
         if self.clock_type is not ClockType.STEADY_TIME:
             own.sleepers.append(gate)
         deaf = threading.current_thread() is threading.main_thread()
         own.asleep = own.asleep or deaf
         try:
-            while not stopped and self.changes == changes and (left := until.nanoseconds - self.ns()) > 0:
-                gate.wait(left if self.flows else None)
+            while (
+                not stopped
+                and self._rosspin_changes == changes
+                and (left := until.nanoseconds - self._rosspin_ns()) > 0
+            ):
+                gate.wait(left if self._rosspin_flows else None)
         finally:
-            context.forget(stop)
-            self.watchers.remove(gate)
+            if stop in context._callbacks:
+                context._callbacks.remove(stop)
+            self._rosspin_watchers.remove(gate)
             if self.clock_type is not ClockType.STEADY_TIME:
                 own.sleepers.remove(gate)
             if deaf:
@@ -220,7 +231,7 @@ class Clock:
         if deaf and own.pending:
             handler, own.pending = own.pending, None
             handler()
-        return context.ok() and self.changes == changes and self.ns() >= until.nanoseconds
+        return context.ok() and self._rosspin_changes == changes and self._rosspin_ns() >= until.nanoseconds
 
     def sleep_for(self, rel_time: Duration, context: Context | None = None) -> bool:
         """Call ``sleep_until(now() + rel_time)``."""
@@ -235,40 +246,40 @@ class ROSClock(Clock):
 
     def __init__(self, *, clock_type: ClockType = ClockType.ROS_TIME) -> None:
         super().__init__(clock_type=ClockType.ROS_TIME)
-        self._told = 0
-        self.timers: dict[Any, None] = {}  # the timers that go by this clock
+        self._rosspin_told = 0
+        self._rosspin_timers: WeakKeyDictionary[Any, None] = WeakKeyDictionary()  # the timers that go by this clock
 
     @property
     def ros_time_is_active(self) -> bool:
         """Whether the time is set from outside."""
-        return not self.flows
+        return not self._rosspin_flows
 
     def _set_ros_time_is_active(self, enabled: bool) -> None:
-        if enabled == self.flows:
-            with self._jumping(ClockChange.ROS_TIME_ACTIVATED if enabled else ClockChange.ROS_TIME_DEACTIVATED):
-                timers = list(self.timers)
+        if enabled == self._rosspin_flows:
+            with self._rosspin_jumping(ClockChange.ROS_TIME_ACTIVATED if enabled else ClockChange.ROS_TIME_DEACTIVATED):
+                timers = list(self._rosspin_timers)
                 for timer in timers:
-                    timer.before_switch()
-                self.flows = not enabled
-                self.changes += 1
-                self.ns = (lambda: self._told) if enabled else self._state.clock.system
+                    timer._rosspin_before_switch()
+                self._rosspin_flows = not enabled
+                self._rosspin_changes += 1
+                self._rosspin_ns = (lambda: self._rosspin_told) if enabled else self._rosspin_state.clock.system
                 for timer in timers:
-                    timer.after_switch()
-                self._open_gates()
+                    timer._rosspin_after_switch()
+                self._rosspin_open_gates()
 
     def set_ros_time_override(self, time: Time) -> None:
         """Set the time. Raises TypeError for what is no Time."""
         if not isinstance(time, Time):
             raise TypeError(f"Time must be specified as rclpy.time.Time. Received type: {type(time)}")
         if not self.ros_time_is_active:
-            self._told = time.nanoseconds
+            self._rosspin_told = time.nanoseconds
             return
-        with self._jumping(ClockChange.ROS_TIME_NO_CHANGE, time.nanoseconds - self._told):
-            self._told = time.nanoseconds
-            for timer in list(self.timers):
-                timer.after_jump()
-            self._open_gates()
+        with self._rosspin_jumping(ClockChange.ROS_TIME_NO_CHANGE, time.nanoseconds - self._rosspin_told):
+            self._rosspin_told = time.nanoseconds
+            for timer in list(self._rosspin_timers):
+                timer._rosspin_after_jump()
+            self._rosspin_open_gates()
 
-    def _open_gates(self) -> None:
-        for gate in list(self.watchers):
+    def _rosspin_open_gates(self) -> None:
+        for gate in list(self._rosspin_watchers):
             gate.open()

@@ -5,16 +5,18 @@ from __future__ import annotations
 from collections.abc import Callable
 from inspect import ismethod
 from typing import TYPE_CHECKING, Any
-from weakref import WeakKeyDictionary, WeakMethod
+from weakref import WeakKeyDictionary, WeakMethod, WeakSet
 
 from ..world.world import World, current_world
 from . import logging
 from .arguments import Arguments
 from .exceptions import InvalidHandle, RCLError
 from .gate import Gate
+from .handle import Handle
 
 if TYPE_CHECKING:
-    from .node import Node
+    from .executors import Executor
+    from .handle import RclNode
 
 __all__ = ["Context"]
 
@@ -28,8 +30,9 @@ class State:
         self.world = world
         self.clock = world.clock
         self.default: Context | None = None
-        self.contexts: list[Context] = []  # those that were initialised and have not ended
+        self.contexts: list[RclContext] = []  # those that were initialised and have not ended
         world.at_end.append(self._be_missed)
+        self.executors: WeakSet[Executor] = WeakSet()
         self.sleepers: list[Gate] = []  # who sleeps until a time of the system's clock
         world.at_jump.append(self._wake_sleepers)
         self.waiting: WeakKeyDictionary[Gate, None] = WeakKeyDictionary()  # the gates that a signal opens
@@ -52,74 +55,37 @@ def state() -> State:
     return current_world().part(State)
 
 
-class Context:
-    """What nodes share: the command line, and whether to go on. A ``with`` block begins and ends it."""
+class RclContext:
+    """What rcl keeps of a context: see :class:`Context`."""
 
     def __init__(self) -> None:
         self.state = state()
         self.logs = logging.logs()
         self.arguments: Arguments | None = None  # None: not initialised
         self.valid = False
-        self._hooks: list[Callable[[], Any]] = []
-        self._domain_id = 0
-        self.nodes: list[Node] = []
-        self.born: WeakKeyDictionary[Node, int] = WeakKeyDictionary()  # when (ns) each was made
+        self.is_destroyed = False
+        self.domain_id = 0
+        self.nodes: list[RclNode] = []
+        self.born: WeakKeyDictionary[RclNode, int] = WeakKeyDictionary()  # when (ns) each was made
         self.joined: int | None = None  # when (ns) its first node was made
         self.left: int | None = None  # from when (ns) other processes miss it
         self.leave: Callable[[bool], None] = lambda killed: None  # lets them miss it
 
-    def init(
-        self, args: list[str] | None = None, *, initialize_logging: bool = True, domain_id: int | None = None
-    ) -> None:
-        """Begin, with a command line (default: the process's). ``domain_id`` has no effect, as there is no network.
-
-        Raises RuntimeError if it was called before, RCLError and UnknownROSArgsError for what follows ``--ros-args``.
-        """
-        if domain_id is not None and domain_id < 0:
-            raise RuntimeError(f"Domain id ({domain_id}) should not be lower than zero.")
-        if self.arguments is not None:
-            raise RuntimeError("Context.init() must only be called once")
-        try:
-            arguments = Arguments(self.state.world.argv if args is None else args)
-        except RCLError:
-            logging.get_logger("rcl").error("Failed to parse global arguments")
-            raise
-        if initialize_logging:
-            logging.configure(arguments)
-        self.arguments = arguments
-        self.valid = True
-        self._domain_id = domain_id or 0
-        self.state.contexts.append(self)
-        self.logs.is_over = False
+    def check(self) -> None:
+        """Raise InvalidHandle if it was destroyed."""
+        if self.is_destroyed:
+            raise InvalidHandle()
 
     def ok(self) -> bool:
         """Whether it was initialised and not shut down."""
         return self.valid
 
-    def shutdown(self) -> None:
-        """End, and call the hooks. Raises RuntimeError before ``init``, RCLError if it has ended, as by a signal."""
-        if self.arguments is None:
-            raise RuntimeError("Context must be initialized before it can be shutdown")
-        if not self.valid:
-            raise RCLError("failed to shutdown: rcl_shutdown already called on the given context")
-        self.try_shutdown()
-
-    def try_shutdown(self) -> None:
-        """End, and call the hooks, unless it has ended."""
-        if self.state.world.recording.tell:
-            has = "" if self.valid else ", which the signal has done already"
-            self.state.world.recording.tell("says", f"shuts rclpy down{has}.")
-        if not self.valid:
-            return
-        self.end()
-        if self.logs.is_over and self.logs.rosout:
-            self.logs.rosout.clear()
-        for hook in list(self._hooks):
-            # Methods are kept as weak references. rclpy calls every hook as if it were one, and then what that returns.
-            found = hook()
-            if found is not None:
-                found()
-        self._hooks = []
+    def add_node(self, node: RclNode) -> None:
+        """Add a node that was made in this context."""
+        self.nodes.append(node)
+        self.born[node] = self.state.clock.now()
+        self.state.world.name = self.state.world.name or node.full_name
+        self.state.world.nodes.append(node.full_name)
 
     def end(self) -> None:
         """End as at a signal: no hook is called."""
@@ -129,48 +95,104 @@ class Context:
             self.state.contexts.remove(self)
         self.logs.is_over = not self.state.contexts
 
+
+class Context:
+    """What nodes share: the command line, and whether to go on. A ``with`` block begins and ends it."""
+
+    def __init__(self) -> None:
+        self._rosspin = RclContext()
+        self._callbacks: list[Callable[[], Any]] = []
+
+    @property
+    def handle(self) -> Handle | None:
+        """Its handle, which can be held and nothing else; None before ``init``."""
+        return None if self._rosspin.arguments is None else Handle(self._rosspin)
+
+    def init(
+        self, args: list[str] | None = None, *, initialize_logging: bool = True, domain_id: int | None = None
+    ) -> None:
+        """Begin, with a command line (default: the process's). ``domain_id`` has no effect, as there is no network.
+
+        Raises RuntimeError if it was called before, RCLError and UnknownROSArgsError for what follows ``--ros-args``.
+        """
+        own = self._rosspin
+        if domain_id is not None and domain_id < 0:
+            raise RuntimeError(f"Domain id ({domain_id}) should not be lower than zero.")
+        if own.arguments is not None:
+            raise RuntimeError("Context.init() must only be called once")
+        try:
+            arguments = Arguments(own.state.world.argv if args is None else args)
+        except RCLError:
+            logging.get_logger("rcl").error("Failed to parse global arguments")
+            raise
+        if initialize_logging:
+            logging.configure(arguments)
+        own.arguments = arguments
+        own.valid = True
+        own.domain_id = domain_id or 0
+        own.state.contexts.append(own)
+        own.logs.is_over = False
+
+    def ok(self) -> bool:
+        """Whether it was initialised and not shut down. Raises InvalidHandle if it was destroyed."""
+        self._rosspin.check()
+        return self._rosspin.valid
+
+    def shutdown(self) -> None:
+        """End, and call the hooks. Raises RuntimeError before ``init``, RCLError if it has ended, as by a signal."""
+        if self._rosspin.arguments is None:
+            raise RuntimeError("Context must be initialized before it can be shutdown")
+        self._rosspin.check()
+        if not self._rosspin.valid:
+            raise RCLError("failed to shutdown: rcl_shutdown already called on the given context")
+        self.try_shutdown()
+
+    def try_shutdown(self) -> None:
+        """End, and call the hooks, unless it has ended. Raises InvalidHandle if it was destroyed."""
+        own = self._rosspin
+        own.check()
+        if own.state.world.recording.tell:
+            has = "" if own.valid else ", which the signal has done already"
+            own.state.world.recording.tell("says", f"shuts rclpy down{has}.")
+        if not own.valid:
+            return
+        own.end()
+        if own.logs.is_over and own.logs.rosout:
+            own.logs.rosout.clear()
+        for hook in list(self._callbacks):
+            # Methods are kept as weak references. rclpy calls every hook as if it were one, and then what that returns.
+            found = hook()
+            if found is not None:
+                found()
+        self._callbacks = []
+
     def destroy(self) -> None:
         """End, and raise InvalidHandle at each further question."""
-        if self.arguments is not None:
-            self.end()
-            for name in ("ok", "shutdown", "try_shutdown", "on_shutdown", "get_domain_id"):
-                setattr(self, name, self._is_destroyed)
-
-    def _is_destroyed(self, *_: object, **__: object) -> Any:
-        raise InvalidHandle()
+        if self._rosspin.arguments is not None:
+            self._rosspin.end()
+            self._rosspin.is_destroyed = True
 
     def on_shutdown(self, callback: Callable[[], Any]) -> None:
         """Call ``callback`` at ``shutdown``, or immediately after it. Raises TypeError if it cannot be called.
 
-        It is not called when a signal ends the context (rclpy issue 1148).
+        It is not called when a signal ends the context (rclpy issue 1148). Raises InvalidHandle if it was destroyed.
         """
         if not callable(callback):
             raise TypeError("callback should be a callable, got {}", type(callback))
-        if self.arguments is not None and not self.valid:
+        self._rosspin.check()
+        if self._rosspin.arguments is not None and not self._rosspin.valid:
             callback()
         elif ismethod(callback):
-            self._hooks.append(WeakMethod(callback, self._hooks.remove))
+            self._callbacks.append(WeakMethod(callback, self._callbacks.remove))
         else:
-            self._hooks.append(callback)
-
-    def add_node(self, node: Node) -> None:
-        """Add a node that was made in this context."""
-        self.nodes.append(node)
-        self.born[node] = self.state.clock.now()
-        name = node.get_fully_qualified_name()
-        self.state.world.name = self.state.world.name or name
-        self.state.world.nodes.append(name)
-
-    def forget(self, callback: Callable[[], Any]) -> None:
-        """Take back ``on_shutdown(callback)``."""
-        if callback in self._hooks:
-            self._hooks.remove(callback)
+            self._callbacks.append(callback)
 
     def get_domain_id(self) -> int:
         """The number of its ROS domain."""
-        if self.arguments is None:
+        if self._rosspin.arguments is None:
             raise RuntimeError("Context must be initialized before it can have a domain id")
-        return self._domain_id
+        self._rosspin.check()
+        return self._rosspin.domain_id
 
     def __enter__(self) -> Context:
         self.init()

@@ -16,7 +16,7 @@ from ..world.world import keeper, thread_name
 from .action import ActionClient, ActionServer
 from .discovery import Participants
 from .executors import MultiThreadedExecutor
-from .services import Client, Service
+from .services import ClientEnd, ServerEnd, Service
 from .task import Future, Task
 from .timer import Timer
 from .topics import Subscription
@@ -38,6 +38,7 @@ _GROUP_OF_AWAIT = "An async callback keeps its group while it awaits: put that c
 _RING = "No executor and no group helps here: let one of these callbacks answer without asking."
 _HOLDING = "Hold no lock while you wait for what needs it."
 _SPIN = "Spin the node meanwhile: with rclpy.spin_until_future_complete, or in another thread."
+_KEEP = "Keep the node in a variable as long as it is needed."
 _SERVE = "Start the node that offers it, and wait for that with a time limit before you ask."
 _RATE = "Let a timer call what the loop does, or keep the loop in a thread of its own, beside the one that spins."
 
@@ -105,8 +106,8 @@ class _Run:
     """The nodes of a run, at an instant at which nothing happens in them."""
 
     def __init__(self, graph: Graph) -> None:
-        self._nodes = graph.part(Participants).all_nodes()
-        executors = {id(node.executor): node.executor for node in self._nodes if node.executor is not None}
+        self._nodes = [node for each in graph.part(Participants).all_nodes() if (node := each.node())]
+        executors = {id(executor): executor for node in self._nodes if (executor := node.executor) is not None}
         self._tasks: dict[Task, tuple[Any, Executor]] = {
             task: (entity, executor) for executor in executors.values() for task, entity, _ in executor._tasks
         }
@@ -120,7 +121,7 @@ class _Run:
         return _Waiter(wait.goal, task, name, node_place(stack))
 
     def _in_coroutine(self, task: Task) -> _Waiter | None:
-        inner: Any = None if task.executing() else task._coroutine
+        inner: Any = None if task.executing() else task._rosspin_coroutine
         place = None
         while inner is not None:
             frame = getattr(inner, "cr_frame", None) or getattr(inner, "gi_frame", None)
@@ -135,7 +136,7 @@ class _Run:
     def _on(self, stack: Any) -> _Waiter | None:
         """What waits on a stack: for a lock, or what :mod:`rosspin.rclpy.waits` knows of."""
         if keeper(stack):
-            task = next((task for task in self._tasks if task.executing() and task._stack is stack), None)
+            task = next((task for task in self._tasks if task.executing() and task._rosspin_stack is stack), None)
             name = self._name(task) if task else thread_name(stack)
             return _Waiter(stack, task, name, node_place(places(stack.trail)))
         return next((self._in_thread(wait) for wait in reversed(self._waits) if wait.stack is stack), None)
@@ -166,10 +167,10 @@ class _Run:
                 return self._kept([*begin, "the answer has come"], entity, waiter, "the client")
             if not client.peers:
                 return _Step([*begin, "no node offers that, as far as it knows"], None, _SERVE)
-            for service in (peer for peer in client.peers if isinstance(peer, Service)):  # not a test's
-                serving = _entity_of(service)
+            for service in (peer for peer in client.peers if isinstance(peer, ServerEnd)):  # not a test's
+                serving = service.entity()
                 if any((header.client, header.sequence) == (client, number) for _, header in service.messages):
-                    what = "the service" if serving is service else "the action server"
+                    what = "the service" if isinstance(serving, Service) else "the action server"
                     return self._kept([*begin, "the request has come"], serving, waiter, what)
                 for task, (other, _) in self._tasks.items():
                     if other is serving or self._executes(task, serving, client, number):
@@ -183,29 +184,32 @@ class _Run:
         what, advice = ("the end of {}", "") if is_end else ("a lock that {} holds", _HOLDING)
         return _Step([f"{waiter.name} waits for {what.format(following.name)}", *at], following, advice)
 
-    def _asked(self, goal: Any) -> Iterator[tuple[Client, int, Any]]:
+    def _asked(self, goal: Any) -> Iterator[tuple[ClientEnd, int, Any]]:
         """Find who asked for a future: the client, the number of its request, and the entity that takes the answer."""
         for node in self._nodes:
             for client in node._clients:
                 yield from (
-                    (client, number, client) for number, each in client._pending_requests.items() if each is goal
+                    (client._rosspin, number, client)
+                    for number, each in client._pending_requests.items()
+                    if each is goal
                 )
             for waitable in node._rosspin_waitables:
                 if isinstance(waitable, ActionClient):
-                    pending = waitable._pending.items()
+                    pending = waitable._rosspin_pending.items()
                     yield from ((client, number, waitable) for (client, number), (each, _) in pending if each is goal)
 
     def _kept(self, lines: list[str], entity: Any, waiter: _Waiter, what: str) -> _Step | None:
         """Say what keeps an entity, called ``what``, from being called; None if nothing does."""
         node = next((node for node in self._nodes if entity in (*node._timers, *_receivers(node))), None)
         if node is None:
-            return None
+            line = f"{lines[-1]}, but its node is gone: nothing refers to it any more"
+            return _Step([*lines[:-1], line], None, _KEEP)
         executor: Any = node.executor
         threads = executor._executor._max_workers if isinstance(executor, MultiThreadedExecutor) else 1
         advice = _RATE if isinstance(entity, Timer) else _THREAD if threads == 1 else _GROUP
         if not entity.callback_group.can_execute(entity):
             for task, (other, _) in self._tasks.items():
-                has_begun = task.executing() or task._coroutine is not None
+                has_begun = task.executing() or task._rosspin_coroutine is not None
                 if other is not None and other.callback_group is entity.callback_group and has_begun:
                     if any(each.task is task and each.is_async for each in self.waiters):
                         advice = _GROUP_OF_AWAIT
@@ -226,22 +230,23 @@ class _Run:
 
     def _after(self, lines: list[str], task: Task, advice: str) -> _Step | None:
         """Go on with what a task waits for; None if it waits for nothing."""
-        following = next((each for each in self.waiters if each.task is task), None) or self._on(task._stack)
+        following = next((each for each in self.waiters if each.task is task), None) or self._on(task._rosspin_stack)
         return following and _Step(lines, following, advice)
 
     @staticmethod
-    def _executes(task: Task, server: Any, client: Client, number: int) -> bool:
+    def _executes(task: Task, server: Any, client: ClientEnd, number: int) -> bool:
         """Whether a task executes the goal whose result a client has asked for."""
         if not (isinstance(server, ActionServer) and getattr(task._handler, "__self__", None) is server):
             return False
+        node = client.node.node()
         goals = (
             goal_id
-            for waitable in client.node._rosspin_waitables
-            if isinstance(waitable, ActionClient) and client is waitable._results
-            for (_, each), (_, goal_id) in waitable._pending.items()
+            for waitable in (node._rosspin_waitables if node else ())
+            if isinstance(waitable, ActionClient) and client is waitable._rosspin_results
+            for (_, each), (_, goal_id) in waitable._rosspin_pending.items()
             if each == number
         )
-        _, handle = task._arguments[0]
+        _, handle = task._rosspin_arguments[0]
         return any(bytes(goal.uuid) == bytes(handle.goal_id.uuid) for goal in goals)
 
     def _name(self, task: Task) -> str:
@@ -249,12 +254,12 @@ class _Run:
         if isinstance(entity, Timer):
             return f"the timer's callback {_function(entity.callback)}"
         if isinstance(entity, Subscription):
-            return f"the callback of {entity.topic_name} ({_function(entity.callback)})"
+            return f"the callback of {entity._rosspin.end.topic} ({_function(entity.callback)})"
         if isinstance(entity, Service):
-            return f"the callback of the service {entity.end.topic} ({_function(entity.callback)})"
+            return f"the callback of the service {entity._rosspin.end.topic} ({_function(entity.callback)})"
         if isinstance(entity, (ActionServer, ActionClient)):
-            return f"the callback of the action {entity._action_name}"
-        handler, (args, _) = task._handler, task._arguments
+            return f"the callback of the action {entity._rosspin_name}"
+        handler, (args, _) = task._handler, task._rosspin_arguments
         if isinstance(getattr(handler, "__self__", None), ActionServer):
             return f"the execution of a goal ({_function(args[0])})"
         return f"the task {_function(handler)}"
@@ -264,15 +269,7 @@ def _receivers(node: Node) -> list[Any]:
     return [*node._clients, *node._services, *node._rosspin_waitables]
 
 
-def _entity_of(service: Service) -> Any:
-    """The entity that an executor calls for a service: itself, or the action server of which it is a part."""
-    for waitable in service.node._rosspin_waitables:
-        if service in waitable.ends:
-            return waitable
-    return service
-
-
-def _what(client: Client) -> str:
+def _what(client: ClientEnd) -> str:
     action, _, part = client.end.topic.partition("/_action/")
     return _OF_ACTIONS[part].format(action) if part else f"the answer of {client.end.topic}"
 

@@ -12,10 +12,10 @@ from functools import partial
 from typing import TYPE_CHECKING
 
 from ..clocks.clock import LATE
-from .context import Context
+from .context import RclContext
 
 if TYPE_CHECKING:
-    from .node import Node
+    from .handle import RclNode
 
 __all__ = ["ENDPOINT", "KEPT", "Participants", "late"]
 
@@ -31,10 +31,10 @@ class Participants:
     """The contexts of a run that have a node. All processes of the run share one such list."""
 
     def __init__(self) -> None:
-        self._contexts: list[Context] = []
-        self._late: set[frozenset[Context]] = set()  # pairs that learn of each other later than usual
+        self._contexts: list[RclContext] = []
+        self._late: set[frozenset[RclContext]] = set()  # pairs that learn of each other later than usual
 
-    def join(self, context: Context) -> None:
+    def join(self, context: RclContext) -> None:
         """Add a context, unless it is there, that has its first node."""
         if context.joined is not None:
             return
@@ -48,29 +48,28 @@ class Participants:
                     self._late.add(frozenset((context, other)))
         self._contexts.append(context)
 
-    def met(self, one: Context, other: Context) -> int:
+    def met(self, one: RclContext, other: RclContext) -> int:
         """Return when (ns) two contexts know each other."""
         assert one.joined is not None and other.joined is not None
         return max(one.joined, other.joined) + PARTICIPANT + (LATE if frozenset((one, other)) in self._late else 0)
 
-    def _leave(self, context: Context, killed: bool) -> None:
+    def _leave(self, context: RclContext, killed: bool) -> None:
         """Let the others miss a context that was shut down, or whose process has ended."""
         if context.left is None:
             context.left = context.state.clock.now() + (LEASE if killed else END)
             for node in context.nodes:
-                waited = (end for waitable in node._rosspin_waitables for end in waitable.ends)
-                for publisher in node._publishers if killed else ():
-                    publisher.fall_silent()
-                for end in (*node._publishers, *node._subscriptions, *node._clients, *node._services, *waited):
+                for end in list(node.ends):
+                    if killed:
+                        end.fall_silent()
                     end.be_missed(context.left)
                     if not killed:
                         end.withdraw()
 
-    def all_nodes(self) -> list[Node]:
+    def all_nodes(self) -> list[RclNode]:
         """The nodes of all processes, known or not."""
         return [node for context in self._contexts for node in context.nodes]
 
-    def nodes(self, context: Context) -> Iterator[Node]:
+    def nodes(self, context: RclContext) -> Iterator[RclNode]:
         """Yield the nodes of other processes that a context knows now."""
         now = context.state.clock.now()
         for other in self._contexts:
@@ -81,7 +80,7 @@ class Participants:
                         yield node
 
 
-def late(name: str, node: Node) -> int:
+def late(name: str, node: RclNode) -> int:
     """Return how much (ns) later than usual a node is to be known to the node of a name, in another process."""
     faults = node.context.state.world.graph.faults
-    return faults.lateness(name, node.get_fully_qualified_name()) if faults else 0
+    return faults.lateness(name, node.full_name) if faults else 0

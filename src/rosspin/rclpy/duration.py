@@ -17,16 +17,16 @@ class Ordered:
 
     nanoseconds: int
 
-    def _other(self, other: object) -> int | None:
+    def _rosspin_other(self, other: object) -> int | None:
         """Return the nanoseconds to compare with; None if ``other`` is of another kind."""
         return other.nanoseconds if isinstance(other, type(self)) else None
 
     def __eq__(self, other: object) -> bool:
-        ns = self._other(other)
+        ns = self._rosspin_other(other)
         return NotImplemented if ns is None else self.nanoseconds == ns
 
     def __lt__(self, other: object) -> bool:
-        ns = self._other(other)
+        ns = self._rosspin_other(other)
         return NotImplemented if ns is None else self.nanoseconds < ns
 
     __hash__ = None  # type: ignore[assignment]

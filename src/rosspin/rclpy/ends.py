@@ -1,20 +1,28 @@
-"""What the ends of topics and of services have in common: each is a node's, and knows the ends it is joined to."""
+"""What the ends of topics and of services have in common: each is a node's, and knows the ends it is joined to.
+
+An end is what rcl and the middleware keep of a publisher, a subscription, a client or a service. The object that a node
+has holds it by :class:`Entity`, and the graph knows the end alone.
+"""
 
 from __future__ import annotations
 
 import itertools
 from functools import cached_property, partial
 from typing import TYPE_CHECKING, Any, NamedTuple
+from weakref import ref
 
 from .discovery import ENDPOINT, Participants, late
-from .handle import Held
+from .exceptions import InvalidHandle
+from .handle import Handle, Life
 from .qos import QoSProfile
 
 if TYPE_CHECKING:
-    from ..world.world import World
-    from .node import Node
+    from collections.abc import Callable
 
-__all__ = ["End", "Owner", "kind_of"]
+    from ..world.world import World
+    from .handle import RclNode
+
+__all__ = ["End", "Entity", "Owner", "kind_of"]
 
 
 class End(NamedTuple):
@@ -37,15 +45,23 @@ class _Numbers:
         self.numbers = itertools.count(1)
 
 
-class Owner(Held):
-    """Base of publishers, subscriptions, clients and services. ``data_class`` is the class of what it carries."""
+def _nobody() -> None:
+    return None
 
-    def __init__(self, node: Node, data_class: type, full_name: str, qos: QoSProfile) -> None:
+
+class Owner:
+    """Base of the ends. ``data_class`` is the class of what it carries."""
+
+    def __init__(self, node: RclNode, data_class: type, full_name: str, qos: QoSProfile) -> None:
         self.node = node
         self.end = End(full_name, kind_of(data_class), self)
         self.qos_profile = qos
         self.peers: list[Any] = []
         self.made = node.context.state.clock.now()
+        self.entity: Callable[[], Any] = _nobody  # what an executor calls for it
+        self.is_destroyed = False
+        node.ends.append(self)
+        node.use()
 
     @property
     def world(self) -> World:
@@ -57,16 +73,15 @@ class Owner(Held):
         """What tells it from all others of this run."""
         return next(self.world.graph.part(_Numbers).numbers).to_bytes(16, "little")
 
-    @property
-    def logger_name(self) -> str:
-        """The name of its node's logger."""
-        self._check()
-        return self.node.get_logger().name
+    def check(self) -> None:
+        """Raise InvalidHandle if it was destroyed."""
+        if self.is_destroyed:
+            raise InvalidHandle()
 
     @property
     def is_gone(self) -> bool:
         """Whether it was destroyed, or its context has ended."""
-        return self._destroyed or self.node.context.left is not None
+        return self.is_destroyed or self.node.context.left is not None
 
     def is_remote(self, other: Any) -> bool:
         """Whether another end is in another process, where it has to be found."""
@@ -75,7 +90,7 @@ class Owner(Held):
     def introduce(self, other: Any, *more: Any) -> None:
         """Let it and an end in another process learn of each other, each by its ``meet(other, *more)``."""
         met = self.world.graph.part(Participants).met(self.node.context, other.node.context)
-        lag = late(self.node.get_fully_qualified_name(), other.node)
+        lag = late(self.node.full_name, other.node)
         both: tuple[Any, Any] = (self, other)
         for end, another in (both, both[::-1]):
             end.world.at(max(end.made, another.made + ENDPOINT, met) + lag, partial(end.meet, another, *more))
@@ -84,14 +99,20 @@ class Owner(Held):
         """Let nobody find it any more."""
         raise NotImplementedError()
 
-    def _leave(self) -> None:
-        """Let the others learn that it is gone: immediately in this process, later in others."""
-        self._destroyed = True
+    def destroy(self) -> None:
+        """Let the others learn that it is gone: immediately in this process, later in others. Twice is once."""
+        # The collector may call this on any stack, and between any two lines of what follows.
+        if self.is_destroyed or self.world.over:
+            return
+        self.is_destroyed = True
         self.withdraw()
-        for peer in self.peers:
+        for peer in [*self.peers]:
             if peer.world is self.world:
                 peer.part(self)
         self.be_missed(self.world.clock.now() + ENDPOINT)
+        if self in self.node.ends:
+            self.node.ends.remove(self)
+        self.node.release()
 
     def be_missed(self, when: int) -> None:
         """Let the ends in other processes learn at ``when`` (ns) that it is gone."""
@@ -99,7 +120,38 @@ class Owner(Held):
             if peer.world is not self.world:
                 peer.world.at(when, partial(peer.part, self))
 
+    def fall_silent(self) -> None:
+        """Be alive no more: its process was killed."""
+
     def part(self, other: Any) -> None:
         """Learn that another end is gone."""
         if other in self.peers:
             self.peers.remove(other)
+
+
+class Entity:
+    """Base of publishers, subscriptions, clients and services, as a node has them.
+
+    Names that rclpy's classes do not have begin with _rosspin, here and in all that a node can hold, so that they do
+    not clash with what a node keeps there.
+    """
+
+    def __init__(self, end: Any) -> None:
+        self._rosspin = end
+        self._rosspin_life = Life(end.destroy)
+        end.entity = ref(self)
+
+    @property
+    def handle(self) -> Handle:
+        """Its handle, which can be held and nothing else."""
+        return Handle(self._rosspin, self._rosspin_life)
+
+    @property
+    def logger_name(self) -> str:
+        """The name of its node's logger."""
+        self._rosspin.check()
+        return str(self._rosspin.node.logger_name)
+
+    def destroy(self) -> None:
+        """Leave the topic, or the service. A second call does nothing."""
+        self._rosspin.destroy()

@@ -10,10 +10,12 @@ from typing import TYPE_CHECKING, Any, ClassVar
 
 from ..clocks.frames import warn
 from .exceptions import RCLError
+from .logging import get_logger
 from .qos import QoSPolicyKind, qos_policy_name_from_kind
 
 if TYPE_CHECKING:
     from .callback_groups import CallbackGroup
+    from .handle import RclNode
 
 __all__ = [
     *("EventHandler", "IncompatibleTypeInfo", "PublisherEventCallbacks", "QoSEventHandler", "QoSLivelinessChangedInfo"),
@@ -102,8 +104,7 @@ _INFOS: dict[str, type[Any]] = {
 class EventHandler:
     """Lets an executor call ``callback(info)`` after events of an end: one call for all since the last."""
 
-    ends = ()
-    is_rare = False  # whether executors look at it only from its first event on
+    _rosspin_is_rare = False  # whether executors look at it only from its first event on
 
     def __init__(
         self, *, callback_group: CallbackGroup, callback: Callable[[Any], Any], event_type: IntEnum, parent_impl: Any
@@ -111,43 +112,56 @@ class EventHandler:
         self.callback_group = callback_group
         self.callback = callback
         self.event_type = event_type
-        self.messages = False  # whether there is something to tell
         self._executor_event = False
-        self._node = parent_impl.node
-        self._destroyed = False
-        self._counts: Counter[str] = Counter()  # by the names of the info's fields
-        self._policy = QoSPolicyKind.INVALID
+        self._futures: list[Any] = []  # as all that a node can wait for
+        self._rosspin = _Told(getattr(parent_impl, "_rosspin", parent_impl).node)
         callback_group.add_entity(self)
 
-    def happen(self, policy: QoSPolicyKind = QoSPolicyKind.INVALID, **changes: int) -> None:
+    def _rosspin_happen(self, policy: QoSPolicyKind = QoSPolicyKind.INVALID, **changes: int) -> None:
         """Let the executor tell of changes of the counts, and of the policy by which an end does not fit."""
-        if self._destroyed:
+        own = self._rosspin
+        if own.is_destroyed:
             return
-        self._policy = policy
+        own.policy = policy
         for name, change in changes.items():
-            self._counts[f"{name}_count"] += change
-            self._counts[f"{name}_count_change"] += change
-        self.messages = True
-        self._node._rosspin_serve(self)
+            own.counts[f"{name}_count"] += change
+            own.counts[f"{name}_count_change"] += change
+        own.messages = True
+        if node := own.node.node():
+            node._rosspin_serve(self)
 
-    def take(self) -> Any:
+    def _rosspin_take(self) -> Any:
         """Return the call to make, or None if there is nothing to tell any more."""
-        if not self.messages:
+        own = self._rosspin
+        if not own.messages:
             return None
-        self.messages = False
+        own.messages = False
         info = _INFOS.get(self.event_type.name, QoSRequestedDeadlineMissedInfo)
-        values = {field.name: self._counts[field.name] for field in fields(info)}
+        values = {field.name: own.counts[field.name] for field in fields(info)}
         if "last_policy_kind" in values:
-            values["last_policy_kind"] = self._policy
-        for name in self._counts:
+            values["last_policy_kind"] = own.policy
+        for name in own.counts:
             if name.endswith("_change"):
-                self._counts[name] = 0
+                own.counts[name] = 0
         return self.callback, (info(**values),), None
 
     def destroy(self) -> None:
         """Tell nothing any more."""
+        self._rosspin.messages = False
+        self._rosspin.is_destroyed = True
+
+
+class _Told:
+    """What an event handler has to tell: ``messages`` is whether there is anything."""
+
+    ends = ()
+
+    def __init__(self, node: RclNode) -> None:
+        self.node = node
         self.messages = False
-        self._destroyed = True
+        self.is_destroyed = False
+        self.counts: Counter[str] = Counter()  # by the names of the info's fields
+        self.policy = QoSPolicyKind.INVALID
 
 
 class QoSEventHandler(EventHandler):
@@ -162,28 +176,30 @@ class _EventCallbacks:
     """What a publisher's callbacks and a subscription's have in common."""
 
     use_default_callbacks: bool
-    _types: ClassVar[Mapping[str, IntEnum]]  # by the name of the callback, in the order of the calls
-    _refusal: ClassVar[str]
+    _rosspin_types: ClassVar[Mapping[str, IntEnum]]  # by the name of the callback, in the order of the calls
+    _rosspin_refusal: ClassVar[str]
 
     def create_event_handlers(self, callback_group: CallbackGroup, end: Any, topic_name: str) -> list[EventHandler]:
         """Make what tells the events of an end, to the callbacks that were given or to the log."""
 
         def log_policy(info: QoSRequestedIncompatibleQoSInfo) -> None:
             policy = qos_policy_name_from_kind(info.last_policy_kind)
-            end.node.get_logger().warning(self._refusal.format(topic_name, policy))
+            get_logger(end.node.logger_name).warning(self._rosspin_refusal.format(topic_name, policy))
 
         def log_type(info: Any) -> None:
-            end.node.get_logger().warning(f"Incompatible type on topic '{topic_name}', no messages will be sent to it.")
+            get_logger(end.node.logger_name).warning(
+                f"Incompatible type on topic '{topic_name}', no messages will be sent to it."
+            )
 
         defaults = {"incompatible_qos": log_policy, "incompatible_type": log_type}
         handlers = []
-        for name, event_type in self._types.items():
+        for name, event_type in self._rosspin_types.items():
             default = defaults.get(name) if self.use_default_callbacks else None
             if callback := getattr(self, name) or default:
                 handler = EventHandler(
                     callback_group=callback_group, callback=callback, event_type=event_type, parent_impl=end
                 )
-                handler.is_rare = callback is default  # nearly every end has it, and next to none needs it
+                handler._rosspin_is_rare = callback is default  # nearly every end has it, and next to none needs it
                 handlers.append(handler)
         return handlers
 
@@ -200,7 +216,7 @@ class SubscriptionEventCallbacks(_EventCallbacks):
     matched: Callable[[QoSSubscriptionMatchedInfo], Any] | None = None
     use_default_callbacks: bool = True
 
-    _types: ClassVar[Mapping[str, IntEnum]] = {
+    _rosspin_types: ClassVar[Mapping[str, IntEnum]] = {
         "deadline": QoSSubscriptionEventType.RCL_SUBSCRIPTION_REQUESTED_DEADLINE_MISSED,
         "incompatible_qos": QoSSubscriptionEventType.RCL_SUBSCRIPTION_REQUESTED_INCOMPATIBLE_QOS,
         "liveliness": QoSSubscriptionEventType.RCL_SUBSCRIPTION_LIVELINESS_CHANGED,
@@ -208,7 +224,7 @@ class SubscriptionEventCallbacks(_EventCallbacks):
         "incompatible_type": QoSSubscriptionEventType.RCL_SUBSCRIPTION_INCOMPATIBLE_TYPE,
         "matched": QoSSubscriptionEventType.RCL_SUBSCRIPTION_MATCHED,
     }
-    _refusal: ClassVar[str] = (
+    _rosspin_refusal: ClassVar[str] = (
         "New publisher discovered on topic '{}', offering incompatible QoS. "
         "No messages will be received from it. Last incompatible policy: {}"
     )
@@ -225,14 +241,14 @@ class PublisherEventCallbacks(_EventCallbacks):
     matched: Callable[[QoSPublisherMatchedInfo], Any] | None = None
     use_default_callbacks: bool = True
 
-    _types: ClassVar[Mapping[str, IntEnum]] = {
+    _rosspin_types: ClassVar[Mapping[str, IntEnum]] = {
         "deadline": QoSPublisherEventType.RCL_PUBLISHER_OFFERED_DEADLINE_MISSED,
         "liveliness": QoSPublisherEventType.RCL_PUBLISHER_LIVELINESS_LOST,
         "incompatible_qos": QoSPublisherEventType.RCL_PUBLISHER_OFFERED_INCOMPATIBLE_QOS,
         "incompatible_type": QoSPublisherEventType.RCL_PUBLISHER_INCOMPATIBLE_TYPE,
         "matched": QoSPublisherEventType.RCL_PUBLISHER_MATCHED,
     }
-    _refusal: ClassVar[str] = (
+    _rosspin_refusal: ClassVar[str] = (
         "New subscription discovered on topic '{}', requesting incompatible QoS. "
         "No messages will be sent to it. Last incompatible policy: {}"
     )

@@ -14,6 +14,7 @@ from .context import Context, get_default_context
 from .exceptions import (
     ConditionReachedException,
     ExternalShutdownException,
+    InvalidHandle,
     ShutdownException,
     TimeoutException,
     invalid_context,
@@ -66,25 +67,26 @@ class GuardCondition(Held):
     """Lets an executor call ``callback()`` once after each ``trigger``. Made by ``Node.create_guard_condition``."""
 
     def __init__(self, callback: Callable[[], Any] | None, callback_group: Any, context: Context | None = None) -> None:
+        self._context = context or get_default_context()
         self.callback = callback
         self.callback_group = callback_group
-        self.triggered = False
-        self.nudge: Callable[[], None] | None = None
+        self._rosspin_triggered = False
+        self._rosspin_nudge: Callable[[], None] | None = None
         self._executor_event = False
         self._executor_triggered = False  # an executor has seen the trigger, and not called yet
 
     def trigger(self) -> None:
         """Ask for a call. Raises InvalidHandle if it was destroyed."""
-        self._check()
-        self.triggered = True
-        if self.nudge:
-            self.nudge()
+        self._rosspin_check()
+        self._rosspin_triggered = True
+        if self._rosspin_nudge:
+            self._rosspin_nudge()
 
     def destroy(self) -> None:
         """Destroy it."""
-        self._destroyed = True
+        self._rosspin_destroyed = True
 
-    def take(self) -> Any:
+    def _rosspin_take(self) -> Any:
         """What is to be called."""
         self._executor_triggered = False
         return self.callback, (), None
@@ -100,32 +102,34 @@ class Executor:
     called with another timeout.
     """
 
-    # Here and in Node, names that rclpy's class does not have are mangled or begin with _rosspin, so that they do not
-    # clash with those of a node's own classes.
+    # Here and in Node, names that rclpy's class does not have begin with _rosspin, so that they do not clash with those
+    # of a node's own classes.
 
     def __init__(self, *, context: Context | None = None) -> None:
         self._context = context or get_default_context()
-        if self._context.arguments is None:
+        if self._context._rosspin.arguments is None:
             # What rclpy says about a context that was not initialised.
             raise TypeError("'NoneType' object does not support the context manager protocol")
         if not self._context.ok():
             raise invalid_context("create guard_condition")
-        self._clock = self._context.state.clock
-        self._rosspin_tell = self._context.state.world.recording.tell
-        faults = self._context.state.world.graph.faults
+        self._clock = self._context._rosspin.state.clock
+        self._rosspin_tell = self._context._rosspin.state.world.recording.tell
+        faults = self._context._rosspin.state.world.graph.faults
         self._rosspin_slow = faults.call if faults and faults.slows else None
         self._nodes: dict[Node, None] = {}  # in the order of their addition
         self._tasks: list[Entry] = []
         self._is_shutdown = False
-        self.__round: Iterator[Entry] | None = None
-        self.__round_args: tuple[Any, ...] = ()
-        self.__gate = Gate()
-        self.__waits = False
-        self.__triggered = False  # something has changed: look again at what to wait for
-        self.__waited_until = -1
-        self.__calls = 0  # calls handed out since the time last went on by itself
-        self.__called_at = 0
-        self._context.state.waiting[self.__gate] = None
+        self._rosspin_round: Iterator[Entry] | None = None
+        self._rosspin_round_args: tuple[Any, ...] = ()
+        self._rosspin_gate = Gate()
+        self._rosspin_waits = False
+        self._rosspin_is_triggered = False  # something has changed: look again at what to wait for
+        self._rosspin_waited_until = -1
+        self._rosspin_deadline: int | None = None  # until when a thread waits in it, at most
+        self._rosspin_calls = 0  # calls handed out since the time last went on by itself
+        self._rosspin_called_at = 0
+        self._context._rosspin.state.executors.add(self)
+        self._context._rosspin.state.waiting[self._rosspin_gate] = None
         self._context.on_shutdown(self.wake)
 
     @property
@@ -139,8 +143,9 @@ class Executor:
             callback(*args, **kwargs).close()  # raises TypeError for arguments that it does not take
         task = Task(callback, args, kwargs, executor=self)
         self._tasks.append((task, None, None))
+        self._rosspin_check()
         if self._rosspin_tell:
-            task._tell = self._rosspin_tell
+            task._rosspin_tell = self._rosspin_tell
             self._rosspin_tell("asks", task, callback)
         self.wake()
         return task
@@ -150,8 +155,8 @@ class Executor:
         self._is_shutdown = True
         self.wake()
         self._nodes = {}
-        self.__round = None
-        self._context.state.waiting.pop(self.__gate, None)
+        self._rosspin_round = None
+        self._context._rosspin.state.waiting.pop(self._rosspin_gate, None)
         return True
 
     def add_node(self, node: Node) -> bool:
@@ -160,19 +165,21 @@ class Executor:
             return False
         self._nodes[node] = None
         node.executor = self
+        self._rosspin_check()
         self.wake()
         return True
+
+    def _rosspin_check(self) -> None:
+        if self._is_shutdown:
+            # What rclpy says, whose guard condition is gone. What was asked for is noted before.
+            raise AttributeError("'NoneType' object has no attribute 'trigger'")
 
     def remove_node(self, node: Node) -> None:
         """Call nothing in a node any more."""
         if node in self._nodes:
             del self._nodes[node]
+            self._rosspin_check()
             self.wake()
-
-    @property
-    def _rosspin_waits(self) -> bool:
-        """Whether a thread spins it and waits for something to do."""
-        return self.__waits
 
     def get_nodes(self) -> list[Node]:
         """The nodes that were added."""
@@ -180,14 +187,28 @@ class Executor:
 
     def wake(self) -> None:
         """Stop waiting: something has changed."""
-        self.__triggered = True
-        if self.__waits:
-            self.__gate.open()
+        self._rosspin_is_triggered = True
+        if self._rosspin_waits:
+            self._rosspin_gate.open()
 
     def _rosspin_nudge(self) -> None:
         """Look again: something may have become due."""
-        if self.__waits:
-            self.__gate.open()
+        if self._rosspin_waits:
+            self._rosspin_gate.open()
+
+    def _rosspin_wakes_within(self, ns: int) -> bool:
+        """Whether a thread that waits in it is about to go on, or will within a time, as far as is known."""
+        if not self._rosspin_waits or not self._context.ok():
+            return False
+        nodes = list(self._nodes)
+        receivers = [each for node in nodes for each in (*node._subscriptions, *node._clients, *node._services)]
+        timers = [timer for node in nodes for timer in node._timers if timer._rosspin_is_flowing()]
+        return (
+            self._rosspin_is_triggered
+            or any(each._rosspin.messages for each in receivers)
+            or any(timer._rosspin_time_left() <= ns for timer in timers)
+            or (self._rosspin_deadline is not None and self._rosspin_deadline - time.monotonic_ns() <= ns)
+        )
 
     # --- spinning -----------------------------------------------------------------------------------------------------
 
@@ -215,7 +236,7 @@ class Executor:
         """Call what is due until a future is done or cancelled, for at most ``timeout_sec``."""
         future.add_done_callback(lambda _: self.wake())
         if timeout_sec is None or timeout_sec < 0:
-            with waiting_for(future, self._context.state.world):
+            with waiting_for(future, self._context._rosspin.state.world):
                 while self._context.ok() and not future.done() and not future.cancelled() and not self._is_shutdown:
                     self.spin_once_until_future_complete(future)
             return
@@ -237,26 +258,28 @@ class Executor:
         """
         args = (timeout_sec, nodes, condition)
         now = self._clock.now()
-        self.__calls = self.__calls + 1 if now <= self.__called_at + _CALL else 1
-        self.__called_at = now
-        if self.__calls > _FREE_CALLS:
+        self._rosspin_calls = self._rosspin_calls + 1 if now <= self._rosspin_called_at + _CALL else 1
+        self._rosspin_called_at = now
+        if self._rosspin_calls > _FREE_CALLS:
             self._clock.sleep(_CALL)
         while True:
-            if self.__round is None or self.__round_args != args:
-                self.__round_args = args
-                self.__round = self.__new_round(*args)
+            if self._rosspin_round is None or self._rosspin_round_args != args:
+                self._rosspin_round_args = args
+                self._rosspin_round = self._rosspin_new_round(*args)
             try:
-                return next(self.__round)
+                return next(self._rosspin_round)
             except StopIteration:
-                self.__round = None
+                self._rosspin_round = None
 
-    def __new_round(self, timeout_sec: Any, nodes: list[Node] | None, condition: Callable[[], bool]) -> Iterator[Entry]:
+    def _rosspin_new_round(
+        self, timeout_sec: Any, nodes: list[Node] | None, condition: Callable[[], bool]
+    ) -> Iterator[Entry]:
         seconds = timeout_sec.seconds if isinstance(timeout_sec, _Timeout) else timeout_sec
         timeout = -1 if seconds is None or seconds < 0 else int(float(seconds) * 1e9)
         deadline = time.monotonic_ns() + timeout if timeout > 0 else None
         works = False
         while not works and not self._is_shutdown and not condition():
-            triggered, self.__triggered = self.__triggered, False
+            triggered, self._rosspin_is_triggered = self._rosspin_is_triggered, False
             spun = self.get_nodes() if nodes is None else nodes
             for entry in reversed(list(self._tasks)):
                 task, _, node = entry
@@ -267,11 +290,11 @@ class Executor:
                 if entry[0].done() or entry[0].cancelled():
                     self._tasks.remove(entry)
             # What has changed before is seen now. Only for tasks, and where another thread may go first, look twice.
-            if triggered and (works or self._tasks or self._clock.now() != self.__waited_until):
-                self.__triggered = True
+            if triggered and (works or self._tasks or self._clock.now() != self._rosspin_waited_until):
+                self._rosspin_is_triggered = True
 
-            timers, receivers, guards = self.__gather(spun)
-            ready, is_over = self.__wait(timers, receivers, guards, timeout, deadline)
+            timers, receivers, guards = self._rosspin_gather(spun)
+            ready, is_over = self._rosspin_wait(timers, receivers, guards, timeout, deadline)
             if self._is_shutdown:
                 raise ShutdownException()
             if not self._context.ok():
@@ -281,25 +304,25 @@ class Executor:
                 for waitable in node._rosspin_waitables:
                     if waitable in ready and waitable.callback_group.can_execute(waitable):
                         works = True
-                        yield self.__task(waitable, node)
+                        yield self._rosspin_make_task(waitable, node)
             for node in spun:
                 for timer in node._timers:
-                    if timer in ready and timer.is_due() and timer.callback_group.can_execute(timer):
+                    if timer in ready and timer._rosspin_is_due() and timer.callback_group.can_execute(timer):
                         works = True
-                        yield self.__task(timer, node)
+                        yield self._rosspin_make_task(timer, node)
                 for subscription in node._subscriptions:
                     if subscription in ready and subscription.callback_group.can_execute(subscription):
                         works = True
-                        yield self.__task(subscription, node)
+                        yield self._rosspin_make_task(subscription, node)
                 for guard in node._guards:
                     if guard._executor_triggered and guard.callback_group.can_execute(guard):
                         works = True
-                        yield self.__task(guard, node)
+                        yield self._rosspin_make_task(guard, node)
                 if node._clients or node._services:
                     for end in chain(node._clients, node._services):
                         if end in ready and end.callback_group.can_execute(end):
                             works = True
-                            yield self.__task(end, node)
+                            yield self._rosspin_make_task(end, node)
             if is_over:
                 if timeout == 0 and not works:
                     self._clock.sleep(_LOOK)
@@ -313,7 +336,7 @@ class Executor:
         """Whether a call may be handed out: it has not been already, and its group allows it."""
         return not entity._executor_event and bool(entity.callback_group.can_execute(entity))
 
-    def __gather(self, nodes: list[Node]) -> tuple[list[Timer], list[Receiver], list[GuardCondition]]:
+    def _rosspin_gather(self, nodes: list[Node]) -> tuple[list[Timer], list[Receiver], list[GuardCondition]]:
         """Collect what to wait for."""
         can_execute = self.can_execute
         timers = [timer for node in nodes for timer in node._timers if can_execute(timer)]
@@ -323,10 +346,10 @@ class Executor:
                 receivers += filter(can_execute, (*node._clients, *node._services, *node._rosspin_waitables))
         guards = [guard for node in nodes for guard in node._guards if can_execute(guard)]
         for guard in guards:
-            guard.triggered = guard.triggered or guard._executor_triggered
+            guard._rosspin_triggered = guard._rosspin_triggered or guard._executor_triggered
         return timers, receivers, guards
 
-    def __wait(
+    def _rosspin_wait(
         self,
         timers: list[Timer],
         receivers: list[Receiver],
@@ -337,53 +360,61 @@ class Executor:
         """Wait until something is due or has changed. Return what is due, and whether the timeout (ns) is over."""
         if not self._context.ok():
             raise invalid_context("initialize wait set" if deadline is None else "create timer")
-        if self._clock.now() != self.__waited_until:
+        if self._clock.now() != self._rosspin_waited_until:
             self._clock.sleep(0)  # a message that another thread sends at this time has arrived
-        watched = [timer.clock.watchers for timer in timers if not timer.clock.flows]
+        watched = [timer.clock._rosspin_watchers for timer in timers if not timer.clock._rosspin_flows]
         for watchers in watched:
-            watchers.append(self.__gate)
-        self.__waits = True
+            watchers.append(self._rosspin_gate)
+        self._rosspin_waits, self._rosspin_deadline = True, deadline
         if self._rosspin_tell:
             self._rosspin_tell("looks", self)
         is_last = False
         try:
             while True:
-                ready: set[Any] = {timer for timer in timers if timer.is_due()}
-                ready.update([receiver for receiver in receivers if receiver.messages])
-                triggered = [guard for guard in guards if guard.triggered]
+                ready: set[Any] = {timer for timer in timers if timer._rosspin_is_due()}
+                ready.update([receiver for receiver in receivers if receiver._rosspin.messages])
+                triggered = [guard for guard in guards if guard._rosspin_triggered]
                 is_over = deadline is not None and time.monotonic_ns() >= deadline
-                if self.__triggered:
-                    self.__triggered, is_last = False, True
+                if self._rosspin_is_triggered:
+                    self._rosspin_is_triggered, is_last = False, True
                 if ready or triggered or is_over or is_last or timeout == 0:
                     break
                 if self._is_shutdown or not self._context.ok():
                     break
-                left = [timer.time_left() for timer in timers if timer.is_flowing()]
+                left = [timer._rosspin_time_left() for timer in timers if timer._rosspin_is_flowing()]
                 if deadline is not None:
                     left.append(deadline - time.monotonic_ns())
-                is_last = not self.__gate.wait(min(left, default=None))
+                is_last = not self._rosspin_gate.wait(min(left, default=None))
         finally:
-            self.__waits = False
+            self._rosspin_waits = False
             for watchers in watched:
-                watchers.remove(self.__gate)
+                watchers.remove(self._rosspin_gate)
         if len(ready) > 1 and self._clock.explores:
-            ready -= self.__not_yet(ready, timers, receivers)
+            ready -= self._rosspin_not_yet(ready, timers, receivers)
         for guard in triggered:
-            guard.triggered, guard._executor_triggered = False, True
+            guard._rosspin_triggered, guard._executor_triggered = False, True
         if self._rosspin_tell:
             self._rosspin_tell("finds", self, {*ready, *triggered})
-        self.__waited_until = self._clock.now()
+        self._rosspin_waited_until = self._clock.now()
         return ready, is_over or timeout == 0
 
-    def __not_yet(self, ready: set[Any], timers: list[Timer], receivers: list[Receiver]) -> set[Any]:
+    def _rosspin_not_yet(self, ready: set[Any], timers: list[Timer], receivers: list[Receiver]) -> set[Any]:
         """Choose what of all that is due now is not due yet when a real executor looks.
 
         It looks a little before, or after, a message comes or a timer is due at the same time. What was due before is
         there, and of two timers the one that was made first: the wait set is gone through in this order in any case.
         """
         now = self._clock.now()
-        late: set[Any] = {timer for timer in timers if timer in ready and timer.time_left() == 0 and timer.clock.flows}
-        fresh = [each for each in receivers if each in ready and isinstance(each, Subscription) and each.came_at(now)]
+        late: set[Any] = {
+            timer
+            for timer in timers
+            if timer in ready and timer._rosspin_time_left() == 0 and timer.clock._rosspin_flows
+        }
+        fresh = [
+            each
+            for each in receivers
+            if each in ready and isinstance(each, Subscription) and each._rosspin.came_at(now)
+        ]
         options: list[tuple[str, set[Any]]] = [("all that is due", set())]
         if late and len(ready) > len(late):
             options.append(("no timer yet", late))
@@ -394,7 +425,7 @@ class Executor:
             options.append(("one timer first", (late | {*fresh}) - {first}))
         return options[self._clock.choose([said for said, _ in options])][1] if len(options) > 1 else set()
 
-    def __task(self, entity: Any, node: Node) -> Entry:
+    def _rosspin_make_task(self, entity: Any, node: Node) -> Entry:
         """Make a task that calls what is due. Nothing else is handed out for the entity until the task begins."""
         entity._executor_event = True
         task = Task(_call, (entity, self, node), executor=self)
@@ -416,21 +447,23 @@ async def _call(entity: Any, executor: Executor, node: Node) -> None:
         executor.wake()
         return
     try:
-        call = entity.take()
+        call = entity._rosspin_take()
         entity._executor_event = False
+        if executor._is_shutdown:
+            raise InvalidHandle()  # as of the guard condition, which is gone
         executor.wake()
         if call is not None:
             callback, args, tick = call
             if executor._rosspin_tell:
                 executor._rosspin_tell("calls", entity, executor)
             if executor._rosspin_slow:
-                executor._rosspin_slow(node.get_fully_qualified_name(), getattr(entity, "callback", callback))
+                executor._rosspin_slow(node._rosspin.full_name, getattr(entity, "callback", callback))
             if is_coroutine_function(callback):
                 await callback(*args)
             else:
                 callback(*args)
             if tick is not None:
-                entity.end(tick)
+                entity._rosspin_end(tick)
     finally:
         group.ending_execution(entity)
         if executor._rosspin_tell:

@@ -4,16 +4,18 @@ from __future__ import annotations
 
 from collections.abc import Callable
 from enum import Enum
-from functools import wraps
+from functools import partial, wraps
 from importlib import import_module
 from typing import Any, NamedTuple
 
 from . import node as nodes
 from .callback_groups import CallbackGroup
 from .exceptions import RCLError, not_accepted
+from .handle import Life
 from .logging import get_logger
 from .qos import QoSProfile
 from .topics import Publisher as TopicPublisher
+from .topics import PublisherEnd
 
 __all__ = [
     "LifecycleNode",
@@ -173,6 +175,11 @@ class LifecyclePublisher(SimpleManagedEntity, TopicPublisher):
         TopicPublisher.publish(self, msg)
 
 
+def _leave(ends: list[Any]) -> None:
+    for end in ends:
+        end.destroy()
+
+
 class _StateMachine:
     """The states of a node, which publishes each step on ``~/transition_event``, also without the services."""
 
@@ -183,7 +190,10 @@ class _StateMachine:
             signature = "LifecycleStateMachine(arg0: rclpy._rclpy_pybind11.Node, arg1: bool)"
             raise not_accepted(signature, "Node", communicates)
         self._types = import_module("lifecycle_msgs.msg")
-        self._publisher = node._rosspin_publish(self._types.TransitionEvent, "~/transition_event", QoSProfile(depth=10))
+        topic = node._rosspin_resolve("~/transition_event")
+        self._publisher = PublisherEnd(node._rosspin, self._types.TransitionEvent, topic, QoSProfile(depth=10)).begin()
+        self._ends: list[Any] = [self._publisher]
+        self._life = Life(partial(_leave, self._ends))
         self.current_state = 1, _STATES[1]
         self.available_states = list(_STATES.items())
         self.transition_graph = _GRAPH
@@ -252,7 +262,7 @@ class LifecycleNodeMixin(ManagedEntity):
                     getattr(self, f"_LifecycleNodeMixin__on_{name}"),
                     callback_group=callback_group,
                 )
-                service.srv_name = service.end.topic
+                service.srv_name = service.service_name
                 setattr(self, f"_service_{name}", service)
             setattr(self._state_machine, f"service_{name}", service)
 
@@ -284,7 +294,7 @@ class LifecycleNodeMixin(ManagedEntity):
             raise TypeError("Expected a rclpy.lifecycle.ManagedEntity instance.")
         self._managed_entities[entity] = None
 
-    def __call_entities(self, name: str, state: LifecycleState) -> TransitionCallbackReturn:
+    def _rosspin_call_entities(self, name: str, state: LifecycleState) -> TransitionCallbackReturn:
         for entity in self._managed_entities:
             result = getattr(entity, name)(state)
             if not isinstance(result, TransitionCallbackReturn):
@@ -297,22 +307,22 @@ class LifecycleNodeMixin(ManagedEntity):
         return TransitionCallbackReturn.SUCCESS
 
     def on_configure(self, state: LifecycleState) -> TransitionCallbackReturn:
-        return self.__call_entities("on_configure", state)
+        return self._rosspin_call_entities("on_configure", state)
 
     def on_cleanup(self, state: LifecycleState) -> TransitionCallbackReturn:
-        return self.__call_entities("on_cleanup", state)
+        return self._rosspin_call_entities("on_cleanup", state)
 
     def on_shutdown(self, state: LifecycleState) -> TransitionCallbackReturn:
-        return self.__call_entities("on_shutdown", state)
+        return self._rosspin_call_entities("on_shutdown", state)
 
     def on_activate(self, state: LifecycleState) -> TransitionCallbackReturn:
-        return self.__call_entities("on_activate", state)
+        return self._rosspin_call_entities("on_activate", state)
 
     def on_deactivate(self, state: LifecycleState) -> TransitionCallbackReturn:
-        return self.__call_entities("on_deactivate", state)
+        return self._rosspin_call_entities("on_deactivate", state)
 
     def on_error(self, state: LifecycleState) -> TransitionCallbackReturn:
-        return self.__call_entities("on_error", state)
+        return self._rosspin_call_entities("on_error", state)
 
     def create_lifecycle_publisher(self, *args: Any, **kwargs: Any) -> LifecyclePublisher:
         """Make a LifecyclePublisher, which goes with the node. Takes and raises what ``create_publisher`` does."""

@@ -109,16 +109,16 @@ class RcutilsLogger:
 
     def __init__(self, name: str = "") -> None:
         self.name = name
-        self._logs = logs()
-        self._calls: dict[tuple[str, int, int], _Call] = {}
+        self._rosspin_logs = logs()
+        self._rosspin_calls: dict[tuple[str, int, int], _Call] = {}
 
     def get_child(self, name: str) -> RcutilsLogger:
         """Return the logger with this name below this one. Raises ValueError if the name is empty."""
         if not name:
             raise ValueError("Child logger name must not be empty.")
         child = RcutilsLogger(f"{self.name}.{name}" if self.name else name)
-        if self._logs.rosout and self.name in self._logs.rosout:
-            self._logs.rosout[child.name] = self._logs.rosout[self.name]
+        if self._rosspin_logs.rosout and self.name in self._rosspin_logs.rosout:
+            self._rosspin_logs.rosout[child.name] = self._rosspin_logs.rosout[self.name]
         return child
 
     def set_level(self, level: int) -> None:
@@ -127,11 +127,11 @@ class RcutilsLogger:
 
     def get_effective_level(self) -> LoggingSeverity:
         """Return the lowest severity that is printed."""
-        return LoggingSeverity(_effective(self._logs, self.name))
+        return LoggingSeverity(_effective(self._rosspin_logs, self.name))
 
     def is_enabled_for(self, severity: int) -> bool:
         """Whether messages of a severity are printed."""
-        return LoggingSeverity(severity) >= _effective(self._logs, self.name)
+        return LoggingSeverity(severity) >= _effective(self._rosspin_logs, self.name)
 
     def log(self, message: str, severity: int, **kwargs: Any) -> bool:
         """Print a message. Return whether it passed the level and the filters.
@@ -142,7 +142,7 @@ class RcutilsLogger:
         ValueError if the options of a line change between calls.
         """
         severity = LoggingSeverity(severity)
-        if severity < _effective(self._logs, self.name):
+        if severity < _effective(self._rosspin_logs, self.name):
             return False
         name = kwargs.pop("name", self.name)
         filters = _filters(kwargs) if kwargs else []
@@ -150,13 +150,13 @@ class RcutilsLogger:
         while frame.f_code.co_filename == __file__ and frame.f_back:
             frame = frame.f_back
         where = (frame.f_code.co_filename, frame.f_lineno, frame.f_lasti)
-        call = self._calls.get(where)
+        call = self._rosspin_calls.get(where)
         if call is None:
             clock = kwargs.get("throttle_time_source_type")
             if clock is not None and not hasattr(clock, "clock_type"):
                 text = f'Received throttle_time_source_type of "{clock}" is not a clock instance'
                 raise ValueError(text)
-            call = self._calls[where] = _Call((severity, name, filters), kwargs)
+            call = self._rosspin_calls[where] = _Call((severity, name, filters), kwargs)
         elif call.settings != (severity, name, filters) or call.options != kwargs:
             _refuse(call, severity, name, filters)
         if filters and not call.is_wanted():
@@ -171,7 +171,7 @@ class RcutilsLogger:
                 f"{severity!r}, {name!r}, {message!r}, {frame.f_code.co_name!r}, "
                 f"{os.path.abspath(where[0])!r}, {where[1]}"
             )
-        _write(self._logs, severity, name, message, frame)
+        _write(self._rosspin_logs, severity, name, message, frame)
         return True
 
     def debug(self, message: str, **kwargs: Any) -> bool:
@@ -301,6 +301,13 @@ def publish_on_rosout(name: str, node: str, publish: Publish) -> None:
             "logs for that name from being published on the rosout topic."
         )
     loggers.setdefault(name, publish)
+
+
+def leave_rosout(own: Logs, name: str) -> None:
+    """Unregister the logger of a node, and those below it."""
+    if own.rosout and (publishing := own.rosout.get(name)):
+        for each in [each for each, publish in own.rosout.items() if publish == publishing]:
+            del own.rosout[each]
 
 
 def get_logger(name: str) -> RcutilsLogger:

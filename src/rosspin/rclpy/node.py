@@ -4,10 +4,11 @@ from __future__ import annotations
 
 import time
 from collections.abc import Callable, Iterable, Iterator, Mapping, Set
-from functools import cached_property
+from functools import partial
 from importlib import import_module
 from types import ModuleType
-from typing import TYPE_CHECKING, Any, TypeVar
+from typing import TYPE_CHECKING, Any
+from weakref import ref
 
 from ..messages.ros2 import Message
 from ..messages.ros2 import Service as Interface
@@ -20,7 +21,6 @@ from .context import Context, get_default_context
 from .discovery import Participants
 from .event_handler import EventHandler, PublisherEventCallbacks, SubscriptionEventCallbacks
 from .exceptions import (
-    InvalidHandle,
     NameValidationException,
     NotInitializedException,
     RCLError,
@@ -28,18 +28,18 @@ from .exceptions import (
     not_accepted,
 )
 from .executors import GuardCondition
-from .handle import Handle
+from .handle import Handle, Life, RclNode
 from .logging_service import LoggingService
 from .parameter import Parameter, Parameters
 from .parameter_service import ParameterService
 from .parameter_service import look as look_for_parameters
 from .qos import DurabilityPolicy, QoSProfile, qos_profile_services_default
 from .qos_overriding_options import QoSOverridingOptions, override
-from .services import Client, Ends, Service
+from .services import Client, ClientEnd, Ends, ServerEnd, Service, ServiceEnd
 from .time_source import TimeSource
 from .timer import Rate, Timer
 from .topic_endpoint_info import TopicEndpointInfo, info_of
-from .topics import Publisher, Subscription
+from .topics import Publisher, PublisherEnd, Subscription, SubscriptionEnd, TopicEnd
 from .type_description_service import START_TYPE_DESCRIPTION_SERVICE_PARAM
 from .type_support import check_is_valid_msg_type, check_is_valid_srv_type
 
@@ -49,8 +49,6 @@ if TYPE_CHECKING:
     from .executors import Executor
 
 __all__ = ["Node"]
-
-E = TypeVar("E", bound="Owner")
 
 # What rcl says of a service with this durability.
 _TRANSIENT_LOCAL = (
@@ -71,6 +69,24 @@ def _by_name(ends: Iterable[Owner], topics: Mapping[str, Set[str]]) -> list[tupl
     return [(topic, sorted(types)) for topic, types in sorted(found.items())]
 
 
+def _ends(node: RclNode, kind: type[Owner]) -> list[Owner]:
+    """List the publishers, the subscriptions, the clients or the services of a node, those of its actions, too."""
+    owner = node.node()
+    if owner is not None and kind is ServerEnd:
+        owner._rosspin_start_services()
+    return [end for end in node.ends if isinstance(end, kind)]
+
+
+def _describing(node: RclNode) -> dict[str, set[str]]:
+    """The service that describes its types. It is only named here."""
+    kind = {"type_description_interfaces/srv/GetTypeDescription"}
+    return {f"{node.full_name}/get_type_description": kind} if node.describes else {}
+
+
+def _nobody() -> None:
+    return None
+
+
 class Node(Parameters):
     """A node has a name, makes timers, publishers, subscriptions, clients and services, and has to be spun.
 
@@ -78,9 +94,7 @@ class Node(Parameters):
     Raises NotInitializedException before ``init``, InvalidNodeNameException and InvalidNamespaceException.
     """
 
-    __destroyed = False
-    __describes = False
-    __lacking: ModuleType | None = None
+    _rosspin_lacking: ModuleType | None = None
 
     def __init__(
         self,
@@ -109,20 +123,20 @@ class Node(Parameters):
         namespace = namespace or "/"
         namespace = namespace if namespace.startswith("/") else f"/{namespace}"
         names.validate_namespace(namespace)
-        self.__arguments = [] if cli_args is None else [Arguments(["--ros-args", *cli_args])]
-        if use_global_arguments and self._context.arguments:
-            self.__arguments.append(self._context.arguments)
-        self.__name, self.__namespace = node_name, namespace
-        for arguments in reversed(self.__arguments):
-            self.__name, self.__namespace = arguments.name(self.__name, self.__namespace)
-        self.__full_name = f"{self.__namespace.rstrip('/')}/{self.__name}"
-        self._logger = logging.get_logger(self.__full_name[1:].replace("/", "."))
-        self.__executor: Executor | None = None
+        arguments = [] if cli_args is None else [Arguments(["--ros-args", *cli_args])]
+        if use_global_arguments and self._context._rosspin.arguments:
+            arguments.append(self._context._rosspin.arguments)
+        for each in reversed(arguments):
+            node_name, namespace = each.name(node_name, namespace)
+        own = self._rosspin = RclNode(self, self._context._rosspin, node_name, namespace, arguments)
+        self._rosspin_life = Life(own.destroy)
+        self._logger = logging.get_logger(own.logger_name)
 
         self._publishers: list[Publisher] = []
         self._subscriptions: list[Subscription] = []
         self._clients: list[Client] = []
         self._services: list[Service] = []
+        self._parameter_event_publisher: Publisher | None = None
         self._rosspin_events: list[EventHandler] = []
         self._rosspin_waitables: list[Any] = []  # its actions, and before them the events but for rare ones
         self._timers: list[Timer] = []
@@ -131,17 +145,21 @@ class Node(Parameters):
         self._rate_group = ReentrantCallbackGroup()
 
         overrides: dict[str, Parameter] = {}
-        for arguments in reversed(self.__arguments):
-            values = arguments.parameters(self.__full_name)
+        for each in reversed(arguments):
+            values = each.parameters(own.full_name)
             overrides |= {name: Parameter(name, value=value) for name, value in values.items()}
         overrides |= {parameter.name: parameter for parameter in parameter_overrides or ()}
-        self._context.add_node(self)
-        self.__participants.join(self._context)
-        self.__on_rosout = enable_rosout and self._context.logs.rosout is not None
-        self._rosspin_topics = own_topics.OwnTopics(self, import_module("rcl_interfaces.msg"), self.__on_rosout)
-        if self.__on_rosout:
-            logging.publish_on_rosout(self._logger.name, self.__name, self._rosspin_topics.tell_log)
-        super().__init__(overrides, allow_undeclared_parameters, self.__tell_parameters)
+        own.context.add_node(own)
+        self._rosspin_participants.join(own.context)
+        logs = own.context.logs
+        on_rosout = enable_rosout and logs.rosout is not None
+        own.topics = own_topics.OwnTopics(own, import_module("rcl_interfaces.msg"), on_rosout)
+        if on_rosout:
+            logging.publish_on_rosout(own.logger_name, own.name, own.topics.tell_log)
+            own.at_end.append(partial(logging.leave_rosout, logs, own.logger_name))
+        own.at_end.append(own.topics.end)
+        own.topics.look()
+        super().__init__(overrides, allow_undeclared_parameters)
         self._clock = ROSClock()
         try:
             if automatically_declare_parameters_from_overrides:
@@ -154,10 +172,10 @@ class Node(Parameters):
         except BaseException:  # a value that the command line gives may be refused
             self.destroy_node()
             raise
-        self.__describes = self.get_parameter(START_TYPE_DESCRIPTION_SERVICE_PARAM).value
+        own.describes = self.get_parameter(START_TYPE_DESCRIPTION_SERVICE_PARAM).value
         # Whoever looks for these services first may be another process, which would import classes of its own.
-        self.__lacking = import_module("rcl_interfaces.srv") if start_parameter_services else None
-        if self.__full_name in self._context.state.world.graph.part(Ends).asked:
+        self._rosspin_lacking = import_module("rcl_interfaces.srv") if start_parameter_services else None
+        if own.full_name in own.context.state.world.graph.part(Ends).asked:
             self._rosspin_start_services()
         if enable_logger_service:
             LoggingService(self)
@@ -176,24 +194,35 @@ class Node(Parameters):
 
     @property
     def executor(self) -> Executor | None:
-        """The executor to which the node was last added."""
-        return self.__executor
+        """The executor to which the node was last added. The node alone does not keep it."""
+        return self._rosspin.executor()
 
     @executor.setter
     def executor(self, new_executor: Executor | None) -> None:
-        if self.__executor is new_executor:
+        current = self.executor
+        if current is new_executor:
             return
-        if self.__executor is not None:
-            self.__executor.remove_node(self)
-        self.__executor = new_executor
-        if new_executor is not None:
+        if current is not None:
+            current.remove_node(self)
+        if new_executor is None:
+            self._rosspin.executor = _nobody
+        else:
             new_executor.add_node(self)
+            self._rosspin.executor = ref(new_executor)
 
     @property
     def publishers(self) -> Iterator[Publisher]:
         """Its publishers, the one of /parameter_events among them."""
-        self._rosspin_topics.make(own_topics.PARAMETER_EVENTS)
-        yield from (publisher for publisher in self._publishers if not publisher.is_of_rcl)
+        self._rosspin.topics.make(own_topics.PARAMETER_EVENTS)
+        yield from self._publishers
+
+    def _rosspin_add_event_publisher(self, end: PublisherEnd) -> None:
+        """Keep the publisher of /parameter_events, which is made when somebody looks."""
+        events, group = PublisherEventCallbacks(), self._default_callback_group
+        publisher = Publisher(end, end.msg_type, end.end.topic, end.qos_profile, events, group)
+        self._rosspin_expect(publisher.event_handlers)
+        self._publishers.append(publisher)
+        self._parameter_event_publisher = publisher
 
     @property
     def subscriptions(self) -> Iterator[Subscription]:
@@ -213,11 +242,11 @@ class Node(Parameters):
 
     def _rosspin_start_services(self) -> None:
         """Make the services for its parameters, which few nodes are asked for: there are none until somebody looks."""
-        types, self.__lacking = self.__lacking, None
+        types, self._rosspin_lacking = self._rosspin_lacking, None
         if types and self._context.ok():
             own, self._services = self._services, []
-            with self._context.state.world.acting():
-                ParameterService(self, types)
+            with self._rosspin.context.state.world.acting():
+                self._parameter_service = ParameterService(self, types)
             self._services.extend(own)
 
     @property
@@ -228,7 +257,7 @@ class Node(Parameters):
 
     def add_waitable(self, waitable: Any) -> None:
         """Serve an action. Others that a node may wait for are not simulated."""
-        if not hasattr(waitable, "ends"):
+        if not hasattr(waitable, "_rosspin"):
             raise NotSimulated("Node.add_waitable")
         self._rosspin_waitables.append(waitable)
         self._wake_executor()
@@ -237,7 +266,7 @@ class Node(Parameters):
         """Serve the events of an end."""
         self._rosspin_events.extend(handlers)
         for handler in handlers:
-            if not handler.is_rare:
+            if not handler._rosspin_is_rare or handler._rosspin.messages:
                 self._rosspin_serve(handler)
 
     def _rosspin_serve(self, handler: EventHandler) -> None:
@@ -250,21 +279,13 @@ class Node(Parameters):
         self._rosspin_nudge()
 
     def remove_waitable(self, waitable: Any) -> None:
-        """Stop serving an action or an event."""
-        for waitables in (self._rosspin_events, self._rosspin_waitables):
-            if waitable in waitables:
-                waitables.remove(waitable)
-        self._wake_executor()
-
-    def _rosspin_ends(self, kind: type[E]) -> list[E]:
-        """List its publishers, its subscriptions, its clients or its services, those of its actions, too."""
-        own: dict[type, list[Any]] = {
-            Publisher: self._publishers,
-            Subscription: self._subscriptions,
-            Client: self._clients,
-        }
-        ends = own[kind] if kind in own else self.services
-        return [*ends, *(end for waitable in self._rosspin_waitables for end in waitable.ends if isinstance(end, kind))]
+        """Stop serving an action or an event. Raises ValueError for one that it does not serve."""
+        if waitable not in self._rosspin_events:
+            self._rosspin_waitables.remove(waitable)
+            return
+        self._rosspin_events.remove(waitable)
+        if waitable in self._rosspin_waitables:
+            self._rosspin_waitables.remove(waitable)
 
     @property
     def timers(self) -> Iterator[Timer]:
@@ -278,18 +299,18 @@ class Node(Parameters):
 
     def get_name(self) -> str:
         """Its name. Raises InvalidHandle if the node was destroyed."""
-        self.__check()
-        return self.__name
+        self._rosspin.check()
+        return self._rosspin.name
 
     def get_namespace(self) -> str:
         """Its namespace: ``/``, or without a slash at the end. Raises InvalidHandle if the node was destroyed."""
-        self.__check()
-        return self.__namespace
+        self._rosspin.check()
+        return self._rosspin.namespace
 
     def get_fully_qualified_name(self) -> str:
         """Its namespace and name. Raises InvalidHandle if the node was destroyed."""
-        self.__check()
-        return self.__full_name
+        self._rosspin.check()
+        return self._rosspin.full_name
 
     def get_clock(self) -> Clock:
         """Its clock, which tells ROS time."""
@@ -299,31 +320,38 @@ class Node(Parameters):
         """Its logger, named after its namespace and name: ``mrp.spinner``."""
         return self._logger
 
-    @cached_property
+    @property
     def handle(self) -> Handle:
-        """Its handle, which can be held and nothing else."""
-        return Handle(self.__check)
+        """Its handle, which can be held and nothing else. It cannot be replaced."""
+        return Handle(self._rosspin, self._rosspin_life)
 
-    def __check(self) -> None:
-        if self.__destroyed:
-            raise InvalidHandle()
+    @handle.setter
+    def handle(self, value: Any) -> None:
+        raise AttributeError("handle cannot be modified after node creation")
 
-    def __tell_parameters(self, parameters: list[Parameter], declared: bool) -> None:
-        self.__check()
-        self._rosspin_topics.tell_parameters(self._parameters, parameters, declared)
+    def _rosspin_before_setting(self) -> dict[str, Parameter]:
+        self._rosspin.check()
+        return dict(self._parameters) if self._parameter_event_publisher else {}
+
+    def _rosspin_tell_parameters(
+        self, before: dict[str, Parameter], parameters: list[Parameter], declared: bool
+    ) -> None:
+        own = self._rosspin
+        if not own.context.ok():
+            raise RCLError("Failed to publish: publisher's context is invalid")
+        if publisher := self._parameter_event_publisher:
+            own.topics.tell_parameters(publisher, self._clock.now(), before, parameters, declared)
 
     def _rosspin_nudge(self) -> None:
         """Let the executor look again: something may have become due."""
-        if self.__executor:
-            self.__executor._rosspin_nudge()
+        self._rosspin.nudge()
 
     def _wake_executor(self) -> None:
-        if self.__executor:
-            self.__executor.wake()
+        if executor := self.executor:
+            executor.wake()
 
-    def __add(self, entity: Any, entities: list[Any]) -> None:
+    def _rosspin_add(self, entity: Any, entities: list[Any]) -> None:
         """Let the executor call what has a callback."""
-        entity.nudge = self._rosspin_nudge
         entity.callback_group.add_entity(entity)
         entities.append(entity)
         self._wake_executor()
@@ -345,7 +373,8 @@ class Node(Parameters):
         group = callback_group or self.default_callback_group
         period = int(float(timer_period_sec) * 1e9)
         timer = Timer(callback, group, period, clock or self._clock, context=self._context, autostart=autostart)
-        self.__add(timer, self._timers)
+        timer._rosspin_nudge = self._rosspin.nudge
+        self._rosspin_add(timer, self._timers)
         return timer
 
     def create_rate(self, frequency: float, clock: Clock | None = None) -> Rate:
@@ -363,7 +392,8 @@ class Node(Parameters):
             raise invalid_context("create guard_condition")
         group = callback_group or self.default_callback_group
         guard = GuardCondition(callback, group, self._context)
-        self.__add(guard, self._guards)
+        guard._rosspin_nudge = self._rosspin.nudge
+        self._rosspin_add(guard, self._guards)
         return guard
 
     # --- topics -------------------------------------------------------------------------------------------------------
@@ -384,23 +414,19 @@ class Node(Parameters):
         Raises InvalidTopicNameException, TypeError or ValueError if ``qos_profile`` is no QoS, AttributeError if
         ``msg_type`` is no message of ROS 2, and RCLError if the process uses the topic with another type.
         """
-        full_name, qos = self.__prepare("publisher", msg_type, topic, qos_profile, qos_overriding_options)
-        if (other := self.__other_type(full_name, msg_type)) is not None:
+        full_name, qos = self._rosspin_prepare("publisher", msg_type, topic, qos_profile, qos_overriding_options)
+        if (other := self._rosspin_other_type(full_name, msg_type)) is not None:
             raise RCLError(
                 "Failed to create publisher: create_publisher() called for existing topic name "
                 f"rt{full_name} with incompatible type {other}"
             )
         group = callback_group or self.default_callback_group
         events = event_callbacks or PublisherEventCallbacks()
-        publisher = publisher_class(self, msg_type, topic, full_name, qos, group, events)
+        end = PublisherEnd(self._rosspin, msg_type, full_name, qos)
+        publisher = publisher_class(end, msg_type, topic, qos, event_callbacks=events, callback_group=group)
+        self._rosspin_expect(publisher.event_handlers)
         self._publishers.append(publisher)
         self._wake_executor()
-        return publisher
-
-    def _rosspin_publish(self, msg_type: type[Message], topic: str, qos: QoSProfile) -> Publisher:
-        """Make a publisher for what rcl itself publishes: others find it, and it is not among ``publishers``."""
-        publisher = Node.create_publisher(self, msg_type, topic, qos)
-        publisher.is_of_rcl = True
         return publisher
 
     def create_subscription(
@@ -419,26 +445,28 @@ class Node(Parameters):
 
         Raises as ``create_publisher``.
         """
-        full_name, qos = self.__prepare("subscription", msg_type, topic, qos_profile, qos_overriding_options)
-        if self.__other_type(full_name, msg_type) is not None:
+        full_name, qos = self._rosspin_prepare("subscription", msg_type, topic, qos_profile, qos_overriding_options)
+        if self._rosspin_other_type(full_name, msg_type) is not None:
             raise RCLError("Failed to create subscription: invalid allocator")
-        own_topics.look(self, full_name)
+        own_topics.look(self._rosspin, full_name)
         group = callback_group or self.default_callback_group
         events = event_callbacks or SubscriptionEventCallbacks()
-        subscription = Subscription(self, msg_type, topic, full_name, callback, group, qos, events, raw)
-        self.__add(subscription, self._subscriptions)
+        end = SubscriptionEnd(self._rosspin, msg_type, full_name, qos, raw)
+        subscription = Subscription(end, msg_type, topic, callback, group, qos, raw, events)
+        self._rosspin_expect(subscription.event_handlers)
+        self._rosspin_add(subscription, self._subscriptions)
         return subscription
 
-    def __prepare(self, what: str, msg_type: Any, topic: Any, qos: Any, options: Any) -> tuple[str, QoSProfile]:
+    def _rosspin_prepare(self, what: str, msg_type: Any, topic: Any, qos: Any, options: Any) -> tuple[str, QoSProfile]:
         """Return the topic's full name and the profile of what is to be created."""
-        self.__check()
+        self._rosspin.check()
         if isinstance(qos, int):
             if qos < 0:
                 raise ValueError("history depth must be greater than or equal to zero")
             qos = QoSProfile(depth=qos)
         if not isinstance(qos, QoSProfile):
             raise TypeError(f"Expected QoSProfile or int, but received {type(qos)!r}")
-        self.__check_text(topic)
+        self._rosspin_check_text(topic)
         check_is_valid_msg_type(msg_type)
         if not self._context.ok():
             raise RCLError(f"Failed to create {what}: rcl node's context is invalid")
@@ -447,42 +475,43 @@ class Node(Parameters):
             override(what, self, full_name, qos, options)
         return full_name, qos
 
-    def __other_type(self, full_name: str, msg_type: type[Message]) -> str | None:
+    def _rosspin_other_type(self, full_name: str, msg_type: type[Message]) -> str | None:
         """Return the type with which this process uses a topic, in DDS's words, if it is not ``msg_type``."""
-        for node in self._context.nodes:
-            for owner in (*node._publishers, *node._subscriptions):
-                if owner.end.topic == full_name and owner.msg_type is not msg_type:
+        for node in self._rosspin.context.nodes:
+            for owner in node.ends:
+                if isinstance(owner, TopicEnd) and owner.end.topic == full_name and owner.msg_type is not msg_type:
                     return f"{msg_type.__module__.split('.')[0]}::msg::dds_::{msg_type.__name__}_"
         return None
 
     def resolve_topic_name(self, topic: str, *, only_expand: bool = False) -> str:
         """Return the full name of a topic in this node. Raises RCLError if it is not valid, and InvalidHandle."""
-        return self.__try_resolve(topic, only_expand)
+        return self._rosspin_try_resolve(topic, only_expand)
 
     def resolve_service_name(self, service: str, *, only_expand: bool = False) -> str:
         """Return the full name of a service in this node. Raises as ``resolve_topic_name``."""
-        return self.__try_resolve(service, only_expand, is_service=True)
+        return self._rosspin_try_resolve(service, only_expand, is_service=True)
 
-    def __try_resolve(self, name: str, only_expand: bool, is_service: bool = False) -> str:
-        self.__check()
-        self.__check_text(name, only_expand, is_service)
+    def _rosspin_try_resolve(self, name: str, only_expand: bool, is_service: bool = False) -> str:
+        self._rosspin.check()
+        self._rosspin_check_text(name, only_expand, is_service)
         try:
             return self._rosspin_resolve(name, only_expand, is_service)
         except NameValidationException as error:
             raise RCLError(f"failed to resolve name: {error.error_msg}") from None
 
     @staticmethod
-    def __check_text(name: Any, only_expand: bool = False, is_service: bool = False) -> None:
+    def _rosspin_check_text(name: Any, only_expand: bool = False, is_service: bool = False) -> None:
         if not isinstance(name, str):
             signature = "(arg0: rclpy::Node, arg1: str, arg2: bool, arg3: bool) -> str"
             raise not_accepted(signature, "Node", name, only_expand, is_service, function="rclpy_resolve_name")
 
     def _rosspin_resolve(self, name: str, only_expand: bool = False, is_service: bool = False) -> str:
+        own = self._rosspin
         names.validate_topic_name(name, is_service=is_service)
-        full_name = names.expand_topic_name(name, self.__name, self.__namespace)
+        full_name = names.expand_topic_name(name, own.name, own.namespace)
         if not only_expand:
-            for arguments in self.__arguments:
-                full_name = arguments.topic(full_name, self.__name, self.__namespace)
+            for arguments in own.arguments:
+                full_name = arguments.topic(full_name, own.name, own.namespace)
         names.validate_full_topic_name(full_name, is_service=is_service)
         return full_name
 
@@ -491,79 +520,82 @@ class Node(Parameters):
 
         Raises InvalidHandle if the node was destroyed.
         """
-        self.__check()
-        own = [owner for context in self._context.state.contexts for node in context.nodes for owner in node.__ends()]
-        return _by_name([*own, *(owner for node in self.__nodes() for owner in node.__ends())], own_topics.TYPES)
+        self._rosspin.check()
+        self._rosspin_check_context("failed to get topic names and types")
+        own = [node for context in self._rosspin.context.state.contexts for node in context.nodes]
+        ends = {end: None for node in (*own, *self._rosspin_nodes()) for end in node.ends if isinstance(end, TopicEnd)}
+        return _by_name(ends, own_topics.TYPES)
 
-    def __ends(self) -> list[Publisher | Subscription]:
-        return [*self._rosspin_ends(Publisher), *self._rosspin_ends(Subscription)]
-
-    def __nodes(self) -> list[Node]:
+    def _rosspin_nodes(self) -> list[RclNode]:
         """The known nodes: those of its context, and those found in other processes."""
-        return [*self._context.nodes, *self.__participants.nodes(self._context)]
+        own = self._rosspin.context
+        return [*own.nodes, *self._rosspin_participants.nodes(own)]
 
     @property
-    def __participants(self) -> Participants:
-        return self._context.state.world.graph.part(Participants)
+    def _rosspin_participants(self) -> Participants:
+        return self._rosspin.context.state.world.graph.part(Participants)
 
     def get_publisher_names_and_types_by_node(
         self, node_name: str, node_namespace: str, no_demangle: bool = False
     ) -> list[tuple[str, list[str]]]:
         """Return the topics that a node publishes, and their types. Raises NodeNameNonExistentError if unknown."""
-        return _by_name(self.__find("publisher", node_name, node_namespace)._rosspin_ends(Publisher), own_topics.TYPES)
+        return _by_name(
+            _ends(self._rosspin_find("publisher", node_name, node_namespace), PublisherEnd), own_topics.TYPES
+        )
 
     def get_subscriber_names_and_types_by_node(
         self, node_name: str, node_namespace: str, no_demangle: bool = False
     ) -> list[tuple[str, list[str]]]:
         """Return the topics that a node subscribes to, and their types. Raises NodeNameNonExistentError."""
-        return _by_name(self.__find("subscriber", node_name, node_namespace)._rosspin_ends(Subscription), {})
+        return _by_name(_ends(self._rosspin_find("subscriber", node_name, node_namespace), SubscriptionEnd), {})
 
-    def __find(self, what: str, name: str, namespace: str) -> Node:
-        self.__check()
-        for node in self.__nodes():
-            if (node.__name, node.__namespace) == (name, namespace):
+    def _rosspin_find(self, what: str, name: str, namespace: str) -> RclNode:
+        self._rosspin.check()
+        self._rosspin_check_context(f"failed to get {what} names and types")
+        for node in self._rosspin_nodes():
+            if (node.name, node.namespace) == (name, namespace):
                 return node
         raise NodeNameNonExistentError(f"cannot get {what} names and types for nonexistent node: error not set")
 
     def count_publishers(self, topic_name: str) -> int:
         """Count the known publishers of a topic; its name is not remapped. Raises ValueError and InvalidHandle."""
-        return self.__count(topic_name, "publishers", Publisher)
+        return self._rosspin_count(topic_name, "publishers", PublisherEnd)
 
     def count_subscribers(self, topic_name: str) -> int:
         """Count the known subscriptions to a topic; its name is not remapped. Raises ValueError and InvalidHandle."""
-        return self.__count(topic_name, "subscribers", Subscription)
+        return self._rosspin_count(topic_name, "subscribers", SubscriptionEnd)
 
-    def __count(self, name: str, what: str, kind: type[Owner]) -> int:
+    def _rosspin_count(self, name: str, what: str, kind: type[Owner]) -> int:
         full_name = names.expand_topic_name(name, self.get_name(), self.get_namespace())
         names.validate_full_topic_name(full_name)
-        self.__check_context(f"Error in rcl_count_{what}")
-        own_topics.look(self, full_name)
-        return sum(owner.end.topic == full_name for node in self.__nodes() for owner in node._rosspin_ends(kind))
+        self._rosspin_check_context(f"Error in rcl_count_{what}")
+        own_topics.look(self._rosspin, full_name)
+        return sum(end.end.topic == full_name for node in self._rosspin_nodes() for end in _ends(node, kind))
 
     def get_publishers_info_by_topic(self, topic_name: str, no_mangle: bool = False) -> list[TopicEndpointInfo]:
         """Tell of the known publishers of a topic. Its name is remapped, unless it is one of DDS (``no_mangle``).
 
         Raises ValueError and InvalidHandle.
         """
-        return self.__infos(topic_name, no_mangle, Publisher)
+        return self._rosspin_infos(topic_name, no_mangle, PublisherEnd)
 
     def get_subscriptions_info_by_topic(self, topic_name: str, no_mangle: bool = False) -> list[TopicEndpointInfo]:
         """The same of the known subscriptions."""
-        return self.__infos(topic_name, no_mangle, Subscription)
+        return self._rosspin_infos(topic_name, no_mangle, SubscriptionEnd)
 
-    def __infos(self, name: str, no_mangle: bool, kind: type[Owner]) -> list[TopicEndpointInfo]:
-        self.__check()
+    def _rosspin_infos(self, name: str, no_mangle: bool, kind: type[Owner]) -> list[TopicEndpointInfo]:
+        self._rosspin.check()
         if no_mangle:
             name = name.removeprefix("rt") if name.startswith("rt/") else ""
         else:
             name = names.expand_topic_name(name, self.get_name(), self.get_namespace())
             names.validate_full_topic_name(name)
             name = self.resolve_topic_name(name)
-            own_topics.look(self, name)
-        ends = [(node, owner) for node in self.__nodes() for owner in node._rosspin_ends(kind)]
-        return [info_of(owner, node, kind is Publisher, no_mangle) for node, owner in ends if owner.end.topic == name]
+            own_topics.look(self._rosspin, name)
+        ends = [end for node in self._rosspin_nodes() for end in _ends(node, kind) if end.end.topic == name]
+        return [info_of(end, end.node, kind is PublisherEnd, no_mangle) for end in ends]
 
-    def __check_context(self, error: str) -> None:
+    def _rosspin_check_context(self, error: str) -> None:
         if not self._context.ok():
             raise RCLError(f"{error}: rcl node's context is invalid")
 
@@ -582,11 +614,12 @@ class Node(Parameters):
         Raises InvalidServiceNameException, AttributeError or RuntimeError if ``srv_type`` is no service of ROS 2, and
         RCLError if the process uses the name with another type.
         """
-        full_name = self.__prepare_service("client", srv_type, srv_name, qos_profile)
-        look_for_parameters(self._context.state.world.graph, full_name)
+        full_name = self._rosspin_prepare_service("client", srv_type, srv_name, qos_profile)
+        look_for_parameters(self._rosspin.context.state.world.graph, full_name)
         group = callback_group or self.default_callback_group
-        client = Client(self, srv_type, srv_name, full_name, group, qos_profile)
-        self.__add(client, self._clients)
+        end = ClientEnd(self._rosspin, srv_type, full_name, qos_profile)
+        client = Client(self._context, end, srv_type, srv_name, qos_profile, group)
+        self._rosspin_add(client, self._clients)
         return client
 
     def create_service(
@@ -602,18 +635,19 @@ class Node(Parameters):
 
         Raises as ``create_client``.
         """
-        full_name = self.__prepare_service("service", srv_type, srv_name, qos_profile)
+        full_name = self._rosspin_prepare_service("service", srv_type, srv_name, qos_profile)
         if qos_profile.durability is DurabilityPolicy.TRANSIENT_LOCAL:
             logging.get_logger("rcl").warning(_TRANSIENT_LOCAL)
         group = callback_group or self.default_callback_group
-        service = Service(callback, self, srv_type, srv_name, full_name, group, qos_profile)
-        self.__add(service, self._services)
+        end = ServerEnd(self._rosspin, srv_type, full_name, qos_profile)
+        service = Service(end, srv_type, srv_name, callback, group, qos_profile)
+        self._rosspin_add(service, self._services)
         return service
 
-    def __prepare_service(self, what: str, srv_type: Any, name: Any, qos: Any) -> str:
+    def _rosspin_prepare_service(self, what: str, srv_type: Any, name: Any, qos: Any) -> str:
         """Check what a client or service is to be made of. Return the full name."""
         check_is_valid_srv_type(srv_type)
-        self.__check()
+        self._rosspin.check()
         if not isinstance(qos, QoSProfile):
             raise AttributeError(f"{type(qos).__name__!r} object has no attribute 'get_c_qos_profile'")
         if not isinstance(name, str):
@@ -622,9 +656,9 @@ class Node(Parameters):
         if not self._context.ok():
             raise RCLError(f"failed to create {what}: rcl node's context is invalid")
         full_name = self._rosspin_resolve(name, is_service=True)
-        for node in self._context.nodes:
-            for end in (*node._clients, *node._services):
-                if end.end.topic == full_name and end.srv_type is not srv_type:
+        for node in self._rosspin.context.nodes:
+            for end in node.ends:
+                if isinstance(end, ServiceEnd) and end.end.topic == full_name and end.srv_type is not srv_type:
                     kind = f"{srv_type.__module__.split('.')[0]}::srv::dds_::{srv_type.__name__}_Request_"
                     raise RCLError(
                         f"failed to create {what}: create_{what}() called for existing request topic name "
@@ -634,52 +668,47 @@ class Node(Parameters):
 
     def get_service_names_and_types(self) -> list[tuple[str, list[str]]]:
         """Return the services that are offered or asked, and their types. Raises InvalidHandle, RCLError."""
-        self.__check()
-        self.__check_context("failed to get service names and types")
-        nodes = self.__nodes()
-        ends = (end for node in nodes for kind in (Service, Client) for end in node._rosspin_ends(kind))
-        return _by_name(ends, {name: types for node in nodes for name, types in node.__describing().items()})
+        self._rosspin.check()
+        self._rosspin_check_context("failed to get service names and types")
+        nodes = self._rosspin_nodes()
+        ends = [end for node in nodes for kind in (ServerEnd, ClientEnd) for end in _ends(node, kind)]
+        return _by_name(ends, {name: types for node in nodes for name, types in _describing(node).items()})
 
     def get_service_names_and_types_by_node(self, node_name: str, node_namespace: str) -> list[tuple[str, list[str]]]:
         """Return the services that a node offers, and their types. Raises NodeNameNonExistentError if unknown."""
-        self.__check_context("failed to get service names and types")
-        node = self.__find("service", node_name, node_namespace)
-        return _by_name(node._rosspin_ends(Service), node.__describing())
+        node = self._rosspin_find("service", node_name, node_namespace)
+        return _by_name(_ends(node, ServerEnd), _describing(node))
 
     def get_client_names_and_types_by_node(self, node_name: str, node_namespace: str) -> list[tuple[str, list[str]]]:
         """Return the services that a node asks, and their types. Raises NodeNameNonExistentError if unknown."""
-        self.__check_context("failed to get client names and types")
-        return _by_name(self.__find("client", node_name, node_namespace)._rosspin_ends(Client), {})
-
-    def __describing(self) -> dict[str, set[str]]:
-        """The service that describes its types. It is only named here."""
-        kind = {"type_description_interfaces/srv/GetTypeDescription"}
-        return {f"{self.__full_name}/get_type_description": kind} if self.__describes else {}
+        return _by_name(_ends(self._rosspin_find("client", node_name, node_namespace), ClientEnd), {})
 
     def count_services(self, service_name: str) -> int:
         """Count the known servers of a service; its name is not remapped. Raises ValueError and InvalidHandle."""
-        return self.__count(service_name, "services", Service)
+        return self._rosspin_count(service_name, "services", ServerEnd)
 
     def count_clients(self, service_name: str) -> int:
         """Count the known clients of a service; its name is not remapped. Raises ValueError and InvalidHandle."""
-        return self.__count(service_name, "clients", Client)
+        return self._rosspin_count(service_name, "clients", ClientEnd)
 
     # --- nodes --------------------------------------------------------------------------------------------------------
 
     def get_node_names(self) -> list[str]:
-        """The names of the known nodes. Raises InvalidHandle if this one was destroyed."""
-        self.__check()
-        return [node.__name for node in self.__nodes()]
+        """The names of the known nodes. Raises InvalidHandle if this one was destroyed, RCLError after shutdown."""
+        return [node.name for node in self._rosspin_named_nodes()]
 
     def get_node_names_and_namespaces(self) -> list[tuple[str, str]]:
-        """The names and namespaces of the known nodes. Raises InvalidHandle if this one was destroyed."""
-        self.__check()
-        return [(node.__name, node.__namespace) for node in self.__nodes()]
+        """The names and namespaces of the known nodes. Raises as ``get_node_names``."""
+        return [(node.name, node.namespace) for node in self._rosspin_named_nodes()]
 
     def get_fully_qualified_node_names(self) -> list[str]:
-        """The full names of the known nodes. Raises InvalidHandle if this one was destroyed."""
-        self.__check()
-        return [node.__full_name for node in self.__nodes()]
+        """The full names of the known nodes. Raises as ``get_node_names``."""
+        return [node.full_name for node in self._rosspin_named_nodes()]
+
+    def _rosspin_named_nodes(self) -> list[RclNode]:
+        self._rosspin.check()
+        self._rosspin_check_context("Failed to get node names")
+        return self._rosspin_nodes()
 
     def wait_for_node(self, fully_qualified_node_name: str, timeout: float) -> bool:
         """Look for a node every 0.1 s, for at most ``timeout`` seconds. Return whether it is known.
@@ -699,7 +728,7 @@ class Node(Parameters):
 
     def destroy_timer(self, timer: Timer) -> bool:
         """Destroy a timer. Return whether this node had it."""
-        return self.__destroy(timer, self._timers)
+        return self._rosspin_destroy(timer, self._timers)
 
     def destroy_rate(self, rate: Rate) -> bool:
         """Destroy a Rate. Return whether this node had it."""
@@ -709,52 +738,49 @@ class Node(Parameters):
 
     def destroy_guard_condition(self, guard: GuardCondition) -> bool:
         """Destroy a guard condition. Return whether this node had it."""
-        return self.__destroy(guard, self._guards)
+        return self._rosspin_destroy(guard, self._guards)
 
     def destroy_publisher(self, publisher: Publisher) -> bool:
         """Destroy a publisher. Return whether this node had it."""
-        return self.__destroy(publisher, self._publishers)
+        return self._rosspin_destroy(publisher, self._publishers)
 
     def destroy_client(self, client: Client) -> bool:
         """Destroy a client. Return whether this node had it."""
-        return self.__destroy(client, self._clients)
+        return self._rosspin_destroy(client, self._clients)
 
     def destroy_service(self, service: Service) -> bool:
         """Destroy a service. Return whether this node had it."""
-        return self.__destroy(service, self._services)
+        return self._rosspin_destroy(service, self._services)
 
     def destroy_subscription(self, subscription: Subscription) -> bool:
         """Destroy a subscription. Return whether this node had it."""
-        return self.__destroy(subscription, self._subscriptions)
+        return self._rosspin_destroy(subscription, self._subscriptions)
 
-    def __destroy(self, entity: Any, entities: list[Any]) -> bool:
+    def _rosspin_destroy(self, entity: Any, entities: list[Any]) -> bool:
         if entity not in entities:
             return False
         entities.remove(entity)
-        try:
-            entity.destroy()
-        except InvalidHandle:
-            return False
+        for handler in getattr(entity, "event_handlers", ()):
+            self.remove_waitable(handler)
+        entity.destroy()
         self._wake_executor()
         return True
 
     def destroy_node(self) -> None:
-        """Destroy the node and all that it has made, but its logger."""
-        self.__lacking = None
-        ends = self._publishers, self._subscriptions, self._clients, self._services
-        for waitable in list(self._rosspin_waitables):
-            waitable.destroy()
-        for entities in (*ends, self._timers, self._guards):
+        """Destroy the node and all that it has made, but its logger and its actions.
+
+        As on a real ROS, others know it as long as one of these is there.
+        """
+        self._rosspin_lacking = None
+        self._parameter_event_publisher = None
+        for entities in (
+            *(self._publishers, self._subscriptions, self._clients, self._services),
+            *(self._timers, self._guards),
+        ):
             while entities:
-                self.__destroy(entities[0], entities)
-        loggers = self._context.logs.rosout
-        if self.__on_rosout and loggers and not self.__destroyed:
-            publishing = loggers.get(self._logger.name)
-            for name in [name for name, publish in loggers.items() if publish is publishing]:
-                del loggers[name]
-        self.__destroyed = True
-        if self in self._context.nodes:
-            self._context.nodes.remove(self)
+                self._rosspin_destroy(entities[0], entities)
+        self._rosspin.describes = False
+        self._rosspin.destroy()
         self._wake_executor()
 
     # --- what needs a real ROS ----------------------------------------------------------------------------------------

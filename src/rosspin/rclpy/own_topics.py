@@ -15,10 +15,11 @@ from .duration import Duration
 from .parameter import Parameter
 from .qos import DurabilityPolicy, QoSProfile, qos_profile_parameter_events
 from .time import Time
-from .topics import Publisher
+from .topics import PublisherEnd
 
 if TYPE_CHECKING:
-    from .node import Node
+    from .handle import RclNode
+    from .topics import Publisher
 
 __all__ = ["PARAMETER_EVENTS", "ROSOUT", "TYPES", "OwnTopics", "look"]
 
@@ -41,36 +42,57 @@ class _Looked(set[str]):
 class OwnTopics:
     """Those of a node. ``types`` has their classes: the module ``rcl_interfaces.msg`` of the node's process."""
 
-    def __init__(self, node: Node, types: ModuleType, on_rosout: bool) -> None:
+    def __init__(self, node: RclNode, types: ModuleType, on_rosout: bool) -> None:
         self._node = node
         self._types = types
         self._topics = [PARAMETER_EVENTS, ROSOUT] if on_rosout else [PARAMETER_EVENTS]
-        self._made: dict[str, Publisher] = {}
+        self._rosout: PublisherEnd | None = None
         # What was logged before somebody listens: when (ns), level, logger, text, line, code.
         self._early: deque[tuple[int, int, str, str, int, CodeType]] = deque(maxlen=_QOS[ROSOUT].depth)
-        for topic in node.context.state.world.graph.part(_Looked):
+
+    def look(self) -> None:
+        """Make the publishers of the topics at which somebody has looked in this run."""
+        for topic in self._node.context.state.world.graph.part(_Looked):
             self.make(topic)
 
     def make(self, topic: str) -> None:
         """Make the publisher of a topic, unless there is one. Others find it as if it had always been there."""
-        node = self._node
-        if topic in self._made or topic not in self._topics or node not in node.context.nodes or not node.context.ok():
+        node, owner = self._node, self._node.node()
+        if topic not in self._topics or node not in node.context.nodes or not node.context.ok():
             return
+        if topic == PARAMETER_EVENTS and owner is None:
+            return
+        self._topics.remove(topic)
         with node.context.state.world.acting():
             kind = self._types.Log if topic == ROSOUT else self._types.ParameterEvent
-            publisher = self._made[topic] = Publisher(node, kind, topic, topic, _QOS[topic])
-        publisher.is_of_rcl = topic == ROSOUT
-        publisher.made = node.context.born.get(node, publisher.made)
-        node._publishers.append(publisher)
-        if topic == ROSOUT:
-            publisher.kept.extend((self._line(*logged), logged[0]) for logged in self._early)
-            self._early.clear()
+            end = PublisherEnd(node, kind, topic, _QOS[topic])
+            end.made = node.context.born.get(node, end.made)
+            if topic == ROSOUT:
+                end.begin()
+                node.release()  # rcl ends it with the node, at the latest
+                end.kept.extend((self._line(*logged), logged[0]) for logged in self._early)
+                self._early.clear()
+                self._rosout = end
+            elif owner:
+                owner._rosspin_add_event_publisher(end)
 
-    def tell_parameters(self, before: dict[str, Parameter], parameters: list[Parameter], declared: bool) -> None:
+    def end(self) -> None:
+        """End what rcl ends with the node."""
+        if self._rosout:
+            self._rosout.destroy()
+
+    def tell_parameters(
+        self,
+        publisher: Publisher | None,
+        stamp: Time,
+        before: dict[str, Parameter],
+        parameters: list[Parameter],
+        declared: bool,
+    ) -> None:
         """Publish which parameters are set, or ``declared``, now, beside those that were ``before``."""
-        if publisher := self._made.get(PARAMETER_EVENTS):
-            event = self._types.ParameterEvent(node=self._node.get_fully_qualified_name())
-            event.stamp = self._node.get_clock().now().to_msg()
+        if publisher:
+            event = self._types.ParameterEvent(node=self._node.full_name)
+            event.stamp = stamp.to_msg()
             unset = Parameter.Type.NOT_SET
             for parameter in parameters:
                 had = parameter.name in before and before[parameter.name].type_ is not unset
@@ -88,8 +110,8 @@ class OwnTopics:
         if self._node.context.ok():
             now = self._node.context.state.clock.system()
             logged = now, level, name, message, frame.f_lineno, frame.f_code
-            if publisher := self._made.get(ROSOUT):
-                publisher.publish(self._line(*logged))
+            if self._rosout:
+                self._rosout.publish(self._line(*logged))
             else:
                 self._early.append(logged)
 
@@ -99,11 +121,11 @@ class OwnTopics:
         return kind(stamp=stamp, level=level, name=name, msg=text, file=file, function=code.co_name, line=number)
 
 
-def look(node: Node, topic: str) -> None:
+def look(node: RclNode, topic: str) -> None:
     """Let every node of the run, those to come as well, publish on one of these topics."""
     graph = node.context.state.world.graph
     looked = graph.part(_Looked)
     if topic in TYPES and topic not in looked:
         looked.add(topic)
         for each in graph.part(Participants).all_nodes():
-            each._rosspin_topics.make(topic)
+            each.topics.make(topic)

@@ -88,7 +88,7 @@ class Parameter:
             raise TypeError(f"type must be an instance of '{_Type!r}'")
         if not type_.check(value):
             raise ValueError(f"Type '{type_}' and value '{value}' do not agree")
-        self._name, self._type, self._value = name, type_, value
+        self._name, self._type_, self._value = name, type_, value
 
     @property
     def name(self) -> str:
@@ -98,7 +98,7 @@ class Parameter:
     @property
     def type_(self) -> _Type:
         """The type of its value."""
-        return self._type
+        return self._type_
 
     @property
     def value(self) -> Any:
@@ -106,14 +106,14 @@ class Parameter:
         return self._value
 
     @property
-    def _field(self) -> str:
-        return f"{self._type.name.lower()}_value"
+    def _rosspin_field(self) -> str:
+        return f"{self._type_.name.lower()}_value"
 
     def get_parameter_value(self) -> Any:
         """The value as a message, rcl_interfaces/ParameterValue."""
-        message = import_module("rcl_interfaces.msg").ParameterValue(type=self._type.value)
-        if self._type is not _Type.NOT_SET:
-            setattr(message, self._field, self._value)
+        message = import_module("rcl_interfaces.msg").ParameterValue(type=self._type_.value)
+        if self._type_ is not _Type.NOT_SET:
+            setattr(message, self._rosspin_field, self._value)
         return message
 
     def to_parameter_msg(self) -> Any:
@@ -190,21 +190,15 @@ class Parameters:
 
     A parameter keeps the type with which it is declared and refuses values of other types, even an int for a float. A
     value on the command line takes precedence over the one in the code.
-
-    ``tell(parameters, declared)`` is called before parameters are set, or declared; it raises InvalidHandle if the node
-    was destroyed.
     """
 
     PARAM_REL_TOL = 1e-6
 
-    def __init__(
-        self, overrides: dict[str, Parameter], allow_undeclared: bool, tell: Callable[[list[Parameter], bool], None]
-    ) -> None:
+    def __init__(self, overrides: dict[str, Parameter], allow_undeclared: bool) -> None:
         self._parameters: dict[str, Parameter] = {}
         self._descriptors: dict[str, Any] = {}
         self._parameter_overrides = overrides
         self._allow_undeclared_parameters = allow_undeclared
-        self.__tell = tell
         self._pre_set_parameters_callbacks: list[Callable[[list[Parameter]], list[Parameter]]] = []
         self._on_set_parameters_callbacks: list[Callable[[list[Parameter]], Any]] = []
         self._post_set_parameters_callbacks: list[Callable[[list[Parameter]], Any]] = []
@@ -221,15 +215,17 @@ class Parameters:
         InvalidParameterValueException if the value is out of range or refused by a callback, TypeError and ValueError.
         """
         entry: tuple[Any, ...] = (name,) if value is None and descriptor is None else (name, value, descriptor)
-        return self.__declare("", [entry], ignore_override)[0]
+        return self._rosspin_declare_parameters("", [entry], ignore_override)[0]
 
     def declare_parameters(
         self, namespace: str, parameters: Iterable[tuple[Any, ...]], ignore_override: bool = False
     ) -> list[Parameter]:
         """Declare parameters given by name, or name and value, or these and a descriptor, as ``namespace.name``."""
-        return self.__declare(namespace, parameters, ignore_override)
+        return self._rosspin_declare_parameters(namespace, parameters, ignore_override)
 
-    def __declare(self, namespace: str, entries: Iterable[tuple[Any, ...]], ignore_override: bool) -> list[Parameter]:
+    def _rosspin_declare_parameters(
+        self, namespace: str, entries: Iterable[tuple[Any, ...]], ignore_override: bool
+    ) -> list[Parameter]:
         declared: list[tuple[Parameter, Any]] = []
         for index, entry in enumerate(entries):
             if not 1 <= len(entry) <= 3:
@@ -267,7 +263,7 @@ class Parameters:
         if again := [parameter.name for parameter, _ in declared if parameter.name in self._parameters]:
             raise ParameterAlreadyDeclaredException(again)
         for parameter, descriptor in declared:
-            reason = self.__set([parameter], {parameter.name: descriptor})
+            reason = self._rosspin_set_parameters([parameter], {parameter.name: descriptor})
             if reason is not None:
                 if reason.startswith("Wrong parameter type"):
                     raise InvalidParameterTypeException(parameter, _Type(descriptor.type).name)
@@ -349,11 +345,11 @@ class Parameters:
         if self._descriptors[name].read_only:
             raise ParameterImmutableException(name)
         current = self.get_parameter(name)
-        if self.__set([current], {name: descriptor}) is not None:
+        if self._rosspin_set_parameters([current], {name: descriptor}) is not None:
             if alternative_value is not None:
                 kind = import_module("rcl_interfaces.msg").Parameter
                 current = Parameter.from_parameter_msg(kind(name=name, value=alternative_value))
-            reason = self.__set([current], {name: descriptor})
+            reason = self._rosspin_set_parameters([current], {name: descriptor})
             if reason is not None:
                 raise InvalidParameterValueException(name, current.value, reason)
         return self.get_parameter(name).get_parameter_value()
@@ -408,14 +404,14 @@ class Parameters:
         undeclared = [parameter.name for parameter in parameter_list if parameter.name not in self._parameters]
         if undeclared and not self._allow_undeclared_parameters:
             raise ParameterNotDeclaredException(undeclared[1:])  # rclpy's error, too, leaves out the first one
-        return _result(self.__set(parameter_list, None))
+        return _result(self._rosspin_set_parameters(parameter_list, None))
 
-    def __set(self, parameters: list[Parameter], descriptors: dict[str, Any] | None) -> str | None:
+    def _rosspin_set_parameters(self, parameters: list[Parameter], descriptors: dict[str, Any] | None) -> str | None:
         """Set parameters, declaring them if descriptors are given. Return why that failed, or None."""
         known = self._descriptors if descriptors is None else descriptors
         for parameter in parameters:
             if parameter.name in known:
-                reason = self.__refused(parameter, known[parameter.name], check_read_only=descriptors is None)
+                reason = self._rosspin_refused(parameter, known[parameter.name], check_read_only=descriptors is None)
                 if reason is not None:
                     return reason
         for callback in self._on_set_parameters_callbacks:
@@ -425,7 +421,7 @@ class Parameters:
                 return "Callback returned an invalid type"
             if not result.successful:
                 return str(result.reason)
-        self.__tell(parameters, descriptors is not None)
+        before = self._rosspin_before_setting()
         for parameter in parameters:
             name = parameter.name
             if descriptors is None and parameter.type_ is _Type.NOT_SET:
@@ -437,11 +433,22 @@ class Parameters:
             elif name not in self._descriptors:
                 self._descriptors[name] = _Descriptor(name, dynamic_typing=True)
             self._parameters[name] = parameter
+        self._rosspin_tell_parameters(before, parameters, descriptors is not None)
         for callback in self._post_set_parameters_callbacks:
             callback(parameters)
         return None
 
-    def __refused(self, parameter: Parameter, descriptor: Any, check_read_only: bool) -> str | None:
+    def _rosspin_before_setting(self) -> dict[str, Parameter]:
+        """Return the parameters that there are. Raises InvalidHandle if they can be set no more."""
+        raise NotImplementedError
+
+    def _rosspin_tell_parameters(
+        self, before: dict[str, Parameter], parameters: list[Parameter], declared: bool
+    ) -> None:
+        """Tell that parameters are set, or declared; ``before`` are those that there were. Raises RCLError."""
+        raise NotImplementedError
+
+    def _rosspin_refused(self, parameter: Parameter, descriptor: Any, check_read_only: bool) -> str | None:
         """Return why a parameter may not have this value, or None."""
         descriptor.name = parameter.name
         if check_read_only and descriptor.read_only:

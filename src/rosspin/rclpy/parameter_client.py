@@ -39,10 +39,10 @@ class AsyncParameterClient:
     ) -> None:
         self.node = node
         self.remote_node_name = remote_node_name
-        self._types = import_module("rcl_interfaces.srv")
-        self._clients: dict[str, Client] = {
+        self._rosspin_types = import_module("rcl_interfaces.srv")
+        self._rosspin_clients: dict[str, Client] = {
             name: node.create_client(
-                getattr(self._types, kind),
+                getattr(self._rosspin_types, kind),
                 f"{remote_node_name}/{name}",
                 qos_profile=qos_profile,
                 callback_group=callback_group,
@@ -52,14 +52,14 @@ class AsyncParameterClient:
 
     def services_are_ready(self) -> bool:
         """Whether all services are there."""
-        return all(client.service_is_ready() for client in self._clients.values())
+        return all(client.service_is_ready() for client in self._rosspin_clients.values())
 
     def wait_for_services(self, timeout_sec: float | None = None) -> bool:
         """Look every 0.25 s whether all services are there, for ``timeout_sec`` (None: for ever). Return whether."""
         return look_until(self.services_are_ready, None, timeout_sec)  # also after rclpy.shutdown()
 
-    def _ask(self, name: str, callback: Callback | None, **fields: Any) -> Future:
-        future = self._clients[name].call_async(getattr(self._types, SERVICES[name]).Request(**fields))
+    def _rosspin_ask(self, name: str, callback: Callback | None, **fields: Any) -> Future:
+        future = self._rosspin_clients[name].call_async(getattr(self._rosspin_types, SERVICES[name]).Request(**fields))
         if callback:
             future.add_done_callback(callback)
         return future
@@ -68,27 +68,27 @@ class AsyncParameterClient:
         self, prefixes: list[str] | None = None, depth: int | None = None, callback: Callback | None = None
     ) -> Future:
         """Ask for the names below any of the prefixes (None: all), with fewer than ``depth`` separators below it."""
-        return self._ask("list_parameters", callback, prefixes=prefixes or [], depth=depth or 0)
+        return self._rosspin_ask("list_parameters", callback, prefixes=prefixes or [], depth=depth or 0)
 
     def get_parameters(self, names: list[str], callback: Callback | None = None) -> Future:
         """Ask for values."""
-        return self._ask("get_parameters", callback, names=names)
+        return self._rosspin_ask("get_parameters", callback, names=names)
 
     def describe_parameters(self, names: list[str], callback: Callback | None = None) -> Future:
         """Ask for descriptors."""
-        return self._ask("describe_parameters", callback, names=names)
+        return self._rosspin_ask("describe_parameters", callback, names=names)
 
     def get_parameter_types(self, names: list[str], callback: Callback | None = None) -> Future:
         """Ask for the numbers of types."""
-        return self._ask("get_parameter_types", callback, names=names)
+        return self._rosspin_ask("get_parameter_types", callback, names=names)
 
     def set_parameters(self, parameters: Sequence[Any], callback: Callback | None = None) -> Future:
         """Set parameters one by one."""
-        return self._ask("set_parameters", callback, parameters=_messages(parameters))
+        return self._rosspin_ask("set_parameters", callback, parameters=_messages(parameters))
 
     def set_parameters_atomically(self, parameters: Sequence[Any], callback: Callback | None = None) -> Future:
         """Set all parameters or none."""
-        return self._ask("set_parameters_atomically", callback, parameters=_messages(parameters))
+        return self._rosspin_ask("set_parameters_atomically", callback, parameters=_messages(parameters))
 
     def delete_parameters(self, names: list[str], callback: Callback | None = None) -> Future:
         """Unset parameters, which only those with dynamic typing allow."""

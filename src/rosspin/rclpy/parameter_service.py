@@ -6,6 +6,7 @@ from collections.abc import Callable
 from importlib import import_module
 from types import ModuleType
 from typing import TYPE_CHECKING, Any
+from weakref import ref
 
 from .discovery import Participants
 from .exceptions import ParameterNotDeclaredException, ParameterUninitializedException
@@ -37,24 +38,30 @@ class ParameterService:
     """
 
     def __init__(self, node: Node, types: ModuleType | None = None) -> None:
-        self._node = node
+        self._node_weak_ref = ref(node)
         types = types or import_module("rcl_interfaces.srv")
         for name, kind in SERVICES.items():
             callback = getattr(self, f"_{name}")
             full_name = f"{node.get_name()}/{name}"
             node.create_service(getattr(types, kind), full_name, callback, qos_profile=qos_profile_parameters)
 
+    @property
+    def _rosspin_node(self) -> Node:
+        if (node := self._node_weak_ref()) is None:
+            raise ReferenceError("Expected valid node weak reference")
+        return node
+
     def _describe_parameters(self, request: Any, response: Any) -> Any:
-        response.descriptors = self._all(request.names, self._node.describe_parameter)
+        response.descriptors = self._all(request.names, self._rosspin_node.describe_parameter)
         return response
 
     def _get_parameters(self, request: Any, response: Any) -> Any:
-        node = self._node
+        node = self._rosspin_node
         response.values = self._all(request.names, lambda name: node.get_parameter(name).get_parameter_value())
         return response
 
     def _get_parameter_types(self, request: Any, response: Any) -> Any:
-        response.types = self._all(request.names, self._node.get_parameter_type)
+        response.types = self._all(request.names, self._rosspin_node.get_parameter_type)
         return response
 
     @staticmethod
@@ -65,7 +72,7 @@ class ParameterService:
             return []
 
     def _list_parameters(self, request: Any, response: Any) -> Any:
-        response.result = self._node.list_parameters(request.prefixes, request.depth)
+        response.result = self._rosspin_node.list_parameters(request.prefixes, request.depth)
         return response
 
     def _set_parameters(self, request: Any, response: Any) -> Any:
@@ -78,7 +85,7 @@ class ParameterService:
 
     def _set(self, parameters: list[Any]) -> Any:
         try:
-            return self._node.set_parameters_atomically(list(map(Parameter.from_parameter_msg, parameters)))
+            return self._rosspin_node.set_parameters_atomically(list(map(Parameter.from_parameter_msg, parameters)))
         except ParameterNotDeclaredException as error:
             result = import_module("rcl_interfaces.msg").SetParametersResult
             return result(successful=False, reason=str(error))
@@ -90,5 +97,5 @@ def look(graph: Graph, service: str) -> None:
     if word in SERVICES:
         graph.part(Ends).asked.add(of)
         for node in graph.part(Participants).all_nodes():
-            if node.get_fully_qualified_name() == of:
-                node._rosspin_start_services()
+            if node.full_name == of and (owner := node.node()):
+                owner._rosspin_start_services()

@@ -173,7 +173,7 @@ class QoSProfile:
         return f"{type(self).__name__}({', '.join(f'{name}={getattr(self, name)}' for name in _FIELDS)})"
 
     @property
-    def kept(self) -> int | None:
+    def _rosspin_kept(self) -> int | None:
         """How many messages are kept; None for all."""
         return None if self.history is HistoryPolicy.KEEP_ALL else max(self.depth, 1)
 

@@ -9,12 +9,11 @@ from typing import TYPE_CHECKING, Any
 from .clock import Clock
 from .exceptions import not_accepted
 from .qos import QoSProfile
-from .topics import Publisher
+from .topics import PublisherEnd
 
 if TYPE_CHECKING:
     from ..messages.ros2 import Message
     from ..messages.ros2 import Service as Interface
-    from .ends import Owner
 
 __all__ = ["ServiceIntrospectionState"]
 
@@ -33,11 +32,11 @@ class ServiceIntrospectionState(IntEnum):
 class Events:
     """Publishes what a client or service does, on ``<service>/_service_event``."""
 
-    def __init__(self, end: Owner, srv_type: type[Interface]) -> None:
+    def __init__(self, end: Any, srv_type: type[Interface]) -> None:
         self._end = end
         self._type: Any = srv_type
         self._state = ServiceIntrospectionState.OFF
-        self._publisher: Publisher | None = None
+        self._publisher: PublisherEnd | None = None
         self._clock: Clock | None = None
 
     def configure(self, clock: Any, qos: Any, state: Any) -> None:
@@ -48,7 +47,7 @@ class Events:
             raise AttributeError(f"{type(qos).__name__!r} object has no attribute 'get_c_qos_profile'")
         end = self._end
         if not isinstance(state, ServiceIntrospectionState):
-            kind = type(end).__name__
+            kind = "Client" if end.asks else "Service"
             signature = (
                 f"(self: rclpy._rclpy_pybind11.{kind}, arg0: rclpy::Clock, arg1: object, "
                 "arg2: rclpy._rclpy_pybind11.service_introspection.ServiceIntrospectionState) -> None"
@@ -59,13 +58,13 @@ class Events:
             self.stop()
         elif not self._publisher:
             topic = f"{end.end.topic}/_service_event"
-            self._publisher = end.node._rosspin_publish(self._type.Event, topic, qos)
+            self._publisher = PublisherEnd(end.node, self._type.Event, topic, qos).begin()
 
     def stop(self) -> None:
         """Publish no more."""
         if self._publisher:
-            end, self._publisher = self._publisher, None
-            self._end.node.destroy_publisher(end)
+            publisher, self._publisher = self._publisher, None
+            publisher.destroy()
 
     def tell(self, number: int, gid: bytes, sequence: int, **contents: Message) -> None:
         """Publish an event by its number in ServiceEventInfo; ``request`` or ``response`` is what was said."""

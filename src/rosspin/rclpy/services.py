@@ -12,14 +12,14 @@ import threading
 import time
 from collections import deque
 from collections.abc import Callable
-from contextlib import nullcontext
+from contextlib import nullcontext, suppress
 from typing import TYPE_CHECKING, Any, NamedTuple
 
 from ..clocks.frames import warn
 from ..messages.ros2 import Message, received, transfer
 from ..messages.ros2 import Service as Interface
 from ..world.graph import CallMade
-from .ends import Owner
+from .ends import Entity, Owner
 from .exceptions import RCLError
 from .qos import Policies, QoSProfile, incompatible_policy
 from .service_introspection import Events, ServiceIntrospectionState
@@ -30,7 +30,7 @@ if TYPE_CHECKING:
     from .callback_groups import CallbackGroup
     from .clock import Clock
     from .context import Context
-    from .node import Node
+    from .handle import RclNode
 
 __all__ = ["Client", "Service"]
 
@@ -62,17 +62,16 @@ class Ends:
             ends.append(end)
         return found
 
-    def offered(self) -> dict[str, Service]:
+    def offered(self) -> dict[str, ServerEnd]:
         """The services of the nodes, by their full names."""
         with self._lock:
-            ends = [end for ends in self._of.values() for end in ends if isinstance(end, Service)]
+            ends = [end for ends in self._of.values() for end in ends if isinstance(end, ServerEnd)]
         return {end.end.topic: end for end in ends}
 
     def remove(self, end: ServiceEnd) -> None:
         """Take an end away; one that is not there is no error."""
-        with self._lock:
-            if end in self._of[end.end.topic]:
-                self._of[end.end.topic].remove(end)
+        with suppress(ValueError):
+            self._of[end.end.topic].remove(end)  # without the lock: the collector may call this while it is taken
 
 
 class Header(NamedTuple):
@@ -85,26 +84,14 @@ class Header(NamedTuple):
 
 
 class ServiceEnd(Owner):
-    """What a client and a service have in common."""
+    """What is behind a client or a service."""
 
     asks: bool
 
-    def __init__(
-        self,
-        node: Node,
-        srv_type: type[Interface],
-        srv_name: str,
-        full_name: str,
-        callback_group: CallbackGroup,
-        qos: QoSProfile,
-    ) -> None:
+    def __init__(self, node: RclNode, srv_type: type[Interface], full_name: str, qos: QoSProfile) -> None:
         super().__init__(node, srv_type, full_name, qos)
         self.srv_type = srv_type
-        self.srv_name = srv_name  # the name that the node gave
-        self.callback_group = callback_group
-        self.messages: deque[Any] = deque(maxlen=qos.kept)
-        self.nudge: Callable[[], None] | None = None  # tells the executor that waits
-        self._executor_event = False
+        self.messages: deque[Any] = deque(maxlen=qos._rosspin_kept)
         self.events = Events(self, srv_type)
         self._offered, self._requested = Policies.offered(qos), Policies.requested(qos)
 
@@ -117,27 +104,10 @@ class ServiceEnd(Owner):
                 self.meet(other)
                 other.meet(self)
 
-    @property
-    def service_name(self) -> str:
-        """The service's full name."""
-        self._check()
-        return self.end.topic
-
-    def configure_introspection(
-        self, clock: Clock, service_event_qos_profile: QoSProfile, introspection_state: ServiceIntrospectionState
-    ) -> None:
-        """Publish each request and answer on ``<service>/_service_event``, at a clock's time, or stop it.
-
-        Raises InvalidHandle if destroyed, AttributeError and TypeError for arguments of other types.
-        """
-        self._check()
-        self.events.configure(clock, service_event_qos_profile, introspection_state)
-
     def destroy(self) -> None:
-        """Leave the service."""
-        if not self._destroyed:
-            self.events.stop()
-            self._leave()
+        """See the base."""
+        self.events.stop()
+        super().destroy()
 
     def withdraw(self) -> None:
         """See the base."""
@@ -154,44 +124,165 @@ class ServiceEnd(Owner):
 
     def _put(self, message: Any) -> None:
         self.messages.append(message)
-        if self.nudge:
-            self.nudge()
+        self.node.nudge()
 
     def take(self) -> Any:
-        """Return the call to make, or None if there is none any more."""
+        """Return the oldest message, or None if there is none any more."""
         try:
-            return None if self._destroyed else self._call(self.messages.popleft())
+            return None if self.is_destroyed else self.messages.popleft()
         except IndexError:
             return None
 
-    def _call(self, message: Any) -> Any:
-        raise NotImplementedError
 
-
-class Client(ServiceEnd):
-    """Asks a service. Made by ``Node.create_client``. An executor has to spin its node, which takes the answers."""
+class ClientEnd(ServiceEnd):
+    """What is behind a client."""
 
     asks = True
 
-    def __init__(self, *args: Any) -> None:
-        super().__init__(*args)
-        self.context = self.node.context
-        self._pending_requests: dict[int, Future] = {}
-        self._lock = threading.Lock()
-        self._sent = 0
+    def __init__(self, node: RclNode, srv_type: type[Interface], full_name: str, qos: QoSProfile) -> None:
+        super().__init__(node, srv_type, full_name, qos)
+        self.sent = 0  # how many requests
         self.gid = next(self.world.graph.part(Ends).numbers).to_bytes(16, "big")
         self.join()
+
+    def send_request(self, request: Message) -> int:
+        """Ask, and return the number that the answer will have."""
+        message = transfer(request, self.srv_type.Request)
+        self.sent += 1
+        call = self.world.recording.add_call(self.end.topic, self.node.full_name, lambda: message)
+        for service in list(self.peers):
+            if self._reaches(service):
+                service.receive(message, Header(self, self.sent, call))
+        self.events.tell(0, self.gid, self.sent, request=message)
+        return self.sent
+
+    def is_served(self) -> bool:
+        """Whether a service is known. Raises RCLError after shutdown."""
+        if not self.node.context.ok():
+            raise RCLError("failed to check service availability: rcl node's context is invalid")
+        return any(self._reaches(service) and service.reaches_back(self) for service in self.peers)
+
+    def receive(self, sequence: int, response: Message | None) -> None:
+        """Take what a service sends. An answer to another client (None) wakes this one, too, for nothing."""
+        if not self.is_destroyed:
+            self._put((sequence, response and received(response, self.srv_type.Response)))
+
+
+class ServerEnd(ServiceEnd):
+    """What is behind a service.
+
+    It keeps the newest requests, as many as its QoS says, and hands out the oldest of these first.
+    """
+
+    asks = False
+
+    def __init__(self, node: RclNode, srv_type: type[Interface], full_name: str, qos: QoSProfile) -> None:
+        super().__init__(node, srv_type, full_name, qos)
+        self._early: list[tuple[Message, Header]] = []  # from clients of other processes that are not known yet
+        self.join()
+
+    def receive(self, request: Message, header: Header) -> None:
+        """Take a request that a client sends now."""
+        if self.is_destroyed:
+            return
+        if header.client in self.peers:
+            self._put((received(request, self.srv_type.Request), header))
+        else:
+            self._early.append((request, header))
+
+    def meet(self, other: Any) -> None:
+        """See the base. What the client asked meanwhile is served."""
+        super().meet(other)
+        early, self._early = self._early, []
+        for request, header in early:
+            self.receive(request, header)
+
+    def reaches_back(self, client: ClientEnd) -> bool:
+        """Whether a client gets the answers, as far as it knows."""
+        return incompatible_policy(self._offered, client._requested) is None
+
+    def accept(self, request: Message, header: Header) -> Header:
+        """Begin to serve a request. Return its header, which now says whether the client can be answered."""
+        self.events.tell(1, header.client.gid, header.sequence, request=request)
+        return header._replace(is_known=self._reaches(header.client))
+
+    def send_response(self, response: Message, header: Header) -> None:
+        """Answer a request. If the client could not be reached when it was taken, wait 0.1 s for it, and warn.
+
+        If it has gone since, do nothing. Raises InvalidHandle if the service was destroyed.
+        """
+        self.check()
+        if not self._reaches(header.client):
+            if not header.is_known:
+                self.world.clock.sleep(_TRY)
+                warn("failed to send response (timeout): client will not receive response", RuntimeWarning)
+            return
+        message = transfer(response, self.srv_type.Response)
+        header.call.answer(self.node.full_name, self.world.clock.now(), lambda: message)
+        for client in list(self.peers):
+            if self._reaches(client):
+                own = client is header.client
+                client.receive(header.sequence if own else 0, message if own else None)
+        self.events.tell(2, header.client.gid, header.sequence, response=message)
+
+
+class _OfService(Entity):
+    """What a client and a service have in common, as a node has them."""
+
+    callback_group: CallbackGroup
+
+    @property
+    def service_name(self) -> str:
+        """The service's full name."""
+        self._rosspin.check()
+        return str(self._rosspin.end.topic)
+
+    def configure_introspection(
+        self, clock: Clock, service_event_qos_profile: QoSProfile, introspection_state: ServiceIntrospectionState
+    ) -> None:
+        """Publish each request and answer on ``<service>/_service_event``, at a clock's time, or stop it.
+
+        Raises InvalidHandle if destroyed, AttributeError and TypeError for arguments of other types.
+        """
+        self._rosspin.check()
+        self._rosspin.events.configure(clock, service_event_qos_profile, introspection_state)
+
+
+class Client(_OfService):
+    """Asks a service. Made by ``Node.create_client``. An executor has to spin its node, which takes the answers."""
+
+    _rosspin: ClientEnd
+
+    def __init__(
+        self,
+        context: Context,
+        client_impl: ClientEnd,
+        srv_type: type[Interface],
+        srv_name: str,
+        qos_profile: QoSProfile,
+        callback_group: CallbackGroup,
+    ) -> None:
+        super().__init__(client_impl)
+        self.context = context
+        self.srv_type = srv_type
+        self.srv_name = srv_name  # the name that the node gave
+        self.qos_profile = qos_profile
+        self._pending_requests: dict[int, Future] = {}
+        self.callback_group = callback_group
+        self._executor_event = False
+        self._lock = threading.Lock()
 
     def call(self, request: Message, timeout_sec: float | None = None) -> Any:
         """Ask, wait for the answer while another thread spins, and return it; None if ``timeout_sec`` is over.
 
         Raises as ``call_async``. In a callback it waits for ever if the answer has to wait for the callback's end.
         """
-        self._check_type(request)
+        if not isinstance(request, self.srv_type.Request):
+            raise TypeError()
         answered = threading.Event()
         future = self.call_async(request)
         future.add_done_callback(lambda _: answered.set())
-        with waiting_for(future, self.world) if timeout_sec is None else nullcontext():
+        with waiting_for(future, self._rosspin.world) if timeout_sec is None else nullcontext():
             if not future.done() and not answered.wait(timeout_sec):
                 self.remove_pending_request(future)
         return future.result()
@@ -201,29 +292,14 @@ class Client(ServiceEnd):
 
         Raises TypeError for a request of another class, InvalidHandle if the client was destroyed.
         """
-        self._check_type(request)
-        self._check()
-        future = Future()
-        with self._lock:
-            self._pending_requests[self.send_request(request)] = future
-        future.add_done_callback(self.remove_pending_request)
-        return future
-
-    def send_request(self, request: Message) -> int:
-        """Ask, and return the number that the answer will have."""
-        message = transfer(request, self.srv_type.Request)
-        self._sent += 1
-        node = self.node.get_fully_qualified_name()
-        call = self.world.recording.add_call(self.end.topic, node, lambda: message)
-        for service in list(self.peers):
-            if self._reaches(service):
-                service.receive(message, Header(self, self._sent, call))
-        self.events.tell(0, self.gid, self._sent, request=message)
-        return self._sent
-
-    def _check_type(self, request: Any) -> None:
         if not isinstance(request, self.srv_type.Request):
             raise TypeError()
+        self._rosspin.check()
+        future = Future()
+        with self._lock:
+            self._pending_requests[self._rosspin.send_request(request)] = future
+        future.add_done_callback(self.remove_pending_request)
+        return future
 
     def get_pending_request(self, sequence_number: int) -> Future:
         """Return the future of a request that is not answered; the first has the number 1. Raises KeyError."""
@@ -240,10 +316,8 @@ class Client(ServiceEnd):
 
     def service_is_ready(self) -> bool:
         """Whether a service is known. Raises InvalidHandle if the client was destroyed, RCLError after shutdown."""
-        self._check()
-        if not self.context.ok():
-            raise RCLError("failed to check service availability: rcl node's context is invalid")
-        return any(self._reaches(service) and service._reaches_back(self) for service in self.peers)
+        self._rosspin.check()
+        return self._rosspin.is_served()
 
     def wait_for_service(self, timeout_sec: float | None = None) -> bool:
         """Look for a service every 0.25 s, until these pauses add up to ``timeout_sec`` (default: for ever).
@@ -252,65 +326,43 @@ class Client(ServiceEnd):
         """
         return look_until(self.service_is_ready, self.context, timeout_sec)
 
-    def receive(self, sequence: int, response: Message | None) -> None:
-        """Take what a service sends. An answer to another client (None) wakes this one, too, for nothing."""
-        if not self._destroyed:
-            self._put((sequence, response and received(response, self.srv_type.Response)))
+    def _rosspin_take(self) -> Any:
+        """Return the call to make, or None if there is none any more."""
+        message = self._rosspin.take()
+        return message and (self._rosspin_settle, message, None)
 
-    def _call(self, message: Any) -> Any:
-        return self._settle, message, None
-
-    def _settle(self, sequence: int, response: Message | None) -> None:
+    def _rosspin_settle(self, sequence: int, response: Message | None) -> None:
+        end = self._rosspin
         if response:
-            self.events.tell(3, self.gid, sequence, response=response)
+            end.events.tell(3, end.gid, sequence, response=response)
         with self._lock:
             future = self._pending_requests.get(sequence)
         if future:
-            future._set_executor(self.node.executor)
+            future._set_executor(end.node.executor())
             future.set_result(response)
 
 
-class Service(ServiceEnd):
-    """Lets an executor call ``callback(request, response)``, which returns the answer. Made by ``create_service``.
+class Service(_OfService):
+    """Lets an executor call ``callback(request, response)``, which returns the answer. Made by ``create_service``."""
 
-    It keeps the newest requests, as many as its QoS says, and hands out the oldest of these first.
-    """
+    _rosspin: ServerEnd
 
-    asks = False
-
-    def __init__(self, callback: Callable[[Any, Any], Any], *args: Any) -> None:
-        super().__init__(*args)
+    def __init__(
+        self,
+        service_impl: ServerEnd,
+        srv_type: type[Interface],
+        srv_name: str,
+        callback: Callable[[Any, Any], Any],
+        callback_group: CallbackGroup,
+        qos_profile: QoSProfile,
+    ) -> None:
+        super().__init__(service_impl)
+        self.srv_type = srv_type
+        self.srv_name = srv_name  # the name that the node gave
         self.callback = callback
-        self._early: list[tuple[Message, Header]] = []  # from clients of other processes that are not known yet
-        self.join()
-
-    def receive(self, request: Message, header: Header) -> None:
-        """Take a request that a client sends now."""
-        if self._destroyed:
-            return
-        if header.client in self.peers:
-            self._put((received(request, self.srv_type.Request), header))
-        else:
-            self._early.append((request, header))
-
-    def meet(self, other: Any) -> None:
-        """See the base. What the client asked meanwhile is served."""
-        super().meet(other)
-        early, self._early = self._early, []
-        for request, header in early:
-            self.receive(request, header)
-
-    def _reaches_back(self, client: Client) -> bool:
-        """Whether a client gets the answers, as far as it knows."""
-        return incompatible_policy(self._offered, client._requested) is None
-
-    def _call(self, message: Any) -> Any:
-        request, header = message
-        self.events.tell(1, header.client.gid, header.sequence, request=request)
-        return self._answer, (request, header._replace(is_known=self._reaches(header.client))), None
-
-    async def _answer(self, request: Message, header: Header) -> None:
-        self.send_response(await await_or_execute(self.callback, request, self.srv_type.Response()), header)
+        self.callback_group = callback_group
+        self._executor_event = False
+        self.qos_profile = qos_profile
 
     def send_response(self, response: Message, header: Header) -> None:
         """Answer a request. Raises TypeError for what is no response of this service, InvalidHandle if destroyed.
@@ -320,21 +372,21 @@ class Service(ServiceEnd):
         """
         if not isinstance(response, self.srv_type.Response):
             raise TypeError()
-        self._check()
+        self._rosspin.check()
         if not isinstance(header, Header):
             raise TypeError()
-        if not self._reaches(header.client):
-            if not header.is_known:
-                self.world.clock.sleep(_TRY)
-                warn("failed to send response (timeout): client will not receive response", RuntimeWarning)
-            return
-        message = transfer(response, self.srv_type.Response)
-        header.call.answer(self.node.get_fully_qualified_name(), self.world.clock.now(), lambda: message)
-        for client in list(self.peers):
-            if self._reaches(client):
-                own = client is header.client
-                client.receive(header.sequence if own else 0, message if own else None)
-        self.events.tell(2, header.client.gid, header.sequence, response=message)
+        self._rosspin.send_response(response, header)
+
+    def _rosspin_take(self) -> Any:
+        """Return the call to make, or None if there is none any more."""
+        message = self._rosspin.take()
+        if message is None:
+            return None
+        request, header = message
+        return self._rosspin_answer, (request, self._rosspin.accept(request, header)), None
+
+    async def _rosspin_answer(self, request: Message, header: Header) -> None:
+        self.send_response(await await_or_execute(self.callback, request, self.srv_type.Response()), header)
 
 
 def look_until(is_ready: Callable[[], bool], context: Context | None, timeout_sec: float | None) -> bool:

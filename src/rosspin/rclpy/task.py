@@ -40,8 +40,8 @@ class Future:
     _state = _PENDING
     _result: Any = None
     _exception: BaseException | None = None
-    _fetched = False
-    _world: object = None  # the world of the node that raised its exception
+    _rosspin_fetched = False
+    _rosspin_world: object = None  # the world of the node that raised its exception
 
     def __init__(self, *, executor: Executor | None = None) -> None:
         self._callbacks: list[Callable[[Future], Any]] = []
@@ -53,7 +53,7 @@ class Future:
 
     def __del__(self) -> None:
         # A future collected after its run has nobody to tell.
-        if self._exception is not None and not self._fetched and _world_here() is self._world:
+        if self._exception is not None and not self._rosspin_fetched and _world_here() is self._rosspin_world:
             sys.stderr.write(f"The following exception was never retrieved: {self._exception}\n")
 
     def __await__(self) -> Generator[None, None, Any]:
@@ -64,7 +64,7 @@ class Future:
     def cancel(self) -> None:
         """Cancel it, unless it is done."""
         if self._state is _PENDING:
-            self._settle(_CANCELLED)
+            self._rosspin_settle(_CANCELLED)
 
     def cancelled(self) -> bool:
         """Whether it was cancelled."""
@@ -77,31 +77,31 @@ class Future:
     def result(self) -> Any:
         """Return its result, or None if there is none yet. Raises its exception if it has one."""
         if self._exception is not None:
-            self._fetched = True
+            self._rosspin_fetched = True
             raise self._exception
         return self._result
 
     def exception(self) -> BaseException | None:
         """Its exception, if it has one."""
-        self._fetched = True
+        self._rosspin_fetched = True
         return self._exception
 
     def set_result(self, result: Any) -> None:
         """Set its result: the future is done."""
         self._result = result
-        self._settle(_FINISHED)
+        self._rosspin_settle(_FINISHED)
 
     def set_exception(self, exception: BaseException) -> None:
         """Set its exception: the future is done."""
         self._exception = exception
-        self._world = _world_here()
-        self._fetched = False
-        self._settle(_FINISHED)
+        self._rosspin_world = _world_here()
+        self._rosspin_fetched = False
+        self._rosspin_settle(_FINISHED)
 
-    def _settle(self, state: FutureState) -> None:
+    def _rosspin_settle(self, state: FutureState) -> None:
         self._state = state
         executor = self._executor()
-        while self._callbacks and (callback := self._next_callback()):
+        while self._callbacks and (callback := self._rosspin_next_callback()):
             if executor is not None:
                 executor.create_task(callback, self)
             else:
@@ -110,7 +110,7 @@ class Future:
                 except Exception as error:
                     warn(f"Unhandled exception in done callback: {error}")
 
-    def _next_callback(self) -> Callable[[Future], Any] | None:
+    def _rosspin_next_callback(self) -> Callable[[Future], Any] | None:
         """Take the next done callback. Each is taken once, even if several threads settle the future or add to it."""
         try:
             return self._callbacks.pop(0)
@@ -120,7 +120,7 @@ class Future:
     def add_done_callback(self, callback: Callable[[Future], Any]) -> None:
         """Call ``callback(future)`` once it is done or cancelled."""
         self._callbacks.append(callback)
-        if self._state is not _PENDING and (found := self._next_callback()):
+        if self._state is not _PENDING and (found := self._rosspin_next_callback()):
             executor = self._executor()
             if executor is not None:
                 executor.create_task(found, self)
@@ -173,42 +173,42 @@ class Task(Future):
     ) -> None:
         super().__init__(executor=executor)
         self._handler: Any = handler
-        self._arguments = (args, kwargs or {})
+        self._rosspin_arguments = (args, kwargs or {})
         # Made only when the task is called: Python warns of a coroutine that never began, perhaps in a later run.
-        self._coroutine: Coroutine[Any, Any, Any] | None = None
-        self._is_coroutine = inspect.iscoroutine(handler) or is_coroutine_function(handler)
+        self._rosspin_coroutine: Coroutine[Any, Any, Any] | None = None
+        self._rosspin_is_coroutine = inspect.iscoroutine(handler) or is_coroutine_function(handler)
         self._executing = False
-        self._turn = [None]  # taken by the thread that runs it
-        self._stack: Any = None  # on which it runs, or last did
-        self._tell: Callable[..., None] | None = None  # called when it begins and ends
+        self._rosspin_turn = [None]  # taken by the thread that runs it
+        self._rosspin_stack: Any = None  # on which it runs, or last did
+        self._rosspin_tell: Callable[..., None] | None = None  # called when it begins and ends
 
     def __call__(self) -> None:
         """Run or resume it, unless another thread is doing so."""
         try:
-            self._turn.pop()
+            self._rosspin_turn.pop()
         except IndexError:
             return
         try:
             if self._state is not _PENDING or self._executing:
                 return
-            self._executing, self._stack = True, current()
+            self._executing, self._rosspin_stack = True, current()
             try:
-                if self._coroutine is None:
+                if self._rosspin_coroutine is None:
                     assert self._handler
-                    if self._tell:
-                        self._tell("calls", self, self._executor())
-                    args, kwargs = self._arguments
+                    if self._rosspin_tell:
+                        self._rosspin_tell("calls", self, self._executor())
+                    args, kwargs = self._rosspin_arguments
                     result = self._handler
                     if not inspect.iscoroutine(result):
                         result = result(*args, **kwargs)
-                    if self._is_coroutine:
-                        self._coroutine = result
-                if self._coroutine is not None:
-                    self._coroutine.send(None)
+                    if self._rosspin_is_coroutine:
+                        self._rosspin_coroutine = result
+                if self._rosspin_coroutine is not None:
+                    self._rosspin_coroutine.send(None)
                     self._executing = False
                     return
             except StopIteration as end:
-                if self._coroutine is None:
+                if self._rosspin_coroutine is None:
                     self.set_exception(end)
                 else:
                     self.set_result(end.value)
@@ -216,13 +216,13 @@ class Task(Future):
                 self.set_exception(error)
             else:
                 self.set_result(result)
-            self._handler = self._coroutine = None
+            self._handler = self._rosspin_coroutine = None
             # An exception that ends the program, such as SystemExit, leaves the task executing for ever.
             self._executing = False
-            if self._tell:
-                self._tell("ends", self)
+            if self._rosspin_tell:
+                self._rosspin_tell("ends", self)
         finally:
-            self._turn.append(None)
+            self._rosspin_turn.append(None)
 
     def executing(self) -> bool:
         """Whether it is running now."""
@@ -230,7 +230,7 @@ class Task(Future):
 
     def cancel(self) -> None:
         """Cancel it, and close its coroutine."""
-        coroutine = self._coroutine or self._handler
+        coroutine = self._rosspin_coroutine or self._handler
         if self._state is _PENDING and inspect.iscoroutine(coroutine):
             coroutine.close()
         super().cancel()

@@ -16,8 +16,8 @@ from .action import GoalIds
 from .ends import End, kind_of
 from .parameter_service import look
 from .qos import Policies, QoSProfile, qos_profile_services_default
-from .services import Ends, Header, Service
-from .topics import Publisher, Subscription
+from .services import Ends, Header, ServerEnd
+from .topics import PublisherEnd, SubscriptionEnd
 
 __all__ = ["Tester", "give_parameters"]
 
@@ -128,7 +128,7 @@ def _fields_of(value: Any) -> Any:
 class _Counterpart:
     """The tester's counterpart of a node's end of a topic, with the same quality of service."""
 
-    def __init__(self, other: Publisher | Subscription) -> None:
+    def __init__(self, other: PublisherEnd | SubscriptionEnd) -> None:
         self.world = other.world
         self.msg_type = other.msg_type
         self.end = End(other.end.topic, other.end.type, self)
@@ -136,18 +136,18 @@ class _Counterpart:
         self.peers: list[Any] = []
         self.kept: tuple[tuple[Message, int], ...] = ()
 
-    def join(self, other: Publisher | Subscription) -> None:
+    def join(self, other: PublisherEnd | SubscriptionEnd) -> None:
         """Be connected to the node's end."""
         self.peers.append(other)
 
-    def part(self, other: Publisher | Subscription) -> None:
+    def part(self, other: PublisherEnd | SubscriptionEnd) -> None:
         """Learn that the node's end is gone."""
         self.peers.remove(other)
 
-    def receive(self, publisher: Publisher, message: Message, sent: int) -> None:
+    def receive(self, publisher: PublisherEnd, message: Message, sent: int) -> None:
         """Do nothing: the run has recorded the message."""
 
-    def hear(self, publisher: Publisher) -> None:
+    def hear(self, publisher: PublisherEnd) -> None:
         """Do nothing: nobody asks."""
 
     def send(self, message: Message) -> None:
@@ -177,7 +177,7 @@ class _ServiceEnd:
         """Learn that a node's end is gone."""
         self.peers.remove(other)
 
-    def _reaches_back(self, other: Any) -> bool:
+    def reaches_back(self, other: Any) -> bool:
         return True
 
 
@@ -186,7 +186,7 @@ class _Client(_ServiceEnd):
 
     asks = True
 
-    def __init__(self, world: World, service: Service, then: tester.Then | None) -> None:
+    def __init__(self, world: World, service: ServerEnd, then: tester.Then | None) -> None:
         super().__init__(world, service.end.topic, service.end.type, service.qos_profile)
         self._service = service
         self._then = then

@@ -49,7 +49,7 @@ class Time(Ordered):
     def __repr__(self) -> str:
         return f"Time(nanoseconds={self.nanoseconds}, clock_type={self.clock_type.name})"
 
-    def _other(self, other: object) -> int | None:
+    def _rosspin_other(self, other: object) -> int | None:
         if not isinstance(other, Time):
             return None
         if self.clock_type != other.clock_type:

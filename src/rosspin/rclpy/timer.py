@@ -67,26 +67,31 @@ class Timer(Held):
         if not (context or get_default_context()).ok():
             raise invalid_context("create timer")
         self.callback_group: Any = callback_group
-        self.clock = clock
-        self._period = timer_period_ns
-        self._last = clock.ns()
-        self._next = self._last + timer_period_ns
-        self._credit: int | None = None  # what is left of the period while the source of ROS time changes
-        self._cancelled = not autostart
-        self.expected = self._next  # when the last call was due
-        self.nudge: Callable[[], None] | None = None  # tells the waiting executor
+        self._clock = clock
+        self._rosspin_period = timer_period_ns
+        self._rosspin_last = clock._rosspin_ns()
+        self._rosspin_next = self._rosspin_last + timer_period_ns
+        self._rosspin_credit: int | None = None  # what is left of the period while the source of ROS time changes
+        self._rosspin_cancelled = not autostart
+        self._rosspin_expected = self._rosspin_next  # when the last call was due
+        self._rosspin_nudge: Callable[[], None] | None = None  # tells the waiting executor
         self._executor_event = False
-        world = clock._state.world
-        self._ticks = world.recording.log if callback is not None else None
-        self._count = 0
-        if self._ticks is not None:
-            self.source = world.source(getattr(callback, "__name__", type(callback).__name__))
-            self._ticks.timers.add(self)
+        world = clock._rosspin_state.world
+        self._rosspin_ticks = world.recording.log if callback is not None else None
+        self._rosspin_count = 0
+        if self._rosspin_ticks is not None:
+            self._rosspin_source = world.source(getattr(callback, "__name__", type(callback).__name__))
+            self._rosspin_ticks.timers.add(self)
             if timer_period_ns >= _LEAST_PERIOD:
-                self._ticks.periods.setdefault(self.source, timer_period_ns)
+                self._rosspin_ticks.periods.setdefault(self._rosspin_source, timer_period_ns)
         self.callback = callback
         if isinstance(clock, ROSClock):
-            clock.timers[self] = None
+            clock._rosspin_timers[self] = None
+
+    @property
+    def clock(self) -> Clock:
+        """The clock that it goes by."""
+        return self._clock
 
     @property
     def callback(self) -> Any:
@@ -96,164 +101,180 @@ class Timer(Held):
     @callback.setter
     def callback(self, callback: Callable[..., Any] | None) -> None:
         self._callback = callback
-        self._wants_info = False
+        self._rosspin_wants_info = False
         if callback is not None:
             try:
                 parameters = inspect.signature(callback).parameters.values()
             except (TypeError, ValueError):
                 return
-            self._wants_info = any(parameter.annotation is TimerInfo for parameter in parameters)
+            self._rosspin_wants_info = any(parameter.annotation is TimerInfo for parameter in parameters)
 
     @property
     def timer_period_ns(self) -> int:
         """The period. A new one does not move the next call: it counts from there on."""
-        self._check()
-        return self._period
+        self._rosspin_check()
+        return self._rosspin_period
 
     @timer_period_ns.setter
     def timer_period_ns(self, value: float) -> None:
-        self._check()
-        self._period = int(value)
-        self._moved()
+        self._rosspin_check()
+        self._rosspin_period = int(value)
+        self._rosspin_moved()
 
     def is_ready(self) -> bool:
         """Whether a call is due."""
-        self._check()
-        return self.is_due()
+        self._rosspin_check()
+        return self._rosspin_is_due()
 
     def is_canceled(self) -> bool:
         """Whether it is cancelled."""
-        self._check()
-        return self._cancelled
+        self._rosspin_check()
+        return self._rosspin_cancelled
 
     def cancel(self) -> None:
         """Call no more, until ``reset``."""
-        self._check()
-        self._cancelled = True
+        self._rosspin_check()
+        self._rosspin_cancelled = True
 
     def reset(self) -> None:
         """Begin anew, even if cancelled: the next call is due after one period."""
-        self._check()
-        self._next = self.clock.ns() + self._period
-        self._cancelled = False
-        self._moved()
-        if self.nudge:
-            self.nudge()
+        self._rosspin_check()
+        self._rosspin_next = self._clock._rosspin_ns() + self._rosspin_period
+        self._rosspin_cancelled = False
+        self._rosspin_moved()
+        if self._rosspin_nudge:
+            self._rosspin_nudge()
 
     def time_since_last_call(self) -> int:
         """How long ago (ns) it was called, or made if it was never called."""
-        self._check()
-        return self.clock.ns() - self._last
+        self._rosspin_check()
+        return self._clock._rosspin_ns() - self._rosspin_last
 
     def time_until_next_call(self) -> int | None:
         """How long (ns) until it is due, negative if it is overdue; None if it is cancelled."""
-        self._check()
-        return None if self._cancelled else self._next - self.clock.ns()
+        self._rosspin_check()
+        return None if self._rosspin_cancelled else self._rosspin_next - self._clock._rosspin_ns()
 
     def destroy(self) -> None:
-        """Destroy it."""
-        self._check()
-        self._destroyed = True
-        if isinstance(self.clock, ROSClock):
-            self.clock.timers.pop(self, None)
+        """Destroy it. A second call does nothing."""
+        self._rosspin_destroyed = True
+        if isinstance(self._clock, ROSClock):
+            self._clock._rosspin_timers.pop(self, None)
 
-    def take(self) -> Call | None:
+    def _rosspin_take(self) -> Call | None:
         """Return the call to make now; None if it was destroyed. Raises RCLError if it was cancelled once ready."""
-        if self._destroyed:
+        if self._rosspin_destroyed:
             return None
-        if self._cancelled:
+        if self._rosspin_cancelled:
             raise RCLError("failed to call timer: timer is canceled")
-        now = self._last = self.clock.ns()
-        expected = self.expected = self._next
-        following = expected + self._period
-        if 0 <= self._period < _LEAST_PERIOD:
+        now = self._rosspin_last = self._clock._rosspin_ns()
+        expected = self._rosspin_expected = self._rosspin_next
+        following = expected + self._rosspin_period
+        if 0 <= self._rosspin_period < _LEAST_PERIOD:
             following = now + _CALL
         elif following <= now:
             # On to the next place of the grid.
-            following = now + self._period - (now - expected) % self._period
-        self._next = following
+            following = now + self._rosspin_period - (now - expected) % self._rosspin_period
+        self._rosspin_next = following
         tick = None
-        if self._ticks is not None:
-            self._count += 1
-            began = self.in_run()
-            tick = self._ticks.add(self.source, self._count, expected + began - now, began), began
-        return self._callback, self._info(expected, now) if self._wants_info else (), tick
+        if self._rosspin_ticks is not None:
+            self._rosspin_count += 1
+            began = self._rosspin_in_run()
+            tick = (
+                self._rosspin_ticks.add(self._rosspin_source, self._rosspin_count, expected + began - now, began),
+                began,
+            )
+        return self._callback, self._rosspin_info(expected, now) if self._rosspin_wants_info else (), tick
 
-    def _info(self, expected: int, now: int) -> tuple[TimerInfo]:
-        kind = self.clock.clock_type
+    def _rosspin_info(self, expected: int, now: int) -> tuple[TimerInfo]:
+        kind = self._clock.clock_type
         return (TimerInfo(Time(nanoseconds=expected, clock_type=kind), Time(nanoseconds=now, clock_type=kind)),)
 
-    def stamp(self, ns: int) -> int:
+    def _rosspin_stamp(self, ns: int) -> int:
         """Return a time of this timer's clock as it is recorded: on the run's clock, unless /clock tells ROS time."""
-        return ns + self.clock._state.clock.now() - self.clock.ns() if self.clock.flows else ns
+        return (
+            ns + self._clock._rosspin_state.clock.now() - self._clock._rosspin_ns()
+            if self._clock._rosspin_flows
+            else ns
+        )
 
-    def in_run(self) -> int:
+    def _rosspin_in_run(self) -> int:
         """Return the present time as it is recorded."""
-        clock = self.clock
-        return clock._state.clock.now() if clock.flows else clock.ns()
+        clock = self._clock
+        return clock._rosspin_state.clock.now() if clock._rosspin_flows else clock._rosspin_ns()
 
     # --- what executors ask, even of a destroyed timer ----------------------------------------------------------------
 
-    def end(self, tick: tuple[int, int]) -> None:
+    def _rosspin_end(self, tick: tuple[int, int]) -> None:
         """Record that a call has ended now."""
-        if self._ticks is not None:
+        if self._rosspin_ticks is not None:
             place, began = tick
-            self._ticks.end(place, self.in_run() - began)
+            self._rosspin_ticks.end(place, self._rosspin_in_run() - began)
 
-    def coming(self) -> list[tuple[str, int, int, int]]:
+    def _rosspin_coming(self) -> list[tuple[str, int, int, int]]:
         """The next calls: see ``world.graph.Ticking``."""
-        return [(self.source, self._count + n, due, real) for n, (due, real) in enumerate(self.next_calls(), 1)]
+        return [
+            (self._rosspin_source, self._rosspin_count + n, due, real)
+            for n, (due, real) in enumerate(self._rosspin_next_calls(), 1)
+        ]
 
-    def next_calls(self) -> list[tuple[int, int]]:
+    def _rosspin_next_calls(self) -> list[tuple[int, int]]:
         """When they are due, and when they would come, as they are recorded."""
-        if not self.is_flowing() or self._period < _LEAST_PERIOD:
+        if not self._rosspin_is_flowing() or self._rosspin_period < _LEAST_PERIOD:
             return []
-        due, now = self._next, self.clock.ns()
+        due, now = self._rosspin_next, self._clock._rosspin_ns()
         calls = [(due, max(due, now))]
         if due <= now:
-            following = now + self._period - (now - due) % self._period
+            following = now + self._rosspin_period - (now - due) % self._rosspin_period
             calls.append((following, following))
-        return [(self.stamp(due), self.stamp(real)) for due, real in calls]
+        return [(self._rosspin_stamp(due), self._rosspin_stamp(real)) for due, real in calls]
 
-    def _moved(self) -> None:
+    def _rosspin_moved(self) -> None:
         """Note that the calls are no longer due on the grid of the first ones."""
-        if self._ticks is not None:
-            self._ticks.periods[self.source] = 0
+        if self._rosspin_ticks is not None:
+            self._rosspin_ticks.periods[self._rosspin_source] = 0
 
-    def is_due(self) -> bool:
+    def _rosspin_is_due(self) -> bool:
         """Whether a call is due."""
-        return self._next <= self.clock.ns() and not self._cancelled and not self._destroyed
+        return (
+            self._rosspin_next <= self._clock._rosspin_ns()
+            and not self._rosspin_cancelled
+            and not self._rosspin_destroyed
+        )
 
-    def is_flowing(self) -> bool:
+    def _rosspin_is_flowing(self) -> bool:
         """Whether it becomes due just by waiting."""
-        return self.clock.flows and not self._cancelled and not self._destroyed
+        return self._clock._rosspin_flows and not self._rosspin_cancelled and not self._rosspin_destroyed
 
-    def time_left(self) -> int:
+    def _rosspin_time_left(self) -> int:
         """How long (ns) until it is due."""
-        return self._next - self.clock.ns()
+        return self._rosspin_next - self._clock._rosspin_ns()
 
     # --- ROS time that jumps ------------------------------------------------------------------------------------------
 
-    def before_switch(self) -> None:
+    def _rosspin_before_switch(self) -> None:
         """Keep what is left of the period: ROS time is about to switch to another source."""
-        now = self.clock.ns()
-        if now or self.clock.flows:  # 0: nobody has told the time yet
-            self._credit = self._next - now
+        now = self._clock._rosspin_ns()
+        if now or self._clock._rosspin_flows:  # 0: nobody has told the time yet
+            self._rosspin_credit = self._rosspin_next - now
 
-    def after_switch(self) -> None:
+    def _rosspin_after_switch(self) -> None:
         """Go on with what was left of the period, on the time of the new source."""
-        now = self.clock.ns()
-        if self._credit is not None and (now or self.clock.flows):
-            self._next, self._last = now - self._credit + self._period, now - self._credit
-            self._credit = None
-            self._moved()
+        now = self._clock._rosspin_ns()
+        if self._rosspin_credit is not None and (now or self._clock._rosspin_flows):
+            self._rosspin_next, self._rosspin_last = (
+                now - self._rosspin_credit + self._rosspin_period,
+                now - self._rosspin_credit,
+            )
+            self._rosspin_credit = None
+            self._rosspin_moved()
 
-    def after_jump(self) -> None:
+    def _rosspin_after_jump(self) -> None:
         """Begin anew if ROS time went back before the last call: the next call is due after one period."""
-        now = self.clock.ns()
-        if self._next > now and now < self._last:
-            self._next, self._last = now + self._period, now
-            self._moved()
+        now = self._clock._rosspin_ns()
+        if self._rosspin_next > now and now < self._rosspin_last:
+            self._rosspin_next, self._rosspin_last = now + self._rosspin_period, now
+            self._rosspin_moved()
 
 
 class Rate:
@@ -267,21 +288,21 @@ class Rate:
         self._timer = timer
         self._event = threading.Event()
         self._lock = threading.Lock()
-        self._sleepers = 0
+        self._num_sleepers = 0
         self._is_shutdown = False
         self._is_destroyed = False
-        timer.callback = self._wake
+        timer.callback = self._rosspin_wake
         context.on_shutdown(self._on_shutdown)
 
-        self._world = timer.clock._state.world
-        self._source = ""
-        self._passes = 0
-        self._due = self._expected = self._pass_start = timer.in_run()
-        self._slept: tuple[int, CodeType, int]  # in which thread and where in its code
+        self._rosspin_world = timer.clock._rosspin_state.world
+        self._rosspin_source = ""
+        self._rosspin_passes = 0
+        self._rosspin_due = self._rosspin_expected = self._rosspin_pass_start = timer._rosspin_in_run()
+        self._rosspin_slept: tuple[int, CodeType, int]  # in which thread and where in its code
 
-    def _wake(self) -> None:
+    def _rosspin_wake(self) -> None:
         if not self._event.is_set():
-            self._due = self._timer.stamp(self._timer.expected)
+            self._rosspin_due = self._timer._rosspin_stamp(self._timer._rosspin_expected)
         self._event.set()
 
     def _on_shutdown(self) -> None:
@@ -302,48 +323,50 @@ class Rate:
             raise ROSInterruptException()
         if self._is_destroyed:
             raise RuntimeError("Rate cannot sleep because it has been destroyed")
-        self._record_pass()
+        self._rosspin_record_pass()
         with self._lock:
-            self._sleepers += 1
+            self._num_sleepers += 1
         try:
             if not self._event.is_set():
-                with waiting_for(self._timer, self._world):
+                with waiting_for(self._timer, self._rosspin_world):
                     self._event.wait()
         finally:
             with self._lock:
-                self._sleepers -= 1
-                if self._sleepers == 0:
+                self._num_sleepers -= 1
+                if self._num_sleepers == 0:
                     self._event.clear()
         if self._is_shutdown:
             raise ROSInterruptException()
-        self._expected, self._pass_start = self._due, self._timer.in_run()
+        self._rosspin_expected, self._rosspin_pass_start = self._rosspin_due, self._timer._rosspin_in_run()
 
-    def _record_pass(self) -> None:
-        ticks = self._world.recording.log
+    def _rosspin_record_pass(self) -> None:
+        ticks = self._rosspin_world.recording.log
         if ticks is not None:
-            if not self._source:
-                self._source = self._world.source("Rate")
-                ticks.periods[self._source] = self._timer.timer_period_ns
+            if not self._rosspin_source:
+                self._rosspin_source = self._rosspin_world.source("Rate")
+                ticks.periods[self._rosspin_source] = self._timer.timer_period_ns
                 ticks.rates.add(self)
-            self._passes += 1
-            duration = self._timer.in_run() - self._pass_start
-            ticks.add(self._source, self._passes, self._expected, self._pass_start, duration)
+            self._rosspin_passes += 1
+            duration = self._timer._rosspin_in_run() - self._rosspin_pass_start
+            ticks.add(
+                self._rosspin_source, self._rosspin_passes, self._rosspin_expected, self._rosspin_pass_start, duration
+            )
             loop = sys._getframe(2)
-            self._slept = threading.get_ident(), loop.f_code, loop.f_lasti
+            self._rosspin_slept = threading.get_ident(), loop.f_code, loop.f_lasti
 
-    def coming(self, trails: Mapping[int, Trail]) -> list[tuple[str, int, int, int]]:
+    def _rosspin_coming(self, trails: Mapping[int, Trail]) -> list[tuple[str, int, int, int]]:
         """The next passes: see ``world.graph.Looping``.
 
         What the timer was due to wake while a pass went on is one pass, which begins late: the others are lost.
         """
-        thread, code, call = self._slept
+        thread, code, call = self._rosspin_slept
         is_asleep = asleep_in_loop(trails.get(thread, []), code, call)
         if is_asleep is None or self._is_destroyed:
             return []
-        begun = [] if is_asleep else [(self._expected, self._pass_start)]
-        woken = [(self._due, self._timer.in_run())] if self._event.is_set() else []
-        passes = [*begun, *woken, *self._timer.next_calls()]
-        return [(self._source, self._passes + n, due, real) for n, (due, real) in enumerate(passes, 1)]
+        begun = [] if is_asleep else [(self._rosspin_expected, self._rosspin_pass_start)]
+        woken = [(self._rosspin_due, self._timer._rosspin_in_run())] if self._event.is_set() else []
+        passes = [*begun, *woken, *self._timer._rosspin_next_calls()]
+        return [(self._rosspin_source, self._rosspin_passes + n, due, real) for n, (due, real) in enumerate(passes, 1)]
 
 
 _SLEEP = Rate.sleep.__code__

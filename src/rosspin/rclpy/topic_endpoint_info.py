@@ -164,8 +164,8 @@ def info_of(end: Any, node: Any, publishes: bool, mangled: bool = False) -> Topi
         *home, name = type_.split("/")
         type_ = "::".join((*home, "dds_", f"{name}_"))
     return TopicEndpointInfo(
-        node_name=node.get_name(),
-        node_namespace=node.get_namespace(),
+        node_name=node.name,
+        node_namespace=node.namespace,
         topic_type=type_,
         topic_type_hash=hash_of(end.msg_type),
         endpoint_type=TopicEndpointTypeEnum.PUBLISHER if publishes else TopicEndpointTypeEnum.SUBSCRIPTION,

@@ -11,6 +11,7 @@ import time
 from collections import deque
 from collections.abc import Callable
 from contextlib import suppress
+from enum import Enum
 from functools import partial
 from operator import itemgetter
 from typing import TYPE_CHECKING, Any
@@ -21,8 +22,14 @@ from ..world.graph import Wire
 from ..world.tester import NAME as TESTER
 from .callback_groups import ReentrantCallbackGroup
 from .discovery import KEPT
-from .ends import Owner
-from .event_handler import EventHandler, QoSPublisherEventType, QoSSubscriptionEventType
+from .ends import Entity, Owner
+from .event_handler import (
+    EventHandler,
+    PublisherEventCallbacks,
+    QoSPublisherEventType,
+    QoSSubscriptionEventType,
+    SubscriptionEventCallbacks,
+)
 from .exceptions import RCLError
 from .gate import Gate
 from .lateness import Countdown, Lasting
@@ -32,6 +39,7 @@ if TYPE_CHECKING:
     from enum import IntEnum
 
     from .callback_groups import CallbackGroup
+    from .handle import RclNode
     from .node import Node
 
 __all__ = ["Publisher", "Subscription", "wait_for_message"]
@@ -42,29 +50,20 @@ class TopicEnd(Owner):
 
     def __init__(
         self,
-        node: Node,
+        node: RclNode,
         msg_type: type[Message],
-        topic: str,
         full_name: str,
         qos: QoSProfile,
         policies: Policies,
     ) -> None:
         super().__init__(node, msg_type, full_name, qos)
         self.msg_type = msg_type
-        self.topic = topic  # the name that the node gave
         self.policies = policies
-        self.event_handlers: list[EventHandler] = []
 
     def _queue(self, most: int | None, qos: QoSProfile, sent: Callable[[Any], int]) -> deque[Any]:
         """Make a queue for so many messages, which drops those older than the lifespan."""
         lifespan = length(qos.lifespan)
         return deque(maxlen=most) if lifespan == FOR_EVER else Lasting(most, lifespan, self.world.clock, sent)
-
-    @property
-    def topic_name(self) -> str:
-        """The topic's full name."""
-        self._check()
-        return self.end.topic
 
     # Its events.
     DEADLINE: IntEnum
@@ -72,17 +71,14 @@ class TopicEnd(Owner):
     LIVELINESS: IntEnum
     MATCHED: IntEnum
 
-    def _make_handlers(self, event_callbacks: Any, callback_group: CallbackGroup) -> None:
-        self.event_handlers = event_callbacks.create_event_handlers(callback_group, self, self.topic)
-        self.node._rosspin_expect(self.event_handlers)
-
     def _handler(self, event_type: IntEnum) -> EventHandler | None:
-        return next((handler for handler in self.event_handlers if handler.event_type is event_type), None)
+        handlers = getattr(self.entity(), "event_handlers", ())
+        return next((handler for handler in handlers if handler.event_type is event_type), None)
 
     def tell(self, event_type: IntEnum, policy: QoSPolicyKind = QoSPolicyKind.INVALID, **changes: int) -> None:
         """Tell an event to the node's callback, if it has one."""
         if handler := self._handler(event_type):
-            handler.happen(policy, **changes)
+            handler._rosspin_happen(policy, **changes)
 
     def refuse(self, policy: QoSPolicyKind) -> None:
         """Let the node know, when it spins, by which policy another end does not match."""
@@ -93,14 +89,6 @@ class TopicEnd(Owner):
         if period == FOR_EVER or not self._handler(event_type):
             return []
         return [Countdown(self.world, period, lambda: self.tell(event_type, total=1), again)]
-
-    def destroy(self) -> None:
-        """Leave the topic."""
-        self._check()
-        for handler in self.event_handlers:
-            handler.destroy()
-            self.node.remove_waitable(handler)
-        self._leave()
 
     def withdraw(self) -> None:
         """See the base."""
@@ -126,32 +114,23 @@ class TopicEnd(Owner):
             self.tell(self.MATCHED, current=-1)
 
 
-class Publisher(TopicEnd):
-    """Publishes messages on a topic. Made by ``Node.create_publisher``."""
+class PublisherEnd(TopicEnd):
+    """What is behind a publisher, and what rcl publishes with. :meth:`begin` follows once it can be told events."""
 
     DEADLINE = QoSPublisherEventType.RCL_PUBLISHER_OFFERED_DEADLINE_MISSED
     INCOMPATIBLE = QoSPublisherEventType.RCL_PUBLISHER_OFFERED_INCOMPATIBLE_QOS
     LIVELINESS = QoSPublisherEventType.RCL_PUBLISHER_LIVELINESS_LOST
     MATCHED = QoSPublisherEventType.RCL_PUBLISHER_MATCHED
 
-    is_of_rcl = False  # whether rcl publishes there by itself, and its node does not know
+    def __init__(self, node: RclNode, msg_type: type[Message], full_name: str, qos: QoSProfile) -> None:
+        super().__init__(node, msg_type, full_name, qos, Policies.offered(qos))
 
-    def __init__(
-        self,
-        node: Node,
-        msg_type: type[Message],
-        topic: str,
-        full_name: str,
-        qos: QoSProfile,
-        callback_group: CallbackGroup | None = None,
-        event_callbacks: Any = None,
-    ) -> None:
-        super().__init__(node, msg_type, topic, full_name, qos, Policies.offered(qos))
-        if callback_group:
-            self._make_handlers(event_callbacks, callback_group)
+    def begin(self) -> PublisherEnd:
+        """Find the subscriptions, and be found. Return itself."""
+        qos = self.qos_profile
         subscriptions = [end.owner for end in self.world.graph.advertise(self.end)]
         self.policies = Policies.offered(qos, [each.policies for each in subscriptions if isinstance(each, TopicEnd)])
-        most = qos.kept if self.policies.transient_local else 0
+        most = qos._rosspin_kept if self.policies.transient_local else 0
         self.kept = self._queue(most, qos, itemgetter(1))  # the messages, and when (ns) each was sent
         lease = self.policies.lease if self.policies.manual else FOR_EVER
         self._lease = self._countdown(self.LIVELINESS, lease)
@@ -161,16 +140,16 @@ class Publisher(TopicEnd):
                 _discover(self, subscription)
             else:
                 _connect(self, subscription, subscription, self)
+        return self
+
+    def check_context(self, failed: str) -> None:
+        """Raise InvalidHandle if it was destroyed, RCLError after shutdown."""
+        self.check()
+        if not self.node.context.ok():
+            raise RCLError(f"{failed}: publisher's context is invalid")
 
     def publish(self, msg: Message | bytes) -> None:
-        """Publish a message, or the bytes of one, which are not checked.
-
-        Raises TypeError for one of another class, AssertionError for one with wrong values, InvalidHandle if the
-        publisher was destroyed, RCLError after shutdown.
-        """
-        self._check()
-        if not isinstance(msg, (self.msg_type, bytes)):
-            raise TypeError(f"Expected {self.msg_type}, got {type(msg)}")
+        """Publish a message, or the bytes of one. Raises RCLError after shutdown."""
         if not self.node.context.ok():
             raise RCLError("Failed to publish: publisher's context is invalid")
         message = msg if isinstance(msg, bytes) else transfer(msg, self.msg_type)
@@ -182,7 +161,7 @@ class Publisher(TopicEnd):
         if recording.published is not None:
             with suppress(cdr.CDRError):
                 told = cdr.deserialize(message, self.msg_type) if isinstance(message, bytes) else message
-                recording.add_message(self.end.topic, self.node.get_fully_qualified_name(), lambda: told)
+                recording.add_message(self.end.topic, self.node.full_name, lambda: told)
         for subscription in list(self.peers):
             subscription.receive(self, message, sent)
 
@@ -192,28 +171,18 @@ class Publisher(TopicEnd):
             if self.is_remote(subscription):
                 subscription.miss(self)
 
-    def get_subscription_count(self) -> int:
-        """How many subscriptions it sends to."""
-        self._check()
-        return len(self.peers)
-
     def assert_liveliness(self) -> None:
         """Say that it is alive, which counts if its liveliness is ``MANUAL_BY_TOPIC``."""
-        self._check()
         if self.policies.manual:
             for lease in self._lease:
                 lease.restart()
             for subscription in self.peers:
                 subscription.hear(self)
 
-    def wait_for_all_acked(self, timeout: Any = None) -> bool:
-        """Wait until what was published has arrived, which it has immediately unless a fault delays it.
-
-        Return whether it has; ``timeout`` is a Duration, for ever if None or negative.
-        """
-        self._check()
+    def wait_for_all_acked(self, timeout: Any) -> bool:
+        """Wait until what was published has arrived, and return whether it has."""
         clock = self.world.clock
-        last = max((peer.expects(self) for peer in self.peers if isinstance(peer, Subscription)), default=0)
+        last = max((peer.expects(self) for peer in self.peers if isinstance(peer, SubscriptionEnd)), default=0)
         left = max(last - clock.now(), 0)
         most = left if timeout is None or timeout.nanoseconds < 0 else min(left, timeout.nanoseconds)
         if most:
@@ -221,8 +190,8 @@ class Publisher(TopicEnd):
         return most == left
 
 
-class Subscription(TopicEnd):
-    """Lets an executor call ``callback(message)``, or ``callback(message, info)``. Made by ``create_subscription``.
+class SubscriptionEnd(TopicEnd):
+    """What is behind a subscription. :meth:`begin` follows once it can be told events.
 
     It keeps the newest messages, as many as its QoS says, and hands out the oldest of these first.
     """
@@ -233,29 +202,19 @@ class Subscription(TopicEnd):
     MATCHED = QoSSubscriptionEventType.RCL_SUBSCRIPTION_MATCHED
 
     def __init__(
-        self,
-        node: Node,
-        msg_type: type[Message],
-        topic: str,
-        full_name: str,
-        callback: Callable[..., Any],
-        callback_group: Any,
-        qos: QoSProfile,
-        event_callbacks: Any = None,
-        raw: bool = False,
+        self, node: RclNode, msg_type: type[Message], full_name: str, qos: QoSProfile, raw: bool = False
     ) -> None:
-        super().__init__(node, msg_type, topic, full_name, qos, Policies.requested(qos))
+        super().__init__(node, msg_type, full_name, qos, Policies.requested(qos))
         self.raw = raw
-        self.callback = callback
-        self.callback_group = callback_group
-        self.messages = self._queue(qos.kept, qos, _sent)  # and what the callback may ask about each
-        self.nudge: Callable[[], None] | None = None  # tells the executor that waits
-        self._executor_event = False
+        self.messages = self._queue(qos._rosspin_kept, qos, _sent)  # and what the callback may ask about each
+        self.nudge: Callable[[], None] = node.nudge  # tells the executor that waits
         self._received = 0
         self._wires: dict[Any, Wire] = {}  # by the publishers whose messages a fault of the run befalls
-        self._early: dict[Publisher, list[tuple[Message, int]] | None] = {}
-        if event_callbacks:
-            self._make_handlers(event_callbacks, callback_group)
+        self._early: dict[PublisherEnd, list[tuple[Message, int]] | None] = {}
+
+    def begin(self) -> SubscriptionEnd:
+        """Find the publishers, and be found. Return itself."""
+        qos = self.qos_profile
         publishers = [end.owner for end in self.world.graph.subscribe(self.end)]
         self.policies = Policies.requested(qos, [each.policies for each in publishers if isinstance(each, TopicEnd)])
         self._deadline = self._countdown(self.DEADLINE, self.policies.deadline, again=True)
@@ -266,39 +225,21 @@ class Subscription(TopicEnd):
                 _discover(publisher, self)
             else:
                 _connect(publisher, self, publisher, self)
+        return self
 
-    @property
-    def callback(self) -> Callable[..., Any]:
-        """What is called."""
-        return self._callback
-
-    @callback.setter
-    def callback(self, callback: Callable[..., Any]) -> None:
-        for count in (1, 2):
-            try:
-                inspect.signature(callback).bind(*[None] * count)
-            except TypeError:
-                continue
-            self._callback, self._wants_info = callback, count == 2
-            return
-        raise RuntimeError(
-            "Subscription.__init__(): callback should be either be callable with one argument"
-            "(to get only the message) or two (to get message and message info)"
-        )
-
-    def receive(self, publisher: Publisher, message: Message, sent: int) -> None:
+    def receive(self, publisher: PublisherEnd, message: Message, sent: int) -> None:
         """Take a message that a publisher sends now (ns)."""
         if publisher not in self._early:
             self.deliver(publisher, message, sent)
         elif self.policies.reliable and (early := self._early[publisher]) is not None:
             early.append((message, sent))
 
-    def expects(self, publisher: Publisher) -> int:
+    def expects(self, publisher: PublisherEnd) -> int:
         """Return when (ns) the last message of a publisher arrives that is under way and needs to be acknowledged."""
         wire = self._wires.get(publisher) if self.policies.reliable else None
         return wire.last if wire else 0
 
-    def expect(self, publisher: Publisher) -> None:
+    def expect(self, publisher: PublisherEnd) -> None:
         """Expect a publisher of another process: until it is known here, reliable messages from it wait."""
         self._early[publisher] = []
 
@@ -312,7 +253,7 @@ class Subscription(TopicEnd):
             for message, sent in self._early.pop(other) or ():
                 self.deliver(other, message, sent)
 
-    def _take_kept(self, publisher: Publisher) -> None:
+    def _take_kept(self, publisher: PublisherEnd) -> None:
         del self._early[publisher]
         for message, sent in publisher.kept:
             self.deliver(publisher, message, sent)
@@ -347,8 +288,8 @@ class Subscription(TopicEnd):
         super().join(other)
         faults = self.world.graph.faults
         if faults and (self.is_remote(other) or not isinstance(other, Owner)):
-            sender = other.node.get_fully_qualified_name() if isinstance(other, Owner) else TESTER
-            receiver, reliable = self.node.get_fully_qualified_name(), self.policies.reliable
+            sender = other.node.full_name if isinstance(other, Owner) else TESTER
+            receiver, reliable = self.node.full_name, self.policies.reliable
             if wire := faults.wire(self.end.topic, sender, receiver, self.world, reliable):
                 self._wires[other] = wire
                 self.receive = self._receive_by_wire  # type: ignore[method-assign]
@@ -356,7 +297,7 @@ class Subscription(TopicEnd):
             self.hear(other)
 
     def _receive_by_wire(self, publisher: Any, message: Message, sent: int) -> None:
-        receive = partial(Subscription.receive, self, publisher, message, sent)
+        receive = partial(SubscriptionEnd.receive, self, publisher, message, sent)
         wire = self._wires.get(publisher)
         if wire is None or publisher in self._early:  # what is kept for it comes in its own way
             receive()
@@ -387,8 +328,7 @@ class Subscription(TopicEnd):
             self.messages.append((self._convert(message), info))
         except cdr.CDRError:
             return
-        if self.nudge:
-            self.nudge()
+        self.nudge()
 
     def _convert(self, message: Message | bytes) -> Message | bytes:
         """Make what the callback gets. Raises CDRError for bytes that hold no message."""
@@ -402,23 +342,15 @@ class Subscription(TopicEnd):
         """Whether the message that is the next to be taken has come at a time (ns)."""
         return bool(self.messages) and self.messages[0][1]["received_timestamp"] == now
 
-    def take(self) -> Any:
-        """Return the call to make, or None if there is no message any more."""
-        if self._destroyed:
-            return None
+    def take(self) -> tuple[Any, dict[str, Any]] | None:
+        """Return the oldest message, and what is to be known of it; None if there is none any more."""
         try:
-            message, info = self.messages.popleft()
+            return None if self.is_destroyed else self.messages.popleft()
         except IndexError:
             return None
-        return self._callback, (message, info) if self._wants_info else (message,), None
-
-    def get_publisher_count(self) -> int:
-        """How many publishers it receives from."""
-        self._check()
-        return len(self.peers)
 
 
-def _discover(publisher: Publisher, subscription: Subscription) -> None:
+def _discover(publisher: PublisherEnd, subscription: SubscriptionEnd) -> None:
     """Let two ends in different processes find each other."""
     if publisher.end.type == subscription.end.type:
         policy = incompatible_policy(publisher.policies, subscription.policies)
@@ -426,7 +358,7 @@ def _discover(publisher: Publisher, subscription: Subscription) -> None:
         publisher.introduce(subscription, policy)
 
 
-def _connect(publisher: Publisher, subscription: Subscription, *by_age: Publisher | Subscription) -> None:
+def _connect(publisher: PublisherEnd, subscription: SubscriptionEnd, *by_age: PublisherEnd | SubscriptionEnd) -> None:
     if publisher.end.type != subscription.end.type:
         return
     policy = incompatible_policy(publisher.policies, subscription.policies)
@@ -446,6 +378,142 @@ def _sent(entry: tuple[Message, dict[str, Any]]) -> int:
     return entry[1]["source_timestamp"]  # type: ignore[no-any-return]
 
 
+class _OnTopic(Entity):
+    """What a publisher and a subscription have in common, as a node has them."""
+
+    event_handlers: list[EventHandler]
+
+    @property
+    def topic_name(self) -> str:
+        """The topic's full name."""
+        self._rosspin.check()
+        return str(self._rosspin.end.topic)
+
+    def destroy(self) -> None:
+        """Leave the topic. A second call does nothing."""
+        for handler in self.event_handlers:
+            handler.destroy()
+        self._rosspin.destroy()
+
+
+class Publisher(_OnTopic):
+    """Publishes messages on a topic. Made by ``Node.create_publisher``."""
+
+    _rosspin: PublisherEnd
+
+    def __init__(
+        self,
+        publisher_impl: PublisherEnd,
+        msg_type: type[Message],
+        topic: str,
+        qos_profile: QoSProfile,
+        event_callbacks: PublisherEventCallbacks,
+        callback_group: CallbackGroup,
+    ) -> None:
+        super().__init__(publisher_impl)
+        self.msg_type = msg_type
+        self.topic = topic  # the name that the node gave
+        self.qos_profile = qos_profile
+        self.event_handlers = event_callbacks.create_event_handlers(callback_group, publisher_impl, topic)
+        publisher_impl.begin()
+
+    def publish(self, msg: Message | bytes) -> None:
+        """Publish a message, or the bytes of one, which are not checked.
+
+        Raises TypeError for one of another class, AssertionError for one with wrong values, InvalidHandle if the
+        publisher was destroyed, RCLError after shutdown.
+        """
+        end = self._rosspin
+        if end.is_destroyed:
+            end.check()
+        if not isinstance(msg, self.msg_type) and not isinstance(msg, bytes):
+            raise TypeError(f"Expected {self.msg_type}, got {type(msg)}")
+        end.publish(msg)
+
+    def get_subscription_count(self) -> int:
+        """How many subscriptions it sends to. Raises InvalidHandle if destroyed, RCLError after shutdown."""
+        self._rosspin.check_context("failed to get subscription count")
+        return len(self._rosspin.peers)
+
+    def assert_liveliness(self) -> None:
+        """Say that it is alive, which counts if its liveliness is ``MANUAL_BY_TOPIC``."""
+        self._rosspin.check_context("Failed to assert liveliness on the Publisher")
+        self._rosspin.assert_liveliness()
+
+    def wait_for_all_acked(self, timeout: Any = None) -> bool:
+        """Wait until what was published has arrived, which it has immediately unless a fault delays it.
+
+        Return whether it has; ``timeout`` is a Duration, for ever if None or negative.
+        """
+        self._rosspin.check_context("Failed to wait for all acknowledgements")
+        return self._rosspin.wait_for_all_acked(timeout)
+
+
+class Subscription(_OnTopic):
+    """Lets an executor call ``callback(message)``, or ``callback(message, info)``. Made by ``create_subscription``."""
+
+    class CallbackType(Enum):
+        """With what the callback is called."""
+
+        MessageOnly = 0
+        WithMessageInfo = 1
+
+    _rosspin: SubscriptionEnd
+
+    def __init__(
+        self,
+        subscription_impl: SubscriptionEnd,
+        msg_type: type[Message],
+        topic: str,
+        callback: Callable[..., Any],
+        callback_group: CallbackGroup,
+        qos_profile: QoSProfile,
+        raw: bool,
+        event_callbacks: SubscriptionEventCallbacks,
+    ) -> None:
+        super().__init__(subscription_impl)
+        self.msg_type = msg_type
+        self.topic = topic  # the name that the node gave
+        self.callback = callback
+        self.callback_group = callback_group
+        self._executor_event = False
+        self.qos_profile = qos_profile
+        self.raw = raw
+        self.event_handlers = event_callbacks.create_event_handlers(callback_group, subscription_impl, topic)
+        subscription_impl.begin()
+
+    @property
+    def callback(self) -> Callable[..., Any]:
+        """What is called."""
+        return self._callback
+
+    @callback.setter
+    def callback(self, value: Callable[..., Any]) -> None:
+        self._callback = value
+        for count, kind in enumerate(self.CallbackType, 1):
+            try:
+                inspect.signature(value).bind(*[None] * count)
+            except TypeError:
+                continue
+            self._callback_type = kind
+            self._rosspin_informs = count == 2
+            return
+        raise RuntimeError(
+            "Subscription.__init__(): callback should be either be callable with one argument"
+            "(to get only the message) or two (to get message and message info)"
+        )
+
+    def get_publisher_count(self) -> int:
+        """How many publishers it receives from."""
+        self._rosspin.check()
+        return len(self._rosspin.peers)
+
+    def _rosspin_take(self) -> Any:
+        """Return the call to make, or None if there is no message any more."""
+        taken = self._rosspin.take()
+        return taken and (self._callback, taken if self._rosspin_informs else (taken[0],), None)
+
+
 class _OutOfReach(ReentrantCallbackGroup):
     """A group from whose subscription no executor takes anything.
 
@@ -463,19 +531,20 @@ def wait_for_message(
 
     Return whether one came, and the message. A signal ends the wait; ``rclpy.shutdown()`` does not.
     """
-    own, gate = node.context.state, Gate()
+    own, gate = node.context._rosspin.state, Gate()
     subscription = node.create_subscription(msg_type, topic, lambda _: None, qos_profile, callback_group=_OutOfReach())
-    subscription.nudge = gate.open
+    end = subscription._rosspin
+    end.nudge = gate.open
     own.waiting[gate] = None
     until = None if time_to_wait < 0 else time.monotonic_ns() + int(float(time_to_wait) * 1e9)
     valid = node.context.ok()
     try:
-        while not subscription.messages and node.context.ok() == valid:
+        while not end.messages and node.context.ok() == valid:
             left = None if until is None else until - time.monotonic_ns()
             if left is not None and left <= 0:
                 break
             gate.wait(left)
-        return (True, subscription.messages.popleft()[0]) if subscription.messages else (False, None)
+        return (True, end.messages.popleft()[0]) if end.messages else (False, None)
     finally:
         del own.waiting[gate]
         node.destroy_subscription(subscription)

@@ -122,7 +122,7 @@ class Rate:
         if log is not None and self._source:
             log.periods[self._source] = 0
 
-    def coming(self, trails: Mapping[int, Trail]) -> list[tuple[str, int, int, int]]:
+    def _rosspin_coming(self, trails: Mapping[int, Trail]) -> list[tuple[str, int, int, int]]:
         """The next passes: see ``world.graph.Looping``."""
         node = self._node
         thread, code, call = self._slept
@@ -264,7 +264,7 @@ class Timer(threading.Thread):
         """Stop calling back. A timer that is asleep notices when it wakes up."""
         self._shutdown = True
 
-    def coming(self) -> list[tuple[str, int, int, int]]:
+    def _rosspin_coming(self) -> list[tuple[str, int, int, int]]:
         """The next calls: see ``world.graph.Ticking``."""
         is_over = self._shutdown or not self.is_alive() or (self._oneshot and self._number)
         if is_over or self._node.ros_time is not None:
@@ -272,7 +272,7 @@ class Timer(threading.Thread):
         clock, period = self._node.clock, self._period.to_nsec()
         reals = _next_calls(self._rate._last, clock.system(), self._rate._period)
         return [
-            (self.source, number + 1, self._first + number * period - clock.ahead, real - clock.ahead)
+            (self._rosspin_source, number + 1, self._first + number * period - clock.ahead, real - clock.ahead)
             for number, real in enumerate(reals, self._number)
         ]
 
@@ -289,7 +289,7 @@ class Timer(threading.Thread):
         ticks = world.recording.log
         source = world.source(getattr(self._callback, "__name__", type(self._callback).__name__))
         if ticks is not None:
-            self.source = source  # the name under which its ticks are recorded
+            self._rosspin_source = source  # the name under which its ticks are recorded
             node.timers.append(self)
             self._number, self._first, self._rate, self._node = 0, expected, rate, node  # for ``coming``
             ticks.timers.add(self)

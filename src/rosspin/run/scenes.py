@@ -8,7 +8,7 @@ from typing import Any, NamedTuple
 
 from ..clocks.clock import NS
 from ..rclpy.callback_groups import ReentrantCallbackGroup
-from ..rclpy.executors import Executor, MultiThreadedExecutor
+from ..rclpy.executors import Executor, GuardCondition, MultiThreadedExecutor
 from ..rclpy.parameter_service import ParameterService
 from ..rclpy.services import Client
 from ..rclpy.task import Task
@@ -79,7 +79,7 @@ class Scenes(StepsSeen):
                 self._ready[more] = [each for each in self._ready.get(more, ()) if each is not subject]
                 task = next(task for task, entity, _ in more._tasks if entity is subject and task.executing())
                 self._calls.append(_Call(subject, more, threading.get_ident(), task))
-                late = self.clock.now() - subject.expected if isinstance(subject, Timer) else 0
+                late = self.clock.now() - subject._rosspin_expected if isinstance(subject, Timer) else 0
                 lateness = f", {late / NS:g} s late" if late > 0 else ""
                 sets = ". That sets the event for which the loop sleeps" if isinstance(_owner(subject), Rate) else ""
                 self._note(f"{here} calls {self._say([subject])}{lateness}{sets}.", self._begin(_callback(subject)))
@@ -133,7 +133,7 @@ class Scenes(StepsSeen):
         if isinstance(_owner(entity), Rate):
             return "the Rate's timer"
         if isinstance(entity, Client):
-            return f"the answer of {entity.end.topic}"
+            return f"the answer of {entity._rosspin.end.topic}"
         callback = _callback(entity)
         return str(getattr(callback, "__name__", type(callback).__name__))
 
@@ -153,9 +153,9 @@ class Scenes(StepsSeen):
             return "ready" if len(calls) < threads else "waits for a free thread"
         since = ""
         if not isinstance(entity, Timer):
-            is_due = bool(getattr(entity, "messages", ()) or getattr(entity, "triggered", False))
-        elif not (is_due := entity.is_due()) and entity.is_flowing():
-            due = entity.time_left() + self.clock.now()
+            is_due = bool(entity._rosspin_triggered if isinstance(entity, GuardCondition) else entity._rosspin.messages)
+        elif not (is_due := entity._rosspin_is_due()) and entity._rosspin_is_flowing():
+            due = entity._rosspin_time_left() + self.clock.now()
             since, is_due = f"from {due / NS:g} s on ", due < until
             if not is_due:
                 return f"due at {due / NS:g} s"

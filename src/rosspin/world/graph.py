@@ -9,7 +9,7 @@ import gc
 import math
 import threading
 from collections.abc import Callable, Iterator, Mapping
-from contextlib import contextmanager
+from contextlib import contextmanager, suppress
 from itertools import repeat
 from typing import Any, Generic, Protocol, TypeVar
 from weakref import WeakSet
@@ -92,16 +92,16 @@ _FIELDS = 5  # of a tick in a TickLog
 class Ticking(Protocol):
     """A timer whose calls are recorded."""
 
-    source: str
+    _rosspin_source: str
 
-    def coming(self) -> list[tuple[str, int, int, int]]:
+    def _rosspin_coming(self) -> list[tuple[str, int, int, int]]:
         """List the next calls, undelayed by anything new, up to one on time: source, number, expected, real (ns)."""
 
 
 class Looping(Protocol):
     """A Rate whose passes are recorded."""
 
-    def coming(self, trails: Mapping[int, Trail]) -> list[tuple[str, int, int, int]]:
+    def _rosspin_coming(self, trails: Mapping[int, Trail]) -> list[tuple[str, int, int, int]]:
         """List the pass that goes on and the next ones, in the same form; none if the loop has ended.
 
         ``trails`` are where threads are, by their idents.
@@ -127,11 +127,11 @@ class TickLog:
 
     def look_ahead(self, find_trails: Callable[[], Mapping[int, Trail]]) -> None:
         """Note which calls of timers and passes of loops would come next. For the trails see :class:`Looping`."""
-        timers = sorted(self.timers, key=lambda each: each.source)
-        self.coming = [call for timer in timers for call in timer.coming()]
+        timers = sorted(self.timers, key=lambda each: each._rosspin_source)
+        self.coming = [call for timer in timers for call in timer._rosspin_coming()]
         if self.rates:
             trails = find_trails()
-            self.coming += sorted(call for rate in self.rates for call in rate.coming(trails))
+            self.coming += sorted(call for rate in self.rates for call in rate._rosspin_coming(trails))
 
     def __len__(self) -> int:
         return len(self._fields) // _FIELDS
@@ -170,9 +170,8 @@ class _Ends(Generic[E]):
         self._of.setdefault(end.topic, []).append(end)
 
     def remove(self, end: E) -> None:
-        ends = self._of.get(end.topic, [])
-        if end in ends:
-            ends.remove(end)
+        with suppress(ValueError):
+            self._of.get(end.topic, []).remove(end)
 
     def of(self, topic: str) -> list[E]:
         return list(self._of.get(topic, ()))
@@ -351,9 +350,9 @@ class Graph:
 
     def remove(self, end: End) -> None:
         """Take an end away; one that is not there is no error."""
-        with self._lock:
-            self._publications.remove(end)
-            self._subscriptions.remove(end)
+        # Without the lock: the collector may call this while it is taken. Each removal is in one go.
+        self._publications.remove(end)
+        self._subscriptions.remove(end)
 
     def topics(self) -> list[tuple[str, str]]:
         """Return the topics that somebody publishes, and their types."""
