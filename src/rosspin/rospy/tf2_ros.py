@@ -176,9 +176,6 @@ class TransformListener:
         self.tf_sub = Subscriber("/tf", message, self.callback, **options)
         self.tf_static_sub = Subscriber("/tf_static", message, self.static_callback, **options)
 
-    def __del__(self) -> None:
-        self.unregister()
-
     def unregister(self) -> None:
         """Listen no more."""
         self.tf_sub.unregister()

@@ -68,6 +68,7 @@ ROSES = {
         {
             "actionlib": "rospy.actionlib",
             "message_filters": "rospy.message_filters",
+            "tf": "rospy.tf",
             "tf2_py": "rospy.tf2_ros",
             "tf2_ros": "rospy.tf2_ros",
         },
@@ -90,6 +91,7 @@ ROSES = {
             "message_filters": "rclpy.message_filters",
             "tf2_py": "rclpy.tf2_ros",
             "tf2_ros": "rclpy.tf2_ros",
+            "tf_transformations": "rclpy.tf_transformations",
         },
         frozenset(
             {"builtin_interfaces", "rcl_interfaces", "rclpy", "rosgraph_msgs", "rosidl_runtime_py", "rpyutils", "yaml"}
