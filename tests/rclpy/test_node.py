@@ -92,9 +92,10 @@ def test_a_node_is_not_for_both(write: Any) -> None:
             "rclpy.init(); rclpy.create_node('n').get_node_names_and_namespaces_with_enclaves()",
             "Node.get_node_names_and_namespaces_with_enclaves",
         ),
-        ("rclpy.waitable", "rclpy.waitable"),
-        ("from rclpy.waitable import Waitable", "rclpy.waitable"),
-        ("from rclpy.impl.implementation_singleton import rclpy_implementation", "rclpy.impl.implementation_singleton"),
+        (
+            "from rclpy.impl.implementation_singleton import rclpy_implementation as c; c.WaitSet",
+            "rclpy._rclpy_pybind11.WaitSet",
+        ),
         ("from rclpy.experimental import EventsExecutor", "rclpy.experimental.EventsExecutor"),
     ],
 )

@@ -24,6 +24,7 @@ from . import (
     exceptions,
     executors,
     experimental,
+    implementation,
     lifecycle,
     logging,
     logging_service,
@@ -50,6 +51,7 @@ from . import (
     type_hash,
     type_support,
     utilities,
+    waitable,
 )
 from .context import Context, get_default_context
 from .executors import Executor, SingleThreadedExecutor
@@ -182,7 +184,7 @@ def spin_until_future_complete(
 
 
 # The modules of rclpy that are not here: they need a real ROS.
-NOT_SIMULATED = {"destroyable", "impl", "waitable"}
+NOT_SIMULATED = {"destroyable", "impl"}
 
 # The names that the modules here lack.
 LACKING = {
@@ -215,6 +217,7 @@ IN_PART = {
 # What a node may import, by its name on a real ROS.
 MODULES: dict[str, ModuleType] = {
     "rclpy": sys.modules[__name__],
+    "rclpy._rclpy_pybind11": implementation,
     "rclpy.action": action,
     "rclpy.action.client": action,
     "rclpy.action.graph": action,
@@ -233,6 +236,7 @@ MODULES: dict[str, ModuleType] = {
     "rclpy.experimental": experimental,
     "rclpy.experimental.events_executor": experimental,
     "rclpy.guard_condition": executors,
+    "rclpy.impl.implementation_singleton": implementation,
     "rclpy.impl.logging_severity": logging,
     "rclpy.impl.rcutils_logger": logging,
     "rclpy.lifecycle": lifecycle,
@@ -271,6 +275,7 @@ MODULES: dict[str, ModuleType] = {
     "rclpy.validate_parameter_name": names,
     "rclpy.validate_topic_name": names,
     "rclpy.wait_for_message": topics,
+    "rclpy.waitable": waitable,
 }
 
 for _name, _lacking in LACKING.items():
@@ -317,7 +322,10 @@ _HOMES = {
     "ServiceIntrospectionState": "rclpy._rclpy_pybind11.service_introspection",
     "Subscription": "rclpy.subscription",
     "Time": "rclpy.time",
-    "TransitionCallbackReturnType": "rclpy._rclpy_pybind11",
+    **dict.fromkeys(
+        ("NodeNameNonExistentError", "TransitionCallbackReturnType", "UnsupportedEventTypeError"),
+        "rclpy._rclpy_pybind11",
+    ),
 }
 for _name, _module in MODULES.items():
     for _value in [value for value in vars(_module).values() if isinstance(value, type)]:

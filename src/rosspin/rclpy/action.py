@@ -28,6 +28,7 @@ from .qos import QoSProfile, qos_profile_action_status_default, qos_profile_serv
 from .services import ClientEnd, ServerEnd, look_until
 from .task import Future, await_or_execute
 from .topics import PublisherEnd, SubscriptionEnd
+from .waitable import NumberOfEntities
 from .waits import waiting_for
 
 if TYPE_CHECKING:
@@ -119,6 +120,7 @@ class _ActionEnd:
     """Base of the server and the client: one entity for the executor, with several ends."""
 
     _rosspin_word: str
+    _rosspin_entities: NumberOfEntities
     _rosspin: _ActionEnds
 
     def __init__(self, node: Node, action_type: type[Action], action_name: str, group: CallbackGroup | None) -> None:
@@ -143,6 +145,10 @@ class _ActionEnd:
     def _rosspin_names(self, part: str, is_service: bool) -> str:
         """Return the full name of one of its services, or topics."""
         return self._node._rosspin_resolve(f"{self._rosspin_name}/_action/{part}", is_service=is_service)
+
+    def get_num_entities(self) -> NumberOfEntities:
+        """How many things it waits for."""
+        return self._rosspin_entities
 
     def _rosspin_join(self, ends: Iterable[Any]) -> None:
         """Let executors look at the ends: their order is that in which they are served."""
@@ -308,6 +314,7 @@ class ActionServer(_ActionEnd):
     """
 
     _rosspin_word = "server"
+    _rosspin_entities = NumberOfEntities(num_timers=1, num_services=3)
 
     def __init__(
         self,
@@ -600,6 +607,7 @@ class ActionClient(_ActionEnd):
     """Sends goals to a server. An executor has to spin its node, which takes what the server sends."""
 
     _rosspin_word = "client"
+    _rosspin_entities = NumberOfEntities(num_subs=2, num_clients=3)
 
     def __init__(
         self,

@@ -32,6 +32,10 @@ class InvalidHandle(RuntimeError):
         super().__init__(text)
 
 
+class RCLInvalidROSArgsError(RCLError):
+    """What follows ``--ros-args`` in a node's own arguments cannot be read."""
+
+
 class UnknownROSArgsError(RuntimeError):
     """Raised for words after ``--ros-args`` that ROS does not know."""
 
@@ -200,7 +204,10 @@ class ConditionReachedException(Exception):
 
 # Tracebacks show the names of a real ROS.
 _ELSEWHERE = {
-    **dict.fromkeys(("InvalidHandle", "RCLError", "RMWError", "UnknownROSArgsError"), "rclpy._rclpy_pybind11"),
+    **dict.fromkeys(
+        ("InvalidHandle", "RCLError", "RCLInvalidROSArgsError", "RMWError", "UnknownROSArgsError"),
+        "rclpy._rclpy_pybind11",
+    ),
     **dict.fromkeys(
         ("ConditionReachedException", "ExternalShutdownException", "ShutdownException", "TimeoutException"),
         "rclpy.executors",

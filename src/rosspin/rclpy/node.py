@@ -24,6 +24,7 @@ from .exceptions import (
     NameValidationException,
     NotInitializedException,
     RCLError,
+    RCLInvalidROSArgsError,
     invalid_context,
     not_accepted,
 )
@@ -123,7 +124,11 @@ class Node(Parameters):
         namespace = namespace or "/"
         namespace = namespace if namespace.startswith("/") else f"/{namespace}"
         names.validate_namespace(namespace)
-        arguments = [] if cli_args is None else [Arguments(["--ros-args", *cli_args])]
+        try:
+            arguments = [] if cli_args is None else [Arguments(["--ros-args", *cli_args])]
+        except RCLError as error:
+            why = str(error).replace("failed to initialize rcl", "Failed to parse ROS arguments", 1)
+            raise RCLInvalidROSArgsError(why) from None
         if use_global_arguments and self._context._rosspin.arguments:
             arguments.append(self._context._rosspin.arguments)
         for each in reversed(arguments):
