@@ -25,12 +25,18 @@ TUTORIAL = "docs/tutorial.html"
 TEACHERS = "docs/for-teachers.html"
 PYODIDE = ROOT / "build" / "npm" / "node_modules" / "pyodide"
 
-# The last listing of the tutorial, whose first counter comes at once: click, and wait for a text. By the page's clock.
-CLICK = """([button, text]) => new Promise(resolve => {
+# The last listing of the tutorial, whose first counter comes at once: click, and wait for a text, but not for more than
+# two minutes. By the page's clock.
+CLICK = """([button, text]) => new Promise((resolve, reject) => {
     const cell = [...document.querySelectorAll("div.live")].at(-1)
     const start = performance.now()
-    const look = () => cell.textContent.includes(text, cell.querySelector("pre").textContent.length)
-        ? resolve((performance.now() - start) / 1e3) : setTimeout(look, 1)
+    const look = () => {
+        const took = (performance.now() - start) / 1e3
+        const said = cell.textContent.slice(cell.querySelector("pre").textContent.length)
+        if (said.includes(text)) resolve(took)
+        else if (took > 120) reject(new Error(`no "${text}" after ${button}: ${said.slice(-500)}`))
+        else setTimeout(look, 1)
+    }
     ;[...cell.querySelectorAll("button")].find(found => found.textContent === button).click()
     look()
 })"""
@@ -64,11 +70,14 @@ RUN_TICKER = """async ([address, source, seconds]) => {
     const sandbox = new Sandbox()
     await sandbox.started
     const times = []
-    return new Promise(resolve => {
-        sandbox.do({ kind: "run", source, filename: "ticker.py", seconds, args: "", speed: 1 }, message => {
+    return new Promise((resolve, reject) => {
+        const job = { kind: "run", source, filename: "ticker.py", seconds, args: "", speed: 1, beside: [] }
+        setTimeout(() => reject(new Error("the ticker has not ended")), (seconds + 60) * 1e3)
+        sandbox.do(job, message => {
             const texts = message.kind === "batch" ? message.chunks.map(([, text]) => text) : []
             times.push(...texts.map(Number).filter(time => time))
             if (message.kind === "end") resolve(times)
+            if (message.kind === "failed") reject(new Error(message.reason))
         })
     })
 }"""
@@ -99,14 +108,14 @@ def _report(
             times["bare"].append(page.evaluate(BARE, [bare_address, _lock()]))
         with browser.new_context() as context:
             page = context.new_page()
-            page.goto(address + TUTORIAL, wait_until="networkidle")
+            _open(page, address + TUTORIAL)
             page.evaluate(WRITE, ROS2.read_text(encoding="utf-8"))
             times["cold, ROS 2"].append(_click(page, "Run", "counter = 1"))
         with browser.new_context() as context:
             page = context.new_page()
             asked: set[str] = set()  # by a second worker again, but then it comes from the browser's cache
             page.on("request", partial(_note, asked))
-            page.goto(address + TUTORIAL, wait_until="networkidle")
+            _open(page, address + TUTORIAL)
             weights.append(_weight(asked))
             ready.append(page.evaluate("performance.getEntriesByType('navigation')[0].domContentLoadedEventEnd") / 1e3)
             asked.clear()
@@ -117,8 +126,8 @@ def _report(
             times["again"].append(_click(page, "Run", "counter = 1"))
             page.get_by_text(re.compile("^done: ")).wait_for(state="attached")
             times["warm"].append(_click(page, "Run", "counter = 1"))
-            page.goto(address, wait_until="networkidle")
-            page.goto(address + TUTORIAL, wait_until="networkidle")
+            _open(page, address)
+            _open(page, address + TUTORIAL)
             times["next page"].append(_click(page, "Run", "counter = 1"))
         times["answer"].append(_judge(browser, address))
     with browser.new_context() as context:
@@ -143,6 +152,12 @@ def _report(
     yield line("  s for each answer that a teacher drops", median(times["answer"]), most=1.3)
     middle, high = say_time(median(late)), say_time(quantile(late, 0.95))
     yield f"  10 Hz timer, {len(late)} ticks, later than the earliest of them: median {middle}, p95 {high}"
+
+
+def _open(page: Page, address: str) -> None:
+    """Go to a page, until all that it loads has come; Playwright's "networkidle" may never come, and it says so."""
+    page.goto(address)
+    page.evaluate("document.fonts.ready.then(() => null)")
 
 
 def _lock() -> str:
@@ -170,10 +185,10 @@ def _judge(browser: Browser, address: str, number: int = 24) -> float:
         files.append({"name": f"{name}.json", "mimeType": "application/json", "buffer": json.dumps(made).encode()})
     with browser.new_context() as context:
         page = context.new_page()
-        page.goto(address + TEACHERS, wait_until="networkidle")
+        _open(page, address + TEACHERS)
         begin = time.perf_counter()
         page.locator(".judge-drop input").set_input_files(files)
-        page.get_by_text(f"Done: {number} judged").wait_for(timeout=0)
+        page.get_by_text(f"Done: {number} judged").wait_for(timeout=number * 10_000)
         return (time.perf_counter() - begin) / number
 
 

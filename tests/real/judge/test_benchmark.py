@@ -3,11 +3,14 @@
 from __future__ import annotations
 
 import re
+import sys
 from collections.abc import Callable
 from pathlib import Path
 
 import lateness
+import limited
 import live
+import pytest
 import ros1_beside
 import ros2_beside
 
@@ -32,6 +35,18 @@ def test_lateness_is_compared_with_deadlines() -> None:
         ["50", "Hz,", f"{quantile},", name] for quantile in ("p50", "p99") for name in ("Timer", "Rate")
     ]
     assert all(re.search(r"\(.* (ms|µs|s) / .* (ms|µs|s)\)$", line) for line in lines)
+
+
+@pytest.mark.parametrize(
+    ("code", "limit", "why"),
+    [
+        ("", 60.0, ""),
+        ("import sys; sys.exit(3)", 60.0, "it ended with status 3"),
+        ("import time; time.sleep(600)", 0.2, "it has taken more than 0.2 s"),
+    ],
+)
+def test_a_part_ends_within_its_limit(code: str, limit: float, why: str) -> None:
+    assert limited.run([sys.executable, "-c", code], limit) == why
 
 
 def test_the_page_is_measured(site: Path, require: Callable[[str], None]) -> None:
