@@ -10,6 +10,8 @@ from pathlib import Path
 
 from rosbags.typesys import Stores, get_typestore
 
+from rosspin.results.saving import save_whole
+
 FOLDER = Path(__file__).parents[1] / "src" / "rosspin" / "messages"
 
 COMMON = [
@@ -79,4 +81,4 @@ def with_default(message: str, line: str) -> str:
 
 if __name__ == "__main__":
     for file in FILES:
-        (FOLDER / file).write_text(text(file), encoding="utf-8")
+        save_whole(FOLDER / file, text(file).encode())

@@ -2,14 +2,26 @@
 
 from __future__ import annotations
 
+import io
 import json
+from collections.abc import Iterator
+from contextlib import contextmanager
 from datetime import UTC, datetime
 from pathlib import Path
-from typing import Any
+from typing import Any, TextIO
 
 from rosspin.results.machine import describe
+from rosspin.results.saving import save_whole
 
-__all__ = ["write_provenance"]
+__all__ = ["table", "write_provenance"]
+
+
+@contextmanager
+def table(file: Path) -> Iterator[TextIO]:
+    """A table to write, which takes its place when it is complete."""
+    text = io.StringIO(newline="")
+    yield text
+    save_whole(file, text.getvalue().encode())
 
 
 def write_provenance(
@@ -37,4 +49,4 @@ def write_provenance(
         "cores": here["Cores"],
         "load_before": [round(value, 2) for value in load],
     }
-    file.write_text(json.dumps(provenance, indent=2) + "\n")
+    save_whole(file, (json.dumps(provenance, indent=2) + "\n").encode())

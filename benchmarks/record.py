@@ -21,11 +21,12 @@ from pathlib import Path
 from typing import Any, NamedTuple
 
 from arrivals import Arrivals
-from provenance import write_provenance
+from provenance import table, write_provenance
 
 from rosspin.real import ros1
 from rosspin.results.recordings import COLUMNS
 from rosspin.results.roscpp import timer_probe
+from rosspin.results.saving import save_whole
 
 EXAMPLES = Path(__file__).parents[1] / "examples"
 RECORDINGS = EXAMPLES / "recordings"
@@ -116,7 +117,7 @@ def record_probe(workspace: ros1.Workspace, name: str) -> None:
     if not rows or rows[0][0] != "start" or output.status:
         raise RuntimeError(f"{name} failed with status {output.status}:\n{output.console}")
     start = float(rows[0][1])
-    with (RECORDINGS / f"{name}.csv").open("w", newline="") as text:
+    with table(RECORDINGS / f"{name}.csv") as text:
         writer = csv.writer(text, lineterminator="\n")
         writer.writerow(COLUMNS)
         for source, number, *times, last_duration in rows[1:]:
@@ -143,7 +144,7 @@ def _record_launch(name: str, file: str, what: str, args: Sequence[str] = ()) ->
     load = os.getloadavg()
     run = ros1.launch(PACKAGE / "launch" / file, 3.2, args)
     console = run.console[re.search(r".*process\[mrp/", run.console).start() :]  # type: ignore[union-attr]
-    (RECORDINGS / f"{name}.txt").write_text(console)
+    save_whole(RECORDINGS / f"{name}.txt", console.encode())
     command = ["roslaunch", "my_robotics_pkg", file, *args]
     _write_provenance(name, what, command, run.start, run.seconds, run.status, load)
 
@@ -161,7 +162,7 @@ def record_endings() -> None:
         "call_ros_ok": rate,
         "name_ros_ok": rate.replace("while (ros::ok())", "while (ros::ok)"),
     }
-    with ros1.Workspace() as workspace, (RECORDINGS / "endings.csv").open("w", newline="") as text:
+    with ros1.Workspace() as workspace, table(RECORDINGS / "endings.csv") as text:
         files = [workspace.folder / f"{name}.cpp" for name in nodes]
         for file in files:
             file.write_text(nodes[file.stem])
@@ -191,7 +192,7 @@ CLAIMS: dict[str, tuple[dict[str, Any], float]] = {
 def record_claims() -> None:
     """Let nodes in both languages say what happens to them, and when (s after they began), and keep their status."""
     load, start = os.getloadavg(), time.time()
-    with ros1.Workspace() as workspace, (RECORDINGS / "claims.csv").open("w", newline="") as text:
+    with ros1.Workspace() as workspace, table(RECORDINGS / "claims.csv") as text:
         program = workspace.executable(PROBES / "src" / "claims_probe.cpp")
         workspace.start_master()
         commands = {"roscpp": [str(program)], "rospy": ["python3", str(PROBES / "src" / "claims_probe.py")]}
@@ -213,7 +214,7 @@ def record_pipe() -> None:
     """Let the tutorial's nodes print into a pipe, as they are and told to write each line immediately."""
     load, start = os.getloadavg(), time.time()
     unset = ["env", "-u", "PYTHONUNBUFFERED", "-u", "ROSCONSOLE_STDOUT_LINE_BUFFERED"]
-    with ros1.Workspace() as workspace, (RECORDINGS / "pipe.csv").open("w", newline="") as text:
+    with ros1.Workspace() as workspace, table(RECORDINGS / "pipe.csv") as text:
         program = workspace.executable(PACKAGE / "src" / "spinner_cpp_node.cpp")
         workspace.start_master()
         commands = {"roscpp": [str(program)], "rospy": ["python3", str(PACKAGE / "src" / "spinner_py_node.py")]}
@@ -244,7 +245,7 @@ for begin in (100, 50):
 def record_clock_jump() -> None:
     """Let ROS time jump back under a timer of 1 s, and keep the times at which it ticks."""
     load, start = os.getloadavg(), time.time()
-    with ros1.Workspace() as workspace, (RECORDINGS / "clock_jump.csv").open("w", newline="") as text:
+    with ros1.Workspace() as workspace, table(RECORDINGS / "clock_jump.csv") as text:
         workspace.add_package(PROBES)
         workspace.build()
         workspace.start_master()
@@ -289,7 +290,7 @@ _COUNTER = re.compile(r"counter = (\d+)")
 def record_first_message() -> None:
     """Let a node publish immediately, and keep the first number that it hears itself and that another node hears."""
     load, start = os.getloadavg(), time.time()
-    with _topics() as (workspace, command), (RECORDINGS / "first_message.csv").open("w", newline="") as text:
+    with _topics() as (workspace, command), table(RECORDINGS / "first_message.csv") as text:
         writer = csv.writer(text, lineterminator="\n")
         writer.writerow(["language", "latch", "same_node", "other_node"])
         for language, latch, _ in product(("rospy", "roscpp"), ("false", "true"), range(5)):
@@ -309,7 +310,7 @@ def record_first_message() -> None:
 def record_queue() -> None:
     """Send 30 numbers to a callback that takes as long as 8 of them, and keep those that it is called with."""
     load, start = os.getloadavg(), time.time()
-    with _topics() as (workspace, command), (RECORDINGS / "queue.csv").open("w", newline="") as text:
+    with _topics() as (workspace, command), table(RECORDINGS / "queue.csv") as text:
         writer = csv.writer(text, lineterminator="\n")
         writer.writerow(["language", "queue_size", "seen"])
         for language, (size, seconds) in product(("rospy", "roscpp"), ((1, 6), (3, 8), (10, 20), (100, 28))):
@@ -326,7 +327,7 @@ _HZ = re.compile(r"average rate: ([\d.]+)\s+min: ([\d.]+)s max: ([\d.]+)s std de
 def record_hz() -> None:
     """Let ``rostopic hz`` watch a node that slows down after 20 s; keep what it reports each second."""
     load, start = os.getloadavg(), time.time()
-    with _topics() as (workspace, command), (RECORDINGS / "hz.csv").open("w", newline="") as text:
+    with _topics() as (workspace, command), table(RECORDINGS / "hz.csv") as text:
         writer = csv.writer(text, lineterminator="\n")
         writer.writerow(["window", "report", "rate", "min", "max", "std_dev"])
         for window in ("", "10"):

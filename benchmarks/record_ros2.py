@@ -23,7 +23,7 @@ from statistics import median
 from typing import Any, NamedTuple
 
 from arrivals import Arrivals
-from provenance import write_provenance
+from provenance import table, write_provenance
 from rclcpp_nodes import build, compiler, missing, read_ticks
 
 from rosspin import Tick
@@ -31,6 +31,7 @@ from rosspin.real import ros2
 from rosspin.real.children import Patience
 from rosspin.results.recordings import COLUMNS
 from rosspin.results.rules import calculated
+from rosspin.results.saving import save_whole
 
 EXAMPLES = Path(__file__).parents[1] / "examples" / "ros2"
 TOPICS = Path(__file__).parents[1] / "examples" / "topics" / "ros2"
@@ -163,7 +164,7 @@ def record_probe(name: str) -> None:
     if status:
         raise RuntimeError(f"{name} failed with status {status}:\n{console}")
     last: dict[str, Tick] = {}
-    with (RECORDINGS / f"{name}.csv").open("w", newline="") as text:
+    with table(RECORDINGS / f"{name}.csv") as text:
         writer = csv.writer(text, lineterminator="\n")
         writer.writerow(COLUMNS)
         for tick in ticks:
@@ -230,7 +231,7 @@ def _record_endings(
     with ThreadPoolExecutor(4) as pool:
         for key, late in pool.map(end, jobs):
             counts[key].append(late)
-    with (RECORDINGS / f"{name}.csv").open("w", newline="") as text:
+    with table(RECORDINGS / f"{name}.csv") as text:
         writer = csv.writer(text, lineterminator="\n")
         writer.writerow(["node", "signal", "status", "runs", "seconds_after_signal"])
         for key, times in counts.items():
@@ -262,7 +263,7 @@ def record_signals() -> None:
             return moment, number.name, run.status, error[1] if error else ""
 
         counts = Counter(pool.map(end, jobs))
-    with (RECORDINGS / "signals.csv").open("w", newline="") as text:
+    with table(RECORDINGS / "signals.csv") as text:
         writer = csv.writer(text, lineterminator="\n")
         writer.writerow(["moment", "signal", "status", "error", "runs"])
         writer.writerows([*key, runs] for key, runs in counts.items())
@@ -293,7 +294,7 @@ def record_claims() -> None:
     All that one puts on its console is kept of a node that ends well: it may be that a warning is missing.
     """
     load, start = os.getloadavg(), time.time()
-    with (RECORDINGS / "claims.csv").open("w", newline="") as text:
+    with table(RECORDINGS / "claims.csv") as text:
         writer = csv.writer(text, lineterminator="\n")
         writer.writerow(["run", "command", "ended_after", "status", "seconds", "what"])
         for name, (node, parameters, seconds) in CLAIMS.items():
@@ -311,7 +312,7 @@ def record_pipe() -> None:
     load, start = os.getloadavg(), time.time()
     arrivals = Arrivals()
     run = ros2.launch(NODE, 3.2, (), arrivals)
-    with (RECORDINGS / "pipe.csv").open("w", newline="") as text:
+    with table(RECORDINGS / "pipe.csv") as text:
         csv.writer(text, lineterminator="\n").writerows([["seconds_late"], [f"{arrivals.delay or 0:.2f}"]])
     _write_provenance("pipe", "INFO lines through a pipe", [NODE.name], start, 3.2, run.status, load)
 
@@ -321,7 +322,7 @@ def record_spinner() -> None:
     load = os.getloadavg()
     command = [NODE.name, "--ros-args", "-r", "__ns:=/mrp"]
     run = ros2.launch(NODE, 2.2, command[1:])
-    (RECORDINGS / "spinner.txt").write_text(run.console)
+    save_whole(RECORDINGS / "spinner.txt", run.console.encode())
     _write_provenance("spinner", "the tutorial's node", command, run.start, run.seconds, run.status, load)
 
 
@@ -331,7 +332,7 @@ def record_spinner_cpp() -> None:
     command = ["spinner_cpp_node", "--ros-args", "-r", "__ns:=/mrp"]
     with ros2.Nodes() as nodes:
         output = build().run(nodes, command[0], 2.2, command[1:])
-    (RECORDINGS / "spinner_cpp.txt").write_text(output.console)
+    save_whole(RECORDINGS / "spinner_cpp.txt", output.console.encode())
     _write_provenance("spinner_cpp", "the tutorial's C++ node", command, output.start, 2.2, output.status, load)
 
 
@@ -340,7 +341,7 @@ def record_clock_jump() -> None:
     load = os.getloadavg()
     run = ros2.launch(EXAMPLES / "clock_jump.py", 5.0)
     rows = [line.split(",") for line in run.console.splitlines() if line.startswith("ros_time,")]
-    with (RECORDINGS / "clock_jump.csv").open("w", newline="") as text:
+    with table(RECORDINGS / "clock_jump.csv") as text:
         writer = csv.writer(text, lineterminator="\n")
         writer.writerow(["ros_time"])
         writer.writerows([time] for _, time in rows)
@@ -388,7 +389,7 @@ LOGGED = re.compile(r"\[\w+\] \[([\d.]+)\] \[(\w+)\]: (.*)")
 def record_topics() -> None:
     """Let two nodes talk, and keep what each of them logs, and when (s after the talker was there)."""
     load, start = os.getloadavg(), time.time()
-    with (RECORDINGS / "topics.csv").open("w", newline="") as text:
+    with table(RECORDINGS / "topics.csv") as text:
         writer = csv.writer(text, lineterminator="\n")
         writer.writerow(["run", "number", "node", "seconds", "what"])
         for name, talk in TALKS.items():
@@ -419,7 +420,7 @@ def record_publish() -> None:
     with ros2.Nodes(meet=True) as nodes, ThreadPoolExecutor(2) as pool:
         files = [PACKAGE / f"{name}_py_node.py" for name in ("publisher", "subscriber")]
         publisher, subscriber = pool.map(lambda file: nodes.launch(file, 4.7, args), files)
-    (RECORDINGS / "publish.txt").write_text(publisher.console + subscriber.console)
+    save_whole(RECORDINGS / "publish.txt", (publisher.console + subscriber.console).encode())
     command = ["subscriber_py_node.py", *args]
     status = max(publisher.status, subscriber.status)
     what = "the tutorial's publisher and subscriber"
@@ -433,7 +434,7 @@ def record_publish_cpp() -> None:
     programs, names = build(), ("publisher_cpp_node", "subscriber_cpp_node")
     with ros2.Nodes(meet=True) as nodes, ThreadPoolExecutor(2) as pool:
         publisher, subscriber = pool.map(lambda name: programs.run(nodes, name, 4.7, args), names)
-    (RECORDINGS / "publish_cpp.txt").write_text(publisher.console + subscriber.console)
+    save_whole(RECORDINGS / "publish_cpp.txt", (publisher.console + subscriber.console).encode())
     status = max(publisher.status, subscriber.status)
     what = "the tutorial's publisher and subscriber in C++"
     _write_provenance("publish_cpp", what, [names[1], *args], subscriber.start, 4.7, status, load)

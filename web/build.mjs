@@ -2,11 +2,11 @@
 // npm packages in the folder PACKAGES and PyYAML, whose package is the folder YAML, into the folder OUT. EXERCISES has their
 // numbers and titles by their names, as JSON.
 
-import { cpSync, existsSync, mkdirSync, readFileSync, readdirSync, rmSync, writeFileSync } from "node:fs"
+import { cpSync, existsSync, mkdirSync, readFileSync, readdirSync, renameSync, rmSync, writeFileSync } from "node:fs"
 import { createHash } from "node:crypto"
 import { createRequire } from "node:module"
 import path from "node:path"
-import { gzipSync } from "node:zlib"
+import { gunzipSync, gzipSync } from "node:zlib"
 
 import { snapshot } from "./snapshot.mjs"
 
@@ -17,6 +17,13 @@ const pyodide = path.join(packages, "node_modules/pyodide")
 const require = createRequire(path.join(packages, "package.json"))
 const { build } = require("esbuild")
 const { zipSync } = require("fflate")
+
+/** Write a file that is there as a whole or not at all: what is left of a disk that is full is not taken for it. */
+function writeWhole(file, content) {
+  const part = `${file}.part`
+  writeFileSync(part, content)
+  renameSync(part, file)
+}
 
 const sha256 = (content, form = "hex") => createHash("sha256").update(content).digest(form)
 
@@ -79,14 +86,21 @@ const inputs = ["pyodide.mjs", "pyodide.asm.mjs", "pyodide.asm.wasm", "python_st
 const hash = createHash("sha256").update(process.version)
 inputs.forEach((file) => hash.update(readFileSync(file)))
 const made = hash.digest("hex").slice(0, 16)
+function isWhole(file) {
+  try {
+    return gunzipSync(readFileSync(file)).length > 0 // which has a checksum
+  } catch {
+    return false
+  }
+}
 const keeping = path.join(out, "../..")
 const kept = path.join(keeping, `snapshot-${made}.gz`)
 for (const name of readdirSync(keeping)) {
-  if (/^snapshot-.*\.gz$/.test(name) && path.join(keeping, name) !== kept) rmSync(path.join(keeping, name))
+  if (/^snapshot-.*\.gz(\.part)?$/.test(name) && path.join(keeping, name) !== kept) rmSync(path.join(keeping, name))
 }
-if (!existsSync(kept)) {
+if (!isWhole(kept)) {
   const { info } = JSON.parse(readFileSync(path.join(pyodide, "pyodide-lock.json"), "utf8"))
-  writeFileSync(kept, gzipSync(await snapshot(pyodide, path.join(out, "rosspin.zip"), info), { level: 9 }))
+  writeWhole(kept, gzipSync(await snapshot(pyodide, path.join(out, "rosspin.zip"), info), { level: 9 }))
 }
 cpSync(kept, path.join(out, "snapshot.gz"))
 
@@ -144,10 +158,11 @@ for (const name of ["r2_timer_10.log", "r2_sleep_10_work_5.log", "r2_blocks_two.
 }
 
 // Loaded with the page, as a classic script: a page opened from a file has no modules, and has to say so.
-await build({
+const live = await build({
   ...common,
   define: { RUNS: version },
   entryPoints: ["live.js", "live.css"].map((name) => path.join(here, "src", name)),
+  write: false,
 })
 
 // What is bundled keeps its licence.
@@ -166,3 +181,8 @@ const installed = path.dirname(yaml)
 const [about] = readdirSync(installed).filter((name) => /^pyyaml-.*\.dist-info$/i.test(name))
 licences.push(`PyYAML: MIT\n\n${readFileSync(path.join(installed, about, "licenses/LICENSE"), "utf8")}`)
 writeFileSync(path.join(out, "licences.txt"), licences.join("\n\n"))
+
+// Last comes live.js, as make takes it for the sign that all is there.
+const isSign = ({ path: file }) => file.endsWith("live.js")
+live.outputFiles.sort((one, other) => isSign(one) - isSign(other))
+live.outputFiles.forEach(({ path: file, contents }) => writeWhole(file, contents))

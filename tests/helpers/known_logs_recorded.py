@@ -19,6 +19,7 @@ from tree import ROOT, TESTS
 from rosspin.real.children import SITECUSTOMIZE, Children
 from rosspin.real.ros1 import Workspace
 from rosspin.real.ros2 import Nodes, python
+from rosspin.results.saving import save_whole
 
 __all__ = ["recording", "record"]
 
@@ -87,4 +88,4 @@ def record(case: Case, target: Path) -> None:
         if case.form == "console":
             text = out.read_text()
             text = re.sub(rf"{re.escape(str(children.folder))}|{re.escape(str(ROOT))}", "/home/you", text)
-            target.write_text(text)
+            save_whole(target, text.encode())

@@ -20,6 +20,8 @@ from corpus import Scenario
 from shares import SHARE, is_in
 from tree import SOURCE, TESTS
 
+from rosspin.results.saving import save_whole
+
 LEDGER = TESTS / "ledger.toml"
 
 # What renews a recording.
@@ -94,7 +96,7 @@ class Ledger(NamedTuple):
                 ]
         lines.append("\n[races]\n")
         lines += [f'"{name}" = {counts}\n' for name, counts in sorted(self.races.items())]
-        file.write_text("".join(lines), encoding="utf-8")
+        save_whole(file, "".join(lines).encode())
 
     def confirm(self, scenario: Confirmed, version: str) -> None:
         """Note that the real one has given today what is recorded."""

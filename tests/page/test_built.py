@@ -28,16 +28,37 @@ def test_pages_without_such_a_listing_load_nothing(site: Path) -> None:
     assert "live/live" not in text
 
 
-def test_snapshot_is_made_anew_only_when_its_inputs_change(site: Path, tmp_path: Path) -> None:
-    """And its address in the pages follows it."""
+def snapshot() -> Path:
+    """What the site has been built with."""
     (kept,) = ROOT.glob("build/snapshot-*.gz")
-    (tmp_path / kept.name).write_bytes(b"kept")
-    out = tmp_path / "web" / "live"
+    return kept
+
+
+def build(folder: Path) -> Path:
+    """Build what runs in the page beside a kept snapshot; the folder with it."""
+    out = folder / "web" / "live"
     node: list[str | Path] = [ROOT / ".venv/bin/node", "--experimental-wasm-jspi", ROOT / "web/build.mjs"]
     subprocess.run([*node, ROOT / "build/npm", *yaml.__path__, out, "{}"], check=True)
-    assert (out / "snapshot.gz").read_bytes() == b"kept"
-    for folder, data in ((out, b"kept"), (site / "_static/live", kept.read_bytes())):
+    return out
+
+
+def test_snapshot_is_made_anew_only_when_its_inputs_change(site: Path, tmp_path: Path) -> None:
+    """And its address in the pages follows it."""
+    kept = gzip.compress(b"kept")
+    (tmp_path / snapshot().name).write_bytes(kept)
+    out = build(tmp_path)
+    assert (out / "snapshot.gz").read_bytes() == kept
+    for folder, data in ((out, kept), (site / "_static/live", snapshot().read_bytes())):
         assert hashlib.sha256(data).hexdigest() in (folder / "runs.js").read_text(encoding="utf-8")
+
+
+def test_half_a_snapshot_is_made_anew(site: Path, tmp_path: Path) -> None:
+    """What a full disk or a kill has left of it."""
+    whole = snapshot().read_bytes()
+    (tmp_path / snapshot().name).write_bytes(whole[: len(whole) // 2])
+    made = (build(tmp_path) / "snapshot.gz").read_bytes()
+    assert made == (tmp_path / snapshot().name).read_bytes()
+    assert len(gzip.decompress(made)) == len(gzip.decompress(whole))
 
 
 def test_plot_of_a_listing_that_says_for_how_long(watchful: None) -> None:

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import errno
 import re
 import shutil
 import subprocess
@@ -81,6 +82,31 @@ def test_a_caption_changes_in_the_list_of_every_page(pages: Path) -> None:
     assert touched(build(pages, "html"))[1] == ALL
 
 
+def test_what_failed_is_run_again_although_the_page_is_the_same(pages: Path) -> None:
+    change(pages / "notebooks/facts.rst", "open('helper.txt')", "open('of-this-machine.txt')")
+    assert build(pages, "html").returncode == 1
+    (pages / "of-this-machine.txt").write_text("one")
+    run = build(pages, "html")
+    assert (run.returncode, touched(run)[0]) == (0, {"notebooks/facts"})
+    assert touched(build(pages, "html")) == (set(), set())
+
+
+def test_a_build_that_broke_off_leaves_no_half_page(pages: Path, monkeypatch: pytest.MonkeyPatch) -> None:
+    """As when the disk is full: what was written by half is newer than its source."""
+    page = pages / "build/html/notebooks/book.html"
+    whole = page.read_text()
+
+    def full(*about: object) -> None:
+        page.write_text(whole[:100])
+        raise OSError(errno.ENOSPC, "No space left on device")
+
+    with monkeypatch.context() as context:
+        context.setattr("sphinx.builders.html.StandaloneHTMLBuilder.finish", full)
+        assert build(pages, "html").returncode != 0
+    assert build(pages, "html").returncode == 0
+    assert page.read_text() == whole
+
+
 @pytest.mark.parametrize("between", ["doctest", ""])
 def test_a_helper_changes_all_pages_whoever_reads_them_first(pages: Path, between: str) -> None:
     (pages / "helper.txt").write_text("two")
@@ -98,7 +124,7 @@ def test_a_helper_changes_all_pages_whoever_reads_them_first(pages: Path, betwee
 def test_a_fact_that_fails_is_told_again_until_it_holds(pages: Path) -> None:
     change(pages / "notebooks/facts.rst", "== 'one'", "== 'two'")
     runs = [build(pages, "html") for _ in range(2)]
-    assert [touched(run)[0] for run in runs] == [{"notebooks/facts"}, set()]
+    assert [touched(run)[0] for run in runs] == [{"notebooks/facts"}] * 2
     assert listed(runs[0]) == listed(runs[1]) != {}
     assert [run.returncode for run in runs] == [1, 1]
     change(pages / "notebooks/facts.rst", "== 'two'", "== 'one'")

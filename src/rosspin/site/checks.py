@@ -1,8 +1,8 @@
 """Sphinx extension: a build goes over all pages, and ends with status 1 and a list if something no longer holds.
 
-The list has what the directives, the notebooks and the examples noted, and the missing exercises. Notes are kept with
-the parsed page: a build that does not read the page anew lists them again. The builder ``doctest`` is Sphinx's own;
-the builder ``outputs`` writes what follows from the runs into the pages.
+The list has what the directives, the notebooks and the examples noted, and the missing exercises. A page with notes is
+read again by the next build, as what it found may have been due to the machine; after a build that broke off, all are.
+The builder ``doctest`` is Sphinx's own; ``outputs`` writes what follows from the runs into the pages.
 """
 
 from __future__ import annotations
@@ -17,6 +17,7 @@ from typing import Any
 from docutils import nodes
 from sphinx.application import ENV_PICKLE_FILENAME, Sphinx
 from sphinx.builders.dummy import DummyBuilder
+from sphinx.config import Config
 from sphinx.environment import BuildEnvironment
 from sphinx.util.typing import ExtensionMetadata
 
@@ -56,12 +57,28 @@ def setup(app: Sphinx) -> ExtensionMetadata:
     # another builder has read them.
     app.add_config_value("what_pages_run", "", "env")
     app.add_config_value("what_pages_show", lambda config: config.what_pages_run, "html")
+    app.connect("config-inited", _begin)
     app.connect("env-purge-doc", lambda app, env, page: noted(env).pop(page, None))
+    app.connect("env-get-outdated", lambda app, env, *changed: [page for page, notes in noted(env).items() if notes])
     app.connect("doctree-read", _read_notebook)
     app.connect("doctree-read", _run_examples)
     app.connect("env-updated", _look_at_picture)
     app.connect("build-finished", _finish)
     return {"parallel_read_safe": False, "parallel_write_safe": True}
+
+
+def _begin(app: Sphinx, config: Config) -> None:
+    """Read and write all pages again after a build that broke off: it may have written some of them by half."""
+    mark = _mark(app)
+    if mark.exists():
+        Path(app.doctreedir, ENV_PICKLE_FILENAME).unlink(missing_ok=True)
+    mark.parent.mkdir(parents=True, exist_ok=True)
+    mark.touch()
+
+
+def _mark(app: Sphinx) -> Path:
+    """Return the file that is there while a build is not at its end."""
+    return Path(app.doctreedir, "unfinished")
 
 
 def _run_examples(app: Sphinx, doctree: nodes.document) -> None:
@@ -72,11 +89,11 @@ def _run_examples(app: Sphinx, doctree: nodes.document) -> None:
 
 
 def _look_at_picture(app: Sphinx, env: BuildEnvironment) -> None:
-    """Check the README's picture if what it depends on has changed, and keep what was found."""
+    """Check the README's picture if what it depends on has changed, or if it did not hold; keep what was found."""
     shown = [path.read_bytes() for path in (Path(app.srcdir, "README.md"), *Path(app.srcdir, "docs").glob("*.svg"))]
     key = app.config.what_pages_run, shown
-    if getattr(env, "rosspin_picture", [None])[0] != key:
-        env.__dict__["rosspin_picture"] = key, stale_picture(Path(app.srcdir))
+    if getattr(env, "rosspin_picture", None) != (key, []):
+        env.__dict__["rosspin_picture"] = key, list(stale_picture(Path(app.srcdir)))
 
 
 def _read_notebook(app: Sphinx, doctree: nodes.document) -> None:
@@ -141,6 +158,7 @@ def _finish(app: Sphinx, error: Exception | None) -> None:
     """Say what no longer holds, or write what can be written."""
     if error is not None:
         return
+    _mark(app).unlink()
     # Sphinx warns only when it reads or writes a page, so the next build has to begin anew.
     if app._warncount:
         Path(app.doctreedir, ENV_PICKLE_FILENAME).unlink(missing_ok=True)

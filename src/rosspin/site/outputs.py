@@ -12,6 +12,7 @@ from collections.abc import Iterable, Iterator
 from contextlib import chdir
 from pathlib import Path
 
+from ..results.saving import save_whole
 from .claims import Edit, Stale, one_line
 from .vehicle import drawing
 
@@ -83,4 +84,4 @@ def write(root: Path, edits: Iterable[Edit]) -> None:
         lines = (root / file).read_text(encoding="utf-8").splitlines()
         for _, edit in sorted(group.items(), reverse=True):
             lines[edit.start : edit.end] = edit.lines
-        (root / file).write_text("\n".join(lines) + "\n", encoding="utf-8")
+        save_whole(root / file, ("\n".join(lines) + "\n").encode())

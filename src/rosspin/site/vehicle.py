@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import html
+import io
 import json
 from collections.abc import Sequence
 from contextlib import chdir
@@ -11,6 +12,7 @@ from pathlib import Path
 from ..measures import by_source
 from ..plots.vehicle import PERIOD, SECONDS, Drive, drive, preview, svg
 from ..results.rules import calculated
+from ..results.saving import save_whole
 from ..results.ticks import Tick
 from ..run.simulate import simulate
 
@@ -69,7 +71,9 @@ def save_preview(root: Path, file: Path, title: str) -> None:
     with chdir(root):
         shown = _drive(next(iter(NODES)), _AT)
     words = f"Another callback takes {_AT:g} s: the vehicle {shown.words}."
-    preview(shown, title, words).savefig(file, dpi=100, metadata={"Software": None})
+    drawn = io.BytesIO()
+    preview(shown, title, words).savefig(drawn, format="png", dpi=100, metadata={"Software": None})
+    save_whole(file, drawn.getvalue())
 
 
 def _position(name: str, length: float, shown: Drive) -> tuple[str, str, str, str, float]:

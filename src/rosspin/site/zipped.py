@@ -5,9 +5,12 @@ The same site gives the same zip, byte for byte: its files are sorted, and have 
 
 from __future__ import annotations
 
+import io
 import sys
 from pathlib import Path
 from zipfile import ZIP_DEFLATED, ZipFile, ZipInfo
+
+from ..results.saving import save_whole
 
 __all__ = ["zipped"]
 
@@ -23,12 +26,14 @@ def zipped(site: Path, start: Path, target: Path) -> int:
     """Write the ``site``, in a folder beside the page ``start``, into the file ``target``; return its size in bytes."""
     files = {path.relative_to(site).as_posix(): path for path in site.rglob("*") if path.is_file()}
     named = {f"site/{name}": path for name, path in files.items() if name not in _LEFT_OUT} | {START: start}
-    with ZipFile(target, "w", ZIP_DEFLATED, compresslevel=9) as archive:
+    packed = io.BytesIO()
+    with ZipFile(packed, "w", ZIP_DEFLATED, compresslevel=9) as archive:
         for name in sorted(named):
             info = ZipInfo(f"{NAME}/{name}")  # its time is the first that a zip knows
             info.compress_type = ZIP_DEFLATED
             info.external_attr = 0o644 << 16
             archive.writestr(info, named[name].read_bytes())
+    save_whole(target, packed.getvalue())
     return target.stat().st_size
 
 

@@ -24,6 +24,8 @@ from runtimes import RUNTIMES, kept, version
 from seeds import SEED
 from verdicts import inconclusive
 
+from rosspin.results.saving import save_whole
+
 PATIENCE = 600.0  # s, of which a quiet machine needs nothing
 RACES = 5  # runs of a scenario whose outcome is a race
 RANDOM = 12
@@ -98,7 +100,7 @@ def record(scenario: Scenario, console: str) -> None:
     known = scenario.recordings
     folder = scenario.path.parent / "recorded"
     folder.mkdir(exist_ok=True)
-    folder.joinpath(f"{scenario.name}{f'~{len(known) + 1}' if known else ''}.txt").write_text(kept(console))
+    save_whole(folder / f"{scenario.name}{f'~{len(known) + 1}' if known else ''}.txt", kept(console).encode())
 
 
 # --- random scenarios -------------------------------------------------------------------------------------------------
