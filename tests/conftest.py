@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import json
+import os
 from collections import defaultdict
 from collections.abc import Iterator
 from contextlib import nullcontext
@@ -16,13 +17,18 @@ from seeds import SEED
 from settle import settle
 from shares import SHARE
 from simulated_only import simulated_only
+from surroundings import clean
 from tree import DOCTREES, ROOT, SITE, TESTS
+
+from rosspin.results.saving import save_whole
 
 # Seconds that each file of tests took once, by its path below tests/; and those of this run.
 DURATIONS: dict[str, float] = json.loads((TESTS / "durations.json").read_text(encoding="utf-8"))
 _took: defaultdict[str, float] = defaultdict(float)
 
 pytest_plugins = ["quiet_lane"]
+
+clean(os.environ)
 
 
 def pytest_report_header() -> str:
@@ -68,7 +74,7 @@ def pytest_sessionfinish(session: pytest.Session) -> None:
         durations = DURATIONS | {name: round(seconds, 1) for name, seconds in _took.items()}
         (ROOT / "build").mkdir(exist_ok=True)
         text = json.dumps(dict(sorted(durations.items())), indent=2)
-        (ROOT / "build" / "durations.json").write_text(f"{text}\n", encoding="utf-8")
+        save_whole(ROOT / "build" / "durations.json", f"{text}\n".encode())
 
 
 def pytest_collection_finish() -> None:

@@ -324,7 +324,7 @@ def test_ros2_launch_restarts_it_too(write: Write, tmp_path: Path) -> None:
 def test_what_did_nothing_is_said_by_no_process(write: Write, tmp_path: Path) -> None:
     path = tmp_path / "one.launch.xml"
     path.write_text(
-        f'<launch><executable cmd="python3 {write(2, "robot")}" output="screen"/></launch>', encoding="utf-8"
+        f"""<launch><executable cmd="python3 '{write(2, "robot")}'" output="screen"/></launch>""", encoding="utf-8"
     )
     run = rosspin.simulate(path, 1.0, faults=[Late("/robot", 1.0)])
     assert run.console.endswith("\nrosspin: Late('/robot', by=1.0): /robot met no node of another process\n")

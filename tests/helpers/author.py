@@ -9,6 +9,7 @@ import subprocess
 import sys
 from collections.abc import Collection
 from pathlib import Path
+from shlex import quote
 
 from tree import ROOT
 
@@ -59,7 +60,7 @@ def without_runs(notebook: str) -> str:
 def typed(command: str, tree: Path) -> subprocess.CompletedProcess[str]:
     """Type a command in the tree, which uses this environment and runs no listing in the page."""
     if command.startswith("make "):
-        command += f" VENV= WEB= BIN={sys.prefix}/bin"
+        command += f" VENV= WEB= BIN={quote(sys.prefix)}/bin PYTHONPATH={quote(str(tree))}/src"
     environment = os.environ | {"PYTHONPATH": str(tree / "src")}
     return subprocess.run(command, shell=True, cwd=tree, env=environment, capture_output=True, text=True)
 

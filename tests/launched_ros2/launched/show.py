@@ -12,7 +12,7 @@ from std_msgs.msg import String
 def main():
     rclpy.init()
     node = Node("show", automatically_declare_parameters_from_overrides=True)
-    words = [re.sub(r"\S*/(launch_params|config/).*", "FILE", word) for word in sys.argv[1:]]
+    words = [re.sub(r".*/(launch_params|config/).*", "FILE", word) for word in sys.argv[1:]]
     print("line", words, flush=True)
     print("name", node.get_fully_qualified_name(), flush=True)
     print("topic", node.create_publisher(String, "chatter", 1).topic_name, flush=True)
