@@ -52,7 +52,7 @@ def judge(paths: Sequence[str], csv: str | None = None, as_json: bool = False, u
     try:
         lanes = Lanes(unsealed)
     except CannotSeal as error:
-        return _misused(f"answers cannot be sealed here: {error}. {_REMEDY}")
+        return _misused(f"answers cannot be sealed here: {str(error).rstrip('.')}. {_REMEDY}")
     progress = _Progress(len(places))
     for said in (*found.notes, *(f"{file} is refused: {why}." for file, why in found.refused)):
         print(said, file=sys.stderr)

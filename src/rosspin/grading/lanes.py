@@ -101,7 +101,7 @@ class _Lane:
         """Return what was sent, and why it is of no use if it is not."""
         word, newline, sent = bytes(self._sent).partition(b"\n")
         if word + newline != (SEALED if self._sealed else OPEN):
-            return f"{_NOT_SEALED} ({word.decode(errors='replace')[:100] or 'It said nothing'}.)", b""
+            return f"{_NOT_SEALED} (It said: {word.decode(errors='replace')[:100] or 'nothing'}.)", b""
         if not self._status.startswith(b"0 "):
             return _JUDGE_BROKE_DOWN if self.traced else _BROKE_DOWN, b""
         return None, sent

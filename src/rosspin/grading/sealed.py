@@ -43,9 +43,11 @@ _NAMESPACES = ("cgroup", "ipc", "mnt", "net", "pid", "uts")
 _FOLDER = 16 << 20
 
 _START = """
-import json, sys
+import json, os, sys
 given, own = json.loads(sys.argv[1]), sys.path[:]
 sys.path += given["path"]
+if given["lessons"]:
+    os.environ["ROSSPIN_LESSONS"] = given["lessons"]
 from rosspin.grading.worker import work
 work(given, own)
 """

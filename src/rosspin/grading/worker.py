@@ -15,6 +15,7 @@ import os
 import pkgutil
 import resource
 import signal
+import socket
 import stat
 import struct
 import sys
@@ -24,6 +25,8 @@ from contextlib import suppress
 from pathlib import Path
 from typing import Any, NoReturn
 
+from .. import exercises, rclpy, rospy
+from ..run.alone import refuse_processes
 from .filtered import close_kernel, is_known
 from .hand_ins import code
 
@@ -56,10 +59,6 @@ def work(given: Mapping[str, Any], own_path: list[str]) -> NoReturn:
 
     Each line on standard input says how many bytes the next job has; there is an answer to each on standard output.
     """
-    if given["lessons"]:
-        os.environ["ROSSPIN_LESSONS"] = given["lessons"]
-    from .. import exercises, rclpy, rospy
-
     for name in ("yaml", "xmlrpc.client"):  # which are else loaded when a node needs them
         importlib.import_module(name)
     for package in (rospy, rclpy, exercises):
@@ -134,9 +133,6 @@ def _send(data: bytes) -> None:
 
 def _done(job: Mapping[str, str]) -> bytes:
     """Run an answer and return the trace, or judge a trace and return the verdict; or do nothing, to try it."""
-    from .. import exercises
-    from ..run.alone import refuse_processes
-
     if not job:
         return b""
     text = code(job["text"])
@@ -216,8 +212,6 @@ def _header() -> bytes:
 
 def _check_kernel() -> None:
     """Try what must not be possible, and what must be."""
-    import socket
-
     for name, way in (
         ("a process", os.fork),
         ("a socket", socket.socket),

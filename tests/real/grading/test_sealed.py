@@ -179,6 +179,30 @@ def test_an_answer_ends_nothing_of_the_next_one(user: str, folder: Path) -> None
     assert all(answers[f"c{number}"]["solved"] for number in range(6))
 
 
+LESSON = """
+from rosspin.exercises import Finding
+TITLE, NODE, HINTS, RIGHT, WRONG = "A beat", "import rclpy", [], ["x = 1"], []
+def check(answer):
+    yield Finding(bool(answer.run(1.0)), "It runs.")
+"""
+
+
+def test_wherever_the_package_and_the_teacher_s_exercises_are(user: str, folder: Path) -> None:
+    """In folders with any name; as root, also in a copy that is closed to all others."""
+    copy = folder / "d'été $x"
+    shutil.copytree(Path(worker.__file__).parents[1], copy / "rosspin", ignore=shutil.ignore_patterns("__pycache__"))
+    (folder / "my lessons").mkdir()
+    (folder / "my lessons/a_beat.py").write_text(LESSON)
+    handed_in(folder / "class", "ann", "slow-timer", SOLVED)
+    handed_in(folder / "class", "ben", "a-beat", "x = 1")
+    if user == "root" and not os.geteuid():
+        for path in (copy, *copy.rglob("*"), *(folder / "my lessons").rglob("*")):
+            path.chmod(0o700 if path.is_dir() else 0o600)
+    where = {"PYTHONPATH": str(copy), "ROSSPIN_LESSONS": str(folder / "my lessons"), "PYTHONDONTWRITEBYTECODE": "1"}
+    _, found, _ = judge(folder / "class", user=user, **where)
+    assert found["sealed"] and [answer["verdict"] for answer in said(found).values()] == ["solved", "solved"]
+
+
 @pytest.fixture
 def made_lanes(require: Callable[[str], None], monkeypatch: pytest.MonkeyPatch) -> Iterator[list[Lanes]]:
     require("bwrap")
@@ -216,7 +240,7 @@ def test_an_answer_whose_seals_do_not_hold_does_not_run(
     monkeypatch.setattr(sealed, "_START", f"{begins}{broken}work(given, own){after}")
     (found,) = judged(own, "print('it runs')")
     assert found.verdict == "not judged" and not found.console
-    assert f"It could not be sealed as it has to be, so nothing of it has run. ({name}.)" in found.said
+    assert f"It could not be sealed as it has to be, so nothing of it has run. (It said: {name}.)" in found.said
 
 
 def test_where_no_later_lane_can_be_sealed_nothing_more_runs(
