@@ -79,6 +79,8 @@ REAL = [
     Case("r1_sleep_10_work_20", "sleep", ("motor sleep,wheel_speed,10,work=0.02",)),
     Case("r1_sleep_5_work_varies", "sleep", ("eye sleep,frame,5,work=0.03,spread=0.04",), 12),
     Case("r1_sleep_50_work_4", "sleep", ("arm sleep,joint_state,50,work=0.004",), 6),
+    # In bursts.
+    Case("r2_bursts", "bursts", ("driver burst,scan,2,size=5",)),
     # A pass that took too long.
     Case("r2_overran_beside", "overran", ("motor timer,wheel_speed,10,at=30,slow=0.35", "arm timer,joint_state,20")),
     Case("r2_overran_alone", "overran", ("motor timer,wheel_speed,20,at=70,slow=0.22",), 8),
@@ -174,6 +176,9 @@ SIMULATED = [
     Case("s1_rate_4", "healthy", (f"arm rate,joint_state,4,work=0.1,spread=0.1{J}",), 30),
     Case("s1_timers", "healthy", (f"base timer,odometry,20{J} timer,battery,1{J} timer,map,3{J}",), 20, form="pasted"),
     Case("s1_rate_12", "healthy", (f"arm rate,joint_state,12{B}",), 20, form="files"),
+    Case("s2_bursts", "bursts", (f"driver burst,scan,4,size=3{J}",), 12, form="launch"),
+    Case("s1_bursts_vary", "bursts", (f"driver burst,scan,1,size=8,fewer=4{J}",), 20, form="pasted"),
+    Case("s1_bursts_long", "bursts", ("driver burst,scan,1,size=4,work=0.02", f"eye timer,frame,8{J}"), 20),
     Case("s2_sleep_1", "sleep", (f"clock sleep,second,1,work=0.05,spread=0.02{J}",), 60),
     Case("s2_sleep_50", "sleep", (f"imu sleep,imu,50,work=0.003,spread=0.001{J}",), 10, form="launch"),
     Case("s2_sleep_20_two", "sleep", (f"a sleep,left,20,work=0.01{J}", f"b sleep,right,20,work=0.012{J}"), 20),

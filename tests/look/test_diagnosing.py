@@ -124,6 +124,24 @@ def test_two_lines_of_one_pass_are_not_two_nodes() -> None:
     assert [verdict.name for verdict in look(lines(times, both)).verdicts] == ["held-up"]
 
 
+def test_bursts_are_told_with_their_length_and_both_rates() -> None:
+    times = [n // 5 * 0.5 + n % 5 * 0.0005 for n in range(200)]
+    (verdict,) = look(lines(times)).verdicts
+    told = "comes in bursts of 5, each 2 ms long: 2 bursts a second, and 10 a second on average."
+    assert verdict.name == "bursts" and told in verdict.evidence[0]
+    table = "\n".join(["%time,field.data", *(f"{int(1.7e18 + time * 1e9)},0.5" for time in times)])
+    assert look(table.encode()).verdicts[0].name == "bursts"
+
+
+def test_a_list_that_is_logged_each_time_is_no_burst() -> None:
+    told = "\n".join(
+        f"[INFO] [{1.7e9 + n * 0.5 + leg * 0.001:.6f}] [base]: leg {leg}: {n * leg % 7}"
+        for n in range(40)
+        for leg in range(4)
+    )
+    assert [verdict.name for verdict in look(told.encode()).verdicts] == ["healthy"]
+
+
 def test_two_rows_of_times_without_a_count() -> None:
     times = sorted([n * 0.1 + n % 3 * 1e-4 for n in range(60)] + [n * 0.1 + 0.03 for n in range(60)])
     table = "\n".join(["%time,field.data", *(f"{int(1.7e18 + time * 1e9)},0.5" for time in times)])

@@ -102,6 +102,32 @@ def test_a_file_that_is_too_long_is_read_in_part(monkeypatch: pytest.MonkeyPatch
     assert found.entries < 50 and found.notes[-1].startswith("Only the first")
 
 
+@pytest.mark.parametrize(
+    ("speed", "says"),
+    [
+        (1 / 3, "0.333 times the speed of the wall clock: 10 Hz here were 3.33 Hz there"),
+        (1, "the speed of"),
+    ],
+)
+def test_lines_with_two_stamps_say_how_fast_simulated_time_went(speed: float, says: str) -> None:
+    lines = [f"[INFO] [{1.7e9 + n * 0.1 / speed:.6f}, {n * 0.1:.6f}]: tick {n}" for n in range(40)]
+    found = look("\n".join(lines).encode())
+    (note,) = found.notes
+    assert says in note and found.series[0].period == pytest.approx(1e8)
+
+
+@pytest.mark.parametrize(("wall", "kept"), [(40, "[INFO] [1700000000"), (10, "[INFO] [0")])
+def test_of_stamps_of_two_clocks_one_is_looked_at(wall: int, kept: str) -> None:
+    simulated = [f"[INFO] [{n * 0.1:.6f}] [b]: tick {n}" for n in range(20)]
+    lines = [f"[INFO] [{1.7e9 + n * 0.3:.6f}] [a]: tock {n}" for n in range(wall)] + simulated
+    found = look("\n".join(lines).encode())
+    assert found.entries == max(wall, 20) and found.seconds < 20
+    assert (
+        f"{min(wall, 20)} lines with stamps of {'simulated time' if wall > 20 else 'the wall clock'} set aside"
+        in found.notes[0]
+    )
+
+
 def test_of_very_many_lines_the_first_are_read(monkeypatch: pytest.MonkeyPatch) -> None:
     monkeypatch.setattr("rosspin.look.reading._MOST_LINES", 100)
     found = look(b"".join(b"[INFO] [%d.5]: counter = %d\n" % (n, n) for n in range(1000)))

@@ -105,6 +105,8 @@ class Look:
             "process": series.process,
             "part": series.part,
             "count": len(series.times),
+            "per_burst": series.per_pass,
+            "burst": series.length / NS,
             "period": series.period / NS or None,
             "rate": NS / series.period if series.period else None,
             "chosen": series.chosen / NS or None,
@@ -121,12 +123,13 @@ def _source(series: Series) -> str:
 
 
 def _row(series: Series) -> tuple[str, ...]:
+    entries = str(len(series.times)) + (f" × {series.per_pass:.3g}" if series.per_pass != 1 else "")
     if not series.is_regular:
-        return str(len(series.times)), "", "irregular", "", "", _source(series)
+        return entries, "", "irregular", "", "", _source(series)
     late = quantile([abs(late) for late in series.late], 0.98)
     period = f"{series.period / 1e6:.4g} ms"
     return (
-        str(len(series.times)),
+        entries,
         f"{NS / series.period:.4g} Hz",
         period,
         say_time(late / NS),

@@ -27,6 +27,7 @@ TITLES = {
     "blocked": "A slow callback that blocks its neighbours",
     "overran": "A pass that took longer than its period",
     "held-up": "Held up, and the log does not say by what",
+    "bursts": "In bursts: several at once, and then none",
     "sleep": "A sleep of fixed length after the work",
     "healthy": "As it should be",
     "unknown": "I cannot tell",
@@ -87,7 +88,7 @@ class _Diagnosis:
     def verdicts(self) -> list[Verdict]:
         self.clock_back()
         if not any(verdict.name == "unknown" for verdict in self.found):  # else runs, or processes, are mixed up
-            for look in (self.doubled, self.queue, self.lost, self.gaps, self.sleep):
+            for look in (self.doubled, self.queue, self.lost, self.gaps, self.bursts, self.sleep):
                 look()
         if not self.found:
             self.say_good()
@@ -366,6 +367,23 @@ class _Diagnosis:
                 if len(hits) >= max(2, 0.7 * len(windows)) and (often or len(set(hits)) >= 0.6 * len(series.times)):
                     found.append((series, where, len(hits)))
         return max(found, key=lambda each: each[2], default=None)
+
+    # --- bursts -------------------------------------------------------------------------------------------------------
+
+    def bursts(self) -> None:
+        for series in self.rows:
+            if series.per_pass == 1 or series.is_list or len(series.times) < FEWEST:
+                continue
+            seconds = (series.times[-1] - series.times[0]) / (len(series.times) - 1) / NS
+            size = f"{series.per_pass:.3g}"
+            evidence = [
+                f"“{series.name}” comes in bursts of {size}{'' if series.per_pass % 1 == 0 else ' on average'}, each "
+                f"{say_time(series.length / NS)} long: {1 / seconds:.4g} bursts a second, "
+                f"and {series.per_pass / seconds:.4g} a second on average.",
+                "Who sends collects them, or who receives is held up: a buffer, a slow callback, a wireless network. A "
+                "callback that logs the line so often each time looks the same.",
+            ]
+            self.say("bursts", "likely" if series.counts else "possible", evidence, [series])
 
     # --- a sleep, or nothing ------------------------------------------------------------------------------------------
 

@@ -20,6 +20,9 @@ NS = 10**9
 # Of a longer file only this much is read, in bytes: some 200,000 lines, which take some seconds.
 LIMIT = 16_000_000
 
+# Since when (ns) times are those of the wall clock, and not of a simulated one, which begins near 0.
+_EPOCH_BEGINS = 10**9 * NS
+
 # Of a text, no more lines than these are looked at, and of a line no more characters.
 _MOST_LINES = 500_000
 _WIDEST = 2_000
@@ -79,6 +82,8 @@ _FILE = re.compile(
 # Any other form: a number of seconds since 2001 or later, or a date with a fraction of a second.
 _EPOCH = re.compile(r"(?<![\d.])(?P<wall>[1-9]\d{9}\.\d{1,9})(?!\d)")
 _DATE = re.compile(r"(?P<day>\d{4}-\d\d-\d\d[ T]\d\d:\d\d:\d\d[.,]\d+)(?:Z|[+-]\d\d:?\d\d)?")
+# On ROS time: what the wall clock said, and then what ROS time was.
+_BOTH = re.compile(r"\[(\d{1,12}\.\d+), ?(\d{1,12}\.\d+)\]")
 _UNTIMED = re.compile(r"\[ ?" + _SEVERITY + r" ?\]")
 
 _NUMBER = re.compile(r"0x[0-9a-fA-F]+|(?<![A-Za-z_\d.])[-+]?(?:\d+\.?\d*|\.\d+)(?:[eE][-+]?\d+)?")
@@ -148,12 +153,15 @@ def entry(time: int, node: str, process: str, text: str) -> Entry:
 def _console(lines: Sequence[str]) -> Log:
     log = Log("console", [])
     untimed = other = 0
+    pairs = list[tuple[int, int]]()  # what the wall clock and ROS time said in one line
     for raw in lines:
         line = plain(raw[:_WIDEST]).strip()
         if not line:
             continue
         if _SAID.search(line):
             log.said.append(line)
+        if both := _BOTH.search(line):
+            pairs.append((_ns(both[1]), _ns(both[2])))
         found = _entry(line)
         if found is not None:
             log.entries.append(found)
@@ -167,7 +175,29 @@ def _console(lines: Sequence[str]) -> Log:
         log.notes.append(f"{_lines(untimed)} of a node without a time stamp: set aside.")
     if other:
         log.notes.append(f"{_lines(other)} without a time stamp: set aside.")
+    _tell_clocks(log, pairs)
     return log
+
+
+def _tell_clocks(log: Log, pairs: Sequence[tuple[int, int]]) -> None:
+    """Say so if stamps are of simulated time, how fast that went, and set aside what has stamps of another clock."""
+    simulated = [each for each in log.entries if each.time < _EPOCH_BEGINS]
+    wall = [each for each in log.entries if each.time >= _EPOCH_BEGINS]
+    if simulated and wall:
+        fewer, more = sorted((simulated, wall), key=len)
+        clock = "simulated time" if fewer is simulated else "the wall clock"
+        log.notes.append(
+            "Stamps of the wall clock and of simulated time are mixed in this log, and do not compare: "
+            f"{_lines(len(fewer))} with stamps of {clock} set aside."
+        )
+        log.entries[:] = more
+    (wall_first, first), (wall_last, last) = (pairs[0], pairs[-1]) if pairs else ((0, 0), (0, 0))
+    if wall_last > wall_first and last > first:
+        speed = (last - first) / (wall_last - wall_first)
+        went = f"{speed:.3g} times the speed of the wall clock: 10 Hz here were {10 * speed:.3g} Hz there"
+        if abs(speed - 1) < 0.02:
+            went = "the speed of the wall clock"
+        log.notes.append(f"The lines have stamps of the wall clock and of ROS time, which counts. It went at {went}.")
 
 
 def _lines(count: int) -> str:

@@ -7,7 +7,7 @@ from collections.abc import Sequence
 from dataclasses import dataclass, field
 from heapq import nlargest
 from itertools import pairwise
-from statistics import median
+from statistics import median, mode
 
 from ..measures import quantile
 from .reading import Entry, shape
@@ -62,7 +62,9 @@ class Series:
     counts: list[int] = field(default_factory=list)
     publishers: set[str] = field(default_factory=set)
     part: int = 0  # which of several rows of counts in one line this is, from 1
-    per_pass: int = 1
+    per_pass: float = 1  # of several lines that come together each time, how many; only the first are in ``times``
+    length: int = 0  # from the first to the last of these (ns)
+    is_list: bool = False  # they are not one thing again and again, but always the same list: "leg 1", "leg 2"
     period: float = 0.0
     spread: float = 0.0
     memory: float | None = None
@@ -320,15 +322,24 @@ def _one_a_pass(series: Series) -> None:
     if len(steps) < FEWEST:
         return
     large = sorted(steps)[int(0.9 * (len(steps) - 1))]
-    firsts = [0, *(n for n, step in enumerate(steps, 1) if step >= 0.05 * large)]
+    firsts = [0, *(n for n, step in enumerate(steps, 1) if step >= 0.2 * large)]
     sizes = [other - one for one, other in pairwise(firsts)]
     usual = round(median(sizes)) if sizes else 1
-    if usual < 2 or sizes.count(usual) < 0.8 * len(sizes):
+    if usual < 2 or sum(size > 1 for size in sizes) < 0.8 * len(sizes):
         return
-    series.per_pass = usual
+    series.per_pass = usual if sizes.count(usual) >= 0.8 * len(sizes) else sum(sizes) / len(sizes)
+    series.length = round(median(series.times[after - 1] - series.times[first] for first, after in pairwise(firsts)))
+    series.is_list = _is_list([series.texts[first:after] for first, after in pairwise(firsts)])
     series.times = [series.times[n] for n in firsts]
     series.texts = [series.texts[n] for n in firsts]
     series.counts = [series.counts[n] for n in firsts] if series.counts else []
+
+
+def _is_list(passes: Sequence[Sequence[str]]) -> bool:
+    """Whether lines that come together begin with the same numbers each time, each with another one."""
+    begins = [[(shape(text)[1] or ("",))[0] for text in texts] for texts in passes]
+    usual = list(mode(map(tuple, begins)))
+    return len(set(usual)) == len(usual) > 1 and begins.count(usual) >= 0.8 * len(begins)
 
 
 def _lay(series: Series) -> None:

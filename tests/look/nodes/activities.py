@@ -40,6 +40,11 @@ class Activity:
         if work:
             time.sleep(work)
 
+    def burst(self, *_):
+        """Make as many passes as ``size`` says, at random fewer by up to ``fewer``, one right after the other."""
+        for _ in range(int(self.get("size")) - self.random.randint(0, int(self.get("fewer")))):
+            self()
+
     def collect_garbage(self):
         """Let Python look through as many objects as ``objects`` says, in vain, during which no thread runs."""
         self.heap = [[] for _ in range(int(self.get("objects")))]

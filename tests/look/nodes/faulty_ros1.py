@@ -33,6 +33,8 @@ def until_the_end(activity, sleep):
 def add(activity):
     if activity.kind == "timer":
         rospy.Timer(rospy.Duration(1 / activity.rate), locked(activity))
+    elif activity.kind == "burst":
+        rospy.Timer(rospy.Duration(1 / activity.rate), activity.burst)
     elif activity.kind == "sleep":
         Thread(target=until_the_end, args=[activity, lambda: rospy.sleep(1 / activity.rate)], daemon=True).start()
     elif activity.kind == "rate":

@@ -32,6 +32,8 @@ class FaultyNode(Node):
     def add(self, activity):
         if activity.kind == "timer":
             self.create_timer(1 / activity.rate, activity)
+        elif activity.kind == "burst":
+            self.create_timer(1 / activity.rate, activity.burst)
         elif activity.kind == "sleep":
             Thread(target=activity.loop, args=[lambda: time.sleep(1 / activity.rate)], daemon=True).start()
         elif activity.kind == "rate":
