@@ -116,7 +116,7 @@ def test_the_version(capsys: pytest.CaptureFixture[str]) -> None:
 
 # Files of more than 1000 bytes cannot be written, as on a disk that is full.
 FULL = """
-import resource, sys
+import resource, sys, matplotlib.font_manager
 from rosspin.__main__ import main
 resource.setrlimit(resource.RLIMIT_FSIZE, (1000, 1000))
 sys.exit(main(sys.argv[1:]))
@@ -129,7 +129,7 @@ def test_on_a_full_disk_no_part_of_a_file_is_left(tmp_path: Path, option: str, o
         (tmp_path / name).write_text("older")
     target = tmp_path / ("a.svg" if option == "--plot" else "")
     done = subprocess.run(
-        [sys.executable, "-c", FULL, "look", BLOCKED, option, str(target)], capture_output=True, text=True
+        [sys.executable, "-B", "-c", FULL, "look", BLOCKED, option, str(target)], capture_output=True, text=True
     )
     assert done.returncode == 1 and "File too large" in done.stderr and str(tmp_path) in done.stderr
     assert sorted(path.name for path in tmp_path.iterdir()) == sorted(older)
