@@ -10,6 +10,7 @@ import shutil
 import subprocess
 from collections.abc import Mapping
 from pathlib import Path
+from shlex import quote
 
 import pytest
 import yaml
@@ -81,7 +82,7 @@ def test_github_s_workflow_judges_what_was_pushed_and_the_teacher_the_clones(tmp
     (tmp_path / "examples").symlink_to(ROOT / "examples")
     copy, wheel = commands("cp -r", ".venv/bin/pip")
     typed(copy, tmp_path)
-    typed(wheel.removesuffix(".") + str(ROOT), tmp_path)
+    typed(wheel.removesuffix(".") + quote(str(ROOT)), tmp_path)
     typed("python3 -m venv github", tmp_path)
     path = {"PATH": f"{tmp_path / 'github/bin'}{os.pathsep}{os.environ['PATH']}"}
     shutil.copytree(tmp_path / "spin-assignment", tmp_path / "clones/ben")

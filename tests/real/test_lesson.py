@@ -5,6 +5,7 @@ from __future__ import annotations
 import re
 import sys
 from pathlib import Path
+from shlex import quote
 
 import pytest
 from author import copied, listed_in, typed
@@ -54,5 +55,5 @@ def test_the_how_to_is_a_way_to_a_lesson(tmp_path: Path) -> None:
     node = FILES["lessons/faster_heartbeat.py"].partition("NODE = '''\n")[2].partition("'''")[0]
     for period, status in (("0.5", 1), ("0.25", 0)):
         (tree / "faster-heartbeat.py").write_text(node.replace("0.5", period))
-        run = typed(judge.replace(".venv/bin/rosspin", f"{sys.executable} -m rosspin"), tree)
+        run = typed(judge.replace(".venv/bin/rosspin", f"{quote(sys.executable)} -m rosspin"), tree)
         assert run.returncode == status, run.stdout + run.stderr

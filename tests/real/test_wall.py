@@ -11,6 +11,7 @@ import threading
 from collections.abc import Iterator
 from concurrent.futures import ThreadPoolExecutor
 from pathlib import Path
+from shlex import quote
 from typing import Any
 
 import pytest
@@ -320,7 +321,8 @@ def test_what_is_in_a_session_of_its_own_ends_too(
 
 def test_what_was_there_before_the_command_line_stays(write: Any) -> None:
     """A shell that becomes rosspin has started it."""
-    command = f"sleep 1000 >&2 & echo $!; exec {sys.executable} -m rosspin run {write('print(1)')} >&2"
+    words = map(quote, [sys.executable, "-m", "rosspin", "run", str(write("print(1)"))])
+    command = f"sleep 1000 >&2 & echo $!; exec {' '.join(words)} >&2"
     done = subprocess.run(["sh", "-c", command], stdout=subprocess.PIPE, timeout=NEVER, text=True)
     os.kill(int(done.stdout), signal.SIGTERM)
 

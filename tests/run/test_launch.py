@@ -7,6 +7,7 @@ import subprocess
 import sys
 from collections.abc import Callable
 from pathlib import Path
+from shlex import quote
 from typing import Any
 
 import pytest
@@ -218,7 +219,8 @@ def test_what_never_ends_is_said_with_file_and_line(launched: Launched, text: st
 
 def test_a_file_that_is_refused_runs_no_command(launched: Launched, tmp_path: Path) -> None:
     (tmp_path / "touch.py").write_text(f"open({str(tmp_path / 'ran')!r}, 'w')")
-    command = f"<param name='a' command='{sys.executable} {tmp_path}/touch.py'/>"
+    words = quote(sys.executable), quote(str(tmp_path / "touch.py"))
+    command = f'<param name="a" command="{" ".join(words)}"/>'
     for refused in ("<foo/>", "<rosparam>[</rosparam>", node(name="a/b"), node(type="lost.py")):
         with pytest.raises(ValueError):
             simulate(launched(command + refused), 1)
