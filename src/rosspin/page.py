@@ -1,7 +1,7 @@
 """Run a node in a web page: in simulated time that keeps pace with real time, in the page's own Python (Pyodide).
 
-``web/src/worker.js`` calls :func:`run`, :func:`trace`, :func:`judge` and :func:`look`. Nothing here is needed, or can
-run, outside of a browser.
+``web/src/worker.js`` calls :func:`run`, :func:`trace`, :func:`judge`, :func:`look` and :func:`pin`. Nothing here is
+needed, or can run, outside of a browser.
 """
 
 from __future__ import annotations
@@ -23,6 +23,7 @@ from collections import defaultdict, deque
 from collections.abc import Callable, Iterable, Iterator, Sequence
 from contextlib import contextmanager, redirect_stderr, redirect_stdout, suppress
 from functools import wraps
+from itertools import islice
 from json import dumps, loads
 from traceback import walk_tb
 from typing import TYPE_CHECKING, Any
@@ -39,6 +40,7 @@ from .clocks.stacks import whose
 from .exercises.advice import advice
 from .measures import by_source, describe_timeline, lost_by_source, quantile
 from .results.pinned import as_test
+from .results.ticks import Tick
 from .run.alone import ON_A_COMPUTER, refuse_processes
 from .run.explain import TimeStandsStill, say_error
 from .run.roses import ROSES, Ros
@@ -53,7 +55,7 @@ from .world.world import NotSimulated, World
 if TYPE_CHECKING:
     from .look import Look
 
-__all__ = ["judge", "look", "run", "trace", "wake"]
+__all__ = ["judge", "look", "pin", "run", "trace", "wake"]
 
 # The page interrupts code that does not give way, so that a run's watchdog can look at it. Outside of runs, ignore it.
 signal.signal(signal.SIGINT, signal.SIG_IGN)
@@ -69,14 +71,20 @@ _FOR_ROS = re.compile(r"-p$|--param$|-r$|--remap$|_\w+:=")
 # How many ticks, the last ones, a plot shows at most.
 _MOST_TICKS = 2000
 
-# The longest console (characters) that is worth pinning in a test.
-_LONGEST = 50_000
+# What a page takes: see web/src/protocol.js. So long (characters) are names, sentences and larger texts, and the scenes
+# of a run, with so many of anything; times (s) go as far as 64 bits count nanoseconds.
+_NAME, _SENTENCE, _TEXT, _SCENES = 200, 500, 1_000_000, 250_000
+_MOST = 100
+_MOST_RINGS = 20
+_FAR = 2**63 / NS
 
 # How those lines of both ROSes begin that a reader may want to trace.
 _SERIOUS = ("[WARN]", "[ERROR]", "[FATAL]")
 
-# How many chunks of what a tick prints are remembered; the page's console holds no more lines.
+# How many chunks of what a tick prints are remembered, and how many of the last in all; the page's console holds no
+# more lines.
 _MOST_CHUNKS = 1000
+_LAST_CHUNKS = 10_000
 
 # Of a log the page shows so many series, and draws so many entries, and as many times at which one is missing.
 _MOST_SERIES = 50
@@ -120,9 +128,8 @@ def run(source: str, filename: str, seconds: float, args: str, speed: float, bes
     called with each tick that begins (s). ``wait(ms)`` returns a promise that is kept after that time. The result, as
     JSON: the exit ``status``, the number of ``errors`` in its threads, the last ``ticks`` with their durations, their
     ``count``, the ``lost`` ones, each with its source and when it was due (s), the ``chunks`` that each tick printed (a
-    call of ``print`` is one, counted from 0), the ``end`` of the run (s), a text ``alternative`` to their plot, and a
-    ``test`` that pins it all, empty if that would be long or if there was an error; and of a node that runs alone its
-    ``scenes``. Errors are printed and give status 1.
+    call of ``print`` is one, counted from 0; the last ones only), the ``end`` of the run (s) and a text ``alternative``
+    to their plot; and of a node that runs alone its ``scenes``. Errors are printed and give status 1.
     """
     printed = _Printed()
     streams = [_Stream(page, is_error, printed, filename) for is_error in (False, True)]
@@ -169,6 +176,20 @@ def judge(exercise: str, text: str, trace: str) -> str:
         return dumps(exercises.verdict(exercise, text, trace)._asdict())
 
 
+def pin(source: str, filename: str, seconds: float, args: str, console: str, ticks: str) -> str:
+    """Write a test that pins what a run showed: its ``console``, and its ``ticks`` as JSON, as :func:`run` has them.
+
+    The rest are the arguments of that run. Nothing of it is run here.
+    """
+    words: Sequence[str] = ()
+    if source.startswith("%%"):
+        seconds, words = _magic(source)
+    else:
+        words = _split(args, "arguments")
+    shown = [Tick(name, number, *map(float, times)) for name, number, *times in loads(ticks)]
+    return as_test(_node(source), filename, seconds, words, console, shown)
+
+
 def look(log: Any, name: str) -> str:
     """Look at a log, of which ``log`` is a buffer of JavaScript and ``name`` is the file's name; nothing in it is run.
 
@@ -183,34 +204,38 @@ def look(log: Any, name: str) -> str:
     try:
         return dumps(_looked(look_at(log.to_bytes(), name)), allow_nan=False)
     except NoLog as error:
-        return dumps({"problem": str(error)})
+        return dumps({"problem": _shortened(str(error))})
     except Exception as error:  # a log may be made of anything
         said = f"rosspin itself failed at this log, which is a fault of rosspin: {type(error).__name__}: {error}"
-        return dumps({"problem": said})
+        return dumps({"problem": _shortened(said)})
 
 
 def _looked(found: Look) -> dict[str, Any]:
     from .look.pinning import as_files
     from .look.series import FEWEST
 
+    if found.seconds > _FAR:
+        years = found.seconds / 31_557_600
+        return {"problem": f"its times are {years:.3g} years apart, which no clock of ROS can say"}
     made = found.as_dict()
     left = lacking = _MOST_ENTRIES
     rows = []
     for series in [series for series in made["series"] if series["count"] >= FEWEST][:_MOST_SERIES]:
-        row: dict[str, Any] = {
-            name: series[name] or 0 for name in ("name", "part", "count", "period", "chosen", "drift")
-        }
+        row: dict[str, Any] = {name: series[name] or 0 for name in ("part", "count", "period", "chosen", "drift")}
+        row["name"] = _name(series["name"])
         for name, most in (("times", left), ("late", left), ("missing", lacking)):
             row[name] = [round(time, 6) for time in series[name][:most]]
         left, lacking = left - len(row["times"]), lacking - len(row["missing"])
         sizes = [abs(late) for late in series["late"]]
         rows.append(row | {"usual": quantile(sizes, 0.98) if sizes else 0, "lost": len(series["missing"])})
     faults = [
-        {name: verdict[name] for name in ("title", "certain", "evidence", "page", "series")}
-        for verdict in made["verdicts"]
+        _shortened({name: verdict[name] for name in ("title", "certain", "page")})
+        | {"evidence": _shortened(verdict["evidence"][:_MOST]), "series": [*map(_name, verdict["series"][:_MOST])]}
+        for verdict in made["verdicts"][:_MOST]
     ]
-    about = {name: made[name] for name in ("kind", "entries", "seconds", "notes")}
-    return {"problem": "", **about, "verdicts": faults, "series": rows, "files": list(as_files(found).items())}
+    about = {name: made[name] for name in ("kind", "entries", "seconds")} | {"notes": _shortened(made["notes"][:_MOST])}
+    files = [[name, text] for name, text in as_files(found).items() if len(text) <= _TEXT]
+    return {"problem": "", **about, "verdicts": faults, "series": rows, "files": files}
 
 
 @contextmanager
@@ -280,39 +305,56 @@ def _run(
     lost = lost_by_source(result.ticks, recording.periods(), recording.coming())
     shown = result.ticks[-_MOST_TICKS:]
     since = 0.0 if len(shown) == len(result.ticks) else min(tick.expected for tick in shown)
-    console = "".join(printed.texts)
-    pins = not (others or result.status or errors or printed.size > _LONGEST or len(result.ticks) > _MOST_TICKS)
     return {
         "status": result.status,
         "errors": len(errors),
         "count": len(result.ticks),
-        "ticks": [[*tick[:4], tick.duration if tick.duration >= 0 else 0] for tick in shown],
-        "lost": [[source, round(time, 6)] for source, times in lost.items() for time in times if time >= since][
+        "ticks": [[_name(tick.source), *tick[1:4], tick.duration if tick.duration >= 0 else 0] for tick in shown],
+        "lost": [[_name(source), round(time, 6)] for source, times in lost.items() for time in times if time >= since][
             -_MOST_TICKS:
         ],
-        "chunks": [list(chunks) for chunks in printed.chunks[-_MOST_TICKS:]],
+        "chunks": [
+            [number for number in chunks if number >= printed.count - _LAST_CHUNKS]
+            for chunks in printed.chunks[-_MOST_TICKS:]
+        ],
         "end": min(pacer.simulation.seconds(), seconds),
         "alternative": " ".join(
             describe_timeline(source, group) + (f" Lost ticks: {len(lost[source])}." if source in lost else "")
-            for source, group in groups.items()
-        ),
-        "scenes": pacer.scenes and pacer.scenes.data(result.status),
-        "test": as_test(node.source or "", node.filename, seconds, args, console, result.ticks) if pins else "",
+            for source, group in islice(groups.items(), _MOST)
+        )[:_TEXT],
+        "scenes": _drawable(pacer.scenes.data(result.status) if pacer.scenes else None),
     }
 
 
-class _Printed(TickLog):
-    """The ticks of a run, and what was printed during each: the numbers of its ``chunks``, counted from 0.
+def _name(text: str) -> str:
+    return text if len(text) <= _NAME else f"{text[: _NAME - 1]}…"
 
-    ``texts`` are the first chunks, ``size`` is the length of all.
-    """
+
+def _shortened(value: Any) -> Any:
+    """Return something with its texts cut to the length of a sentence."""
+    if isinstance(value, str):
+        return value if len(value) <= _SENTENCE else f"{value[: _SENTENCE - 1]}…"
+    if isinstance(value, dict):
+        return {name: _shortened(part) for name, part in value.items()}
+    return [_shortened(part) for part in value] if isinstance(value, (list, tuple)) else value
+
+
+def _drawable(scenes: dict[str, Any] | None) -> dict[str, Any] | None:
+    """Return the scenes of a run as a page can show them; None if there is more in them than that."""
+    if scenes is None:
+        return None
+    made = _shortened(scenes | {"rings": scenes["rings"][:_MOST_RINGS]})
+    lists = [made["threads"], made["groups"], made["callbacks"], *(ring["links"] for ring in made["rings"])]
+    return made if max(map(len, lists)) <= _MOST and len(dumps(made)) <= _SCENES else None
+
+
+class _Printed(TickLog):
+    """The ticks of a run, and what was printed during each: the numbers of its ``chunks``, in all ``count``."""
 
     def __init__(self) -> None:
         super().__init__()
-        self.texts: list[str] = []
-        self.size = 0
         self.chunks: list[deque[int]] = []
-        self._count = 0
+        self.count = 0
         self._last: dict[int, int] = {}  # of each thread, its last tick
         self._since: defaultdict[int, deque[tuple[int, int]]] = defaultdict(_deque)  # its chunks since, and when (ns)
 
@@ -335,18 +377,15 @@ class _Printed(TickLog):
 
         return make_after
 
-    def note(self, text: str) -> None:
+    def note(self) -> None:
         """Note that a chunk is printed."""
-        self.size += len(text)
-        if self.size <= _LONGEST:
-            self.texts.append(text)
         world, thread = whose(), threading.get_ident()
         last = self._last.get(thread)
         if last is not None and self.is_running(last):
-            self.chunks[last].append(self._count)
+            self.chunks[last].append(self.count)
         elif isinstance(world, World):
-            self._since[thread].append((self._count, world.clock.now()))
-        self._count += 1
+            self._since[thread].append((self.count, world.clock.now()))
+        self.count += 1
 
 
 def _deque(items: Iterable[Any] = ()) -> deque[Any]:
@@ -379,7 +418,7 @@ class _Pacer:
 
     def _show_ticks(self) -> None:
         for source, number, expected, real, _ in zip(*self._ticks.columns(self._shown)):
-            self._page.tick(source, number, expected / NS, real / NS)
+            self._page.tick(_name(source), number, expected / NS, real / NS)
             self._shown += 1
 
 
@@ -393,7 +432,7 @@ class _Stream(io.TextIOBase):
         self._filename = filename
 
     def write(self, text: str) -> int:
-        self._printed.note(text)
+        self._printed.note()
         self._page.print(text, self._is_error, self._line() if text.startswith(_SERIOUS) else 0)
         return len(text)
 

@@ -4,10 +4,13 @@ import { Console } from "./console.js"
 import { Kept } from "./kept.js"
 import { find, make } from "./make.js"
 import { Plot } from "./plot.js"
-import { IS_IT_THERE, start, warmUp } from "./python.js"
+import { IS_IT_THERE, load, start, warmUp } from "./python.js"
 
 /** For how long (s) a node runs, unless the reader says otherwise. */
 const SECONDS = "10"
+
+/** The longest console (characters) that is worth pinning in a test. */
+const LONGEST = 50_000
 
 const SEE_CONSOLE = "error: see the console"
 
@@ -94,7 +97,8 @@ export class Cell {
   #made = null // the plot that was made with the page, if there is one
   /** @type {HTMLElement | null | undefined} */
   #output // of a notebook's cell: what it printed when the site was built
-  #test = "" // pins what the last run showed
+  /** @type {(Omit<import("./protocol.js").PinJob, "kind">) | null} */
+  #pinned = null // what the last run showed, if a test can pin it
   #ran = "" // what the last run ran
   #endSteps = () => {} // takes away what goes through it step by step
   /** @type {import("./editor.js").Editor | null} */
@@ -139,7 +143,7 @@ export class Cell {
     this.edit = button("Edit", () => this.#edit())
     this.reset = button("Reset", () => this.#reset())
     this.share = button("Share", () => this.#share())
-    this.pin = button("Copy as test", () => this.#copy(this.#test, "the test is copied: save it in a file for pytest"))
+    this.pin = button("Copy as test", () => this.#pin())
     this.earlier = button("Earlier version", () => this.#bringBack())
     this.copy = button("Copy text", () => this.#copy(this.#text, "copied"))
     this.seconds = make("input", { type: "number", min: "0", max: "3600", step: "any", value: SECONDS })
@@ -373,6 +377,18 @@ export class Cell {
     }
   }
 
+  /** Copy a test that pins what the reader sees. It is made where nothing of the run is. */
+  async #pin() {
+    const [shown, number] = [this.#pinned, this.#runs]
+    if (!shown) return
+    this.#say("writing the test")
+    const made = load(this.#base).then((runs) => runs.pin(shown))
+    const said = await made.catch((error) => error)
+    if (number !== this.#runs) return
+    if (typeof said === "string") await this.#copy(said, "the test is copied: save it in a file for pytest")
+    else this.#say(`error: the test could not be written. ${IS_IT_THERE}`)
+  }
+
   // --- runs ---
 
   /**
@@ -386,6 +402,7 @@ export class Cell {
     this.#endSteps()
     this.#endSteps = () => {}
     this.copied.hidden = this.pin.hidden = true
+    this.#pinned = null
     this.#showMade(!runs)
   }
 
@@ -411,12 +428,16 @@ export class Cell {
     this.#ran = source
     const beside = others.filter((other) => other !== this).map((other) => other.#beside)
     const job = { source, filename, seconds, args, speed: Number(this.speed.value), beside, exercise: this.exercise }
-    this.#worker = start(this.#base, job, (message) => number === this.#runs && this.#hear(message))
+    const hear = (/** @type {import("./runs.js").Told} */ message) => this.#hear(message, job)
+    this.#worker = start(this.#base, job, (message) => number === this.#runs && hear(message))
     this.#say("starting Python")
   }
 
-  /** @param {import("./runs.js").Told} message */
-  #hear(message) {
+  /**
+   * @param {import("./runs.js").Told} message
+   * @param {import("./runs.js").Text} job
+   */
+  #hear(message, job) {
     if (message.kind === "begun") {
       this.#say("running")
     } else if (message.kind === "batch") {
@@ -424,27 +445,34 @@ export class Cell {
       this.plot.add(message.ticks)
     } else if (message.kind === "end") {
       this.#worker = null
+      this.console.finish()
       const { result } = message
       if ("solved" in result) this.#say((result.verdict || SEE_CONSOLE) + this.#progress(result.solved))
-      else this.#finish(result)
+      else this.#finish(result, job)
     } else {
       this.#end()
       this.console.print([[true, `${message.reason}\n`, 0, 0]], 0)
+      this.console.finish()
       this.#say("error: Python stopped")
     }
   }
 
-  /** @param {import("./protocol.js").RunResult} result */
-  #finish({ status, errors, count, ticks, lost, chunks, alternative, end, test, scenes }) {
-    this.#test = test
-    this.pin.hidden = !test
+  /**
+   * @param {import("./protocol.js").RunResult} result
+   * @param {import("./runs.js").Text} job
+   */
+  #finish({ status, errors, count, ticks, lost, chunks, alternative, end, scenes }, { source, filename, seconds, args, beside }) {
+    const { whole } = this.console
+    const pins = !status && !errors && !beside.length && count === ticks.length && whole !== null && whole.length <= LONGEST
+    this.#pinned = pins ? { source, filename, seconds, args, console: whole, ticks } : null
+    this.pin.hidden = !pins
     const none = this.#endSteps
     if (scenes) {
       import(`${this.#base}stepper.js`).then(({ offer }) => {
         if (this.#endSteps === none) this.#endSteps = offer(this.console.element, this.#name, scenes, this.#pre, this.#ran)
       })
     }
-    if (count) this.plot.finish(ticks, alternative, chunks, end, lost)
+    if (count) this.plot.finish(ticks, count, alternative, chunks, end, lost)
     const ticked = count ? `: ${count} tick${count === 1 ? "" : "s"}` : ""
     const done = status === BY_CTRL_C ? `done${ticked}, ended by Ctrl-C with a traceback` : SEE_CONSOLE
     this.#say(status ? done : errors ? `done, but with an ${SEE_CONSOLE}` : `done${ticked}`)
@@ -464,6 +492,7 @@ export class Cell {
 
   #stop() {
     this.#end()
+    this.console.finish()
     this.plot.stop()
     this.#say("stopped")
   }

@@ -1,21 +1,42 @@
 // What a run prints, as text and never as HTML. A flood pushes its first lines out at the top.
 
 import { make } from "./make.js"
+import { Painter } from "./painter.js"
 
+/**
+ * So many lines are shown, of so many characters in all. One that is longer than a line can be goes on in the next: to lay
+ * out one line takes a browser more than twice as long if it is twice as long, above all in scripts other than Latin.
+ */
 const MOST_LINES = 1000
+const MOST = 100_000
+const LONGEST = 1000
+
+/** Parts of lines, none longer than that. */
+const PARTS = /[^\n]{0,999}(\n|[^\n])/gu
 
 // ROS 2 logs on stderr what is no error, too.
 const NO_ERROR = /^\[(DEBUG|INFO)\]/
 
 const LEVEL = /^\[\w+\]/
 
-/** @typedef {HTMLSpanElement & {chunks: number[]}} Line with the numbers of the chunks that it is made of */
+/**
+ * @typedef {HTMLSpanElement & {chunks: number[], size: number}} Line with the numbers of the chunks in it, and its size:
+ *   how many characters it has, of which others than those of English count as several
+ */
+
+const ALIEN = /[^\x00-\x7f]/g
+const sizeOf = (/** @type {string} */ text) => text.length + 3 * (text.match(ALIEN)?.length ?? 0)
 
 export class Console {
   #text = make("pre")
   #notice = make("p")
   #leftOut = 0
   #open = false // whether the last line goes on
+  #size = 0
+  /** @type {import("./protocol.js").Chunk[]} */
+  #coming = [] // parts of lines that are not shown yet, and whether each is an error
+  #comingSize = 0
+  #painter = new Painter(() => this.#show())
   #place // finds where the node's file is named
   #goTo
   #all // whether lines of stdout are searched for it, too
@@ -45,10 +66,17 @@ export class Console {
     return this.element.hidden
   }
 
+  /** All that was printed; null if some of it is left out. */
+  get whole() {
+    return this.#leftOut ? null : this.#text.textContent
+  }
+
   clear() {
+    this.#painter.clear()
     this.element.hidden = this.#notice.hidden = true
     this.#text.replaceChildren()
-    this.#leftOut = 0
+    this.#coming = []
+    this.#leftOut = this.#size = this.#comingSize = 0
     this.#open = false
   }
 
@@ -62,16 +90,52 @@ export class Console {
   print(chunks, leftOut) {
     if (!chunks.length) return
     this.element.hidden = false
-    const atEnd = this.element.scrollTop + this.element.clientHeight >= this.element.scrollHeight - 2
     this.#leftOut += leftOut
-    for (const chunk of chunks) this.#add(chunk)
-    while (this.#text.childElementCount > MOST_LINES) {
-      this.#text.firstChild?.remove()
-      this.#leftOut++
+    for (const [onStderr, text, number, line] of chunks) {
+      const isError = onStderr && !NO_ERROR.test(text)
+      for (const [part] of text.matchAll(PARTS)) {
+        this.#coming.push([isError, part, number, line])
+        this.#comingSize += sizeOf(part)
+      }
     }
+    let first = 0
+    let lines = this.#coming.reduce((sum, [, part]) => sum + Number(part.endsWith("\n")), 0)
+    for (; this.#comingSize > MOST || lines > MOST_LINES; first++) {
+      const [, part] = this.#coming[first]
+      this.#comingSize -= sizeOf(part)
+      lines -= Number(part.endsWith("\n"))
+      this.#leaveOut(part)
+    }
+    this.#coming.splice(0, first)
+    this.#painter.soon()
+  }
+
+  /** Show all that has come. */
+  finish() {
+    this.#painter.now()
+  }
+
+  #show() {
+    const atEnd = this.element.scrollTop + this.element.clientHeight >= this.element.scrollHeight - 2
+    this.#coming.forEach((chunk) => this.#add(chunk))
+    this.#coming = []
+    this.#comingSize = 0
+    while (this.#text.childElementCount > MOST_LINES || this.#size > MOST) {
+      const line = /** @type {Line} */ (this.#text.firstElementChild)
+      this.#size -= line.size
+      this.#leaveOut(line.textContent)
+      line.remove()
+    }
+    const count = this.#leftOut.toLocaleString("en-GB")
     this.#notice.hidden = this.#leftOut === 0
-    this.#notice.textContent = `${this.#leftOut.toLocaleString("en-GB")} earlier lines are left out.`
+    this.#notice.textContent =
+      this.#leftOut === 1 ? "Some of the output before this is left out." : `${count} earlier lines are left out.`
     if (atEnd) this.element.scrollTop = this.element.scrollHeight
+  }
+
+  /** @param {string | null} part of a line */
+  #leaveOut(part) {
+    this.#leftOut = Math.max(this.#leftOut + Number(part?.endsWith("\n")), 1)
   }
 
   /**
@@ -111,23 +175,24 @@ export class Console {
     return [text.slice(0, at), button, text.slice(at + found[0].length)]
   }
 
-  /** @param {import("./protocol.js").Chunk} chunk */
-  #add([onStderr, text, number, logged]) {
-    const isError = onStderr && !NO_ERROR.test(text)
-    const lines = text.split(/(?<=\n)/)
-    if (lines.length > MOST_LINES) this.#leftOut += lines.splice(0, lines.length - MOST_LINES).length
-    for (const line of lines) {
-      const last = /** @type {Line | null} */ (this.#text.lastElementChild)
-      if (last && this.#open && last.classList.contains("stderr") === isError) {
-        last.append(line)
-        last.chunks.push(number)
-      } else {
-        const element = make("span", /** @type {object} */ ({ chunks: [number] }))
-        if (isError) element.className = "stderr"
-        element.append(...(isError || this.#all ? this.#linked(line, logged) : [line]))
-        this.#text.append(element)
-      }
-      this.#open = !line.endsWith("\n")
+  /** @param {import("./protocol.js").Chunk} part */
+  #add([isError, text, number, logged]) {
+    const last = /** @type {Line | null} */ (this.#text.lastElementChild)
+    const isNew = !last || !this.#open || last.classList.contains("stderr") !== isError || last.size > LONGEST
+    const line = isNew ? /** @type {Line} */ (make("span", /** @type {object} */ ({ chunks: [], size: 0 }))) : last
+    if (isNew) {
+      if (isError) line.className = "stderr"
+      line.append(...(isError || this.#all ? this.#linked(text, logged) : [text]))
+      this.#text.append(line)
+    } else if (line.lastChild instanceof Text) {
+      line.lastChild.appendData(text)
+    } else {
+      line.append(text)
     }
+    if (line.chunks.at(-1) !== number) line.chunks.push(number)
+    const size = sizeOf(text)
+    line.size += size
+    this.#size += size
+    this.#open = !text.endsWith("\n")
   }
 }

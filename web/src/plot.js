@@ -1,25 +1,31 @@
 // The ticks of a run as they come, in the look of the site's figures.
 
+import { SHOWN } from "./limits.js"
 import { make } from "./make.js"
-import { INK, MARGIN, draw, drawTimeline, layOut, percent } from "./svg.js"
+import { Painter } from "./painter.js"
+import { INK, MARGIN, draw, drawTimeline, drawn, layOut, percent } from "./svg.js"
 
-const MOST_TICKS = 2000
+/** No timeline has more rows. */
+const MOST_ROWS = 100
 
 /** @typedef {import("./protocol.js").Tick} Tick */
 /** @typedef {import("./protocol.js").Lost} Lost */
 
+const say = (/** @type {number} */ count) => count.toLocaleString("en-GB")
+
 /** A time in seconds. */
-const say = (/** @type {number} */ time) => `${Number(time.toFixed(6))} s`
+const inSeconds = (/** @type {number} */ time) => `${Number(time.toFixed(6))} s`
 
 export class Plot {
   /** @type {Tick[]} */
   #ticks = []
-  #frame = 0
+  #painter = new Painter(() => this.#paint("Timeline of a run that goes on."))
   /** @type {number[][]} */
   #chunks = [] // of each tick: what it printed
   /** @type {[share: number, down: number][]} */
   #places = [] // of each tick: where its mark is, across as a share and down in pixels
   #chosen = -1
+  #count = 0 // of the ticks that there were
   #name
   #choose
 
@@ -37,9 +43,9 @@ export class Plot {
   }
 
   clear() {
-    cancelAnimationFrame(this.#frame)
-    this.#frame = 0
+    this.#painter.clear()
     this.#ticks = []
+    this.#count = 0
     this.#chosen = -1
     this.element.hidden = true
     this.element.replaceChildren()
@@ -48,26 +54,27 @@ export class Plot {
   /** @param {Tick[]} ticks */
   add(ticks) {
     if (!ticks.length) return
-    this.#ticks.push(...ticks.slice(-MOST_TICKS))
-    this.#ticks.splice(0, this.#ticks.length - MOST_TICKS)
-    this.#frame ||= requestAnimationFrame(() => {
-      this.#frame = 0
-      this.#paint("Timeline of a run that goes on.")
-    })
+    this.#count += ticks.length
+    this.#ticks.push(...ticks)
+    this.#ticks.splice(0, this.#ticks.length - SHOWN.ticks)
+    this.#painter.soon()
   }
 
   /**
-   * Draw the ticks of a run that has ended, at `end` (s), and are known in full; `alternative` says what they show.
+   * Draw the last ticks of a run that has ended, at `end` (s), which are known in full; there were `count`.
+   * `alternative` says what they show.
    *
    * @param {Tick[]} ticks
+   * @param {number} count
    * @param {string} alternative
    * @param {number[][]} chunks
    * @param {number} end
    * @param {Lost[]} lost
    */
-  finish(ticks, alternative, chunks, end = 0, lost = []) {
+  finish(ticks, count, alternative, chunks, end = 0, lost = []) {
     this.clear()
     this.#ticks = ticks
+    this.#count = count
     this.#chunks = chunks
     this.#paint(`Timeline. ${alternative}`, end, lost)
     this.#offer()
@@ -75,7 +82,7 @@ export class Plot {
 
   /** Of a run that was stopped, what came before. */
   stop() {
-    if (this.#ticks.length) this.finish(this.#ticks, "The run was stopped.", [])
+    if (this.#ticks.length) this.finish(this.#ticks, this.#count, "The run was stopped.", [])
   }
 
   /** Let the reader choose a tick: by pointing at it, or like a slider, with the arrow keys. */
@@ -138,8 +145,8 @@ export class Plot {
   #describe(index) {
     const [source, number, expected, real] = this.#ticks[index]
     const late = Number((real - expected).toFixed(6))
-    const lateness = late > 0 ? `${say(late)} late` : late < 0 ? `${say(-late)} early` : "on time"
-    return `${source}, tick ${number}: expected ${say(expected)}, real ${say(real)}, ${lateness}`
+    const lateness = late > 0 ? `${inSeconds(late)} late` : late < 0 ? `${inSeconds(-late)} early` : "on time"
+    return `${source}, tick ${number}: expected ${inSeconds(expected)}, real ${inSeconds(real)}, ${lateness}`
   }
 
   /**
@@ -150,8 +157,15 @@ export class Plot {
   #paint(alternative, end = 0, lost = []) {
     const { rows, scale, places } = layOut(this.#ticks, end, lost)
     this.#places = places
-    const textContent = "simulated: this clock has no jitter, at any speed"
-    const caption = make("figcaption", { textContent })
+    const count = rows.length
+    rows.splice(MOST_ROWS)
+    const shown = drawn(rows)
+    const told = [
+      "simulated: this clock has no jitter, at any speed",
+      shown < this.#count && `${say(shown)} of ${say(this.#count)} ticks drawn`,
+      count > MOST_ROWS && `${say(MOST_ROWS)} of ${say(count)} rows`,
+    ]
+    const caption = make("figcaption", { textContent: told.filter(Boolean).join("; ") })
     this.element.replaceChildren(drawTimeline(rows, scale, alternative), caption)
     this.element.hidden = false
   }

@@ -1,6 +1,8 @@
 // What the page and a sandbox say to each other. The page sends objects; a sandbox sends JSON, in texts that are short
 // and few. The page trusts none of it: what comes out of a sandbox may have been written by the code that ran there.
 
+import { LONGEST, SHOWN } from "./limits.js"
+
 /**
  * What the page sends:
  * @typedef {[source: string, filename: string, args: string]} Beside a node that runs together with the one of the job
@@ -9,7 +11,9 @@
  * @typedef {{kind: "trace", exercise: string, text: string}} TraceJob
  * @typedef {{kind: "judge", exercise: string, text: string, trace: string}} JudgeJob
  * @typedef {{kind: "look", log: ArrayBuffer, name: string}} LookJob
- * @typedef {RunJob | TraceJob | JudgeJob | LookJob} Job
+ * @typedef {{kind: "pin", source: string, filename: string, seconds: number, args: string, console: string,
+ *   ticks: Tick[]}} PinJob to write a test that pins what a run showed
+ * @typedef {RunJob | TraceJob | JudgeJob | LookJob | PinJob} Job
  * @typedef {{kind: "file", name: string, bytes: ArrayBuffer | null}} File what a sandbox needed; null: it cannot be had
  * @typedef {Job | File} ToSandbox
  *
@@ -18,7 +22,7 @@
  * @typedef {[source: string, number: number, expected: number, real: number, duration: number]} Tick
  * @typedef {[source: string, time: number]} Lost when (s) a tick was due that never came
  * @typedef {{status: number, errors: number, count: number, ticks: Tick[], lost: Lost[], chunks: number[][],
- *   end: number, alternative: string, test: string, scenes: Scenes | null}} RunResult
+ *   end: number, alternative: string, scenes: Scenes | null}} RunResult
  * @typedef {[thread: number, callback: number, line: number]} Where a thread is; callback -1: in none; line 0: in none
  * @typedef {[time: number, said: string, ready: number[], threads: Where[], how: string[]]} Step
  * @typedef {{links: [name: string, waits: string][], to: number}} Ring of waits; to: for whom the last waits, -1: nobody
@@ -35,7 +39,9 @@
  *   period 0: it is not regular, and late is empty
  * @typedef {{problem: string, kind: string, entries: number, seconds: number, notes: string[], verdicts: Fault[],
  *   series: Series[], files: [name: string, text: string][]}} LookResult a problem, or all the rest
- * @typedef {{run: RunResult, trace: TraceResult, judge: JudgeResult, look: LookResult}} Results by the kind of the job
+ * @typedef {{test: string}} PinResult
+ * @typedef {{run: RunResult, trace: TraceResult, judge: JudgeResult, look: LookResult, pin: PinResult}} Results by the kind
+ *   of the job
  *
  * What a sandbox says; its last word on a job is that it has ended or failed:
  * @typedef {{kind: "ready"}} Ready
@@ -68,6 +74,7 @@
  *   trace: Python<[exercise: string, text: string]>,
  *   judge: Python<[exercise: string, text: string, trace: string]>,
  *   look: Python<[log: ArrayBuffer, name: string]>,
+ *   pin: Python<[source: string, filename: string, seconds: number, args: string, console: string, ticks: string]>,
  *   wake(supply: (path: string) => Promise<void> | undefined): void,
  * }} PythonPage
  */
@@ -77,67 +84,126 @@
  * @typedef {{callPromising(...args: A): Promise<string>}} Python function that may wait
  */
 
-/** A message has at most so many characters. The longest are traces, of little more than 2 MB, whose quotes are escaped. */
-export const LONGEST = 6_000_000
-
-/** So many messages may come together, and so many more in each second. Python sends 20 in a second. */
-export const AT_ONCE = 100
-export const PER_SECOND = 100
-
 /** An answer is either; see rosspin.exercises.Verdict. */
 const VERDICTS = ["solved", "not yet", "open", "to read", "not judged"]
 
-/** @typedef {any} Unknown what may be anything */
+// --- what is right, of values that may be anything ---
 
-const isText = (/** @type {Unknown} */ value) => typeof value === "string"
-const isNumber = (/** @type {Unknown} */ value) => typeof value === "number"
-/** @type {(value: Unknown, isItem: (item: Unknown) => boolean) => boolean} */
-const isList = (value, isItem) => Array.isArray(value) && value.every(isItem)
-const isChunk = (/** @type {Unknown} */ value) =>
-  isList(value, () => true) && isText(value[1]) && isNumber(value[2]) && isNumber(value[3]) && value.length === 4
-const isTick = (/** @type {Unknown} */ value) =>
-  isList(value, () => true) && isText(value[0]) && isList(value.slice(1), isNumber) && value.length === 5
+/** @typedef {any} Unknown */
+/** @typedef {(value: Unknown) => boolean} Is */
 
-/** @type {(...isPart: ((part: Unknown) => boolean)[]) => (value: Unknown) => boolean} */
-const isTuple = (...isPart) => (value) =>
-  Array.isArray(value) && value.length === isPart.length && isPart.every((is, index) => is(value[index]))
-/** @type {(end: number, first?: number) => (value: Unknown) => boolean} */
-const isBelow = (end, first = 0) => (value) => Number.isInteger(value) && value >= first && value < end
+/** @type {(most: number) => Is} */
+const text = (most) => (value) => typeof value === "string" && value.length <= most
+/** @type {(least: number, most: number) => Is} a number, which is neither infinite nor none */
+const number = (least, most) => (value) => typeof value === "number" && value >= least && value <= most
+/** @type {(least?: number, most?: number) => Is} */
+const integer = (least = 0, most = Number.MAX_SAFE_INTEGER) => (value) =>
+  Number.isInteger(value) && value >= least && value <= most
+/** @type {(is: Is, most: number) => Is} */
+const list = (is, most) => (value) => Array.isArray(value) && value.length <= most && value.every((item) => is(item))
+/** @type {(...are: Is[]) => Is} */
+const tuple = (...are) => (value) =>
+  Array.isArray(value) && value.length === are.length && are.every((is, index) => is(value[index]))
+/** @type {Is} */
+const truth = (value) => typeof value === "boolean"
 
-/** @type {(scenes: Unknown) => boolean} whether each number in them is that of something in them */
-function isScenes({ threads, groups, callbacks, steps, rings }) {
-  const isWhere = isTuple(isBelow(threads.length), isBelow(callbacks.length, -1), isNumber)
-  const isStep = (/** @type {Unknown} */ step) =>
-    isTuple(isNumber, isText, Array.isArray, (where) => isList(where, isWhere), (how) => isList(how, isText))(step) &&
-    isList(step[2], isBelow(step[4].length)) && step[4].length <= callbacks.length
-  const isRing = (/** @type {Unknown} */ { links, to }) =>
-    isList(links, isTuple(isText, isText)) && links.length > 0 && isBelow(links.length, -1)(to)
+/**
+ * An object of such parts: what is known of a value, which may leave out what there is something in place of; false if it
+ * is none.
+ *
+ * @param {Record<string, Is>} parts
+ * @param {Record<string, unknown>} [instead]
+ * @returns {(value: Unknown) => any}
+ */
+function object(parts, instead = {}) {
+  return (value) => {
+    if (typeof value !== "object" || !value) return false
+    const found = Object.keys(parts).map((name) => [name, (Object.hasOwn(value, name) ? value : instead)[name]])
+    return found.every(([name, part]) => parts[name](part)) && Object.fromEntries(found)
+  }
+}
+
+const NAME = text(200)
+const SENTENCE = text(500)
+const TEXT = text(1_500_000)
+/** A time or a length of time (s): as far as a clock of 64 bits can count nanoseconds, about 292 years. */
+const FAR = 1e10
+const TIME = number(-FAR, FAR)
+const LENGTH = number(0, FAR)
+
+const CHUNK = tuple(truth, text(SHOWN.characters), integer(), integer())
+const TICKS = list(tuple(NAME, integer(-FAR, FAR), TIME, TIME, LENGTH), SHOWN.ticks)
+const LOST = list(tuple(NAME, TIME), SHOWN.ticks)
+
+const isScenes = object({
+  threads: list(SENTENCE, 100),
+  groups: list(SENTENCE, 100),
+  callbacks: list(tuple(SENTENCE, integer(0, 100)), 100),
+  steps: list(
+    tuple(TIME, SENTENCE, list(integer(), 100), list(tuple(integer(), integer(-1), integer()), 100), list(SENTENCE, 100)),
+    500,
+  ),
+  rings: list(object({ links: list(tuple(SENTENCE, SENTENCE), 100), to: integer(-1) }), 20),
+})
+
+/** @type {(scenes: Scenes) => boolean} whether each number in them is that of something in them */
+function areMatched({ threads, groups, callbacks, steps, rings }) {
   return (
-    [threads, groups].every((names) => isList(names, isText)) &&
-    isList(callbacks, isTuple(isText, isBelow(groups.length || 1))) &&
-    isList(steps, isStep) &&
-    isList(rings, isRing)
+    callbacks.every(([, group]) => group < (groups.length || 1)) &&
+    steps.every(
+      ([, , ready, where, how]) =>
+        how.length <= callbacks.length &&
+        ready.every((callback) => callback < how.length) &&
+        where.every(([thread, callback]) => thread < threads.length && callback < callbacks.length),
+    ) &&
+    rings.every(({ links, to }) => to < links.length && links.length > 0)
   )
 }
 
 /** A page of this site, and maybe a place on it. */
 const ADDRESS = /^(docs|notebooks)(\/[\w-]+)+\.html(#[\w-]+)?$/
 
-/** @type {(fault: Unknown) => Fault | false} */
-function fault({ title, certain, evidence, page, series }) {
-  const right = [title, certain, page].every(isText) && [evidence, series].every((list) => isList(list, isText))
-  return right && ADDRESS.test(page) && { title, certain, evidence, page, series }
-}
+const FAULT = object({
+  title: SENTENCE,
+  certain: SENTENCE,
+  evidence: list(SENTENCE, 100),
+  page: (value) => SENTENCE(value) && ADDRESS.test(value),
+  series: list(NAME, 1000),
+})
 
-/** @type {(series: Unknown) => Series | false} */
-function series({ name, part, count, period, chosen, drift, usual, lost, times, late, missing }) {
-  const right =
-    isText(name) &&
-    [part, count, period, chosen, drift, usual, lost].every(isNumber) &&
-    [times, late, missing].every((list) => isList(list, isNumber)) &&
-    late.length === (period > 0 ? times.length : 0)
-  return right && { name, part, count, period, chosen, drift, usual, lost, times, late, missing }
-}
+/** So many times are drawn of a log, in all. */
+const TIMES = 60_000
+
+const SERIES = object({
+  ...{ name: NAME, part: integer(), count: integer(), lost: integer() },
+  ...{ period: LENGTH, chosen: LENGTH, drift: number(-1e15, 1e15), usual: LENGTH },
+  ...{ times: list(TIME, TIMES), late: list(TIME, TIMES), missing: list(TIME, TIMES) },
+})
+
+const LOOK = object(
+  {
+    ...{ problem: SENTENCE, kind: SENTENCE, entries: integer(), seconds: LENGTH },
+    notes: list(SENTENCE, 100),
+    verdicts: list(FAULT, 100),
+    series: list(SERIES, 100),
+    files: list(tuple(NAME, TEXT), 10),
+  },
+  { problem: "", kind: "", entries: 0, seconds: 0, notes: [], verdicts: [], series: [], files: [] },
+)
+
+const RUN = object(
+  {
+    ...{ status: integer(-FAR, FAR), errors: integer(), count: integer() },
+    ...{ ticks: TICKS, lost: LOST, chunks: list(list(integer(), 1000), SHOWN.ticks) },
+    ...{ end: LENGTH, alternative: TEXT, scenes: (value) => value === null || isScenes(value) },
+  },
+  { errors: 0, count: 0, ticks: [], lost: [], chunks: [], end: 0, alternative: "", scenes: null },
+)
+
+const JUDGE = object(
+  { verdict: (value) => VERDICTS.includes(value), solved: truth, status: SENTENCE, console: TEXT, said: TEXT, why: TEXT, hint: TEXT },
+  { why: "", hint: "" },
+)
 
 /**
  * What is known of the result of a job, by its kind; false if that is not right.
@@ -145,46 +211,34 @@ function series({ name, part, count, period, chosen, drift, usual, lost, times, 
  * @type {{[K in keyof Results]: (result: Unknown) => Results[K] | false}}
  */
 const RESULTS = {
-  run({ status, errors = 0, count = 0, ticks = [], lost = [], chunks = [], end = 0, alternative = "", ...rest }) {
-    const { test = "", scenes = null } = rest
-    const right =
-      [status, errors, count, end].every(isNumber) &&
-      [alternative, test].every(isText) &&
-      isList(ticks, isTick) &&
-      isList(lost, isTuple(isText, isNumber)) &&
-      isList(chunks, (of) => isList(of, isNumber)) &&
-      ticks.length > 0 === count > 0 &&
-      (scenes === null || isScenes(scenes))
-    return right && { status, errors, count, ticks, lost, chunks, end, alternative, test, scenes }
+  run(result) {
+    const known = RUN(result)
+    const right = known && known.ticks.length > 0 === known.count > 0 && known.ticks.length <= known.count
+    return right && (known.scenes === null || areMatched(known.scenes)) && known
   },
-  trace: ({ trace }) => isText(trace) && { trace },
-  judge({ verdict, solved, status, console, said, why = "", hint = "" }) {
-    const right = VERDICTS.includes(verdict) && (verdict === "solved") === solved
-    return right && [status, console, said, why, hint].every(isText) && { verdict, solved, status, console, said, why, hint }
+  trace: object({ trace: text(LONGEST.trace.characters) }),
+  judge(result) {
+    const known = JUDGE(result)
+    return known && (known.verdict === "solved") === known.solved && known
   },
-  look({ problem = "", kind = "", entries = 0, seconds = 0, notes = [], verdicts = [], series: rows = [], files = [] }) {
-    const known = { verdicts: verdicts.map(fault), series: rows.map(series) }
-    const right =
-      [problem, kind].every(isText) &&
-      [entries, seconds].every(isNumber) &&
-      isList(notes, isText) &&
-      isList(files, isTuple(isText, isText)) &&
-      Boolean(problem) === (verdicts.length === 0) &&
-      [...known.verdicts, ...known.series].every(Boolean)
-    return right && { problem, kind, entries, seconds, notes, ...known, files }
+  look(result) {
+    const known = LOOK(result)
+    const isWhole = (/** @type {Series} */ { period, times, late }) => late.length === (period > 0 ? times.length : 0)
+    return known && Boolean(known.problem) === (known.verdicts.length === 0) && known.series.every(isWhole) && known
   },
+  pin: object({ test: TEXT }),
 }
+
+const isResult = object({ result: (value) => typeof value === "object" })
 
 /** @type {Record<string, (message: Unknown, job: keyof Results | null) => object | false>} */
 const MESSAGES = {
-  ready: () => ({}),
-  need: ({ name }) => isText(name) && { name },
-  failed: ({ reason }) => isText(reason) && { reason: reason.slice(0, 1000) },
-  batch({ chunks, leftOut, ticks }) {
-    return isList(chunks, isChunk) && isNumber(leftOut) && isList(ticks, isTick) && { chunks, leftOut, ticks }
-  },
-  end({ result }, job) {
-    const known = result && job && RESULTS[job](result)
+  ready: object({}),
+  need: object({ name: NAME }),
+  failed: ({ reason }) => TEXT(reason) && { reason: reason.slice(0, 1000) },
+  batch: object({ chunks: list(CHUNK, SHOWN.chunks), leftOut: integer(), ticks: TICKS }),
+  end(message, job) {
+    const known = job && isResult(message) && RESULTS[job](message.result)
     return known && { result: known }
   },
 }
@@ -199,9 +253,10 @@ const MESSAGES = {
  */
 export function read(text, job) {
   try {
-    const message = text.length <= LONGEST && JSON.parse(text)
-    const known = Object.hasOwn(MESSAGES, message.kind) && MESSAGES[message.kind](message, job)
-    return known ? { kind: message.kind, ...known } : null
+    const message = text.length <= LONGEST[job ?? ""].characters && JSON.parse(text)
+    const { kind } = message
+    const known = typeof kind === "string" && Object.hasOwn(MESSAGES, kind) && MESSAGES[kind](message, job)
+    return known ? /** @type {FromSandbox} */ ({ kind, ...known }) : null
   } catch {
     return null
   }

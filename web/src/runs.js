@@ -1,5 +1,5 @@
-// Runs of code, each in a sandbox of its own, which finds nothing of earlier ones there. The next one is started meanwhile.
-// Where that cannot be, as when the server has gone, one that has done its job takes its place.
+// Runs of code, each in a sandbox of its own, which finds nothing of earlier ones there and ends with it. The next one is
+// started meanwhile.
 
 import { code } from "./names.js"
 import { Sandbox } from "./sandboxes.js"
@@ -29,9 +29,6 @@ class Pool {
   /** @type {Runner | null} the one for the next job, if it was asked for */
   next = null
 
-  /** @type {Runner | null} one that has done its job; it is kept until the next one is ready */
-  used = null
-
   warmUp() {
     return (this.next ??= new Runner(this))
   }
@@ -49,34 +46,15 @@ class Runner {
   #sandbox
   #known // a promise, kept when it is known whether it is ready
   #dead = false
-  #ready = false
-  /** @type {Failed | null} */
-  #failed = null // what was said of that
 
   /** @param {Pool} pool */
   constructor(pool) {
     this.#pool = pool
     this.#sandbox = new Sandbox()
-    this.#known = this.#sandbox.started.then((message) => this.#become(message))
-  }
-
-  /** @param {import("./protocol.js").Ready | Failed} message */
-  #become(message) {
-    if (this.#dead) return
-    const { used } = this.#pool
-    if (message.kind === "ready") {
-      used?.end()
-    } else {
-      this.#sandbox.end()
-      if (used) {
-        this.#sandbox = used.#sandbox
-        this.#pool.used = null
-      } else {
-        this.#failed = message
-        if (this.#pool.next === this) this.#pool.next = null
-      }
-    }
-    this.#ready = !this.#failed
+    this.#known = this.#sandbox.started.then((message) => {
+      if (message.kind === "failed") this.end()
+      return message
+    })
   }
 
   /**
@@ -87,27 +65,19 @@ class Runner {
    * @param {Hear<K>} hear
    */
   async do(job, hear) {
-    await this.#known
+    const message = await this.#known
+    if (message.kind === "failed") return hear(message)
     if (this.#dead) return
-    if (this.#failed) return hear(this.#failed)
     hear({ kind: "begun" })
     this.#sandbox.do(job, (message) => {
-      if (message.kind === "end") this.#release()
+      if (message.kind === "end" || message.kind === "failed") this.end() // and so does what it has started
       hear(message)
     })
     setTimeout(() => this.#pool.warmUp(), FIRST)
   }
 
-  /** It has done its job by itself. */
-  #release() {
-    this.#pool.used?.end()
-    const { next } = this.#pool
-    if (next && next.#ready) this.end()
-    else this.#pool.used = this
-  }
-
   end() {
-    if (this.#pool.used === this) this.#pool.used = null
+    if (this.#pool.next === this) this.#pool.next = null
     this.#dead = true
     this.#sandbox.end()
   }
@@ -154,6 +124,21 @@ export function look(log, name, hear) {
   const runner = runs.take()
   runner.do({ kind: "look", log, name }, hear)
   return runner
+}
+
+/**
+ * The test that pins what a run showed, made where nothing of that run is. Error: it could not be made, in words.
+ *
+ * @param {Omit<import("./protocol.js").PinJob, "kind">} shown
+ * @returns {Promise<string>}
+ */
+export function pin(shown) {
+  return new Promise((resolve, reject) =>
+    runs.take().do({ kind: "pin", ...shown }, (message) => {
+      if (message.kind === "end") resolve(message.result.test)
+      if (message.kind === "failed") reject(new Error(message.reason))
+    }),
+  )
 }
 
 /**

@@ -9,6 +9,9 @@ import { read } from "./protocol.js"
 /** A frame that has loaded has said so before; its word is waited for so long (ms). */
 const WORD = 5000
 
+/** A file that could not be had is not asked for again before so long (ms). */
+const AGAIN = 300
+
 /** What Python starts from, and what it may need later on. */
 const WASM = "pyodide.asm.wasm"
 const SNAPSHOT = "snapshot.gz"
@@ -68,7 +71,7 @@ const NOT_OPENED = "The frame in which Python runs did not open. Is the site sti
 
 /** @typedef {import("./protocol.js").Results} Results */
 
-/** One sandbox: a Python that has started, or is about to. It does one job after the other; one is enough. */
+/** One sandbox: a Python that has started, or is about to. It does one job after the other. */
 export class Sandbox {
   /** @type {HTMLIFrameElement | null} */
   #frame = make("iframe", { sandbox: "allow-scripts", hidden: true, title: "Sandbox", src: sandboxPage })
@@ -78,6 +81,7 @@ export class Sandbox {
   #job = null // the kind of what it does
   /** @type {(message: any) => void} */
   #hear = () => {}
+  #missing = new Set(LATE) // which of them it has not been given, nor will be soon
   /** @type {(message: import("./protocol.js").Ready | import("./protocol.js").Failed) => void} */
   #start = () => {}
 
@@ -133,9 +137,19 @@ export class Sandbox {
     this.#hear(message)
   }
 
-  /** @param {string} name */
+  /**
+   * Give it a file that it needs, once: code there may ask for it without end.
+   *
+   * @param {string} name
+   */
   async #give(name) {
-    const bytes = LATE.includes(name) ? await load(name).catch(() => null) : null
+    if (!LATE.includes(name)) return this.#pass(name, null)
+    if (!this.#missing.delete(name)) return
+    const bytes = await load(name).catch(() => null)
+    if (!bytes) {
+      await new Promise((go) => setTimeout(go, AGAIN))
+      this.#missing.add(name)
+    }
     this.#pass(name, bytes)
   }
 

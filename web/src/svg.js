@@ -9,6 +9,10 @@ const REACH = 13
 const BAR = 10
 const AXIS = 40
 const MOST_ABOVE = 2
+const STEPS = 7 // at most, between the numbers of an axis
+const MOST_NUMBERS = STEPS + 1
+const MANY = 600 // marks in a row: more would run into each other
+const MOST = 1200 // in all
 const TITLE = "time (s); line: expected, mark: real"
 export const INK = { stroke: "currentColor" }
 const LINE = { ...INK, "stroke-opacity": 0.55 }
@@ -55,33 +59,71 @@ function mark(kind, x, y) {
 }
 
 /**
+ * The numbers of the points to draw: of all, or if they are many, of the lowest and the highest in each column.
+ *
+ * @param {number[]} across
+ * @param {number[]} up
+ * @param {number} most
+ */
+function toDraw(across, up, most) {
+  if (across.length <= most) return across.map((_, index) => index)
+  const first = Math.min(...across)
+  const width = (Math.max(...across) - first) / Math.max(most / 2 - 1, 1) || 1
+  /** @type {Map<number, [low: number, high: number]>} */
+  const columns = new Map()
+  across.forEach((x, index) => {
+    const column = Math.floor((x - first) / width)
+    const [low, high] = columns.get(column) ?? [index, index]
+    columns.set(column, [up[index] < up[low] ? index : low, up[index] > up[high] ? index : high])
+  })
+  return [...new Set([...columns.values()].flat())].sort((one, other) => one - other)
+}
+
+const mostOf = (/** @type {number} */ rows) => Math.min(MANY, Math.floor(MOST / rows))
+
+/** @type {(ticks: When[], most: number) => number[]} */
+const drawnOf = (ticks, most) => toDraw(ticks.map(([real]) => real), ticks.map(([, duration]) => duration), most)
+
+/**
+ * How many of the ticks in some rows are drawn.
+ *
+ * @param {Row[]} rows
+ */
+export const drawn = (rows) => rows.reduce((sum, [, , , , ticks]) => sum + drawnOf(ticks, mostOf(rows.length)).length, 0)
+
+/**
  * The elements of a row.
  *
  * @param {number} number
  * @param {Row} row
  * @param {Scale} scale
+ * @param {number} most marks of a kind
  */
-function drawRow(number, [, , expected, lost, ticks], { first, span, kinds }) {
+function drawRow(number, [, , expected, lost, ticks], { first, span, kinds }, most) {
   const scale = (/** @type {number} */ time) => percent((100 * (time - first)) / span)
   const top = TOP + ROW * number
   const y = top + TICKS
   const kind = number % kinds
   const [lanes, height] = lanesOf(ticks)
   const drawn = []
-  for (const x of expected.map(scale)) {
+  const few = drawnOf(ticks, most)
+  const some = (/** @type {number[]} */ times) => toDraw(times, times.map(() => 0), most).map((index) => scale(times[index]))
+  for (const x of some(expected)) {
     drawn.push(draw("line", { x1: x, x2: x, y1: y - REACH, y2: y + REACH, ...LINE }))
   }
-  ticks.forEach(([real, duration], index) => {
-    if (!duration) return
+  for (const index of few) {
+    const [real, duration] = ticks[index]
+    if (!duration) continue
     const place = { x: scale(real), y: round(y + lanes[index] - height / 2) }
     const size = { width: percent((100 * duration) / span), height: round(height) }
     drawn.push(draw("rect", { ...place, ...size, fill: COLOURS[kind], "fill-opacity": 0.45 }))
-  })
-  for (const x of lost.map(scale)) {
+  }
+  for (const x of some(lost)) {
     const cross = { d: "M-5-5 5 5M-5 5 5-5", ...INK, "stroke-width": 2 }
     drawn.push(draw("svg", { x, y }, draw("path", cross)))
   }
-  heights(number, ticks).forEach((down, index) => drawn.push(mark(kind, scale(ticks[index][0]), down)))
+  const down = heights(number, ticks)
+  for (const index of few) drawn.push(mark(kind, scale(ticks[index][0]), down[index]))
   return drawn
 }
 
@@ -101,7 +143,7 @@ function lanesOf(ticks) {
     return lane
   })
   const pitch = (2 * REACH) / Math.max(ends.length, 1)
-  return [taken.map((lane) => (lane - (ends.length - 1) / 2) * pitch), Math.min(BAR, pitch - 1)]
+  return [taken.map((lane) => (lane - (ends.length - 1) / 2) * pitch), Math.max(Math.min(BAR, pitch - 1), 0.5)]
 }
 
 /**
@@ -129,15 +171,21 @@ function heights(number, ticks) {
  * @param {import("./protocol.js").Lost[]} lost
  */
 export function layOut(ticks, end, lost = []) {
-  const first = ticks[0][1] === 1 ? 0 : Math.min(...ticks.map(([, , expected]) => expected))
+  const begin = Math.min(...ticks.map(([, , expected]) => expected))
+  const first = ticks[0][1] === 1 ? Math.min(0, begin) : begin
   const last = Math.max(end, ...ticks.map(([, , expected, real, duration]) => Math.max(expected, real + duration)))
   const scale = { first, span: last - first || 1, kinds: 3, title: TITLE + (lost.length ? ", cross: lost" : "") }
   /** @type {Map<string, Row>} */
   const found = new Map()
+  /** @type {Map<string, Set<number>>} */
+  const times = new Map()
   for (const [source, , expected, real, duration] of ticks) {
     const row = found.get(source) ?? /** @type {Row} */ ([source, "", [], [], []])
+    const known = times.get(source) ?? new Set()
     found.set(source, row)
-    if (!row[2].includes(expected)) row[2].push(expected)
+    times.set(source, known)
+    if (!known.has(expected)) row[2].push(expected)
+    known.add(expected)
     row[4].push([real, duration])
   }
   for (const [source, time] of lost) {
@@ -162,13 +210,17 @@ export function drawTimeline(rows, { title, ...scale }, alternative) {
   const top = TOP + ROW * rows.length
   const axis = []
   const size = step(scale.span)
-  for (let n = Math.ceil(scale.first / size - 1e-9); n * size <= scale.first + scale.span + 1e-9 * size; n++) {
+  const first = Math.ceil(scale.first / size - 1e-9)
+  // They are counted: added to a number that is large enough, 1 changes nothing.
+  for (let count = 0; count < MOST_NUMBERS; count++) {
+    const n = first + count
+    if (n * size > scale.first + scale.span + 1e-9 * size) break
     const x = percent((100 * (n * size - scale.first)) / scale.span)
     axis.push(draw("line", { x1: x, x2: x, y1: top, y2: top + 3.5, ...INK, "stroke-width": 0.8 }))
     const number = String(Number((n * size).toPrecision(6)))
     axis.push(draw("text", { x, y: top + 17, "text-anchor": "middle" }, number))
   }
-  const drawn = rows.map((row, number) => draw("g", {}, ...drawRow(number, row, scale)))
+  const drawn = rows.map((row, number) => draw("g", {}, ...drawRow(number, row, scale, mostOf(rows.length))))
   const place = { x: percent(100 * MARGIN), width: percent(100 - 200 * MARGIN) }
   const texts = rows.flatMap(([name, words], number) => [
     draw("text", { x: 2, y: TOP + ROW * number + 10, "font-weight": 700 }, name),
@@ -188,11 +240,11 @@ export function drawTimeline(rows, { title, ...scale }, alternative) {
 }
 
 /**
- * The step between the numbers on an axis of that length: 1, 2 or 5 times a power of ten, at most 7 of them.
+ * The step between the numbers on an axis of that length: 1, 2 or 5 times a power of ten.
  *
  * @param {number} length
  */
 function step(length) {
-  const power = 10 ** Math.floor(Math.log10(length / 7))
-  return power * ([1, 2, 5].find((factor) => length / (factor * power) <= 7) ?? 10)
+  const power = 10 ** Math.floor(Math.log10(length / STEPS))
+  return power * ([1, 2, 5].find((factor) => length / (factor * power) <= STEPS) ?? 10)
 }

@@ -4,14 +4,14 @@
 // @ts-expect-error: Pyodide does not describe it
 import createPyodideModule from "pyodide/pyodide.asm.mjs"
 import { info } from "pyodide/pyodide-lock.json"
+import { PER_SECOND, room, SHOWN } from "./limits.js"
 import { filled, HEAD, restore } from "./memory.js"
 import { signals } from "./signals.js"
 import { install, LIBRARY, options, PACKAGES } from "./start.js"
 
-// What is printed is sent so often (ms), and no more than so much (characters), and so many ticks, of it at a time.
+// What is shown is sent so often (ms), or less often, so that it takes no more than that part of the room there is.
 const INTERVAL = 50
-const MOST = 50_000
-const MOST_TICKS = 2000
+const PART = 0.5
 
 // Python has at most so much memory (bytes): more than ten times what it needs to start, and so little that a computer
 // of 4 GB can judge four answers at the same time.
@@ -26,7 +26,11 @@ const EIO = 29
 
 /** @type {(text: string) => void} */
 const post = postMessage.bind(globalThis)
-const say = (/** @type {import("./protocol.js").FromSandbox} */ message) => post(JSON.stringify(message))
+function say(/** @type {import("./protocol.js").FromSandbox} */ message) {
+  const text = JSON.stringify(message)
+  post(text)
+  return text
+}
 
 /** @typedef {import("./protocol.js").Shown} Shown */
 
@@ -40,10 +44,10 @@ class Page {
   #chunks = []
   #count = 0
   #size = 0
-  #leftOut = 0
+  #leftOut = 0 // lines, or part of one
   /** @type {import("./protocol.js").Tick[]} */
   #ticks = []
-  #sent = 0
+  #next = 0 // when (ms) more may be sent
   /** @type {number | undefined} */
   #timer
 
@@ -53,19 +57,26 @@ class Page {
    * @param {number} line
    */
   print(text, isError, line) {
-    if (text.length > MOST) {
-      const dropped = text.slice(0, -MOST)
-      text = text.slice(-MOST)
-      this.#leftOut += lines(dropped)
-    }
-    this.#chunks.push([isError, text, this.#count++, line])
-    this.#size += text.length
-    while (this.#size > MOST && this.#chunks.length > 1) {
-      const [[, dropped]] = this.#chunks.splice(0, 1)
+    const number = this.#count++
+    if (!text) return
+    const most = SHOWN.characters
+    if (text.length > most) this.#leaveOut(text.slice(0, -most))
+    this.#chunks.push([isError, text.slice(-most), number, line])
+    this.#size += Math.min(text.length, most)
+    while (this.#size > most || this.#chunks.length > SHOWN.chunks) {
+      const first = this.#chunks[0]
+      const dropped = first[1].slice(0, this.#chunks.length > SHOWN.chunks ? Infinity : this.#size - most)
+      if (dropped.length < first[1].length) first[1] = first[1].slice(dropped.length)
+      else this.#chunks.shift()
       this.#size -= dropped.length
-      this.#leftOut += lines(dropped)
+      this.#leaveOut(dropped)
     }
     this.#soon()
+  }
+
+  /** @param {string} text */
+  #leaveOut(text) {
+    this.#leftOut = Math.max(this.#leftOut + lines(text), 1)
   }
 
   /**
@@ -76,7 +87,7 @@ class Page {
    */
   tick(source, number, expected, real) {
     this.#ticks.push([source, number, expected, real, 0])
-    if (this.#ticks.length >= 2 * MOST_TICKS) this.#ticks.splice(0, MOST_TICKS)
+    if (this.#ticks.length >= 2 * SHOWN.ticks) this.#ticks.splice(0, SHOWN.ticks)
     this.#soon()
   }
 
@@ -89,7 +100,7 @@ class Page {
   }
 
   #soon() {
-    const left = this.#sent + INTERVAL - performance.now()
+    const left = this.#next - performance.now()
     if (left <= 0) this.send()
     else this.#timer ??= setTimeout(() => this.send(), left)
   }
@@ -97,9 +108,10 @@ class Page {
   send() {
     clearTimeout(this.#timer)
     this.#timer = undefined
-    this.#sent = performance.now()
     if (this.#chunks.length || this.#ticks.length) {
-      say({ kind: "batch", chunks: this.#chunks, leftOut: this.#leftOut, ticks: this.#ticks.slice(-MOST_TICKS) })
+      const ticks = this.#ticks.slice(-SHOWN.ticks)
+      const text = say({ kind: "batch", chunks: this.#chunks, leftOut: this.#leftOut, ticks })
+      this.#next = performance.now() + Math.max(INTERVAL, (room(text, "run") / PER_SECOND / PART) * 1e3)
     }
     this.#chunks = []
     this.#size = this.#leftOut = 0
@@ -270,17 +282,21 @@ async function boot() {
  * @param {Page} page
  * @returns {Promise<import("./protocol.js").Results[keyof import("./protocol.js").Results]>}
  */
-async function act({ run, trace, judge, look }, job, page) {
+async function act({ run, trace, judge, look, pin }, job, page) {
   if (job.kind === "run") {
     const { source, filename, seconds, args, speed, beside } = job
     return JSON.parse(await run.callPromising(source, filename, seconds, args, speed, JSON.stringify(beside), page))
   }
   if (job.kind === "look") return JSON.parse(await look.callPromising(job.log, job.name))
+  if (job.kind === "pin") {
+    const { source, filename, seconds, args, console, ticks } = job
+    return { test: await pin.callPromising(source, filename, seconds, args, console, JSON.stringify(ticks)) }
+  }
   if (job.kind === "trace") return { trace: await trace.callPromising(job.exercise, job.text) }
   return JSON.parse(await judge.callPromising(job.exercise, job.text, job.trace))
 }
 
-const fail = (/** @type {string} */ reason) => say({ kind: "failed", reason })
+const fail = (/** @type {string} */ reason) => say({ kind: "failed", reason: reason.slice(0, 1000) })
 const broke = (/** @type {unknown} */ error) => fail(`Python itself broke down: ${error}`)
 
 const booting = boot()

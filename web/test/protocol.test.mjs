@@ -3,11 +3,12 @@
 import assert from "node:assert/strict"
 import { test } from "node:test"
 
-import { LONGEST, read } from "../src/protocol.js"
+import { LONGEST, PER_SECOND, room, SHOWN } from "../src/limits.js"
+import { read } from "../src/protocol.js"
 
 const BATCH = { kind: "batch", chunks: [[false, "a\n", 0, 0]], leftOut: 0, ticks: [["timer", 1, 0.5, 0.5, 0]] }
 const RUN = {
-  status: 0, errors: 0, count: 1, ticks: [["t", 1, 0.5, 0.5, 0]], lost: [["t", 1]], chunks: [[0]], end: 1, alternative: "a", test: "", scenes: null,
+  status: 0, errors: 0, count: 1, ticks: [["t", 1, 0.5, 0.5, 0]], lost: [["t", 1]], chunks: [[0]], end: 1, alternative: "a", scenes: null,
 }
 const SCENES = {
   threads: ["MainThread"],
@@ -39,6 +40,7 @@ const RIGHT = [
   ["look", end(LOOK)],
   ["look", end({ ...LOOK, series: [{ ...SERIES, period: 0, late: [] }], verdicts: [{ ...FAULT, page: "notebooks/drift.html" }] })],
   ["judge", end({ ...VERDICT, verdict: "to read", solved: false })],
+  ["pin", end({ test: "def test_node(): ..." })],
 ]
 for (const [job, message] of RIGHT) {
   test(`is read: ${message.kind} of ${job}`, () => {
@@ -49,7 +51,7 @@ for (const [job, message] of RIGHT) {
 
 test("a run that went wrong says no more than its status", () => {
   const { result } = read('{"kind": "end", "result": {"status": 1}}', "run")
-  assert.deepEqual(result, { status: 1, errors: 0, count: 0, ticks: [], lost: [], chunks: [], end: 0, alternative: "", test: "", scenes: null })
+  assert.deepEqual(result, { status: 1, errors: 0, count: 0, ticks: [], lost: [], chunks: [], end: 0, alternative: "", scenes: null })
 })
 
 test("a reason is short", () => {
@@ -91,7 +93,7 @@ const WRONG = [
   ["run", JSON.stringify(end({ ...RUN, count: 0 }))],
   ["run", JSON.stringify(end({ ...RUN, ticks: [] }))],
   ["run", JSON.stringify(end({ ...RUN, chunks: [0] }))],
-  ["run", JSON.stringify(end({ ...RUN, test: 5 }))],
+  ["pin", JSON.stringify(end({ test: 5 }))],
   ["run", JSON.stringify(end({ ...RUN, lost: [["t"]] }))],
   ...[
     { threads: [5] },
@@ -118,7 +120,36 @@ const WRONG = [
   ["judge", JSON.stringify(end({ ...VERDICT, verdict: "no such verdict", solved: false }))],
   ["judge", JSON.stringify(end({ ...VERDICT, said: 5 }))],
   [null, JSON.stringify(end(VERDICT))],
-  ["judge", JSON.stringify(end({ ...VERDICT, said: "x".repeat(LONGEST) }))],
+  ["judge", JSON.stringify(end({ ...VERDICT, said: "x".repeat(LONGEST.judge.characters) }))],
+  ["run", JSON.stringify({ ...end(RUN), kind: ["end"] })],
+  ["run", JSON.stringify({ kind: "failed", reason: ["why"] })],
+  // No number is infinite, nor so large that adding 1 to it changes nothing; no list is endless, nor a name.
+  ...["1e999", "-1e999", "1e17", "-1e17", "null", '"1"', "[1]"].flatMap((number) => [
+    ["run", JSON.stringify(end(RUN)).replace("[[\"t\",1,0.5", `[["t",1,${number}`)],
+    ["run", JSON.stringify(end(RUN)).replace("0.5,0.5,0", `0.5,${number},0`)],
+    ["run", JSON.stringify(end(RUN)).replace("0.5,0.5,0", `0.5,0.5,${number}`)],
+    ["run", JSON.stringify(end(RUN)).replace('"end":1', `"end":${number}`)],
+    ["run", JSON.stringify(end(RUN)).replace('"lost":[["t",1]]', `"lost":[["t",${number}]]`)],
+    ["run", JSON.stringify(BATCH).replace("0.5,0.5,0", `${number},0.5,0`)],
+    ["run", JSON.stringify(BATCH).replace('"leftOut":0', `"leftOut":${number}.5`)],
+    ["look", JSON.stringify(end(LOOK)).replace('"seconds":0.2', `"seconds":${number}`)],
+    ["look", JSON.stringify(end(LOOK)).replace('"times":[0,', `"times":[${number},`)],
+    ["look", JSON.stringify(end(LOOK)).replace('"period":0.1', `"period":${number}`)],
+  ]),
+  ["run", JSON.stringify(end({ ...RUN, ticks: [["t", 1, 0.5, 0.5, -1]] }))],
+  ["run", JSON.stringify(end({ ...RUN, count: 2e6, ticks: Array(SHOWN.ticks + 1).fill(RUN.ticks[0]) }))],
+  ["run", JSON.stringify(end({ ...RUN, ticks: [...RUN.ticks, ...RUN.ticks] }))], // more than there were
+  ["run", JSON.stringify(end({ ...RUN, lost: Array(SHOWN.ticks + 1).fill(["t", 1]) }))],
+  ["run", JSON.stringify(end({ ...RUN, ticks: [["t".repeat(201), 1, 0.5, 0.5, 0]] }))],
+  ["run", JSON.stringify(end({ ...RUN, scenes: { ...SCENES, steps: Array(501).fill(SCENES.steps[0]) } }))],
+  ["run", JSON.stringify(end({ ...RUN, scenes: { ...SCENES, rings: Array(21).fill(SCENES.rings[0]) } }))],
+  ["run", JSON.stringify({ ...BATCH, chunks: [["yes", "a", 0, 0]] })],
+  ["run", JSON.stringify({ ...BATCH, chunks: [[true, "a", 0, 1.5]] })],
+  ["run", JSON.stringify({ ...BATCH, chunks: Array(SHOWN.chunks + 1).fill(BATCH.chunks[0]) })],
+  ["run", JSON.stringify({ ...BATCH, chunks: [[true, "a".repeat(SHOWN.characters + 1), 0, 0]] })],
+  ["run", JSON.stringify({ ...BATCH, ticks: Array(SHOWN.ticks + 1).fill(BATCH.ticks[0]) })],
+  ["look", JSON.stringify(end({ ...LOOK, series: Array(101).fill(SERIES) }))],
+  ["look", JSON.stringify(end({ ...LOOK, notes: ["a".repeat(501)] }))],
 ]
 for (const [job, text] of WRONG) {
   test(`is none: ${text.slice(0, 100)} of ${job}`, () => assert.equal(read(text, job), null))
@@ -126,4 +157,37 @@ for (const [job, text] of WRONG) {
 
 test("a verdict that came with a trace is not passed on", () => {
   assert.deepEqual(read(JSON.stringify(end({ ...VERDICT, trace: "" })), "trace").result, { trace: "" })
+})
+
+test("the room that a message takes grows with its length and its values, which are not read for that", () => {
+  const empty = room("[]", "run")
+  assert.ok(empty > 10_000 && empty < PER_SECOND / 50) // so many may come in each second
+  assert.equal(room(`[${" ".repeat(1000)}]`, "run"), empty + 1000)
+  const value = room("[[]]", "run") - empty - 2
+  const texts = ["[1,2 ,3 ]", "[[],{} ]", '["a",1,5]', '["[,{",{}]', '["\\",[",[]]', '["\\\\",[ ]]', "[[[    ]]]"]
+  for (const text of texts) {
+    const values = count(JSON.parse(text))
+    const [least, most] = [values - 1, values + 1].map((many) => empty - 2 + text.length + value * (many - 1))
+    assert.ok(least <= room(text, "run") && room(text, "run") <= most, text)
+  }
+})
+const count = (part) => (typeof part === "object" ? Object.values(part).reduce((sum, one) => sum + count(one), 1) : 1)
+
+test("no message has more room than one on its job needs", () => {
+  assert.equal(room({ kind: "end" }, "run"), Infinity)
+  for (const [job, { characters, values }] of Object.entries(LONGEST)) {
+    const kind = job || null
+    assert.ok(room(`"${"[".repeat(characters - 2)}"`, kind) <= characters + PER_SECOND, job)
+    assert.equal(room(" ".repeat(characters + 1), kind), Infinity, job)
+    assert.equal(room(`[${"[],".repeat(values)}0]`, kind), Infinity, job)
+    assert.equal(room(`[${"0,".repeat(values)}0]`, kind), Infinity, job)
+  }
+})
+
+test("what a worker may show at a time fits", () => {
+  const chunk = [true, `${"x".repeat(SHOWN.characters / SHOWN.chunks - 1)}\n`, 999_999, 99]
+  const tick = ["a_node.a_callback_of_it", 99_999, 1234.567891, 1234.567891, 0]
+  const batch = { ...BATCH, chunks: Array(SHOWN.chunks).fill(chunk), ticks: Array(SHOWN.ticks).fill(tick) }
+  assert.ok(room(JSON.stringify(batch), "run") < PER_SECOND / 2)
+  assert.deepEqual(read(JSON.stringify(batch), "run"), batch)
 })

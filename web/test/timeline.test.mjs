@@ -1,9 +1,9 @@
-// Where a plot of a run has its ticks: see svg.js.
+// Where a plot of a run has its ticks, and how much of them is drawn: see svg.js.
 
 import assert from "node:assert/strict"
 import { test } from "node:test"
 
-import { layOut } from "../src/svg.js"
+import { drawn, drawTimeline, layOut } from "../src/svg.js"
 
 const tick = (source, number, expected, { real = expected, duration = 0 } = {}) => [source, number, expected, real, duration]
 
@@ -46,4 +46,47 @@ test("calls that overlap have a lane each", () => {
   const { places } = layOut([tick("t", 1, 1, { duration: 2 }), tick("t", 2, 2, { duration: 2 }), tick("t", 3, 3.5)], 5)
   const [first, second, third] = places.map(([, down]) => down)
   assert.ok(first < second && third === first)
+})
+
+// --- what is drawn ---
+
+/** As much of a document as drawing needs. */
+globalThis.document = {
+  createElementNS(_, tag) {
+    const element = { tag, children: [], setAttribute: (name, value) => (element[name] = value), append: (...more) => element.children.push(...more) }
+    return element
+  },
+}
+const all = (element) => [element, ...(element.children ?? []).flatMap(all)]
+const picture = (ticks, end = 0, lost = []) => {
+  const { rows, scale } = layOut(ticks, end, lost)
+  return all(drawTimeline(rows, scale, ""))
+}
+const numbers = (elements) => elements.filter((element) => element["text-anchor"] === "middle").map(({ children }) => children[0])
+
+test("an axis has at most eight numbers, wherever it is and however long", () => {
+  assert.deepEqual(numbers(picture([tick("t", 1, 0.5)], 3)), ["0", "0.5", "1", "1.5", "2", "2.5", "3"])
+  for (const first of [0, 1, 1e5, 1e10, 1e17, 3e17, -1e17, 1e300]) {
+    for (const span of [5e-324, 1e-9, 1, 7, 1e10, 1e17]) {
+      const scale = { first, span, kinds: 3, title: "" }
+      assert.ok(numbers(all(drawTimeline([], scale, ""))).length <= 8, `${first} ${span}`)
+    }
+  }
+})
+
+test("of many ticks some are drawn, the first and the last among them, and it can be said how many", () => {
+  for (const rows of [1, 3, 7, 100]) {
+    const ticks = Array.from({ length: 2000 }, (_, n) => tick(`t${n % rows}`, n + 1, n / 100, { duration: 0.001 * (n % 5) }))
+    const laid = layOut(ticks, 20)
+    const elements = picture(ticks, 20, ticks.map(([source], n) => [source, n / 100 + 0.005]))
+    assert.ok(drawn(laid.rows) <= 1200 && drawn(laid.rows) > 200, `${rows}: ${drawn(laid.rows)}`)
+    assert.ok(elements.length < 6000, `${rows}: ${elements.length}`) // marks, bars, lines, crosses
+  }
+  const few = Array.from({ length: 600 }, (_, n) => tick("t", n + 1, n / 100))
+  assert.equal(drawn(layOut(few, 6).rows), 600)
+})
+
+test("bars of many calls at the same time have a height", () => {
+  const ticks = Array.from({ length: 100 }, (_, n) => tick("t", n + 1, 1, { duration: 5 }))
+  assert.ok(picture(ticks, 10).every(({ tag, height }) => tag !== "rect" || height > 0))
 })
