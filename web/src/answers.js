@@ -1,5 +1,6 @@
 // The file in which a student hands in answers: JSON with a name, a date and the texts. What else it says is not read.
 
+import { valuesIn } from "./limits.js"
 import { nameOf } from "./names.js"
 
 const FORMAT = "rosspin-answers"
@@ -11,8 +12,9 @@ const NAME = new Map([
   [2, /^[a-z0-9]+(-[a-z0-9]+)*$/],
 ])
 
-/** What is read at most: of a file (bytes), of an answer and a name (characters), and so many answers. */
+/** What is read at most: of a file (bytes), of an answer and a name (characters), and so many answers, of such JSON. */
 export const MOST = { file: 1_000_000, answer: 50_000, name: 100, answers: 100 }
+const VALUES = 10_000
 
 /**
  * What such a file holds.
@@ -52,7 +54,7 @@ export async function read(file) {
   const text = await file.text().catch(() => refuse("it cannot be read"))
   let found
   try {
-    found = JSON.parse(text)
+    found = valuesIn(text) <= VALUES && JSON.parse(text)
   } catch {
     refuse("it is not a file that Hand in saved (it is not JSON)")
   }
@@ -72,7 +74,7 @@ export async function read(file) {
   const date = new Date(typeof found.date === "string" ? found.date : NaN)
   const student = typeof found.student === "string" ? plain(found.student) : ""
   const when = isNaN(Number(date)) ? null : date
-  return { file: file.name, name: plain(name) || "(no name)", student, id, date: when, answers: known }
+  return { file: file.name, name: plain(name) || "(no name)", student, id: id.slice(0, MOST.name), date: when, answers: known }
 }
 
 /**

@@ -6,7 +6,8 @@ import { judge, rest } from "./judging.js"
 import { find, here, make, save } from "./make.js"
 import { numberOf } from "./names.js"
 import { notHere } from "./python.js"
-import { NOT_JUDGED, Table } from "./table.js"
+import { Painter } from "./painter.js"
+import { NOT_JUDGED, Table, count } from "./table.js"
 import { dropped, unpacked } from "./unpack.js"
 import { reveal } from "./unseen.js"
 
@@ -14,6 +15,12 @@ const base = new URL("../live/", here()).href
 
 /** How many answers are judged at the same time. */
 const LANES = Math.max(2, Math.min(4, navigator.hardwareConcurrency - 1))
+
+/** So many problems are listed, and so many cells shown, which come piece by piece. */
+const MOST_NOTES = 50
+const MOST_CELLS = 3000
+const PIECE = 500
+const LEAST_ROWS = 10 // in a piece
 
 /** @type {Record<import("./table.js").Verdict, string>} the sign of each verdict in the table */
 const SIGNS = {
@@ -35,15 +42,34 @@ let shown = null
 
 const known = new Table((...answer) => judge(base, ...answer), LANES, (answer) => {
   if (!answer) return draw()
-  mark(answer)
+  if (signs.has(answer)) mark(answer)
   if (shown === answer) show(answer, false)
-  tell()
+  if (known.isDone) rest()
+  teller.soon()
 })
+const teller = new Painter(() => tell())
 
-/** @param {Promise<import("./unpack.js").Dropped[]>} files */
-async function add(files) {
-  const problems = await known.add(await files)
-  notes.append(...problems.map((textContent) => make("li", { textContent })))
+let unlisted = 0 // problems
+let reading = 0 // drops whose files are being read
+
+/** @param {Promise<import("./unpack.js").Dropped[]>} coming */
+async function add(coming) {
+  reading++
+  results.hidden = false
+  progress.removeAttribute("value")
+  status.textContent = "Reading the files"
+  const files = await coming
+  const problems = await known.add(files, (done) => {
+    ;[progress.max, progress.value] = [files.length, done]
+    status.textContent = `Reading ${count(files.length, "file")}`
+  })
+  reading--
+  tell()
+  const listed = problems.slice(0, Math.max(MOST_NOTES - notes.childElementCount, 0))
+  notes.append(...listed.map((textContent) => make("li", { textContent })))
+  unlisted += problems.length - listed.length
+  const more = `${unlisted} more such lines are not shown. Save as CSV lists each file that is refused.`
+  unshown.textContent = unlisted ? more : ""
 }
 
 // --- what is shown ---
@@ -76,7 +102,7 @@ function draw() {
   }
   const head = make("tr", {}, heading("name", "Name"), heading("solved", "Solved"))
   head.append(...columns.map((name) => heading(name, numberOf(name), titleOf(name, "Exercise"))))
-  const body = known.rows.map((row) => {
+  const made = (/** @type {(typeof known.rows)[number]} */ row) => {
     const [others, namesakes] = [known.others(row), known.namesakes(row)]
     const said = [row.source, row.student && `ID ${row.student}`]
     if (others.length) said.push(`same browser as ${others.join(", ")}`)
@@ -84,32 +110,52 @@ function draw() {
     const name = make("th", { scope: "row" }, row.name)
     name.append(...said.filter(Boolean).map((textContent) => make("small", { textContent })))
     const answers = columns.map((name) => row.answers.get(name))
-    const cells = answers.map((answer) => make("td", {}, answer ? mark(answer) : nothing()))
-    return make("tr", {}, name, make("td"), ...cells)
-  })
-  table.replaceChildren(make("thead", {}, head), make("tbody", {}, ...body))
+    const solved = make("td", { textContent: solvedOf(row) })
+    solvedCells.set(row, solved)
+    return make("tr", {}, name, solved, ...answers.map((answer) => make("td", {}, answer ? mark(answer) : nothing())))
+  }
+  solvedCells.clear()
+  const body = make("tbody")
+  table.replaceChildren(make("thead", {}, head), body)
+  const rows = known.rows.slice(0, Math.floor(MOST_CELLS / (columns.length + 2)))
+  const size = Math.max(LEAST_ROWS, Math.floor(PIECE / (columns.length + 2)))
+  const mine = ++drawing
+  const append = (/** @type {number} */ from) => {
+    if (mine !== drawing) return
+    body.append(...rows.slice(from, from + size).map(made))
+    if (from + size < rows.length) setTimeout(append, 0, from + size)
+  }
+  append(0)
   const again = /** @type {HTMLElement | undefined} */ (table.querySelectorAll("thead button")[focused])
   again?.focus()
   results.hidden = known.rows.length + known.refused.length === 0
   scroll.hidden = legend.hidden = known.rows.length === 0
+  cut.textContent =
+    rows.length < known.rows.length
+      ? `The first ${rows.length} of ${known.rows.length} rows are shown; sort the table to see others. Save as CSV has all.`
+      : ""
   tell()
 }
+
+let drawing = 0 // counts what is drawn: the last is that which is wanted
+
+/** @type {Map<(typeof known.rows)[number], HTMLElement>} where it is said how many a row has solved */
+const solvedCells = new Map()
+
+const solvedOf = (/** @type {(typeof known.rows)[number]} */ row) => `${row.solved} of ${row.answers.size}`
 
 const nothing = () => make("span", { textContent: "–", title: "no answer", role: "img", ariaLabel: "no answer" })
 
 /** Say how far it is. */
 function tell() {
-  known.rows.forEach((row, number) => {
-    const { cells } = table.tBodies[0].rows[number]
-    cells[1].textContent = `${row.solved} of ${row.answers.size}`
-  })
+  if (reading) return
+  for (const [row, cell] of solvedCells) cell.textContent = solvedOf(row)
   const { answers, said } = known
   const open = answers.filter(({ isOpen }) => isOpen).length
   progress.max = answers.length || 1
   progress.value = answers.length - open
   stopButton.ariaDisabled = String(open === 0)
   if (status.textContent !== said) status.textContent = said // said once, not at each answer
-  if (open === 0) rest()
   const missed = open ? [] : known.hard
   hard.hidden = !missed.length
   hard.replaceChildren(make("p", {}, make("strong", { textContent: "What was hard" })), make("ul", {}, ...missed.map(hardness)))
@@ -174,6 +220,8 @@ const bar = make("div", { className: "judge-bar" })
 const saveButton = button("Save as CSV", () => save("answers.csv", "text/csv", csv(known.save(titleOf))))
 bar.append(progress, stopButton, saveButton, status)
 const notes = make("ul")
+const unshown = make("p")
+const cut = make("p")
 const table = make("table", { className: "table" })
 const scroll = make("div", { className: "judge-scroll", role: "region", ariaLabel: "Who solved what", tabIndex: 0 }, table)
 const words = [.../** @type {const} */ (["solved", "not yet", "did not end"]), ...NOT_JUDGED]
@@ -185,12 +233,12 @@ const legend = make("p", {
 const detail = make("div", { className: "judge-said", role: "region", ariaLabel: "What the checker said", tabIndex: -1 })
 detail.hidden = true
 const hard = make("div", { className: "judge-hard", hidden: true })
-const results = make("div", { hidden: true }, bar, scroll, legend, detail, hard)
+const results = make("div", { hidden: true }, bar, scroll, cut, legend, detail, hard)
 
 /** Why nothing can be judged here, in a sentence; "" if it can. */
 const missing = notHere("check answers") || (HAS_JSPI ? "" : `This browser cannot check answers: ${LACKS_JSPI}`)
 
-const alert = make("div", { role: "alert", ariaAtomic: "false" }, notes)
+const alert = make("div", { role: "alert", ariaAtomic: "false" }, notes, unshown)
 find(".rosspin-judge").replaceChildren(...(missing ? [make("p", { textContent: missing })] : [drop, alert, results]))
 if (!missing) {
   for (const kind of /** @type {const} */ (["dragenter", "dragover", "dragleave", "drop"])) {

@@ -8,6 +8,19 @@ import { code, numberOf } from "./names.js"
 /** Of these it is said how many there are, where there are any. */
 export const NOT_JUDGED = /** @type {const} */ (["to read", "not judged", "stopped"])
 
+/** The table has room for so much: files that count, answers in all, exercises. */
+const MOST = { rows: 1000, answers: 10_000, exercises: 100 }
+
+const FULL =
+  `this table has room for ${MOST.rows} files, ${MOST.answers} answers and ${MOST.exercises} exercises; ` +
+  "rosspin judge, on your computer, takes more"
+
+/** So many files are taken into the table at a time. */
+const PIECE = 25
+
+/** Of the names that are beside a row so many are said. */
+const MOST_NAMES = 5
+
 /**
  * @typedef {import("./judging.js").Found | "waiting" | "being judged"} Verdict
  * @typedef {(exercise: string, text: string, stopped: AbortSignal) => Promise<import("./judging.js").Judgement>} Judge
@@ -65,6 +78,10 @@ export class Answer {
 export const count = (/** @type {number} */ number, /** @type {string} */ what) =>
   `${number} ${what}${number === 1 ? "" : "s"}`
 
+/** Some of these names, and how many more there are. */
+const few = (/** @type {string[]} */ names) =>
+  names.length > MOST_NAMES ? [...names.slice(0, MOST_NAMES), `${names.length - MOST_NAMES} more`] : names
+
 /** All that was handed in. */
 export class Table {
   /** @type {HandIn[]} */
@@ -82,6 +99,9 @@ export class Table {
   /** @type {Answer[]} */
   #waiting = []
   #lanes = 0
+  #judging = 0 // answers
+  #count = 0 // of answers
+  #names = new Set() // of the exercises, those of files too whose place was taken
   #stop = new AbortController()
   #judge
   #most
@@ -103,13 +123,21 @@ export class Table {
    * Read files, and have the answers judged that count: what is to be said of those that do not, in sentences.
    *
    * @param {import("./unpack.js").Dropped[]} files
+   * @param {(count: number) => void} [progress] is called with how many have been read
    */
-  async add(files) {
+  async add(files, progress = () => {}) {
     // All are read first: while one is being read, others are judged, which looks at the rows.
-    const contents = await Promise.allSettled(files.map((file) => ("why" in file ? Promise.reject(new Error(file.why)) : read(file))))
-    const problems = contents.map((found, number) =>
-      found.status === "fulfilled" ? this.#take(new HandIn(found.value)) : this.#refuse(files[number].name, found.reason.message),
-    )
+    /** @type {(import("./answers.js").Answers | string)[]} */
+    const contents = []
+    for (const file of files) {
+      contents.push("why" in file ? file.why : await read(file).catch((error) => error.message))
+      progress(contents.length)
+    }
+    const problems = []
+    for (const [number, found] of contents.entries()) {
+      if (number % PIECE === PIECE - 1) await new Promise((go) => setTimeout(go)) // the reader may have something to click
+      problems.push(typeof found === "string" ? this.#refuse(files[number].name, found) : this.#take(new HandIn(found)))
+    }
     this.#sort()
     this.isSaved = false
     this.#changed(null)
@@ -159,8 +187,18 @@ export class Table {
   #take(row) {
     const before = this.rows.find(({ name, id }) => name === row.name && id === row.id)
     if (before && before.time > row.time) return `${row.file} is left out: ${row.name} handed in ${before.file} after it.`
-    this.rows = [...this.rows.filter((other) => other !== before), row]
-    this.#waiting = [...this.#waiting.filter((answer) => answer.row !== before), ...row.answers.values()]
+    const count = this.#count - (before?.answers.size ?? 0) + row.answers.size
+    const names = new Set([...this.#names, ...row.answers.keys()])
+    const isFull = (!before && this.rows.length >= MOST.rows) || count > MOST.answers || names.size > MOST.exercises
+    if (isFull) return this.#refuse(row.file, FULL)
+    this.#count = count
+    this.#names = names
+    if (before) {
+      this.rows = this.rows.filter((other) => other !== before)
+      this.#waiting = this.#waiting.filter((answer) => answer.row !== before)
+    }
+    this.rows.push(row)
+    this.#waiting.push(...row.answers.values())
     return before ? `${row.file} takes the place of ${before.file}, which ${row.name} handed in before.` : ""
   }
 
@@ -168,8 +206,10 @@ export class Table {
   async #work() {
     this.#lanes++
     for (let answer = this.#waiting.shift(); answer; answer = this.#waiting.shift()) {
+      this.#judging++
       this.#become(answer, { verdict: "being judged", said: "" })
       const found = await this.#judge(answer.exercise, code(answer.text), this.#stop.signal)
+      this.#judging--
       this.isSaved = false
       this.#become(answer, found)
     }
@@ -193,6 +233,11 @@ export class Table {
   }
 
   // --- what there is to say ---
+
+  /** Whether nothing is left to be judged. */
+  get isDone() {
+    return !this.#waiting.length && !this.#judging
+  }
 
   get answers() {
     return this.rows.flatMap(({ answers }) => [...answers.values()])
@@ -228,7 +273,7 @@ export class Table {
    * @param {HandIn} row
    */
   others(row) {
-    return this.rows.filter(({ id, name }) => id === row.id && name !== row.name).map(({ name }) => name)
+    return few(this.rows.filter(({ id, name }) => id === row.id && name !== row.name).map(({ name }) => name))
   }
 
   /**
@@ -237,7 +282,7 @@ export class Table {
    * @param {HandIn} row
    */
   namesakes(row) {
-    return this.rows.filter(({ id, name }) => id !== row.id && name === row.name).map(({ file }) => file)
+    return few(this.rows.filter(({ id, name }) => id !== row.id && name === row.name).map(({ file }) => file))
   }
 
   /** How far it is, and in the end how many answers were judged, and how many were not. */

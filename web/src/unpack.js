@@ -3,8 +3,15 @@
 /** @typedef {{name: string, why: string}} Unread a file that cannot be read, and why */
 /** @typedef {File | Unread} Dropped */
 
-/** What is read of archives at most: so many within each other, files in all, and of one within another (bytes). */
-const MOST = { depth: 4, files: 10_000, archive: 200_000_000, file: 1_000_001 }
+/** What is read at most: of archives so many within each other, and of a hand-in so much (bytes). */
+const MOST = { depth: 4, file: 1_000_001 }
+
+/** What is read of all that is dropped at the same time: so many files, so many names, and so much of archives (bytes). */
+const ALL = { files: 2000, names: 20_000, bytes: 200_000_000 }
+const TOO_MUCH = "there is too much in all"
+
+/** No list of what is in an archive is longer (bytes): that has room for all names. */
+const MOST_LIST = 8_000_000
 
 /** What systems and programs leave in folders and archives. */
 const LEFT_BEHIND = /(^|\/)(\.[^/]*|__MACOSX|Thumbs\.db|desktop\.ini)(\/|$)/i
@@ -25,16 +32,19 @@ const CP437 =
 export async function dropped({ items, files }) {
   const entries = [...items].map((item) => item.webkitGetAsEntry())
   if (!entries.some((entry) => entry?.isDirectory)) return unpacked([...files])
-  const found = await Promise.all(entries.filter((entry) => entry !== null).map((entry) => walked(entry)))
-  return unpacked(found.flat())
+  const left = { ...ALL }
+  const found = []
+  for (const entry of entries) if (entry) found.push(...(await walked(entry, left)))
+  return unpacked(found)
 }
 
 /**
  * @param {FileSystemEntry} entry
+ * @param {typeof ALL} left
  * @returns {Promise<Dropped[]>}
  */
-async function walked(entry, path = entry.name) {
-  if (LEFT_BEHIND.test(entry.name)) return []
+async function walked(entry, left, path = entry.name) {
+  if (LEFT_BEHIND.test(entry.name) || left.names-- <= 0) return []
   if (entry.isFile) {
     const file = await new Promise((resolve) =>
       /** @type {FileSystemFileEntry} */ (entry).file(resolve, () => resolve({ name: path, why: "it cannot be read" })),
@@ -47,7 +57,7 @@ async function walked(entry, path = entry.name) {
     /** @type {FileSystemEntry[]} */
     const some = await new Promise((resolve) => reader.readEntries(resolve, () => resolve([])))
     if (!some.length) return found
-    for (const inner of some) found.push(...(await walked(inner, `${path}/${inner.name}`)))
+    for (const inner of some) found.push(...(await walked(inner, left, `${path}/${inner.name}`)))
   }
 }
 
@@ -66,23 +76,25 @@ const named = (file, path) => Object.defineProperty(file, "name", { value: path 
  * @param {Dropped[]} files
  * @returns {Promise<Dropped[]>}
  */
-export async function unpacked(files, depth = 1) {
+export async function unpacked(files, depth = 1, left = { ...ALL }) {
   /** @type {Dropped[]} */
   const found = []
   for (const file of files) {
     if ("why" in file || !(await isArchive(file))) found.push(file)
     else if (depth > MOST.depth) found.push({ name: file.name, why: `it is an archive within ${MOST.depth} others` })
     else {
-      const inner = await entriesOf(file).catch(() => [{ name: file.name, why: "it is no zip archive that can be read" }])
-      found.push(...(await unpacked(inner, depth + 1)))
+      const inner = await entriesOf(file, left).catch(() => [{ name: file.name, why: "it is no zip archive that can be read" }])
+      found.push(...(await unpacked(inner, depth + 1, left)))
     }
-    if (found.length > MOST.files) return [...found.slice(0, MOST.files), { name: file.name, why: "there is too much in all" }]
+    if (found.length > ALL.files) return [...found.slice(0, ALL.files), { name: file.name, why: TOO_MUCH }]
   }
   const isHandIn = (/** @type {Dropped} */ { name }) => /\.json$/i.test(name)
   const folder = (/** @type {Dropped} */ { name }) => name.slice(0, name.lastIndexOf("/") + 1)
-  const having = found.filter(isHandIn).map(folder)
+  /** @type {Map<string, number>} */
+  const having = new Map()
+  for (const file of found) if (isHandIn(file)) having.set(folder(file), (having.get(folder(file)) ?? 0) + 1)
   const isReport = (/** @type {Dropped} */ file) =>
-    !/\.(py|ipynb|md)$/i.test(file.name) && having.filter((other) => other === folder(file)).length === 1
+    !/\.(py|ipynb|md)$/i.test(file.name) && having.get(folder(file)) === 1
   return found.flatMap((file) => {
     if (!folder(file) || isHandIn(file) || ("why" in file && file.why !== OTHER)) return [file]
     return isReport(file) ? [] : [{ name: file.name, why: OTHER }]
@@ -97,18 +109,20 @@ const isArchive = async (file) =>
  * What is in an archive; of other files than hand-ins and archives only the names. Error: it cannot be read.
  *
  * @param {File} archive
+ * @param {typeof ALL} left is lessened by what is read
  * @returns {Promise<Dropped[]>}
  */
-async function entriesOf(archive) {
+async function entriesOf(archive, left) {
   const folder = archive.name.replace(/\.zip$/i, "")
   const tail = new DataView(await archive.slice(-65_557).arrayBuffer())
   let end = tail.byteLength - 22
   while (tail.getUint32(end, true) !== 0x06054b50) end-- // an error, in the end, if there is none
   const [size, start] = [tail.getUint32(end + 12, true), tail.getUint32(end + 16, true)]
-  const list = new DataView(await archive.slice(start, start + size).arrayBuffer())
+  const list = new DataView(await archive.slice(start, start + Math.min(size, MOST_LIST)).arrayBuffer())
   /** @type {Dropped[]} */
   const found = []
-  for (let at = 0; at < size && found.length <= MOST.files; ) {
+  for (let at = 0; at < size; ) {
+    if (found.length > ALL.files || left.names-- <= 0) return [...found, { name: archive.name, why: TOO_MUCH }]
     if (list.getUint32(at, true) !== 0x02014b50) throw new Error("damaged")
     const [flags, method] = [list.getUint16(at + 8, true), list.getUint16(at + 10, true)]
     const packed = list.getUint32(at + 20, true)
@@ -119,7 +133,7 @@ async function entriesOf(archive) {
     const path = [folder, ...name.split(/[/\\]/).filter((part) => !["", ".", ".."].includes(part))].join("/")
     if (name.endsWith("/") || LEFT_BEHIND.test(path)) continue
     const isRead = /\.(json|zip)$/i.test(name)
-    found.push(isRead ? await entry(archive, path, flags, method, place, packed) : { name: path, why: OTHER })
+    found.push(isRead ? await entry(archive, path, flags, method, place, packed, left) : { name: path, why: OTHER })
   }
   return found
 }
@@ -131,9 +145,10 @@ async function entriesOf(archive) {
  * @param {number} method
  * @param {number} place
  * @param {number} packed
+ * @param {typeof ALL} left
  * @returns {Promise<Dropped>}
  */
-async function entry(archive, path, flags, method, place, packed) {
+async function entry(archive, path, flags, method, place, packed, left) {
   if (flags & 1) return { name: path, why: "it is locked with a password" }
   if (method !== 0 && method !== 8) return { name: path, why: "it is packed in a way that is not read here; unpack the archive first" }
   try {
@@ -141,8 +156,9 @@ async function entry(archive, path, flags, method, place, packed) {
     const start = place + 30 + head.getUint16(26, true) + head.getUint16(28, true)
     const data = archive.slice(start, start + packed).stream()
     const plain = method ? data.pipeThrough(new DecompressionStream("deflate-raw")) : data
-    const most = /\.zip$/i.test(path) ? MOST.archive : MOST.file
-    return named(new File(await startOf(plain, most), "entry"), path)
+    const file = new File(await startOf(plain, Math.min(left.bytes, /\.zip$/i.test(path) ? Infinity : MOST.file)), "entry")
+    left.bytes -= file.size
+    return left.bytes > 0 ? named(file, path) : { name: path, why: TOO_MUCH }
   } catch {
     return { name: path, why: "it is damaged in its archive" }
   }

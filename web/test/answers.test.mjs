@@ -60,7 +60,9 @@ const REFUSED = [
   [file("PK\x03\x04" + "x".repeat(3_000_000)), "it is a zip archive; unpack it first"],
   [file(""), NOT_JSON],
   [file("%%answer 1\n"), NOT_JSON],
-  [file("[".repeat(900_000)), NOT_JSON],
+  [file("[".repeat(9000)), NOT_JSON],
+  [file("[".repeat(900_000)), NOT_THESE], // which is seen before it is read
+  [file(`[${"[],".repeat(300_000)}0]`), NOT_THESE],
   [file("null"), NOT_THESE],
   [file("[]"), NOT_THESE],
   [holding({ format: "other" }), NOT_THESE],

@@ -117,6 +117,42 @@ test("what was hard: the hardest first, with what was told how often", async () 
   ])
 })
 
+// --- how much there is room for ---
+
+const many = (count, answersOf) => Array.from({ length: count }, (_, n) => handedIn(`s${n}`, { id: "x", answers: answersOf(n) }))
+const FULL = "this table has room for 1000 files, 10000 answers and 100 exercises; rosspin judge, on your computer, takes more"
+
+test("there are so many rows, answers and exercises, and what is more is refused and told", async () => {
+  table = new Table(() => new Promise(() => {}), 2, () => {})
+  const one = await table.add(many(1003, () => ({ "e-a": "" })))
+  assert.equal(table.rows.length, 1000)
+  assert.deepEqual(one, ["s1000", "s1001", "s1002"].map((name) => `${name}.json is refused: ${FULL}.`))
+  table = new Table(() => new Promise(() => {}), 2, () => {})
+  const answers = Object.fromEntries(Array.from({ length: 50 }, (_, n) => [`a-${n}`, ""]))
+  assert.equal((await table.add(many(300, () => answers))).length, 100)
+  assert.equal(table.answers.length, 10_000)
+  assert.deepEqual(await table.add(many(1, () => ({ "a-1": "", "a-2": "" }))), ["s0.json takes the place of s0.json, which s0 handed in before."])
+  table = new Table(() => new Promise(() => {}), 2, () => {})
+  assert.equal((await table.add(many(150, (n) => ({ [`a-${n}`]: "" })))).length, 50)
+  assert.equal(table.exercises.length, 100)
+})
+
+test("while files are read and taken, other things happen, and it is told how far that is", async () => {
+  table = new Table(() => new Promise(() => {}), 2, () => {})
+  let turns = 0
+  const clicks = setInterval(() => turns++)
+  const told = []
+  await table.add(many(900, () => ({ "e-a": "" })), (done) => told.push(done))
+  clearInterval(clicks)
+  assert.ok(turns >= 9, String(turns))
+  assert.deepEqual([told.length, told.at(-1)], [900, 900])
+})
+
+test("of many in the same browser some are named", async () => {
+  await table.add(many(9, () => ({ "e-a": "solved" })))
+  assert.deepEqual(table.others(table.rows[0]), ["s1", "s2", "s3", "s4", "s5", "3 more"])
+})
+
 // --- what is judged ---
 
 test("answers are judged one after the other in so many lanes, without their first line", async () => {

@@ -78,6 +78,19 @@ test("of a bomb no more is unpacked than a hand-in may have", async () => {
   assert.equal(file.size, 1_000_001)
 })
 
+const whys = (files) => files.filter(({ why }) => why === "there is too much in all").length
+
+test("of all archives together no more is read than there is room for: files, names, bytes", async () => {
+  const files = await unpacked([zip("z.zip", Array.from({ length: 3000 }, (_, n) => [`${n}.json`, "1"]))])
+  assert.deepEqual([files.length, whys(files)], [2001, 1])
+  const skipped = zip("z.zip", Array.from({ length: 30_000 }, (_, n) => [`.${n}/`, ""]))
+  assert.deepEqual((await unpacked([skipped])).map(({ name, why }) => [name, why]), [["z.zip", "there is too much in all"]])
+  const bomb = await zipped(zip("z.zip", [["a.json", Buffer.alloc(1_000_000)]]))
+  const archives = zip("z.zip", Array.from({ length: 250 }, (_, n) => [`${n}.zip`, bomb]))
+  const found = await unpacked([archives])
+  assert.ok(whys(found) >= 50 && found.length - whys(found) <= 200, `${whys(found)} of ${found.length}`)
+})
+
 const nested = async (depth) => {
   let file = zip("z.zip", [["a.json", "1"]])
   for (; depth; depth--) file = zip("z.zip", [["z.zip", await zipped(file)]])
