@@ -37,7 +37,7 @@ from .clocks.frames import trail
 from .clocks.patches import patched
 from .clocks.simulation import PacedSimulation, Simulation
 from .clocks.stacks import whose
-from .exercises.advice import advice
+from .exercises.advice import advice, lacking
 from .measures import by_source, describe_timeline, lost_by_source, quantile
 from .results.pinned import as_test
 from .results.ticks import Tick
@@ -442,13 +442,8 @@ class _Stream(io.TextIOBase):
 
 
 def _hint(error: BaseException) -> str:
-    if isinstance(error, ModuleNotFoundError) and (error.name or "").partition(".")[0] in sys.stdlib_module_names:
-        return f"Python has no {error.name} in a page. Run the node on your own computer: python -m rosspin run FILE"
     if isinstance(error, ModuleNotFoundError):
-        return (
-            f"This page has stand-ins for rospy and rclpy, and Python's standard library, but no {error.name}. "
-            "Run the node on your own computer: python -m rosspin run FILE"
-        )
+        return f"{lacking(error)} Run the node on your own computer: python -m rosspin run FILE"
     if isinstance(error, OSError) and error.errno == errno.EIO and str(error.filename).endswith(".zip"):
         return "A part of Python could not be loaded from this site. Is its server still there?"
     if isinstance(error, KeyboardInterrupt) and _is_of_a_rate_that_nobody_wakes(error):

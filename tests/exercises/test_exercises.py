@@ -363,6 +363,15 @@ def test_no_prediction_is_too_strange(value: str) -> None:
     assert not check("after-a-slow-callback", f"{HOSTILE}after_1_0_seconds = after_1_8_seconds = {value}").passed
 
 
+def test_a_module_that_a_page_lacks_is_named(monkeypatch: pytest.MonkeyPatch) -> None:
+    """As where a listing imports it; on a computer it may be spelt wrong."""
+    said = [str(check("ten-hertz", "import no_such_module"))]
+    monkeypatch.setattr("sys.platform", "emscripten")
+    said.append(str(check("ten-hertz", "import no_such_module")))
+    assert "Is it spelt as where you defined it" in said[0]
+    assert "and Python's standard library, but no no_such_module. No exercise needs it." in said[1]
+
+
 @pytest.mark.parametrize(
     ("wrong", "hint"),
     [

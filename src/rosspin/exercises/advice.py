@@ -2,12 +2,13 @@
 
 from __future__ import annotations
 
+import sys
 from types import FrameType
 
 from ..clocks.frames import node_frames
 from ..rospy.exceptions import ROSInitException
 
-__all__ = ["advice"]
+__all__ = ["advice", "lacking"]
 
 # What each module of rospy passes to its callbacks, and what it is to be given.
 _PASSED = {
@@ -29,6 +30,13 @@ def advice(error: BaseException) -> str:
         return ""
     module = str(frame.f_globals["__name__"])
     return _on_rclpy(error, module, frame) if ".rclpy." in module else _on_rospy(error, module)
+
+
+def lacking(error: ModuleNotFoundError) -> str:
+    """Say why there is no such module in a page, whose Python has no packages, in a sentence."""
+    if (error.name or "").partition(".")[0] in sys.stdlib_module_names:
+        return f"Python has no {error.name} in a page."
+    return f"This page has stand-ins for rospy and rclpy, and Python's standard library, but no {error.name}."
 
 
 def _on_rospy(error: BaseException, module: str) -> str:

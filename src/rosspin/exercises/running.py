@@ -32,6 +32,7 @@ from ..run.streams import capture
 from ..world.graph import TickLog
 from ..world.world import NotSimulated, World
 from . import in_rospy
+from .advice import lacking
 from .judging import not_python, plain, started
 from .seen import Called, Error, Kept, Printed, Seen, SeenTimer, Sent, Value
 from .traces import LONGEST, Failure, Outcome, Request
@@ -304,7 +305,9 @@ class Runner:
         codes = {code for code, _ in frames}
         whose = self._ros.whose(codes) or ("thread" if threading.Thread.run.__code__ in codes else "node")
         missing = ""
-        if isinstance(error, (AttributeError, ImportError, NameError)):
+        if isinstance(error, ModuleNotFoundError) and sys.platform == "emscripten":
+            missing = f"{lacking(error)} No exercise needs it."
+        elif isinstance(error, (AttributeError, ImportError, NameError)):
             missing = "Python names what it did not find. Is it spelt as where you defined it, with its `self.`?"
         said = plain(traceback.format_exception_only(error)[-1])
         is_ending = isinstance(error, self._ros.ENDINGS)
