@@ -7,6 +7,7 @@ import os
 import re
 import sys
 import threading
+import time
 from collections.abc import Callable
 from typing import Any
 
@@ -121,7 +122,7 @@ THIS_LINE = Talker.speak.__code__.co_firstlineno + 1
         ("${file}", __file__),
         ("${logger}", "rosout"),
         pytest.param("${thread}", str(threading.get_ident()), id="thread"),
-        ("${time:%M:%S}|${walltime:%S}", "00:01|01"),
+        pytest.param("${time:%M:%S}|${walltime:%S}", time.strftime("%M:01|01", time.localtime(1.5)), id="strftime"),
         ("${nonsense} ${message}", "${nonsense} here"),
         ("", ""),
     ],
