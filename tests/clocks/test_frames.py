@@ -87,6 +87,9 @@ def test_beside_a_node_a_virtual_environment_is_installed(tmp_path: Path) -> Non
         record = library / "robots-1.0.dist-info" / "RECORD"
         record.parent.mkdir(parents=True)
         record.write_text("../../../bin/node,,\nrobots/node.py,,\nhelper.py,,\n")
+        (library / "robots").mkdir()
+        for file in ("robots/node.py", "helper.py"):  # newer Pythons list only what is there
+            (library / file).touch()
         note_own(f"{library}/robots/node.py", [f"{library}/robots/", f"{library}/"])
         assert not is_installed_file(f"{library}/robots/parts/arm.py")
         assert not is_installed_file(f"{library}/helper.py")
