@@ -30,6 +30,7 @@ from .orders.beside import side_by_side
 from .orders.exploring import compare_orders
 from .plots import both_orders, overview, picture, pictures
 from .real import ros1, ros2
+from .results.folders import sweep
 from .results.saving import save_whole
 from .results.ticks import Mishap, Run, Tick
 from .run.explain import say_error
@@ -63,6 +64,8 @@ def _main(argv: Sequence[str] | None) -> int:
     if unknown:
         options.parser.error(f"unknown arguments: {' '.join(unknown)} (put the node's own arguments after --)")
     options.alone = argv is None  # this process is there for the command alone
+    if options.alone:
+        sweep()
     try:
         return int(options.do(options, node_args))
     except BrokenPipeError:

@@ -5,15 +5,15 @@ from __future__ import annotations
 import math
 import os
 import re
-import shutil
 import signal
 import subprocess
-import tempfile
 import threading
 import time
 from collections.abc import Callable, Iterator, Mapping, Sequence
 from pathlib import Path
 from typing import NamedTuple, Self, TextIO
+
+from ..results.folders import TemporaryFolder
 
 __all__ = [
     "SITECUSTOMIZE",
@@ -55,7 +55,8 @@ class Children:
     patience: Patience = ((signal.SIGINT, 15.0), (signal.SIGTERM, 2.0), (signal.SIGKILL, 5.0))
 
     def __init__(self) -> None:
-        self.folder = Path(tempfile.mkdtemp(prefix="rosspin-"))
+        self._temporary = TemporaryFolder()
+        self.folder = self._temporary.path
         self._mark = f"ROS_HOME={self.folder}".encode()
         self._children: list[subprocess.Popen[bytes]] = []
         # A shell that starts something in the background has it ignore Ctrl-C, and our children would inherit that.
@@ -76,7 +77,7 @@ class Children:
             _signal_all(self._processes, signal.SIGKILL, 5.0)
             for child in self._children:
                 child.wait()
-            shutil.rmtree(self.folder, ignore_errors=True)
+            self._temporary.remove()
             if self._deaf:
                 signal.signal(signal.SIGINT, signal.SIG_IGN)
 

@@ -6,7 +6,6 @@ import os
 import re
 import signal
 import sys
-import tempfile
 import threading
 from bisect import insort
 from collections import deque
@@ -22,6 +21,7 @@ from ...clocks.frames import is_installed, node_frames
 from ...clocks.installed import note_own
 from ...clocks.simulation import Simulation
 from ...messages.library import Library
+from ...results.folders import TemporaryFolder
 from ..executables import find_node, is_cpp
 from ..host import Host
 from ..source import Code, compiled, load, read, warn_of_files
@@ -80,7 +80,8 @@ class LaunchService:
         signal.signal(signal.SIGINT, lambda number, frame: self._interrupt())
         self.context.register_event_handler(events.OnShutdown(on_shutdown=lambda event, context: self._note_end()))
         self.context.register_event_handler(events.OnTimer())
-        with tempfile.TemporaryDirectory() as self.folder:
+        with TemporaryFolder() as temporary:
+            self.folder = str(temporary.path)
             self.soon(self._begin)
             while True:
                 while self._step():
@@ -194,7 +195,8 @@ class LaunchService:
 
     def write_file(self, text: str) -> str:
         """Write a file of parameters, and return its path."""
-        path = os.path.join(self.folder, f"launch_params_{len(os.listdir(self.folder)) + 1}")
+        number = len([*Path(self.folder).glob("launch_params_*")]) + 1
+        path = os.path.join(self.folder, f"launch_params_{number}")
         Path(path).write_text(text, encoding="utf-8")
         return path
 

@@ -1,0 +1,59 @@
+"""Temporary folders: what a killed process leaves is removed by the next one, and nothing else is."""
+
+from __future__ import annotations
+
+import subprocess
+import sys
+import tempfile
+from pathlib import Path
+
+import pytest
+
+from rosspin.results.folders import TemporaryFolder, sweep
+
+OWNER = """
+import sys
+from rosspin.results.folders import TemporaryFolder
+folder = TemporaryFolder()
+(folder.path / "sub").mkdir()
+(folder.path / "sub" / "file").write_text("x")
+print(folder.path, flush=True)
+sys.stdin.read()
+"""
+
+
+@pytest.fixture(autouse=True)
+def temporary(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> Path:
+    monkeypatch.setattr(tempfile, "tempdir", str(tmp_path))
+    monkeypatch.setenv("TMPDIR", str(tmp_path))
+    return tmp_path
+
+
+def test_a_folder_is_there_while_its_process_lives_and_gone_after_the_next_start(temporary: Path) -> None:
+    with subprocess.Popen([sys.executable, "-c", OWNER], stdin=subprocess.PIPE, stdout=subprocess.PIPE) as owner:
+        assert owner.stdout
+        folder = Path(owner.stdout.readline().decode().strip())
+        sweep()
+        assert (folder / "sub/file").exists() and folder.parent == temporary
+        owner.kill()
+    assert folder.exists()
+    sweep()
+    assert not folder.exists()
+
+
+def test_an_own_folder_stays_until_it_is_left() -> None:
+    with TemporaryFolder() as folder:
+        sweep()
+        assert folder.path.is_dir()
+    assert not folder.path.exists()
+
+
+def test_what_is_not_known_to_be_such_a_folder_stays(temporary: Path) -> None:
+    (temporary / "rosspin-notes").mkdir()
+    (temporary / "rosspin-notes/text").write_text("mine")
+    (temporary / "elsewhere").mkdir()
+    (temporary / "elsewhere/.owner").touch()
+    (temporary / "rosspin-link").symlink_to(temporary / "elsewhere")
+    (temporary / "rosspin-file").touch()
+    sweep()
+    assert len(list(temporary.iterdir())) == 4 and (temporary / "elsewhere/.owner").exists()
