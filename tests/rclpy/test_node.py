@@ -89,10 +89,6 @@ def test_a_node_is_not_for_both(write: Any) -> None:
         ("from control_srvs.srv import Trigger", "control_srvs"),
         ("rclpy.init(); rclpy.create_node('n').add_waitable(1)", "Node.add_waitable"),
         (
-            "rclpy.init(); rclpy.create_node('n').get_node_names_and_namespaces_with_enclaves()",
-            "Node.get_node_names_and_namespaces_with_enclaves",
-        ),
-        (
             "from rclpy.impl.implementation_singleton import rclpy_implementation as c; c.WaitSet",
             "rclpy._rclpy_pybind11.WaitSet",
         ),

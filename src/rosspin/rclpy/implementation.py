@@ -9,6 +9,7 @@ from ..world.world import NotSimulated
 from .event_handler import UnsupportedEventTypeError
 from .exceptions import InvalidHandle, RCLError, RCLInvalidROSArgsError, RMWError, UnknownROSArgsError
 from .node import NodeNameNonExistentError
+from .qos import rmw_qos_profile_t
 
 __all__ = [
     "InvalidHandle",
@@ -19,6 +20,7 @@ __all__ = [
     "UnknownROSArgsError",
     "UnsupportedEventTypeError",
     "rclpy_implementation",
+    "rmw_qos_profile_t",
 ]
 
 rclpy_implementation = sys.modules[__name__]

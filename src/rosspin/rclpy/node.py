@@ -35,7 +35,7 @@ from .parameter import Parameter, Parameters
 from .parameter_service import ParameterService
 from .parameter_service import look as look_for_parameters
 from .qos import DurabilityPolicy, QoSProfile, qos_profile_services_default
-from .qos_overriding_options import QoSOverridingOptions, override
+from .qos_overriding_options import QoSOverridingOptions, _declare_qos_parameters
 from .services import Client, ClientEnd, Ends, ServerEnd, Service, ServiceEnd
 from .time_source import TimeSource
 from .timer import Rate, Timer
@@ -477,7 +477,8 @@ class Node(Parameters):
             raise RCLError(f"Failed to create {what}: rcl node's context is invalid")
         full_name = self._rosspin_resolve(topic)
         if options is not None:
-            override(what, self, full_name, qos, options)
+            kind = Publisher if what == "publisher" else Subscription
+            _declare_qos_parameters(kind, self, full_name, qos, options)
         return full_name, qos
 
     def _rosspin_other_type(self, full_name: str, msg_type: type[Message]) -> str | None:
@@ -706,6 +707,10 @@ class Node(Parameters):
         """The names and namespaces of the known nodes. Raises as ``get_node_names``."""
         return [(node.name, node.namespace) for node in self._rosspin_named_nodes()]
 
+    def get_node_names_and_namespaces_with_enclaves(self) -> list[tuple[str, str, str]]:
+        """The same with the enclaves, of which there is one. Raises as ``get_node_names``."""
+        return [(*names, "/") for names in self.get_node_names_and_namespaces()]
+
     def get_fully_qualified_node_names(self) -> list[str]:
         """The full names of the known nodes. Raises as ``get_node_names``."""
         return [node.full_name for node in self._rosspin_named_nodes()]
@@ -787,16 +792,3 @@ class Node(Parameters):
         self._rosspin.describes = False
         self._rosspin.destroy()
         self._wake_executor()
-
-    # --- what needs a real ROS ----------------------------------------------------------------------------------------
-
-    def __getattr__(self, name: str) -> Any:
-        if name in NOT_SIMULATED:
-            raise NotSimulated(f"Node.{name}")
-        return object.__getattribute__(self, name)  # raises; if a property raised AttributeError, it says so
-
-
-# Methods of rclpy's Node that are not here.
-NOT_SIMULATED = {
-    "get_node_names_and_namespaces_with_enclaves",
-}

@@ -126,6 +126,25 @@ _FIELDS: dict[str, tuple[Any, Any]] = {
 }
 
 
+class rmw_qos_profile_t:
+    """A profile as rclpy's C++ module has it, of which ``to_dict()`` can make another one."""
+
+    def __init__(self, fields: dict[str, Any]) -> None:
+        self._fields = fields
+
+    def to_dict(self) -> dict[str, Any]:
+        """What QoSProfile takes."""
+        return dict(self._fields)
+
+    @staticmethod
+    def predefined(name: str) -> rmw_qos_profile_t:
+        """One of those that have names, as in qos_profile_default. Raises ValueError."""
+        if name not in __all__ or not name.startswith("qos_profile_"):
+            raise ValueError(f"Requested unknown rmw_qos_profile: {name}")
+        profile: QoSProfile = globals()[name]
+        return profile.get_c_qos_profile()
+
+
 class QoSProfile:
     """The policies of a publisher or a subscription, given by keyword: ``depth`` at least, or ``history``.
 
@@ -171,6 +190,10 @@ class QoSProfile:
 
     def __str__(self) -> str:
         return f"{type(self).__name__}({', '.join(f'{name}={getattr(self, name)}' for name in _FIELDS)})"
+
+    def get_c_qos_profile(self) -> rmw_qos_profile_t:
+        """The profile as rclpy's C++ module has it."""
+        return rmw_qos_profile_t({name: getattr(self, name) for name in _FIELDS})
 
     @property
     def _rosspin_kept(self) -> int | None:

@@ -56,11 +56,14 @@ def __getattr__(name: str) -> Any:
     raise AttributeError(f"module 'rclpy.qos_overriding_options' has no attribute '{name}'", name=name)
 
 
-def override(what: str, node: Node, topic: str, qos: QoSProfile, options: QoSOverridingOptions) -> None:
-    """Declare the parameters of a ``publisher`` or ``subscription``, and set its profile by them.
+def _declare_qos_parameters(
+    entity_type: type, node: Node, topic: str, qos: QoSProfile, options: QoSOverridingOptions
+) -> None:
+    """Declare the parameters of a Publisher or Subscription, and set its profile by them.
 
     Raises RuntimeError for a value that a policy does not have, InvalidQosOverridesError if the callback refuses.
     """
+    what = entity_type.__name__.lower()
     of = what if options.entity_id is None else f"{what}_{options.entity_id}"
     description = f" for {what} `{topic}` with id `{options.entity_id}`"
     for kind in options.policy_kinds:
@@ -72,7 +75,7 @@ def override(what: str, node: Node, topic: str, qos: QoSProfile, options: QoSOve
             description=f"{policy}{description}", read_only=True
         )
         try:
-            node.declare_parameter(name, _as_parameter(getattr(qos, policy)), descriptor)
+            node.declare_parameter(name, _get_qos_policy_parameter(qos, kind), descriptor)
         except ParameterAlreadyDeclaredException:
             pass
         value = node.get_parameter(name).value
@@ -92,7 +95,9 @@ def override(what: str, node: Node, topic: str, qos: QoSProfile, options: QoSOve
             raise InvalidQosOverridesError(text)
 
 
-def _as_parameter(value: Any) -> str | int | bool:
+def _get_qos_policy_parameter(profile: QoSProfile, policy: QoSPolicyKind) -> str | int | bool:
+    """Return a policy as the parameter that overrides it."""
+    value = getattr(profile, policy.name.lower())
     if isinstance(value, Duration):
         return value.nanoseconds
     if not isinstance(value, IntEnum):

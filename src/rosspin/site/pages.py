@@ -451,7 +451,7 @@ def _rospy_does(name: str) -> str:
 
 def _rclpy_lacks() -> set[str]:
     """Return the modules, their names and the methods of Node that the stand-in for rclpy lacks."""
-    lacking = {"rclpy": rclpy.NOT_SIMULATED, "Node": rclpy.node.NOT_SIMULATED, **rclpy.LACKING}
+    lacking = {"rclpy": rclpy.NOT_SIMULATED, **rclpy.LACKING}
     return {f"{where}.{name}" for where, names in lacking.items() for name in names}
 
 

@@ -6,6 +6,7 @@ from rclpy._rclpy_pybind11 import InvalidHandle, RCLError
 from rclpy.action import ActionClient, ActionServer
 from rclpy.callback_groups import ReentrantCallbackGroup
 from rclpy.impl.implementation_singleton import rclpy_implementation as implementation
+from rclpy.qos import QoSProfile
 from rclpy.waitable import NumberOfEntities, Waitable
 from test_msgs.action import Fibonacci
 
@@ -38,6 +39,11 @@ attempt("ActionClient(node, Fibonacci, 'count').get_num_entities()")
 attempt("ActionServer(node, Fibonacci, 'count', print).get_num_entities()")
 attempt("rclpy.create_node('another', cli_args=['--ros-args', '-r', 'no-rule'])")
 attempt("rclpy.create_node('another', cli_args=['--ros-args', '--no-flag'])")
+attempt("node.get_node_names_and_namespaces_with_enclaves()")
+attempt("type(QoSProfile(depth=3).get_c_qos_profile()).__name__")
+attempt("QoSProfile(**QoSProfile(depth=3).get_c_qos_profile().to_dict()) == QoSProfile(depth=3)")
+attempt("QoSProfile(**implementation.rmw_qos_profile_t.predefined('qos_profile_sensor_data').to_dict()).depth")
+attempt("implementation.rmw_qos_profile_t.predefined('qos_profile_none')")
 timer = node.create_timer(1, print)
 node.destroy_timer(timer)
 try:
