@@ -15,8 +15,6 @@ from listings_in_page import RATE, TIMER, Cell, have_workers, node, open_tutoria
 from log_page import SHOW, LogPage
 from playwright.sync_api import BrowserContext, Page, expect
 
-pytestmark = pytest.mark.turns(2)
-
 TICKS = '["a", 2, %s, %s, 0]'
 BATCH = '{{"kind": "batch", "chunks": [{chunks}], "leftOut": 0, "ticks": [{ticks}]}}'
 
