@@ -227,7 +227,7 @@ def test_a_deadlock_says_where_it_waits(write: Any) -> None:
     assert f"(handle) was at {path}:9: with lock" in run.console
 
 
-def test_a_name_that_is_not_legal_is_warned_of() -> None:
+def test_a_name_that_is_not_legal_is_warned_of_and_refused_by_the_master() -> None:
     def node() -> None:
         from std_srvs.srv import Trigger
 
@@ -238,7 +238,11 @@ def test_a_name_that_is_not_legal_is_warned_of() -> None:
         print(*[f"{each.message} in {os.path.basename(each.filename)}" for each in caught])
 
     expected = "'a b' is not a legal ROS graph resource name. This may cause problems with other ROS tools"
-    assert simulate(node, 1).console == f"{expected} in {os.path.basename(__file__)}\n"
+    refused = "unable to register service [/a b] with master: ERROR: parameter [service] contains illegal chars"
+    assert simulate(node, 1).console.splitlines() == [
+        f"[FATAL] [0.000000]: {refused}",
+        f"{expected} in {os.path.basename(__file__)}",
+    ]
 
 
 @pytest.mark.parametrize(

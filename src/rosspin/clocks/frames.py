@@ -65,10 +65,16 @@ def is_installed(frame: FrameType) -> bool:
 
 
 def warn(text: str, category: type[Warning] = UserWarning) -> None:
-    """Issue a warning that names the line of the node that is being run, however deep in this package it arises."""
-    frame = node_frame(sys._getframe())
+    """Issue a warning that names the line of the node that is being run, however deep in this package it arises.
+
+    A text comes once for each line of this package, as it does where a library issues it.
+    """
+    caller, frame = sys._getframe(1), node_frame(sys._getframe())
     registry = frame.f_globals.setdefault("__warningregistry__", {})
-    warnings.warn_explicit(text, category, frame.f_code.co_filename, frame.f_lineno, registry=registry)
+    places = registry.setdefault("rosspin", {})
+    place = frame.f_code.co_filename, frame.f_lineno
+    filename, line = places.setdefault((text, category, caller.f_code, caller.f_lineno), place)
+    warnings.warn_explicit(text, category, filename, line, registry=registry)
 
 
 def node_frames(trace: TracebackType | None) -> TracebackType | None:

@@ -245,6 +245,8 @@ class _Field:
             return received(value, self.message)
         if self.kind.base == "float32":
             return _rounded(value)
+        if self.type is str and "\0" in value:
+            return str(value).partition("\0")[0]  # where a string ends in C
         return self.type(value)
 
 

@@ -14,6 +14,7 @@ from .context import Context, get_default_context, state
 from .duration import Duration
 from .exceptions import NotInitializedException
 from .gate import Gate
+from .handle import Handle
 from .time import ClockType, Time
 
 __all__ = ["Clock", "ClockChange", "ClockType", "JumpHandle", "JumpThreshold", "ROSClock", "TimeJump"]
@@ -130,6 +131,14 @@ class JumpHandle:
         self.unregister()
 
 
+class _Held:
+    def check(self) -> None:
+        """Find nothing wrong: a clock is never destroyed."""
+
+
+_HELD = _Held()
+
+
 class Clock:
     """Tells the time: the system's, a steady one (in simulated time they are the same), or ROS's, a ROSClock."""
 
@@ -154,6 +163,11 @@ class Clock:
     def clock_type(self) -> ClockType:
         """Which time it tells."""
         return self._clock_type
+
+    @property
+    def handle(self) -> Handle:
+        """Its handle, which can be held and nothing else."""
+        return Handle(_HELD)
 
     def __repr__(self) -> str:
         return f"Clock(clock_type={self.clock_type.name})"

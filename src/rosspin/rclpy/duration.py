@@ -32,8 +32,24 @@ class Ordered:
     __hash__ = None  # type: ignore[assignment]
 
 
-class Duration(Ordered):
+class Held:
+    """Base of what holds an object of the C part: it can be copied, but neither deeply nor by pickle."""
+
+    _rosspin_held: str
+
+    def __copy__(self) -> Any:
+        copied = object.__new__(type(self))
+        vars(copied).update(vars(self))
+        return copied
+
+    def __reduce_ex__(self, protocol: Any) -> Any:
+        raise TypeError(f"cannot pickle 'rclpy._rclpy_pybind11.{self._rosspin_held}' object")
+
+
+class Duration(Held, Ordered):
     """A length of time: seconds (with their fraction) plus nanoseconds. Raises OverflowError beyond 292 years."""
+
+    _rosspin_held = "rcl_duration_t"
 
     def __init__(self, *, seconds: float = 0, nanoseconds: int = 0) -> None:
         total = int(seconds * NS) + int(nanoseconds)

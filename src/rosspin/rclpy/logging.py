@@ -161,9 +161,8 @@ class RcutilsLogger:
             _refuse(call, severity, name, filters)
         if filters and not call.is_wanted():
             return False
-        if message is None:
-            message = "(null)"
-        elif not isinstance(message, str):
+        printed = _text(message)
+        if printed is None:
             raise TypeError(
                 "rclpy_logging_rcutils_log(): incompatible function arguments. "
                 "The following argument types are supported:\n    1. (arg0: typing.SupportsInt, arg1: str, "
@@ -171,7 +170,7 @@ class RcutilsLogger:
                 f"{severity!r}, {name!r}, {message!r}, {frame.f_code.co_name!r}, "
                 f"{os.path.abspath(where[0])!r}, {where[1]}"
             )
-        _write(self._rosspin_logs, severity, name, message, frame)
+        _write(self._rosspin_logs, severity, name, printed, frame)
         return True
 
     def debug(self, message: str, **kwargs: Any) -> bool:
@@ -195,6 +194,21 @@ class RcutilsLogger:
     def fatal(self, message: str, **kwargs: Any) -> bool:
         """Log a message as FATAL."""
         return self.log(message, LoggingSeverity.FATAL, **kwargs)
+
+
+def _text(message: object) -> str | None:
+    """Return what the C part makes of a message, up to a null character; None if it takes it for no text."""
+    if message is None:
+        return "(null)"
+    if isinstance(message, (bytes, bytearray)):
+        return message.decode(errors="replace").partition("\0")[0]
+    if not isinstance(message, str):
+        return None
+    try:
+        message.encode()
+    except UnicodeEncodeError:
+        return None
+    return message.partition("\0")[0]
 
 
 def _filters(options: dict[str, Any]) -> list[str]:

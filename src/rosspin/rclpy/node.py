@@ -31,7 +31,7 @@ from .exceptions import (
 from .executors import GuardCondition
 from .handle import Handle, Life, RclNode
 from .logging_service import LoggingService
-from .parameter import Parameter, Parameters
+from .parameter import Parameter, Parameters, check_value
 from .parameter_service import ParameterService
 from .parameter_service import look as look_for_parameters
 from .qos import DurabilityPolicy, QoSProfile, qos_profile_services_default
@@ -82,6 +82,11 @@ def _describing(node: RclNode) -> dict[str, set[str]]:
     """The service that describes its types. It is only named here."""
     kind = {"type_description_interfaces/srv/GetTypeDescription"}
     return {f"{node.full_name}/get_type_description": kind} if node.describes else {}
+
+
+def _class_of(msg_type: Any) -> type[Message]:
+    """The class of a message that may be given by an instance, which rclpy takes until something is published."""
+    return msg_type if isinstance(msg_type, type) else type(msg_type)
 
 
 def _nobody() -> None:
@@ -344,6 +349,8 @@ class Node(Parameters):
         own = self._rosspin
         if not own.context.ok():
             raise RCLError("Failed to publish: publisher's context is invalid")
+        for parameter in parameters:
+            check_value(parameter)
         if publisher := self._parameter_event_publisher:
             own.topics.tell_parameters(publisher, self._clock.now(), before, parameters, declared)
 
@@ -420,14 +427,14 @@ class Node(Parameters):
         ``msg_type`` is no message of ROS 2, and RCLError if the process uses the topic with another type.
         """
         full_name, qos = self._rosspin_prepare("publisher", msg_type, topic, qos_profile, qos_overriding_options)
-        if (other := self._rosspin_other_type(full_name, msg_type)) is not None:
+        if (other := self._rosspin_other_type(full_name, _class_of(msg_type))) is not None:
             raise RCLError(
                 "Failed to create publisher: create_publisher() called for existing topic name "
                 f"rt{full_name} with incompatible type {other}"
             )
         group = callback_group or self.default_callback_group
         events = event_callbacks or PublisherEventCallbacks()
-        end = PublisherEnd(self._rosspin, msg_type, full_name, qos)
+        end = PublisherEnd(self._rosspin, _class_of(msg_type), full_name, qos)
         publisher = publisher_class(end, msg_type, topic, qos, event_callbacks=events, callback_group=group)
         self._rosspin_expect(publisher.event_handlers)
         self._publishers.append(publisher)
@@ -451,12 +458,12 @@ class Node(Parameters):
         Raises as ``create_publisher``.
         """
         full_name, qos = self._rosspin_prepare("subscription", msg_type, topic, qos_profile, qos_overriding_options)
-        if self._rosspin_other_type(full_name, msg_type) is not None:
+        if self._rosspin_other_type(full_name, _class_of(msg_type)) is not None:
             raise RCLError("Failed to create subscription: invalid allocator")
         own_topics.look(self._rosspin, full_name)
         group = callback_group or self.default_callback_group
         events = event_callbacks or SubscriptionEventCallbacks()
-        end = SubscriptionEnd(self._rosspin, msg_type, full_name, qos, raw)
+        end = SubscriptionEnd(self._rosspin, _class_of(msg_type), full_name, qos, raw)
         subscription = Subscription(end, msg_type, topic, callback, group, qos, raw, events)
         self._rosspin_expect(subscription.event_handlers)
         self._rosspin_add(subscription, self._subscriptions)

@@ -495,6 +495,17 @@ class Parameters:
         self._post_set_parameters_callbacks.remove(callback)
 
 
+def check_value(parameter: Parameter) -> None:
+    """Raise what the C part raises for a value that no message can hold, when it is published."""
+    value, kind = parameter.value, parameter.type_
+    if kind is _Type.INTEGER and not -(2**63) <= value < 2**63:
+        raise SystemError("<function ParameterValue.double_value> returned a result with an exception set")
+    if kind is _Type.INTEGER_ARRAY and not all(-(2**63) <= each < 2**63 for each in value):
+        raise OverflowError("int too big to convert")
+    if kind is _Type.STRING:
+        value.encode()
+
+
 def _check_callable(callback: object) -> None:
     if not callable(callback):
         raise TypeError("Callback must be callable, got {}", type(callback))  # two arguments, as rclpy raises it

@@ -7,7 +7,7 @@ from enum import Enum, EnumType, IntEnum
 from typing import Any, NamedTuple
 
 from ..clocks.frames import warn
-from .duration import Duration
+from .duration import Duration, Held
 
 __all__ = [
     *("DeadlineBestAvailable", "DurabilityPolicy", "HistoryPolicy", "InvalidQoSProfileException"),
@@ -145,7 +145,7 @@ class rmw_qos_profile_t:
         return profile.get_c_qos_profile()
 
 
-class QoSProfile:
+class QoSProfile(Held):
     """The policies of a publisher or a subscription, given by keyword: ``depth`` at least, or ``history``.
 
     A length of 0 is for ever. Raises InvalidQoSProfileException if neither depth nor history is given, AssertionError
@@ -160,6 +160,8 @@ class QoSProfile:
     deadline: Duration
     liveliness: LivelinessPolicy
     liveliness_lease_duration: Duration
+
+    _rosspin_held = "rcl_duration_t"
 
     def __init__(self, **kwargs: Any) -> None:
         assert kwargs.keys() <= _FIELDS.keys(), f"Invalid arguments passed to constructor: {kwargs.keys()!r}"

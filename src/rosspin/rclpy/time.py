@@ -7,7 +7,7 @@ from importlib import import_module
 from typing import Any, overload
 
 from ..clocks.clock import BEGINS_AT_0, NS
-from .duration import Duration, Ordered
+from .duration import Duration, Held, Ordered
 
 __all__ = ["ClockType", "Time"]
 
@@ -21,12 +21,14 @@ class ClockType(IntEnum):
     STEADY_TIME = 3
 
 
-class Time(Ordered):
+class Time(Held, Ordered):
     """A time on one kind of clock: seconds (with their fraction) plus nanoseconds since its epoch.
 
     Raises ValueError for a negative time and OverflowError for one that is too large. Times of different kinds of
     clocks cannot be compared (TypeError).
     """
+
+    _rosspin_held = "rcl_time_point_t"
 
     def __init__(
         self, *, seconds: float = 0, nanoseconds: int = 0, clock_type: ClockType = ClockType.SYSTEM_TIME

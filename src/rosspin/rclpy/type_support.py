@@ -18,7 +18,8 @@ def check_for_type_support(msg_or_srv_type: Any) -> None:
 
 def check_is_valid_msg_type(msg_type: Any) -> None:
     """Raise AttributeError, or RuntimeError for a service or action, for what is no class of a message."""
-    _check(msg_type, Message, "message", "service")
+    kind = type(msg_type) if isinstance(msg_type, Message) else msg_type  # an instance has what its class has
+    _check(kind, Message, "message", "service")
 
 
 def check_is_valid_srv_type(srv_type: Any) -> None:

@@ -16,7 +16,7 @@ from ..clocks.clock import nanoseconds
 from ..messages.genpy import Duration
 from ..world import yaml_texts
 from . import names, rosgraph
-from .core import add_client_shutdown_hook, handle_signal, signal_shutdown
+from .core import add_client_shutdown_hook, handle_signal, may_register, signal_shutdown
 from .exceptions import ROSException, ROSInitException, ROSInterruptException
 from .state import State, handle_signals, param_path, state
 from .topics import LATER_PUBLISHER, Subscriber
@@ -112,6 +112,8 @@ def init_node(
     node.log_level = logging.INFO if log_level is None else _LEVELS[log_level]
     for register in node.at_init:
         register()
+    for service in ("get_loggers", "set_logger_level"):
+        may_register("service", "service", f"{node.name}/{service}")
     node.rosout = not disable_rosout
     if not disable_rostime and get_param("/use_sim_time", False):
         _listen_to_clock(node)

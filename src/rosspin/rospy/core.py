@@ -280,6 +280,18 @@ def add_client_shutdown_hook(h: Callable[[], Any]) -> None:
         node.shutdown_hooks.append(h)
 
 
+def may_register(kind: str, what: str, name: str) -> bool:
+    """Whether the master takes a name; if not, log that as rospy does (sources: rospy/impl/registration.py, rosmaster).
+
+    ``kind`` is publication, subscription or service; ``what`` is the master's word: topic or service.
+    """
+    if ":" in name or " " in name:
+        why = f"ERROR: parameter [{what}] contains illegal chars"
+        logfatal(f"unable to register {kind} [{name}] with master: {why}")
+        return False
+    return True
+
+
 def signal_shutdown(reason: str) -> None:
     """Shut the node down: call the hooks, in the order of registration, then make ``is_shutdown()`` true.
 

@@ -22,7 +22,7 @@ from ..messages.ros1 import DeserializationError, Message
 from ..world.graph import CallMade, Recording
 from ..world.world import NotSimulated, World, current, not_simulated, waiting_for
 from . import names, rosgraph
-from .core import logerr, logwarn, logwarn_throttle
+from .core import logerr, logwarn, logwarn_throttle, may_register
 from .exceptions import (
     ROSException,
     ROSInterruptException,
@@ -85,7 +85,9 @@ class Services:
 
     def _tell_master(self) -> None:
         if self.node.initialized:
-            self.node.master.services.update(dict.fromkeys(self._own, self))
+            new = [name for name in self._own if self.node.master.services.get(name) is not self]
+            taken = [name for name in new if may_register("service", "service", name)]
+            self.node.master.services.update(dict.fromkeys(taken, self))
 
     def _unregister_all(self) -> None:
         for name, service in list(self._own.items()):

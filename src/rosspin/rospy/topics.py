@@ -20,7 +20,7 @@ from ..messages.ros1 import Message, SerializationError
 from ..world.graph import Wire
 from ..world.world import NotSimulated, World, not_simulated
 from . import names, rosgraph
-from .core import logerr, logwarn
+from .core import logerr, logwarn, may_register
 from .exceptions import ROSException, ROSSerializationException
 from .msg import args_kwds_to_message, serialize_message
 from .state import State, state
@@ -60,7 +60,9 @@ class Publication:
         self._lock = threading.RLock()  # a signal handler may publish while its thread does
 
     def register(self) -> None:
-        """Tell the other nodes of this end."""
+        """Tell the other nodes of this end, unless the master does not take its name."""
+        if not may_register("publication", "topic", self.topic):
+            return
         for subscription in self.node.world.graph.advertise(self):
             subscription.connect(self, LATER_PUBLISHER)
 
@@ -177,7 +179,9 @@ class Subscription:
         self._slow = faults.call if faults and faults.slows else None
 
     def register(self) -> None:
-        """Tell the other nodes of this end, and connect to those that publish."""
+        """Tell the other nodes of this end, and connect to those that publish, unless the master refuses its name."""
+        if not may_register("subscription", "topic", self.topic):
+            return
         for publication in self.node.world.graph.subscribe(self):
             self.connect(publication, publication.delay)
 
