@@ -37,7 +37,10 @@ def timer_of(frame: FrameType) -> Any:
 
 def timers(world: World, printers: Iterable[Any]) -> list[tuple[Any, str, bool, bool]]:
     """Return the timers that have printed something. The others are of no interest."""
-    return [(timer, timer.source, False, timer._cancelled or timer._destroyed) for timer in printers]
+    return [
+        (timer, timer._rosspin_source, False, timer._rosspin_cancelled or timer._rosspin_destroyed)
+        for timer in printers
+    ]
 
 
 def whose(codes: Collection[CodeType]) -> str:

@@ -26,7 +26,7 @@ def timer_of(frame: FrameType) -> Any:
 def timers(world: World, printers: Iterable[Any]) -> list[tuple[Any, str, bool, bool]]:
     """Return the timers that were started."""
     return [
-        (timer, timer.source, not timer.is_alive(), timer._shutdown or timer._oneshot and not timer.is_alive())
+        (timer, timer._rosspin_source, not timer.is_alive(), timer._shutdown or timer._oneshot and not timer.is_alive())
         for timer in world.part(State).timers
     ]
 
