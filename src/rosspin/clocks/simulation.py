@@ -15,6 +15,7 @@ from collections.abc import Callable, Iterator, Sequence
 from contextlib import AbstractContextManager, contextmanager
 from heapq import heapify, heappop, heappush
 from itertools import count, islice
+from sys import modules
 from typing import Any
 
 from .clock import NS
@@ -148,16 +149,15 @@ class Simulation:
         elif order - self._last_move > STANDSTILL:
             self._stand_still(me)
         if stack is not me:
-            running = put_aside()
-            try:
-                if not stack:
-                    # A stack begins as deep in calls as whatever starts it. Home starts them all: it never gets deeper.
-                    heappush(self._heap, due)
-                    self._home.switch()
-                else:
-                    stack.switch()
-            finally:
-                put_back(running)
+            if "asyncio.events" in modules and (running := put_aside()):
+                try:
+                    self._switch_to(due)
+                finally:
+                    put_back(running)
+            elif stack:
+                stack.switch()
+            else:
+                self._switch_to(due)
         if me.interrupt:  # type: ignore[attr-defined]
             self._handle_interrupt(me)  # type: ignore[arg-type]
             # As after a signal (PEP 475), the rest of the sleep is still to come.
@@ -375,16 +375,23 @@ class Simulation:
         due = self._next()
         if due and due[2] is me:
             return
-        running = put_aside()
-        try:
-            if due and due[2]:
-                due[2].switch()
-            else:
-                if due:
-                    heappush(self._heap, due)
-                self._home.switch()
-        finally:
-            put_back(running)
+        if "asyncio.events" in modules and (running := put_aside()):
+            try:
+                self._switch_to(due)
+            finally:
+                put_back(running)
+        else:
+            self._switch_to(due)
+
+    def _switch_to(self, due: tuple[int, int, Stack] | None) -> None:
+        """Go on with the stack that is due, or at home if it is one that has not begun, or none."""
+        if due and due[2]:
+            due[2].switch()
+        else:
+            if due:
+                # A stack begins as deep in calls as whatever starts it. Home starts them all: it never gets deeper.
+                heappush(self._heap, due)
+            self._home.switch()
 
     def _stand_still(self, me: Switched, threads: int = 0) -> None:
         self._home.throw(Standstill(places(trail(sys._getframe())), getattr(me, "place", ""), threads))
