@@ -113,15 +113,19 @@ class Context:
     ) -> None:
         """Begin, with a command line (default: the process's). ``domain_id`` has no effect, as there is no network.
 
-        Raises RuntimeError if it was called before, RCLError and UnknownROSArgsError for what follows ``--ros-args``.
+        Raises RuntimeError if it was called before, RCLError and UnknownROSArgsError for what follows ``--ros-args``,
+        UnicodeEncodeError for a word that is no text.
         """
         own = self._rosspin
         if domain_id is not None and domain_id < 0:
             raise RuntimeError(f"Domain id ({domain_id}) should not be lower than zero.")
         if own.arguments is not None:
             raise RuntimeError("Context.init() must only be called once")
+        words = own.state.world.argv if args is None else args
+        for word in words:
+            word.encode()  # the real one passes it on to C++
         try:
-            arguments = Arguments(own.state.world.argv if args is None else args)
+            arguments = Arguments(words)
         except RCLError:
             logging.get_logger("rcl").error("Failed to parse global arguments")
             raise

@@ -5,6 +5,7 @@ import rclpy
 from rclpy._rclpy_pybind11 import InvalidHandle, RCLError
 from rclpy.action import ActionClient, ActionServer
 from rclpy.callback_groups import ReentrantCallbackGroup
+from rclpy.context import Context
 from rclpy.impl.implementation_singleton import rclpy_implementation as implementation
 from rclpy.qos import QoSProfile
 from rclpy.waitable import NumberOfEntities, Waitable
@@ -44,6 +45,7 @@ attempt("type(QoSProfile(depth=3).get_c_qos_profile()).__name__")
 attempt("QoSProfile(**QoSProfile(depth=3).get_c_qos_profile().to_dict()) == QoSProfile(depth=3)")
 attempt("QoSProfile(**implementation.rmw_qos_profile_t.predefined('qos_profile_sensor_data').to_dict()).depth")
 attempt("implementation.rmw_qos_profile_t.predefined('qos_profile_none')")
+attempt("rclpy.init(context=Context(), args=['no\\udcc3text'])")
 timer = node.create_timer(1, print)
 node.destroy_timer(timer)
 try:
