@@ -24,7 +24,7 @@ const MESSAGE = 20_000
 const VALUE = 5
 
 /** So much is shown of a run at a time: characters, chunks of them, and ticks. */
-export const SHOWN = { characters: 50_000, chunks: 2000, ticks: 2000 }
+export const SHOWN = { characters: 50_000, chunks: 5000, ticks: 2000 }
 
 /**
  * How many values are in a text of JSON, which is not read for that.

@@ -107,8 +107,11 @@ export class Sandbox {
       port1.onmessage = ({ data }) => this.#receive(data)
       frame.contentWindow?.postMessage(script, "*", [port2]) // it has no origin that could be named
       // One after the other: the one that is to be compiled does not wait for the other one to be unpacked.
-      this.#pass(WASM, await compiling)
-      this.#pass(SNAPSHOT, await unpacking)
+      for (const [name, coming] of /** @type {const} */ ([[WASM, compiling], [SNAPSHOT, unpacking]])) {
+        const bytes = await coming
+        await new Promise((go) => setTimeout(go)) // others wait for it, too, and each copy of it takes a moment
+        this.#pass(name, bytes)
+      }
     } catch (error) {
       this.#start({ kind: "failed", reason: error instanceof Fault ? error.message : NOT_LOADED })
     }
