@@ -65,7 +65,7 @@ const files = {}
 for (const folder of [path.join(here, "../src/rosspin"), yaml]) {
   for (const file of readdirSync(folder, { recursive: true }).sort()) {
     const name = file.split(path.sep).join("/")
-    if (!/\.(py|txt|toml)$/.test(name) || /^(faults|grading|orders|plots|real|site)\/|^look\/bags/.test(name)) continue
+    if (!/\.(py|txt|toml)$/.test(name) || /^(cpp|faults|grading|orders|plots|real|site)\/|^look\/bags/.test(name)) continue
     files[`${path.basename(folder)}/${name}`] = readFileSync(path.join(folder, file))
   }
 }

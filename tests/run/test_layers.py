@@ -25,6 +25,7 @@ LAYERS = [
     "filters",
     "rospy",
     "rclpy",
+    "cpp",
     "run",
     "orders",
     "measures",

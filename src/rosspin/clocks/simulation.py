@@ -86,6 +86,7 @@ class Simulation:
     def __init__(self, start: int = 0) -> None:
         self._now = start
         self.ahead = 0
+        self.is_late = False  # whether sleeps end later than they should
         self._heap: list[tuple[int, int, Stack]] = []
         # Wake-ups in their order. Those of many timers come in this order, and what does needs no heap.
         self._row: deque[tuple[int, int, Stack]] = deque()
@@ -95,6 +96,7 @@ class Simulation:
         self._home: Switched = current()
         self._stacks: dict[Stack, None] = {}  # those that have not ended, in the order of their beginning
         self._most = 0  # how many there were at a time, in a page
+        self.beside = 0  # grows while a stack waits for a program that computes beside it
         self._idents = count(_FIRST_IDENT)
         self._pauses = 0  # how many were asked for; only the newest ends a step
         self._paused = False
@@ -121,9 +123,17 @@ class Simulation:
     def sign_of_life(self) -> int:
         """Return a number that changes when the time moves on.
 
-        In a page, where stacks are slow to begin, it also changes when there are more of them than ever before.
+        In a page, where stacks are slow to begin, it also changes when there are more of them than ever before, and it
+        does while a stack waits for a program beside it.
         """
-        return self._now // _LEAST_STEP + self._most
+        return self._now // _LEAST_STEP + self._most + self.beside
+
+    def horizon(self) -> int:
+        """Return when (ns) the next stack is due. Until then, the one that is running is alone."""
+        if self.is_late or self._closed:
+            return self._now
+        self._drop_cancelled()
+        return min((entries[0][0] for entries in (self._heap, self._row) if entries), default=self._now)
 
     def sleep(self, ns: int) -> None:
         """Suspend the caller for ``ns`` nanoseconds; others run meanwhile. 0 or less only lets others run."""
@@ -167,6 +177,7 @@ class Simulation:
     def be_late(self, draw: Callable[[], int]) -> None:
         """Let each sleep, and each wait with a limit, end ``draw()`` ns later than it should."""
         sleep, wait = self.sleep, self.wait
+        self.is_late = True
         self.sleep = lambda ns: sleep(ns + draw() if ns > 0 else ns)  # type: ignore[method-assign]
         self.wait = lambda ns=None: wait(ns + draw() if ns and ns > 0 else ns)  # type: ignore[method-assign]
 
@@ -395,6 +406,10 @@ class Simulation:
 
     def _stand_still(self, me: Switched, threads: int = 0) -> None:
         self._home.throw(Standstill(places(trail(sys._getframe())), getattr(me, "place", ""), threads))
+
+    def stand_still(self, place: Place) -> None:
+        """End the run, as the calling stack waits for a program that computes at ``place`` without an end."""
+        self._home.throw(Standstill([place], ""))
 
     def _move(self, when: int) -> None:
         self._now, self._last_move = when, self._order

@@ -7,7 +7,7 @@ import os
 import sys
 import threading
 import warnings
-from collections.abc import Callable
+from collections.abc import Callable, Mapping
 from copy import deepcopy
 from importlib import import_module
 from typing import Any
@@ -103,19 +103,26 @@ def init_node(
         warnings.warn(
             f"'{name}' is not a legal ROS base name. This may cause problems with other ROS tools.", stacklevel=2
         )
-    names._set_caller_id(rosgraph.resolve_name(name, node.name))
-    names.initialize_mappings(node.name)
-    for parameter, value in {**node.private_parameters, **load_command_line_node_params(argv)}.items():
+    parameters = {**node.private_parameters, **load_command_line_node_params(argv)}
+    node.log_level = logging.INFO if log_level is None else _LEVELS[log_level]
+    begin_node(rosgraph.resolve_name(name, node.name), parameters, not disable_rostime)
+    node.rosout = not disable_rosout
+
+
+def begin_node(name: str, parameters: Mapping[str, Any], follows_clock: bool = True) -> None:
+    """Make this process the node with a full name, and set its private parameters. It may follow ``/clock``."""
+    node = state()
+    names._set_caller_id(name)
+    names.initialize_mappings(name)
+    for parameter, value in parameters.items():
         set_param(rosgraph.PRIV_NAME + parameter, value)
     _replace(node)
     node.initialized = True
-    node.log_level = logging.INFO if log_level is None else _LEVELS[log_level]
     for register in node.at_init:
         register()
     for service in ("get_loggers", "set_logger_level"):
         may_register("service", "service", f"{node.name}/{service}")
-    node.rosout = not disable_rosout
-    if not disable_rostime and get_param("/use_sim_time", False):
+    if follows_clock and get_param("/use_sim_time", False):
         _listen_to_clock(node)
     node.time_initialized = True
 

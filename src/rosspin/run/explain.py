@@ -13,7 +13,7 @@ from ..clocks.simulation import Simulation, Standstill
 from ..clocks.watchdog import Stuck
 from ..world.world import NotSimulated
 from .roses import ROSES
-from .source import Code
+from .source import CPP, Code
 
 __all__ = [
     "TimeStandsStill",
@@ -34,7 +34,7 @@ class TimeStandsStill(RuntimeError):
 def say_killed(node: Code, ros: int, seconds: float | None, waited: Sequence[Whereabouts], patience: int) -> str:
     """Say why a node of ROS 1 or 2 was killed ``patience`` seconds after Ctrl-C, and where its threads were."""
     at = "" if seconds is None else f" at {seconds:.10g} s"
-    why = f"Does its loop check {ROSES[ros].goes_on}?"
+    why = f"Does its loop check {ROSES[ros].goes_on_cpp if node.filename.endswith(CPP) else ROSES[ros].goes_on}?"
     if waits_for_a_rate(node, ros, waited):
         why = (
             "After Ctrl-C nothing wakes a Rate any more, and Python waits for the thread that is asleep in it. "
@@ -89,7 +89,8 @@ def stands_still(nodes: Sequence[Code], ros: int, error: Standstill | Stuck, clo
     now = f"simulated time stands still at {clock.now() / NS} s"
     fallback = clock.failed if isinstance(error, Stuck) else error.place
     place = _of_nodes(nodes, error.places) or (None if fallback else _of_nodes(nodes, clock.left))
-    where = f"{place.filename}:{place.line}" if place else fallback
+    where = (f"{place.filename}:{place.line}" if place.line else place.filename) if place else fallback
+    sleep = ROSES[ros].sleep_cpp if place and place.filename.endswith(CPP) else ROSES[ros].sleep
     if isinstance(error, Stuck) and (error.waits or error.computed):
         where = place.shown() if place else fallback
         why = (
@@ -107,7 +108,7 @@ def stands_still(nodes: Sequence[Code], ros: int, error: Standstill | Stuck, clo
     else:
         why = (
             "because the node keeps running without sleeping. "
-            f"Sleep in every loop (rate.sleep(), {ROSES[ros].sleep}), and give timers and rates a period above 0."
+            f"Sleep in every loop (rate.sleep(), {sleep}), and give timers and rates a period above 0."
         )
     return TimeStandsStill(f"{where}{': ' if where else ''}{now}, {why}")
 

@@ -19,7 +19,7 @@ class Ros(NamedTuple):
     line, and ``sets`` the option before what is set there, if there is one. ``raises`` says whether Ctrl-C raises
     KeyboardInterrupt in a node, which ends it if nobody catches that. ``steps`` is the class that notes its steps. The
     rest completes sentences about a node: what kills it if it does not end, what its loops should check, what its main
-    part ends with, what else is a thread, how its loops should sleep.
+    part ends with, what else is a thread, how its loops should sleep; and of these, in C++, the second and the last.
     """
 
     number: int
@@ -35,6 +35,8 @@ class Ros(NamedTuple):
     spins: str
     also_threads: str
     sleep: str
+    goes_on_cpp: str
+    sleep_cpp: str
 
     @property
     def stand_in(self) -> ModuleType:
@@ -82,6 +84,8 @@ ROSES = {
         "rospy.spin()",
         " (a rospy.Timer is one, too)",
         "rospy.sleep(0.1)",
+        "ros::ok()",
+        "ros::Duration(0.1).sleep()",
     ),
     2: Ros(
         2,
@@ -105,6 +109,8 @@ ROSES = {
         "rclpy.spin(node)",
         "",
         "time.sleep(0.1)",
+        "rclcpp::ok()",
+        "rclcpp::sleep_for(100ms)",
     ),
 }
 

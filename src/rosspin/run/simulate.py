@@ -49,11 +49,11 @@ def simulate(
     gives counts from there.
 
     ``node`` is the path of a node file, a function, or the name of one, as in ``"package.module:main"``. Whichever of
-    ``rospy`` and ``rclpy`` it imports first decides its ROS. ``args`` are its command line, such as ``"__ns:=/mrp"``,
-    or ``"--ros-args", "-r", "__ns:=/mrp"`` in ROS 2. What is due exactly at ``seconds`` still runs; then Ctrl-C is
-    pressed. Then, as on a real ROS, rospy ends with status 0, and rclpy raises KeyboardInterrupt, with status 130 if
-    nothing catches it. The run ends earlier if the node does. As on a real ROS, an exception in the node is printed and
-    gives status 1.
+    ``rospy`` and ``rclpy`` it imports first decides its ROS; one in C++ is of ROS 1. ``args`` are its command line,
+    such as ``"__ns:=/mrp"``, or ``"--ros-args", "-r", "__ns:=/mrp"`` in ROS 2. What is due exactly at ``seconds`` still
+    runs; then Ctrl-C is pressed. Then, as on a real ROS, rospy ends with status 0, and rclpy raises KeyboardInterrupt,
+    with status 130 if nothing catches it. The run ends earlier if the node does. As on a real ROS, an exception in the
+    node is printed and gives status 1.
 
     What the node changes in modules or in the process is undone afterwards. Modules that lie beside its file, or hold
     something of ROS, such as a class of messages, are imported again in the next run. From ``random`` it draws the
@@ -73,11 +73,11 @@ def simulate(
     console names each that did nothing. ``jitter`` is short for one of them, ``Jitter(jitter)``: threads and callbacks
     go on late by up to so many seconds, as on a real computer, drawn in the same way in each run.
 
-    Raises OSError if the file cannot be read, SyntaxError if it is not Python, ValueError if ``seconds`` or ``start``
-    is negative, too large or not a number, or if the ``schedule`` is none of this node, :class:`TimeStandsStill` if the
-    node never lets the time go on, and :class:`NotSimulated` if it needs a real ROS. Raises TypeError for ``faults``
-    that are none, and ValueError for one that asks a transport for what it cannot do, that names what the run does not
-    have, or that comes after its end.
+    Raises OSError if the file cannot be read, SyntaxError if it is not Python, ValueError if C++ does not compile, if
+    ``seconds`` or ``start`` is negative, too large or not a number, or if the ``schedule`` is none of this node,
+    :class:`TimeStandsStill` if the node never lets the time go on, and :class:`NotSimulated` if it needs a real ROS.
+    Raises TypeError for ``faults`` that are none, and ValueError for one that asks a transport for what it cannot do,
+    that names what the run does not have, or that comes after its end.
     """
     shaken = bool(schedule) and Order.of(schedule).deep
     prepared = prepare(node, args, skip_cpp, shaken, with_jitter(faults, jitter))

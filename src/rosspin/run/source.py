@@ -52,6 +52,9 @@ class Code(NamedTuple):
         return os.path.basename(self.argv0).removesuffix(".py")
 
 
+# How the names of C++ nodes end.
+CPP = (".cpp", ".cc", ".cxx")
+
 NodeLike = str | os.PathLike[str] | Callable[[], Any]
 
 
@@ -74,6 +77,10 @@ def load(node: NodeLike) -> Code:
         raise ValueError("several nodes and launch files run in simulated time (rosspin.simulate) or on a real ROS")
     if not isinstance(node, (str, os.PathLike)):
         raise TypeError(f"a node is the path of a file, or a function, not {node!r}")
+    if path.endswith(CPP):
+        from ..cpp import Program, build  # most runs go without
+
+        return Code(Program(build(path), path), os.path.splitext(path)[0], path, None, hint=1)
     if not os.path.exists(path) and _ENTRY.fullmatch(entry := path if ":" in path else _console_script(path)):
         return load_entry_point(entry)
     return load_source(read(path), path)

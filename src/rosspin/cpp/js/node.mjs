@@ -1,0 +1,144 @@
+// A C++ node as a process of a host: what happens in it is told in batches, and it asks the host to let time go on.
+//
+// A batch is { log, now, wake, asks?, status?, trap? }. `log` is what happened since the last one, in order:
+// ["out", fd, text (a character a byte)], ["source", name, period], ["begin", source, number, expected, real],
+// ["end", source, duration], ["tell", text]. Times are in ns, as text. The node waits until `wake`, unless it `asks`
+// something (text), or has ended, with a `status` or in a `trap`. The host answers { now, horizon, events, signals },
+// and `answer`: the node may run on its own as long as its time is before `horizon`.
+
+import { Program } from "./wasi.mjs"
+import { functionNames } from "./names.mjs"
+
+const NEVER = (1n << 63n) - 1n
+
+// A batch that has become this long is told at once.
+const LONG = 5_000
+
+export class Node {
+  /**
+   * `exchange(batch)` tells the host of a batch and returns its answer; `pass(batch)` tells it of one that wants none.
+   */
+  constructor(module, { args, environment, start, ahead, seed }, exchange, pass) {
+    this.exchange = exchange
+    this.pass = pass
+    this.now = BigInt(start)
+    this.ahead = BigInt(ahead)
+    this.horizon = this.now
+    this.urgent = false
+    this.log = []
+    this.coming = [] // what the program is to be told as soon as it waits
+    this.sources = 0
+    this.draw = mulberry(seed)
+    this.module = module
+    this.program = new Program(module, args, environment, this)
+  }
+
+  run() {
+    let end
+    try {
+      end = { status: this.program.run((program) => this.#imports(program)) }
+    } catch (error) {
+      if (!(error instanceof WebAssembly.RuntimeError || error instanceof RangeError)) throw error
+      end = { trap: error.message, where: this.#places(error) }
+    }
+    this.pass(this.#batch(end))
+  }
+
+  write(fd, bytes) {
+    let text = ""
+    for (const byte of bytes) text += String.fromCharCode(byte)
+    this.#note("out", fd, text)
+  }
+
+  random(bytes) {
+    for (let at = 0; at < bytes.length; at++) bytes[at] = this.draw()
+  }
+
+  sleep(until) {
+    if (until < this.horizon && !this.urgent) {
+      if (until > this.now) this.now = until
+      return
+    }
+    this.urgent = false
+    if (!this.coming.length) this.#heed(this.exchange(this.#batch({ wake: String(until) })))
+    for (const come of this.coming.splice(0)) come()
+  }
+
+  #note(...entry) {
+    this.log.push(entry)
+    if (this.log.length >= LONG) this.pass(this.#batch({}))
+  }
+
+  #batch(more) {
+    const batch = { log: this.log, now: String(this.now), ...more }
+    this.log = []
+    return batch
+  }
+
+  #heed({ now, ahead, horizon, events, signals }) {
+    this.now = BigInt(now)
+    this.ahead = BigInt(ahead)
+    this.horizon = BigInt(horizon)
+    const { program, coming } = this
+    for (const [when, text] of events) {
+      coming.push(() => program.exports.rosspin_event(program.give(bytes(`${text}\0`)), BigInt(when)))
+    }
+    for (const number of signals) coming.push(() => program.exports.rosspin_signal(number))
+    if (coming.length) this.urgent = true
+  }
+
+  #answer(program, text, length) {
+    new DataView(program.memory.buffer).setUint32(length, text.length, true)
+    return program.give(bytes(`${text}\0`))
+  }
+
+  /** The functions that were running at a trap, innermost first, by their names in the source. */
+  #places(error) {
+    const numbers = [...(error.stack ?? "").matchAll(/wasm-function\[(\d+)\]/g)].map(([, number]) => Number(number))
+    const names = functionNames(this.module)
+    return numbers.map((number) => names.get(number) ?? "")
+  }
+
+  #imports(program) {
+    return {
+      wait: (until) => program.sleep(until),
+      look: () => program.look(),
+      source: (name, length, period) => {
+        this.#note("source", program.text(name, length), String(period))
+        return this.sources++
+      },
+      begin: (source, number, expected, real) => this.#note("begin", source, number, String(expected), String(real)),
+      end: (source, duration) => this.#note("end", source, String(duration)),
+      tell: (text, length) => {
+        this.#note("tell", long(program.bytes(text, length)))
+        this.urgent = true
+      },
+      ask: (text, length, answered) => {
+        const reply = this.exchange(this.#batch({ asks: long(program.bytes(text, length)) }))
+        this.#heed(reply)
+        return this.#answer(program, reply.answer, answered)
+      },
+      name: (address, length) => {
+        const found = program.exports.__indirect_function_table.get(address)
+        const name = found ? functionNames(this.module).get(Number(found.name)) : undefined
+        return this.#answer(program, name ?? "", length)
+      },
+    }
+  }
+}
+
+/** Bytes of a text of which each character is one, and the other way round. */
+const bytes = (text) => Uint8Array.from(text, (character) => character.charCodeAt(0))
+const long = (from) => {
+  let text = ""
+  for (const byte of from) text += String.fromCharCode(byte)
+  return text
+}
+
+/** A generator of bytes that are the same for the same seed (mulberry32). */
+const mulberry = (seed) => () => {
+  seed = (seed + 0x6d2b79f5) | 0
+  let mixed = Math.imul(seed ^ (seed >>> 15), 1 | seed)
+  mixed = (mixed + Math.imul(mixed ^ (mixed >>> 7), 61 | mixed)) ^ mixed
+  return (mixed ^ (mixed >>> 14)) & 0xff
+}

@@ -1,0 +1,42 @@
+// Runs a C++ node for a host that talks over pipes: node run.mjs PROGRAM. A line of JSON from the host starts it, then
+// there is a line for each batch and a line for each answer (see node.mjs).
+
+import { readFileSync, readSync, writeSync } from "node:fs"
+
+import { Node } from "./node.mjs"
+
+const chunk = Buffer.alloc(1 << 16)
+let rest = Buffer.alloc(0)
+
+/** Read a line, however long that takes. */
+function read() {
+  for (;;) {
+    const at = rest.indexOf(10)
+    if (at >= 0) {
+      const line = rest.subarray(0, at)
+      rest = rest.subarray(at + 1)
+      return JSON.parse(line.toString())
+    }
+    const length = readSync(0, chunk)
+    if (length === 0) process.exit(1) // the host has gone
+    rest = Buffer.concat([rest, chunk.subarray(0, length)])
+  }
+}
+
+function pass(batch) {
+  const line = Buffer.from(`${JSON.stringify(batch)}\n`)
+  for (let at = 0; at < line.length; ) at += writeSync(1, line, at)
+}
+
+const module = new WebAssembly.Module(readFileSync(process.argv[2]))
+const start = read()
+const node = new Node(
+  module,
+  start,
+  (batch) => {
+    pass(batch)
+    return read()
+  },
+  pass,
+)
+node.run()

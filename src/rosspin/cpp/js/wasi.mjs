@@ -1,0 +1,206 @@
+// The world of a C++ node: WASI (snapshot preview 1) on a simulated clock, for Node and for the page.
+
+const SUCCESS = 0
+const BADF = 8
+const INVAL = 28
+const NOSYS = 52
+
+// A program that reads the clock so often without waiting waits by reading it: from then on each look takes 1 µs.
+const LOOKS = 10_000
+const LOOK = 1_000n
+
+export class Exit extends Error {
+  constructor(status) {
+    super(`exit ${status}`)
+    this.status = status
+  }
+}
+
+/**
+ * One program. `link` is what it shares with others: `link.now` is its time (bigint, ns), `link.ahead` what the system's
+ * clock is ahead of it, `link.write(fd, bytes)` takes what it prints, `link.sleep(until)` lets the time go on to `until`
+ * and may come back earlier, with something for the program to do; `link.random(bytes)` fills bytes.
+ */
+export class Program {
+  constructor(module, args, environment, link) {
+    this.module = module
+    this.link = link
+    this.args = args.map((word) => encoder.encode(`${word}\0`))
+    this.environment = Object.entries(environment).map(([name, value]) => encoder.encode(`${name}=${value}\0`))
+    this.looks = 0
+  }
+
+  /** Run it to its end; return its exit status. What ends it from outside, or a trap, is thrown. */
+  run(imports) {
+    const instance = new WebAssembly.Instance(this.module, {
+      wasi_snapshot_preview1: this.#complete(this.#wasi()),
+      rosspin: imports(this),
+    })
+    this.exports = instance.exports
+    this.memory = instance.exports.memory
+    try {
+      try {
+        instance.exports._start()
+        return 0
+      } catch (error) {
+        const tag = instance.exports.__cpp_exception
+        if (!(tag && error instanceof WebAssembly.Exception && error.is(tag))) throw error
+        instance.exports.rosspin_uncaught(error.getArg(tag, 0)) // says what it is, and exits
+        return 1
+      }
+    } catch (error) {
+      if (error instanceof Exit) return error.status
+      throw error
+    }
+  }
+
+  /** Let it look at what `look` finds; whoever looks again and again waits. */
+  look() {
+    if (++this.looks > LOOKS) this.link.sleep(this.link.now + LOOK)
+  }
+
+  sleep(until) {
+    this.looks = 0
+    return this.link.sleep(until)
+  }
+
+  text(at, length) {
+    return decoder.decode(this.bytes(at, length))
+  }
+
+  bytes(at, length) {
+    return new Uint8Array(this.memory.buffer, at, length)
+  }
+
+  /** Copy bytes into the program's memory, for it to free; return where they are. */
+  give(bytes) {
+    const at = this.exports.malloc(bytes.length)
+    this.bytes(at, bytes.length).set(bytes)
+    return at
+  }
+
+  get #view() {
+    if (this.seen?.buffer !== this.memory.buffer) this.seen = new DataView(this.memory.buffer)
+    return this.seen
+  }
+
+  #time(clock) {
+    this.look()
+    return clock === 0 ? this.link.now + this.link.ahead : this.link.now
+  }
+
+  #words(words, list, buffer) {
+    for (const word of words) {
+      this.#view.setUint32(list, buffer, true)
+      this.bytes(buffer, word.length).set(word)
+      list += 4
+      buffer += word.length
+    }
+    return SUCCESS
+  }
+
+  #sizes(words, count, size) {
+    this.#view.setUint32(count, words.length, true)
+    this.#view.setUint32(
+      size,
+      words.reduce((sum, word) => sum + word.length, 0),
+      true,
+    )
+    return SUCCESS
+  }
+
+  /** All other calls answer that there is no such thing: a node has no files. */
+  #complete(calls) {
+    for (const { module, name } of WebAssembly.Module.imports(this.module)) {
+      if (module === "wasi_snapshot_preview1") calls[name] ??= () => (name.startsWith("fd_") ? BADF : NOSYS)
+    }
+    return calls
+  }
+
+  #wasi() {
+    return {
+      args_sizes_get: (count, size) => this.#sizes(this.args, count, size),
+      args_get: (list, buffer) => this.#words(this.args, list, buffer),
+      environ_sizes_get: (count, size) => this.#sizes(this.environment, count, size),
+      environ_get: (list, buffer) => this.#words(this.environment, list, buffer),
+      clock_res_get: (_clock, at) => {
+        this.#view.setBigUint64(at, 1n, true)
+        return SUCCESS
+      },
+      clock_time_get: (clock, _precision, at) => {
+        if (clock > 1) return INVAL
+        this.#view.setBigUint64(at, this.#time(clock), true)
+        return SUCCESS
+      },
+      random_get: (at, length) => {
+        this.link.random(this.bytes(at, length))
+        return SUCCESS
+      },
+      sched_yield: () => {
+        this.look()
+        return SUCCESS
+      },
+      proc_exit: (status) => {
+        throw new Exit(status)
+      },
+      fd_fdstat_get: (fd, at) => {
+        if (fd > 2) return BADF
+        this.bytes(at, 24).fill(0)
+        this.#view.setUint8(at, 2) // a terminal: what is printed is seen at the end of each line
+        this.#view.setBigUint64(at + 8, fd ? 64n : 2n, true)
+        return SUCCESS
+      },
+      fd_read: (fd, _list, _count, read) => {
+        if (fd) return BADF
+        this.#view.setUint32(read, 0, true) // nobody types
+        return SUCCESS
+      },
+      fd_write: (fd, list, count, written) => {
+        if (fd !== 1 && fd !== 2) return BADF
+        let total = 0
+        for (let each = 0; each < count; each++) {
+          const at = this.#view.getUint32(list + 8 * each, true)
+          const length = this.#view.getUint32(list + 8 * each + 4, true)
+          if (length) this.link.write(fd, this.bytes(at, length))
+          total += length
+        }
+        this.#view.setUint32(written, total, true)
+        return SUCCESS
+      },
+      poll_oneoff: (subscriptions, events, count, happened) => {
+        let found = 0
+        const add = (at, error) => {
+          this.bytes(events + 32 * found, 32).fill(0)
+          this.bytes(events + 32 * found, 8).set(this.bytes(at, 8))
+          this.#view.setUint16(events + 32 * found + 8, error, true)
+          this.#view.setUint8(events + 32 * found + 10, this.#view.getUint8(at + 8))
+          found++
+        }
+        const dues = []
+        for (let each = 0; each < count; each++) {
+          const at = subscriptions + 48 * each
+          if (this.#view.getUint8(at + 8) !== 0) {
+            add(at, SUCCESS) // a stream is always ready
+            continue
+          }
+          const clock = this.#view.getUint32(at + 16, true)
+          const timeout = this.#view.getBigUint64(at + 24, true)
+          const now = this.link.now + (clock === 0 ? this.link.ahead : 0n)
+          const absolute = this.#view.getUint16(at + 40, true) & 1
+          dues.push([absolute ? (timeout > now ? timeout - now : 0n) : timeout, at])
+        }
+        if (!found && dues.length) {
+          dues.sort(([one], [other]) => (one < other ? -1 : 1))
+          const until = this.link.now + dues[0][0]
+          while (this.link.now < until) this.sleep(until)
+          add(dues[0][1], SUCCESS)
+        }
+        this.#view.setUint32(happened, found, true)
+        return SUCCESS
+      },
+    }
+  }
+}
+
+const encoder = new TextEncoder()
+const decoder = new TextDecoder()

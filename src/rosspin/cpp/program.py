@@ -1,0 +1,247 @@
+"""A compiled C++ node as the main program of a process: it runs in Node.js, and its time is the process's clock.
+
+The two talk in batches, as ``js/node.mjs`` says: the node runs on its own for as long as nothing else is due, tells
+what it has done, and waits. Here that wait is one of a stack on the clock, like that of any other node.
+"""
+
+from __future__ import annotations
+
+import codecs
+import json
+import os
+import random
+import select
+import signal
+import subprocess
+import sys
+from collections.abc import Callable
+from pathlib import Path
+from typing import Any
+
+from ..clocks.frames import Place
+from ..clocks.programs import end_run
+from ..clocks.simulation import Simulation
+from ..clocks.stacks import current
+from ..world.world import NotSimulated, World, current_world
+from .building import node_command
+from .ros1 import Ros1
+from .values import packed, unpacked
+
+__all__ = ["Program"]
+
+_RUN = Path(__file__).parent / "js" / "run.mjs"
+
+NEVER = 2**63 - 1
+
+# How often (s) a node is looked at while it computes, and after how much time of a processor (s) it will not end.
+_LOOK = 0.2
+_MOST = 10.0
+
+_SEGMENTATION_FAULT = 128 + 11
+
+
+class Program:
+    """Runs a compiled node of ROS 1 when it is called: ``wasm`` is the program, ``path`` its source."""
+
+    def __init__(self, wasm: Path, path: str) -> None:
+        self.wasm = wasm
+        self.path = path
+
+    def __call__(self) -> None:
+        """Run it to its end, on a stack of a simulation, within a process. Raises SystemExit with its status."""
+        world = current_world()
+        if not isinstance(world.clock, Simulation):
+            raise NotSimulated("C++ on the wall clock", "in simulated time, or on a real ROS")
+        world.bind(1)
+        _Running(self, world, world.clock).run()
+
+
+class _Running:
+    """A node while it runs."""
+
+    def __init__(self, program: Program, world: World, clock: Simulation) -> None:
+        self._program = program
+        self._world = world
+        self._clock = clock
+        self._stack: Any = current()
+        self._events: list[tuple[int, str]] = []  # what is to be given to the node: when it came, and what
+        self._signals: list[int] = []
+        self._sources: list[str] = []
+        self._counts: list[int] = []
+        self._open: dict[int, int] = {}  # ticks that have not ended, by their sources
+        self._streams = {1: _Stream(lambda: sys.stdout), 2: _Stream(lambda: sys.stderr)}
+        self._ros = Ros1(world, self._come)
+        self._line = b""
+
+    def run(self) -> None:
+        for number in (signal.SIGINT, signal.SIGTERM):
+            self._world.handlers[number] = self._on_signal
+        command = [*node_command(), str(_RUN), str(self._program.wasm)]
+        with subprocess.Popen(command, stdin=subprocess.PIPE, stdout=subprocess.PIPE, bufsize=0) as self._child:
+            try:
+                self._send(self._start())
+                self._follow()
+            finally:
+                self._child.kill()
+
+    def _start(self) -> dict[str, Any]:
+        return {
+            "args": self._world.argv,
+            "environment": dict(os.environ),
+            "start": str(self._clock.now()),
+            "ahead": str(self._clock.ahead),
+            "seed": random.getrandbits(32),
+        }
+
+    def _follow(self) -> None:
+        """Go on with the node until it ends."""
+        while True:
+            batch = self._read()
+            self._advance(int(batch["now"]))
+            for entry in batch["log"]:
+                self._note(*entry)
+            if "trap" in batch:
+                self._trapped(batch["trap"], batch["where"])
+            if "status" in batch:
+                raise SystemExit(batch["status"])
+            if "asks" in batch:
+                what, values = unpacked(batch["asks"])
+                if what == "not_simulated":
+                    raise NotSimulated(*values)
+                self._reply(packed(self._ros.answer(what, values)))
+            elif "wake" in batch:
+                self._wait(int(batch["wake"]))
+                self._reply()
+
+    # --- time ---
+
+    def _advance(self, now: int) -> None:
+        """Let the clock go on to the node's time: it has been alone until then."""
+        if now > self._clock.now():
+            self._clock.sleep(now - self._clock.now())
+
+    def _wait(self, until: int) -> None:
+        """Wait as the node does, until its time has come, or something for it."""
+        clock = self._clock
+        if self._events or self._signals:
+            clock.sleep(0)
+        elif until <= clock.now():
+            clock.sleep(0)
+        else:
+            clock.wait(until - clock.now() if until < NEVER else None)
+
+    def _come(self, what: str, values: list[Any]) -> None:
+        """Give something to the node as soon as it waits."""
+        self._events.append((self._clock.now(), packed(what) + packed(values)))
+        self._clock.wake(self._stack)
+
+    def _on_signal(self, number: int, frame: object) -> None:
+        self._signals.append(number)
+        self._clock.wake(self._stack)
+
+    # --- the pipes ---
+
+    def _send(self, message: dict[str, Any]) -> None:
+        assert self._child.stdin
+        try:
+            self._child.stdin.write(json.dumps(message).encode() + b"\n")
+        except BrokenPipeError:
+            pass  # what it has to say of its end is still to be read
+
+    def _reply(self, answer: str = "") -> None:
+        events, self._events = self._events, []
+        signals, self._signals = self._signals, []
+        self._send(
+            {
+                "now": str(self._clock.now()),
+                "ahead": str(self._clock.ahead),
+                "horizon": str(self._clock.horizon()),
+                "events": [(str(when), text) for when, text in events],
+                "signals": signals,
+                "answer": answer,
+            }
+        )
+
+    def _read(self) -> dict[str, Any]:
+        assert self._child.stdout
+        file = self._child.stdout.fileno()
+        used = self._used()
+        while b"\n" not in self._line[-65536:]:
+            ready, _, _ = select.select([file], [], [], _LOOK)
+            self._clock.beside += 1
+            if ready:
+                data = os.read(file, 1 << 16)
+                if not data:
+                    status = self._child.wait()
+                    self._world.failure = RuntimeError(f"{self._program.path}: Node.js has ended, status {status}")
+                    end_run()
+                self._line += data
+            elif self._used() - used > _MOST:
+                self._stand_still()
+        line, _, self._line = self._line.partition(b"\n")
+        batch: dict[str, Any] = json.loads(line)
+        return batch
+
+    def _used(self) -> float:
+        """For how long (s) the node has had a processor."""
+        try:
+            with open(f"/proc/{self._child.pid}/stat") as file:
+                fields = file.read().rpartition(")")[2].split()
+        except OSError:
+            return 0.0
+        return sum(map(int, fields[11:13])) / os.sysconf("SC_CLK_TCK")
+
+    # --- what it has done ---
+
+    def _note(self, what: str, *values: Any) -> None:
+        log = self._world.recording.log
+        if what == "out":
+            number, text = values
+            self._streams[number].write(text.encode("latin-1"))
+        elif what == "source":
+            name, period = values
+            self._sources.append(self._world.source(name))
+            if log is not None:
+                log.periods.setdefault(self._sources[-1], int(period))
+        elif what == "begin" and log is not None:
+            source, number, expected, real = values
+            self._open[source] = log.add(self._sources[source], number, int(expected), int(real))
+        elif what == "end" and log is not None:
+            source, duration = values
+            log.end(self._open.pop(source), int(duration))
+        elif what == "tell":
+            name, arguments = unpacked(values[0])
+            self._ros.take(name, arguments)
+
+    def _trapped(self, trap: str, where: list[str]) -> None:
+        """Say what has ended the node from outside, as on a computer: a fault of its memory."""
+        place = next((name for name in where if name), "")
+        sys.stderr.write(f"rosspin: {self._program.path}: {_why(trap)}{f', in {place}' if place else ''}\n")
+        raise SystemExit(_SEGMENTATION_FAULT)
+
+    def _stand_still(self) -> None:
+        self._child.kill()
+        self._clock.stand_still(Place(self._program.path, 0))
+
+
+def _why(trap: str) -> str:
+    if "call stack" in trap:
+        return "its stack has overflowed: a function may call itself without an end"
+    if "out of bounds" in trap:
+        return "it has used memory that it does not have, or its stack has overflowed"
+    if "unreachable" in trap:
+        return "it has used a null pointer, or left a function without the value that it should return"
+    return f"it was ended ({trap})"
+
+
+class _Stream:
+    """One of the streams of a process, to which bytes are written as text."""
+
+    def __init__(self, find: Callable[[], Any]) -> None:
+        self._find = find
+        self._decode = codecs.getincrementaldecoder("utf-8")(errors="replace").decode
+
+    def write(self, data: bytes) -> None:
+        stream = self._find()
+        stream.write(self._decode(data))
+        stream.flush()

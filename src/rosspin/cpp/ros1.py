@@ -1,0 +1,180 @@
+"""What a C++ node of ROS 1 asks its host: it has a name, topics and parameters among the nodes in Python.
+
+roscpp's own queues, timers and names are in the program (``runtime/roscpp.cpp``). What is shared is that of the
+stand-in for rospy: both find each other on one graph, connect by the same rules, and have one parameter server.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Callable, Mapping
+from importlib import import_module
+from typing import Any
+
+from ..messages.ros1 import Message
+from ..rospy import client
+from ..rospy.msg import AnyMsg
+from ..rospy.state import State
+from ..rospy.topics import Connection, Publication, Publisher, Subscriber, Subscription
+from ..world.world import NotSimulated, World
+
+__all__ = ["Ros1"]
+
+Event = Callable[[str, list[Any]], None]
+
+
+class Ros1:
+    """The answers to a node in its ``world``. ``event(what, values)`` gives something to the node when it comes."""
+
+    def __init__(self, world: World, event: Event) -> None:
+        self._world = world
+        self._event = event
+        self._publishers: list[Publisher] = []
+        self._subscribers: list[Subscriber] = []
+        self._asked: dict[str, Callable[..., Any]] = {
+            "init": self._init,
+            "advertise": self._advertise,
+            "subscribers": lambda number: self._publishers[number].get_num_connections(),
+            "subscribe": self._subscribe,
+            "publishers": lambda number: self._subscribers[number].get_num_connections(),
+            "get_param": lambda name: client.get_param(name, None),
+            "set_param": client.set_param,
+            "has_param": client.has_param,
+            "delete_param": self._delete_param,
+            "search_param": _search_param,
+            "param_names": client.get_param_names,
+        }
+        self._told: dict[str, Callable[..., object]] = {
+            "publish": self._publish,
+            "unadvertise": lambda number: self._publishers[number].unregister(),
+            "unsubscribe": lambda number: self._subscribers[number].unregister(),
+            "shutdown": self._shutdown,
+        }
+
+    def answer(self, what: str, values: list[Any]) -> Any:
+        """Answer what the node asks."""
+        return self._asked[what](*values)
+
+    def take(self, what: str, values: list[Any]) -> None:
+        """Do what the node has told."""
+        self._told[what](*values)
+
+    @property
+    def _node(self) -> State:
+        return self._world.part(State)
+
+    def _init(self, name: str, parameters: Mapping[str, str]) -> None:
+        for parameter, text in parameters.items():
+            client.set_param(parameter, _from_command_line(text))
+        client.begin_node(name, {}, follows_clock=False)
+        if client.get_param("/use_sim_time", False):
+            raise NotSimulated("/use_sim_time in C++")
+        self._node.at_shutdown.append(lambda: self._event("shutdown", []))
+
+    def _shutdown(self) -> None:
+        node = self._node
+        if not node.shutdown:
+            node.shutdown_requested = node.shutdown = True
+            for close in node.at_shutdown:
+                close()
+
+    # --- topics ---
+
+    def _advertise(self, topic: str, kind: str, queue_size: int, latch: bool) -> int:
+        self._publishers.append(Publisher(topic, _class(kind), latch=latch, queue_size=queue_size))
+        return len(self._publishers) - 1
+
+    def _publish(self, number: int, data: bytes) -> None:
+        publisher = self._publishers[number]
+        if publisher.data_class:  # it may have been ended meanwhile
+            publisher.publish(publisher.data_class().deserialize(data))
+
+    def _subscribe(self, topic: str, kind: str) -> int:
+        number = len(self._subscribers)
+
+        def receive(message: Any) -> None:
+            self._event("message", [number, message._buff, message._connection_header["callerid"]])
+
+        self._subscribers.append(_Subscriber(topic, _bytes_of(_class(kind)), receive))
+        return number
+
+    # --- parameters ---
+
+    def _delete_param(self, name: str) -> bool:
+        try:
+            client.delete_param(name)
+        except KeyError:
+            return False
+        return True
+
+
+def _search_param(namespace: str, name: str) -> str | None:
+    """Search upwards from a namespace (source: rosmaster/paramserver.py, search_param)."""
+    if name.startswith("/"):
+        return name if client.has_param(name) else None
+    first = name.partition("/")[0]
+    parts = [part for part in namespace.split("/") if part]
+    for count in range(len(parts), -1, -1):
+        around = "/".join(["", *parts[:count], ""])
+        if client.has_param(around + first):
+            return around + name
+    return None
+
+
+def _from_command_line(text: str) -> Any:
+    """Read the value of ``_name:=value`` as roscpp does: an integer, a number, a bool, or else a text.
+
+    Source: roscpp/param.cpp, ``init``.
+    """
+    if text == text.strip() and "_" not in text:
+        for kind in (int, float):
+            try:
+                return kind(text)
+            except ValueError:
+                pass
+    return {"true": True, "True": True, "TRUE": True, "false": False, "False": False, "FALSE": False}.get(text, text)
+
+
+def _class(kind: str) -> type[Message]:
+    """Return the class of a message, as in std_msgs/UInt32."""
+    package, _, name = kind.partition("/")
+    found: type[Message] = getattr(import_module(f"{package}.msg"), name)
+    return found
+
+
+def _bytes_of(data_class: type[Message]) -> type[AnyMsg]:
+    """Make a class of messages that are left as the bytes that they are sent as, but only of one type."""
+    fields = ("_type", "_md5sum", "_full_text")
+    own = {name: getattr(data_class, name) for name in fields}
+    return type(data_class.__name__, (AnyMsg,), {"__slots__": [], **own})
+
+
+class _Local(Connection):
+    """A connection within a node. Its messages arrive when they are published (source: intraprocess_publisher_link)."""
+
+    def deliver(self, data: bytes) -> None:
+        message = self.subscription.data_class().deserialize(data)
+        message._connection_header = self.publication.reply()  # type: ignore[attr-defined]
+        if self.publication.latches:
+            self.latched = message
+        self.subscription.receive([message])
+
+    def hang_up(self) -> None:
+        own = self.subscription
+        own.connections = [each for each in own.connections if each is not self]
+
+
+class _Subscription(Subscription):
+    """A topic as a C++ node subscribes to it: to its own publishers it is connected at once."""
+
+    def connect(self, publication: Publication, delay: int) -> None:
+        if publication.node is not self.node:
+            super().connect(publication, delay)
+            return
+        connection = _Local(publication, self, 0)
+        self.connections = [*self.connections, connection]
+        if not publication.accept(connection):
+            connection.hang_up()
+
+
+class _Subscriber(Subscriber):
+    end = _Subscription

@@ -1,0 +1,292 @@
+// The program's side of rosspin/host.h: what it imports from the host, and what the host calls.
+#include "rosspin/host.h"
+
+#include <cerrno>
+#include <csignal>
+#include <cstdio>
+#include <cstdlib>
+#include <ctime>
+#include <unistd.h>
+
+#define FROM_HOST(name) __attribute__((import_module("rosspin"), import_name(name))) extern
+
+extern "C"
+{
+FROM_HOST("wait") void rosspin_wait(std::int64_t until);
+FROM_HOST("look") void rosspin_look();
+FROM_HOST("source") int rosspin_source(const char* name, std::size_t length, std::int64_t period);
+FROM_HOST("begin") void rosspin_begin(int source, int number, std::int64_t expected, std::int64_t real);
+FROM_HOST("end") void rosspin_end(int source, std::int64_t duration);
+FROM_HOST("tell") void rosspin_tell(const char* text, std::size_t length);
+FROM_HOST("ask") const char* rosspin_ask(const char* text, std::size_t length, std::size_t* answered);
+FROM_HOST("name") const char* rosspin_name(std::uintptr_t address, std::size_t* length);
+}
+
+namespace rosspin
+{
+namespace
+{
+std::int64_t read_clock(clockid_t clock)
+{
+  timespec time;
+  clock_gettime(clock, &time);
+  return time.tv_sec * std::int64_t(1'000'000'000) + time.tv_nsec;
+}
+
+// --- values as text: a letter for the kind, then the value ---
+
+void put(std::string& out, const Value& value);
+
+void put_text(std::string& out, const std::string& text)
+{
+  out += std::to_string(text.size()) + ":" + text;
+}
+
+void put(std::string& out, const Value& value)
+{
+  char buffer[40];
+  switch (value.kind)
+  {
+  case Value::nothing:
+    out += 'n';
+    break;
+  case Value::boolean:
+    out += value.flag ? 't' : 'f';
+    break;
+  case Value::integer:
+    out += 'i' + std::to_string(value.whole) + ';';
+    break;
+  case Value::real:
+    std::snprintf(buffer, sizeof buffer, "d%.17g;", value.number);
+    out += buffer;
+    break;
+  case Value::text:
+    out += 's';
+    put_text(out, value.string);
+    break;
+  case Value::bytes:
+    out += 'b';
+    put_text(out, value.string);
+    break;
+  case Value::list:
+    out += 'l';
+    for (const Value& item : value.items)
+      put(out, item);
+    out += 'e';
+    break;
+  case Value::table:
+    out += 'm';
+    for (const auto& [name, field] : value.fields)
+    {
+      put(out, name);
+      put(out, field);
+    }
+    out += 'e';
+  }
+}
+
+std::string get_until(const char*& at, char end)
+{
+  const char* begin = at;
+  while (*at != end)
+    at++;
+  return std::string(begin, at++);
+}
+
+Value get(const char*& at)
+{
+  Value value;
+  switch (*at++)
+  {
+  case 't':
+    return true;
+  case 'f':
+    return false;
+  case 'i':
+    return std::int64_t(std::strtoll(get_until(at, ';').c_str(), nullptr, 10));
+  case 'd':
+    return std::strtod(get_until(at, ';').c_str(), nullptr);
+  case 's':
+  case 'b':
+  {
+    value.kind = at[-1] == 's' ? Value::text : Value::bytes;
+    std::size_t length = std::strtoul(get_until(at, ':').c_str(), nullptr, 10);
+    value.string.assign(at, length);
+    at += length;
+    break;
+  }
+  case 'l':
+    for (value.kind = Value::list; *at != 'e';)
+      value.items.push_back(get(at));
+    at++;
+    break;
+  case 'm':
+    for (value.kind = Value::table; *at != 'e';)
+    {
+      std::string name = get(at).string;
+      value.fields[name] = get(at);
+    }
+    at++;
+    break;
+  default:
+    break;
+  }
+  return value;
+}
+
+std::string request(const std::string& what, std::vector<Value> values)
+{
+  std::string text;
+  put(text, what);
+  put(text, Value(std::move(values)));
+  return text;
+}
+}  // namespace
+
+std::function<void(const std::string&, std::int64_t, const Value&)> on_event;
+
+bool Value::operator==(const Value& other) const
+{
+  return kind == other.kind && flag == other.flag && whole == other.whole && number == other.number &&
+         string == other.string && items == other.items && fields == other.fields;
+}
+
+std::int64_t now() { return read_clock(CLOCK_MONOTONIC); }
+std::int64_t system_now() { return read_clock(CLOCK_REALTIME); }
+
+void wait(std::int64_t until) { rosspin_wait(until); }
+
+void sleep_until(std::int64_t until)
+{
+  while (now() < until)
+    rosspin_wait(until);
+}
+
+void look() { rosspin_look(); }
+
+int source(const std::string& name, std::int64_t period) { return rosspin_source(name.data(), name.size(), period); }
+
+void begin_tick(int source, int number, std::int64_t expected, std::int64_t real)
+{
+  rosspin_begin(source, number, expected, real);
+}
+
+void end_tick(int source, std::int64_t duration) { rosspin_end(source, duration); }
+
+Value ask(const std::string& what, std::vector<Value> values)
+{
+  std::string text = request(what, std::move(values));
+  std::size_t length;
+  const char* answer = rosspin_ask(text.data(), text.size(), &length);
+  const char* at = answer;
+  Value value = get(at);
+  std::free(const_cast<char*>(answer));
+  return value;
+}
+
+void tell(const std::string& what, std::vector<Value> values)
+{
+  std::string text = request(what, std::move(values));
+  rosspin_tell(text.data(), text.size());
+}
+
+void write(int stream, const std::string& text)
+{
+  std::fflush(stream == 1 ? stdout : stderr);  // what the node has printed comes first
+  ::write(stream, text.data(), text.size());
+}
+
+void not_simulated(const std::string& what)
+{
+  ask("not_simulated", {what});
+  std::_Exit(1);
+}
+
+std::string function_name(std::uintptr_t address)
+{
+  std::size_t length;
+  const char* name = rosspin_name(address, &length);
+  std::string text(name, length);
+  std::free(const_cast<char*>(name));
+  // Without its parameters and the class or namespace that it is in.
+  text = text.substr(0, text.find('('));
+  if (std::size_t at = text.rfind("::"); at != std::string::npos)
+    text = text.substr(at + 2);
+  return text;
+}
+}  // namespace rosspin
+
+// --- signals ---
+
+namespace
+{
+using Handler = void (*)(int);
+Handler handlers[65];  // null: the signal's default
+
+void handle(int number)
+{
+  if (Handler handler = handlers[number]; handler == SIG_IGN)
+    return;
+  else if (handler)
+    handler(number);
+  else if (number != SIGCHLD && number != SIGCONT && number != SIGURG && number != SIGWINCH)
+  {
+    std::fflush(nullptr);
+    std::_Exit(128 + number);
+  }
+}
+}  // namespace
+
+extern "C"
+{
+// Known by their addresses only.
+void __SIG_IGN(int) {}
+void __SIG_DFL(int) {}
+void __SIG_ERR(int) {}
+
+Handler signal(int number, Handler handler)
+{
+  if (number < 1 || number > 64)
+  {
+    errno = EINVAL;
+    return SIG_ERR;
+  }
+  Handler before = handlers[number] ? handlers[number] : SIG_DFL;
+  handlers[number] = handler == SIG_DFL ? nullptr : handler;
+  return before;
+}
+
+int raise(int number)
+{
+  if (number < 1 || number > 64)
+  {
+    errno = EINVAL;
+    return -1;
+  }
+  handle(number);
+  return 0;
+}
+
+// A call of abort says nothing; the status is a signal's.
+void abort()
+{
+  std::fflush(nullptr);
+  raise(SIGABRT);
+  std::_Exit(128 + SIGABRT);
+}
+
+int getpid() { return 1; }
+
+__attribute__((export_name("rosspin_signal"))) void rosspin_signal(int number) { handle(number); }
+
+// Something has come, as text that the program frees.
+__attribute__((export_name("rosspin_event"))) void rosspin_event(char* text, std::int64_t when)
+{
+  const char* at = text;
+  std::string what = rosspin::get(at).string;
+  rosspin::Value values = rosspin::get(at);
+  std::free(text);
+  if (rosspin::on_event)
+    rosspin::on_event(what, when, values);
+}
+}

@@ -1,0 +1,1011 @@
+// What is no template of the stand-in for roscpp.
+#include "ros/ros.h"
+
+#include <csignal>
+#include <cstdarg>
+
+namespace ros
+{
+namespace
+{
+struct Node
+{
+  bool initialized = false, started = false, ok = false, shutting_down = false, logs = true;
+  std::string name, space;
+  M_string remappings;
+  int handles = 0;
+  console::Level level = console::levels::Info;
+  CallbackQueue queue;
+  std::vector<detail::SubscriptionImpl*> subscriptions;
+  bool time = false;
+};
+
+Node& node()
+{
+  // Never destroyed: what lives as long as the program may need it.
+  static Node* one = new Node;
+  return *one;
+}
+
+constexpr std::int64_t second = 1'000'000'000;
+
+std::int64_t later(std::int64_t time, std::int64_t by)
+{
+  return by > rosspin::never - time ? rosspin::never : time + by;
+}
+}  // namespace
+
+// --- time (sources: rostime/impl/time.h, impl/duration.h, rate.cpp, time.cpp) ---
+
+namespace detail
+{
+std::int64_t from_seconds(double seconds, const char* what, std::int64_t least, std::int64_t most)
+{
+  if (!(seconds >= static_cast<double>(least) && seconds < static_cast<double>(most) + 1))
+    throw std::runtime_error(std::string(what) + " is out of dual 32-bit range");
+  double whole = std::floor(seconds);
+  std::int64_t rest = static_cast<std::int64_t>(std::floor((seconds - whole) * 1e9 + 0.5));
+  return static_cast<std::int64_t>(whole) * second + rest;
+}
+
+std::int64_t checked_duration(std::int64_t ns)
+{
+  std::int64_t whole = ns / second - (ns % second < 0);
+  if (whole < INT32_MIN || whole > INT32_MAX)
+    throw std::runtime_error("Duration is out of dual 32-bit range");
+  return ns;
+}
+
+std::int64_t checked_time(std::int64_t ns)
+{
+  if (ns < 0 || ns / second > UINT32_MAX)
+    throw std::runtime_error("Time is out of dual 32-bit range");
+  return ns;
+}
+
+std::ostream& print(std::ostream& stream, std::int64_t ns)
+{
+  char text[40];
+  std::uint64_t size = ns < 0 ? -static_cast<std::uint64_t>(ns) : ns;
+  std::snprintf(text, sizeof text, "%s%llu.%09llu", ns < 0 ? "-" : "",
+      static_cast<unsigned long long>(size / second), static_cast<unsigned long long>(size % second));
+  return stream << text;
+}
+
+std::int64_t now(Time*)
+{
+  if (!node().time)
+    throw TimeNotInitializedException();
+  return rosspin::system_now();
+}
+std::int64_t now(WallTime*) { return rosspin::system_now(); }
+std::int64_t now(SteadyTime*) { return rosspin::now(); }
+
+void sleep_for(std::int64_t ns)
+{
+  if (ns < 0)  // the real one asks the system again and again, which refuses
+    rosspin::sleep_until(rosspin::never);
+  rosspin::sleep_until(later(rosspin::now(), ns));
+}
+
+bool sleep_until(Time*, std::int64_t ns)
+{
+  if (std::int64_t left = ns - rosspin::system_now(); left > 0)
+    sleep_for(left);
+  return true;
+}
+bool sleep_until(WallTime*, std::int64_t ns) { return sleep_until(static_cast<Time*>(nullptr), ns); }
+bool sleep_until(SteadyTime*, std::int64_t ns)
+{
+  if (ns > rosspin::now())
+    rosspin::sleep_until(ns);
+  return true;
+}
+
+Passes::Passes(std::int64_t period, bool wall) : period(period), wall_(wall), start_(now())
+{
+  grid_ = begun_ = rosspin::now();
+}
+
+std::int64_t Passes::now() const { return wall_ ? rosspin::system_now() : detail::now(static_cast<Time*>(nullptr)); }
+
+void Passes::reset() { start_ = now(); }
+
+// A pass that ends later than it should lets the next one begin at once. Two periods late or more, the grid is given up
+// for one that begins now (source: rostime/rate.cpp, Rate::sleep).
+bool Passes::sleep()
+{
+  std::int64_t ends = now(), expected = start_ + period;
+  if (source_ < 0)
+    source_ = rosspin::source(wall_ ? "WallRate" : "Rate", period);
+  rosspin::begin_tick(source_, ++passes_, grid_, begun_);
+  rosspin::end_tick(source_, rosspin::now() - begun_);
+  grid_ += period;
+  if (ends < start_)  // the clock has gone back
+    expected = ends + period;
+  cycle = ends - start_;
+  start_ = expected;
+  bool in_time = expected > ends;
+  if (in_time)
+    sleep_for(expected - ends);
+  else
+  {
+    rosspin::look();
+    if (ends > expected + period)
+      start_ = ends;
+  }
+  begun_ = rosspin::now();
+  return in_time;
+}
+}  // namespace detail
+
+void Time::init() { node().time = true; }
+void Time::shutdown() {}
+bool Time::isValid() { return node().time; }
+
+#define ROSSPIN_DURATIONS(D)                                                                                           \
+  const D D::MAX(INT32_MAX, 999999999), D::MIN(INT32_MIN, 0), D::ZERO, D::DAY(86400, 0), D::HOUR(3600, 0),             \
+      D::MINUTE(60, 0), D::SECOND(1, 0), D::MILLISECOND(0, 1000000), D::MICROSECOND(0, 1000), D::NANOSECOND(0, 1)
+ROSSPIN_DURATIONS(Duration);
+ROSSPIN_DURATIONS(WallDuration);
+const Duration DURATION_MAX(INT32_MAX, 999999999), DURATION_MIN(INT32_MIN, 0);
+const Time Time::MIN(0, 1), Time::MAX(UINT32_MAX, 999999999), Time::ZERO, Time::UNINITIALIZED;
+const WallTime WallTime::MIN(0, 1), WallTime::MAX(UINT32_MAX, 999999999), WallTime::ZERO;
+const SteadyTime SteadyTime::MIN(0, 1), SteadyTime::MAX(UINT32_MAX, 999999999), SteadyTime::ZERO;
+const Time TIME_MAX(UINT32_MAX, 999999999), TIME_MIN(0, 1);
+
+// --- logging (source: rosconsole.cpp, Formatter and print) ---
+
+namespace console
+{
+bool enabled(Level level) { return level >= node().level; }
+
+bool set_logger_level(const std::string&, Level level)
+{
+  node().level = level;
+  return true;
+}
+
+void print(Level level, const std::string& text)
+{
+  if (!node().logs)  // roscpp's shutdown ends the console, too
+    return;
+  static const char* const names[] = {"DEBUG", " INFO", " WARN", "ERROR", "FATAL"};
+  static const char* const colours[] = {"\033[32m", "\033[0m", "\033[33m", "\033[31m", "\033[31m"};
+  std::int64_t now = rosspin::system_now();
+  char stamp[40];
+  std::snprintf(stamp, sizeof stamp, "%lld.%09lld", static_cast<long long>(now / second),
+      static_cast<long long>(now % second));
+  rosspin::write(level < levels::Warn ? 1 : 2,
+      std::string(colours[level]) + "[" + names[level] + "] [" + stamp + "]: " + text + "\033[0m\n");
+}
+
+void print(Level level, const char* format, ...)
+{
+  va_list values, again;
+  va_start(values, format);
+  va_copy(again, values);
+  std::string text(std::vsnprintf(nullptr, 0, format, values), '\0');
+  std::vsnprintf(text.data(), text.size() + 1, format, again);
+  va_end(again);
+  va_end(values);
+  print(level, text);
+}
+
+bool throttled(double period, double& last, bool delayed)
+{
+  double now = Time::now().toSec();
+  if (std::isnan(last))
+  {
+    last = now;
+    return !delayed;
+  }
+  if (now >= last && last + period > now)
+    return false;
+  last = now;
+  return true;
+}
+}  // namespace console
+
+// --- names (sources: names.cpp, this_node.cpp) ---
+
+namespace names
+{
+std::string clean(const std::string& name)
+{
+  std::string cleaned;
+  for (char each : name)
+    if (!(each == '/' && !cleaned.empty() && cleaned.back() == '/'))
+      cleaned += each;
+  if (cleaned.size() > 1 && cleaned.back() == '/')
+    cleaned.pop_back();
+  return cleaned;
+}
+
+std::string append(const std::string& left, const std::string& right) { return clean(left + "/" + right); }
+
+bool validate(const std::string& name, std::string& error)
+{
+  if (name.empty())
+    return true;
+  std::stringstream said;
+  char first = name[0];
+  if (!(std::isalpha(static_cast<unsigned char>(first)) || first == '/' || first == '~'))
+  {
+    said << "Character [" << first << "] is not valid as the first character in Graph Resource Name [" << name
+         << "].  Valid characters are a-z, A-Z, / and in some cases ~.";
+    error = said.str();
+    return false;
+  }
+  for (std::size_t at = 1; at < name.size(); at++)
+  {
+    char each = name[at];
+    if (!(std::isalnum(static_cast<unsigned char>(each)) || each == '/' || each == '_'))
+    {
+      said << "Character [" << each << "] at element [" << at << "] is not valid in Graph Resource Name [" << name
+           << "].  Valid characters are a-z, A-Z, 0-9, / and _.";
+      error = said.str();
+      return false;
+    }
+  }
+  return true;
+}
+
+const M_string& getRemappings() { return node().remappings; }
+
+std::string remap(const std::string& name)
+{
+  std::string resolved = resolve(name, false);
+  for (const auto& [from, to] : node().remappings)
+    if (resolve(from, false) == resolved)
+      return resolve(to, false);
+  return name;
+}
+
+std::string resolve(const std::string& name, bool to_remap) { return resolve(node().space, name, to_remap); }
+
+std::string resolve(const std::string& ns, const std::string& name, bool to_remap)
+{
+  std::string error;
+  if (!validate(name, error))
+    throw InvalidNameException(error);
+  if (name.empty())
+    return ns.empty() ? "/" : ns[0] == '/' ? ns : append("/", ns);
+  std::string copy = name[0] == '~' ? append(node().name, name.substr(1)) : name;
+  if (copy[0] != '/')
+    copy = append("/", append(ns, copy));
+  copy = clean(copy);
+  if (to_remap)
+    copy = remap(copy);
+  return copy[0] == '/' ? copy : resolve("/", copy, false);
+}
+
+std::string parentNamespace(const std::string& name)
+{
+  std::string cleaned = clean(name);
+  if (cleaned.empty() || cleaned == "/")
+    return cleaned;
+  std::size_t at = cleaned.rfind('/');
+  return at == std::string::npos ? "" : at == 0 ? "/" : cleaned.substr(0, at);
+}
+}  // namespace names
+
+namespace this_node
+{
+const std::string& getName() { return node().name; }
+const std::string& getNamespace() { return node().space; }
+void getAdvertisedTopics(V_string& topics) { topics.clear(); }
+void getSubscribedTopics(V_string& topics)
+{
+  topics.clear();
+  for (auto each : node().subscriptions)
+    topics.push_back(each->topic);
+}
+}  // namespace this_node
+
+// --- the node (source: init.cpp) ---
+
+namespace
+{
+void received(const std::string& what, std::int64_t when, const rosspin::Value& values)
+{
+  if (what == "shutdown")
+    requestShutdown();
+  if (what != "message")
+    return;
+  auto message = boost::make_shared<detail::Received>();
+  message->bytes = values.items[1].string;
+  message->publisher = values.items[2].string;
+  message->when = when;
+  for (auto each : std::vector<detail::SubscriptionImpl*>(node().subscriptions))
+    if (each->id() == values.items[0].whole)
+      each->receive(message);
+}
+
+void at_interrupt(int) { requestShutdown(); }
+
+void initialize(M_string remappings, const std::string& name, std::uint32_t options)
+{
+  Node& self = node();
+  self.ok = true;
+  if (self.initialized)
+    return;
+  self.initialized = true;
+  auto take = [&](const char* key, const std::string& otherwise)
+  {
+    auto found = remappings.find(key);
+    return found == remappings.end() ? otherwise : found->second;
+  };
+  const char* from_environment = std::getenv("ROS_NAMESPACE");
+  self.space = take("__ns", from_environment ? from_environment : "");
+  self.space = self.space.empty() ? "/" : names::clean(self.space[0] == '/' ? self.space : "/" + self.space);
+  std::string own = take("__name", name), error;
+  if (own.find('/') != std::string::npos)
+    throw InvalidNodeNameException("[" + own + "] is invalid: node names cannot contain /");
+  if (own.find('~') != std::string::npos)
+    throw InvalidNodeNameException("[" + own + "] is invalid: node names cannot contain ~");
+  if (options & init_options::AnonymousName && !remappings.count("__name"))
+    own += "_" + std::to_string(rosspin::system_now());
+  if (!names::validate(own, error))
+    throw InvalidNameException(error);
+  self.name = names::resolve(self.space, own, false);
+  std::map<std::string, rosspin::Value> parameters;
+  for (const auto& [from, to] : remappings)
+  {
+    if (from.rfind("__", 0) == 0)
+      continue;
+    if (from[0] == '_')
+      parameters[names::resolve("~" + from.substr(1), false)] = to;
+    else
+      self.remappings[names::resolve(from, false)] = names::resolve(to, false);
+  }
+  rosspin::ask("init", {self.name, parameters});
+  rosspin::on_event = received;
+  if (!(options & init_options::NoSigintHandler))
+    std::signal(SIGINT, at_interrupt);
+}
+}  // namespace
+
+void init(int& argc, char** argv, const std::string& name, std::uint32_t options)
+{
+  M_string remappings;
+  int kept = 0;
+  for (int each = 0; each < argc; each++)
+  {
+    std::string word = argv[each];
+    if (std::size_t at = word.find(":="); at != std::string::npos)
+      remappings[word.substr(0, at)] = word.substr(at + 2);
+    else
+      argv[kept++] = argv[each];
+  }
+  argc = kept;
+  initialize(remappings, name, options);
+}
+
+void init(const M_string& remappings, const std::string& name, std::uint32_t options)
+{
+  initialize(remappings, name, options);
+}
+
+void init(const VP_string& remappings, const std::string& name, std::uint32_t options)
+{
+  initialize(M_string(remappings.begin(), remappings.end()), name, options);
+}
+
+bool isInitialized() { return node().initialized; }
+
+void removeROSArgs(int argc, const char* const* argv, V_string& out)
+{
+  for (int each = 0; each < argc; each++)
+    if (std::string(argv[each]).find(":=") == std::string::npos)
+      out.push_back(argv[each]);
+}
+
+void start()
+{
+  Node& self = node();
+  if (self.started)
+    return;
+  self.started = self.ok = self.time = true;
+  self.shutting_down = false;
+}
+
+bool isStarted() { return node().started; }
+
+bool ok()
+{
+  rosspin::look();
+  return node().ok;
+}
+
+bool isShuttingDown() { return node().shutting_down; }
+
+void shutdown()
+{
+  Node& self = node();
+  if (self.shutting_down)
+    return;
+  self.shutting_down = true;
+  self.queue.disable();
+  self.queue.clear();
+  if (self.started)
+  {
+    for (auto each : std::vector<detail::SubscriptionImpl*>(self.subscriptions))
+      each->end();
+    rosspin::tell("shutdown");
+  }
+  self.logs = self.started = self.ok = false;
+}
+
+void requestShutdown() { shutdown(); }
+
+void waitForShutdown()
+{
+  while (node().ok)
+    rosspin::wait(rosspin::never);
+}
+
+// --- callbacks (source: callback_queue.cpp) ---
+
+namespace
+{
+void call_due_timers();
+std::int64_t next_timer();
+}  // namespace
+
+void CallbackQueue::addCallback(const CallbackInterfacePtr& callback, std::uint64_t owner)
+{
+  if (enabled_)
+    waiting_.push_back({callback, owner});
+}
+
+void CallbackQueue::removeByID(std::uint64_t owner)
+{
+  auto is_its = [=](const Entry& entry) { return entry.owner == owner; };
+  waiting_.remove_if(is_its);
+  for (auto* each : calling_)
+    each->remove_if(is_its);
+}
+
+bool CallbackQueue::empty()
+{
+  call_due_timers();
+  return waiting_.empty();
+}
+
+bool CallbackQueue::await(std::int64_t until)
+{
+  for (;;)
+  {
+    call_due_timers();
+    if (!waiting_.empty())
+      return true;
+    if (!enabled_ || rosspin::now() >= until || (this == &node().queue && !node().ok))
+      return false;
+    rosspin::wait(std::min(until, next_timer()));
+  }
+}
+
+CallbackQueue::CallOneResult CallbackQueue::callOne(WallDuration timeout)
+{
+  if (!enabled_)
+    return Disabled;
+  rosspin::look();
+  if (!await(later(rosspin::now(), timeout.toNSec())))
+    return Empty;
+  Entry entry = waiting_.front();
+  waiting_.pop_front();
+  entry.callback->call();
+  return Called;
+}
+
+void CallbackQueue::callAvailable(WallDuration timeout)
+{
+  if (!enabled_)
+    return;
+  rosspin::look();
+  await(later(rosspin::now(), timeout.toNSec()));
+  std::list<Entry> taken;
+  taken.swap(waiting_);
+  calling_.push_back(&taken);
+  struct Leave
+  {
+    std::vector<std::list<Entry>*>& calling;
+    ~Leave() { calling.pop_back(); }
+  } leave{calling_};
+  while (!taken.empty() && enabled_)
+  {
+    Entry entry = taken.front();
+    taken.pop_front();
+    entry.callback->call();
+  }
+}
+
+CallbackQueue* getGlobalCallbackQueue() { return &node().queue; }
+
+void SingleThreadedSpinner::spin(CallbackQueue* queue)
+{
+  if (!queue)
+    queue = getGlobalCallbackQueue();
+  while (node().ok)
+    if (queue->await(rosspin::never))
+      queue->callAvailable();
+}
+
+void spin()
+{
+  SingleThreadedSpinner spinner;
+  spinner.spin();
+}
+
+void spin(Spinner& spinner) { spinner.spin(); }
+
+void spinOnce() { node().queue.callAvailable(); }
+
+// --- timers (source: timer_manager.h) ---
+
+namespace detail
+{
+struct TimerImpl::Run : CallbackInterface
+{
+  TimerImpl* timer;  // null once it was stopped
+  std::int64_t last_expected = 0, last_real = 0, last_expired = 0, next = 0, expired = 0, duration = 0;
+  bool waits = true;  // for its time; otherwise in the queue, or being called
+  std::uint64_t order;
+  CallResult call() override;
+  std::int64_t time() const { return timer->system_ ? rosspin::system_now() : rosspin::now(); }
+};
+}  // namespace detail
+
+namespace
+{
+struct Timers
+{
+  struct Entry
+  {
+    std::function<std::int64_t()> due;  // in the run's time; never while it does not wait
+    std::function<void()> fire;
+    std::uint64_t id;
+  };
+  std::vector<Entry> entries;
+  std::uint64_t count = 0;
+};
+
+Timers& timers()
+{
+  static Timers* all = new Timers;
+  return *all;
+}
+
+std::int64_t next_timer()
+{
+  std::int64_t next = rosspin::never;
+  for (const auto& entry : timers().entries)
+    next = std::min(next, entry.due());
+  return next;
+}
+
+void call_due_timers()
+{
+  std::int64_t now = rosspin::now();
+  for (;;)
+  {
+    Timers::Entry* first = nullptr;
+    std::int64_t when = rosspin::never;
+    for (auto& entry : timers().entries)
+      if (std::int64_t due = entry.due(); due < when)
+      {
+        when = due;
+        first = &entry;
+      }
+    if (!first || when > now)
+      return;
+    first->fire();
+  }
+}
+}  // namespace
+
+namespace detail
+{
+TimerImpl::TimerImpl(std::int64_t period, std::function<void(const Called&)> callback, const std::string& name,
+    Tracked tracked, CallbackQueueInterface* queue, bool oneshot, bool system)
+  : period(period), callback_(std::move(callback)), name_(name), tracked_(std::move(tracked)), queue_(queue),
+    oneshot_(oneshot), system_(system)
+{
+}
+
+void TimerImpl::start()
+{
+  if (started)
+    return;
+  started = true;
+  run_ = boost::make_shared<Run>();
+  run_->timer = this;
+  std::uint64_t id = run_->order = ++timers().count;
+  run_->last_expected = run_->time();
+  run_->next = run_->last_expected + period;
+  auto run = run_;
+  timers().entries.push_back({[run]() -> std::int64_t
+      {
+        if (!run->timer || !run->waits)
+          return rosspin::never;
+        return run->next - (run->timer->system_ ? rosspin::system_now() - rosspin::now() : 0);
+      },
+      [run]
+      {
+        run->waits = false;
+        run->expired = run->time();
+        run->timer->queue_->addCallback(run, run->order);
+      },
+      id});
+}
+
+void TimerImpl::stop()
+{
+  if (!started)
+    return;
+  started = false;
+  std::uint64_t id = run_->order;
+  run_->timer = nullptr;
+  queue_->removeByID(id);
+  auto& entries = timers().entries;
+  entries.erase(std::remove_if(entries.begin(), entries.end(), [=](const auto& entry) { return entry.id == id; }),
+      entries.end());
+  run_.reset();
+}
+
+bool TimerImpl::pending() const
+{
+  // A one-shot timer has nothing to come once it has called.
+  return started && !(oneshot_ && run_->next == rosspin::never);
+}
+
+void TimerImpl::set_period(std::int64_t new_period, bool reset)
+{
+  if (started)
+  {
+    std::int64_t now = run_->time(), elapsed = now - run_->last_real;
+    if (reset)
+      run_->next = now + new_period;
+    else if (elapsed < period)
+      run_->next = elapsed > new_period ? now : run_->last_real + new_period;
+  }
+  period = new_period;
+}
+
+// A timer waits again only after its callback has returned. Its next call is due one period after the last one was; if
+// even the one after that would have been due already, it is due now.
+CallbackInterface::CallResult TimerImpl::Run::call()
+{
+  auto self = timer;
+  VoidConstPtr held;
+  if (!self || !self->tracked_.lives(held))
+    return Invalid;
+  Called called;
+  called.last_expected = last_expected;
+  called.last_real = last_real;
+  called.last_expired = last_expired;
+  called.expected = next;
+  called.real = time();
+  called.expired = expired;
+  called.duration = duration;
+  std::int64_t begun = rosspin::now();
+  if (self->source_ < 0)
+    self->source_ = rosspin::source(self->name_, self->period);
+  int source = self->source_;
+  std::int64_t ahead = called.real - begun;
+  rosspin::begin_tick(source, ++self->calls_, called.expected - ahead, begun);
+  auto callback = self->callback_;  // the timer may be destroyed meanwhile
+  callback(called);
+  duration = rosspin::now() - begun;
+  rosspin::end_tick(source, duration);
+  if (!timer)
+    return Success;
+  last_real = called.real;
+  last_expired = called.expired;
+  std::int64_t now = time();
+  if (timer->oneshot_)
+  {
+    next = rosspin::never;
+  }
+  else
+  {
+    if (next <= now)
+    {
+      last_expected = next;
+      next += timer->period;
+    }
+    if (next + timer->period < now)
+      next = now;
+  }
+  waits = next != rosspin::never;
+  return Success;
+}
+
+// --- topics (sources: publication.cpp, subscription_queue.cpp) ---
+
+PublicationImpl::PublicationImpl(const std::string& topic, const char* type, std::uint32_t queue_size, bool latch)
+  : topic(topic), type(type), latch(latch)
+{
+  id_ = rosspin::ask("advertise", {topic, type, static_cast<std::int64_t>(queue_size), latch}).whole;
+}
+
+void PublicationImpl::end()
+{
+  if (!ended && node().ok)
+    rosspin::tell("unadvertise", {id_});
+  ended = true;
+}
+
+void PublicationImpl::publish(const char* of, const std::string& bytes)
+{
+  if (ended || !node().ok)
+    return;
+  if (type != of)
+  {
+    ROS_FATAL("ASSERTION FAILED: Trying to publish message of type [%s] on a publisher with type [%s]", of,
+        type.c_str());
+    std::abort();
+  }
+  rosspin::Value data;
+  data.kind = rosspin::Value::bytes;
+  data.string = bytes;
+  rosspin::tell("publish", {id_, data});
+}
+
+std::uint32_t PublicationImpl::connections() const
+{
+  rosspin::look();
+  return ended || !node().ok ? 0 : rosspin::ask("subscribers", {id_}).whole;
+}
+
+struct SubscriptionImpl::Queue : CallbackInterface
+{
+  std::list<boost::shared_ptr<Received>> messages;
+  std::uint32_t size;
+  std::function<void(Received&)> callback;
+  Tracked tracked;
+  bool ended = false;
+  CallResult call() override
+  {
+    VoidConstPtr held;
+    if (messages.empty() || ended || !tracked.lives(held))
+      return Invalid;
+    auto message = messages.front();
+    messages.pop_front();
+    callback(*message);
+    return Success;
+  }
+};
+
+SubscriptionImpl::SubscriptionImpl(const std::string& topic, const char* type, std::uint32_t queue_size,
+    std::function<void(Received&)> callback, Tracked tracked, CallbackQueueInterface* queue)
+  : topic(topic), waiting_(boost::make_shared<Queue>()), queue_(queue)
+{
+  waiting_->size = queue_size;
+  waiting_->callback = std::move(callback);
+  waiting_->tracked = std::move(tracked);
+  node().subscriptions.push_back(this);
+  id_ = rosspin::ask("subscribe", {topic, type}).whole;
+}
+
+void SubscriptionImpl::end()
+{
+  if (ended)
+    return;
+  ended = waiting_->ended = true;
+  auto& all = node().subscriptions;
+  all.erase(std::remove(all.begin(), all.end(), this), all.end());
+  if (node().ok)
+    rosspin::tell("unsubscribe", {id_});
+}
+
+std::uint32_t SubscriptionImpl::connections() const
+{
+  rosspin::look();
+  return ended || !node().ok ? 0 : rosspin::ask("publishers", {id_}).whole;
+}
+
+// The oldest message makes room for the newest; its place in the queue of callbacks is that of the next one.
+void SubscriptionImpl::receive(const boost::shared_ptr<Received>& message)
+{
+  call_due_timers();
+  if (waiting_->size && waiting_->messages.size() >= waiting_->size)
+  {
+    waiting_->messages.pop_front();
+    waiting_->messages.push_back(message);
+    return;
+  }
+  waiting_->messages.push_back(message);
+  queue_->addCallback(waiting_, reinterpret_cast<std::uintptr_t>(this));
+}
+
+// --- parameters ---
+
+bool read(const rosspin::Value& value, std::string& out)
+{
+  if (value.kind != rosspin::Value::text)
+    return false;
+  out = value.string;
+  return true;
+}
+
+bool read(const rosspin::Value& value, double& out)
+{
+  if (value.kind == rosspin::Value::integer)
+    out = static_cast<double>(value.whole);
+  else if (value.kind == rosspin::Value::real)
+    out = value.number;
+  else
+    return false;
+  return true;
+}
+
+bool read(const rosspin::Value& value, float& out)
+{
+  double wide;
+  if (!read(value, wide))
+    return false;
+  out = static_cast<float>(wide);
+  return true;
+}
+
+bool read(const rosspin::Value& value, int& out)
+{
+  if (value.kind == rosspin::Value::integer)
+    out = static_cast<int>(value.whole);
+  else if (value.kind == rosspin::Value::real)
+    out = static_cast<int>(std::fmod(value.number, 1.0) < 0.5 ? std::floor(value.number) : std::ceil(value.number));
+  else
+    return false;
+  return true;
+}
+
+bool read(const rosspin::Value& value, bool& out)
+{
+  if (value.kind != rosspin::Value::boolean)
+    return false;
+  out = value.flag;
+  return true;
+}
+}  // namespace detail
+
+namespace param
+{
+bool get(const std::string& name, rosspin::Value& value)
+{
+  rosspin::look();
+  value = rosspin::ask("get_param", {names::resolve(name)});
+  return value.kind != rosspin::Value::nothing;
+}
+
+void set_value(const std::string& name, const rosspin::Value& value)
+{
+  rosspin::ask("set_param", {names::resolve(name), value});
+}
+
+bool has(const std::string& name)
+{
+  rosspin::look();
+  return rosspin::ask("has_param", {names::resolve(name)}).flag;
+}
+
+bool del(const std::string& name) { return rosspin::ask("delete_param", {names::resolve(name)}).flag; }
+
+bool search(const std::string& ns, const std::string& name, std::string& found)
+{
+  return detail::read(rosspin::ask("search_param", {ns, name}), found);
+}
+
+bool search(const std::string& name, std::string& found) { return search(this_node::getName(), name, found); }
+
+bool getParamNames(V_string& names) { return detail::read(rosspin::ask("param_names"), names); }
+}  // namespace param
+
+// --- node handles (source: node_handle.cpp) ---
+
+NodeHandle::NodeHandle(const std::string& ns, const M_string& remappings) : remappings_(remappings)
+{
+  std::string whole = !ns.empty() && ns[0] == '~' ? names::resolve(ns) : ns;
+  unresolved_ = whole;
+  construct(whole);
+}
+
+NodeHandle::NodeHandle(const NodeHandle& other)
+  : unresolved_(other.unresolved_), remappings_(other.remappings_), queue_(other.queue_)
+{
+  construct(other.namespace_);
+  unresolved_ = other.unresolved_;
+}
+
+NodeHandle::NodeHandle(const NodeHandle& parent, const std::string& ns, const M_string& remappings)
+  : remappings_(remappings), queue_(parent.queue_)
+{
+  unresolved_ = ns;
+  construct(parent.resolveName(ns));
+}
+
+NodeHandle& NodeHandle::operator=(const NodeHandle& other)
+{
+  namespace_ = other.namespace_;
+  unresolved_ = other.unresolved_;
+  remappings_ = other.remappings_;
+  queue_ = other.queue_;
+  return *this;
+}
+
+void NodeHandle::construct(const std::string& ns)
+{
+  if (!isInitialized())
+  {
+    ROS_FATAL("You must call ros::init() before creating the first NodeHandle");
+    std::abort();
+  }
+  namespace_ = names::resolve(ns, true);
+  if (node().handles++ == 0)
+    start();
+}
+
+// The last handle to go shuts the node down.
+NodeHandle::~NodeHandle()
+{
+  if (--node().handles == 0)
+    ros::shutdown();
+}
+
+std::string NodeHandle::resolveName(const std::string& name, bool remap) const
+{
+  std::string error;
+  if (!names::validate(name, error))
+    throw InvalidNameException(error);
+  if (name.empty())
+    return namespace_;
+  if (name[0] == '~')
+    throw InvalidNameException("Using ~ names with NodeHandle methods is not allowed.  If you want to use private names "
+                               "with the NodeHandle interface, construct a NodeHandle using a private name as its "
+                               "namespace.  e.g. ros::NodeHandle nh(\"~\");  nh.getParam(\"my_private_name\"); (name = [" +
+                               name + "])");
+  std::string whole = name[0] == '/' ? names::clean(name) : names::append(namespace_, name);
+  return remap ? names::resolve(whole, true) : names::resolve(whole, false);
+}
+
+void NodeHandle::shutdown()
+{
+  for (const auto& each : kept_)
+    if (auto one = each.lock())
+      one->end();
+  ok_ = false;
+}
+
+void NodeHandle::keep(const boost::shared_ptr<detail::Kept>& one)
+{
+  kept_.erase(std::remove_if(kept_.begin(), kept_.end(), [](const auto& each) { return each.expired(); }), kept_.end());
+  kept_.push_back(one);
+}
+
+Publisher NodeHandle::advertised(const std::string& topic, const char* type, std::uint32_t queue_size, bool latch)
+{
+  auto impl = boost::make_shared<detail::PublicationImpl>(resolveName(topic), type, queue_size, latch);
+  keep(impl);
+  return Publisher(impl);
+}
+
+Subscriber NodeHandle::subscribed(const std::string& topic, const char* type, std::uint32_t queue_size,
+    std::function<void(detail::Received&)> receive, const VoidConstPtr& tracked, CallbackQueueInterface* queue)
+{
+  auto impl = boost::make_shared<detail::SubscriptionImpl>(resolveName(topic), type, queue_size, std::move(receive),
+      detail::Tracked(tracked), queue ? queue : getCallbackQueue());
+  keep(impl);
+  return Subscriber(impl);
+}
+
+void Publisher::send(const char* type, const std::string& bytes) const
+{
+  if (!impl_ || impl_->ended)
+  {
+    ROS_FATAL("ASSERTION FAILED\n\tCall to publish() on an invalid Publisher");
+    std::abort();
+  }
+  impl_->publish(type, bytes);
+}
+}  // namespace ros
