@@ -7,6 +7,7 @@ cannot be checked is on the page of rospy's names, with the reason.
 
 from __future__ import annotations
 
+import warnings
 from collections.abc import Callable
 from typing import Any
 
@@ -298,3 +299,28 @@ def test_the_namespace_of_a_name() -> None:
     for wrong, error in ((None, ValueError), (1, TypeError)):
         with pytest.raises(error):
             rosgraph.namespace(wrong)  # type: ignore[arg-type]
+
+
+def test_a_name_that_the_master_does_not_take_is_told_and_connects_nothing() -> None:
+    def node() -> None:
+        from std_msgs.msg import String
+
+        rospy.init_node("my node")
+        with warnings.catch_warnings():
+            warnings.simplefilter("ignore")
+            publisher = rospy.Publisher("a:b", String, queue_size=1, latch=True)
+            rospy.Subscriber("a:b", String, print)
+        publisher.publish("lost")
+        rospy.sleep(1)
+        print(publisher.get_num_connections())
+
+    with pytest.warns(UserWarning, match="not a legal ROS base name"):
+        done = simulate(node, 3)
+    why = "with master: ERROR: parameter [{}] contains illegal chars"
+    assert [line.partition("unable to register ")[2] for line in done.console.splitlines()[:-1]] == [
+        f"service [/my node/get_loggers] {why.format('service')}",
+        f"service [/my node/set_logger_level] {why.format('service')}",
+        f"publication [/a:b] {why.format('topic')}",
+        f"subscription [/a:b] {why.format('topic')}",
+    ]
+    assert done.console.splitlines()[-1] == "0"

@@ -54,7 +54,8 @@ from . import (
     waitable,
 )
 from .context import Context, get_default_context
-from .executors import Executor, SingleThreadedExecutor
+from .executors import Executor as _Executor
+from .executors import SingleThreadedExecutor as _SingleThreadedExecutor
 from .parameter import Parameter
 from .passed_on import PASSED_ON, passing_on
 from .signals import SignalHandlerOptions, install_signal_handlers, uninstall_signal_handlers
@@ -125,14 +126,14 @@ class _Global:
     ROS = 2
 
     def __init__(self, world: World) -> None:
-        self.executor: Executor | None = None
+        self.executor: _Executor | None = None
 
 
-def get_global_executor() -> Executor:
+def get_global_executor() -> _Executor:
     """The executor that ``spin``, ``spin_once`` and ``spin_until_future_complete`` use if they are given none."""
     own = current_world().part(_Global)
     if own.executor is None:
-        own.executor = executor = SingleThreadedExecutor()
+        own.executor = executor = _SingleThreadedExecutor()
 
         def reset() -> None:
             executor.shutdown()
@@ -142,7 +143,7 @@ def get_global_executor() -> Executor:
     return own.executor
 
 
-def spin(node: node.Node, executor: Executor | None = None) -> None:
+def spin(node: node.Node, executor: _Executor | None = None) -> None:
     """Call what is due in a node until its context is shut down.
 
     Raises what a callback raises, and ExternalShutdownException if a signal shuts the context down while it waits.
@@ -157,7 +158,7 @@ def spin(node: node.Node, executor: Executor | None = None) -> None:
         executor.remove_node(node)
 
 
-def spin_once(node: node.Node, *, executor: Executor | None = None, timeout_sec: float | None = None) -> None:
+def spin_once(node: node.Node, *, executor: _Executor | None = None, timeout_sec: float | None = None) -> None:
     """Wait until a call of a node is due, for at most ``timeout_sec`` (None: for ever), and make it."""
     executor = executor or get_global_executor()
     added = False
@@ -170,7 +171,7 @@ def spin_once(node: node.Node, *, executor: Executor | None = None, timeout_sec:
 
 
 def spin_until_future_complete(
-    node: node.Node, future: Future, executor: Executor | None = None, timeout_sec: float | None = None
+    node: node.Node, future: Future, executor: _Executor | None = None, timeout_sec: float | None = None
 ) -> None:
     """Call what is due in a node until a future is done, for at most ``timeout_sec``."""
     executor = executor or get_global_executor()
