@@ -174,9 +174,12 @@ for (const file of Object.keys(metafile.inputs)) {
 const licences = [...used].sort().map((name) => {
   const folder = path.join(packages, "node_modules", name)
   const { version, license } = JSON.parse(readFileSync(path.join(folder, "package.json"), "utf8"))
-  const file = path.join(folder, "LICENSE")
-  return `${name} ${version}: ${license}\n\n${existsSync(file) ? readFileSync(file, "utf8") : ""}`
+  const own = path.join(folder, "LICENSE")
+  const file = existsSync(own) ? own : path.join(here, `licences/${license}.txt`)
+  return `${name} ${version}: ${license}\n\n${readFileSync(file, "utf8")}`
 })
+// Pyodide is CPython, compiled, with its standard library.
+licences.push(`Python: PSF-2.0\n\n${readFileSync(path.join(here, "licences/PSF-2.0.txt"), "utf8")}`)
 const installed = path.dirname(yaml)
 const [about] = readdirSync(installed).filter((name) => /^pyyaml-.*\.dist-info$/i.test(name))
 licences.push(`PyYAML: MIT\n\n${readFileSync(path.join(installed, about, "licenses/LICENSE"), "utf8")}`)

@@ -27,7 +27,7 @@ _MOST_MESSAGES = 500_000
 _MOST_STEPS = 4_000_000  # records, and the fields in their headers
 _MOST_BYTES = 10**9  # that are unpacked, or come through a pipe
 _MOST_TOPICS = 10_000
-_LARGEST = 10**6  # bytes that are needed at once, such as all that is said about a topic
+_LARGEST = 10**6  # bytes that are needed in one piece, such as all that is said about a topic
 
 # The classes that unpack a file in pieces.
 _UNPACKERS = {
@@ -276,8 +276,8 @@ def _db3(file: BinaryIO, progress: Callable[[float], None]) -> Iterator[_Message
         [[most]] = database.execute("SELECT max(rowid) FROM messages").fetchall()
         # Messages may be large. Of another kind of value only the name is read.
         database.setlimit(sqlite3.SQLITE_LIMIT_LENGTH, 2**31 - 1)
-        query = "SELECT typeof(timestamp), iif(typeof(timestamp) = 'integer', timestamp, 0), "
-        query += "iif(typeof(topic_id) = 'integer', topic_id, NULL) FROM messages"
+        columns = (f"CASE typeof({name}) WHEN 'integer' THEN {name} END" for name in ("timestamp", "topic_id"))
+        query = f"SELECT typeof(timestamp), {', '.join(columns)} FROM messages"
         for count, (kind, time, number) in enumerate(database.execute(query), 1):
             if count > _MOST_STEPS:
                 raise _Full(f"the first {_MOST_STEPS:,} rows")

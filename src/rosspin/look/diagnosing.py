@@ -27,7 +27,7 @@ TITLES = {
     "blocked": "A slow callback that blocks its neighbours",
     "overran": "A pass that took longer than its period",
     "held-up": "Held up, and the log does not say by what",
-    "bursts": "In bursts: several at once, and then none",
+    "bursts": "In bursts: several together, and then none",
     "sleep": "A sleep of fixed length after the work",
     "healthy": "As it should be",
     "unknown": "I cannot tell",
