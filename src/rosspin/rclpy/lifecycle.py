@@ -377,13 +377,13 @@ class LifecycleNodeMixin(ManagedEntity):
         return response
 
     def __on_get_available_transitions(self, request: Any, response: Any) -> Any:
-        return self.__list(self._state_machine.available_transitions, response)
+        return self._rosspin_list(self._state_machine.available_transitions, response)
 
     def __on_get_transition_graph(self, request: Any, response: Any) -> Any:
-        return self.__list(_GRAPH, response)
+        return self._rosspin_list(_GRAPH, response)
 
     @staticmethod
-    def __list(transitions: list[Transition], response: Any) -> Any:
+    def _rosspin_list(transitions: list[Transition], response: Any) -> Any:
         kind = import_module("lifecycle_msgs.msg").TransitionDescription
         for transition in transitions:
             item = kind()

@@ -96,11 +96,11 @@ class Timer(Held):
     @property
     def callback(self) -> Any:
         """The function that is called."""
-        return self._callback
+        return self._rosspin_callback
 
     @callback.setter
     def callback(self, callback: Callable[..., Any] | None) -> None:
-        self._callback = callback
+        self._rosspin_callback = callback
         self._rosspin_wants_info = False
         if callback is not None:
             try:
@@ -184,7 +184,7 @@ class Timer(Held):
                 self._rosspin_ticks.add(self._rosspin_source, self._rosspin_count, expected + began - now, began),
                 began,
             )
-        return self._callback, self._rosspin_info(expected, now) if self._rosspin_wants_info else (), tick
+        return self._rosspin_callback, self._rosspin_info(expected, now) if self._rosspin_wants_info else (), tick
 
     def _rosspin_info(self, expected: int, now: int) -> tuple[TimerInfo]:
         kind = self._clock.clock_type
