@@ -17,7 +17,7 @@ from .qos import (
 )
 from .type_hash import TypeHash, hash_of
 
-__all__ = ["TopicEndpointInfo", "TopicEndpointTypeEnum", "info_of"]
+__all__ = ["TopicEndpointInfo", "TopicEndpointTypeEnum"]
 
 
 class TopicEndpointTypeEnum(IntEnum):

@@ -10,7 +10,7 @@ from typing import Any
 
 from .ends import kind_of
 
-__all__ = ["TypeHash", "hash_of"]
+__all__ = ["TypeHash"]
 
 # The numbers of types in type_description_interfaces/FieldType, by the names that messages have for them.
 _TYPES = {
