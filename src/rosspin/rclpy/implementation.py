@@ -6,22 +6,16 @@ import sys
 from typing import Any
 
 from ..world.world import NotSimulated
-from .event_handler import UnsupportedEventTypeError
-from .exceptions import InvalidHandle, RCLError, RCLInvalidROSArgsError, RMWError, UnknownROSArgsError
-from .node import NodeNameNonExistentError
-from .qos import rmw_qos_profile_t
+from .event_handler import UnsupportedEventTypeError as UnsupportedEventTypeError
+from .exceptions import InvalidHandle as InvalidHandle
+from .exceptions import RCLError as RCLError
+from .exceptions import RCLInvalidROSArgsError as RCLInvalidROSArgsError
+from .exceptions import RMWError as RMWError
+from .exceptions import UnknownROSArgsError as UnknownROSArgsError
+from .node import NodeNameNonExistentError as NodeNameNonExistentError
+from .qos import rmw_qos_profile_t as rmw_qos_profile_t
 
-__all__ = [
-    "InvalidHandle",
-    "NodeNameNonExistentError",
-    "RCLError",
-    "RCLInvalidROSArgsError",
-    "RMWError",
-    "UnknownROSArgsError",
-    "UnsupportedEventTypeError",
-    "rclpy_implementation",
-    "rmw_qos_profile_t",
-]
+__all__: list[str] = []  # the page of names lists these by their own modules
 
 rclpy_implementation = sys.modules[__name__]
 
