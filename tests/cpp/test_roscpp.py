@@ -100,10 +100,24 @@ def test_a_loop_without_an_end_ends_the_run(write: Write, monkeypatch: pytest.Mo
         simulate(node, 1.0)
 
 
-def test_what_has_no_stand_in_is_named(write: Write) -> None:
-    node = write('#include "ros/ros.h"\n#include "tf/transform_listener.h"\nint main() {}\n', "node.cpp")
-    with pytest.raises(NotSimulated, match=r"^tf/transform_listener\.h is not simulated; run this node on a real ROS$"):
-        simulate(node, 1.0)
+@pytest.mark.parametrize(
+    ("include", "body", "name"),
+    [
+        ('"tf/transform_listener.h"', "", "tf/transform_listener.h"),
+        ("<thread>", "std::thread([] {}).join();", "std::thread"),
+        (
+            '"ros/ros.h"',
+            'ros::init(argc, argv, "node"); ros::NodeHandle().advertiseService("name", main);',
+            "ros::NodeHandle::advertiseService",
+        ),
+        ('"ros/ros.h"', "ros::AsyncSpinner spinner(2);", "ros::AsyncSpinner"),
+    ],
+)
+def test_what_has_no_stand_in_is_named(write: Write, include: str, body: str, name: str) -> None:
+    text = f'#include "ros/ros.h"\n#include {include}\nint main(int argc, char** argv)\n{{\n  {body}\n}}\n'
+    with pytest.raises(NotSimulated) as raised:
+        simulate(write(text, "node.cpp"), 1.0)
+    assert str(raised.value) == f"{name} is not simulated; run this node on a real ROS"
 
 
 def test_what_does_not_compile_is_said_in_the_compilers_words(write: Write) -> None:

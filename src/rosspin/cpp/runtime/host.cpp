@@ -6,6 +6,7 @@
 #include <cstdio>
 #include <cstdlib>
 #include <ctime>
+#include <pthread.h>
 #include <unistd.h>
 
 #define FROM_HOST(name) __attribute__((import_module("rosspin"), import_name(name))) extern
@@ -276,6 +277,12 @@ void abort()
 }
 
 int getpid() { return 1; }
+
+// Called by std::thread, std::async and their like.
+int pthread_create(pthread_t*, const pthread_attr_t*, void* (*)(void*), void*)
+{
+  rosspin::not_simulated("std::thread");
+}
 
 __attribute__((export_name("rosspin_signal"))) void rosspin_signal(int number) { handle(number); }
 

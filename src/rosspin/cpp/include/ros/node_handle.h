@@ -239,6 +239,15 @@ public:
         options.tracked_object, options.callback_queue);
   }
 
+  // --- services ---
+
+  template<class... Arguments>
+  ServiceServer advertiseService(const Arguments&...) ROSSPIN_NOT_SIMULATED("ros::NodeHandle::advertiseService");
+  template<class M, class N, class... Arguments>
+  ServiceServer advertiseService(const Arguments&...) ROSSPIN_NOT_SIMULATED("ros::NodeHandle::advertiseService");
+  template<class S, class... Arguments>
+  ServiceClient serviceClient(const Arguments&...) ROSSPIN_NOT_SIMULATED("ros::NodeHandle::serviceClient");
+
   // --- parameters ---
 
   template<class T>
@@ -344,6 +353,16 @@ boost::shared_ptr<M const> waitForMessage(const std::string& topic, NodeHandle& 
   return waitForMessage<M>(topic, node, Duration());
 }
 }  // namespace topic
+
+namespace service
+{
+template<class... Arguments>
+bool call(Arguments&...) ROSSPIN_NOT_SIMULATED("ros::service::call");
+template<class... Arguments>
+bool waitForService(const Arguments&...) ROSSPIN_NOT_SIMULATED("ros::service::waitForService");
+template<class... Arguments>
+bool exists(const Arguments&...) ROSSPIN_NOT_SIMULATED("ros::service::exists");
+}  // namespace service
 
 namespace master
 {

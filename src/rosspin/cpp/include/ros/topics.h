@@ -232,6 +232,13 @@ private:
   boost::shared_ptr<detail::SubscriptionImpl> impl_;
 };
 
+class ServiceServer
+{
+};
+class ServiceClient
+{
+};
+
 struct AdvertiseOptions
 {
   AdvertiseOptions() = default;
