@@ -12,11 +12,13 @@ from contextlib import contextmanager
 from types import FrameType
 from typing import Any
 
-__all__ = ["Ended", "end_thread", "ending_here", "heed", "spare_me"]
+__all__ = ["Ended", "end_at", "end_thread", "ending_here", "heed", "spare_me"]
 
-# Frames of these modules run to their own end, because other code relies on what they tidy up. So do callbacks of the
-# garbage collector and of weak references: they may run at any time, and Python only prints what is raised in them.
-_SPARED = (__name__.partition(".")[0], "threading", "concurrent", "contextlib", "weakref", "_weakrefset")
+# Frames of these modules run to their own end, because other code relies on what they tidy up: the import system, on
+# locks of the whole process. So do callbacks of the garbage collector and of weak references: they may run at any time,
+# and Python only prints what is raised in them.
+_IMPORTING = ("importlib", "_frozen_importlib", "_frozen_importlib_external")
+_SPARED = (__name__.partition(".")[0], "threading", "concurrent", "contextlib", "weakref", "_weakrefset", *_IMPORTING)
 
 _CAN_BE_CLOSED = inspect.CO_GENERATOR | inspect.CO_COROUTINE | inspect.CO_ASYNC_GENERATOR
 
@@ -85,6 +87,17 @@ def heed() -> None:
     """Raise :class:`Ended` where code that is to end has caught it, or has put another exception in its place."""
     if get_ident() in _ending:
         raise Ended
+
+
+def end_at(frame: FrameType | None) -> None:
+    """Raise :class:`Ended` in a handler of a signal that came in ``frame``; in the import system, once that is left.
+
+    Where that waits for a lock, it is raised there, too.
+    """
+    ended = Ended()
+    module = str(frame.f_globals.get("__name__", "")).partition(".")[0] if frame else ""
+    if module not in _IMPORTING or (frame and frame.f_code.co_name == "acquire"):
+        raise ended
 
 
 def end_thread(ident: int) -> None:

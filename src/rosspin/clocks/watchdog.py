@@ -14,7 +14,7 @@ from time import perf_counter
 from types import FrameType
 from typing import Any
 
-from .ending import Ended, end_thread, spare_me
+from .ending import Ended, end_at, end_thread, spare_me
 from .frames import Place, called_from, places, trail, trail_of
 from .stacks import Stack, current
 
@@ -209,7 +209,7 @@ class _FromAThread(Watchdog):
             self._interrupted = self._due = True
         self._received = self._sent
         if self._due and isinstance(current(), Stack):
-            raise Ended
+            end_at(frame)
 
     def _set_timer(self) -> None:
         self._set_at = perf_counter()
@@ -232,7 +232,7 @@ class _FromAThread(Watchdog):
             self._stuck = Stuck(places(trail(frame)), waits=False, computed=computed)
         self._due = True
         if isinstance(current(), Stack):
-            raise Ended
+            end_at(frame)
 
     def _watch(self) -> None:
         while not self._done.wait(_INTERVAL):
