@@ -411,7 +411,7 @@ def test_an_error_has_a_hint_of_its_own(wrong: str, hint: str) -> None:
         ("class A:\n    x = ...\n    def f(self): ...", "Open: There is still a gap, `...`, in line 2"),
         ("import rospy\nrospy.init_node('n')\n1 / 0", "died in line 3: `ZeroDivisionError: division by zero`."),
         (ENDLESS, "simulated time stands still at 0.0 s"),
-        ("import rospy\nrospy.init_node('n')\nimport message_filters", "message_filters is not simulated"),
+        ("import rospy\nrospy.init_node('n')\nimport cv_bridge", "cv_bridge is not simulated"),
         ("import rospy\nrospy.init_node('n')\nwhile True:\n    rospy.sleep(1)", "did not end at Ctrl-C"),
         ("import sys\nsys.exit(3)", "ended with status 3 instead of 0"),
         ("import no_such_module", "No module named 'no_such_module'"),

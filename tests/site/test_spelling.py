@@ -20,9 +20,9 @@ IN_LISTINGS = "canceled"
 # rospy, rclpy, launch, CSS and io have names and messages in American; so has Python.
 IN_CODE = "color,initialized,colors,serialize,deserialize,writable,canceled,canceling,capitalize"
 IN_CODE += ",finalized,deserializing"
-IN_CODE += ",center,initialize,recognized,serialization,uninitialized,synchronize,unrecognized,normalize"
-# A package that is a part of many words, a part of a word in a recorded error, and a word of rclpy's.
-NAMES = "simpy,te,transtion"
+IN_CODE += ",center,initialize,recognized,serialization,serialized,uninitialized,synchronize,unrecognized,normalize"
+# A package that is a part of many words, a part of a word in a recorded error, words of rclpy's and message_filters'.
+NAMES = "simpy,te,transtion,infomation"
 
 
 @pytest.fixture(scope="session")

@@ -137,7 +137,7 @@ function draw() {
   tell()
 }
 
-let drawing = 0 // counts what is drawn: the last is that which is wanted
+let drawing = 0 // counts what is drawn: only the last is wanted
 
 /** @type {Map<(typeof known.rows)[number], HTMLElement>} where it is said how many a row has solved */
 const solvedCells = new Map()
