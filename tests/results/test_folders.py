@@ -8,6 +8,7 @@ import tempfile
 from pathlib import Path
 
 import pytest
+from tree import ROOT
 
 from rosspin.results.folders import TemporaryFolder, sweep
 
@@ -57,3 +58,9 @@ def test_what_is_not_known_to_be_such_a_folder_stays(temporary: Path) -> None:
     (temporary / "rosspin-file").touch()
     sweep()
     assert len(list(temporary.iterdir())) == 4 and (temporary / "elsewhere/.owner").exists()
+
+
+def test_nothing_else_makes_a_folder_that_a_kill_would_leave() -> None:
+    """But for a scratch that is left at once (``with tempfile.TemporaryDirectory``), of what is compiled."""
+    texts = {path: path.read_text(encoding="utf-8") for path in (ROOT / "src").rglob("*.py")}
+    assert [path.name for path, text in texts.items() if "mkdtemp" in text] == ["folders.py"]

@@ -15,13 +15,13 @@ import signal
 import subprocess
 import sys
 import sysconfig
-import tempfile
 from collections.abc import Iterator, Mapping
 from contextlib import suppress
 from pathlib import Path
 from typing import IO, Any
 
 from ..exercises.own import FOLDER
+from ..results.folders import TemporaryFolder
 from .filtered import is_known
 from .worker import READY
 
@@ -71,9 +71,13 @@ class Process:
 
     def __init__(self, seal: bool, seconds: int) -> None:
         """Start it; an answer has so many seconds. Raises :class:`CannotSeal`, or OSError if it is not to be sealed."""
-        self._folder = "" if seal else tempfile.mkdtemp(prefix="rosspin-judge-")
+        self._temporary = None if seal else TemporaryFolder()
         self._init: int | None = None  # of the first process of its namespace
-        given: dict[str, Any] = {"sealed": seal, "time": seconds, "folder": self._folder or "/tmp"}
+        given: dict[str, Any] = {"sealed": seal, "time": seconds, "folder": "/tmp"}
+        if self._temporary:
+            folder = self._temporary.path / "answer"
+            folder.mkdir(0o700)
+            given["folder"] = str(folder)
         jobs, self.jobs = os.pipe()
         self.results, results = os.pipe()
         info, about = os.pipe()
@@ -150,8 +154,8 @@ class Process:
         self._sweep()
 
     def _sweep(self) -> None:
-        if self._folder:
-            shutil.rmtree(self._folder, ignore_errors=True)
+        if self._temporary:
+            self._temporary.remove()
 
 
 def _packages() -> Iterator[tuple[str, Path]]:
