@@ -94,9 +94,9 @@ def test_a_module_that_is_not_there_is_named(package: Path, name: str, capsys: p
 
 
 def test_a_function_that_is_not_there_fails_in_the_run(package: Path) -> None:
-    run = rosspin.simulate("spinning.node:mein", 1.0)
+    run = rosspin.simulate("spinning.node:there_is_none", 1.0)
     assert run.status == 1
-    assert run.console.endswith("AttributeError: module 'spinning.node' has no attribute 'mein'\n")
+    assert run.console.endswith("AttributeError: module 'spinning.node' has no attribute 'there_is_none'\n")
 
 
 def test_a_command_of_an_installed_package_is_a_node(package: Path, monkeypatch: pytest.MonkeyPatch) -> None:
