@@ -319,6 +319,28 @@ def test_a_launch_file_of_ros_2_finds_the_path_of_a_package(tmp_path: Any) -> No
     assert f"in {tmp_path.name}" in simulate(file, 1).console
 
 
+@pytest.mark.parametrize("layout", ["isolated", "merged"])
+def test_an_installed_node_finds_what_was_installed_with_it(layout: str, tmp_path: Path) -> None:
+    """As ``colcon build`` installs a package of nodes and one of messages, with and without --merge-install."""
+    names = ("robots", "robot_msgs")
+    prefixes = {name: tmp_path / "install" / (name if layout == "isolated" else "") for name in names}
+    for name, prefix in prefixes.items():
+        (prefix / "share" / name).mkdir(parents=True)
+        (prefix / "share" / name / "package.xml").write_text(f"<package><name>{name}</name></package>")
+    share = prefixes["robot_msgs"] / "share" / "robot_msgs"
+    (share / "msg").mkdir()
+    (share / "msg" / "Gear.msg").write_text("uint8 number 3\n")
+    package = prefixes["robots"] / "lib" / "python3.12" / "site-packages" / "robots"
+    package.mkdir(parents=True)
+    (package / "__init__.py").touch()
+    (package / "node.py").write_text(
+        "import rclpy\nfrom ament_index_python import get_package_share_directory as find\n"
+        "from robot_msgs.msg import Gear\nprint(Gear(), find('robots'))\n"
+    )
+    folder = prefixes["robots"] / "share" / "robots"
+    assert simulate(package / "node.py", 0).console == f"robot_msgs.msg.Gear(number=3) {folder}\n"
+
+
 def test_a_node_of_ros_2_finds_the_folders_of_packages(tmp_path: Any, monkeypatch: pytest.MonkeyPatch) -> None:
     """Those of its workspace; a package has one folder, its source."""
     for name in ("mine", "other"):

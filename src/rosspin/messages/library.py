@@ -57,7 +57,8 @@ class Library:
 
     ``folder`` is the node file's. As ROS does, a file's package is the nearest folder upwards that has a package.xml;
     its workspace is the folder ``src`` around it, where the other packages are, up to four folders deep and not inside
-    of each other. Without a workspace, the packages right beside it count.
+    of each other. Without a workspace, the packages right beside it count; of code that was installed, those that were
+    installed with it.
     """
 
     def __init__(self, ros: int, folder: Path | None = None) -> None:
@@ -184,6 +185,7 @@ def _packages_around(folder: Path) -> Iterator[tuple[str, Path]]:
     folder = folder.resolve()
     own = next((place for place in (folder, *folder.parents) if (place / "package.xml").is_file()), None)
     if not own:
+        yield from _installed_around(folder)
         return
     workspace = next((place for place in own.parents if place.name == "src"), None)
     top, deepest = (workspace, DEEPEST) if workspace else (own.parent, 1)
@@ -195,6 +197,20 @@ def _packages_around(folder: Path) -> Iterator[tuple[str, Path]]:
             folders.clear()
         folders[:] = sorted(name for name in folders if not name.startswith("."))
     yield _name(own), own
+
+
+def _installed_around(folder: Path) -> Iterator[tuple[str, Path]]:
+    """Names and folders of the packages that were installed with the code in a folder, as by colcon.
+
+    That puts code below ``lib``, and the rest of a package into ``share``, in a prefix that the packages of a workspace
+    share, or have each for itself, beside the others.
+    """
+    for prefix in folder.parents:
+        own = [*prefix.glob("share/*/package.xml")] if folder.is_relative_to(prefix / "lib") else []
+        if own:
+            for file in sorted({*own, *prefix.parent.glob("*/share/*/package.xml")}):
+                yield _name(file.parent), file.parent
+            return
 
 
 def _name(package: Path) -> str:
