@@ -1,6 +1,9 @@
 # `make html` builds the site, `make test` checks it and the code. Both set up .venv by themselves.
 
-PYTHON ?= python3
+# The environment keeps the Python that it was made with, until you name another one.
+ifndef PYTHON
+PYTHON := $(or $(shell cat .venv/made-with-* 2>/dev/null),python3)
+endif
 PORT ?= 8000
 BIN := .venv/bin
 ROS1 := build-essential catkin libroscpp-dev python3-roslaunch python3-rosmaster python3-rospy rosbash
@@ -149,7 +152,7 @@ $(VENV): pyproject.toml pins/html.txt
 	@echo 'c.IPKernelApp.log_level = "ERROR"' > .venv/ipython/profile_default/ipython_kernel_config.py
 	@# Which fonts there are, before a kernel has to look for them, and say so.
 	@"$(BIN)/python" -c 'import matplotlib.font_manager'
-	@touch $@
+	@echo '$(PYTHON)' > $@
 
 # jsonschema would load this grammar of internationalised addresses, for 2 s, in every process that reads a notebook.
 # It is optional there, and nothing here checks such addresses.
