@@ -73,7 +73,7 @@ class Process:
         """Start it; an answer has so many seconds. Raises :class:`CannotSeal`, or OSError if it is not to be sealed."""
         self._temporary = None if seal else TemporaryFolder()
         self._init: int | None = None  # of the first process of its namespace
-        given: dict[str, Any] = {"sealed": seal, "time": seconds, "folder": "/tmp"}
+        given: dict[str, Any] = {"sealed": seal, "time": seconds}
         if self._temporary:
             folder = self._temporary.path / "answer"
             folder.mkdir(0o700)
@@ -199,10 +199,13 @@ def _sealed(given: Mapping[str, Any], about: int) -> list[str]:
     if FOLDER:
         binds[str(FOLDER.absolute())] = lessons
     parents = {str(folder) for place in (*binds.values(), *_DEVICES) for folder in Path(place).parents} - {"/"}
-    root = {Path(place).parts[1] for place in parents | {*binds.values(), "/tmp"}}
+    # A Python may lie there, too.
+    folder = "/answer" if any(place.startswith("/tmp/") for place in binds.values()) else "/tmp"
+    root = {Path(place).parts[1] for place in parents | {*binds.values(), folder}}
     # Root has a user in it who owns nothing, others a namespace of users: each lane has its own.
     user = 2_000_000_000 + (os.getpid() << 8) % (1 << 30) + next(_number) % 256 if _has_all_users() else 0
     rights = ("--cap-add", "CAP_SETUID", "--cap-add", "CAP_SETGID", "--cap-add", "CAP_DAC_READ_SEARCH")
+    given = {**given, "path": [_IN], "lessons": lessons, "user": user, "root": sorted(root), "folder": folder}
     return [
         bubblewrap,
         *(("--cap-drop", "ALL", *rights) if user else ("--unshare-user", "--uid", "65534", "--gid", "65534")),
@@ -212,6 +215,6 @@ def _sealed(given: Mapping[str, Any], about: int) -> list[str]:
         *itertools.chain.from_iterable(("--perms", "0755", "--dir", folder) for folder in sorted(parents)),
         *itertools.chain.from_iterable(("--ro-bind", path, place) for path, place in binds.items()),
         *itertools.chain.from_iterable(("--dev-bind", path, path) for path in _DEVICES),
-        *("--perms", "1777", "--size", str(_FOLDER), "--tmpfs", "/tmp", "--remount-ro", "/", "--chdir", "/", "--"),
-        *(python, *_python({**given, "path": [_IN], "lessons": lessons, "user": user, "root": sorted(root)})),
+        *("--perms", "1777", "--size", str(_FOLDER), "--tmpfs", folder, "--remount-ro", "/", "--chdir", "/", "--"),
+        *(python, *_python(given)),
     ]

@@ -170,7 +170,7 @@ def confine(given: Mapping[str, Any]) -> None:
             resource.setrlimit(kind, (min(most, hard) if hard >= 0 else most,) * 2)
     if given["sealed"]:
         _check_limits(limits)
-        _check_root(given["root"])
+        _check_root(given["root"], given["folder"])
         _check_rights(given["user"])
     if given["sealed"] or is_known():
         close_kernel()
@@ -187,11 +187,11 @@ def _check_limits(limits: Mapping[int, int]) -> None:
             raise _Unsealed("a limit")
 
 
-def _check_root(names: Collection[str]) -> None:
-    """There is nothing but what was asked for, and nothing of it can be written but one folder."""
+def _check_root(names: Collection[str], folder: str) -> None:
+    """There is nothing but what was asked for, and nothing of it can be written but the ``folder``."""
     if not set(os.listdir("/")) <= set(names) or not set(os.listdir("/dev")) <= {"null", "zero", "urandom"}:
         raise _Unsealed("what is there")
-    for name in ("/", *(f"/{name}" for name in names if name not in ("tmp", "dev"))):
+    for name in ("/", *(f"/{name}" for name in names if name not in (folder[1:], "dev"))):
         with suppress(FileNotFoundError):
             if not os.statvfs(name).f_flag & os.ST_RDONLY:
                 raise _Unsealed("the disk")

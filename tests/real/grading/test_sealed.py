@@ -277,6 +277,23 @@ def test_what_bubblewrap_made_is_looked_up(
             Lanes()
 
 
+def test_a_python_may_lie_in_the_folder_of_temporary_files(
+    require: Callable[[str], None], monkeypatch: pytest.MonkeyPatch
+) -> None:
+    require("bwrap")
+    with tempfile.TemporaryDirectory(dir="/tmp") as place:
+        Path(place).chmod(0o755)
+        (Path(place) / "part").write_text("of it")
+        monkeypatch.setattr(sealed, "_LIBRARIES", (*sealed._LIBRARIES, place))
+        lanes = Lanes()
+        try:
+            text = f"import os\nopen('own', 'w')\nprint(open({place + '/part'!r}).read(), os.getcwd(), os.listdir())"
+            (verdict,) = judged(lanes, text)
+        finally:
+            lanes.close()
+    assert verdict.said.startswith("of it /answer ['own']\n")
+
+
 # Runs a command where there are all users, and no more namespaces of users can be made.
 _FORBIDDEN = """
 import ctypes, os, sys
