@@ -459,5 +459,5 @@ def _is_of_a_rate_that_nobody_wakes(error: KeyboardInterrupt) -> bool:
     for frame, _ in walk_tb(error.__traceback__):
         if frame.f_code is sleep.__code__:
             timer = frame.f_locals["self"]._timer
-            return bool(timer.time_left() < -timer.timer_period_ns)
+            return bool(timer._rosspin_time_left() < -timer.timer_period_ns)
     return False

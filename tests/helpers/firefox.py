@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import json
+import os
 import shutil
 import subprocess
 import tempfile
@@ -116,7 +117,9 @@ def tab(executable: str) -> Iterator[Tab]:
         with open(f"{profile}/user.js", "w") as file:
             file.write(_PREFERENCES)
         command = [executable, "--headless", "--no-remote", "--profile", profile, "--remote-debugging-port", "0"]
-        process = subprocess.Popen(command, stdout=subprocess.DEVNULL, stderr=subprocess.DEVNULL)
+        # It would not begin if it could not write into its user's home.
+        environment = {**os.environ, "HOME": profile}
+        process = subprocess.Popen(command, env=environment, stdout=subprocess.DEVNULL, stderr=subprocess.DEVNULL)
         try:
             address = f"ws://127.0.0.1:{_port(process, Path(profile))}/session"
             with closing(create_connection(address, PATIENCE, suppress_origin=True)) as socket:

@@ -28,4 +28,7 @@ def test_random_names_and_times_give_what_the_real_rospy_gives(require: Callable
 
 def test_the_recorded_names_are_those_of_rclpy(require: Callable[[str], None]) -> None:
     require("ros2")
-    assert names_of(ros2.launch(NAMES, 5).console) == names_of(NAMES.with_suffix(".txt").read_text())
+    real, recorded = names_of(ros2.launch(NAMES, 5).console), names_of(NAMES.with_suffix(".txt").read_text())
+    for names in (*real.values(), *recorded.values()):
+        names.discard("_is_protocol")  # not every Python has it
+    assert real == recorded

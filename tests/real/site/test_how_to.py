@@ -133,8 +133,9 @@ def test_pytest_says_what_the_page_shows(
 
 
 def _without_carets(text: str) -> str:
-    """A traceback without the marks below its lines, which not every Python has."""
-    return "\n".join(line.rstrip() for line in text.strip().splitlines() if line.strip(" ^"))
+    """A traceback without the marks below its lines, and the guess at its end, which not every Python has."""
+    lines = [re.sub(r"\. Did you mean: '.*'\?$", "", line.rstrip()) for line in text.strip().splitlines()]
+    return "\n".join(line for line in lines if line.strip(" ^"))
 
 
 def test_timer_beside_rate_shows_a_run() -> None:
