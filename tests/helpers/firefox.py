@@ -60,11 +60,11 @@ class Tab:
         return answer["result"]
 
     def _note(self, event: str, params: Any) -> None:
-        if event == "log.entryAdded" and params["level"] == "error":
+        # A page that is left gives up what is on its way: its icon, or the page after it, which Firefox asks for ahead.
+        if event == "log.entryAdded" and params["level"] == "error" and "NS_BINDING_ABORTED" not in params["text"]:
             self.wrong.append(params["text"])
         if event == "network.responseCompleted" and params["response"]["status"] >= 400:
             self.wrong.append(f"{params['response']['status']} {params['request']['url']}")
-        # A page that is left gives up what is on its way: its icon, or the page after it, which Firefox asks for ahead.
         if event == "network.fetchError" and params["errorText"] != "NS_BINDING_ABORTED":
             self.wrong.append(f"{params['errorText']} {params['request']['url']}")
 

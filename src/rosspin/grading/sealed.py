@@ -211,6 +211,8 @@ def _sealed(given: Mapping[str, Any], about: int) -> list[str]:
         *(("--cap-drop", "ALL", *rights) if user else ("--unshare-user", "--uid", "65534", "--gid", "65534")),
         *("--unshare-ipc", "--unshare-pid", "--unshare-net", "--unshare-uts", "--unshare-cgroup"),
         *("--hostname", "rosspin", "--clearenv", "--new-session", "--die-with-parent", "--info-fd", str(about)),
+        # Where Python's own library is: without /proc, the loader cannot go by the place of the program ($ORIGIN).
+        *("--setenv", "LD_LIBRARY_PATH", ":".join(sorted(homes))),
         # Which whoever is in it may enter, whatever the real ones are like.
         *itertools.chain.from_iterable(("--perms", "0755", "--dir", folder) for folder in sorted(parents)),
         *itertools.chain.from_iterable(("--ro-bind", path, place) for path, place in binds.items()),
