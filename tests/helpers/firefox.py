@@ -65,7 +65,9 @@ class Tab:
             self.wrong.append(params["text"])
         if event == "network.responseCompleted" and params["response"]["status"] >= 400:
             self.wrong.append(f"{params['response']['status']} {params['request']['url']}")
-        if event == "network.fetchError" and params["errorText"] != "NS_BINDING_ABORTED":
+        # So does a frame that is taken away while it is loaded.
+        aborted = ("NS_BINDING_ABORTED", "NS_ERROR_FAILURE")
+        if event == "network.fetchError" and params["errorText"] not in aborted:
             self.wrong.append(f"{params['errorText']} {params['request']['url']}")
 
     def resize(self, width: int, height: int) -> None:

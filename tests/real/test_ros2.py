@@ -6,6 +6,7 @@ import io
 import math
 import os
 import re
+import shlex
 import shutil
 import signal
 import subprocess
@@ -381,7 +382,8 @@ def test_both_nodes_of_the_second_tutorial_are_installed_as_one_program(ros: Non
         built = nodes.run(["bash", "-c", f"cd {nodes.folder} && colcon build"], 300, more=path)
         assert built.status == 0, built.console
         program = "install/my_robotics_pkg/lib/my_robotics_pkg/both_py_nodes"
-        start = f"cd {nodes.folder} && source install/setup.bash && exec {program}"
+        # Its first line names the Python, which the system would not find in a folder with a space.
+        start = f"cd {nodes.folder} && source install/setup.bash && exec {shlex.quote(ros2.python())} {program}"
         run = nodes.run(["bash", "-c", start], 0.25, begins=re.compile("counter = 2"), more=path)
         simulated = simulate(NODES / "both_py_nodes.py", 1.0)
         said, wanted = ([line.partition("]: ")[2] for line in each.console.splitlines()] for each in (run, simulated))
