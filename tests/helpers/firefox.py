@@ -65,9 +65,13 @@ class Tab:
             self.wrong.append(params["text"])
         if event == "network.responseCompleted" and params["response"]["status"] >= 400:
             self.wrong.append(f"{params['response']['status']} {params['request']['url']}")
-        # So does a frame that is taken away while it is loaded.
-        aborted = ("NS_BINDING_ABORTED", "NS_ERROR_FAILURE")
-        if event == "network.fetchError" and params["errorText"] not in aborted:
+        # So does the frame of a run, which is taken away while it is loaded.
+        if event == "network.fetchError":
+            given_up = ["NS_BINDING_ABORTED"]
+            if "/sandbox.html" in params["request"]["url"]:
+                given_up.append("NS_ERROR_FAILURE")
+            if params["errorText"] in given_up:
+                return
             self.wrong.append(f"{params['errorText']} {params['request']['url']}")
 
     def resize(self, width: int, height: int) -> None:
