@@ -10,6 +10,9 @@ from tree import HELPERS
 # A node that prints the names that are taken; what it prints on the real ROS 2 is beside it.
 NAMES = HELPERS / "rclpy_names_probe.py"
 
+# The same for a program that prints the names of the package after an import.
+IMPORTS = HELPERS / "rclpy_imports_probe.py"
+
 
 def names_of(console: str) -> dict[str, set[str]]:
     """What the probe printed, by kind."""

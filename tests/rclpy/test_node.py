@@ -14,7 +14,7 @@ from textwrap import dedent
 from typing import Any
 
 import pytest
-from names_of_rclpy import NAMES, names_of
+from names_of_rclpy import IMPORTS, NAMES, names_of
 
 from rosspin import NotSimulated, Run, rclpy, simulate
 from rosspin.clocks import ending as endings
@@ -98,6 +98,44 @@ def test_a_node_is_not_for_both(write: Any) -> None:
 def test_what_needs_a_real_ros_says_so(write: Any, source: str, name: str) -> None:
     with pytest.raises(NotSimulated, match=f"^{name} is not simulated; run this node on a real ROS"):
         simulate(write(f"import rclpy\n{source}\n"), 1)
+
+
+@pytest.mark.parametrize("names", IMPORTS.with_suffix(".txt").read_text().splitlines(keepends=True))
+def test_an_import_gives_the_package_the_names_that_it_gives_on_a_real_ros(names: str) -> None:
+    assert simulate(IMPORTS, 1, [names.split()[0]]).console == names
+
+
+def test_what_one_process_imports_is_not_there_in_another(write: Any) -> None:
+    told = "print([hasattr(rclpy, name) for name in ('action', 'qos', 'executors')])\n"
+    few = write(f"import rclpy, time\n{told}time.sleep(2)\n{told}", "few.py")
+    many = write(f"import rclpy.action, time\n{told}time.sleep(2)\n{told}", "many.py")
+    for _ in range(2):
+        assert simulate(few, 3).console == "[False, False, False]\n" * 2
+        assert simulate(many, 3).console == "[True, True, True]\n" * 2
+    both = simulate([few, many], 3).console
+    assert (both.count("[False, False, False]"), both.count("[True, True, True]")) == (2, 2)
+
+
+@pytest.mark.parametrize(
+    ("begins", "names"),
+    [
+        ("rclpy.create_node('n')", "[False, True, True]"),
+        ("rclpy.get_global_executor()", "[False, False, True]"),
+        ("import tf2_ros", "[True, True, True]"),
+        ("import message_filters", "[False, True, True]"),
+        ("import std_msgs.msg, tf_transformations", "[False, False, False]"),
+    ],
+)
+def test_what_rclpy_imports_when_it_is_needed_is_there_from_then_on(write: Any, begins: str, names: str) -> None:
+    asked = "print([hasattr(rclpy, name) for name in ('action', 'node', 'executors')])"
+    run = simulate(write(f"import rclpy\nrclpy.init()\n{asked}\n{begins}\n{asked}\n"), 1)
+    assert run.console.splitlines() == ["[False, False, False]", names]
+
+
+def test_a_submodule_that_nobody_has_imported_is_not_there(write: Any) -> None:
+    run = simulate(write("import rclpy\nprint(rclpy.__name__)\nrclpy.action.ActionClient\n"), 1)
+    assert run.console.splitlines()[0] == "rclpy" and run.status == 1
+    assert run.console.endswith("AttributeError: module 'rclpy' has no attribute 'action'\n")
 
 
 @pytest.mark.parametrize("module", sorted(name for name, file in rclpy.MODULES.items() if file.__all__))

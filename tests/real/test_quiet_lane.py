@@ -36,7 +36,7 @@ class Session:
         monkeypatch.setenv("PYTEST_DISABLE_PLUGIN_AUTOLOAD", "1")  # it starts in half the time
         monkeypatch.setenv("PYTEST_ADDOPTS", "-p xdist")
         monkeypatch.delenv("PYTEST_XDIST_WORKER", raising=False)  # of the session that this is a test of
-        pytester.makeini(f"[pytest]\npythonpath = \"{HELPERS}\"")
+        pytester.makeini(f'[pytest]\npythonpath = "{HELPERS}"')
         pytester.makeconftest("pytest_plugins = ['quiet_lane']")
 
     def write(self, name: str, tests: str) -> None:

@@ -131,7 +131,7 @@ _OF = {
         "import rclpy.duration; rclpy.duration.Duration.__init__ = None; rclpy.duration.Infinite.x = 1",
         "import rclpy.timer; rclpy.timer.Rate.sleep = rclpy.timer.Timer.cancel = None",
         "import rclpy.logging; rclpy.logging.LoggingSeverity.INFO._value_ = 1; rclpy.logging.get_logger = None",
-        "rclpy.MODULES.clear(); rclpy.NOT_SIMULATED.add('node'); rclpy.NOT_SIMULATED.add('spin')",
+        "rclpy.__path__.append('x'); rclpy.__dict__.clear()",
         "import rclpy.executors; rclpy.executors.SingleThreadedExecutor.spin = None",
     ],
 }

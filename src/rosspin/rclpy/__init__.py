@@ -8,10 +8,12 @@ from __future__ import annotations
 import os
 import signal
 import sys
+import typing
+from importlib import import_module
 from types import ModuleType
 from typing import Any
 
-from ..world.world import NotSimulated, World, current_world, refusing
+from ..world.world import World, current_world, refusing
 from . import (
     action,
     callback_groups,
@@ -19,11 +21,13 @@ from . import (
     constants,
     context,
     deadlock,
+    destroyable,
     duration,
     event_handler,
     exceptions,
     executors,
     experimental,
+    impl,
     implementation,
     lifecycle,
     logging,
@@ -56,11 +60,13 @@ from . import (
 from .context import Context, get_default_context
 from .executors import Executor as _Executor
 from .executors import SingleThreadedExecutor as _SingleThreadedExecutor
+from .imported import brought_by as brought_by
 from .parameter import Parameter
 from .passed_on import PASSED_ON, passing_on
 from .signals import SignalHandlerOptions, install_signal_handlers, uninstall_signal_handlers
 from .task import Future
 from .utilities import get_rmw_implementation_identifier, ok, try_shutdown
+from .utilities import shutdown as _shutdown
 
 __all__ = [
     "Context",
@@ -108,7 +114,7 @@ def shutdown(*, context: Context | None = None, uninstall_handlers: bool | None 
     Raises RuntimeError before ``init`` and after ``shutdown``, RCLError after a signal.
     """
     is_default = context is None or context is get_default_context()
-    (context or get_default_context(shutting_down=True)).shutdown()
+    _shutdown(context=context)
     if uninstall_handlers or (uninstall_handlers is None and is_default):
         uninstall_signal_handlers()
 
@@ -117,6 +123,7 @@ def create_node(node_name: str, **kwargs: Any) -> node.Node:
     """Make a :class:`rclpy.node.Node` with these arguments."""
     for word in kwargs.keys() - (node.Node.__init__.__kwdefaults__ or {}).keys():
         raise TypeError(f"create_node() got an unexpected keyword argument '{word}'")
+    import_module("rclpy.node")  # from now on it is a name of the package, too
     return node.Node(node_name, **kwargs)
 
 
@@ -133,6 +140,7 @@ def get_global_executor() -> _Executor:
     """The executor that ``spin``, ``spin_once`` and ``spin_until_future_complete`` use if they are given none."""
     own = current_world().part(_Global)
     if own.executor is None:
+        import_module("rclpy.executors")  # from now on it is a name of the package, too
         own.executor = executor = _SingleThreadedExecutor()
 
         def reset() -> None:
@@ -184,9 +192,6 @@ def spin_until_future_complete(
             executor.remove_node(node)
 
 
-# The modules of rclpy that are not here: they need a real ROS.
-NOT_SIMULATED = {"destroyable", "impl"}
-
 # The names that the modules here lack.
 LACKING = {
     "rclpy.experimental": {"EventsExecutor"},
@@ -229,6 +234,7 @@ MODULES: dict[str, ModuleType] = {
     "rclpy.clock_type": time,
     "rclpy.constants": constants,
     "rclpy.context": context,
+    "rclpy.destroyable": destroyable,
     "rclpy.duration": duration,
     "rclpy.event_handler": event_handler,
     "rclpy.exceptions": exceptions,
@@ -237,6 +243,7 @@ MODULES: dict[str, ModuleType] = {
     "rclpy.experimental": experimental,
     "rclpy.experimental.events_executor": experimental,
     "rclpy.guard_condition": executors,
+    "rclpy.impl": impl,
     "rclpy.impl.implementation_singleton": implementation,
     "rclpy.impl.logging_severity": logging,
     "rclpy.impl.rcutils_logger": logging,
@@ -334,9 +341,10 @@ for _name, _module in MODULES.items():
             _value.__module__ = _HOMES.get(_value.__name__, _name)
 
 
-def __getattr__(name: str) -> Any:
-    if name in NOT_SIMULATED:
-        raise NotSimulated(f"rclpy.{name}")
-    if module := MODULES.get(f"rclpy.{name}"):  # one that has another name here
-        return module
-    raise AttributeError(f"module 'rclpy' has no attribute '{name}'", name=name)
+def for_process() -> ModuleType:
+    """Make the module that a process gets as ``rclpy``: its names, and the modules that the process imports."""
+    package = ModuleType("rclpy", __doc__)
+    package.__file__ = __file__
+    vars(package).update({name: globals()[name] for name in (*__all__, "_shutdown")})
+    vars(package).update({name: getattr(typing, name) for name in ("List", "Optional", "TYPE_CHECKING")})
+    return package

@@ -11,6 +11,7 @@ __all__ = [
     "get_rmw_implementation_identifier",
     "ok",
     "remove_ros_args",
+    "shutdown",
     "timeout_sec_to_nsec",
     "try_shutdown",
 ]
@@ -19,6 +20,11 @@ __all__ = [
 def ok(*, context: Context | None = None) -> bool:
     """Whether a context (default: the default one) is valid."""
     return (context or get_default_context()).ok()
+
+
+def shutdown(*, context: Context | None = None) -> None:
+    """End a context. Raises what :func:`rclpy.shutdown` raises."""
+    (context or get_default_context(shutting_down=True)).shutdown()
 
 
 def try_shutdown(*, context: Context | None = None) -> None:

@@ -6,20 +6,18 @@
     ESC ]rosspin;tick SOURCE TAB NUMBER TAB EXPECTED TAB REAL BEL \n
     ESC ]rosspin;done SOURCE TAB NUMBER TAB DURATION BEL \n
 
+It waits until the node imports what it changes: until then, no module of rclpy is there that would not be there anyway.
 No function of ours calls a callback, so its traceback is what it would be without the probe. The probe notices when an
 executor takes a timer, which is right before the callback, and when the timer's group is told that the callback is
 over.
 """
 
 import os
+import sys
 import threading
 import time
-
-import rclpy.callback_groups
-import rclpy.executors
-import rclpy.node
-import rclpy.timer
-from rclpy.exceptions import InvalidHandle
+from importlib.abc import MetaPathFinder
+from importlib.machinery import PathFinder
 
 _console = os.dup(2)  # the node may redirect its own
 _names = {}  # how often each has been given
@@ -73,7 +71,6 @@ def _node_made(node, *args, **kwargs):
 
 
 _begun = False
-_after(rclpy.node.Node, "__init__", _node_made)
 
 
 # --- timers -----------------------------------------------------------------------------------------------------------
@@ -87,6 +84,8 @@ def _made(timer, callback, *args, **kwargs):
 
 
 def _taking(real):
+    from rclpy.exceptions import InvalidHandle
+
     def take(executor, timer, *args):
         try:
             expected = time.time_ns() + timer.time_until_next_call()
@@ -131,10 +130,43 @@ def _woken(rate):
     rate._rosspin_pass = rate._rosspin_due, time.time_ns()
 
 
-_after(rclpy.timer.Timer, "__init__", _made)
-rclpy.executors.Executor._take_timer = _taking(rclpy.executors.Executor._take_timer)
-for _group in (rclpy.callback_groups.MutuallyExclusiveCallbackGroup, rclpy.callback_groups.ReentrantCallbackGroup):
-    _after(_group, "ending_execution", _ended)
-_after(rclpy.timer.Rate, "__init__", _rate_made)
-_after(rclpy.timer.Rate, "_presleep", _sleeps)
-_after(rclpy.timer.Rate, "_postsleep", _woken)
+# --- what is changed, as soon as the node imports it ------------------------------------------------------------------
+
+
+def _change_groups(module):
+    for group in (module.MutuallyExclusiveCallbackGroup, module.ReentrantCallbackGroup):
+        _after(group, "ending_execution", _ended)
+
+
+def _change_executors(module):
+    module.Executor._take_timer = _taking(module.Executor._take_timer)
+
+
+def _change_node(module):
+    _after(module.Node, "__init__", _node_made)
+
+
+def _change_timer(module):
+    _after(module.Timer, "__init__", _made)
+    _after(module.Rate, "__init__", _rate_made)
+    _after(module.Rate, "_presleep", _sleeps)
+    _after(module.Rate, "_postsleep", _woken)
+
+
+_CHANGES = {
+    "rclpy.callback_groups": _change_groups,
+    "rclpy.executors": _change_executors,
+    "rclpy.node": _change_node,
+    "rclpy.timer": _change_timer,
+}
+
+
+class _Finder(MetaPathFinder):
+    def find_spec(self, fullname, path=None, target=None):
+        spec = PathFinder.find_spec(fullname, path) if fullname in _CHANGES else None
+        if spec:
+            _after(spec.loader, "exec_module", _CHANGES[fullname])
+        return spec
+
+
+sys.meta_path.insert(0, _Finder())

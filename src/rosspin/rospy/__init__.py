@@ -6,7 +6,9 @@ What is here behaves as in rospy 1.15.15; the rest raises :class:`NotSimulated`.
 from __future__ import annotations
 
 import sys
+from collections.abc import Iterable
 from importlib import import_module
+from types import ModuleType
 from typing import Any
 
 from ..messages import MessageFinder, genpy, ros1
@@ -97,6 +99,16 @@ MODULES = {
 
 # What importing rospy registers with atexit: function, args, kwargs.
 AT_EXIT: list[Any] = [(core.signal_shutdown, ("atexit",), {})]
+
+
+def for_process() -> ModuleType:
+    """Return the module that a process gets as ``rospy``."""
+    return sys.modules[__name__]
+
+
+def brought_by(name: str) -> Iterable[str]:
+    """Return the full names of rospy's modules that importing a module brings: all, as rospy imports them itself."""
+    return MODULES
 
 
 def __getattr__(name: str) -> Any:

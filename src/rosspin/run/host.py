@@ -169,11 +169,8 @@ class Host:
 
     def _bound(self, process: Process) -> None:
         """Give a process what belongs to the ROS that it has imported."""
-        process.stand_in = self._stand_in(process.world.ros)
+        self._stand_in(process.world.ros)
         process.world.at_exit += ROSES[process.world.ros].stand_in.AT_EXIT
-        self._shared |= process.stand_in.keys()
-        if process is self._current:
-            self._put_in(process.stand_in)
 
     def begin(self, process: Process) -> None:
         """Start a process now, for the supervisor. If a signal kills it, its exit status is the negative number."""
@@ -264,10 +261,6 @@ class Host:
         for name in own:
             own[name] = modules.pop(name, own[name])
         modules.update(process.modules)
-        if before.stand_in is not process.stand_in:
-            for name in before.stand_in:
-                modules.pop(name, None)
-            modules.update(process.stand_in)
         self._count = len(modules)
         process.put_in_place()
         if process.folder and process.folder != before.folder:
@@ -275,14 +268,9 @@ class Host:
         if self._differ and process.environment != before.environment:
             _export(before.environment, process.environment)
 
-    def _put_in(self, modules: Mapping[str, ModuleType]) -> None:
-        before = len(sys.modules)
-        sys.modules.update(modules)
-        self._count += len(sys.modules) - before
-
     def _own_modules(self, process: Slots) -> dict[str, ModuleType]:
         """Return the modules that only this process has. What it has imported besides is shared from now on."""
-        new = [name for name in sys.modules if not (name in self._shared or name in process.stand_in)]
+        new = [name for name in sys.modules if name not in self._shared]
         own = {name for name in new if self._is_own(name, process)}
         if isinstance(process, Process):
             own |= process.with_its_ros(set(new) - own, own)

@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import sys
 from collections.abc import Callable, Mapping, Sequence
+from functools import partial
 from importlib.abc import Loader, MetaPathFinder
 from importlib.machinery import BuiltinImporter, FrozenImporter, ModuleSpec, PathFinder, SourceFileLoader
 from types import FrameType, ModuleType
@@ -84,10 +85,24 @@ class Imports(MetaPathFinder):
         modules = self._stand_in(ros, fullname.partition(".")[0])
         if fullname in modules:
             sys.modules.pop(fullname, None)  # else it would be loaded anew, by its own spec
-            return ModuleSpec(fullname, _Given(modules[fullname]), is_package=True)
+            given = _Given(self._module(ros, fullname, modules), partial(self._bring, ros, fullname))
+            return ModuleSpec(fullname, given, is_package=True)
         if any(name.startswith(f"{fullname}.") for name in modules):
             return ModuleSpec(fullname, None, is_package=True)
         return None
+
+    def _module(self, ros: int, name: str, modules: Mapping[str, ModuleType]) -> ModuleType:
+        module: ModuleType = ROSES[ros].stand_in.for_process() if name == ROSES[ros].roots[0] else modules[name]
+        return module
+
+    def _bring(self, ros: int, fullname: str) -> None:
+        """Import what a module of a ROS imports itself."""
+        modules = self._stand_in(ros, "")
+        for name in ROSES[ros].stand_in.brought_by(fullname):
+            module = sys.modules.get(name) or sys.modules.setdefault(name, self._module(ros, name, modules))
+            parent, _, child = name.rpartition(".")
+            if parent in sys.modules:
+                setattr(sys.modules[parent], child, module)
 
     def _finder_of(self, ros: int) -> MessageFinder:
         if self._finder.library.ros != ros and not self._finder.found:
@@ -101,17 +116,19 @@ class Imports(MetaPathFinder):
 
 
 class _Given(Loader):
-    """Gives a module that exists already; the module keeps its own spec."""
+    """Gives a module that exists already, and those that it brings; the module keeps its own spec."""
 
-    def __init__(self, module: ModuleType) -> None:
+    def __init__(self, module: ModuleType, bring: Callable[[], None]) -> None:
         self._module = module
         self._spec = module.__spec__
+        self._bring = bring
 
     def create_module(self, spec: ModuleSpec) -> ModuleType:
         return self._module
 
     def exec_module(self, module: ModuleType) -> None:
         module.__spec__ = self._spec
+        self._bring()
 
 
 def _named_by_who_asks(frame: FrameType | None) -> int:

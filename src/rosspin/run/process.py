@@ -12,7 +12,7 @@ import traceback
 import warnings
 from collections.abc import Callable, Mapping, Sequence
 from operator import attrgetter
-from types import FrameType, FunctionType, MappingProxyType, ModuleType
+from types import FrameType, FunctionType, ModuleType
 from typing import Any, TextIO
 
 try:
@@ -49,8 +49,6 @@ _environ: Any = os.environ
 
 class Slots:
     """What one of several processes has for itself, to be put in place whenever it goes on."""
-
-    stand_in: Mapping[str, ModuleType] = MappingProxyType({})  # the modules of its ROS, by their names
 
     def __init__(self) -> None:
         """Begin with what this process has now."""

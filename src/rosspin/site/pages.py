@@ -450,9 +450,8 @@ def _rospy_does(name: str) -> str:
 
 
 def _rclpy_lacks() -> set[str]:
-    """Return the modules, their names and the methods of Node that the stand-in for rclpy lacks."""
-    lacking = {"rclpy": rclpy.NOT_SIMULATED, **rclpy.LACKING}
-    return {f"{where}.{name}" for where, names in lacking.items() for name in names}
+    """Return the names that the modules of the stand-in for rclpy lack."""
+    return {f"{where}.{name}" for where, names in rclpy.LACKING.items() for name in names}
 
 
 def _rclpy_names() -> dict[str, list[str]]:
