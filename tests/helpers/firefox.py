@@ -3,13 +3,14 @@
 from __future__ import annotations
 
 import json
+import math
 import os
 import shutil
 import subprocess
 import tempfile
 import time
 from collections.abc import Iterator, Sequence
-from contextlib import closing, contextmanager
+from contextlib import closing, contextmanager, suppress
 from pathlib import Path
 from typing import Any
 
@@ -44,6 +45,8 @@ class Tab:
     def __init__(self, socket: WebSocket) -> None:
         self._socket = socket
         self._count = 0
+        # When (ms since the epoch) the last page began and ended to be left.
+        self._leaves = self._left = -math.inf
         self.wrong: list[str] = []  # errors, and requests that were answered with one
         self._send("session.new", capabilities={})
         self._send("session.subscribe", events=["log.entryAdded", "network.responseCompleted", "network.fetchError"])
@@ -60,18 +63,14 @@ class Tab:
         return answer["result"]
 
     def _note(self, event: str, params: Any) -> None:
-        # A page that is left gives up what is on its way: its icon, or the page after it, which Firefox asks for ahead.
-        if event == "log.entryAdded" and params["level"] == "error" and "NS_BINDING_ABORTED" not in params["text"]:
+        if self._leaves <= params["timestamp"] <= self._left:
+            return
+        if event == "log.entryAdded" and params["level"] == "error":
             self.wrong.append(params["text"])
         if event == "network.responseCompleted" and params["response"]["status"] >= 400:
             self.wrong.append(f"{params['response']['status']} {params['request']['url']}")
-        # So does the frame of a run, which is taken away while it is loaded.
-        if event == "network.fetchError":
-            given_up = ["NS_BINDING_ABORTED"]
-            if "/sandbox.html" in params["request"]["url"]:
-                given_up.append("NS_ERROR_FAILURE")
-            if params["errorText"] in given_up:
-                return
+        # Of its own accord Firefox asks for an icon and for the next page, and gives that up.
+        if event == "network.fetchError" and params["errorText"] != "NS_BINDING_ABORTED":
             self.wrong.append(f"{params['errorText']} {params['request']['url']}")
 
     def resize(self, width: int, height: int) -> None:
@@ -80,7 +79,14 @@ class Tab:
         self._send("browsingContext.setViewport", context=self._context, viewport=viewport)
 
     def open(self, address: str) -> None:
-        """Go to a page, and wait until it is loaded."""
+        """Go to a page, and wait until it is loaded. What the last one had on its way is given up: that is no error."""
+        self._leaves, self._left = 1e3 * time.time(), math.inf
+        with suppress(RuntimeError):  # Firefox takes a frame that is given up for the page
+            self._navigate("about:blank")
+        self._left = 1e3 * time.time()
+        self._navigate(address)
+
+    def _navigate(self, address: str) -> None:
         self._send("browsingContext.navigate", context=self._context, url=address, wait="complete")
 
     def evaluate(self, function: str, *arguments: Any) -> Any:

@@ -64,3 +64,22 @@ def test_nothing_else_makes_a_folder_that_a_kill_would_leave() -> None:
     """But for a scratch that is left at once (``with tempfile.TemporaryDirectory``), of what is compiled."""
     texts = {path: path.read_text(encoding="utf-8") for path in (ROOT / "src").rglob("*.py")}
     assert [path.name for path, text in texts.items() if "mkdtemp" in text] == ["folders.py"]
+
+
+DEEP = """
+import os
+from rosspin.results.folders import TemporaryFolder
+folder = TemporaryFolder()
+os.chdir(folder.path)
+for _ in range(1500):
+    os.mkdir("d")
+    os.chdir("d")
+os._exit(0)
+"""
+SWEEP = "from rosspin.results.folders import sweep; sweep()"
+
+
+def test_folders_deeper_than_python_goes_do_not_stop_the_next_run(temporary: Path) -> None:
+    for code in (DEEP, SWEEP):
+        subprocess.run([sys.executable, "-c", code], check=True)
+    assert list(temporary.iterdir()) == []
