@@ -7,6 +7,8 @@ import json
 import os
 import re
 import struct
+import subprocess
+import sys
 import zipfile
 from collections.abc import Mapping
 from datetime import UTC, datetime
@@ -326,6 +328,31 @@ def test_folders_deeper_than_python_goes(tmp_path: Path) -> None:
         os.fchdir(before)
         os.close(before)
     assert len(file.parts) == 1501 and file.data == b"x = 1"
+
+
+# Reads a file in 10 s of a processor, or is killed.
+READS = """import resource, sys
+from pathlib import Path
+from rosspin.grading.students import Class
+resource.setrlimit(resource.RLIMIT_CPU, (10, 10))
+found = Class()
+found.add(Path(sys.argv[1]))
+print(*(why for _, why in found.refused), *(len(row.answers) for row in found.rows))
+"""
+MARKS = "a" + "\u0301\u0316" * 150_000
+SLOW = {
+    "cells that do not end": ("a.md", "```{code-cell}\n" * 66_000),
+    "marks on a letter": ("a.json", json.dumps(MADE | {"name": MARKS}, ensure_ascii=False)),
+    "marks in names of files": ("a.zip", zipped({f"{MARKS[:16_000]}{n}/slow-timer.py": "x = 1" for n in range(50)})),
+}
+
+
+@pytest.mark.parametrize("what", SLOW)
+def test_no_file_takes_long_to_read(what: str, tmp_path: Path) -> None:
+    name, data = SLOW[what]
+    (tmp_path / name).write_bytes(data if isinstance(data, bytes) else data.encode())
+    done = subprocess.run([sys.executable, "-c", READS, str(tmp_path / name)], capture_output=True, text=True)
+    assert done.returncode == 0 and done.stdout.strip(), done.stderr
 
 
 def test_what_is_refused_is_not_said_of_ten_thousand_files(tmp_path: Path) -> None:

@@ -349,6 +349,15 @@ def test_a_db3_whose_columns_hold_something_else(tmp_path: Path, time: object, t
     assert len(str(raised.value)) < 200
 
 
+def test_topics_of_one_number_are_counted_each(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
+    """Pages of a table that lead to each other say one without end."""
+    monkeypatch.setattr(bags, "_MOST_TOPICS", 50)
+    rows = ",".join("(1, '/a')" for _ in range(60))
+    path = database(tmp_path / "a.db3", "CREATE TABLE topics (id, name)", f"INSERT INTO topics VALUES {rows}", MESSAGES)
+    with pytest.raises(NoLog, match="the first 50 topics had been read, and no message"):
+        look(path.read_bytes())
+
+
 def test_large_messages_are_passed_over(tmp_path: Path) -> None:
     rows = "SELECT value, 1, value * 50000000, zeroblob(2000000) FROM json_each('[1,2,3,4,5,6,7,8]')"
     path = database(tmp_path / "a.db3", *TOPICS, MESSAGES, f"INSERT INTO messages {rows}")

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import os
 import subprocess
 import sys
 import tempfile
@@ -58,6 +59,28 @@ def test_what_is_not_known_to_be_such_a_folder_stays(temporary: Path) -> None:
     (temporary / "rosspin-file").touch()
     sweep()
     assert len(list(temporary.iterdir())) == 4 and (temporary / "elsewhere/.owner").exists()
+
+
+def test_whatever_is_in_a_folder_it_is_removed() -> None:
+    """Folders that are deeper than Python's stack or a path, or closed to their owner; what links lead to stays."""
+    before = os.open(".", os.O_RDONLY)
+    with TemporaryFolder() as other, TemporaryFolder() as folder:
+        (other.path / "mine").touch()
+        os.chdir(folder.path)
+        try:
+            for _ in range(3000):
+                os.mkdir("d")
+                os.chdir("d")
+            os.symlink(other.path, "link")
+            Path("closed").mkdir()
+            Path("closed/x").touch()
+            os.chmod("closed", 0)
+            folder.path.chmod(0)
+        finally:
+            os.fchdir(before)
+            os.close(before)
+        folder.remove()
+        assert not folder.path.exists() and (other.path / "mine").exists()
 
 
 def test_nothing_else_makes_a_folder_that_a_kill_would_leave() -> None:

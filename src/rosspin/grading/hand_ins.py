@@ -15,13 +15,16 @@ from typing import Any, NamedTuple
 
 from ..exercises import EXERCISES
 
-__all__ = ["MOST_ANSWER", "MOST_FILE", "SUFFIXES", "HandIn", "Refused", "code", "plain", "read"]
+__all__ = ["MOST_ANSWER", "MOST_FILE", "MOST_PLAIN", "SUFFIXES", "HandIn", "Refused", "code", "plain", "read"]
 
 MOST_FILE = 1_000_000
 """Of a file, so many bytes are read at most."""
 
 MOST_ANSWER = 50_000
 """An answer is judged if it has at most so many characters."""
+
+MOST_PLAIN = 1000
+"""So many characters of a name are looked at."""
 
 _MOST_NAME = 100
 _MOST_ANSWERS = 100
@@ -44,8 +47,8 @@ _NAME = {1: re.compile(r"[1-9][0-9]{0,2}"), 2: re.compile(r"[a-z0-9]+(-[a-z0-9]+
 
 _FIRST_LINE = re.compile(r"%%answer[ \t]+(\S+)[^\n]*(\n|$)")
 
-# The cells of a notebook in Markdown, each with its options.
-_CELL = re.compile(r"^```\{code-cell\}[^\n]*\n(.*?)^```\s*$", re.MULTILINE | re.DOTALL)
+# Where cells of a notebook in Markdown begin and end, each with its options.
+_FENCE = re.compile(r"^```(?:(\{code-cell\}).*|[ \t]*)$", re.MULTILINE)
 _OPTIONS = re.compile(r"(---\n.*?^---\n|(?::[^\n]*\n)*)\n*", re.MULTILINE | re.DOTALL)
 
 _NOT_JSON = "it is not a file that Hand in saved (it is not JSON)"
@@ -92,7 +95,8 @@ def code(answer: str) -> str:
 
 def plain(name: str) -> str:
     """Return a name in one line, without characters that are not seen or that turn the direction of a text."""
-    line = re.sub(r"\s+", " ", unicodedata.normalize("NFC", name))
+    # What is normalised is short: for marks without end, that takes the square of their number.
+    line = re.sub(r"\s+", " ", unicodedata.normalize("NFC", name[:MOST_PLAIN]))
     return "".join(each for each in line if unicodedata.category(each)[0] != "C").strip()[:_MOST_NAME]
 
 
@@ -190,10 +194,15 @@ def _cells_of_notebook(data: bytes) -> Iterator[str]:
 
 
 def _cells_of_markdown(text: str) -> Iterator[str]:
-    for cell in _CELL.findall(text.replace("\r\n", "\n")):
-        options = _OPTIONS.match(cell)
-        if options and "hide-cell" not in options[0]:
-            yield cell[options.end() :]
+    text, begin = text.replace("\r\n", "\n"), None
+    for fence in _FENCE.finditer(text):
+        if fence[1]:
+            begin = fence.end() + 1 if begin is None else begin
+        elif begin is not None:
+            cell, begin = text[begin : fence.start()], None
+            options = _OPTIONS.match(cell)
+            if options and "hide-cell" not in options[0]:
+                yield cell[options.end() :]
 
 
 def _in_cells(cells: Iterator[str]) -> dict[str, str]:

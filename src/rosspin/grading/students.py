@@ -13,7 +13,7 @@ from typing import NamedTuple
 
 from ..exercises import EXERCISES, Verdict
 from .found import Found, find
-from .hand_ins import HandIn, Refused, plain, read
+from .hand_ins import MOST_PLAIN, HandIn, Refused, plain, read
 
 __all__ = ["Class", "Row"]
 
@@ -232,5 +232,6 @@ def _unmarked(letter: str) -> str:
 
 def _by_size(text: str) -> list[tuple[int, str]]:
     """Return what texts are ordered by: numbers by their size, and letters as those without their marks."""
+    text = text[:MOST_PLAIN]
     words = re.findall(r"\d+|\D+", "".join(map(_unmarked, unicodedata.normalize("NFC", text))).casefold())
     return [(int(word), "") if word.isdecimal() and len(word) < 20 else (-1, word) for word in words]

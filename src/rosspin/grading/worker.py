@@ -8,12 +8,14 @@ ended, the lane says how, and whether all is as it was before.
 from __future__ import annotations
 
 import ctypes
+import fcntl
 import gc
 import importlib
 import json
 import os
 import pkgutil
 import resource
+import select
 import signal
 import socket
 import stat
@@ -42,11 +44,15 @@ SEALED = b"sealed\n"
 OPEN = b"not sealed\n"
 """The first word of a child: whether it is sealed."""
 
-# At most (bytes, or their number): memory for all that a process is, a file, open files, threads.
+# At most (bytes, or their number): memory for all that a process is, a file, open files, files that it makes, threads.
 _MEMORY = 5 << 28
 _FILE = 10 << 20
 _FILES = 64
+_MADE = 1000
 _THREADS = 256
+
+# How often (s) a lane looks how many files there are.
+_LOOK = 0.05
 
 _PR_SET_PDEATHSIG = 1
 _CAPABILITIES_3 = 0x20080522
@@ -75,7 +81,8 @@ def work(given: Mapping[str, Any], own_path: list[str]) -> NoReturn:
     if sys.platform == "linux":
         ctypes.CDLL(None).prctl(_PR_SET_PDEATHSIG, signal.SIGKILL, 0, 0, 0)
     os.chdir(given["folder"])
-    before = _state()
+    folder = os.open(".", os.O_RDONLY)
+    before = _state(given["results"])
     os.write(_STATUS, READY)
     os.dup2(os.open(os.devnull, os.O_RDWR), _ERRORS)
     gc.collect()
@@ -84,17 +91,32 @@ def work(given: Mapping[str, Any], own_path: list[str]) -> NoReturn:
         child = os.fork()
         if not child:
             _do(given, int(size))
+        if given["sealed"]:
+            _guard(child, folder)
         _, status = os.waitpid(child, 0)
-        as_before = "as before" if _state() == before else "changed"
+        as_before = "as before" if _state(given["results"]) == before else "changed"
         os.write(_STATUS, f"{os.waitstatus_to_exitcode(status)} {as_before}\n".encode())
     os._exit(0)
 
 
-def _state() -> object:
-    """Return all that a child can change for the next one: its folder."""
+def _guard(child: int, folder: int) -> None:
+    """Wait until a child ends. If it makes more files than an answer needs, end it.
+
+    The size of the folder says nothing of empty files, which the kernel keeps in its own memory.
+    """
+    ends = os.pidfd_open(child)
+    while not select.select([ends], [], [], _LOOK)[0]:
+        found = os.fstatvfs(folder)
+        if found.f_files - found.f_ffree > _MADE:
+            os.kill(child, signal.SIGKILL)
+    os.close(ends)
+
+
+def _state(results: int) -> object:
+    """Return all that a child can change for the next one: its folder, and how its pipe to the judge is open."""
     try:
         found = os.stat(".")
-        return os.listdir("."), stat.S_IMODE(found.st_mode), found.st_nlink
+        return os.listdir("."), stat.S_IMODE(found.st_mode), found.st_nlink, fcntl.fcntl(results, fcntl.F_GETFL)
     except OSError as error:
         return error.errno
 

@@ -269,7 +269,9 @@ def _db3(file: BinaryIO, progress: Callable[[float], None]) -> Iterator[_Message
         database.setlimit(sqlite3.SQLITE_LIMIT_LENGTH, _LARGEST)
         _check_tables(database)
         topics = _Topics()
-        for number, topic in database.execute("SELECT id, name FROM topics"):
+        for count, (number, topic) in enumerate(database.execute("SELECT id, name FROM topics"), 1):
+            if count > _MOST_TOPICS:
+                raise _Full(f"the first {_MOST_TOPICS:,} topics")
             if not isinstance(topic, str):  # a column of SQLite holds anything
                 raise ValueError(f"a topic has the name {topic!r:.60}")
             topics.add(number, topic)

@@ -2,9 +2,8 @@
 
 from __future__ import annotations
 
+import itertools
 import os
-import shutil
-import subprocess
 import tempfile
 from contextlib import suppress
 from pathlib import Path
@@ -58,12 +57,26 @@ def sweep() -> None:
                 os.close(lock)
 
 
-def _remove(folder: Path) -> None:
-    """Remove a folder with all that is in it, as far as that can be removed."""
-    try:
-        shutil.rmtree(folder, ignore_errors=True)
-    except RecursionError:  # deeper than Python 3.11 and 3.12 go
-        subprocess.run(["rm", "-rf", folder], stderr=subprocess.DEVNULL)
+def _remove(top: Path) -> None:
+    """Remove a folder as far as that goes: also what is deeper than Python or a path can go, or closed to its owner."""
+    numbers = itertools.count()
+    waiting = [top]
+    with suppress(OSError):
+        top.chmod(0o700)
+    while waiting:
+        folder = waiting.pop()
+        with suppress(OSError):
+            for entry in [*os.scandir(folder)]:
+                with suppress(OSError):
+                    if entry.is_dir(follow_symlinks=False):
+                        os.chmod(entry.path, 0o700)
+                        waiting.append(Path(entry.path).rename(top / f".{next(numbers)}"))
+                    else:
+                        os.unlink(entry.path)
+            if folder != top:
+                folder.rmdir()
+    with suppress(OSError):
+        top.rmdir()
 
 
 def _locked(path: Path) -> int | None:

@@ -164,19 +164,24 @@ def _judges(pid: int) -> list[int]:
 
 
 def test_an_answer_ends_nothing_of_the_next_one(user: str, folder: Path) -> None:
-    """Neither by its signals nor by what it leaves in its folder, nor by ending the process of its lane."""
+    """Neither by its signals, nor by what it leaves in its folder or its pipe, nor by ending the lane."""
     leaves = "import os\nprint('found', os.listdir(), oct(os.stat('.').st_mode))\n"
     leaves += "open('x', 'x').write('a')\nos.chmod('.', 0)"
+    closes = (
+        "import fcntl, os\nprint('pipe', fcntl.fcntl(3, fcntl.F_GETFL))\nfcntl.fcntl(3, fcntl.F_SETFL, os.O_NONBLOCK)"
+    )
     ends = "import ctypes, os\nlibc = ctypes.CDLL(None)\nprint([libc.kill(pid, 9) for pid in (-1, os.getppid())])"
     for number in range(6):
         handed_in(folder / "class", f"a{number}", "ten-hertz", leaves)
         handed_in(folder / "class", f"b{number}", "ten-hertz", ends)
         handed_in(folder / "class", f"c{number}", "slow-timer", SOLVED)
+        handed_in(folder / "class", f"d{number}", "ten-hertz", closes)
     _, found, _ = judge(folder / "class", user=user)
     answers = said(found)
     assert all(answers[f"a{number}"]["said"].startswith("found [] 0o41777\n") for number in range(6))
     assert all(answers[f"b{number}"]["said"].startswith("[-1, -1]\n") for number in range(6))
     assert all(answers[f"c{number}"]["solved"] for number in range(6))
+    assert all(answers[f"d{number}"]["said"].startswith(f"pipe {os.O_WRONLY}\n") for number in range(6))
 
 
 LESSON = """
@@ -217,6 +222,17 @@ def judged(made: Lanes, *texts: str) -> list[Verdict]:
     found: dict[int, Verdict] = {}
     made.judge([Task("ten-hertz", text) for text in texts], found.__setitem__)
     return [found[number] for number in range(len(texts))]
+
+
+@pytest.mark.parametrize("make", ["os.close(os.open(name, os.O_CREAT))", "os.mkdir(name)", "os.symlink('x', name)"])
+def test_an_answer_that_makes_files_without_end_is_ended(make: str, made_lanes: list[Lanes]) -> None:
+    """They are in the kernel's memory, however little is in them."""
+    made_lanes.append(Lanes())
+    text = f"import itertools, os\nfor name in map(str, itertools.count()):\n    {make}"
+    (found,) = judged(made_lanes[0], text)
+    assert found.verdict == "not judged" and "Its Python broke down" in found.said
+    (found,) = judged(made_lanes[0], "import os\nfor name in map(str, range(500)):\n    " + make)
+    assert found.verdict == "not yet" and "broke down" not in found.said
 
 
 @pytest.mark.parametrize(
@@ -379,12 +395,17 @@ def test_what_is_kept_from_an_answer_without_bubblewrap(without: str, folder: Pa
     """And each has a folder of its own, which is taken away."""
     for name in _STILL:
         handed_in(folder / "class", name, "ten-hertz", written(name, folder))
+    deep = "import os\nfor _ in range(3000): os.mkdir('d'); os.chdir('d')\nos.chmod('.', 0)"
+    handed_in(folder / "class", "deep", "ten-hertz", deep)
     handed_in(folder / "class", "writes", "ten-hertz", "open('x', 'x').write('a')\nimport os\nprint(os.getcwd())")
+    own_tmp = folder / "tmp"
+    own_tmp.mkdir()
     with teachers_services(folder) as obeyed:
-        _, found, _ = judge(folder / "class", "--unsealed", PATH=without)
+        _, found, _ = judge(folder / "class", "--unsealed", PATH=without, TMPDIR=str(own_tmp))
     answers = said(found)
+    assert answers.pop("deep")["verdict"] == "not yet"
     own = answers.pop("writes")["said"].splitlines()[0]
-    assert own.startswith(tempfile.gettempdir()) and not Path(own).exists()
+    assert own.startswith(str(own_tmp)) and not [*own_tmp.iterdir()]
     left = {
         name: [line for line in got_in(answer["said"]) if "IN proc" not in line] for name, answer in answers.items()
     }
