@@ -78,7 +78,7 @@ class _Out:
         self._is_roomy = is_roomy
 
     def message(self, message: Message) -> None:
-        for field in message._rosspin_fields.values():
+        for field in type(message)._rosspin_fields.values():
             value, kind = getattr(message, field.slot), field.kind
             values = value if kind.array else (value,)
             if kind.array and kind.length is None:
@@ -97,7 +97,7 @@ class _Out:
                     units = each.encode("utf-16-le")
                     codes = struct.unpack(f"<{len(units) // 2}H", units)
                     self._pack("I", len(codes), *codes, *([0] if self._is_roomy else []))
-        if not message._rosspin_fields:
+        if not type(message)._rosspin_fields:
             self.data.append(0)
 
     def _pack(self, code: str, *values: Any) -> None:

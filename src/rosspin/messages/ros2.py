@@ -2,7 +2,7 @@
 
 Fields are always checked when they are set, as with ROS_PYTHON_CHECK_FIELDS=1: unchecked, as rosidl's are by default, a
 wrong value arrives as garbage. Arrays of numbers are ``array.array``; those of a fixed length are numpy's where numpy
-can be imported, as in ROS 2, and ``array.array`` elsewhere. ``SLOT_TYPES`` is not there.
+can be imported, as in ROS 2, and ``array.array`` elsewhere.
 
 PYTEST_DONT_REWRITE: the assertions say what they say on a real ROS.
 """
@@ -18,9 +18,9 @@ from collections.abc import Sequence, Set
 from functools import cache
 from importlib import import_module
 from operator import attrgetter
-from typing import Any, ClassVar, TypeVar
+from typing import TYPE_CHECKING, Any, ClassVar, TypeVar
 
-from . import classes
+from . import classes, rosidl_parser
 from .definitions import BUILTIN, CODES, Definition, Field, Kind, limits
 
 __all__ = ["Action", "Message", "Messages", "Service", "received", "transfer"]
@@ -43,23 +43,27 @@ GREATEST = {"float32": ("3.402823466e+38", "float"), "float64": ("1.797693134862
 class Message:
     """Base of all messages. The arguments are fields by keyword; AssertionError for a wrong name or value."""
 
-    __slots__: ClassVar[Sequence[str]] = []
-    _rosspin_fields: ClassVar[dict[str, _Field]] = {}
+    __slots__ = ()
+    if TYPE_CHECKING:
+        _fields_and_field_types: ClassVar[dict[str, str]]
+        SLOT_TYPES: ClassVar[tuple[Any, ...]]
+        _rosspin_fields: ClassVar[dict[str, _Field]]  # of the metaclass, so that a message has no such name
 
     @classmethod
     def get_fields_and_field_types(cls) -> dict[str, str]:
         """Names and types of the fields, in ROS 2's interface language."""
-        return {name: field.idl for name, field in cls._rosspin_fields.items()}
+        return dict(cls._fields_and_field_types)
 
     def __repr__(self) -> str:
-        fields = (f"{name}={field.show(getattr(self, name))}" for name, field in self._rosspin_fields.items())
-        return f"{type(self).__module__.rpartition('.')[0]}.{type(self).__name__}({', '.join(fields)})"
+        fields = (f"{name}={field.show(getattr(self, name))}" for name, field in type(self)._rosspin_fields.items())
+        home = type(self).__module__.split(".")[:-1]
+        return f"{'.'.join([*home, type(self).__name__])}({', '.join(fields)})"
 
     def __eq__(self, other: object) -> bool:
         if not isinstance(other, type(self)):
             return False
         return all(
-            field.equal(getattr(self, name), getattr(other, name)) for name, field in self._rosspin_fields.items()
+            field.equal(getattr(self, name), getattr(other, name)) for name, field in type(self)._rosspin_fields.items()
         )
 
     # rosidl's classes have no hash either: two equal messages may change apart.
@@ -76,18 +80,20 @@ class _Interface:
 class Service(_Interface):
     """Base of all services."""
 
-    Request: ClassVar[type[Message]]
-    Response: ClassVar[type[Message]]
-    Event: ClassVar[type[Message]]
+    if TYPE_CHECKING:
+        Request: ClassVar[type[Message]]
+        Response: ClassVar[type[Message]]
+        Event: ClassVar[type[Message]]
 
 
 class Action(_Interface):
     """Base of all actions. ``Impl`` has the services and messages that an action consists of."""
 
-    Goal: ClassVar[type[Message]]
-    Result: ClassVar[type[Message]]
-    Feedback: ClassVar[type[Message]]
-    Impl: ClassVar[Any]
+    if TYPE_CHECKING:
+        Goal: ClassVar[type[Message]]
+        Result: ClassVar[type[Message]]
+        Feedback: ClassVar[type[Message]]
+        Impl: ClassVar[Any]
 
 
 def transfer(message: Message, data_class: type[M]) -> M:
@@ -111,7 +117,7 @@ def received(message: Message, data_class: type[M]) -> M:
 
 
 def _check(message: Message) -> None:
-    for field in message._rosspin_fields.values():
+    for field in type(message)._rosspin_fields.values():
         value = field.check(getattr(message, field.slot))
         if field.message:
             for each in value if field.kind.array else (value,):
@@ -143,6 +149,27 @@ class _Field:
         if kind.array:
             return f"sequence<{base}>" if kind.bound is None else f"sequence<{base}, {kind.bound}>"
         return base
+
+    @property
+    def slot_type(self) -> Any:
+        """What describes the type in ``SLOT_TYPES``."""
+        kind, value_type = self.kind, self._value_type()
+        if kind.length is not None:
+            return rosidl_parser.Array(value_type, kind.length)
+        if kind.bound is not None:
+            return rosidl_parser.BoundedSequence(value_type, kind.bound)
+        return rosidl_parser.UnboundedSequence(value_type) if kind.array else value_type
+
+    def _value_type(self) -> Any:
+        base, size = self.kind.base, self.kind.size
+        if self.message:
+            package, folder, _ = self.message.__module__.split(".")
+            return rosidl_parser.NamespacedType([package, folder], self.message.__name__)
+        if base == "string":
+            return rosidl_parser.UnboundedString() if size is None else rosidl_parser.BoundedString(size)
+        if base == "wstring":
+            return rosidl_parser.UnboundedWString() if size is None else rosidl_parser.BoundedWString(size)
+        return rosidl_parser.BasicType(IDL.get(base, base))
 
     def default(self) -> Any:
         """A new default value."""
@@ -273,13 +300,14 @@ class Messages(classes.Messages[Message]):
         }
         namespace: dict[str, Any] = {suffix[1:]: part for suffix, part in parts.items()}
         namespace |= {"__doc__": f"The action {name}.", "__module__": module, "Impl": type("Impl", (), impl)}
-        return type(short, (Action,), namespace)
+        return _metaclass(short, "action", module, {})(short, (Action,), namespace)  # type: ignore[no-any-return]
 
     def _service(self, module: str, name: str, events: bool = True) -> type[Service]:
         suffixes = ("Request", "Response", "Event") if events else ("Request", "Response")
         namespace: dict[str, Any] = {suffix: self[f"{name}_{suffix}"] for suffix in suffixes}
         short = name.partition("/")[2]
-        return type(short, (Service,), {**namespace, "__doc__": f"The service {name}.", "__module__": module})
+        namespace |= {"__doc__": f"The service {name}.", "__module__": module}
+        return _metaclass(short, "service", module, {})(short, (Service,), namespace)  # type: ignore[no-any-return]
 
     def _make(self, definition: Definition) -> type[Message]:
         name = definition.name.partition("/")[2]
@@ -306,16 +334,30 @@ class Messages(classes.Messages[Message]):
             "__module__": self.home(definition),
             "__slots__": [*(f"_{field}" for field in fields), "_check_fields"],
             "__init__": __init__,
-            "_rosspin_fields": fields,
+            "_fields_and_field_types": {field: each.idl for field, each in fields.items()},
+            "SLOT_TYPES": tuple(each.slot_type for each in fields.values()),
         }
+        constants: dict[str, Any] = {}
         for constant in definition.constants:
             octet = constant.type == "byte" and isinstance(constant.value, int)
-            namespace[constant.name] = bytes([int(constant.value)]) if octet else constant.value
+            constants[constant.name] = bytes([int(constant.value)]) if octet else constant.value
         for each in definition.fields:
             namespace[each.name] = _property(fields[each.name])
             if each.default is not None:
-                namespace[f"{each.name.upper()}__DEFAULT"] = fields[each.name].given
-        return type(name, (Message,), namespace)
+                constants[f"{each.name.upper()}__DEFAULT"] = fields[each.name].given
+        readable = {constant: _constant(value) for constant, value in constants.items()}
+        metaclass = _metaclass(name, "message", namespace["__module__"], {**readable, "_rosspin_fields": fields})
+        return metaclass(name, (Message,), {**namespace, **constants})  # type: ignore[no-any-return]
+
+
+def _constant(value: Any) -> property:
+    return property(lambda cls: value)
+
+
+def _metaclass(name: str, what: str, module: str, namespace: dict[str, Any]) -> Any:
+    """Make the class of a class, on which constants can only be read."""
+    own = {"__doc__": f"Metaclass of {what} '{name}'.", "__module__": module, "_TYPE_SUPPORT": None}
+    return type(f"Metaclass_{name}", (type,), {**own, **namespace})
 
 
 def _property(field: _Field) -> property:

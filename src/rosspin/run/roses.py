@@ -93,6 +93,7 @@ ROSES = {
         {
             "ament_index_python": "rclpy.ament_index",
             "message_filters": "rclpy.message_filters",
+            "rosidl_parser": "messages.rosidl_parser",
             "rosidl_runtime_py": "rclpy.rosidl_runtime_py",
             "tf2_py": "rclpy.tf2_ros",
             "tf2_ros": "rclpy.tf2_ros",
