@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import copy
 import pickle
+from pathlib import Path
 from typing import Any
 
 import pytest
@@ -77,3 +78,31 @@ def test_times_and_profiles_are_copied_neither_deeply_nor_by_pickle() -> None:
         for way in (copy.deepcopy, pickle.dumps):
             with pytest.raises(TypeError, match=r"cannot pickle 'rclpy._rclpy_pybind11.rcl_\w+_t' object"):
                 way(value)
+
+
+NAMING = """
+from rclpy.node import Node
+import rclpy.qos
+def look(function):
+    try:
+        function()
+    except Exception as error:
+        print(str(error).partition(" (")[0])
+def node():
+    from rclpy.node import Depth
+def tf2():
+    from tf2_ros import Depth
+for each in Node.get_parameter, lambda: rclpy.qos.Depth, node, tf2:
+    look(each)
+"""
+
+
+def test_errors_name_modules_and_methods_as_rclpy_does(tmp_path: Path) -> None:
+    path = tmp_path / "naming.py"
+    path.write_text(NAMING)
+    assert simulate(path, 1).console.splitlines() == [
+        "Node.get_parameter() missing 2 required positional arguments: 'self' and 'name'",
+        "module 'rclpy.qos' has no attribute 'Depth'",
+        "cannot import name 'Depth' from 'rclpy.node'",
+        "cannot import name 'Depth' from 'tf2_ros'",
+    ]

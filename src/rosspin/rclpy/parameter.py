@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import inspect
 import math
 from array import array
 from collections.abc import Callable, Iterable, Iterator
@@ -493,6 +494,10 @@ class Parameters:
     def remove_post_set_parameters_callback(self, callback: Callable[[list[Parameter]], Any]) -> None:
         """Do not call it any more; ValueError if it is not there."""
         self._post_set_parameters_callbacks.remove(callback)
+
+
+for _function in [each for each in vars(Parameters).values() if inspect.isfunction(each)]:
+    _function.__qualname__ = f"Node.{_function.__name__}"  # where rclpy has them, and what errors say
 
 
 def check_value(parameter: Parameter) -> None:

@@ -9,6 +9,7 @@ from importlib.abc import Loader, MetaPathFinder
 from importlib.machinery import BuiltinImporter, FrozenImporter, ModuleSpec, PathFinder, SourceFileLoader
 from types import FrameType, ModuleType
 from typing import Any
+from weakref import WeakKeyDictionary
 
 from ..messages import MessageFinder
 from ..world.world import World
@@ -92,7 +93,11 @@ class Imports(MetaPathFinder):
         return None
 
     def _module(self, ros: int, name: str, modules: Mapping[str, ModuleType]) -> ModuleType:
-        module: ModuleType = ROSES[ros].stand_in.for_process() if name == ROSES[ros].roots[0] else modules[name]
+        if name == ROSES[ros].roots[0]:
+            return ROSES[ros].stand_in.for_process()  # type: ignore[no-any-return]
+        module = modules[name]
+        _NAMES.setdefault(module, name)
+        module.__class__ = _StandIn
         return module
 
     def _bring(self, ros: int, fullname: str) -> None:
@@ -113,6 +118,20 @@ class Imports(MetaPathFinder):
         finder = MessageFinder(ros, folder_of(self._node))
         self._hidden(finder.hide())
         return finder
+
+
+_NAMES: WeakKeyDictionary[ModuleType, str] = WeakKeyDictionary()
+
+
+class _StandIn(ModuleType):
+    """A module of a stand-in, which errors name as on a real ROS, such as rclpy.node."""
+
+    @property
+    def __name__(self) -> str:  # type: ignore[override]
+        return _NAMES[self]
+
+    def __getattr__(self, name: str) -> Any:
+        raise AttributeError(f"module {_NAMES[self]!r} has no attribute {name!r}", name=name, obj=self)
 
 
 class _Given(Loader):
