@@ -14,7 +14,7 @@ import pytest
 from seeds import SEED
 from tree import ROOT
 
-NODES = 200
+NODES = 100
 SECONDS = 1.5
 
 # What a callback, a thread or the main may do; {n} is its number, {t} a time in seconds.
