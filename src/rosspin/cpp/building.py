@@ -21,7 +21,7 @@ from ..messages.library import Library
 from ..world.world import NotSimulated
 from . import headers
 
-__all__ = ["CompileError", "build", "node_command"]
+__all__ = ["Built", "CompileError", "build", "node_command"]
 
 _HERE = Path(__file__).parent
 _JS = _HERE / "js"
@@ -40,8 +40,11 @@ _FLAGS_NODE = ["-fsanitize=null,return", "-fsanitize-trap=null,return", "-ferror
 _LINK = ["-lwasi-emulated-process-clocks", "-Wl,--export=__cpp_exception,--export=malloc,--export-table"]
 _LINK += ["-Wl,-z,stack-size=8388608,--stack-first,--max-memory=1073741824"]
 
-_RUNTIMES = ("exceptions", "host", "roscpp")
-_ROOTS = {"ros": 1, "rclcpp": 2}
+# The files of the runtime that have no ROS, and the one of each ROS.
+_RUNTIMES = ("exceptions", "host")
+_OF_RUNTIME = ("include/rosspin/format.h", "include/rosspin/host.h")  # all that those include
+_RUNTIME_OF = {1: "roscpp", 2: "rclcpp"}
+_ROOTS = {"ros": 1, "rclcpp": 2, "rclcpp_components": 2}
 
 _MISSING = re.compile(r"fatal error: '([^']+)' file not found")
 _UNAVAILABLE = re.compile(r"error: .* is unavailable: (.+) is not simulated; run this node on a real ROS")
@@ -49,13 +52,21 @@ _UNDEFINED = re.compile(r"wasm-ld: error: .*undefined symbol: (.*)")
 
 # Packages whose headers a node may include, of ROS or beside it.
 _SYSTEM = re.compile(
-    r"(ros|rclcpp\w*|tf2?\w*|actionlib|boost|Eigen|eigen3|opencv2?|cv_bridge|pcl\w*|image_transport|moveit|nodelet|"
-    r"pluginlib|dynamic_reconfigure|message_filters|\w+_(msgs|srvs|interfaces))/.*|pthread\.h|termios\.h|sys/.*"
+    r"(ros|rcl\w*|rmw\w*|rcutils|rcpputils|rosidl\w*|ament\w*|class_loader|tf2?\w*|actionlib|boost|Eigen|eigen3|opencv2?|"
+    r"cv_bridge|pcl\w*|image_transport|moveit|nodelet|pluginlib|dynamic_reconfigure|message_filters|"
+    r"\w+_(msgs|srvs|interfaces))/.*|pthread\.h|termios\.h|sys/.*"
 )
 
 
 class CompileError(ValueError):
     """A C++ node that does not compile; the message is the compiler's."""
+
+
+class Built(NamedTuple):
+    """A compiled node, and which ROS it is of."""
+
+    program: Path
+    ros: int
 
 
 class _Source(NamedTuple):
@@ -67,7 +78,7 @@ class _Source(NamedTuple):
     ros: int
 
 
-def build(path: str | os.PathLike[str]) -> Path:
+def build(path: str | os.PathLike[str]) -> Built:
     """Compile a node, unless that was done before; return the program.
 
     Raises OSError if it cannot be read, CompileError if it is no C++, :class:`NotSimulated` if it uses what has no
@@ -77,16 +88,13 @@ def build(path: str | os.PathLike[str]) -> Path:
     source = _read(path)
     if not source.ros:
         raise ValueError(f"{path}: this includes neither ros/ros.h nor rclcpp/rclcpp.hpp")
-    if source.ros == 2:
-        raise NotSimulated("rclcpp")
-    library = Library(1, path.resolve().parent)
-    messages = headers.messages([name for name in source.names if name not in headers.stand_ins()], library)
+    messages = headers.messages(source.names, Library(source.ros, path.resolve().parent))
     name = f"node/{path.name}"
     texts = {name: source.text, **{f"include/{each}": text for each, text in {**messages, **source.own}.items()}}
-    made = _made()
+    made = _made(source.ros)
     program = _KEPT / "programs" / f"{_digest(made.key, json.dumps(texts, sort_keys=True))}.wasm"
     if program.exists():
-        return program
+        return Built(program, source.ros)
     with tempfile.TemporaryDirectory() as scratch:
         inputs = {}
         for number, (each, text) in enumerate(texts.items()):
@@ -103,7 +111,7 @@ def build(path: str | os.PathLike[str]) -> Path:
         said, status = _compile([compiled.request(), link])
     if status:
         raise _explained(said.replace(name, str(path)))
-    return program
+    return Built(program, source.ros)
 
 
 def _read(path: Path) -> _Source:
@@ -112,10 +120,11 @@ def _read(path: Path) -> _Source:
     names: list[str] = []
     left = [(name, path.parent) for name in headers.included(text)]
     folders = _include_folders(path)
+    stand_ins = {**headers.stand_ins(1), **headers.stand_ins(2)}
     while left:
         name, folder = left.pop()
         names.append(name)
-        if name in own or name in headers.stand_ins():
+        if name in own or name in stand_ins:
             continue
         found = next((place / name for place in (folder, *folders) if (place / name).is_file()), None)
         if found:
@@ -156,24 +165,27 @@ class _Made(NamedTuple):
 
 
 @cache
-def _made() -> _Made:
-    """Compile the stand-ins unless somebody has. Raises ValueError if there is no compiler."""
+def _made(ros: int) -> _Made:
+    """Compile the stand-in for a ROS unless somebody has. Raises ValueError if there is no compiler."""
     if not _CLANG.is_dir():
         raise ValueError("C++ nodes need a compiler for WebAssembly: run `make html` in the source of rosspin")
     version = json.loads((_CLANG / "package.json").read_text(encoding="utf-8"))["version"]
-    own = headers.stand_ins()
+    own = headers.stand_ins(ros)
     names = {name: f"include/{name}" for name in own}
-    prelude = "include/rosspin/prelude.hpp"
+    prelude = f"include/rosspin/ros{ros}.hpp"
     key = _digest(version, prelude, json.dumps([dict(own), _FLAGS, _FLAGS_NODE, _LINK], sort_keys=True))
     folder = _KEPT / key
     files = {name: str(folder / name) for name in names.values()}
     pch = _Step(folder / "prelude.pch", ["-x", "c++-header", prelude], files)
     steps = [pch]
-    for name in _RUNTIMES:
+    runtimes = (*_RUNTIMES, _RUNTIME_OF[ros])
+    for name in runtimes:
         source = _RUNTIME / f"{name}.cpp"
-        needs = {} if name == "exceptions" else {**files, "prelude.pch": str(pch.file)}
-        options = ["-include-pch", "prelude.pch"] if needs else []
-        state = _digest(_text(source), key if needs else version, json.dumps(_FLAGS))
+        with_ros = name not in _RUNTIMES
+        needs = {**files, "prelude.pch": str(pch.file)} if with_ros else {each: files[each] for each in _OF_RUNTIME}
+        options = ["-include-pch", "prelude.pch"] if with_ros else []
+        own_key = key if with_ros else json.dumps({each: own[each.removeprefix("include/")] for each in needs})
+        state = _digest(version, _text(source), own_key, json.dumps(_FLAGS))
         file = _KEPT / "runtime" / f"{name}-{state}.o"
         steps.append(_Step(file, [*options, "-c", f"{name}.cpp"], {**needs, f"{name}.cpp": str(source)}))
     if not all(step.file.exists() for step in steps):
@@ -183,7 +195,7 @@ def _made() -> _Made:
             said, status = _compile([step.request() for step in steps if not step.file.exists()])
         if status:
             raise RuntimeError(f"the stand-ins do not compile:\n{said}")
-    objects = {f"{name}.o": str(step.file) for name, step in zip(_RUNTIMES, steps[1:], strict=True)}
+    objects = {f"{name}.o": str(step.file) for name, step in zip(runtimes, steps[1:], strict=True)}
     return _Made({**files, **objects, "prelude.pch": str(pch.file)}, list(objects), _digest(key, *objects.values()))
 
 

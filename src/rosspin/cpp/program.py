@@ -15,6 +15,7 @@ import signal
 import subprocess
 import sys
 from collections.abc import Callable
+from importlib import import_module
 from pathlib import Path
 from typing import Any
 
@@ -23,8 +24,7 @@ from ..clocks.programs import end_run
 from ..clocks.simulation import Simulation
 from ..clocks.stacks import current
 from ..world.world import NotSimulated, World, current_world
-from .building import node_command
-from .ros1 import Ros1
+from .building import Built, node_command
 from .values import packed, unpacked
 
 __all__ = ["Program"]
@@ -41,10 +41,11 @@ _SEGMENTATION_FAULT = 128 + 11
 
 
 class Program:
-    """Runs a compiled node of ROS 1 when it is called: ``wasm`` is the program, ``path`` its source."""
+    """Runs a compiled node when it is called: ``built`` is the program, ``path`` its source."""
 
-    def __init__(self, wasm: Path, path: str) -> None:
-        self.wasm = wasm
+    def __init__(self, built: Built, path: str) -> None:
+        self.wasm = built.program
+        self.ros = built.ros
         self.path = path
 
     def __call__(self) -> None:
@@ -52,7 +53,7 @@ class Program:
         world = current_world()
         if not isinstance(world.clock, Simulation):
             raise NotSimulated("C++ on the wall clock", "in simulated time, or on a real ROS")
-        world.bind(1)
+        world.bind(self.ros)
         _Running(self, world, world.clock).run()
 
 
@@ -70,7 +71,7 @@ class _Running:
         self._counts: list[int] = []
         self._open: dict[int, int] = {}  # ticks that have not ended, by their sources
         self._streams = {1: _Stream(lambda: sys.stdout), 2: _Stream(lambda: sys.stderr)}
-        self._ros = Ros1(world, self._come)
+        self._ros = _answers(program.ros)(world, self._come)
         self._line = b""
 
     def run(self) -> None:
@@ -222,6 +223,11 @@ class _Running:
     def _stand_still(self) -> None:
         self._child.kill()
         self._clock.stand_still(Place(self._program.path, 0))
+
+
+def _answers(ros: int) -> Any:
+    """Return what answers nodes of a ROS: that of ROS 2 loads rclpy."""
+    return getattr(import_module(f".ros{ros}", __package__), f"Ros{ros}")
 
 
 def _why(trap: str) -> str:

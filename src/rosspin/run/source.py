@@ -80,7 +80,8 @@ def load(node: NodeLike) -> Code:
     if path.endswith(CPP):
         from ..cpp import Program, build  # most runs go without
 
-        return Code(Program(build(path), path), os.path.splitext(path)[0], path, None, hint=1)
+        program = Program(build(path), path)
+        return Code(program, os.path.splitext(path)[0], path, None, hint=program.ros)
     if not os.path.exists(path) and _ENTRY.fullmatch(entry := path if ":" in path else _console_script(path)):
         return load_entry_point(entry)
     return load_source(read(path), path)

@@ -60,7 +60,8 @@ export class Program {
   }
 
   sleep(until) {
-    this.looks = 0
+    if (until > this.link.now) this.looks = 0
+    else this.look()
     return this.link.sleep(until)
   }
 

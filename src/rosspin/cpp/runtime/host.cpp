@@ -1,5 +1,6 @@
 // The program's side of rosspin/host.h: what it imports from the host, and what the host calls.
 #include "rosspin/host.h"
+#include "rosspin/format.h"
 
 #include <cerrno>
 #include <csignal>
@@ -189,6 +190,63 @@ void tell(const std::string& what, std::vector<Value> values)
 {
   std::string text = request(what, std::move(values));
   rosspin_tell(text.data(), text.size());
+}
+
+std::string formatted(const char* format, std::initializer_list<Argument> arguments)
+{
+  std::string out;
+  auto next = arguments.begin();
+  auto take = [&] { return next == arguments.end() ? Argument(0) : *next++; };
+  for (const char* at = format; *at; at++)
+  {
+    if (*at != '%' || *++at == '%')
+    {
+      out += *at;
+      continue;
+    }
+    std::string form = "%";
+    for (; *at && std::strchr("-+ #0.123456789*", *at); at++)
+      form += *at == '*' ? std::to_string(take().integer) : std::string(1, *at);
+    bool wide = false;
+    for (; *at && std::strchr("hljztLq", *at); at++)
+      wide = wide || *at != 'h';
+    if (!*at)
+      break;
+    char buffer[400];
+    Argument argument = take();
+    if (std::strchr("eEfFgGaA", *at))
+    {
+      double number = argument.kind == Argument::whole ? static_cast<double>(argument.integer) : argument.number;
+      std::snprintf(buffer, sizeof buffer, (form + *at).c_str(), number);
+    }
+    else if (*at == 's')
+    {
+      auto text = static_cast<const char*>(argument.address);
+      std::string whole(std::snprintf(nullptr, 0, (form + "s").c_str(), text ? text : "(null)"), '\0');
+      std::snprintf(whole.data(), whole.size() + 1, (form + "s").c_str(), text ? text : "(null)");
+      out += whole;
+      continue;
+    }
+    else if (*at == 'p')
+    {
+      std::snprintf(buffer, sizeof buffer, (form + "p").c_str(), argument.address);
+    }
+    else if (*at == 'c')
+    {
+      std::snprintf(buffer, sizeof buffer, (form + "c").c_str(), static_cast<int>(argument.integer));
+    }
+    else
+    {
+      std::int64_t integer = argument.kind == Argument::real ? static_cast<std::int64_t>(argument.number)
+                                                             : argument.integer;
+      if (!wide)
+        integer = *at == 'd' || *at == 'i' ? static_cast<std::int64_t>(static_cast<std::int32_t>(integer))
+                                           : static_cast<std::int64_t>(static_cast<std::uint32_t>(integer));
+      std::snprintf(buffer, sizeof buffer, (form + "ll" + *at).c_str(), static_cast<long long>(integer));
+    }
+    out += buffer;
+  }
+  return out;
 }
 
 void write(int stream, const std::string& text)

@@ -2,7 +2,6 @@
 #include "ros/ros.h"
 
 #include <csignal>
-#include <cstdarg>
 
 namespace ros
 {
@@ -178,18 +177,6 @@ void print(Level level, const std::string& text)
       static_cast<long long>(now % second));
   rosspin::write(level < levels::Warn ? 1 : 2,
       std::string(colours[level]) + "[" + names[level] + "] [" + stamp + "]: " + text + "\033[0m\n");
-}
-
-void print(Level level, const char* format, ...)
-{
-  va_list values, again;
-  va_start(values, format);
-  va_copy(again, values);
-  std::string text(std::vsnprintf(nullptr, 0, format, values), '\0');
-  std::vsnprintf(text.data(), text.size() + 1, format, again);
-  va_end(again);
-  va_end(values);
-  print(level, text);
 }
 
 bool throttled(double period, double& last, bool delayed)

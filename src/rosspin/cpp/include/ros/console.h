@@ -2,7 +2,6 @@
 #ifndef ROSSPIN_ROS_CONSOLE_H
 #define ROSSPIN_ROS_CONSOLE_H
 
-#include <cstdarg>
 #include <cstdio>
 #include <cstdlib>
 #include <map>
@@ -10,6 +9,7 @@
 #include <string>
 
 #include "ros/time.h"
+#include "rosspin/format.h"
 
 namespace ros
 {
@@ -31,7 +31,11 @@ typedef levels::Level Level;
 
 bool enabled(Level level);
 void print(Level level, const std::string& text);
-void print(Level level, const char* format, ...) __attribute__((format(printf, 2, 3)));
+template<class... Values>
+void print(Level level, const char* format, Values... values)
+{
+  print(level, rosspin::formatted(format, {rosspin::Argument(values)...}));
+}
 bool set_logger_level(const std::string& name, Level level);
 inline bool get_loggers(std::map<std::string, Level>&) { return true; }
 inline void notifyLoggerLevelsChanged() {}

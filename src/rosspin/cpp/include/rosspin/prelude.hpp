@@ -1,4 +1,4 @@
-// What is compiled once for all nodes.
+// The headers of the standard library that nodes use most.
 #include <algorithm>
 #include <array>
 #include <atomic>
@@ -32,4 +32,3 @@
 #include <vector>
 #include <unistd.h>
 
-#include "ros/ros.h"

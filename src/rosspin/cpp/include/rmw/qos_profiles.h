@@ -1,0 +1,1 @@
+#include "rmw/types.h"

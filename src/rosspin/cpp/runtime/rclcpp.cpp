@@ -1,0 +1,1938 @@
+// What is no template of the stand-in for rclcpp.
+#include "rclcpp/rclcpp.hpp"
+#include "rclcpp_components/register_node_macro.hpp"
+#include "rosgraph_msgs/msg/clock.hpp"
+
+#include <algorithm>
+#include <csignal>
+#include <cstdio>
+#include <cstdlib>
+
+namespace rclcpp
+{
+namespace
+{
+constexpr std::int64_t second = 1'000'000'000;
+
+// How long a call takes of a timer that is always due.
+constexpr std::int64_t least_period = 1'000, least_call = 20'000;
+
+std::int64_t later(std::int64_t time, std::int64_t by)
+{
+  return by > rosspin::never - time ? rosspin::never : time + by;
+}
+
+const rosspin::Value& field(const rosspin::Value& table, const char* name)
+{
+  static const rosspin::Value none;
+  auto found = table.fields.find(name);
+  return found == table.fields.end() ? none : found->second;
+}
+
+// Raise what the host has answered with, if that is an error.
+void check(const rosspin::Value& answer, const std::string& failed)
+{
+  const std::string& error = field(answer, "error").string;
+  const std::string& text = field(answer, "text").string;
+  if (error == "node name")
+    throw exceptions::InvalidNodeNameError(text);
+  if (error == "namespace")
+    throw exceptions::InvalidNamespaceError(text);
+  if (error == "topic name")
+    throw exceptions::InvalidTopicNameError(text);
+  if (error == "service name")
+    throw exceptions::InvalidServiceNameError(text);
+  if (error == "arguments")
+    throw exceptions::RCLInvalidROSArgsError(text);
+  if (error == "unknown arguments")
+  {
+    std::vector<std::string> words;
+    for (const rosspin::Value& word : field(answer, "words").items)
+      words.push_back(word.string);
+    throw exceptions::UnknownROSArgsError(words);
+  }
+  if (!error.empty())
+    throw exceptions::RCLError(failed + ": " + text);
+}
+
+std::vector<rosspin::Value> values_of(const std::vector<std::string>& words)
+{
+  return {words.begin(), words.end()};
+}
+
+rosspin::Value bytes_of(const std::string& bytes)
+{
+  rosspin::Value value;
+  value.kind = rosspin::Value::bytes;
+  value.string = bytes;
+  return value;
+}
+
+// What the host knows by numbers.
+template<class T>
+std::map<std::int64_t, T*>& all()
+{
+  static auto* known = new std::map<std::int64_t, T*>;
+  return *known;
+}
+}  // namespace
+
+// --- time (sources: time.cpp, duration.cpp, clock.cpp, rate.cpp) ---
+
+namespace detail
+{
+std::int64_t sum(std::int64_t one, std::int64_t other, const char* what)
+{
+  std::int64_t result;
+  if (!__builtin_add_overflow(one, other, &result))
+    return result;
+  if (one > 0)
+    throw std::overflow_error(std::string(what) + " leads to int64_t overflow");
+  throw std::underflow_error(std::string(what) + " leads to int64_t underflow");
+}
+
+std::int64_t difference(std::int64_t one, std::int64_t other, const char* what)
+{
+  std::int64_t result;
+  if (!__builtin_sub_overflow(one, other, &result))
+    return result;
+  if (one > 0)
+    throw std::overflow_error(std::string(what) + " leads to int64_t overflow");
+  throw std::underflow_error(std::string(what) + " leads to int64_t underflow");
+}
+}  // namespace detail
+
+Duration::operator builtin_interfaces::msg::Duration() const
+{
+  builtin_interfaces::msg::Duration message;
+  std::int64_t whole = ns_ / second - (ns_ % second < 0);
+  bool fits = whole >= INT32_MIN && whole <= INT32_MAX;
+  message.sec = fits ? static_cast<std::int32_t>(whole) : whole > 0 ? INT32_MAX : INT32_MIN;
+  message.nanosec = fits ? static_cast<std::uint32_t>(ns_ - whole * second) : whole > 0 ? UINT32_MAX : 0;
+  return message;
+}
+
+Duration Duration::operator*(double scale) const
+{
+  if (!std::isfinite(scale))
+    throw std::runtime_error("abnormal scale in rclcpp::Duration");
+  long double scaled = static_cast<long double>(ns_) * scale;
+  if (scaled > static_cast<long double>(INT64_MAX))
+    throw std::overflow_error("duration scaling leads to int64_t overflow");
+  if (scaled < static_cast<long double>(INT64_MIN))
+    throw std::underflow_error("duration scaling leads to int64_t underflow");
+  return from_nanoseconds(static_cast<std::int64_t>(scaled));
+}
+
+rmw_time_t Duration::to_rmw_time() const
+{
+  if (ns_ < 0)
+    throw std::runtime_error("rmw_time_t cannot be negative");
+  return {static_cast<std::uint64_t>(ns_ / second), static_cast<std::uint64_t>(ns_ % second)};
+}
+
+Time::Time(std::int32_t seconds, std::uint32_t nanoseconds, rcl_clock_type_t clock_type)
+  : ns_(seconds * second + nanoseconds), type_(clock_type)
+{
+  if (seconds < 0)
+    throw std::runtime_error("cannot store a negative time point in rclcpp::Time");
+}
+
+Time::operator builtin_interfaces::msg::Time() const
+{
+  builtin_interfaces::msg::Time message;
+  std::int64_t whole = ns_ / second - (ns_ % second < 0);
+  message.sec = static_cast<std::int32_t>(whole);
+  message.nanosec = static_cast<std::uint32_t>(ns_ - whole * second);
+  return message;
+}
+
+const Time& Time::compared(const Time& other) const
+{
+  if (type_ != other.type_)
+    throw std::runtime_error("can't compare times with different time sources");
+  return *this;
+}
+
+Duration Time::operator-(const Time& other) const
+{
+  if (type_ != other.type_)
+    throw std::runtime_error("can't subtract times with different time sources [" + std::to_string(type_) +
+                             " != " + std::to_string(other.type_) + "]");
+  return Duration::from_nanoseconds(detail::difference(ns_, other.ns_, "time subtraction"));
+}
+
+std::int64_t Clock::ns() const
+{
+  if (type_ == RCL_STEADY_TIME)
+    return rosspin::now();
+  if (active_)
+  {
+    rosspin::look();
+    return ros_;
+  }
+  return rosspin::system_now();
+}
+
+std::int64_t Clock::in_run(std::int64_t ns) const
+{
+  if (active_)
+    return ns <= ros_ ? rosspin::now() : rosspin::never;
+  return type_ == RCL_STEADY_TIME ? ns : ns - (rosspin::system_now() - rosspin::now());
+}
+
+void Clock::jump(rcl_clock_change_t change, std::int64_t ns, bool active)
+{
+  rcl_time_jump_t jump{change, {ns - (active_ ? ros_ : rosspin::system_now())}};
+  std::vector<JumpHandler::SharedPtr> told;
+  for (const auto& each : handlers_)
+    if (auto handler = each.lock())
+    {
+      const auto& notice = handler->notice_threshold;
+      if (change == RCL_ROS_TIME_NO_CHANGE
+              ? (notice.min_forward.nanoseconds && jump.delta.nanoseconds >= notice.min_forward.nanoseconds) ||
+                    (notice.min_backward.nanoseconds && jump.delta.nanoseconds <= notice.min_backward.nanoseconds)
+              : notice.on_clock_change)
+        told.push_back(handler);
+    }
+  for (const auto& handler : told)
+    if (handler->pre_callback)
+      handler->pre_callback();
+  ros_ = ns;
+  active_ = active;
+  for (const auto& handler : told)
+    if (handler->post_callback)
+      handler->post_callback(jump);
+}
+
+void Clock::follow(bool active)
+{
+  if (active == active_ || type_ != RCL_ROS_TIME)
+    return;
+  switched_ = true;
+  jump(active ? RCL_ROS_TIME_ACTIVATED : RCL_ROS_TIME_DEACTIVATED, active ? 0 : rosspin::system_now(), active);
+}
+
+void Clock::set(std::int64_t ns) { jump(RCL_ROS_TIME_NO_CHANGE, ns, true); }
+
+JumpHandler::SharedPtr Clock::create_jump_callback(
+    JumpHandler::pre_callback_t before, JumpHandler::post_callback_t after, const rcl_jump_threshold_t& threshold)
+{
+  auto handler = std::make_shared<JumpHandler>(JumpHandler{std::move(before), std::move(after), threshold});
+  handlers_.push_back(handler);
+  return handler;
+}
+
+bool Clock::sleep_until(Time until, Context::SharedPtr context)
+{
+  if (!context || !context->is_valid())
+    throw std::runtime_error("context cannot be slept with because it's invalid");
+  if (until.get_clock_type() != type_)
+    throw std::runtime_error("until's clock type does not match this clock's type");
+  switched_ = false;
+  rosspin::look();
+  while (ns() < until.nanoseconds() && !cancelled_ && !switched_ && context->is_valid())
+    rosspin::wait(in_run(until.nanoseconds()));
+  cancelled_ = false;
+  return context->is_valid() && !switched_ && ns() >= until.nanoseconds();
+}
+
+bool Clock::wait_until_started(Context::SharedPtr context)
+{
+  if (!context || !context->is_valid())
+    throw std::runtime_error("context cannot be slept with because it's invalid");
+  return started() || sleep_until(Time(0, 1, type_), context);
+}
+
+bool Clock::wait_until_started(const Duration& timeout, Context::SharedPtr context, const Duration&)
+{
+  if (!context || !context->is_valid())
+    throw std::runtime_error("context cannot be slept with because it's invalid");
+  std::int64_t end = later(rosspin::now(), timeout.nanoseconds());
+  while (!started() && context->is_valid() && rosspin::now() < end)
+    rosspin::wait(end);
+  return started();
+}
+
+Rate::Rate(double rate, Clock::SharedPtr clock)
+  : clock_(std::move(clock)), last_(clock_->now()), grid_(rosspin::now()), begun_(grid_)
+{
+  if (rate <= 0.0)
+    throw std::invalid_argument("rate must be greater than 0");
+  period_ = Duration::from_seconds(1.0 / rate);
+}
+
+Rate::Rate(const Duration& period, Clock::SharedPtr clock)
+  : clock_(std::move(clock)), period_(period), last_(clock_->now()), grid_(rosspin::now()), begun_(grid_)
+{
+  if (period <= Duration(0, 0))
+    throw std::invalid_argument("period must be greater than 0");
+}
+
+// sleep() ends one period after the mark, and moves the mark there. If that has passed, it does not sleep; and if a whole
+// period more has passed, the mark is set one period ahead of now (source: rate.cpp, Rate::sleep).
+bool Rate::sleep()
+{
+  if (source_ < 0)
+    source_ = rosspin::source("Rate", period_.nanoseconds());
+  rosspin::begin_tick(source_, ++passes_, grid_, begun_);
+  rosspin::end_tick(source_, rosspin::now() - begun_);
+  grid_ += period_.nanoseconds();
+  Time now = clock_->now(), next = last_ + period_;
+  if (now < last_)
+    next = now + period_;
+  last_ += period_;
+  bool sleeps = next > now;
+  if (sleeps)
+    clock_->sleep_for(next - now);
+  else if (now > next + period_)
+    last_ = now + period_;
+  begun_ = rosspin::now();
+  return sleeps;
+}
+
+// --- logging (sources: rcutils/logging.c, logging_macros.h) ---
+
+namespace
+{
+struct Logs
+{
+  std::map<std::string, int> levels;
+  int level = RCUTILS_LOG_SEVERITY_INFO;
+  bool console = true, coloured = false;
+  std::string form = "[{severity}] [{time}] [{name}]: {message}";
+  int stream = 2;
+};
+
+Logs& logs()
+{
+  static Logs* one = new Logs;
+  return *one;
+}
+
+std::string stamp(std::int64_t ns)
+{
+  char text[40];
+  std::snprintf(text, sizeof text, "%lld.%09lld", static_cast<long long>(ns / second),
+      static_cast<long long>(ns % second));
+  return text;
+}
+
+const char* name_of_level(int severity)
+{
+  return severity >= 50 ? "FATAL" : severity >= 40 ? "ERROR" : severity >= 30 ? "WARN" : severity >= 20 ? "INFO" : "DEBUG";
+}
+}  // namespace
+
+namespace detail
+{
+bool logs(int severity, const char* name)
+{
+  return severity >= rcutils_logging_get_logger_effective_level(name);
+}
+
+void log(int severity, const char* name, const Place& place, const std::string& text)
+{
+  const Logs& own = rclcpp::logs();
+  if (!own.console)
+    return;
+  std::int64_t now = rosspin::system_now();
+  std::map<std::string, std::string> fields = {{"severity", name_of_level(severity)}, {"time", stamp(now)},
+      {"name", name}, {"message", text}, {"function_name", place.function}, {"file_name", place.file},
+      {"line_number", std::to_string(place.line)}, {"time_as_nanoseconds", std::to_string(now)}};
+  std::string line;
+  for (std::size_t at = 0; at < own.form.size();)
+  {
+    std::size_t end = own.form[at] == '{' ? own.form.find('}', at) : std::string::npos;
+    auto found = end == std::string::npos ? fields.end() : fields.find(own.form.substr(at + 1, end - at - 1));
+    if (found == fields.end())
+    {
+      line += own.form[at++];
+      continue;
+    }
+    line += found->second;
+    at = end + 1;
+  }
+  if (own.coloured)
+    line = std::string(severity >= 40 ? "\033[31m" : severity >= 30 ? "\033[33m" : severity >= 20 ? "\033[0m" : "\033[32m") +
+           line + "\033[0m";
+  rosspin::write(own.stream, line + "\n");
+}
+}  // namespace detail
+
+std::filesystem::path get_logging_directory()
+{
+  const char* directory = std::getenv("ROS_LOG_DIR");
+  const char* home = std::getenv("HOME");
+  return directory ? directory : std::string(home ? home : "") + "/.ros/log";
+}
+
+// --- contexts (sources: context.cpp, utilities.cpp, signal_handler.cpp) ---
+
+namespace
+{
+std::vector<std::weak_ptr<Context>>& contexts_of_process()
+{
+  static auto* all = new std::vector<std::weak_ptr<Context>>;
+  return *all;
+}
+
+SignalHandlerOptions handled = SignalHandlerOptions::None;
+
+void at_signal(int number)
+{
+  RCLCPP_INFO(get_logger("rclcpp"), "signal_handler(signum=%d)", number);
+  for (const auto& context : get_contexts())
+    if (context->get_init_options().shutdown_on_signal)
+      context->shutdown("signal handler");
+}
+
+void received(const std::string& what, std::int64_t, const rosspin::Value& values)
+{
+  auto find = [&](auto& all) { return all.find(values.items[0].whole); };
+  if (what == "message")
+  {
+    if (auto found = find(all<SubscriptionBase>()); found != all<SubscriptionBase>().end())
+    {
+      rmw_message_info_t info;
+      info.source_timestamp = values.items[2].whole;
+      info.received_timestamp = values.items[3].whole;
+      info.publication_sequence_number = info.reception_sequence_number = values.items[4].whole;
+      found->second->receive({values.items[1].string, MessageInfo(info)});
+    }
+  }
+  else if (what == "request")
+  {
+    if (auto found = find(all<ServiceBase>()); found != all<ServiceBase>().end())
+      found->second->receive({values.items[1].whole, values.items[2].string});
+  }
+  else if (what == "response")
+  {
+    if (auto found = find(all<ClientBase>()); found != all<ClientBase>().end())
+      found->second->receive({values.items[1].whole, values.items[2].string});
+  }
+}
+}  // namespace
+
+std::vector<Context::SharedPtr> get_contexts()
+{
+  std::vector<Context::SharedPtr> found;
+  for (const auto& each : contexts_of_process())
+    if (auto context = each.lock(); context && context->is_valid())
+      found.push_back(context);
+  return found;
+}
+
+void Context::init(int argc, char const* const* argv, const InitOptions& options)
+{
+  if (valid_)
+    throw ContextAlreadyInitialized();
+  std::vector<std::string> words(argv, argv + argc);
+  rosspin::on_event = received;
+  rosspin::Value answer = rosspin::ask("init", {values_of(words), options.auto_initialize_logging()});
+  rclcpp::check(answer, "failed to initialize rcl");
+  id_ = field(answer, "id").whole;
+  options_ = options;
+  valid_ = true;
+  reason_.clear();
+  contexts_of_process().push_back(weak_from_this());
+  if (!options.auto_initialize_logging())
+    return;
+  Logs& own = logs();
+  own.level = static_cast<int>(field(answer, "level").whole);
+  own.console = field(answer, "console").flag;
+  own.coloured = field(answer, "coloured").flag;
+  own.form = field(answer, "form").string;
+  own.stream = field(answer, "to_stdout").flag ? 1 : 2;
+  for (const auto& [name, level] : field(answer, "levels").fields)
+    own.levels[name] = static_cast<int>(level.whole);
+}
+
+bool Context::shutdown(const std::string& reason)
+{
+  if (!valid_)
+    return false;
+  for (const auto& callback : Callbacks(before_))
+    (*callback)();
+  valid_ = false;
+  reason_ = reason;
+  rosspin::tell("shutdown", {id_});
+  for (const auto& callback : Callbacks(after_))
+    (*callback)();
+  return true;
+}
+
+ShutdownCallbackHandle Context::add(Callbacks& all, OnShutdownCallback callback)
+{
+  auto kept = std::make_shared<std::function<void()>>(std::move(callback));
+  all.push_back(kept);
+  return {kept};
+}
+
+bool Context::remove(Callbacks& all, const ShutdownCallbackHandle& handle)
+{
+  std::size_t before = all.size();
+  all.remove(handle.callback.lock());
+  return all.size() < before;
+}
+
+bool Context::sleep_for(const std::chrono::nanoseconds& length)
+{
+  std::int64_t end = later(rosspin::now(), length.count());
+  rosspin::look();
+  bool was_valid = valid_;
+  while (rosspin::now() < end && valid_ == was_valid)
+    rosspin::wait(end);
+  return valid_;
+}
+
+void Context::check(const char* what) const
+{
+  if (id_ < 0)
+    throw exceptions::RCLInvalidArgument(std::string(what) + ": context argument is null");
+  if (!valid_)
+    throw exceptions::RCLError(std::string(what) + ": the given context is not valid, either rcl_init() was not called "
+                                                   "or rcl_shutdown() was called.");
+}
+
+namespace contexts
+{
+Context::SharedPtr get_global_default_context()
+{
+  static auto* one = new Context::SharedPtr(std::make_shared<DefaultContext>());
+  return *one;
+}
+}  // namespace contexts
+
+void init(int argc, char const* const* argv, const InitOptions& options, SignalHandlerOptions signals)
+{
+  contexts::get_global_default_context()->init(argc, argv, options);
+  install_signal_handlers(signals);
+}
+
+std::vector<std::string> init_and_remove_ros_arguments(int argc, char const* const* argv, const InitOptions& options)
+{
+  init(argc, argv, options);
+  return remove_ros_arguments(argc, argv);
+}
+
+std::vector<std::string> remove_ros_arguments(int argc, char const* const* argv)
+{
+  std::vector<std::string> kept;
+  bool ros = false;
+  for (int each = 0; each < argc; each++)
+  {
+    std::string word = argv[each];
+    if (word == "--ros-args" || (ros && word == "--"))
+      ros = word == "--ros-args";
+    else if (!ros)
+      kept.push_back(word);
+  }
+  return kept;
+}
+
+bool install_signal_handlers(SignalHandlerOptions options)
+{
+  if (handled != SignalHandlerOptions::None || options == SignalHandlerOptions::None)
+    return false;
+  handled = options;
+  if (options != SignalHandlerOptions::SigTerm)
+    std::signal(SIGINT, at_signal);
+  if (options != SignalHandlerOptions::SigInt)
+    std::signal(SIGTERM, at_signal);
+  return true;
+}
+
+bool signal_handlers_installed() { return handled != SignalHandlerOptions::None; }
+SignalHandlerOptions get_current_signal_handler_options() { return handled; }
+
+bool uninstall_signal_handlers()
+{
+  if (handled == SignalHandlerOptions::None)
+    return false;
+  if (handled != SignalHandlerOptions::SigTerm)
+    std::signal(SIGINT, SIG_DFL);
+  if (handled != SignalHandlerOptions::SigInt)
+    std::signal(SIGTERM, SIG_DFL);
+  handled = SignalHandlerOptions::None;
+  return true;
+}
+
+namespace
+{
+Context::SharedPtr or_default(Context::SharedPtr context)
+{
+  return context ? context : contexts::get_global_default_context();
+}
+}  // namespace
+
+bool ok(Context::SharedPtr context)
+{
+  rosspin::look();
+  return or_default(context)->is_valid();
+}
+
+bool shutdown(Context::SharedPtr context, const std::string& reason)
+{
+  bool done = or_default(context)->shutdown(reason);
+  if (or_default(context) == contexts::get_global_default_context())
+    uninstall_signal_handlers();
+  return done;
+}
+
+void on_shutdown(std::function<void()> callback, Context::SharedPtr context)
+{
+  or_default(context)->on_shutdown(std::move(callback));
+}
+
+bool sleep_for(const std::chrono::nanoseconds& length, Context::SharedPtr context)
+{
+  return or_default(context)->sleep_for(length);
+}
+
+// --- nodes (sources: node_base.cpp, node.cpp, callback_group.cpp) ---
+
+namespace detail
+{
+std::uint64_t changes = 1;
+
+Callable::~Callable() { changes++; }
+
+std::chrono::nanoseconds checked_period(long double ns)
+{
+  if (ns < 0)
+    throw std::invalid_argument("timer period cannot be negative");
+  if (ns > static_cast<long double>(INT64_MAX))
+    throw std::invalid_argument("timer period must be less than std::chrono::nanoseconds::max()");
+  return std::chrono::nanoseconds(static_cast<std::int64_t>(ns));
+}
+
+std::string below(const std::string& name, const std::string& sub_namespace)
+{
+  return sub_namespace.empty() || name[0] == '/' || name[0] == '~' ? name : sub_namespace + "/" + name;
+}
+}  // namespace detail
+
+void CallbackGroup::add(const std::shared_ptr<detail::Callable>& member)
+{
+  members_.push_back(member);
+  detail::changes++;
+}
+
+std::vector<std::shared_ptr<detail::Callable>> CallbackGroup::members() const
+{
+  std::vector<std::shared_ptr<detail::Callable>> found;
+  for (const auto& each : members_)
+    if (auto member = each.lock())
+      found.push_back(member);
+  members_.assign(found.begin(), found.end());
+  return found;
+}
+
+namespace node_interfaces
+{
+NodeBaseInterface::NodeBaseInterface(const std::string& name, const std::string& ns, const NodeOptions& options)
+  : context_(options.context())
+{
+  context_->check("failed to create guard condition");
+  rosspin::Value answer = rosspin::ask("node", {context_->id(), name, ns, values_of(options.arguments()),
+                                                   options.use_global_arguments(), options.enable_rosout()});
+  rclcpp::check(answer, "failed to initialize rcl node");
+  id_ = field(answer, "id").whole;
+  name_ = field(answer, "name").string;
+  namespace_ = field(answer, "namespace").string;
+  full_name_ = field(answer, "full name").string;
+  logger_ = field(answer, "logger").string;
+  overrides_ = field(answer, "overrides").fields;
+  default_group_ = create_callback_group(CallbackGroupType::MutuallyExclusive);
+}
+
+NodeBaseInterface::~NodeBaseInterface()
+{
+  rosspin::tell("end_node", {id_});
+  detail::changes++;
+}
+
+CallbackGroup::SharedPtr NodeBaseInterface::create_callback_group(CallbackGroupType type, bool automatic)
+{
+  auto group = std::make_shared<CallbackGroup>(type, automatic);
+  groups_.push_back(group);
+  detail::changes++;
+  return group;
+}
+
+bool NodeBaseInterface::callback_group_in_node(CallbackGroup::SharedPtr group)
+{
+  for (const auto& each : groups_)
+    if (each.lock() == group)
+      return true;
+  return false;
+}
+
+void NodeBaseInterface::for_each_callback_group(const CallbackGroupFunction& function)
+{
+  for (const auto& each : groups_)
+    if (auto group = each.lock())
+      function(group);
+}
+
+CallbackGroup::SharedPtr NodeBaseInterface::group_for(const CallbackGroup::SharedPtr& given, const char* what)
+{
+  if (!given)
+    return default_group_;
+  if (!callback_group_in_node(given))
+    throw std::runtime_error("Cannot create " + std::string(what) + ", group not in node.");
+  return given;
+}
+
+rosspin::Value NodeBaseInterface::ask(
+    const std::string& what, std::vector<rosspin::Value> values, const char* failed) const
+{
+  values.insert(values.begin(), id_);
+  rosspin::Value answer = rosspin::ask(what, std::move(values));
+  rclcpp::check(answer, failed);
+  return answer;
+}
+
+std::string NodeBaseInterface::resolve_topic_or_service_name(
+    const std::string& name, bool is_service, bool only_expand) const
+{
+  return field(ask("resolve", {name, is_service, only_expand}, "failed to resolve name"), "name").string;
+}
+}  // namespace node_interfaces
+
+namespace
+{
+rosspin::Value profile(const QoS& qos)
+{
+  const rmw_qos_profile_t& from = qos.get_rmw_qos_profile();
+  auto ns = [](const rmw_time_t& time)
+  { return time.sec > INT64_MAX / second ? INT64_MAX : static_cast<std::int64_t>(time.sec * second + time.nsec); };
+  return std::map<std::string, rosspin::Value>{{"history", static_cast<int>(from.history)},
+      {"depth", static_cast<std::int64_t>(from.depth)}, {"reliability", static_cast<int>(from.reliability)},
+      {"durability", static_cast<int>(from.durability)}, {"deadline", ns(from.deadline)},
+      {"lifespan", ns(from.lifespan)}, {"liveliness", static_cast<int>(from.liveliness)},
+      {"liveliness_lease_duration", ns(from.liveliness_lease_duration)}};
+}
+}  // namespace
+
+bool operator==(const QoS& one, const QoS& other) { return profile(one) == profile(other); }
+
+// --- timers (source: rcl/timer.c) ---
+
+TimerBase::TimerBase(Clock::SharedPtr clock, std::chrono::nanoseconds period, Context::SharedPtr context, bool autostart)
+  : Callable(timer), clock_(std::move(clock)), period_(period.count()), cancelled_(!autostart)
+{
+  if (!context)
+    context = contexts::get_global_default_context();
+  context->check("Couldn't initialize rcl timer handle");
+  next_ = later(clock_->ns(), period_);
+}
+
+void TimerBase::reset()
+{
+  next_ = later(clock_->ns(), period_);
+  cancelled_ = false;
+  if (on_reset_)
+    on_reset_(1);
+}
+
+std::chrono::nanoseconds TimerBase::time_until_trigger() const
+{
+  return cancelled_ ? std::chrono::nanoseconds::max() : std::chrono::nanoseconds(next_ - clock_->ns());
+}
+
+// When a call begins, the next one is due one period after this one was. If that has passed, it is due at the next place
+// on the grid (source: rcl_timer_call).
+void TimerBase::call_back()
+{
+  if (cancelled_)
+    return;
+  std::int64_t now = clock_->ns(), expected = next_, begun = rosspin::now();
+  next_ = later(next_, period_);
+  if (period_ < least_period)
+    next_ = now + least_call;
+  else if (next_ <= now)
+    next_ += (1 + (now - next_) / period_) * period_;
+  if (source_ < 0)
+    source_ = rosspin::source(name_, period_);
+  int source = source_;
+  rosspin::begin_tick(source, ++calls_, expected - (now - begun), begun);
+  callback_(TimerInfo{Time(expected, clock_->get_clock_type()), Time(now, clock_->get_clock_type())});
+  rosspin::end_tick(source, rosspin::now() - begun);
+}
+
+// --- topics and services ---
+
+PublisherBase::PublisherBase(node_interfaces::NodeBaseInterface::SharedPtr node, const std::string& topic,
+    const char* type, const QoS& qos, const PublisherOptionsBase& options)
+  : node_(std::move(node)), qos_(qos)
+{
+  if (options.event_callbacks.any())
+    rosspin::not_simulated("rclcpp::PublisherOptions::event_callbacks");
+  rosspin::Value answer = node_->ask("publisher", {topic, type, profile(qos)}, "could not create publisher");
+  id_ = field(answer, "id").whole;
+  topic_ = field(answer, "name").string;
+}
+
+PublisherBase::~PublisherBase() { rosspin::tell("end_publisher", {id_}); }
+
+std::size_t PublisherBase::get_subscription_count() const
+{
+  rosspin::look();
+  return rosspin::ask("subscription_count", {id_}).whole;
+}
+
+bool PublisherBase::assert_liveliness() const
+{
+  rosspin::tell("assert_liveliness", {id_});
+  return true;
+}
+
+void PublisherBase::send(const std::string& bytes)
+{
+  if (node_->get_context()->is_valid())
+    rosspin::tell("publish", {id_, bytes_of(bytes)});
+}
+
+SubscriptionBase::SubscriptionBase(node_interfaces::NodeBaseInterface::SharedPtr node, const std::string& topic,
+    const char* type, const QoS& qos, const SubscriptionOptionsBase& options)
+  : Callable(subscription), node_(std::move(node)), qos_(qos)
+{
+  if (options.event_callbacks.any())
+    rosspin::not_simulated("rclcpp::SubscriptionOptions::event_callbacks");
+  if (options.ignore_local_publications)
+    rosspin::not_simulated("rclcpp::SubscriptionOptions::ignore_local_publications");
+  rosspin::Value answer = node_->ask("subscription", {topic, type, profile(qos)}, "could not create subscription");
+  id_ = field(answer, "id").whole;
+  topic_ = field(answer, "name").string;
+  all<SubscriptionBase>()[id_] = this;
+}
+
+SubscriptionBase::~SubscriptionBase()
+{
+  all<SubscriptionBase>().erase(id_);
+  rosspin::tell("end_subscription", {id_});
+}
+
+std::size_t SubscriptionBase::get_publisher_count() const
+{
+  rosspin::look();
+  return rosspin::ask("publisher_count", {id_}).whole;
+}
+
+void SubscriptionBase::receive(Received received)
+{
+  bool keeps_all = qos_.history() == HistoryPolicy::KeepAll;
+  if (!keeps_all && received_.size() >= std::max<std::size_t>(qos_.depth(), 1))
+    received_.pop_front();
+  received_.push_back(std::move(received));
+  if (at_once_)
+    call_back();
+}
+
+bool SubscriptionBase::take_one(Received& received)
+{
+  if (received_.empty())
+    return false;
+  received = std::move(received_.front());
+  received_.pop_front();
+  return true;
+}
+
+ServiceBase::ServiceBase(
+    node_interfaces::NodeBaseInterface::SharedPtr node, const std::string& name, const char* type, const QoS& qos)
+  : Callable(service), node_(std::move(node))
+{
+  rosspin::Value answer = node_->ask("service", {name, type, profile(qos)}, "could not create service");
+  id_ = field(answer, "id").whole;
+  name_ = field(answer, "name").string;
+  all<ServiceBase>()[id_] = this;
+}
+
+ServiceBase::~ServiceBase()
+{
+  all<ServiceBase>().erase(id_);
+  rosspin::tell("end_service", {id_});
+}
+
+bool ServiceBase::take_one(Request& request)
+{
+  if (requests_.empty())
+    return false;
+  request = std::move(requests_.front());
+  requests_.pop_front();
+  return true;
+}
+
+void ServiceBase::send(const rmw_request_id_t& header, const std::string& bytes)
+{
+  rosspin::tell("respond", {id_, header.sequence_number, bytes_of(bytes)});
+}
+
+ClientBase::ClientBase(
+    node_interfaces::NodeBaseInterface::SharedPtr node, const std::string& name, const char* type, const QoS& qos)
+  : Callable(client), node_(std::move(node))
+{
+  rosspin::Value answer = node_->ask("client", {name, type, profile(qos)}, "could not create client");
+  id_ = field(answer, "id").whole;
+  name_ = field(answer, "name").string;
+  all<ClientBase>()[id_] = this;
+}
+
+ClientBase::~ClientBase()
+{
+  all<ClientBase>().erase(id_);
+  rosspin::tell("end_client", {id_});
+}
+
+bool ClientBase::service_is_ready() const
+{
+  rosspin::look();
+  return node_->get_context()->is_valid() && rosspin::ask("service_is_ready", {id_}).flag;
+}
+
+// The host tells when the service is there: then the wait ends early.
+bool ClientBase::wait_for_service_nanoseconds(std::chrono::nanoseconds timeout)
+{
+  std::int64_t end = timeout.count() < 0 ? rosspin::never : later(rosspin::now(), timeout.count());
+  while (!service_is_ready())
+  {
+    if (rosspin::now() >= end || !node_->get_context()->is_valid())
+      return false;
+    rosspin::wait(end);
+  }
+  return true;
+}
+
+bool ClientBase::take_one(Answer& answer)
+{
+  if (answers_.empty())
+    return false;
+  answer = std::move(answers_.front());
+  answers_.pop_front();
+  return true;
+}
+
+std::int64_t ClientBase::send(const std::string& bytes)
+{
+  node_->get_context()->check("failed to send request");
+  return rosspin::ask("send_request", {id_, bytes_of(bytes)}).whole;
+}
+
+// --- the node ---
+
+namespace detail
+{
+void TimeSource::follow(bool active)
+{
+  clock_->follow(active);
+  subscription_.reset();
+  if (!active)
+    return;
+  // Its messages are taken as they come, whoever spins: rclcpp has a thread for that.
+  auto clock = clock_;
+  subscription_ = std::make_shared<Subscription<rosgraph_msgs::msg::Clock>>(node_, "/clock", qos_,
+      [clock](const rosgraph_msgs::msg::Clock& message) { clock->set(Time(message.clock).nanoseconds()); },
+      SubscriptionOptionsBase());
+  subscription_->take_immediately();
+}
+}  // namespace detail
+
+Node::Node(const std::string& name, const std::string& ns, const NodeOptions& options)
+  : options_(options), base_(std::make_shared<node_interfaces::NodeBaseInterface>(name, ns, options)),
+    clock_(std::make_shared<Clock>(options.clock_type())),
+    parameters_(std::make_shared<node_interfaces::NodeParametersInterface>(*base_, options)),
+    time_source_(std::make_shared<detail::TimeSource>(base_, clock_, options.clock_qos()))
+{
+  std::weak_ptr<detail::TimeSource> source = time_source_;
+  parameters_->on_use_sim_time = [source](bool active)
+  {
+    if (auto held = source.lock())
+      held->follow(active);
+  };
+  if (!has_parameter("use_sim_time"))
+    parameters_->declare_parameter("use_sim_time", ParameterValue(false));
+  if (parameters_->get_parameter("use_sim_time").as_bool())
+    time_source_->follow(true);
+  if (!has_parameter("start_type_description_service"))
+    parameters_->declare_parameter("start_type_description_service", ParameterValue(true));
+}
+
+Node::Node(const Node& other, const std::string& sub_namespace, int)
+  : options_(other.options_), sub_namespace_(detail::below(sub_namespace, other.sub_namespace_)), base_(other.base_),
+    clock_(other.clock_), parameters_(other.parameters_), time_source_(other.time_source_)
+{
+}
+
+namespace
+{
+std::vector<std::string> texts(const rosspin::Value& list)
+{
+  std::vector<std::string> found;
+  for (const rosspin::Value& item : list.items)
+    found.push_back(item.string);
+  return found;
+}
+
+std::map<std::string, std::vector<std::string>> types(const rosspin::Value& answer)
+{
+  std::map<std::string, std::vector<std::string>> found;
+  for (const auto& [name, list] : field(answer, "types").fields)
+    found[name] = texts(list);
+  return found;
+}
+
+std::vector<TopicEndpointInfo> infos(const rosspin::Value& answer)
+{
+  std::vector<TopicEndpointInfo> found;
+  for (const rosspin::Value& each : field(answer, "infos").items)
+    found.push_back({each.items[0].string, each.items[1].string, each.items[2].string});
+  return found;
+}
+}  // namespace
+
+std::vector<std::string> Node::get_node_names() const
+{
+  rosspin::look();
+  return texts(field(base_->ask("node_names", {}, "failed to get node names"), "names"));
+}
+
+std::map<std::string, std::vector<std::string>> Node::get_topic_names_and_types() const
+{
+  rosspin::look();
+  return types(base_->ask("topics", {}, "failed to get topic names and types"));
+}
+
+std::map<std::string, std::vector<std::string>> Node::get_service_names_and_types() const
+{
+  rosspin::look();
+  return types(base_->ask("services", {}, "failed to get service names and types"));
+}
+
+std::map<std::string, std::vector<std::string>> Node::get_service_names_and_types_by_node(
+    const std::string& name, const std::string& ns) const
+{
+  rosspin::look();
+  return types(base_->ask("services_of", {name, ns}, "failed to get service names and types by node"));
+}
+
+#define ROSSPIN_COUNT(what)                                                                                            \
+  std::size_t Node::count_##what(const std::string& name) const                                                        \
+  {                                                                                                                    \
+    rosspin::look();                                                                                                   \
+    return field(base_->ask("count", {#what, name}, "could not count " #what), "count").whole;                         \
+  }
+ROSSPIN_COUNT(publishers)
+ROSSPIN_COUNT(subscribers)
+ROSSPIN_COUNT(clients)
+ROSSPIN_COUNT(services)
+#undef ROSSPIN_COUNT
+
+std::vector<TopicEndpointInfo> Node::get_publishers_info_by_topic(const std::string& topic, bool no_mangle) const
+{
+  rosspin::look();
+  return infos(base_->ask("infos", {"publishers", topic, no_mangle}, "could not get publishers info by topic"));
+}
+
+std::vector<TopicEndpointInfo> Node::get_subscriptions_info_by_topic(const std::string& topic, bool no_mangle) const
+{
+  rosspin::look();
+  return infos(base_->ask("infos", {"subscriptions", topic, no_mangle}, "could not get subscriptions info by topic"));
+}
+
+// --- parameters (sources: node_parameters.cpp, parameter.cpp, parameter_value.cpp) ---
+
+std::string to_string(ParameterType type)
+{
+  static const char* const names[] = {"not set", "bool", "integer", "double", "string", "byte_array", "bool_array",
+      "integer_array", "double_array", "string_array"};
+  return type <= PARAMETER_STRING_ARRAY ? names[type] : "unknown type";
+}
+
+std::ostream& operator<<(std::ostream& stream, ParameterType type) { return stream << to_string(type); }
+
+ParameterValue::ParameterValue(const rcl_interfaces::msg::ParameterValue& value) : value_(value)
+{
+  if (value.type > PARAMETER_STRING_ARRAY)
+    throw exceptions::UnknownTypeError(std::to_string(value.type));
+}
+
+namespace
+{
+template<class Shown, class T>
+std::string listed(const std::vector<T>& items, std::ios::fmtflags flags = std::ios::dec)
+{
+  std::stringstream text;
+  text.setf(flags, std::ios::basefield | std::ios::boolalpha);
+  text << std::showbase << "[";
+  for (std::size_t each = 0; each < items.size(); each++)
+    text << (each ? ", " : "") << static_cast<Shown>(items[each]);
+  text << "]";
+  return text.str();
+}
+}  // namespace
+
+std::string to_string(const ParameterValue& value)
+{
+  rcl_interfaces::msg::ParameterValue found = value.to_value_msg();
+  switch (value.get_type())
+  {
+  case PARAMETER_BOOL:
+    return found.bool_value ? "true" : "false";
+  case PARAMETER_INTEGER:
+    return std::to_string(found.integer_value);
+  case PARAMETER_DOUBLE:
+    return std::to_string(found.double_value);
+  case PARAMETER_STRING:
+    return found.string_value;
+  case PARAMETER_BYTE_ARRAY:
+    return listed<int>(found.byte_array_value, std::ios::hex);
+  case PARAMETER_BOOL_ARRAY:
+    return listed<bool>(found.bool_array_value, std::ios::boolalpha);
+  case PARAMETER_INTEGER_ARRAY:
+    return listed<std::int64_t>(found.integer_array_value);
+  case PARAMETER_DOUBLE_ARRAY:
+    return listed<double>(found.double_array_value);
+  case PARAMETER_STRING_ARRAY:
+    return listed<std::string>(found.string_array_value);
+  default:
+    return to_string(value.get_type());
+  }
+}
+
+std::string _to_json_dict_entry(const Parameter& parameter)
+{
+  return "\"" + parameter.get_name() + "\": {\"type\": \"" + parameter.get_type_name() + "\", \"value\": \"" +
+         parameter.value_to_string() + "\"}";
+}
+
+std::ostream& operator<<(std::ostream& stream, const Parameter& parameter)
+{
+  return stream << std::to_string(parameter);
+}
+
+std::ostream& operator<<(std::ostream& stream, const std::vector<Parameter>& parameters)
+{
+  return stream << std::to_string(parameters);
+}
+
+namespace node_interfaces
+{
+namespace
+{
+ParameterValue value_of(const rosspin::Value& value)
+{
+  using rosspin::Value;
+  switch (value.kind)
+  {
+  case Value::boolean:
+    return ParameterValue(value.flag);
+  case Value::integer:
+    return ParameterValue(value.whole);
+  case Value::real:
+    return ParameterValue(value.number);
+  case Value::text:
+    return ParameterValue(value.string);
+  case Value::list:
+  {
+    auto gathered = [&](auto one, auto member)
+    {
+      std::vector<decltype(one)> items;
+      for (const Value& item : value.items)
+        items.push_back(item.*member);
+      return ParameterValue(items);
+    };
+    switch (value.items.front().kind)
+    {
+    case Value::boolean:
+      return gathered(bool(), &Value::flag);
+    case Value::integer:
+      return gathered(std::int64_t(), &Value::whole);
+    case Value::real:
+      return gathered(double(), &Value::number);
+    default:
+      return gathered(std::string(), &Value::string);
+    }
+  }
+  default:
+    return ParameterValue();
+  }
+}
+
+bool equal(double one, double other)
+{
+  return std::abs(one - other) <= std::numeric_limits<double>::epsilon() * std::abs(one + other) * 100;
+}
+
+// Return why a value is out of the range that a descriptor allows; nothing if it is not.
+std::string out_of_range(const rcl_interfaces::msg::ParameterDescriptor& descriptor, const ParameterValue& value)
+{
+  std::string reason = "Parameter {" + descriptor.name + "} doesn't comply with ";
+  if (!descriptor.integer_range.empty() && value.get_type() == PARAMETER_INTEGER)
+  {
+    const auto& range = descriptor.integer_range[0];
+    std::int64_t number = value.get<PARAMETER_INTEGER>();
+    if (number == range.from_value || number == range.to_value)
+      return "";
+    bool outside = number < range.from_value || number > range.to_value;
+    if (outside || (range.step && (number - range.from_value) % static_cast<std::int64_t>(range.step)))
+      return reason + "integer range.";
+  }
+  if (!descriptor.floating_point_range.empty() && value.get_type() == PARAMETER_DOUBLE)
+  {
+    const auto& range = descriptor.floating_point_range[0];
+    double number = value.get<PARAMETER_DOUBLE>();
+    if (equal(number, range.from_value) || equal(number, range.to_value))
+      return "";
+    bool outside = number < range.from_value || number > range.to_value;
+    if (outside ||
+        (range.step != 0 &&
+            !equal(number, range.from_value + std::round((number - range.from_value) / range.step) * range.step)))
+      return reason + "floating point range.";
+  }
+  return "";
+}
+
+NodeParametersInterface::Result refused(const std::string& reason)
+{
+  NodeParametersInterface::Result result;
+  result.successful = reason.empty();
+  result.reason = reason;
+  return result;
+}
+
+// Call those that live; the function returns whether to go on.
+template<class Handle, class Function>
+void call_each(std::list<std::weak_ptr<Handle>>& all, Function function)
+{
+  all.remove_if([](const auto& each) { return each.expired(); });
+  for (const auto& each : std::list<std::weak_ptr<Handle>>(all))
+    if (auto handle = each.lock(); handle && !function(*handle))
+      return;
+}
+}  // namespace
+
+// While parameters are changed, a callback may not change them.
+struct NodeParametersInterface::Changing
+{
+  explicit Changing(bool& flag) : flag(flag)
+  {
+    if (flag)
+      throw exceptions::ParameterModifiedInCallbackException(
+          "cannot set or declare a parameter, or change the callback from within set callback");
+    flag = true;
+  }
+  ~Changing() { flag = false; }
+  bool& flag;
+};
+
+NodeParametersInterface::NodeParametersInterface(const NodeBaseInterface& node, const NodeOptions& options)
+  : allow_undeclared_(options.allow_undeclared_parameters())
+{
+  for (const auto& [name, value] : node.overrides())
+    overrides_[name] = value_of(value);
+  for (const Parameter& parameter : options.parameter_overrides())
+    overrides_[parameter.get_name()] = parameter.get_parameter_value();
+  if (!options.automatically_declare_parameters_from_overrides())
+    return;
+  Descriptor descriptor;
+  descriptor.dynamic_typing = true;
+  for (const auto& [name, value] : overrides_)
+    declare_parameter(name, value, descriptor, true);
+}
+
+const ParameterValue& NodeParametersInterface::declare_parameter(
+    const std::string& name, const ParameterValue& default_value, const Descriptor& descriptor, bool ignore_override)
+{
+  return declare(name, PARAMETER_NOT_SET, default_value, descriptor, ignore_override);
+}
+
+const ParameterValue& NodeParametersInterface::declare_parameter(
+    const std::string& name, ParameterType type, const Descriptor& descriptor, bool ignore_override)
+{
+  if (type == PARAMETER_NOT_SET)
+    throw std::invalid_argument(
+        "declare_parameter(): the provided parameter type cannot be rclcpp::PARAMETER_NOT_SET");
+  if (descriptor.dynamic_typing)
+    throw std::invalid_argument("declare_parameter(): cannot declare parameter of specific type and pass descriptor"
+                                "with `dynamic_typing=true`");
+  return declare(name, type, ParameterValue(), descriptor, ignore_override);
+}
+
+const ParameterValue& NodeParametersInterface::declare(const std::string& name, ParameterType type,
+    const ParameterValue& default_value, Descriptor descriptor, bool ignore_override)
+{
+  Changing changing(changing_);
+  if (name.empty())
+    throw exceptions::InvalidParametersException("parameter name must not be empty");
+  if (all_.count(name))
+    throw exceptions::ParameterAlreadyDeclaredException("parameter '" + name + "' has already been declared");
+  if (!descriptor.dynamic_typing)
+  {
+    if (type == PARAMETER_NOT_SET)
+      type = default_value.get_type();
+    if (type == PARAMETER_NOT_SET)
+      throw exceptions::InvalidParameterTypeException(
+          name, "cannot declare a statically typed parameter with an uninitialized value");
+    descriptor.type = type;
+  }
+  Result result = start(name, default_value, descriptor, all_, true, ignore_override);
+  if (!result.successful)
+  {
+    if (result.reason.rfind("Wrong parameter type", 0) == 0)
+      throw exceptions::InvalidParameterTypeException(name, result.reason);
+    throw exceptions::InvalidParameterValueException("parameter '" + name + "' could not be set: " + result.reason);
+  }
+  return all_.at(name).value;
+}
+
+NodeParametersInterface::Result NodeParametersInterface::start(const std::string& name,
+    const ParameterValue& default_value, const Descriptor& descriptor, Infos& into, bool with_callbacks,
+    bool ignore_override)
+{
+  auto found = overrides_.find(name);
+  const ParameterValue& value = ignore_override || found == overrides_.end() ? default_value : found->second;
+  Infos infos{{name, {ParameterValue(), descriptor}}};
+  Result result = refused("");
+  if (value.get_type() == PARAMETER_NOT_SET)
+  {
+    infos[name].descriptor.name = name;
+    infos[name].descriptor.type = descriptor.dynamic_typing ? PARAMETER_NOT_SET : descriptor.type;
+  }
+  else
+  {
+    result = set({Parameter(name, value)}, infos, with_callbacks, false);
+  }
+  if (result.successful)
+    into[name] = infos[name];
+  return result;
+}
+
+NodeParametersInterface::Result NodeParametersInterface::set(
+    const std::vector<Parameter>& parameters, Infos& infos, bool with_callbacks, bool allow_undeclared)
+{
+  for (const Parameter& parameter : parameters)
+  {
+    const std::string& name = parameter.get_name();
+    Descriptor descriptor;
+    if (auto found = infos.find(name); found != infos.end())
+      descriptor = found->second.descriptor;
+    else
+      descriptor.dynamic_typing = allow_undeclared;
+    descriptor.name = name;
+    if (!descriptor.dynamic_typing && descriptor.type != parameter.get_type())
+      return refused("Wrong parameter type, parameter {" + name + "} is of type {" +
+                     to_string(static_cast<ParameterType>(descriptor.type)) + "}, setting it to {" +
+                     to_string(parameter.get_type()) + "} is not allowed.");
+    if (std::string reason = out_of_range(descriptor, parameter.get_parameter_value()); !reason.empty())
+      return refused(reason);
+  }
+  Result result = refused("");
+  if (with_callbacks)
+    call_each(on,
+        [&](OnSetParametersCallbackHandle& handle)
+        {
+          result = handle.callback(parameters);
+          return result.successful;
+        });
+  if (!result.successful)
+    return result;
+  for (const Parameter& parameter : parameters)
+  {
+    Info& info = infos[parameter.get_name()];
+    info.descriptor.name = parameter.get_name();
+    info.descriptor.type = parameter.get_type();
+    info.value = parameter.get_parameter_value();
+  }
+  if (with_callbacks)
+    call_each(after, [&](PostSetParametersCallbackHandle& handle) { return handle.callback(parameters), true; });
+  return result;
+}
+
+void NodeParametersInterface::undeclare_parameter(const std::string& name)
+{
+  Changing changing(changing_);
+  auto found = all_.find(name);
+  if (found == all_.end())
+    throw exceptions::ParameterNotDeclaredException(
+        "cannot undeclare parameter '" + name + "' which has not yet been declared");
+  if (found->second.descriptor.read_only)
+    throw exceptions::ParameterImmutableException("cannot undeclare parameter '" + name + "' because it is read-only");
+  if (!found->second.descriptor.dynamic_typing)
+    throw exceptions::InvalidParameterTypeException(name, "cannot undeclare a statically typed parameter");
+  all_.erase(found);
+}
+
+std::vector<NodeParametersInterface::Result> NodeParametersInterface::set_parameters(
+    const std::vector<Parameter>& parameters)
+{
+  std::vector<Result> results;
+  for (const Parameter& parameter : parameters)
+    results.push_back(set_parameters_atomically({parameter}));
+  return results;
+}
+
+NodeParametersInterface::Result NodeParametersInterface::set_parameters_atomically(
+    const std::vector<Parameter>& given)
+{
+  Changing changing(changing_);
+  std::vector<Parameter> parameters = given;
+  call_each(before, [&](PreSetParametersCallbackHandle& handle) { return handle.callback(parameters), true; });
+  if (parameters.empty())
+    return refused("parameter list cannot be empty, this might be due to pre_set_parameters_callback modifying the "
+                   "original parameters list.");
+  Infos started;
+  for (const Parameter& parameter : parameters)
+  {
+    const std::string& name = parameter.get_name();
+    if (name.empty())
+      throw exceptions::InvalidParametersException("parameter name must not be empty");
+    auto found = all_.find(name);
+    if (found == all_.end() && !allow_undeclared_)
+      throw exceptions::ParameterNotDeclaredException(
+          "parameter '" + name + "' cannot be set because it was not declared");
+    if (found != all_.end() && found->second.descriptor.read_only)
+      return refused("parameter '" + name + "' cannot be set because it is read-only");
+    if (found == all_.end())
+    {
+      Descriptor descriptor;
+      descriptor.dynamic_typing = true;
+      if (Result result = start(name, parameter.get_parameter_value(), descriptor, started, false, true);
+          !result.successful)
+        return result;
+    }
+    else if (parameter.get_type() == PARAMETER_NOT_SET && found->second.value.get_type() != PARAMETER_NOT_SET &&
+             !found->second.descriptor.dynamic_typing)
+    {
+      return refused("cannot undeclare a statically typed parameter");
+    }
+  }
+  std::set<std::string> to_go;
+  for (const Parameter& parameter : parameters)
+    if (parameter.get_type() == PARAMETER_NOT_SET && all_.count(parameter.get_name()) &&
+        all_[parameter.get_name()].value.get_type() != PARAMETER_NOT_SET)
+      to_go.insert(parameter.get_name());
+  Result result = set(parameters, all_, true, allow_undeclared_);
+  if (!result.successful)
+    return result;
+  for (const auto& [name, info] : started)
+    all_[name] = info;
+  for (const std::string& name : to_go)
+    all_.erase(name);
+  for (const Parameter& parameter : parameters)
+    if (parameter.get_name() == "use_sim_time" && parameter.get_type() == PARAMETER_BOOL && on_use_sim_time)
+      on_use_sim_time(parameter.as_bool());
+  return result;
+}
+
+std::vector<Parameter> NodeParametersInterface::get_parameters(const std::vector<std::string>& names) const
+{
+  std::vector<Parameter> found;
+  for (const std::string& name : names)
+    found.push_back(get_parameter(name));
+  return found;
+}
+
+Parameter NodeParametersInterface::get_parameter(const std::string& name) const
+{
+  auto found = all_.find(name);
+  if (found == all_.end())
+  {
+    if (allow_undeclared_)
+      return Parameter(name);
+    throw exceptions::ParameterNotDeclaredException(name);
+  }
+  if (found->second.value.get_type() == PARAMETER_NOT_SET && !found->second.descriptor.dynamic_typing)
+    throw exceptions::ParameterUninitializedException(name);
+  return Parameter(name, found->second.value);
+}
+
+bool NodeParametersInterface::get_parameter(const std::string& name, Parameter& parameter) const
+{
+  auto found = all_.find(name);
+  if (found == all_.end() || found->second.value.get_type() == PARAMETER_NOT_SET)
+    return false;
+  parameter = Parameter(name, found->second.value);
+  return true;
+}
+
+bool NodeParametersInterface::get_parameters_by_prefix(
+    const std::string& prefix, std::map<std::string, Parameter>& parameters) const
+{
+  std::string start = prefix.empty() ? prefix : prefix + ".";
+  bool any = false;
+  for (const auto& [name, info] : all_)
+    if (name.rfind(start, 0) == 0 && name.size() > start.size())
+    {
+      parameters[name.substr(start.size())] = Parameter(name, info.value);
+      any = true;
+    }
+  return any;
+}
+
+std::vector<NodeParametersInterface::Descriptor> NodeParametersInterface::describe_parameters(
+    const std::vector<std::string>& names) const
+{
+  std::vector<Descriptor> descriptors;
+  for (const std::string& name : names)
+  {
+    auto found = all_.find(name);
+    if (found == all_.end() && !allow_undeclared_)
+      throw exceptions::ParameterNotDeclaredException(name);
+    descriptors.push_back(found == all_.end() ? Descriptor() : found->second.descriptor);
+    descriptors.back().name = name;
+  }
+  return descriptors;
+}
+
+std::vector<std::uint8_t> NodeParametersInterface::get_parameter_types(const std::vector<std::string>& names) const
+{
+  std::vector<std::uint8_t> types;
+  for (const std::string& name : names)
+  {
+    auto found = all_.find(name);
+    if (found == all_.end() && !allow_undeclared_)
+      throw exceptions::ParameterNotDeclaredException(name);
+    types.push_back(found == all_.end() ? PARAMETER_NOT_SET : found->second.value.get_type());
+  }
+  return types;
+}
+
+rcl_interfaces::msg::ListParametersResult NodeParametersInterface::list_parameters(
+    const std::vector<std::string>& prefixes, std::uint64_t depth) const
+{
+  rcl_interfaces::msg::ListParametersResult result;
+  auto shallow = [&](const std::string& name)
+  { return depth == 0 || static_cast<std::uint64_t>(std::count(name.begin(), name.end(), '.')) < depth; };
+  for (const auto& [name, info] : all_)
+  {
+    bool wanted = prefixes.empty() && shallow(name);
+    for (const std::string& prefix : prefixes)
+      wanted = wanted || name == prefix ||
+               (name.rfind(prefix + ".", 0) == 0 && shallow(name.substr(prefix.size() + 1)));
+    if (!wanted)
+      continue;
+    result.names.push_back(name);
+    if (std::size_t at = name.rfind('.'); at != std::string::npos)
+      if (std::string prefix = name.substr(0, at);
+          std::find(result.prefixes.begin(), result.prefixes.end(), prefix) == result.prefixes.end())
+        result.prefixes.push_back(prefix);
+  }
+  return result;
+}
+}  // namespace node_interfaces
+
+// --- executors (sources: executor.cpp, executors/*.cpp) ---
+
+std::ostream& operator<<(std::ostream& stream, const FutureReturnCode& code) { return stream << to_string(code); }
+
+std::string to_string(const FutureReturnCode& code)
+{
+  static const char* const names[] = {"SUCCESS", "INTERRUPTED", "TIMEOUT"};
+  return std::string(names[static_cast<int>(code)]) + " (" + std::to_string(static_cast<int>(code)) + ")";
+}
+
+struct Executor::Spinning
+{
+  Spinning(Executor& executor, const char* what) : executor(executor)
+  {
+    if (executor.spinning_)
+      throw std::runtime_error(std::string(what) + "() called while already spinning");
+    executor.spinning_ = true;
+  }
+  ~Spinning()
+  {
+    executor.taken_.clear();
+    executor.spinning_ = false;
+  }
+  Executor& executor;
+};
+
+Executor::Executor(const ExecutorOptions& options) : context_(options.context)
+{
+  context_->check("failed to create guard condition");
+}
+
+Executor::~Executor()
+{
+  for (const auto& each : nodes_)
+    if (auto node = each.lock())
+      node->get_associated_with_executor_atomic() = false;
+  for (const auto& each : groups_)
+    if (auto group = each.lock())
+      group->get_associated_with_executor_atomic() = false;
+}
+
+void Executor::add_node(Base node, bool)
+{
+  if (node->get_associated_with_executor_atomic().exchange(true))
+    throw std::runtime_error("Node '" + std::string(node->get_fully_qualified_name()) +
+                             "' has already been added to an executor.");
+  nodes_.push_back(node);
+  detail::changes++;
+  if (!spinning_)
+    collect();
+}
+
+void Executor::remove_node(Base node, bool)
+{
+  auto is_it = [&](const auto& each) { return each.lock() == node; };
+  auto found = std::find_if(nodes_.begin(), nodes_.end(), is_it);
+  if (found == nodes_.end())
+    throw std::runtime_error("Node '" + std::string(node->get_fully_qualified_name()) + "' needs to be associated with an executor.");
+  nodes_.erase(found);
+  node->get_associated_with_executor_atomic() = false;
+  detail::changes++;
+  if (!spinning_)
+    collect();
+}
+
+void Executor::add_callback_group(CallbackGroup::SharedPtr group, Base, bool)
+{
+  if (group->get_associated_with_executor_atomic().exchange(true))
+    throw std::runtime_error("Callback group has already been added to an executor.");
+  groups_.push_back(group);
+  detail::changes++;
+  if (!spinning_)
+    collect();
+}
+
+void Executor::remove_callback_group(CallbackGroup::SharedPtr group, bool)
+{
+  auto found = std::find_if(groups_.begin(), groups_.end(), [&](const auto& each) { return each.lock() == group; });
+  if (found == groups_.end())
+    throw std::runtime_error("Callback group needs to be associated with executor.");
+  groups_.erase(found);
+  group->get_associated_with_executor_atomic() = false;
+  detail::changes++;
+}
+
+// Of what is new, the newest comes first, after all that was there: rclcpp puts it into a hash table, which happens to do
+// that (source: executor_entities_collection.hpp; in all recordings).
+void Executor::collect()
+{
+  seen_ = detail::changes;
+  std::vector<std::shared_ptr<detail::Callable>> found;
+  auto take = [&](const CallbackGroup::SharedPtr& group)
+  {
+    auto members = group->members();
+    found.insert(found.end(), members.begin(), members.end());
+  };
+  for (const auto& each : nodes_)
+    if (auto node = each.lock())
+      node->for_each_callback_group(
+          [&](const CallbackGroup::SharedPtr& group)
+          {
+            if (group->automatically_add_to_executor_with_node() && !group->get_associated_with_executor_atomic())
+              take(group);
+          });
+  for (const auto& each : groups_)
+    if (auto group = each.lock())
+      take(group);
+  auto is_in = [](const auto& all, const auto& one) { return std::find(all.begin(), all.end(), one) != all.end(); };
+  std::vector<std::shared_ptr<detail::Callable>> kept;
+  for (const auto& each : known_)
+    if (auto callable = each.lock(); callable && is_in(found, callable))
+      kept.push_back(callable);
+  std::size_t old = kept.size();
+  for (auto each = found.rbegin(); each != found.rend(); each++)
+    if (std::find(kept.begin(), kept.begin() + old, *each) == kept.begin() + old)
+      kept.push_back(*each);
+  known_.assign(kept.begin(), kept.end());
+}
+
+bool Executor::goes_on() const { return spinning_ && context_->is_valid(); }
+
+std::vector<std::shared_ptr<detail::Callable>> Executor::due() const
+{
+  using detail::Callable;
+  static const Callable::Kind usual[] = {Callable::timer, Callable::subscription, Callable::service, Callable::client};
+  static const Callable::Kind statically[] = {
+      Callable::subscription, Callable::timer, Callable::client, Callable::service};
+  std::vector<std::shared_ptr<Callable>> found;
+  for (const auto& each : known_)
+    if (auto callable = each.lock(); callable && callable->is_due())
+      found.push_back(callable);
+  if (found.size() > 1)
+  {
+    std::vector<std::shared_ptr<Callable>> sorted;
+    for (Callable::Kind kind : statically_ ? statically : usual)
+      for (const auto& callable : found)
+        if (callable->kind == kind)
+          sorted.push_back(callable);
+    found.swap(sorted);
+  }
+  return found;
+}
+
+std::int64_t Executor::next_due() const
+{
+  std::int64_t next = rosspin::never;
+  for (const auto& each : known_)
+    if (auto callable = each.lock())
+      next = std::min(next, callable->due());
+  return next;
+}
+
+void Executor::wait_for_work(std::int64_t timeout)
+{
+  taken_.clear();
+  std::int64_t end = timeout < 0 ? rosspin::never : later(rosspin::now(), timeout);
+  rosspin::wait(rosspin::now());  // what has come is seen
+  for (;;)
+  {
+    if (seen_ != detail::changes)
+      collect();
+    auto found = due();
+    taken_.assign(found.begin(), found.end());
+    if (!taken_.empty() || rosspin::now() >= end || !goes_on())
+      return;
+    rosspin::wait(std::min(end, next_due()));
+  }
+}
+
+bool Executor::call_next()
+{
+  if (taken_.empty())
+    return false;
+  auto callable = taken_.front();
+  taken_.pop_front();
+  std::int64_t begun = rosspin::now();
+  callable->call_back();
+  if (rosspin::now() > begun)
+    called(*callable, begun);
+  return true;
+}
+
+void Executor::spin_once(std::chrono::nanoseconds timeout)
+{
+  Spinning spinning(*this, "spin_once");
+  wait_for_work(timeout.count());
+  if (spinning_)
+    call_next();
+}
+
+void Executor::spin_some(std::chrono::nanoseconds max_duration, bool exhaustive)
+{
+  Spinning spinning(*this, "spin_some");
+  std::int64_t begun = rosspin::now();
+  wait_for_work(0);
+  bool just_waited = true;
+  while (goes_on() && (max_duration.count() == 0 || rosspin::now() - begun < max_duration.count()))
+  {
+    if (call_next())
+    {
+      just_waited = false;
+      continue;
+    }
+    if (just_waited || !exhaustive)
+      return;
+    wait_for_work(0);
+    just_waited = true;
+  }
+}
+
+void Executor::spin_all(std::chrono::nanoseconds max_duration)
+{
+  if (max_duration.count() < 0)
+    throw std::invalid_argument("max_duration must be greater than or equal to 0");
+  spin_some(max_duration, true);
+}
+
+void Executor::spin_node_some(Base node)
+{
+  add_node(node, false);
+  spin_some();
+  remove_node(node, false);
+}
+
+void Executor::spin_node_all(Base node, std::chrono::nanoseconds max_duration)
+{
+  add_node(node, false);
+  spin_all(max_duration);
+  remove_node(node, false);
+}
+
+FutureReturnCode Executor::spin_until(const std::function<bool()>& is_ready, std::chrono::nanoseconds timeout)
+{
+  if (is_ready())
+    return FutureReturnCode::SUCCESS;
+  std::int64_t end = timeout.count() > 0 ? later(rosspin::now(), timeout.count()) : rosspin::now(), left = timeout.count();
+  Spinning spinning(*this, "spin_until_future_complete");
+  while (goes_on())
+  {
+    if (taken_.empty())
+      wait_for_work(left);
+    if (spinning_)
+      call_next();
+    if (is_ready())
+      return FutureReturnCode::SUCCESS;
+    if (timeout.count() < 0)
+      continue;
+    if (rosspin::now() >= end)
+      return FutureReturnCode::TIMEOUT;
+    left = end - rosspin::now();
+  }
+  return FutureReturnCode::INTERRUPTED;
+}
+
+namespace executors
+{
+void SingleThreadedExecutor::spin()
+{
+  Spinning spinning(*this, "spin");
+  while (goes_on())
+    if (!call_next())
+      wait_for_work(-1);
+}
+
+void MultiThreadedExecutor::called(const detail::Callable&, std::int64_t begun)
+{
+  if (threads_ == 1)
+    return;
+  rosspin::wait(rosspin::now());
+  for (const auto& callable : due())
+    if (callable->kind != detail::Callable::timer || callable->due() < rosspin::now() || begun < rosspin::now())
+      rosspin::not_simulated("a callback that takes time under rclcpp::executors::MultiThreadedExecutor, while another "
+                             "is due,");
+}
+}  // namespace executors
+
+namespace experimental
+{
+namespace executors
+{
+void EventsExecutor::spin()
+{
+  Spinning spinning(*this, "spin");
+  while (goes_on())
+    if (!call_next())
+      wait_for_work(-1);
+}
+}  // namespace executors
+}  // namespace experimental
+
+void spin(Executor::Base node)
+{
+  ExecutorOptions options;
+  options.context = node->get_context();
+  executors::SingleThreadedExecutor executor(options);
+  executor.add_node(node);
+  executor.spin();
+  executor.remove_node(node);
+}
+
+void spin(std::shared_ptr<Node> node) { spin(node->get_node_base_interface()); }
+
+void spin_some(Executor::Base node)
+{
+  ExecutorOptions options;
+  options.context = node->get_context();
+  executors::SingleThreadedExecutor(options).spin_node_some(node);
+}
+
+void spin_some(std::shared_ptr<Node> node) { spin_some(node->get_node_base_interface()); }
+
+void spin_all(Executor::Base node, std::chrono::nanoseconds max_duration)
+{
+  ExecutorOptions options;
+  options.context = node->get_context();
+  executors::SingleThreadedExecutor(options).spin_node_all(node, max_duration);
+}
+
+void spin_all(std::shared_ptr<Node> node, std::chrono::nanoseconds max_duration)
+{
+  spin_all(node->get_node_base_interface(), max_duration);
+}
+}  // namespace rclcpp
+
+namespace std
+{
+string to_string(const rclcpp::Parameter& parameter)
+{
+  return "{\"name\": \"" + parameter.get_name() + "\", \"type\": \"" + parameter.get_type_name() +
+         "\", \"value\": \"" + parameter.value_to_string() + "\"}";
+}
+
+string to_string(const vector<rclcpp::Parameter>& parameters)
+{
+  string all = "{";
+  for (const auto& parameter : parameters)
+    all += (all.size() > 1 ? ", " : "") + rclcpp::_to_json_dict_entry(parameter);
+  return all + "}";
+}
+}  // namespace std
+
+// --- rcutils ---
+
+rcutils_ret_t rcutils_logging_set_logger_level(const char* name, int level)
+{
+  if (level % 10 || level < 0 || level > 50)
+    return RCUTILS_RET_INVALID_ARGUMENT;
+  if (*name)
+    rclcpp::logs().levels[name] = level;
+  else
+    rclcpp::logs().level = level;
+  return RCUTILS_RET_OK;
+}
+
+int rcutils_logging_get_logger_level(const char* name)
+{
+  auto found = rclcpp::logs().levels.find(name);
+  return found == rclcpp::logs().levels.end() ? RCUTILS_LOG_SEVERITY_UNSET : found->second;
+}
+
+int rcutils_logging_get_logger_effective_level(const char* name)
+{
+  const auto& levels = rclcpp::logs().levels;
+  if (!levels.empty())
+    for (std::string at = name; !at.empty();)
+    {
+      if (auto found = levels.find(at); found != levels.end() && found->second)
+        return found->second;
+      std::size_t dot = at.rfind('.');
+      at.resize(dot == std::string::npos ? 0 : dot);
+    }
+  return rclcpp::logs().level;
+}
+
+void rcutils_logging_set_default_logger_level(int level) { rclcpp::logs().level = level; }
+
+// --- components (source: rclcpp_components/node_main.cpp.in) ---
+
+namespace rclcpp_components
+{
+std::vector<Make>& components()
+{
+  static auto* all = new std::vector<Make>;
+  return *all;
+}
+}  // namespace rclcpp_components
+
+// The program of a file that has none of its own: it runs the components of that.
+__attribute__((weak)) int main(int argc, char** argv)
+{
+  if (rclcpp_components::components().empty())
+  {
+    std::fputs("rosspin: this file has neither a main nor a component (RCLCPP_COMPONENTS_REGISTER_NODE)\n", stderr);
+    return 1;
+  }
+  auto words = rclcpp::init_and_remove_ros_arguments(argc, argv);
+  {
+    rclcpp::executors::SingleThreadedExecutor executor;
+    rclcpp::NodeOptions options;
+    options.arguments(words);
+    std::vector<rclcpp_components::Component> made;
+    for (const auto& make : rclcpp_components::components())
+    {
+      made.push_back(make(options));
+      executor.add_node(made.back().base);
+    }
+    executor.spin();
+    for (const auto& component : made)
+      executor.remove_node(component.base);
+  }
+  rclcpp::shutdown();
+  return 0;
+}

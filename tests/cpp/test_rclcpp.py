@@ -1,0 +1,212 @@
+"""C++ nodes of ROS 2 do in simulated time what they did on the real one, as far as that was recorded."""
+
+from __future__ import annotations
+
+import csv
+import math
+import re
+from collections.abc import Callable
+from pathlib import Path
+
+import pytest
+from rclcpp_nodes import read_ticks
+from tree import ROOT
+
+from rosspin import NotSimulated, simulate
+from rosspin.results.recordings import load
+from rosspin.results.rules import calculated
+
+Write = Callable[[str, str], Path]
+
+EXAMPLES = ROOT / "examples"
+PACKAGE = EXAMPLES / "my_robotics_pkg_ros2_cpp" / "src"
+PYTHON = EXAMPLES / "my_robotics_pkg_ros2" / "my_robotics_pkg"
+RECORDINGS = EXAMPLES / "recordings" / "ros2"
+
+STAMPED = "[INFO] [{}] [mrp.spinner_cpp_node]: [SPINNER CPP NODE] {}\n"
+ENDED = "[INFO] [1.200000000] [rclcpp]: signal_handler(signum=2)\n"
+
+
+@pytest.mark.parametrize("name", ["spinner_cpp_node", "spinner_rate_cpp_node"])
+def test_the_listings_of_the_tutorial(name: str) -> None:
+    run = simulate(PACKAGE / f"{name}.cpp", 1.2, ["--ros-args", "-r", "__ns:=/mrp"])
+    first = 0 if "rate" in name else 1
+    lines = [("0.000000000", "namespace of node = /mrp")]
+    lines += [(f"{half / 2:.9f}", f"counter = {half + 1 - first}") for half in range(first, 3)]
+    assert run.console == "".join(STAMPED.format(*line) for line in lines) + ENDED
+    assert run.status == 0
+    expected = [half / 2 for half in range(first, 3)]
+    assert [(each.expected, each.real) for each in run.ticks] == [(time, time) for time in expected]
+    assert {each.source for each in run.ticks} == {"Rate" if first == 0 else "lambda"}
+
+
+def test_python_hears_cpp_and_cpp_hears_python() -> None:
+    run = simulate([str(PACKAGE / "publisher_cpp_node.cpp"), str(PYTHON / "subscriber_py_node.py")], 2.0)
+    assert "[SUBSCRIBER PY NODE] counter = 3" in run.console
+    assert [(each.topic, each.node, each.message.data) for each in run.messages][:2] == [
+        ("/counter", "/publisher_cpp_node", 1),
+        ("/counter", "/publisher_cpp_node", 2),
+    ]
+    run = simulate([str(PYTHON / "publisher_py_node.py"), str(PACKAGE / "subscriber_cpp_node.cpp")], 2.0)
+    assert "[SUBSCRIBER CPP NODE] counter = 3" in run.console
+
+
+def recorded() -> list[Path]:
+    """The recordings of the probes in one thread."""
+    files = sorted(RECORDINGS.glob("*_cpp_*.csv"))
+    return [file for file in files if "executor:=multi" not in load(file).provenance["command"]]
+
+
+LATE = 0.1  # s: a fifth of the period; no two rules are that close
+
+
+@pytest.mark.parametrize("file", recorded(), ids=lambda file: file.stem)
+def test_the_probes_tick_as_they_did(file: Path) -> None:
+    real = load(file)
+    program, *args = real.provenance["command"].split()
+    ours = read_ticks(simulate(EXAMPLES / "ros2" / f"{program}.cpp", real.seconds, args, start=100.0).console)
+    assert abs(len(ours) - len(real.ticks)) <= 1
+    before = math.nan
+    for our, their in zip(ours, real.ticks, strict=False):
+        assert (our.source, our.number) == (their.source, their.number)
+        assert our.real == pytest.approx(their.real, abs=LATE)
+        # When a call begins just as the next is due, jitter decides whether that one is lost.
+        is_tie = abs(our.expected - before) < 1e-6
+        assert is_tie or our.expected == pytest.approx(their.expected, abs=LATE)
+        before = our.real
+
+
+@pytest.mark.parametrize(
+    ("program", "args"),
+    [
+        ("timer_probe", "blocks:=[0.31,1.43,0.12,0.94,0.23,2.31]"),
+        ("timer_probe", "period:=0.02 block:=0.053 block_call:=7"),
+        ("rate_probe", "blocks:=[0.31,1.43,0.12,0.94,0.23,2.31,0.43]"),
+        ("rate_probe", "period:=0.02 block:=0.053 block_call:=7"),
+    ],
+)
+def test_the_probes_keep_to_the_rule(program: str, args: str) -> None:
+    words = ["--ros-args", *(word for each in args.split() for word in ("-p", each))]
+    run = simulate(EXAMPLES / "ros2" / f"{program}.cpp", 5.0, words)
+    rule = calculated(f"ros2/{program}.cpp", 5.0, words)
+    shown = read_ticks(run.console)
+    assert [(each.source, each.number) for each in shown] == [(each.source, each.number) for each in rule]
+    for ours, theirs in zip(shown, rule, strict=True):
+        assert ours[2:4] == pytest.approx((theirs.expected, theirs.real), abs=2e-6)
+    assert [(each.expected, each.real) for each in run.ticks] == [
+        pytest.approx((each.expected, each.real), abs=1e-9) for each in rule[: len(run.ticks)]
+    ]
+
+
+def endings() -> list[tuple[str, int]]:
+    """How each of the nodes that end in their own ways ended at Ctrl-C, or by itself."""
+    with open(RECORDINGS / "endings_cpp.csv", newline="", encoding="utf-8") as file:
+        return [(row["node"], int(row["status"])) for row in csv.DictReader(file) if row["signal"] != "SIGTERM"]
+
+
+SAID = {
+    "exception": "terminate called after throwing an instance of 'std::runtime_error'\n  what():  in a callback",
+    "rate_working": "context cannot be slept with because it's invalid",
+    "rate_working_spin_some": "instance of 'rclcpp::exceptions::RCLError'\n"
+    "  what():  failed to create guard condition: the given context is not valid",
+}
+
+
+@pytest.mark.parametrize(("name", "status"), endings())
+def test_a_node_ends_as_it_did(name: str, status: int) -> None:
+    run = simulate(EXAMPLES / "ros2" / "endings" / f"{name}.cpp", 1.2)
+    assert run.status == status
+    assert SAID.get(name, "") in run.console
+    assert ("signal_handler(signum=2)" in run.console) == (name not in ("exception", "shutdown_in_callback"))
+
+
+COMPONENT = """\
+#include "rclcpp/rclcpp.hpp"
+#include "rclcpp_components/register_node_macro.hpp"
+
+namespace parts
+{
+class Part : public rclcpp::Node
+{
+public:
+  explicit Part(const rclcpp::NodeOptions& options) : Node("part", options)
+  {
+    timer_ = create_wall_timer(std::chrono::milliseconds(300), std::bind(&Part::onTimer, this));
+  }
+
+private:
+  void onTimer() { RCLCPP_INFO(get_logger(), "part %ld", static_cast<std::int64_t>(++count_)); }
+  int count_ = 0;
+  rclcpp::TimerBase::SharedPtr timer_;
+};
+}  // namespace parts
+RCLCPP_COMPONENTS_REGISTER_NODE(parts::Part)
+"""
+
+
+def test_a_component_runs_without_a_main(write: Write) -> None:
+    run = simulate(write(COMPONENT, "part.cpp"), 1.0, ["--ros-args", "-r", "__node:=other"])
+    assert re.findall(r"\[other\]: (.*)", run.console) == ["part 1", "part 2", "part 3"]
+    assert [each.source for each in run.ticks] == ["onTimer"] * 3
+    assert run.status == 0
+
+
+def main(body: str, include: str = '"rclcpp/rclcpp.hpp"') -> str:
+    text = f"{{\n  rclcpp::init(argc, argv);\n  {body}\n}}\n"
+    return f'#include "rclcpp/rclcpp.hpp"\n#include {include}\nint main(int argc, char** argv)\n{text}'
+
+
+@pytest.mark.parametrize(
+    ("include", "body", "name"),
+    [
+        ('"rclcpp_lifecycle/lifecycle_node.hpp"', "", "rclcpp_lifecycle/lifecycle_node.hpp"),
+        ('"rclcpp_action/rclcpp_action.hpp"', "", "rclcpp_action/rclcpp_action.hpp"),
+        ('"tf2_ros/buffer.h"', "", "tf2_ros/buffer.h"),
+        ("<thread>", "std::thread([] {}).join();", "std::thread"),
+        (
+            '"rclcpp/parameter_client.hpp"',
+            "std::shared_ptr<rclcpp::SyncParametersClient> client;",
+            "rclcpp::SyncParametersClient",
+        ),
+    ],
+)
+def test_what_has_no_stand_in_is_named(write: Write, include: str, body: str, name: str) -> None:
+    with pytest.raises(NotSimulated) as raised:
+        simulate(write(main(body, include), "node.cpp"), 1.0)
+    assert str(raised.value) == f"{name} is not simulated; run this node on a real ROS"
+
+
+def test_several_threads_are_one_until_a_callback_takes_time_that_another_needs() -> None:
+    probe = EXAMPLES / "ros2" / "timer_probe.cpp"
+    words = "--ros-args -p executor:=multi -p block:=0.4".split()
+    assert [tick.real for tick in read_ticks(simulate(probe, 2.0, words).console)] == [0.5, 1.0, 1.5, 2.0]
+    with pytest.raises(NotSimulated, match="MultiThreadedExecutor"):
+        simulate(probe, 2.0, [*words, "-p", "second_timer:=true", "-p", "second_period:=0.7"])
+
+
+@pytest.mark.parametrize(
+    ("words", "said"),
+    [
+        ("--ros-args --unknown", "found unknown ROS arguments: '--unknown'"),
+        ("--ros-args -r a", "failed to initialize rcl: Couldn't parse remap rule: '-r a'"),
+        (
+            "--ros-args -p count:=true",
+            "parameter 'count' has invalid type: Wrong parameter type, parameter {count} is of",
+        ),
+    ],
+)
+def test_a_command_line_that_does_not_fit(write: Write, words: str, said: str) -> None:
+    body = 'rclcpp::Node node("node");\n  node.declare_parameter("count", 1);'
+    run = simulate(write(main(body), "node.cpp"), 1.0, words.split())
+    assert run.status == 134
+    assert said in run.console
+
+
+def test_a_name_that_is_not_valid(write: Write) -> None:
+    run = simulate(write(main('rclcpp::Node node("a b");'), "node.cpp"), 1.0)
+    assert run.status == 134
+    assert (
+        "terminate called after throwing an instance of 'rclcpp::exceptions::InvalidNodeNameError'\n"
+        "  what():  Invalid node name: node name must not contain characters other than alphanumerics or '_':\n"
+        "  'a b'\n    ^\n"
+    ) in run.console
