@@ -368,7 +368,7 @@ def test_a_module_that_a_page_lacks_is_named(monkeypatch: pytest.MonkeyPatch) ->
     said = [str(check("ten-hertz", "import no_such_module"))]
     monkeypatch.setattr("sys.platform", "emscripten")
     said.append(str(check("ten-hertz", "import no_such_module")))
-    assert "Is it spelt as where you defined it" in said[0]
+    assert "Is the module spelt right? No exercise needs others" in said[0]
     assert "and Python's standard library, but no no_such_module. No exercise needs it." in said[1]
 
 

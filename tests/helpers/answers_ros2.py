@@ -196,11 +196,7 @@ RIGHT: dict[str, list[Answer]] = {
     "two-timers": [
         {SLOW: "self.create_timer(1 / 2, self.slow_callback)"},
         {FAST: f"self.fast = {FAST}", SLOW: f"self.slow = {SLOW}"},
-        {
-            f"        {SLOW}\n": "",
-            "str(self.fast_counter))\n": "str(self.fast_counter))\n        if self.fast_counter % 5 == 0:\n"
-            "            self.slow_callback()\n",
-        },
+        {SLOW: "self.create_timer(0.5, lambda: self.slow_callback())"},
         {TRY: "    rclpy.spin(spinner_py_node)\n"},
         {
             "import rclpy\n": "from itertools import count\n\nimport rclpy\n",
@@ -580,6 +576,43 @@ rclpy.spin(motor)
 
 # --- wrong ------------------------------------------------------------------------------------------------------------
 
+EACH_FIFTH = {
+    f"        {SLOW}\n": "",
+    "str(self.fast_counter))\n": "str(self.fast_counter))\n        if self.fast_counter % 5 == 0:\n"
+    "            self.slow_callback()\n",
+}
+TWO_NODES = """import rclpy
+from rclpy.executors import SingleThreadedExecutor
+from rclpy.node import Node
+class Counts(Node):
+    def __init__(self, tag, period):
+        super().__init__(tag.lower())
+        self.tag, self.counter = tag, 0
+        self.create_timer(period, self.count)
+    def count(self):
+        self.counter += 1
+        self.get_logger().info(f"[{self.tag}] counter = {self.counter}")
+rclpy.init()
+executor = SingleThreadedExecutor()
+nodes = [Counts("FAST", 0.1), Counts("SLOW", 0.5)]
+for node in nodes:
+    executor.add_node(node)
+executor.spin()
+"""
+SLOW_THREAD = {
+    f"        {SLOW}\n": "        threading.Thread(target=self.slow_loop, daemon=True).start()\n",
+    "    def slow_callback(self):\n": "    def slow_loop(self):\n        while True:\n            time.sleep(0.5)\n"
+    "            self.slow_callback()\n\n    def slow_callback(self):\n",
+    "import rclpy\n": "import threading\nimport time\n\nimport rclpy\n",
+}
+IN_EACH_CALL = {  # a publisher is made for each message
+    MAKES_PUBLISHER: "",
+    PUBLISHES: f"{MAKES_PUBLISHER}{PUBLISHES}",
+}
+MADE_ONCE = "Make it once, before the timer"
+CALLED_ITSELF = "        self.position_callback(UInt32(data=self.position))\n"
+MAKES_SENSOR = 'self.create_publisher(UInt32, "position", qos_profile_sensor_data)'
+
 FOR_ROS_1 = "import rospy\nrospy.init_node('n')\nrospy.spin()\n"
 
 WRONG: dict[str, list[tuple[Answer, str, str]]] = {
@@ -588,9 +621,13 @@ WRONG: dict[str, list[tuple[Answer, str, str]]] = {
         ({MAKES: "self.create_timer(10.0, self.timer_callback)"}, "no counter was printed", NOT_HZ),
         ({"(0.1,": "(0.5,"}, "counter 1 came at 0.5 s, not at 0.1 s", NOT_HZ),
         ({"(0.1,": "(0.01,"}, "counter 1 came at 0.01 s, not at 0.1 s", NOT_HZ),
-        ({"(0.1,": "(1 // 10,"}, "counter 1 came at 0 s, not at 0.1 s", "no more than the exercise asks"),
+        (
+            {"(0.1,": "(1 // 10,"},
+            "The node has a timer whose period is 0 s: it is called without a pause",
+            "In Python `1 // 10` is 0, and `1 / 10` is 0.1.",
+        ),
         ({"(0.1,": "(-0.1,"}, "timer period must be non-negative", "cannot be negative"),
-        ({"+= 1": "+= 10"}, "where counter 1 was due, counter 10 came", NOT_HZ),
+        ({"+= 1": "+= 10"}, "where counter 1 was due, counter 10 came", "The counter goes up by 10 each time:"),
         ({TRY: ""}, "no counter was printed", "The node ended by itself"),
         ({"self.timer_callback)": "self.timer_callback())"}, "'NoneType' object is not callable", "without calling it"),
         (
@@ -612,11 +649,26 @@ WRONG: dict[str, list[tuple[Answer, str, str]]] = {
         ({PASSES: "loop = ..."}, "The loop: there is no prediction yet", "Give `loop`"),
     ],
     "two-timers": [
-        ({"slow_counter": "fast_counter"}, "`[SLOW]`: where counter 1 was due, counter 6 came", OWN_COUNTER),
+        (EACH_FIFTH, "one timer prints both `[FAST]` and `[SLOW]`", "a timer of its own for each"),
+        (TWO_NODES, "the timers are of two nodes, `/fast` and `/slow`", "One node can have both"),
+        (SLOW_THREAD, "counter 1 of `[SLOW]` was not printed by the callback of a timer", "a timer of its own"),
+        (
+            {"slow_counter": "fast_counter"},
+            "`[SLOW]`: where counter 1 was due, counter 6 came",
+            "Something else counts in the same variable:",
+        ),
         ({"(0.5,": "(2.0,"}, "`[SLOW]`: counter 1 came at 2 s, not at 0.5 s", AS_MANY),
-        ({"(0.5,": "(5,"}, "`[SLOW]`: no counter was printed", AS_MANY),
+        (
+            {"(0.5,": "(5,"},
+            "`[SLOW]`: no counter was printed",
+            "A timer of the node has a period of 5 s, so that its first call is due",
+        ),
         ({"(0.1,": "(0.5,"}, "`[FAST]`: counter 1 came at 0.5 s", AS_MANY),
-        ({"[SLOW]": "[slow]"}, "`[SLOW]`: no counter was printed", AS_MANY),
+        (
+            {"[SLOW]": "[slow]"},
+            "`[SLOW]`: no counter was printed",
+            "The lines are to read `[SLOW] counter = 1` and so on.",
+        ),
         ({"self.slow_callback)": "self.fast_callback)"}, "`[SLOW]`: no counter was printed", "callback and counter"),
         ({"        self.slow_counter = 0\n": ""}, "has no attribute 'slow_counter'", "Python names"),
         ({f"        {SLOW}\n": ""}, "`[SLOW]`: no counter was printed", AS_MANY),
@@ -644,29 +696,78 @@ WRONG: dict[str, list[tuple[Answer, str, str]]] = {
         ({ONE_CALL: "spin_once = 0.4"}, "a list of times in seconds, not a value of type `float`", "Write it as"),
     ],
     "publish-a-counter": [
-        ({PUBLISHES: ""}, "on `/counter`: the node published nothing", IN_INIT),
+        (IN_EACH_CALL, "the node made 10 publishers of `/counter`, where one would do", MADE_ONCE),
+        (
+            {
+                MAKES_PUBLISHER: "        self.publisher = None\n",
+                PUBLISHES: "        if self.publisher is None:\n    " + MAKES_PUBLISHER + PUBLISHES,
+            },
+            "the publisher was made at 0.2 s, when its first message was already due",
+            MADE_ONCE,
+        ),
+        (
+            {
+                MAKES_PUBLISHER: "",
+                PUBLISHES: f"{MAKES_PUBLISHER}{PUBLISHES}        self.destroy_publisher(self.publisher)\n",
+            },
+            "the node made 10 publishers",
+            MADE_ONCE,
+        ),
+        (
+            {
+                "        self.create_subscription(": "        pass  # ",
+                PUBLISHES: f"{PUBLISHES}        self.counter_callback(UInt32(data=self.counter))\n",
+            },
+            "The listener: its lines were printed in a call of a timer",
+            "A topic carries the message",
+        ),
+        (
+            {PUBLISHES: ""},
+            "on `/counter`: the node published nothing",
+            "There is a publisher, but nothing publishes with it.",
+        ),
         ({MAKES_PUBLISHER: ""}, "has no attribute 'publisher'", "with its `self.`"),
-        ({MAKES_PUBLISHER: MAKES_PUBLISHER.replace('"counter"', '"count"')}, "it was published on `/count`", IN_INIT),
+        (
+            {MAKES_PUBLISHER: MAKES_PUBLISHER.replace('"counter"', '"count"')},
+            "it was published on `/count`",
+            "The topic of a publisher is that of the listener, letter by letter:",
+        ),
         (
             {MAKES_PUBLISHER: MAKES_PUBLISHER.replace('"counter"', '"~/counter"')},
             "it was published on `/robot_py_node/counter`",
-            IN_INIT,
+            "The topic of a publisher is that of the listener, letter by letter:",
         ),
-        ({"(0.2,": "(5,"}, "nothing was published on `/counter`", IN_INIT),
-        ({"(0.2,": "(0.5,"}, "On `/counter`: counter 1 came at 0.5 s, not at 0.2 s", IN_INIT),
-        ({"UInt32(data=self.counter)": "self.counter"}, "TypeError", IN_INIT),
-        ({"UInt32(data=self.counter)": "UInt32()"}, "where counter 1 was due, counter 0 came", IN_INIT),
+        ({"(0.2,": "(5,"}, "nothing was published on `/counter`", "Five times a second is once in 1 / 5 s."),
+        (
+            {"(0.2,": "(0.5,"},
+            "On `/counter`: counter 1 came at 0.5 s, not at 0.2 s",
+            "Five times a second is once in 1 / 5 s.",
+        ),
+        ({"UInt32(data=self.counter)": "self.counter"}, "TypeError", "A number is not yet a message:"),
+        (
+            {"UInt32(data=self.counter)": "UInt32()"},
+            "on `/counter`: each message holds 0, not a counter.",
+            "A new message holds 0.",
+        ),
         (
             {"        self.counter += 1\n" + PUBLISHES: PUBLISHES + "        self.counter += 1\n"},
             "where counter 1 was due, counter 0 came",
-            IN_INIT,
+            "The first counter is 1:",
         ),
-        ({PUBLISHES: PUBLISHES * 2}, "On `/counter`: where counter 2 was due, counter 1 came", IN_INIT),
-        ({MAKES_PUBLISHER: MAKES_PUBLISHER.replace(", 10)", ")")}, "missing 1 required positional", IN_INIT),
+        (
+            {PUBLISHES: PUBLISHES * 2},
+            "On `/counter`: where counter 2 was due, counter 1 came",
+            "A counter comes more than once:",
+        ),
+        (
+            {MAKES_PUBLISHER: MAKES_PUBLISHER.replace(", 10)", ")")},
+            "missing 1 required positional",
+            '`self.create_publisher(UInt32, "counter", 10)`:',
+        ),
         (
             {"        self.create_subscription": "        pass  # "},
             "The listener: no counter",
-            "Make it once",
+            "Nothing subscribes to `/counter` any more.",
         ),
         (FOR_ROS_1, "This node is for ROS 1", "This exercise is on ROS 2"),
     ],
@@ -685,25 +786,85 @@ WRONG: dict[str, list[tuple[Answer, str, str]]] = {
         ({OTHER_SIDE: ""}, "there is no prediction yet", "Give `only_subscription`"),
     ],
     "match-the-qos": [
-        ({HEARS: "self.position_callback, 10)"}, "The controller: no position was printed", RELIABLE),
-        ({HEARS: "self.position_callback, 1)"}, "The controller: no position was printed", RELIABLE),
+        (
+            {
+                HEARS: "self.position_callback, 10)",
+                "(UInt32(data=self.position))\n": f"(UInt32(data=self.position))\n{CALLED_ITSELF}",
+            },
+            "a subscription with reliable, volatile, depth 10 does not match",
+            RELIABLE,
+        ),
+        (
+            {MAKES_SENSOR: f'self.create_publisher(UInt32, "position", {BEST})', **IMPORTS_BEST},
+            "the sensor: its publisher now has best_effort, volatile, depth 10, where it had",
+            STAYS,
+        ),
+        (
+            {MAKES_SENSOR: MAKES_SENSOR.replace("qos_profile_sensor_data", "10"), HEARS: "self.position_callback, 10)"},
+            "the sensor: its publisher now has reliable, volatile, depth 10",
+            STAYS,
+        ),
+        (
+            {
+                HEARS: "lambda message: None, qos_profile_sensor_data)",
+                "(UInt32(data=self.position))\n": f"(UInt32(data=self.position))\n{CALLED_ITSELF}",
+            },
+            "The controller: its lines were printed in a call of a timer",
+            "A topic carries the message",
+        ),
+        (
+            {HEARS: f'{HEARS}\n        self.create_subscription(UInt32, "position", self.position_callback, 10)'},
+            "a subscription with reliable, volatile, depth 10 does not match",
+            RELIABLE,
+        ),
+        (
+            {
+                HEARS: "self.position_callback, QoSProfile(depth=5, reliability=ReliabilityPolicy.BEST_EFFORT, "
+                "durability=DurabilityPolicy.TRANSIENT_LOCAL))",
+                IMPORTS_QOS: f"{IMPORTS_QOS}, DurabilityPolicy, QoSProfile, ReliabilityPolicy",
+            },
+            "best_effort, transient_local, depth 5 does not match",
+            "The sensor keeps none",
+        ),
+        (
+            {HEARS: "self.position_callback, 10)"},
+            "the controller: a subscription with reliable, volatile, depth 10 does ",
+            RELIABLE,
+        ),
+        (
+            {HEARS: "self.position_callback, 1)"},
+            "the controller: a subscription with reliable, volatile, depth 1 does n",
+            RELIABLE,
+        ),
         (
             {
                 HEARS: "self.position_callback, QoSProfile(depth=5, durability=DurabilityPolicy.TRANSIENT_LOCAL))",
                 IMPORTS_QOS: f"{IMPORTS_QOS}, DurabilityPolicy, QoSProfile",
             },
-            "The controller: no position was printed",
+            "the controller: a subscription with reliable, transient_local, depth 5",
             RELIABLE,
         ),
         (
             {'"position", self.position_callback': '"positions", self.position_callback'},
-            "The controller: no position",
-            RELIABLE,
+            "the controller: nothing subscribes to `/position`: it subscribes to `/",
+            "The topic of the subscription is that of the publisher, letter by lett",
         ),
         ({"0.5, self.sensor": "1.0, self.sensor"}, "The sensor: position 1 came at 1 s, not at 0.5 s", STAYS),
-        ({"self.position_callback, qos": "self.position_callback(), qos"}, "missing 1 required positional", "match"),
-        ({"str(message.data)": "str(message)"}, "The controller: where position 1 was due", RELIABLE),
-        ({HEARS: "self.position_callback)"}, "missing 1 required positional", "The warnings name the policy"),
+        (
+            {"self.position_callback, qos": "self.position_callback(), qos"},
+            "missing 1 required positional",
+            "Pass the function on without calling it:",
+        ),
+        (
+            {"str(message.data)": "str(message)"},
+            "The controller: where position 1 was due",
+            "Let the callback of the subscription print `[CONTROLLER] position = `",
+        ),
+        (
+            {HEARS: "self.position_callback)"},
+            "missing 1 required positional",
+            '`self.create_subscription(UInt32, "counter", self.callback, 10)`:',
+        ),
         (
             {"        self.publisher.publish": "        # self.publisher.publish"},
             "The sensor: no position was printed",
@@ -711,6 +872,22 @@ WRONG: dict[str, list[tuple[Answer, str, str]]] = {
         ),
     ],
     "only-the-newest": [
+        (
+            {'"position", 10)\n': '"position", 1)\n'},
+            "the sensor: its publisher now has reliable, volatile, depth 1, where it had reliable, volatile, depth 10",
+            STAYS,
+        ),
+        (
+            {
+                f'self.create_subscription(UInt32, "position", {TAKES_ONE}\n': "self.newest = UInt32(data=1)\n"
+                "        self.create_timer(0.34, lambda: self.position_callback(self.newest), "
+                "MutuallyExclusiveCallbackGroup())\n",
+                "        self.publisher.publish(": "        self.newest = UInt32(data=self.position)\n"
+                "        self.publisher.publish(",
+            },
+            "the controller: nothing subscribes to `/position`",
+            "letter by letter",
+        ),
         (
             {TAKES_ONE: "self.position_callback, 10)"},
             "the controller steered by position 2, which was 0.23 s old",
@@ -723,12 +900,28 @@ WRONG: dict[str, list[tuple[Answer, str, str]]] = {
             QUEUE,
         ),
         ({"time.sleep(0.33)": "time.sleep(0.05)"}, "less than 0.33 s after the last time", "takes 0.33 s"),
-        ({"(0.1, self.sensor": "(0.4, self.sensor"}, "the sensor published 25 positions", "The sensor is as it is"),
-        ({", MultiThreadedExecutor())": ")"}, "the sensor published", "The sensor is as it is"),
-        ({"str(message.data)": "str(message)"}, "is not a position that", QUEUE),
-        ({"time.sleep(0.33)": "time.sleep(0.6)"}, "the controller steered 17 times", QUEUE),
-        ({"        self.create_subscription": "        pass  # "}, "the controller steered 0 times", QUEUE),
-        ({TAKES_ONE: "self.position_callback(), 1)"}, "missing 1 required positional", QUEUE),
+        (
+            {"(0.1, self.sensor": "(0.4, self.sensor"},
+            "the sensor published 25 positions",
+            "The sensor is to stay as it is.",
+        ),
+        ({", MultiThreadedExecutor())": ")"}, "the sensor published", "The sensor is to stay as it is."),
+        ({"str(message.data)": "str(message)"}, "is not a position that", "A message is not yet its number:"),
+        (
+            {"time.sleep(0.33)": "time.sleep(0.6)"},
+            "the controller steered 17 times",
+            "From one step to the next it took up to 0.6 s.",
+        ),
+        (
+            {"        self.create_subscription": "        pass  # "},
+            "the controller: nothing subscribes to `/position`.",
+            "The topic of the subscription is that of the publisher, letter by lett",
+        ),
+        (
+            {TAKES_ONE: "self.position_callback(), 1)"},
+            "missing 1 required positional",
+            "Pass the function on without calling it:",
+        ),
     ],
     "slow-timer": [
         (times(SHORT, 2.2, 2.2, 2.4), "Blocked for 1.0 s: not 2.2 s, 2.2 s", "one of them comes immediately, and"),
@@ -771,8 +964,12 @@ WRONG: dict[str, list[tuple[Answer, str, str]]] = {
             "AttributeError: 'SpinnerPyNode' object has no attribute 'timer'",
             "with its `self.`",
         ),
-        ({KEEPS: KEEPS.replace(")", ", oneshot=True)")}, "unexpected keyword argument 'oneshot'", "Keep the timer in"),
-        ({CANCELS: "        self.timer.shutdown()\n"}, "has no attribute 'shutdown'", "Python names what"),
+        (
+            {KEEPS: KEEPS.replace(")", ", oneshot=True)")},
+            "unexpected keyword argument 'oneshot'",
+            "In ROS 2 a timer has no `oneshot`.",
+        ),
+        ({CANCELS: "        self.timer.shutdown()\n"}, "has no attribute 'shutdown'", "A `Timer` has no `shutdown`."),
         ({"timer_callback(self)": "timer_callback(self, event)"}, "missing 1 required positional", "no argument"),
         ({KEEPS: KEEPS.replace("timer_callback)", "timer_callback())")}, "has no attribute 'timer'", "Python names"),
         ({SPIN: "        pass\n"}, "no counter was printed", "Does its main part come to `rclpy.spin(node)`?"),
@@ -807,7 +1004,11 @@ WRONG: dict[str, list[tuple[Answer, str, str]]] = {
             "Without the parameter: counter 1 came at 2 s",
             "Is it what the timer is given",
         ),
-        ({PERIOD: PERIOD.replace(".value", "")}, "TypeError", "is a parameter's value"),
+        (
+            {PERIOD: PERIOD.replace(".value", "")},
+            "TypeError",
+            "A parameter is not yet its number, which is its `.value`:",
+        ),
         ({REFUSES: ""}, "With `period:=0.0`: the node ticked anyway", "calls back without a pause"),
         (
             {REFUSES: REFUSES.replace("not period > 0", "period < 0")},
@@ -863,7 +1064,7 @@ WRONG: dict[str, list[tuple[Answer, str, str]]] = {
             "Without the parameter: counter 1 came at 2 s",
             "is called",
         ),
-        ({SPIN: "        rclpy.spin()\n"}, "missing 1 required positional argument: 'node'", "A class of `Node`"),
+        ({SPIN: "        rclpy.spin()\n"}, "missing 1 required positional argument: 'node'", "`rclpy.spin(node)`:"),
         ({SPIN: "        pass\n"}, "no counter was printed", "Does its main part come to `rclpy.spin(node)`?"),
         ({'        super().__init__("spinner_py_node")\n': ""}, "AttributeError", "begins its __init__"),
         ({"    rclpy.init()\n": ""}, "NotInitialized", "Call rclpy.init() before"),

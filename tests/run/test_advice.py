@@ -51,7 +51,7 @@ rclpy.spin(node)
 TIMER = "A timer passes its callback no argument: def timer_callback(), or (self) in a class."
 NUMBER = "The period of a timer comes first and is a number of seconds: create_timer(0.5, self.timer_callback)"
 NEGATIVE = "The period of a timer cannot be negative: give create_timer the seconds from one call to the next."
-DECLARE = 'Declare a parameter before you read it: self.declare_parameter("frequency", 2.0).'
+DECLARE = 'Declare a parameter before you read it: self.declare_parameter("frequency", ...), with its default.'
 ITSELF = "Pass the callback itself, without calling it: self.timer_callback, not self.timer_callback()."
 
 

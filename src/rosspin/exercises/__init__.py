@@ -70,13 +70,14 @@ def judge(which: int | str, answer: Any, traced: str) -> Feedback:
     findings = _find(exercise, given)
     if left:
         raise Misfit("it has more runs than this exercise asks for")
-    if cut:
+    whole = not cut or any(finding.right is False for finding in findings)
+    if not whole:
         findings.append(Finding(False, _CUT, _LESS))
     hints = [finding.hint for finding in findings if not finding.right and finding.hint]
     if early := given.hint_for_early_end():
         # It comes first if the node printed nothing, else last.
         hints.insert(len(hints) if console else 0, early)
-    return Feedback(exercise.number, tuple(findings), [*hints, exercise.hint][0], console, whole=not cut)
+    return Feedback(exercise.number, tuple(findings), [*hints, exercise.hint][0], console, whole=whole)
 
 
 class Verdict(NamedTuple):

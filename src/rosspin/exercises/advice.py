@@ -2,19 +2,28 @@
 
 from __future__ import annotations
 
+import inspect
+import re
 import sys
-from types import FrameType
+from types import FrameType, ModuleType
 
 from ..clocks.frames import node_frames
 from ..rospy.exceptions import ROSInitException
 
-__all__ = ["advice", "lacking"]
+__all__ = ["advice", "lacking", "not_called", "not_found"]
 
 # What each module of rospy passes to its callbacks, and what it is to be given.
 _PASSED = {
     "timer": "A timer passes its callback one argument, the event: def callback(event), or (self, event) in a class.",
     "topics": "A subscriber passes its callback one argument: def callback(message), or (self, message) in a class.",
     "service": "A service passes its handler one argument: def handle(request), or (self, request) in a class.",
+}
+_PASSED_2 = {
+    "Timer": "A timer passes its callback no argument: def timer_callback(), or (self) in a class.",
+    "Subscription": "A subscription passes its callback the message: def callback(message), or (self, message) in a "
+    "class.",
+    "Service": "A service passes its callback two arguments: def callback(request, response), or (self, request, "
+    "response) in a class. It returns the response.",
 }
 _ITSELF = {
     "timer": "Pass a timer the callback itself, without calling it: self.timerCallback, not self.timerCallback().",
@@ -25,6 +34,12 @@ _ITSELF = {
 
 def advice(error: BaseException) -> str:
     """Advise on an error in a node, in a sentence; an empty text stands for no advice."""
+    if isinstance(error, TypeError) and "'Parameter'" in str(error):
+        return (
+            'A parameter is not yet its number, which is its `.value`: `self.declare_parameter("period", 0.5).value`.'
+        )
+    if form := _form(error):
+        return form
     frame = _innermost(error)
     if frame is None:
         return ""
@@ -37,6 +52,99 @@ def lacking(error: ModuleNotFoundError) -> str:
     if (error.name or "").partition(".")[0] in sys.stdlib_module_names:
         return f"Python has no {error.name} in a page."
     return f"This page has stand-ins for rospy and rclpy, and Python's standard library, but no {error.name}."
+
+
+def not_found(error: BaseException) -> str:
+    """Say where to look for a name, an attribute or a module that Python did not find; empty for other errors."""
+    if isinstance(error, ModuleNotFoundError):
+        if sys.platform == "emscripten":
+            return f"{lacking(error)} No exercise needs it."
+        return "Is the module spelt right? No exercise needs others than those of ROS and of Python's standard library."
+    if isinstance(error, ImportError):
+        return f"Is the name spelt right, and is it in that module? `{error.name}` is there."
+    if isinstance(error, NameError):
+        if error.name in _CONSTANTS:
+            return f"In Python this is written `{_CONSTANTS[error.name]}`."
+        if error.name in sys.stdlib_module_names:
+            return f"Import it at the top: `import {error.name}`."
+        if re.fullmatch("[A-Z]", error.name or ""):
+            return f'A letter is a text. Write it in quotes: `"{error.name}"`.'
+        if re.match(r"[A-Z]\w*[a-z]", error.name or ""):
+            return "A class is imported from its module, or defined, before it is used. Is it spelt as it is there?"
+        return "Python names what it did not find. Is it spelt as where you defined it, with its `self.`?"
+    if isinstance(error, AttributeError):
+        return (
+            _lacks(error) or "Python names what it did not find. Is it spelt as where you defined it, with its `self.`?"
+        )
+    return ""
+
+
+def _lacks(error: AttributeError) -> str:
+    """Say what an object of ROS has instead; empty for an object of the answer's own."""
+    if isinstance(error.obj, ModuleType):
+        module = error.obj.__name__
+        if f"rosspin.{module}.{error.name}" in sys.modules:
+            return f"Import it at the top: `import {module}.{error.name}`."
+        return f"`{module}` has no `{error.name}`. Is it spelt as in the lesson?" if _is_of_ros(module) else ""
+    kind = type(error.obj)
+    if not _is_of_ros(kind.__module__):
+        return ""
+    has = [f"`{name}()`" for name in vars(kind) if name[:1] != "_" and inspect.isfunction(vars(kind)[name])]
+    return f"A `{kind.__name__}` has no `{error.name}`. It has {', '.join(has[:8])}." if has else ""
+
+
+def not_called(error: BaseException, text: str, line: int) -> str:
+    """Advise on a callback that was called, in a ``line`` of the answer, where it was to be passed on."""
+    lines = text.splitlines()
+    found = re.match(r"(?:\w+\.)*(\w+)\(\) missing \d+ required positional argument", str(error))
+    if not (isinstance(error, TypeError) and found and 0 < line <= len(lines)):
+        return ""
+    called = re.search(rf"((?:\w+\.)*{found[1]})\(\)", lines[line - 1]) if f"def {found[1]}(" in text else None
+    return f"Pass the function on without calling it: `{called[1]}`, not `{called[1]}()`." if called else ""
+
+
+# Names of other languages.
+_CONSTANTS = {"true": "True", "false": "False", "null": "None", "nil": "None"}
+
+# How what makes something is called, for whoever gives it the wrong arguments.
+_FORMS = {
+    "create_timer": "`self.create_timer(0.5, self.timer_callback)`: the period in seconds, then the callback.",
+    "create_publisher": '`self.create_publisher(UInt32, "counter", 10)`: the type, the topic, how many may wait.',
+    "create_subscription": '`self.create_subscription(UInt32, "counter", self.callback, 10)`: the type, the topic, the '
+    "callback, how many may wait.",
+    "create_client": '`self.create_client(Trigger, "name")`: the type, then the name of the service.',
+    "create_service": '`self.create_service(Trigger, "name", self.callback)`: the type, the name, the callback.',
+    "spin": "`rclpy.spin(node)`: the node whose callbacks are to be called.",
+    "declare_parameter": '`self.declare_parameter("period", 0.5).value`: the name, then the default.',
+    "get_parameter": '`self.get_parameter("period").value`, after the parameter was declared.',
+    "Publisher": '`rospy.Publisher("counter", UInt32, queue_size=10)`: the topic, then the type.',
+    "Subscriber": '`rospy.Subscriber("counter", UInt32, self.callback)`: the topic, the type, the callback.',
+    "Timer": "`rospy.Timer(rospy.Duration(0.5), self.callback)`: the period, a Duration, then the callback.",
+}
+
+
+_LACKING = {
+    (
+        "create_timer",
+        "oneshot",
+    ): "In ROS 2 a timer has no `oneshot`. Keep it in `self.timer`, and cancel it when it has "
+    "called back: `self.timer.cancel()`.",
+    ("Subscriber", "latch"): "It is the publisher that latches: `rospy.Publisher` has a parameter `latch`.",
+}
+
+
+def _form(error: BaseException) -> str:
+    """Return how to call what was given too few arguments, or some that it does not have."""
+    told = r"(?:Node\.)?(\w+)(?:\.__init__)?\(\) (?:missing|got an unexpected keyword argument '(\w+)'|takes)"
+    found = re.match(told, str(error))
+    if not isinstance(error, TypeError) or not found:
+        return ""
+    return _LACKING.get((found[1], found[2])) or _FORMS.get(found[1], "")
+
+
+def _is_of_ros(module: str) -> bool:
+    """Whether a module, by its name, is one of ROS."""
+    return module.removeprefix("rosspin.").partition(".")[0] in ("rospy", "rclpy", "genpy")
 
 
 def _on_rospy(error: BaseException, module: str) -> str:
@@ -68,18 +176,27 @@ def _on_rclpy(error: BaseException, module: str, frame: FrameType) -> str:
     if isinstance(error, ZeroDivisionError):
         return "Nothing can have a frequency of 0 Hz."
     if isinstance(error, ParameterNotDeclaredException):
-        return 'Declare a parameter before you read it: self.declare_parameter("frequency", 2.0).'
+        name = str(error).rpartition(": ")[2]
+        return f'Declare a parameter before you read it: self.declare_parameter("{name}", ...), with its default.'
     if isinstance(error, InvalidParameterTypeException):
         return "A parameter keeps the type with which it was declared. 5 is an integer, 5.0 is not."
     if isinstance(error, RCLError) and "timer period" in str(error):
         return "The period of a timer cannot be negative: give create_timer the seconds from one call to the next."
     if isinstance(error, TypeError) and "float()" in str(error) and frame.f_code.co_name == "create_timer":
         return "The period of a timer comes first and is a number of seconds: create_timer(0.5, self.timer_callback)"
+    if isinstance(error, AttributeError) and error.name == "add_entity":
+        return "A callback group comes after the callback. Has a number a comma in it? `0,1` is two numbers: write 0.1."
     if isinstance(error, TypeError) and module.endswith(".executors"):
         if "not callable" in str(error):
             return "Pass the callback itself, without calling it: self.timer_callback, not self.timer_callback()."
         if "positional argument" in str(error):
-            return "A timer passes its callback no argument: def timer_callback(), or (self) in a class."
+            return _PASSED_2.get(type(frame.f_locals.get("entity")).__name__, "")
+    if isinstance(error, TypeError) and str(error).startswith("Expected <class") and "_msgs." in str(error):
+        return "A number is not yet a message: give `publish` one that holds it, as in UInt32(data=self.counter)."
+    if "__init__() takes 1 positional argument" in str(error):
+        return "The fields of a message are given by their names: UInt32(data=self.counter)."
+    if isinstance(error, AssertionError) and "field must be" in str(error):
+        return "The field of a message takes values of its own type only, such as a number, and no text."
     return ""
 
 

@@ -7,13 +7,17 @@ from types import CodeType, FrameType
 from typing import Any
 
 from .. import rclpy
+from ..clocks.clock import NS
+from ..rclpy.context import State
 from ..rclpy.exceptions import ExternalShutdownException, RCLError, ROSInterruptException
 from ..rclpy.executors import Executor, _call
+from ..rclpy.qos import QoSProfile
 from ..rclpy.timer import Timer
 from ..world.world import World
 from .advice import advice
+from .watched import Watched
 
-__all__ = ["ENDINGS", "WAITING", "hint", "timer_of", "timers", "whose"]
+__all__ = ["ENDINGS", "WAITING", "hint", "in_words", "timer_of", "timers", "whose"]
 
 # RCLError: rclpy.shutdown() after Ctrl-C
 ENDINGS: tuple[type[BaseException], ...] = (
@@ -35,12 +39,27 @@ def timer_of(frame: FrameType) -> Any:
     return called if isinstance(called, Timer) else None
 
 
-def timers(world: World, printers: Iterable[Any]) -> list[tuple[Any, str, bool, bool]]:
-    """Return the timers that have printed something. The others are of no interest."""
+def timers(world: World, printers: Iterable[Any]) -> list[Watched]:
+    """Return the timers of its nodes, but those of Rates, and those that have printed something and are gone."""
+    nodes = [node for context in world.part(State).contexts for node in context.nodes]
+    owners = {timer: node.full_name for node in nodes if (own := node.node()) for timer in own._timers}
     return [
-        (timer, timer._rosspin_source, False, timer._rosspin_cancelled or timer._rosspin_destroyed)
-        for timer in printers
+        Watched(
+            timer,
+            timer._rosspin_source,
+            False,
+            timer._rosspin_cancelled or timer._rosspin_destroyed,
+            timer._rosspin_period / NS,
+            owners.get(timer, ""),
+        )
+        for timer in dict.fromkeys([*owners, *printers])
+        if hasattr(timer, "_rosspin_source")
     ]
+
+
+def in_words(qos: QoSProfile) -> str:
+    """Return the policies that an end of a topic is often given."""
+    return f"{qos.reliability.short_key}, {qos.durability.short_key}, depth {qos.depth}"
 
 
 def whose(codes: Collection[CodeType]) -> str:

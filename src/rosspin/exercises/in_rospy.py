@@ -11,8 +11,9 @@ from ..rospy.state import State
 from ..rospy.timer import Timer
 from ..world.world import World
 from .advice import advice
+from .watched import Watched
 
-__all__ = ["ENDINGS", "WAITING", "hint", "timer_of", "timers", "whose"]
+__all__ = ["ENDINGS", "WAITING", "hint", "in_words", "timer_of", "timers", "whose"]
 
 ENDINGS: tuple[type[BaseException], ...] = ()
 WAITING: Collection[CodeType] = (rospy.spin.__code__,)
@@ -23,12 +24,23 @@ def timer_of(frame: FrameType) -> Any:
     return frame.f_locals["self"] if frame.f_code is Timer.run.__code__ else None
 
 
-def timers(world: World, printers: Iterable[Any]) -> list[tuple[Any, str, bool, bool]]:
+def timers(world: World, printers: Iterable[Any]) -> list[Watched]:
     """Return the timers that were started."""
     return [
-        (timer, timer._rosspin_source, not timer.is_alive(), timer._shutdown or timer._oneshot and not timer.is_alive())
+        Watched(
+            timer,
+            timer._rosspin_source,
+            not timer.is_alive(),
+            timer._shutdown or timer._oneshot and not timer.is_alive(),
+            timer._period.to_sec() if isinstance(timer._period, rospy.Duration) else 0.0,
+        )
         for timer in world.part(State).timers
     ]
+
+
+def in_words(qos: None) -> str:
+    """Return nothing: there is no QoS."""
+    return ""
 
 
 def whose(codes: Collection[CodeType]) -> str:

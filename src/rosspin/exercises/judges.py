@@ -11,8 +11,8 @@ from itertools import pairwise
 from typing import Concatenate, ParamSpec
 
 from .feedback import Finding
+from .hints import for_counters, for_none
 from .judging import Answer, Judge, above, hint_for_kept, plain, say, say_error, say_kept
-from .predictions import same
 from .seen import Printed, Seen
 
 Check = Callable[[Seen, str], Finding | None]
@@ -116,13 +116,19 @@ def grid(period: float, seconds: float, start: float | None = None) -> list[floa
 
 
 def on_time(
-    found: Sequence[Printed], wanted: Sequence[float], what: str = "", hint: str = "", one: str = "counter"
+    found: Sequence[Printed],
+    wanted: Sequence[float],
+    what: str = "",
+    hint: str = "",
+    one: str = "counter",
+    told: str = "print",
 ) -> Finding:
     """Whether counters 1, 2, ... came at the wanted times, and no others. ``what`` begins the sentence.
 
-    ``one`` is what each of them is.
+    ``one`` is what each of them is, ``told`` what the node does with it. ``hint`` is for what the counters do not show.
     """
     start = f"{what}: " if what else ""
+    hint = (one == "counter" and for_counters(found, wanted, told)) or hint
     if not found:
         return Finding(False, f"{start}no {one} was printed.", hint)
     for number, (line, time) in enumerate(zip(found, wanted, strict=False), 1):
@@ -156,8 +162,8 @@ def _around(place: int, found: Sequence[Printed], wanted: Sequence[float], one: 
     return above(**rows)
 
 
-Hint = Callable[[Sequence[Printed], Sequence[float]], str]
-"""Returns a hint, from the counters that came and the times at which they should have come, or an empty text."""
+Hint = Callable[[Sequence[Printed]], str]
+"""Returns a hint, from the counters that came, or an empty text."""
 
 
 @_check
@@ -180,15 +186,11 @@ def ticks(
     """
     found, wanted = seen.counters(tag), [*at, *(grid(period, until or seen.seconds, start) if period else ())]
     what = ", ".join(filter(None, (when, name)))
-    return on_time(found, wanted, what, hint if isinstance(hint, str) else hint(found, wanted))
+    said = hint if isinstance(hint, str) else hint(found)
+    return on_time(found, wanted, what, said if found else for_none(seen, tag, said))
 
 
-def shared_counter(found: Sequence[Printed], wanted: Sequence[float]) -> str:
-    """Return a hint on counters that come at the right times but are wrong."""
-    return "Give each timer a counter of its own." if same([line.time for line in found], wanted) else ""
-
-
-def overrun(found: Sequence[Printed], wanted: Sequence[float]) -> str:
+def overrun(found: Sequence[Printed]) -> str:
     """Return a hint on a loop of 2 Hz whose third pass takes too long."""
     if found and abs(found[-1].time / 0.5 - round(found[-1].time / 0.5)) > _CLOSE:
         return "The loop has left its grid of 0.5 s: count deadlines on from the old one, not from now."
@@ -267,6 +269,30 @@ def moved_to_a_timer(seen: Seen, when: str) -> Finding | None:
     return Finding(True, "a timer calls back, and no loop is left.") if timers else None
 
 
+@_check
+def have_timers_of_their_own(seen: Seen, when: str, *tags: str) -> Finding | None:
+    """Whether the counters of each tag were printed by a timer of their own, and all these timers are of one node."""
+    printed = {tag: seen.counters(tag) for tag in tags}
+    if not all(printed.values()):
+        return None
+    nodes: dict[str, str] = {}
+    told: dict[int, str] = {}  # by the number of a timer
+    second = "The exercise asks for a timer of its own for each, with its own period, callback and counter."
+    for tag, counters in printed.items():
+        timers, others = seen.printers(counters)
+        if others:
+            text = f"counter {plain(others[0].text)} of `[{tag}]` was not printed by the callback of a timer."
+            return Finding(False, text, second)
+        for timer in timers:
+            if timer.number in told:
+                return Finding(False, f"one timer prints both `[{told[timer.number]}]` and `[{tag}]`.", second)
+            told[timer.number] = nodes[timer.node] = tag
+    if len(nodes) > 1:
+        names = " and ".join(f"`{plain(name)}`" for name in nodes)
+        return Finding(False, f"the timers are of two nodes, {names}.", "One node can have both timers.")
+    return Finding(True, "each has a timer of its own, and both are of one node.")
+
+
 # --- how it ends ------------------------------------------------------------------------------------------------------
 
 
@@ -341,7 +367,10 @@ def refuses(seen: Seen, when: str, name: str) -> Finding:
     """Whether a node has refused a parameter in words, with a status other than 0 and without a traceback."""
     look = f"Look at the {name} before you make the timer: write an error line, and end with `sys.exit(1)`."
     if counters := seen.counters():
-        text = f"{when}: the node ticked anyway, {len(counters)} times in {say(seen.seconds)}."
+        often = f"{len(counters)} times in {say(seen.seconds)}"
+        if any(timer.is_endless for timer in seen.timers):
+            often = "without a pause"
+        text = f"{when}: the node ticked anyway, {often}."
         return Finding(False, text, f"A timer takes a {name} of 0, and then calls back without a pause. {look}")
     if seen.errors:
         return Finding(False, f"{when}: the {say_error(seen.errors[-1])}", look)
@@ -565,24 +594,74 @@ def _ended(seen: Seen, when: str, status: str, at: float, length: int) -> Findin
 # --- what it publishes ------------------------------------------------------------------------------------------------
 
 
+_EVERY = "Five times a second is once in 1 / 5 s. That is the period, which a timer is given."
+_SAME = "Both ends of a topic have to name the same type: otherwise they do not connect."
+_ONCE = (
+    "A publisher that was made just now is not connected to anybody in another process. Make it once, before the timer "
+    "is made, and keep it: `self.publisher = ...` in `__init__`."
+)
+
+
 def published_and_heard(answer: Answer) -> Iterator[Finding]:
-    """Whether a counter is published every 0.2 s, with the right type, and heard immediately."""
+    """Whether a counter is published every 0.2 s, with the right type, by one publisher, and heard immediately."""
     seen = answer.run(2.0)
     wanted = grid(0.2, 2.0)
     sent = [message for message in seen.sent if message.topic == "/counter"]
     if not sent:
-        others = dict.fromkeys(f"`{plain(message.topic)}`" for message in seen.sent)
-        text = f"it was published on {', '.join(others)}" if others else "the node published nothing"
-        yield Finding(False, f"nothing was published on `/counter`: {text}.")
+        yield _unpublished(seen)
         return
     if wrong := {message.type for message in sent} - {"std_msgs/UInt32", "UInt32"}:
         text = f"the messages on `/counter` are of the type {plain(', '.join(sorted(wrong)))}, not UInt32."
-        yield Finding(False, text, "Both ends of a topic have to name the same type: otherwise they do not connect.")
+        yield Finding(False, text, _SAME)
         return
-    on_topic = on_time([Printed(message.time, message.data) for message in sent], wanted, "On `/counter`")
+    counters = [Printed(message.time, message.data) for message in sent]
+    if all(counter.text == "0" for counter in counters):
+        unfilled = "A new message holds 0. Give it the counter: `UInt32(data=self.counter)`."
+        yield Finding(False, "on `/counter`: each message holds 0, not a counter.", unfilled)
+        return
+    on_topic = on_time(counters, wanted, "On `/counter`", _EVERY, told="publish")
     yield on_topic
-    once = "A publisher that was made just now is not connected to anyone. Make it once, before the timer."
-    yield on_time(seen.values("LISTENER", "counter"), wanted, "The listener", once if on_topic.right else "")
+    publishers = [end.made for end in seen.ends_of("/counter", True)]
+    heard = seen.values("LISTENER", "counter")
+    gone = "Nothing subscribes to `/counter` any more. Leave the listener as it is."
+    hint = _ONCE if seen.ends_of("/counter", False) else gone
+    by_listener = on_time(heard, wanted, "The listener", hint if on_topic.right else _EVERY, told="publish")
+    if not (on_topic.right and by_listener.right):
+        yield by_listener
+    elif len(publishers) > 1:
+        yield Finding(False, f"the node made {len(publishers)} publishers of `/counter`, where one would do.", _ONCE)
+    elif publishers[0] > sent[0].time - _CLOSE:
+        text = f"the publisher was made at {say(publishers[0])}, when its first message was already due."
+        yield Finding(False, text, _ONCE)
+    elif any(line.timer for line in heard):
+        yield _called_itself("The listener")
+    else:
+        yield by_listener
+
+
+def _unpublished(seen: Seen) -> Finding:
+    """Say why nothing was published on the topic ``/counter``."""
+    others = dict.fromkeys(f"`{plain(message.topic)}`" for message in seen.sent)
+    if others:
+        text = f"nothing was published on `/counter`: it was published on {', '.join(others)}."
+        return Finding(False, text, "The topic of a publisher is that of the listener, letter by letter: `counter`.")
+    made = [end for end in seen.ends if end.publishes and not end.topic.startswith("/rosout")]
+    made = [end for end in made if end.topic != "/parameter_events"]
+    text = "nothing was published on `/counter`: the node published nothing."
+    if not made:
+        return Finding(False, text)
+    slow = [timer for timer in seen.timers if not timer.calls and timer.period > seen.seconds]
+    if slow:
+        period = say(slow[0].period)
+        text = f"nothing was published on `/counter` in {say(seen.seconds)}: the timer's period is {period}."
+        return Finding(False, text, _EVERY)
+    return Finding(False, text, "There is a publisher, but nothing publishes with it. Let the timer's callback do so.")
+
+
+def _called_itself(what: str) -> Finding:
+    """Say that the callback of a subscription was called by the node itself."""
+    text = f"{what}: its lines were printed in a call of a timer, not by the callback of a subscription."
+    return Finding(False, text, "A topic carries the message: the subscription calls its callback when one has come.")
 
 
 @_check
@@ -601,29 +680,85 @@ def arrives_once(seen: Seen, when: str, goal: str, at: float) -> Finding:
     return Finding(True, f"{when}: the goal arrived once, at {say(heard[0].time)}.")
 
 
+_AS_IT_IS = "The sensor is to stay as it is. Change how the controller listens to it."
+
+
+def _sensor_of(seen: Seen, qos: str) -> Finding | None:
+    """Find out whether ``/position`` has another publisher than the sensor's, with its QoS; None if it has not."""
+    sensors = seen.ends_of("/position", True)
+    if len(sensors) > 1:
+        return Finding(False, f"the sensor: `/position` has {len(sensors)} publishers, not one.", _AS_IT_IS)
+    if sensors and sensors[0].qos != qos:
+        text = f"the sensor: its publisher now has {sensors[0].qos}, where it had {qos}."
+        return Finding(False, text, _AS_IT_IS)
+    return None
+
+
+def _unmatched(seen: Seen) -> Finding | None:
+    """Find out why no subscription to ``/position`` is connected, or one of several is not; None if all are."""
+    ends = seen.ends_of("/position", False)
+    refused = [end for end in ends if end.refused]
+    if not ends:
+        others = [end.topic for end in seen.ends if not end.publishes and end.topic != "/parameter_events"]
+        where = f": it subscribes to `{plain(others[0])}`" if others else ""
+        hint = "The topic of the subscription is that of the publisher, letter by letter: `position`."
+        return Finding(False, f"the controller: nothing subscribes to `/position`{where}.", hint)
+    if refused:
+        text = f"the controller: a subscription with {refused[0].qos} does not match the sensor. Read the warnings."
+        asks_for_kept = "volatile" not in refused[0].qos
+        hint = _KEPT_TOO if asks_for_kept and "best_effort" in refused[0].qos else _RELIABLE
+        return Finding(False, text, hint)
+    if not any(end.joined for end in ends):
+        return Finding(False, "the controller: its subscription is not connected to the sensor.", _SAME)
+    return None
+
+
+_RELIABLE = "The subscription asks for reliable messages, unless you say otherwise. The sensor offers less."
+_KEPT_TOO = (
+    "The subscription asks for messages that the publisher has kept (`TRANSIENT_LOCAL`). The sensor keeps none: it is "
+    "`VOLATILE`."
+)
+
+
 @_check
-def hears_all(seen: Seen, when: str, period: float, hint: str) -> Finding:
-    """Whether the controller hears each position immediately, one of which the sensor publishes each period (s)."""
+def hears_all(seen: Seen, when: str, period: float, qos: str) -> Finding:
+    """Whether the controller hears each position immediately, one of which the sensor publishes each period (s).
+
+    ``qos`` is the sensor's. The subscription has to be connected to it, and no other end may be left that is not.
+    """
     sent = [Printed(message.time, message.data) for message in seen.sent if message.topic == "/position"]
-    published = on_time(sent, grid(period, seen.seconds), "The sensor", "The sensor is to stay as it is.", "position")
+    published = on_time(sent, grid(period, seen.seconds), "The sensor", _AS_IT_IS, "position")
     if not published.right:
         return published
-    return on_time(
-        seen.values("CONTROLLER", "position"), grid(period, seen.seconds), "The controller", hint, "position"
-    )
+    if wrong := _sensor_of(seen, qos) or _unmatched(seen):
+        return wrong
+    heard = seen.values("CONTROLLER", "position")
+    if any(line.timer for line in heard):
+        return _called_itself("The controller")
+    as_it_comes = "Let the callback of the subscription print `[CONTROLLER] position = ` and the number in the message."
+    return on_time(heard, grid(period, seen.seconds), "The controller", as_it_comes, "position")
 
 
 @_check
-def steers_by_the_newest(seen: Seen, when: str) -> Finding:
-    """Whether the controller, whose computation takes 0.33 s, uses the newest of the positions, one every 0.1 s."""
+def steers_by_the_newest(seen: Seen, when: str, qos: str = "") -> Finding:
+    """Whether the controller, whose computation takes 0.33 s, uses the newest of the positions, one every 0.1 s.
+
+    ``qos`` is the sensor's, in ROS 2.
+    """
     sent = {_as_whole(message.data): message.time for message in seen.sent if message.topic == "/position"}
     steps = [line for line in seen.values("CONTROLLER", "position") if line.time <= seen.seconds]
     if len(sent) < 99:
         text = f"the sensor published {len(sent)} positions in {say(seen.seconds)}, not one every 0.1 s."
-        return Finding(False, text, "The sensor is as it is: change how the controller listens to it.")
+        return Finding(False, text, _AS_IT_IS)
+    if wrong := _unmatched(seen):
+        return wrong
     steered = f"the controller steered {len(steps)} times"
     if len(steps) < 20:
-        return Finding(False, f"{steered} in {say(seen.seconds)}; it can do so 20 times.")
+        longest = max((after.time - line.time for line, after in pairwise(steps)), default=0.0)
+        hint = "Print `[CONTROLLER] position = ` and the number in the message, and then compute for 0.33 s."
+        if longest > 0.5:
+            hint = f"From one step to the next it took up to {say(longest)}. The computation takes 0.33 s."
+        return Finding(False, f"{steered} in {say(seen.seconds)}; it can do so 20 times.", hint)
     if short := [after for line, after in pairwise(steps) if after.time - line.time < 0.33 - _CLOSE]:
         text = f"the controller steered again at {say(short[0].time)}, less than 0.33 s after the last time."
         return Finding(False, text, "Its computation takes 0.33 s: leave that as it is.")
@@ -631,11 +766,12 @@ def steers_by_the_newest(seen: Seen, when: str) -> Finding:
         number = _as_whole(text)
         made = None if number is None else sent.get(number)
         if made is None:
-            return Finding(False, f"`position = {plain(text)}` is not a position that the sensor has published.")
+            said = f"`position = {plain(text)}` is not a position that the sensor has published."
+            return Finding(False, said, "A message is not yet its number: print `message.data`.")
         if time - made > 0.1 + _CLOSE:
             said = f"at {say(time)} the controller steered by position {text}, which was {say(time - made)} old."
             return Finding(False, f"{said} A newer one had arrived.")
-    return Finding(True, f"{steered}, by the newest position each time.")
+    return _sensor_of(seen, qos) or Finding(True, f"{steered}, by the newest position each time.")
 
 
 # --- numbers ----------------------------------------------------------------------------------------------------------

@@ -32,6 +32,7 @@ _DAEMON = (
     "After Ctrl-C nothing wakes a Rate any more, and Python waits for the thread that is asleep. Use a Rate only in a "
     "daemon thread: `Thread(target=..., daemon=True)`."
 )
+_ZERO = "In Python `1 // 10` is 0, and `1 / 10` is 0.1. A decimal number has a point: `0,1` is two numbers, 0 and 1."
 _NO_ANSWER = "There is no answer yet."
 _ENDS_EARLY = "The node ended by itself, before its time was over. Does its main part come to `{}`?"
 
@@ -79,6 +80,8 @@ class Answer:
         seen = self._node(Request(seconds, args, seed=seed, stalls_at=stalls_at))
         if has_to_end or not seen.killed:
             self._refuse(seen, args, allowed)
+        if any(timer.is_endless for timer in seen.timers):
+            raise Fails(f"{started(args)} node has a timer whose period is 0 s: it is called without a pause.", _ZERO)
         self._ended_early |= not seen.interrupted and not allowed and seed is None
         return seen
 
@@ -224,7 +227,8 @@ def started(args: Sequence[str]) -> str:
 def say_error(error: Error) -> str:
     """Say what an exception has ended, and where, as the rest of a sentence."""
     where = f"in line {error.line}:" if error.line else "of"
-    return f"{error.whose} died {where} `{plain(error.said)}`."
+    said = plain(error.said)  # may end in a question
+    return f"{error.whose} died {where} `{said}`{'' if said.endswith('?') else '.'}"
 
 
 def say_kept(seen: Seen, ros: int) -> str:

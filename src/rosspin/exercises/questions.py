@@ -128,8 +128,8 @@ _CHANGE = {
         hint="A node can have as many timers as it likes, each with its own period, callback and counter.",
         judge=by.run(
             2.0,
-            by.ticks(0.1, "`[FAST]`", "FAST", by.shared_counter),
-            by.ticks(0.5, "`[SLOW]`", "SLOW", by.shared_counter),
+            by.ticks(0.1, "`[FAST]`", "FAST"),
+            by.ticks(0.5, "`[SLOW]`", "SLOW"),
         ),
     ),
     "survive-an-overrun": Exercise(
@@ -264,8 +264,9 @@ _START_2 = {
         hint="A node can have as many timers as it likes, each with its own period, callback and counter.",
         judge=by.run(
             2.0,
-            by.ticks(0.1, "`[FAST]`", "FAST", by.shared_counter),
-            by.ticks(0.5, "`[SLOW]`", "SLOW", by.shared_counter),
+            by.ticks(0.1, "`[FAST]`", "FAST"),
+            by.ticks(0.5, "`[SLOW]`", "SLOW"),
+            by.have_timers_of_their_own("FAST", "SLOW"),
         ),
     ),
     "call-back-once": Exercise(
@@ -357,19 +358,14 @@ _PUBLISH_2 = {
         needs=("docs/ros2/publish", "notebooks/ros2-publish"),
         reveals="The same topic and the same type are enough to connect.",
         hint="The warnings name the policy that does not match. The subscription asks for more than the sensor offers.",
-        judge=by.run(
-            5.0,
-            by.hears_all(
-                0.5, "The subscription asks for reliable messages, unless you say otherwise. The sensor offers less."
-            ),
-        ),
+        judge=by.run(5.0, by.hears_all(0.5, "best_effort, volatile, depth 5")),
     ),
     "only-the-newest": Exercise(
         title="Listen to the newest only",
         needs=("notebooks/ros2-publish", "notebooks/ros2-executors"),
         reveals="A subscription always gets the newest message. It is the publisher's queue that has to be short.",
         hint=_QUEUE,
-        judge=by.run(10.0, by.steers_by_the_newest()),
+        judge=by.run(10.0, by.steers_by_the_newest("reliable, volatile, depth 10")),
     ),
 }
 

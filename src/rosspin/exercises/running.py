@@ -29,13 +29,14 @@ from ..run.shaking import shaken
 from ..run.simulate import run_node
 from ..run.source import Code, load_source
 from ..run.streams import capture
-from ..world.graph import TickLog
+from ..world.graph import EndMade, TickLog
 from ..world.world import NotSimulated, World
 from . import in_rospy
-from .advice import lacking
+from .advice import not_called, not_found
 from .judging import not_python, plain, started
-from .seen import Called, Error, Kept, Printed, Seen, SeenTimer, Sent, Value
+from .seen import Called, Error, Kept, Printed, Seen, SeenEnd, SeenTimer, Sent, Value
 from .traces import LONGEST, Failure, Outcome, Request
+from .watched import Watched
 
 __all__ = ["Runner"]
 
@@ -60,6 +61,9 @@ _MOST = 100
 # How long (s) a node stalls.
 _STALL = 0.93
 
+# When (ns) it is first looked whether a timer is endless: in ROS 1 such a timer is called every 1 ns.
+_LOOKS = (25_000, 250_000)
+
 Item = TypeVar("Item")
 
 
@@ -75,11 +79,11 @@ class Ros(Protocol):
     def timer_of(self, frame: FrameType) -> Any:
         """Return the timer that calls back from a frame; None if no timer does."""
 
-    def timers(self, world: World, printers: Iterable[Any]) -> list[tuple[Any, str, bool, bool]]:
-        """Return the started timers, each with its source, whether it has ended, and whether it was asked to.
+    def timers(self, world: World, printers: Iterable[Any]) -> list[Watched]:
+        """Return the started timers. ``printers`` are those that have printed something."""
 
-        ``printers`` are those that have printed something.
-        """
+    def in_words(self, qos: Any) -> str:
+        """Return the QoS of an end of a topic in words; empty if there is none."""
 
     def whose(self, codes: Collection[CodeType]) -> str:
         """Return what of ROS an exception has ended in a node, by the code that it came through; empty if nothing."""
@@ -107,6 +111,9 @@ class _Watched(ExploredSimulation):
         self._whole = True  # whether the last line was printed to its end
         self._left = _ROOM  # so many characters may still be printed
         self.at(nanoseconds(until), self._note_timers)  # before Ctrl-C, which comes at the same time
+        if seed is None:
+            for time in (*_LOOKS, *range(NS // 2, nanoseconds(until), NS // 2)):
+                self.at(time, self._stop_if_endless)
 
     def terminate(self, at: float) -> None:
         """Send the node SIGTERM at a time (s)."""
@@ -163,15 +170,31 @@ class _Watched(ExploredSimulation):
         if frame and self._timer(frame) is None:
             self._sleeps[threading.get_ident(), frame.f_lineno] += 1
 
+    def _stop_if_endless(self) -> None:
+        """Press Ctrl-C if a timer is called without a pause: what it does a thousand times says no more."""
+        world = self.main.program
+        assert isinstance(world, World)
+        self._note_timers()
+        if self._has_endless() and not world.interrupted:
+            world.interrupted = True
+            send(world, signal.SIGINT)
+
+    def _has_endless(self) -> bool:
+        return any(timer.is_endless for timer in self.timers)
+
     def _note_timers(self) -> None:
+        if self._has_endless():  # it has been told to end
+            return
         world = self.main.program
         assert isinstance(world, World)
         ticks = world.recording.ticks()
         printers = [timer for _, timer in self._timers.values()]
-        for timer, source, has_ended, was_asked in self._ros.timers(world, printers):
+        self.timers = []
+        for timer, source, has_ended, was_asked, period, node in self._ros.timers(world, printers):
             calls = [tick for tick in ticks if tick.source == source]
             state = self._state(calls, has_ended, was_asked)
-            self.timers.append(SeenTimer(self._number(timer), tuple(tick.real for tick in calls), state))
+            seen = SeenTimer(self._number(timer), tuple(tick.real for tick in calls), state, period, node)
+            self.timers.append(seen._replace(calls=seen.calls[:2]) if seen.is_endless else seen)
 
     def _state(self, calls: Sequence[Tick], has_ended: bool, was_asked: bool) -> str:
         if not has_ended and calls and math.isnan(calls[-1].duration):
@@ -258,6 +281,7 @@ class Runner:
         kept_at = where_it_was_kept(node, world.waited)
         self.cut |= clock.cut
         errors, timers = self._fitting(map(self._error, world.errors)), self._fitting(clock.timers)
+        ends = self._fitting(map(self._end, world.recording.ends))
         sent, calls = self._fitting(map(_sent, result.messages())), self._fitting(map(_called, result.calls()))
         printed = self._fitting(clock.printed)
         return Seen(
@@ -265,6 +289,7 @@ class Runner:
             printed,
             timers,
             tuple(clock.loops()[:_MOST]),
+            ends,
             sent,
             calls,
             result.status,
@@ -274,6 +299,10 @@ class Runner:
             waits_for_a_rate(node, world.ros, world.waited),
             tuple(variables),
         )
+
+    def _end(self, end: EndMade) -> SeenEnd:
+        qos = self._ros.in_words(end.qos)
+        return SeenEnd(plain(end.topic), end.publishes, end.made, qos, end.joined, end.refused)
 
     def _fitting(self, items: Iterable[Item]) -> tuple[Item, ...]:
         """Return the first items, as many as fit into half of the room. The other half is for what comes later."""
@@ -304,14 +333,10 @@ class Runner:
         line = next((line for code, line in reversed(frames) if code.co_filename == _FILENAME), 0)
         codes = {code for code, _ in frames}
         whose = self._ros.whose(codes) or ("thread" if threading.Thread.run.__code__ in codes else "node")
-        missing = ""
-        if isinstance(error, ModuleNotFoundError) and sys.platform == "emscripten":
-            missing = f"{lacking(error)} No exercise needs it."
-        elif isinstance(error, (AttributeError, ImportError, NameError)):
-            missing = "Python names what it did not find. Is it spelt as where you defined it, with its `self.`?"
+        hint = self._ros.hint(error, whose) or not_found(error) or not_called(error, self._text, line)
         said = plain(traceback.format_exception_only(error)[-1])
         is_ending = isinstance(error, self._ros.ENDINGS)
-        return Error(_type(error), said, line, whose, is_ending, self._ros.hint(error, whose) or missing)
+        return Error(_type(error), said, line, whose, is_ending, hint)
 
 
 class _Failed(Exception):

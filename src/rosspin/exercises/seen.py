@@ -7,7 +7,7 @@ import signal
 from collections.abc import Collection
 from typing import NamedTuple
 
-__all__ = ["Called", "Error", "Kept", "Printed", "Seen", "SeenTimer", "Sent", "Value"]
+__all__ = ["Called", "Error", "Kept", "Printed", "Seen", "SeenEnd", "SeenTimer", "Sent", "Value"]
 
 
 class Printed(NamedTuple):
@@ -19,7 +19,7 @@ class Printed(NamedTuple):
 
 
 class SeenTimer(NamedTuple):
-    """A timer: its number, when it was called (s), and its ``state`` when Ctrl-C came.
+    """A timer: its number, when it was called (s), its ``state`` when Ctrl-C came, its period (s), in ROS 2 its node.
 
     The state is "running"; "stopped", as by ``shutdown()`` or ``cancel()``, or after the call of a one-shot timer;
     "blocked" in a call that began more than a second before; "gone" if its thread had ended in some other way.
@@ -28,6 +28,28 @@ class SeenTimer(NamedTuple):
     number: int
     calls: tuple[float, ...]
     state: str
+    period: float
+    node: str
+
+    @property
+    def is_endless(self) -> bool:
+        """Whether it is called without a pause: rclpy makes such a call every 100 us."""
+        return self.period < 1e-5 and self.state == "running" and len(self.calls) > 1
+
+
+class SeenEnd(NamedTuple):
+    """A publisher or a subscription: its topic, whether it ``publishes``, when it was made (s), and its QoS in words.
+
+    ``joined`` is with how many other ends it was connected, ``refused`` how many did not match it. In ROS 1 there is no
+    QoS, and what has the same topic in a node is one end.
+    """
+
+    topic: str
+    publishes: bool
+    made: float
+    qos: str
+    joined: int
+    refused: int
 
 
 class Error(NamedTuple):
@@ -88,16 +110,18 @@ class Seen(NamedTuple):
 
     ``printed`` are the lines that it printed, even after Ctrl-C; ``timers`` are those that it had started by then.
     ``loops`` are the lines of the answer in which something other than a timer's callback slept again and again.
-    ``sent`` are the messages that it published, ``calls`` the requests to its services. ``status`` is its exit status,
-    ``errors`` are the exceptions whose tracebacks were printed, and ``interrupted`` says whether it ran until Ctrl-C.
-    If it had to be killed, ``kept_at`` is where it was, and ``kept_by_rate`` says that it waited for a Rate of ROS 2
-    and nothing else. ``variables`` are the names and values of those requested variables that it has.
+    ``ends`` are its publishers and subscriptions, ``sent`` the messages that it published, ``calls`` the requests to
+    its services. ``status`` is its exit status, ``errors`` are the exceptions whose tracebacks were printed, and
+    ``interrupted`` says whether it ran until Ctrl-C. If it had to be killed, ``kept_at`` is where it was, and
+    ``kept_by_rate`` says that it waited for a Rate of ROS 2 and nothing else. ``variables`` are the names and values of
+    those requested variables that it has.
     """
 
     seconds: float
     printed: tuple[Printed, ...]
     timers: tuple[SeenTimer, ...]
     loops: tuple[int, ...]
+    ends: tuple[SeenEnd, ...]
     sent: tuple[Sent, ...]
     calls: tuple[Called, ...]
     status: int
@@ -121,6 +145,10 @@ class Seen(NamedTuple):
     def counters(self, tag: str = "SPINNER PY NODE") -> list[Printed]:
         """Return the lines ``[tag] counter = 1`` and so on, up to Ctrl-C."""
         return [line for line in self.values(tag, "counter") if line.time <= self.seconds]
+
+    def ends_of(self, topic: str, publishes: bool) -> list[SeenEnd]:
+        """Return its publishers, or its subscriptions, of a topic."""
+        return [end for end in self.ends if (end.topic, end.publishes) == (topic, publishes)]
 
     def printers(self, lines: Collection[Printed]) -> tuple[list[SeenTimer], list[Printed]]:
         """Return the timers whose calls printed these lines, and the lines that no timer printed."""

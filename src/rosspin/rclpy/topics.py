@@ -59,6 +59,7 @@ class TopicEnd(Owner):
         super().__init__(node, msg_type, full_name, qos)
         self.msg_type = msg_type
         self.policies = policies
+        self.recorded = self.world.recording.add_end(full_name, isinstance(self, PublisherEnd), qos)
 
     def _queue(self, most: int | None, qos: QoSProfile, sent: Callable[[Any], int]) -> deque[Any]:
         """Make a queue for so many messages, which drops those older than the lifespan."""
@@ -82,6 +83,7 @@ class TopicEnd(Owner):
 
     def refuse(self, policy: QoSPolicyKind) -> None:
         """Let the node know, when it spins, by which policy another end does not match."""
+        self.recorded.refused += 1
         self.tell(self.INCOMPATIBLE, policy, total=1)
 
     def _countdown(self, event_type: IntEnum, period: int, again: bool = False) -> list[Countdown]:
@@ -105,6 +107,7 @@ class TopicEnd(Owner):
 
     def join(self, other: Any) -> None:
         """Be connected to another end."""
+        self.recorded.joined += 1
         self.peers.append(other)
         self.tell(self.MATCHED, total=1, current=1)
 

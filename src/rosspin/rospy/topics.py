@@ -58,6 +58,7 @@ class Publication:
         self._latched: Message | None = None
         self._sequence = 0
         self._lock = threading.RLock()  # a signal handler may publish while its thread does
+        self.recorded = node.world.recording.add_end(topic, True)
 
     def register(self) -> None:
         """Tell the other nodes of this end, unless the master does not take its name."""
@@ -175,6 +176,7 @@ class Subscription:
         self.queue_size: int | None = None
         self.closed = False
         self.lock = threading.RLock()
+        self.recorded = node.world.recording.add_end(topic, False)
         faults = node.world.graph.faults
         self._slow = faults.call if faults and faults.slows else None
 
@@ -340,6 +342,8 @@ class Connection(threading.Thread):
         with publication.node.world.acting():
             accepted = publication.accept(self)
         if accepted:
+            publication.recorded.joined += 1
+            subscription.recorded.joined += 1
             self._read()
             with subscription.lock:
                 subscription.connections = [each for each in subscription.connections if each is not self]

@@ -18,7 +18,7 @@ from ..clocks.clock import NS, Clock
 from ..clocks.frames import Trail
 from ..results.ticks import Call, Message, Mishap, Tick
 
-__all__ = ["CallMade", "Counterpart", "End", "Faults", "Graph", "Published", "Recording", "TickLog", "Wire"]
+__all__ = ["CallMade", "Counterpart", "End", "EndMade", "Faults", "Graph", "Published", "Recording", "TickLog", "Wire"]
 
 Part = TypeVar("Part")
 
@@ -204,6 +204,21 @@ class CallMade:
         return Call(service, client, asked_at, request(), server, (answered - start) / NS, response())
 
 
+class EndMade:
+    """An end of a topic as it is recorded: made at ``made`` (s), with a ``qos`` in ROS 2.
+
+    ``joined`` is with how many other ends it was connected, ``refused`` how many did not match it.
+    """
+
+    def __init__(self, topic: str, publishes: bool, made: float, qos: Any) -> None:
+        self.topic = topic
+        self.publishes = publishes
+        self.made = made
+        self.qos = qos
+        self.joined = 0
+        self.refused = 0
+
+
 @contextmanager
 def _no_collections() -> Iterator[None]:
     """Within this context the garbage collector is off: it would go through a growing result again and again.
@@ -231,6 +246,7 @@ class Recording:
         self.tell = None if log is None else log.tell
         self.published: list[Published] | None = None if log is None else []
         self.start = start
+        self.ends: list[EndMade] = []  # of topics, in the order in which they were made
         self._clock = clock
         self._calls: list[CallMade] = []
         self._mishaps: list[tuple[int, str, str, int, Published | None]] = []
@@ -239,6 +255,13 @@ class Recording:
         """Record that ``node`` publishes, now, the message that ``make()`` returns."""
         if self.published is not None:
             self.published.append((topic, node, self._clock.now(), make))
+
+    def add_end(self, topic: str, publishes: bool, qos: Any = None) -> EndMade:
+        """Record that an end of a topic is made, now. Return it: whom it meets is noted there."""
+        end = EndMade(topic, publishes, (self._clock.now() - self.start) / NS, qos)
+        if self.log is not None:
+            self.ends.append(end)
+        return end
 
     def coming(self) -> tuple[Tick, ...]:
         """Return the calls of timers and the passes of loops that would have come next."""

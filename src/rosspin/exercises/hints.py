@@ -1,0 +1,59 @@
+"""What is behind counters that are wrong, as a hint that follows from what came."""
+
+from __future__ import annotations
+
+import re
+from collections.abc import Sequence
+from itertools import pairwise
+
+from .judging import plain, say
+from .seen import Printed, Seen
+
+__all__ = ["for_counters", "for_none"]
+
+# Times (s) that differ by less are meant to be the same.
+_CLOSE = 1e-3
+
+_PERIOD = "A timer is given a period in seconds: the period is 1 / frequency."
+_OWN = "give each timer a counter of its own."
+
+
+def for_counters(found: Sequence[Printed], wanted: Sequence[float], told: str = "print") -> str:
+    """Return a hint on counters that came, and should have been 1, 2, ... at the ``wanted`` times (s).
+
+    ``told`` is what the node does with a counter. The hint is empty if the counters themselves are right.
+    """
+    texts = [line.text for line in found[: len(wanted)]]
+    if texts == [str(number) for number, _ in enumerate(texts, 1)]:
+        return ""
+    if any(not text.isdigit() for text in texts):
+        return f"The counter is a whole number: {told} it as it is, with nothing before or after it."
+    numbers = [int(text) for text in texts]
+    steps = {after - number for number, after in pairwise(numbers)}
+    if steps == {0}:
+        return f"The counter stays at {numbers[0]}: each call has to add 1 to it, and to {told} what comes of that."
+    if numbers[0] == 0 and steps <= {1}:
+        return f"The first counter is 1: add 1 before you {told} it, not after."
+    if steps <= {0, 1} and 0 in steps:
+        return f"A counter comes more than once: does the node {told} it twice, or do two timers {told} the same one?"
+    if len(steps) == 1 and (step := steps.pop()) > 1:
+        return f"The counter goes up by {step} each time: add 1 in each call. If another timer counts in it: {_OWN}"
+    if abs(found[0].time - wanted[0]) < _CLOSE:
+        return f"Something else counts in the same variable: {_OWN}"
+    return ""
+
+
+def for_none(seen: Seen, tag: str, hint: str = "") -> str:
+    """Return a hint on counters of a ``tag`` of which none came; ``hint`` if the run does not show why."""
+    sign = re.compile(rf"\[\s*{tag}\s*\]|\b{tag}\b|counter", re.IGNORECASE)
+    others = {"FAST", "SLOW", "HEARTBEAT", "MOTOR", "CAMERA", "ROBOT", "LISTENER", "SPINNER PY NODE"} - {tag}
+    for line in seen.printed:
+        text = line.text.strip().rpartition("]: ")[2]
+        if line.time <= seen.seconds and sign.search(text) and not any(f"[{other}]" in text for other in others):
+            return f"The lines are to read `[{tag}] counter = 1` and so on. The node printed `{plain(text)}`."
+    slow = [timer for timer in seen.timers if not timer.calls and timer.period > seen.seconds]
+    if slow and seen.interrupted:
+        period, end = say(slow[0].period), say(seen.seconds)
+        late = f"A timer of the node has a period of {period}, so that its first call is due after the end, at {end}."
+        return f"{late} {hint or _PERIOD}"
+    return hint
