@@ -340,7 +340,7 @@ found.add(Path(sys.argv[1]))
 print(*(why for _, why in found.refused), *(len(row.answers) for row in found.rows))
 """
 MARKS = "a" + "\u0301\u0316" * 150_000
-SLOW = {
+SLOW: dict[str, tuple[str, str | bytes]] = {
     "cells that do not end": ("a.md", "```{code-cell}\n" * 66_000),
     "marks on a letter": ("a.json", json.dumps(MADE | {"name": MARKS}, ensure_ascii=False)),
     "marks in names of files": ("a.zip", zipped({f"{MARKS[:16_000]}{n}/slow-timer.py": "x = 1" for n in range(50)})),

@@ -190,6 +190,8 @@ def _sealed(given: Mapping[str, Any], about: int) -> list[str]:
         raise CannotSeal(f"this Linux has processors of {os.uname().machine}, and only x86_64 and aarch64 are known")
     if not bubblewrap:
         raise CannotSeal("bubblewrap is not installed (on Debian and Ubuntu: sudo apt-get install bubblewrap)")
+    if not os.path.exists("/proc/self/ns"):
+        raise CannotSeal("there is no /proc here, which bubblewrap needs")
     python = os.path.realpath(getattr(sys, "_base_executable", sys.executable))
     installed = sysconfig.get_paths(vars={"installed_base": sys.base_prefix, "platbase": sys.base_exec_prefix})
     homes = {os.path.dirname(installed[name]) for name in ("stdlib", "platstdlib")}

@@ -65,10 +65,16 @@ def _for_others(user: str, *command: str) -> Sequence[str]:
 
 
 def judge(
-    folder: Path, *args: str, user: str = "root", within: Sequence[str] = (), **environment: str
+    folder: Path,
+    *args: str,
+    user: str = "root",
+    within: Sequence[str] = (),
+    inside: Sequence[str] = (),
+    **environment: str,
 ) -> tuple[int, dict[str, Any], str]:
     """Status, what was found, and what was said by ``rosspin judge`` of the hand-ins in a folder."""
-    words = [*within, *_for_others(user, sys.executable, "-c", _PATIENT, "judge", str(folder), "--json", *args)]
+    command = [sys.executable, "-c", _PATIENT, "judge", str(folder), "--json", *args]
+    words = [*within, *_for_others(user, *inside, *command)]
     env = os.environ | _SECRET | environment
     done = subprocess.run(words, capture_output=True, text=True, timeout=NEVER, env=env)
     print(done.stderr)
@@ -136,13 +142,20 @@ def _processes_of(folder: str) -> list[str]:
     return found
 
 
-@pytest.mark.parametrize("how", [signal.SIGKILL, signal.SIGTERM, signal.SIGINT])
-def test_nothing_outlives_the_judge(how: signal.Signals, user: str, folder: Path) -> None:
+_NONE = "s.shutil.which = lambda name: None"
+
+
+@pytest.mark.parametrize("how", [signal.SIGKILL, signal.SIGTERM, signal.SIGINT, signal.SIGHUP])
+@pytest.mark.parametrize("where", ["bubblewrap", "without", "container"])
+def test_nothing_outlives_the_judge(how: signal.Signals, where: str, user: str, folder: Path) -> None:
     """An answer that asks not to be ended, leaves its session, forks, and holds on to namespaces."""
     handed_in(folder / "class", "eve", "ten-hertz", HOLDS_ON)
-    code = f"mark = {folder.name!r}; {_PATIENT}"
+    code = f"mark = {folder.name!r}; {_NONE if where == 'without' else 'pass'}; {_PATIENT}"
     mark = f"import rosspin.grading.sealed as s; s._START += '# {folder.name}'; {code}"
-    words = _for_others(user, sys.executable, "-c", mark, "judge", str(folder / "class"), "--json")
+    inside = [sys.executable, "-c", _CONTAINER] if where == "container" else []
+    unsealed = [] if where == "bubblewrap" else ["--unsealed"]
+    command = [sys.executable, "-c", mark, "judge", str(folder / "class"), "--json", *unsealed]
+    words = _for_others(user, *inside, *command)
     child = subprocess.Popen(words, stdout=subprocess.PIPE, stderr=subprocess.PIPE)
     while not any(" -I " in line for line in _processes_of(folder.name)):
         assert child.poll() is None
@@ -222,6 +235,20 @@ def judged(made: Lanes, *texts: str) -> list[Verdict]:
     found: dict[int, Verdict] = {}
     made.judge([Task("ten-hertz", text) for text in texts], found.__setitem__)
     return [found[number] for number in range(len(texts))]
+
+
+@pytest.mark.parametrize("unsealed", [False, True])
+def test_an_answer_that_never_ends_is_ended(
+    unsealed: bool, made_lanes: list[Lanes], monkeypatch: pytest.MonkeyPatch
+) -> None:
+    if unsealed:
+        monkeypatch.setattr(shutil, "which", lambda name: None)
+    made_lanes.append(Lanes(unsealed))
+    monkeypatch.setattr(lanes, "TIME", 1)
+    (found,) = judged(
+        made_lanes[0], "import ctypes\nctypes.PyDLL(None).sleep(600)  # which keeps the interpreter's lock"
+    )
+    assert found.verdict == "did not end" and "It was ended after 1 s." in found.said
 
 
 @pytest.mark.parametrize("make", ["os.close(os.open(name, os.O_CREAT))", "os.mkdir(name)", "os.symlink('x', name)"])
@@ -354,6 +381,66 @@ def test_a_root_that_is_none_outside(folder: Path, require: Callable[[str], None
     assert status == 0 and found["sealed"]
 
 
+# In Docker's usual container, root has these rights only, and nobody makes namespaces, mounts or another root.
+_CONTAINER = """
+import ctypes, os, struct, sys
+libc = ctypes.CDLL(None, use_errno=True)
+for right in set(range(41)) - {0, 1, 3, 4, 5, 6, 7, 8, 10, 13, 18, 27, 29, 31}:
+    libc.prctl(24, right, 0, 0, 0)
+x86 = os.uname().machine == "x86_64"
+rules = [(0x20, 0, 0, 0), (0x15, 0, 1, 435), (6, 0, 0, 0x50026)]  # clone3: there is none
+for number in (272, 165, 155, 166, 308) if x86 else (97, 40, 41, 39, 268):
+    rules += [(0x15, 0, 1, number), (6, 0, 0, 0x50001)]
+rules += [(0x15, 0, 3, 56 if x86 else 220), (0x20, 0, 0, 16), (0x45, 0, 1, 0x7E020000), (6, 0, 0, 0x50001)]
+rules += [(6, 0, 0, 0x7FFF0000)]
+data = ctypes.create_string_buffer(b"".join(struct.pack("HBBI", *rule) for rule in rules))
+assert not libc.prctl(38, 1, 0, 0, 0)
+assert not libc.prctl(22, 2, struct.pack("HP", len(rules), ctypes.addressof(data)), 0, 0)
+os.execvp(sys.argv[1], sys.argv[1:])
+"""
+
+
+def _contained(folder: Path) -> list[str]:
+    """A container with Python, this copy and a folder in it, and no network."""
+    system = [name for name in ("/usr", "/bin", "/lib", "/lib64", "/etc/ld.so.cache") if Path(name).exists()]
+    own = [str(place) for place in (Path(sys.base_prefix), Path(sys.prefix), Path(worker.__file__).parents[2])]
+    return [
+        *("bwrap", "--unshare-all", "--cap-add", "ALL", "--hostname", "container"),
+        *("--proc", "/proc", "--dev", "/dev", "--tmpfs", "/tmp"),
+        *(word for place in dict.fromkeys(system + own) for word in ("--ro-bind", place, place)),
+        *("--bind", str(folder), str(folder), "--", sys.executable, "-c", _CONTAINER),
+    ]
+
+
+def test_in_a_container_that_allows_no_bubblewrap(user: str, folder: Path) -> None:
+    """Nothing is judged until that is allowed; then the container is what is between an answer and the teacher."""
+    class_ = folder / "class"
+    for name in set(ATTACKS) - {"the terminal"}:  # which would write into the report, by way of /proc
+        handed_in(class_, name, "ten-hertz", written(name, folder))
+    inside = _contained(class_)
+    status, found, err = judge(class_, user=user, inside=inside)
+    assert (status, found) == (2, {}) and err.startswith("rosspin: answers cannot be sealed here: bubblewrap: ")
+    with teachers_services(folder) as obeyed:
+        (folder / "bus.sock").chmod(0o666)
+        _, found, err = judge(class_, "--unsealed", user=user, inside=inside)
+    assert not found["sealed"] and err.startswith("The answers were NOT sealed")
+    came = {name: got_in(answer["said"]) for name, answer in said(found).items()}
+    kept = ("a socket on the disk", "an abstract socket", "the network", "processes", "memory", "the kernel")
+    assert {name: came[name] for name in kept} == dict.fromkeys(kept, [])
+    assert not obeyed
+    own = {"full", "random", "tty", "ptmx", "stdin", "stdout", "stderr"}
+    assert {line.split()[1] for line in came["devices"]} <= {f"/dev/{name}" for name in own}
+    assert not [line for line in came["the teacher's files"] if line.startswith(("IN secret", "IN host"))]
+    assert sorted(os.listdir(folder)) == ["bus.sock", "class", "secret"]
+
+
+def test_where_there_is_no_proc_nothing_is_sealed(made_lanes: list[Lanes], monkeypatch: pytest.MonkeyPatch) -> None:
+    exists = os.path.exists
+    monkeypatch.setattr(os.path, "exists", lambda path: not str(path).startswith("/proc") and exists(path))
+    with pytest.raises(sealed.CannotSeal, match="there is no /proc here, which bubblewrap needs"):
+        Lanes()
+
+
 # --- without it -------------------------------------------------------------------------------------------------------
 
 
@@ -387,7 +474,10 @@ def test_it_is_said_everywhere_that_answers_were_not_sealed(without: str, folder
 
 
 # What is kept from an answer all the same: on Linux, by the kernel alone.
-_STILL = ("a socket on the disk", "an abstract socket", "the network", "processes", "the environment", "the kernel")
+_STILL = (
+    *("a socket on the disk", "an abstract socket", "the network", "processes", "the environment", "memory"),
+    "the kernel",
+)
 
 
 @pytest.mark.skipif(not sys.platform.startswith("linux"), reason="other systems have no such filter")
