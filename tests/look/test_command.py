@@ -54,6 +54,12 @@ def test_json(capsys: pytest.CaptureFixture[str]) -> None:
     assert found["series"][0]["period"] == pytest.approx(0.04, rel=1e-3)
 
 
+def test_json_of_what_is_not_regular(capsys: pytest.CaptureFixture[str]) -> None:
+    assert main(["look", str(LOGS / "r2_events.log"), "--json"]) == 0
+    irregular = [each for each in json.loads(capsys.readouterr().out)["series"] if not each["period"]]
+    assert irregular and not any(each["chosen"] or each["drift"] or each["late"] for each in irregular)
+
+
 @pytest.mark.parametrize(("suffix", "begins"), [("png", b"\x89PNG"), ("pdf", b"%PDF"), ("svg", b"<?xml")])
 def test_a_plot(tmp_path: Path, suffix: str, begins: bytes) -> None:
     plot = tmp_path / f"look.{suffix}"

@@ -60,8 +60,8 @@ export function showProgress() {
  * @param {string} page
  */
 function sayProgress(place, page) {
-  const said = localStorage.getItem(PROGRESS + page)
-  if (said) place.after(make("p", { className: "live-progress", textContent: said }))
+  const said = localStorage.getItem(PROGRESS + page) ?? ""
+  if (/^\d{1,3} of \d{1,3} solved$/.test(said)) place.after(make("p", { className: "live-progress", textContent: said }))
 }
 
 /**

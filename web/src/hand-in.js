@@ -3,7 +3,7 @@
 
 import { MOST, write } from "./answers.js"
 import { HAS_JSPI, LACKS_JSPI } from "./jspi.js"
-import { fingerprint } from "./kept.js"
+import { fingerprint, isText } from "./kept.js"
 import { find, here, make, save } from "./make.js"
 import { named, numberOf, withNumber } from "./names.js"
 import { Store } from "./store.js"
@@ -32,7 +32,8 @@ for (const sign of ["pageshow", "visibilitychange"]) addEventListener(sign, () =
 /** @returns {{name?: string, student?: string, id?: string}} */
 function known() {
   try {
-    return JSON.parse(localStorage.getItem(KEY) ?? "null") ?? {}
+    const found = Object.entries(JSON.parse(localStorage.getItem(KEY) ?? "null") ?? {})
+    return Object.fromEntries(found.flatMap(([key, value]) => (isText(value) ? [[key, value.slice(0, MOST.name)]] : [])))
   } catch {
     return {}
   }

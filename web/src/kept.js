@@ -11,6 +11,20 @@ export const PREFIX = "rosspin:"
 export const why = (error) =>
   /quota/i.test(/** @type {Error} */ (error).name) ? "the browser's storage is full" : "this browser keeps nothing here"
 
+/** No text is longer (characters) that is kept: a page would take long to show it. */
+export const LONGEST = 100_000
+
+/** Why a longer one is not kept. */
+export const TOO_LONG = `it has more than ${LONGEST.toLocaleString("en-GB")} characters`
+
+/**
+ * Whether a text, or whatever else was found in its place, can be shown.
+ *
+ * @param {unknown} text
+ * @returns {text is string}
+ */
+export const isText = (text) => typeof text === "string" && text.length <= LONGEST
+
 /**
  * A short text that differs when the given one does (FNV-1a).
  *
@@ -58,7 +72,8 @@ export class Kept {
   constructor(place, original) {
     this.#key = `${PREFIX}${place}:${fingerprint(original)}`
     try {
-      this.text = localStorage.getItem(this.#key)
+      const kept = localStorage.getItem(this.#key)
+      if (isText(kept)) this.text = kept
     } catch {
       // the reader does not let pages keep anything
     }
@@ -78,8 +93,8 @@ export class Kept {
     this.text = text
     try {
       if (text === null) localStorage.removeItem(this.#key)
-      else localStorage.setItem(this.#key, text)
-      this.unkept = ""
+      else if (isText(text)) localStorage.setItem(this.#key, text)
+      this.unkept = text === null || isText(text) ? "" : TOO_LONG
     } catch (error) {
       this.unkept = text === null ? "" : why(error)
     }

@@ -4,11 +4,21 @@
 // or tab wrote that, after Reset, and where a text that solved the exercise is changed. So no text is written over
 // unseen. A version whose text is null is the cell as it comes with its page.
 
-import { PREFIX, why } from "./kept.js"
+import { isText, LONGEST, PREFIX, TOO_LONG, why } from "./kept.js"
+import { valuesIn } from "./limits.js"
 import { named, nameOf, withName } from "./names.js"
 
 /** So many versions are kept, and the newest that solved the exercise. */
 const MOST = 6
+
+/**
+ * What is read at most, whoever wrote it, since pages of other sites can have the same storage: of a record (characters,
+ * values of JSON), of the names in it (characters), and so many records.
+ */
+const READ = { record: 3 * MOST * LONGEST, values: 1000, name: 100, records: 1000 }
+
+/** No time (ms) is further from 1970. */
+const FAR = 8.64e15
 
 /**
  * A text, or with null the cell as it comes with its page, with a name that no other has, and when (ms) it was begun.
@@ -52,10 +62,15 @@ function inOrder(versions) {
  * @returns {Known | null}
  */
 function parsed(written) {
+  if (!written || written.length > READ.record || valuesIn(written) > READ.values) return null
   try {
-    const { solved, versions } = JSON.parse(written ?? "null")
+    const { solved, versions } = JSON.parse(written)
     const right = (/** @type {any} */ { id, time, text }) =>
-      typeof id === "string" && Number.isFinite(time) && (text === null || typeof text === "string")
+      typeof id === "string" &&
+      id.length <= READ.name &&
+      typeof time === "number" &&
+      Math.abs(time) <= FAR &&
+      (text === null || isText(text))
     return { solved: solved === true, versions: inOrder(versions.filter(right)) }
   } catch {
     return null
@@ -236,9 +251,10 @@ export class Answer {
   /** @param {Known} record */
   #save(record) {
     this.#known = record
+    const versions = record.versions.filter(({ text }) => text === null || isText(text))
     try {
-      this.#browser.storage().setItem(this.#key, JSON.stringify(record))
-      this.unkept = ""
+      this.#browser.storage().setItem(this.#key, JSON.stringify({ ...record, versions }))
+      this.unkept = this.text === null || isText(this.text) ? "" : TOO_LONG
     } catch (error) {
       this.unkept = why(error)
     }
@@ -352,17 +368,19 @@ export class Store {
 
   /** The exercises of which a record is kept. */
   #ids() {
-    return this.#keys().filter((key) => key.startsWith(this.#before)).map((key) => key.slice(this.#before.length))
+    const keys = this.#keys().filter((key) => key.startsWith(this.#before) && key.length <= this.#before.length + READ.name)
+    return keys.slice(0, READ.records).map((key) => key.slice(this.#before.length))
   }
 
   #oldKeys() {
-    return this.#keys().filter((key) => key.startsWith(this.#old) && OLD.test(key))
+    return this.#keys().filter((key) => key.startsWith(this.#old) && OLD.test(key)).slice(0, READ.records)
   }
 
   #oldTexts(isOfCell = (/** @type {string} */ _key) => false) {
     return this.#oldKeys()
       .filter((key) => !key.endsWith(":solved"))
       .map((key) => ({ key, text: this.#browser.storage().getItem(key) ?? "" }))
+      .filter(({ text }) => isText(text))
       .map((old) => ({ ...old, id: named(old.text) }))
       .filter(({ key, id }) => id || isOfCell(key))
   }

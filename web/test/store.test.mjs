@@ -401,3 +401,41 @@ test("what cannot be kept by its name stays where it is, and is there all the sa
   assert.equal(open().of("ten-hertz").text, answered("ten-hertz", "x".repeat(500)))
   assert.deepEqual(Object.keys(storage), ["rosspin:/:answer:4"])
 })
+
+// --- what others have written there ---
+
+const KEY = "rosspin:/:answer:a-b"
+const version = (changed) => ({ id: "x.1", time: 5, text: "x", ...changed })
+
+test("of a record no more is read than a page can bear, whoever wrote it", () => {
+  const odd = [
+    { id: "x".repeat(101) }, { id: 5 }, { time: 1e300 }, { time: "5" }, { time: null }, { text: "x".repeat(100_001) }, { text: ["x"] },
+  ]
+  storage.setItem(KEY, JSON.stringify({ solved: true, versions: [...odd.map(version), version({ text: "mine", time: 1 })] }))
+  assert.deepEqual([open().of("a-b").text, open().of("a-b").hasEarlier, open().of("a-b").wasSolved], ["mine", false, true])
+  for (const versions of [
+    Array.from({ length: 20_000 }, (_, n) => version({ id: `x.${n}`, text: `${n}` })),
+    [version({ more: "x".repeat(3_000_000) })],
+  ]) {
+    storage.setItem(KEY, JSON.stringify({ solved: true, versions }))
+    assert.deepEqual([open().of("a-b").text, open().of("a-b").wasSolved], [null, false])
+  }
+})
+
+test("so many answers are handed in, with names that are no longer than an exercise's", () => {
+  for (let n = 0; n < 3000; n++) storage.setItem(`${KEY}-${n}`, JSON.stringify({ solved: false, versions: [version({})] }))
+  storage.setItem(`rosspin:/:answer:${"a".repeat(101)}`, JSON.stringify({ solved: false, versions: [version({})] }))
+  const ids = Object.keys(handedIn(open()))
+  assert.ok(ids.length === 1000 && ids.every((id) => id.length <= 100))
+})
+
+test("a text that is too long to be shown again is not kept, which is said, until it is shorter", () => {
+  const answer = open().of("a-b")
+  answer.write("short")
+  assert.equal(answer.write("x".repeat(100_001)), true)
+  assert.equal(answer.unkept, "it has more than 100,000 characters")
+  assert.equal(answer.text.length, 100_001)
+  assert.equal(answer.write("x".repeat(100_000)), true)
+  assert.equal(answer.unkept, "")
+  assert.equal(open().of("a-b").text.length, 100_000)
+})

@@ -110,7 +110,7 @@ class Series:
     @property
     def close(self) -> float:
         """To which part the period is known."""
-        return max(_CLOSE, 3 * self.spread / (self.period * len(self.times)))
+        return max(_CLOSE, 3 * self.spread / (self.period * len(self.times))) if self.is_regular else _CLOSE
 
     @property
     def is_even(self) -> bool:

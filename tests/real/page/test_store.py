@@ -235,3 +235,30 @@ def test_what_no_teacher_could_read_is_said(page: Page, address: str) -> None:
     expect(status).to_contain_text(
         f"Too long to be judged, with more than 50000 characters: exercise {number_of('first-ticks')}."
     )
+
+
+def test_what_others_have_written_there_is_bounded(context: BrowserContext, address: str) -> None:
+    """The pages of another site can have the same storage: whatever they leave in it, those of this one open."""
+    page = context.new_page()
+    open_tutorial(page, address)
+    cell = Cell(page, TIMER)
+    shown = cell.element.locator("pre").first
+    original = shown.text_content()
+    cell.write("mine")
+    [key] = page.evaluate("Object.keys(localStorage).filter(key => key.startsWith('rosspin:/docs/tutorial.html:'))")
+    page.evaluate("key => localStorage.setItem(key, 'x'.repeat(200_000))", key)
+    page.evaluate("localStorage.setItem('rosspin:progress:/docs/ros2-exercises.html', 'x'.repeat(9999))")
+    page.evaluate("localStorage.setItem('rosspin:progress:/notebooks/exercises.html', '<b>3</b> of 3 solved')")
+    open_tutorial(page, address)
+    page.reload()
+    expect(shown).to_have_text(original or "")
+    assert page.locator(".live-progress").count() == 0
+    about = {"name": {"a": 1}, "student": "x" * 200_000, "id": 5}
+    page.evaluate("text => localStorage.setItem('rosspin:hand-in', text)", json.dumps(about))
+    page.evaluate(
+        "text => localStorage.setItem(...text)", [RECORD, '{"solved":true,"versions":[' + "[]," * 300_000 + "[]]}"]
+    )
+    answer = Answer(page, address)
+    assert page.get_by_label("Your name").input_value() == page.get_by_label("Student ID").input_value() == ""
+    answer.write("x")
+    assert answer.handed_in() == {"first-ticks": "x"}
