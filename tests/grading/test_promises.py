@@ -52,7 +52,7 @@ HELD = {
 
 def table() -> dict[str, dict[str, str]]:
     """The cells, by their rows and columns."""
-    (text,) = re.findall(r"^   :class: of-promises\n\n(.*?)\n\n(?=\S)", PAGE, re.MULTILINE | re.DOTALL)
+    (text,) = re.findall(r"^   :class: rosspin-promises\n\n(.*?)\n\n(?=\S)", PAGE, re.MULTILINE | re.DOTALL)
     (_, *columns), *rows = ([cell.strip() for cell in row.split("\n     - ")] for row in text.split("   * - ")[1:])
     return {name: dict(zip(columns, cells, strict=True)) for name, *cells in rows}
 

@@ -17,9 +17,6 @@ const MOST = 6
  */
 const READ = { record: 3 * MOST * LONGEST, values: 1000, name: 100, records: 1000 }
 
-/** No time (ms) is further from 1970. */
-const FAR = 8.64e15
-
 /**
  * A text, or with null the cell as it comes with its page, with a name that no other has, and when (ms) it was begun.
  *
@@ -69,7 +66,7 @@ function parsed(written) {
       typeof id === "string" &&
       id.length <= READ.name &&
       typeof time === "number" &&
-      Math.abs(time) <= FAR &&
+      Math.abs(time) <= Number.MAX_SAFE_INTEGER &&
       (text === null || isText(text))
     return { solved: solved === true, versions: inOrder(versions.filter(right)) }
   } catch {
