@@ -47,7 +47,7 @@ function begin(worker, broken, script, port) {
     if (left >= 0) port.postMessage(data)
     else end("It was ended: it sent more than this page takes.")
   }
-  broken.then(({ message }) => end(`It was ended by an error: ${message ?? "its worker could not be started"}`))
+  broken.then(({ message }) => end(`It was ended by an error: ${message?.slice(0, 500) ?? "its worker could not be started"}`))
   port.onmessage = async ({ data }) => {
     if (data.kind !== "file") grant(data.kind)
     if (data.bytes && data.name.endsWith(".gz")) data.bytes = await unpack(data.bytes).catch(() => null)

@@ -4,7 +4,7 @@
 // @ts-expect-error: Pyodide does not describe it
 import createPyodideModule from "pyodide/pyodide.asm.mjs"
 import { info } from "pyodide/pyodide-lock.json"
-import { PER_SECOND, room, SHOWN } from "./limits.js"
+import { LONGEST, PER_SECOND, room, SHOWN } from "./limits.js"
 import { filled, HEAD, restore } from "./memory.js"
 import { signals } from "./signals.js"
 import { install, LIBRARY, options, PACKAGES } from "./start.js"
@@ -24,8 +24,19 @@ const LATE = ["python_stdlib.zip", "rosspin.zip"]
 /** What Python is told where a file cannot be read: the number of an input/output error. */
 const EIO = 29
 
-/** @type {(text: string) => void} */
-const post = postMessage.bind(globalThis)
+const MOST = Math.max(...Object.values(LONGEST).map(({ characters }) => characters))
+const send = postMessage.bind(globalThis)
+
+/**
+ * Send a text, if it can be one that the page takes; or else what it takes for too much. Anything else would be unpacked
+ * before it can be refused, in some browsers by the thread of the page. No code here has another way to send.
+ *
+ * @param {unknown} text
+ */
+const post = (text) => send(typeof text === "string" && text.length <= MOST ? text : null)
+for (let owner = globalThis; owner; owner = Object.getPrototypeOf(owner)) {
+  if (Object.hasOwn(owner, "postMessage")) Object.defineProperty(owner, "postMessage", { value: post })
+}
 function say(/** @type {import("./protocol.js").FromSandbox} */ message) {
   const text = JSON.stringify(message)
   post(text)

@@ -10,8 +10,10 @@ from attacks import ATTACK, SANDBOX, SCRIPT, WAYS, attempts, succeeded, tried
 from figures import FIGURES
 from figures_in_firefox import moves
 from firefox import Tab
+from floods import AS_MUCH, SIZE
 from hand_ins import ENDLESS, RIGHT, TEACHERS, WRONG, handed_in, impatient
 from in_chromium import served
+from listings_in_page import TIMER, link
 from tree import ROOT
 
 from rosspin import simulate
@@ -67,6 +69,37 @@ def test_answers_are_judged(firefox_page: Tab, site: Path) -> None:
     verdicts = ("solved", "open", "did not end")
     assert said == [f"Ada, exercise {number_of(name)}: {each}" for name, each in zip(answers, verdicts, strict=True)]
     # Pyodide tries whether it may load a script: in the sandbox it may not.
+    firefox_page.wrong[:] = [wrong for wrong in firefox_page.wrong if "data:text/javascript" not in wrong]
+
+
+# --- floods -----------------------------------------------------------------------------------------------------------
+
+# Runs what came with a link until some of it is left out, and stops it: how much there was to lay out.
+FLOOD = f"""async index => {{
+    const turn = () => new Promise(go => setTimeout(go, 50))
+    const cell = document.querySelectorAll("div.live")[index]
+    const status = cell.querySelector("[role=status]")
+    const press = name => [...cell.querySelectorAll("button")].find(button => button.textContent === name).click()
+    while (!cell.querySelector(".live-notice")?.textContent) await turn()
+    cell.querySelector("select").value = "1" // real time
+    press("Run")
+    while (!/left out|ticks drawn/.test(cell.textContent)) await turn()
+    const size = ({SIZE})(cell)
+    press("Stop")
+    while (!/^stopped/.test(status.textContent)) await turn()
+    return size
+}}"""
+
+
+@pytest.mark.parametrize("name", AS_MUCH)
+def test_what_is_shown_is_bounded_and_stop_ends_it(firefox_page: Tab, address: str, name: str) -> None:
+    firefox_page.open(address)
+    firefox_page.open(f"{address}docs/tutorial.html?lang=python{link(text=AS_MUCH[name], seconds=3000)}")
+    if not firefox_page.evaluate("() => 'Suspending' in WebAssembly"):
+        return
+    characters, lines, longest, elements = firefox_page.evaluate(FLOOD, TIMER)
+    assert characters <= 100_000 and lines <= 1000 and longest <= 2001 and elements <= 8000
+    assert characters + elements > 500
     firefox_page.wrong[:] = [wrong for wrong in firefox_page.wrong if "data:text/javascript" not in wrong]
 
 

@@ -11,23 +11,10 @@ import zlib
 from typing import Any
 
 import pytest
+from floods import AS_MUCH, BATCH, SIZE, TOO_MUCH
 from listings_in_page import RATE, TIMER, Cell, have_workers, node, open_tutorial
 from log_page import SHOW, LogPage
 from playwright.sync_api import BrowserContext, Page, expect
-
-TICKS = '["a", 2, %s, %s, 0]'
-BATCH = '{{"kind": "batch", "chunks": [{chunks}], "leftOut": 0, "ticks": [{ticks}]}}'
-
-# What no page takes, as Python that makes the message: of such messages one is enough.
-TOO_MUCH = {
-    "long lines": BATCH.format(chunks='[false, "%s", 0, 0]' % ("x" * 9), ticks="").replace(
-        "x" * 9, "' + 'x' * 5_900_000 + '"
-    ),
-    "chunks": BATCH.format(chunks="' + ', '.join(['[false, \"x\\\\n\", 0, 0]'] * 60_000) + '", ticks=""),
-    "ticks": BATCH.format(chunks="", ticks="' + ', '.join(['[\"a\", 2, 1, 1, 0]'] * 60_000) + '"),
-    "lists": "[' + '[],' * 300_000 + '0]",
-    "numbers": "[' + '0,' * 600_000 + '0]",
-}
 
 
 def said(page: Page, text: str, status: str, index: int = TIMER) -> str:
@@ -43,6 +30,21 @@ def test_one_message_of_too_much_ends_a_run(tutorial: Page, name: str) -> None:
     assert said(tutorial, text, "error: Python stopped") == "It was ended: it sent more than this page takes.\n"
 
 
+SENDERS = ["js", "js.DedicatedWorkerGlobalScope.prototype", "js.Object.getPrototypeOf(js.self)"]
+
+
+@pytest.mark.parametrize("sender", SENDERS)
+def test_what_is_no_text_is_not_packed(tutorial: Page, sender: str) -> None:
+    """Of what is packed, Firefox takes the parts out in the page's own thread, before it can be refused."""
+    text = f"""import js, time
+from pyodide.ffi import create_proxy
+part = js.Object.fromEntries(js.Map.new([["get", create_proxy(lambda *a: print("packed"))], ["enumerable", True]]))
+message = js.Object.defineProperty(js.Object.new(), "a", part)
+(getattr({sender}, "postMessage", None) or js.postMessage)(message)
+time.sleep(0.5)"""
+    assert said(tutorial, text, "error: Python stopped") == "It was ended: it sent more than this page takes.\n"
+
+
 @pytest.mark.parametrize("ticks", ["1e17, 1e17", "1e999, 1", "1, 1e300"])
 @pytest.mark.parametrize("kind", ["batch", "end"])
 def test_a_time_that_is_none_ends_a_run(tutorial: Page, kind: str, ticks: str) -> None:
@@ -52,33 +54,6 @@ def test_a_time_that_is_none_ends_a_run(tutorial: Page, kind: str, ticks: str) -
     message = BATCH.format(chunks="", ticks=tick) if kind == "batch" else f'{{"kind": "end", "result": {result}}}'
     text = f"import js\nimport time\njs.postMessage('{message}')\ntime.sleep(0.5)"
     assert "said what this page does not understand" in said(tutorial, text, "error: Python stopped")
-
-
-# What goes on until Stop is pressed, each as much as a page takes.
-GOES_ON = """import js, json, time
-from pyodide.ffi import create_proxy
-
-message = json.dumps({{"kind": "batch", "leftOut": 0, "chunks": {chunks}, "ticks": {ticks}}})
-js.setInterval(create_proxy(lambda: js.postMessage(message)), {ms})
-time.sleep(3000)
-"""
-AS_MUCH = {
-    "a line without end": GOES_ON.format(chunks='[[False, "x" * 20_000, 0, 0]]', ticks=[], ms=50),
-    "a line in another script": GOES_ON.format(chunks='[[False, "\\u0e01\\u0301" * 4000, 0, 0]]', ticks=[], ms=100),
-    "parts of lines": GOES_ON.format(chunks='[[False, "x ", 0, 0]] * 2000', ticks=[], ms=100),
-    "lines": GOES_ON.format(chunks='[[True, "x\\n", 0, 0]] * 2000', ticks=[], ms=100),
-    "ticks": GOES_ON.format(
-        chunks=[], ticks='[["a%d" % (n % 7), 2, n / 1e3, n / 1e3, 0] for n in range(2000)]', ms=200
-    ),
-    "rows": GOES_ON.format(chunks=[], ticks='[["a%d" % n, 2, n, n, 0] for n in range(2000)]', ms=200),
-}
-
-# How much there is to lay out: characters, lines, the longest line, elements of the plot.
-SIZE = """cell => {
-    const lines = [...cell.querySelectorAll(".live-console pre > *")].map(line => line.textContent.length)
-    const plot = cell.querySelectorAll("figure:not(.live-made) svg *").length
-    return [lines.reduce((sum, length) => sum + length, 0), lines.length, Math.max(0, ...lines), plot]
-}"""
 
 
 @pytest.mark.parametrize("name", AS_MUCH)
