@@ -144,7 +144,7 @@ def _parser() -> argparse.ArgumentParser:
         "judge",
         help="judge answers to exercises",
         description="Judge answers to the exercises: hand-ins, node files and notebooks, and folders and zips of them.",
-        usage="%(prog)s FILE... [--csv FILE] [--json] [--unsealed]",
+        usage="%(prog)s FILE... [--csv FILE] [--json] [--unsealed] [--workers MODULE:NAME]",
         epilog="The exit status is 0 if all answers are right, 1 if one is not, 2 if the command line is not, and 130 "
         "after Ctrl-C, which keeps what has been judged.",
         allow_abbrev=False,
@@ -154,6 +154,11 @@ def _parser() -> argparse.ArgumentParser:
     judge.add_argument("--json", action="store_true", help="print all that is known as JSON, in place of words")
     judge.add_argument(
         "--unsealed", action="store_true", help="judge also where answers cannot be sealed, with all of your rights"
+    )
+    judge.add_argument(
+        "--workers",
+        metavar="MODULE:NAME",
+        help="have the processes of this executor judge the answers, as in concurrent.futures:ProcessPoolExecutor",
     )
     judge.set_defaults(do=_judge, parser=judge)
     look = commands.add_parser(
@@ -193,9 +198,10 @@ def _doctor(options: argparse.Namespace, args: Sequence[str]) -> int:
 def _judge(options: argparse.Namespace, args: Sequence[str]) -> int:
     if not hasattr(os, "fork"):
         raise ValueError("judge needs Linux or macOS, or WSL on Windows; the page for teachers needs a browser only")
-    from .grading import judge  # not there on Windows
+    from .grading import elsewhere, judge  # not there on Windows
 
-    return judge(options.paths, options.csv, options.json, options.unsealed)
+    with elsewhere.executor_of(options.workers) if options.workers else nullcontext() as executor:
+        return judge(options.paths, options.csv, options.json, options.unsealed, executor)
 
 
 def _look(options: argparse.Namespace, args: Sequence[str]) -> int:

@@ -2,9 +2,12 @@
 
 from __future__ import annotations
 
+import dataclasses
 import math
+import pickle
 import random
 import re
+from concurrent.futures import Executor, Future, ProcessPoolExecutor
 from itertools import count
 from pathlib import Path
 from textwrap import dedent
@@ -399,3 +402,52 @@ def test_a_loop_of_asyncio_stays_on_its_thread(tmp_path: Path) -> None:
 
     found = rosspin.explore(str(path), 1.0, says_all, deep=True, schedules=40, strategy="random")
     assert not found.failure, found
+
+
+class Backwards(Executor):
+    """Runs the last first of what it was given, as if it came back from another process."""
+
+    def __init__(self) -> None:
+        self.left: list[tuple[Future[Any], bytes]] = []
+
+    def submit(self, function: Any, /, *args: Any, **kwargs: Any) -> Future[Any]:
+        future = _Asked(self)
+        self.left.append((future, pickle.dumps((function, args, kwargs))))
+        return future
+
+    def run(self) -> None:
+        while self.left:
+            future, job = self.left.pop()
+            function, args, kwargs = pickle.loads(job)
+            future.set_result(pickle.loads(pickle.dumps(function(*args, **kwargs))))
+
+
+class _Asked(Future[Any]):
+    def __init__(self, executor: Backwards) -> None:
+        super().__init__()
+        self.executor = executor
+
+    def result(self, timeout: float | None = None) -> Any:
+        self.executor.run()
+        return super().result(timeout)
+
+
+@pytest.mark.parametrize("strategy", ["pct", "random", "all"])
+def test_an_executor_finds_what_is_found_without(strategy: str, tmp_path: Path) -> None:
+    for mended in (False, True):
+        (planted,) = LOST.write(tmp_path, mended=mended)
+        arguments: dict[str, Any] = {"schedules": 40, "strategy": strategy, "seed": 3, "deep": True}
+        alone = rosspin.explore(planted, 0.5, LOST.check, **arguments)
+        assert bool(alone.failure) is not mended
+        backwards = rosspin.explore(planted, 0.5, LOST.check, executor=Backwards(), **arguments)
+        with ProcessPoolExecutor(2) as pool:
+            pooled = rosspin.explore(planted, 0.5, LOST.check, executor=pool, **arguments)
+        for found in (backwards, pooled):
+            assert dataclasses.replace(found, orders=None) == dataclasses.replace(alone, orders=None)
+
+
+def test_what_cannot_be_sent_to_an_executor_is_refused(racing: str) -> None:
+    with pytest.raises(TypeError, match=r"^executor is a concurrent.futures.Executor, not 2$"):
+        rosspin.explore(racing, 0.5, executor=2)  # type: ignore[arg-type]
+    with ProcessPoolExecutor(1) as pool, pytest.raises(TypeError, match=r"^this cannot be sent to another process: "):
+        rosspin.explore(racing, 0.5, lambda run: None, deep=True, executor=pool)

@@ -34,7 +34,7 @@ def test_the_alternative_says_both_orders_and_where_they_part(tmp_path: Path) ->
     assert found.orders
     ax = plots.orders(found.orders, ax=pictures.new_axes(300))
     assert ax.get_label() == (
-        "Two orders of one run, step by step. At 0.1 s, lines in the usual order: Thread-1: 11, 12, then Thread-2: 11, "
+        "Two orders of one run, step by step. At 0.5 s, lines in the usual order: Thread-1: 11, 12, then Thread-2: 11, "
         "12; lines in this order: Thread-1: 11, then Thread-2: 11, 12, then Thread-1: 11, 12. "
         "They part: usually Thread-1, here Thread-2."
     )
@@ -95,7 +95,7 @@ def test_the_command_line_plots_both(tmp_path: Path, capsys: pytest.CaptureFixtu
     assert main([*given, "--schedule", found.token]) == 0
     out, err = capsys.readouterr()
     assert found.run and out == found.run.console
-    assert err == f"{plot}:\n  at 0.1 s{str(found).partition('  at 0.1 s')[2]}\n"
+    assert err == f"{plot}:\n  at 0.5 s{str(found).partition('  at 0.5 s')[2]}\n"
     assert "They part: usually Thread-1, here Thread-2." in plot.read_text(encoding="utf-8")
     assert main([*given, "--schedule", ""]) == 1
     assert capsys.readouterr().err.startswith("rosspin: '' is no schedule")

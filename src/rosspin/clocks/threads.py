@@ -128,6 +128,10 @@ class Lock:
         """Whether somebody has it."""
         return self._lock.locked()
 
+    def _at_fork_reinit(self) -> None:
+        """In a child of this process, nothing has it or waits for it."""
+        self.__init__()  # type: ignore[misc]
+
     _is_owned = locked  # for Condition, which would else try to acquire it
 
     def __repr__(self) -> str:

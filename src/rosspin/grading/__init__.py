@@ -12,10 +12,12 @@ import signal
 import sys
 import time
 from collections.abc import Sequence
+from concurrent.futures import Executor
 from pathlib import Path
 
 from ..exercises import Verdict
 from ..results.saving import save_whole
+from .elsewhere import Elsewhere
 from .lanes import Lanes, Task
 from .sealed import CannotSeal
 from .students import Class
@@ -31,10 +33,17 @@ _REMEDY = (
 _STOPPED = Verdict("stopped", False, "", "", "It was stopped before it was judged.")
 
 
-def judge(paths: Sequence[str], csv: str | None = None, as_json: bool = False, unsealed: bool = False) -> int:
+def judge(
+    paths: Sequence[str],
+    csv: str | None = None,
+    as_json: bool = False,
+    unsealed: bool = False,
+    executor: Executor | None = None,
+) -> int:
     """Judge what was handed in, and say what came of it. Returns the exit status.
 
-    Where answers cannot be sealed, nothing is judged unless it may be ``unsealed``.
+    Where answers cannot be sealed, nothing is judged unless it may be ``unsealed``. The processes of an ``executor``
+    judge the answers, if there is one, else as many on this machine as it has processors. The verdicts are the same.
     """
     found, reading = Class(), _Reading()
     try:
@@ -50,7 +59,7 @@ def judge(paths: Sequence[str], csv: str | None = None, as_json: bool = False, u
     for row, name in places:
         row.verdicts[name] = _STOPPED
     try:
-        lanes = Lanes(unsealed)
+        lanes = Elsewhere(executor, unsealed) if executor else Lanes(unsealed)
     except CannotSeal as error:
         return _misused(f"answers cannot be sealed here: {str(error).rstrip('.')}. {_REMEDY}")
     progress = _Progress(len(places))

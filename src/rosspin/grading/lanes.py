@@ -11,10 +11,11 @@ import json
 import os
 import selectors
 import signal
+import threading
 import time
 from collections import deque
 from collections.abc import Callable, Iterable, Iterator
-from contextlib import suppress
+from contextlib import contextmanager, suppress
 from typing import NamedTuple
 
 from ..exercises import Verdict
@@ -23,7 +24,7 @@ from .hand_ins import MOST_ANSWER
 from .sealed import CannotSeal, Process
 from .worker import AS_BEFORE, OPEN, SEALED
 
-__all__ = ["TIME", "Lanes", "Task"]
+__all__ = ["LOOK", "TIME", "Lanes", "Task", "not_judged"]
 
 TIME = 20
 """For how long (s) an answer may run, or be judged, as on the page."""
@@ -31,8 +32,8 @@ TIME = 20
 # So much (characters) is kept of what was said of an answer, as on the page.
 _MOST_SAID = 30_000
 
-# How long (s) to wait at most for anything before looking at the time, and whether to stop.
-_LOOK = 0.2
+LOOK = 0.2
+"""How long (s) to wait at most for anything before looking at the time, and whether to stop."""
 
 _NOT_SEALED = "It could not be sealed as it has to be, so nothing of it has run."
 _BROKE_DOWN = "Its Python broke down before it had noted what the answer did."
@@ -161,17 +162,27 @@ class Lanes:
 
         Those that are not judged when it stops have no verdict.
         """
-        before = {number: signal.signal(number, self._stop) for number in (signal.SIGINT, signal.SIGTERM)}
         waiting: deque[_Job] = deque((number, task, None) for number, task in enumerate(tasks))
+        with self.stopping():
+            try:
+                while not self.stopped and (waiting or self._at_work):
+                    while waiting and len(self._at_work) < self._number:
+                        self._begin(waiting.popleft(), done)
+                    self._look(waiting, done)
+            finally:
+                for lane in self._at_work:
+                    lane.process.end()
+                self._at_work = []
+
+    @contextmanager
+    def stopping(self) -> Iterator[None]:
+        """Within this context, signals stop it. A thread that is not the main one gets none."""
+        own = threading.current_thread() is threading.main_thread()
+        numbers = (signal.SIGINT, signal.SIGTERM) if own else ()
+        before = {number: signal.signal(number, self._stop) for number in numbers}
         try:
-            while not self.stopped and (waiting or self._at_work):
-                while waiting and len(self._at_work) < self._number:
-                    self._begin(waiting.popleft(), done)
-                self._look(waiting, done)
+            yield
         finally:
-            for lane in self._at_work:
-                lane.process.end()
-            self._at_work = []
             for number, handler in before.items():
                 signal.signal(number, handler)
 
@@ -188,12 +199,12 @@ class Lanes:
         number, task, trace = job
         if len(task.text) > MOST_ANSWER:
             said = f"It has {len(task.text)} characters; at most {MOST_ANSWER} are judged."
-            done(number, _not_judged(task, said))
+            done(number, not_judged(task, said))
             return
         try:
             lane = self._idle.pop() if self._idle else _Lane(not self.why)
         except (CannotSeal, OSError) as error:
-            done(number, _not_judged(task, _NOT_SEALED if isinstance(error, CannotSeal) else str(error)))
+            done(number, not_judged(task, _NOT_SEALED if isinstance(error, CannotSeal) else str(error)))
             return
         self._at_work.append(lane)
         lane.begin(number, task, trace)
@@ -203,7 +214,7 @@ class Lanes:
             for lane in self._at_work:
                 for file, events in lane.waits_for:
                     selector.register(file, events)
-            selector.select(_LOOK)
+            selector.select(LOOK)
         for lane in [*self._at_work]:
             if lane.work():
                 self._go_on(lane, waiting, done)
@@ -211,7 +222,7 @@ class Lanes:
                 self._at_work.remove(lane)
                 lane.process.end()
                 said = f"It was ended after {TIME} s."
-                done(lane.number, _not_judged(lane.task, said)._replace(verdict="did not end"))
+                done(lane.number, not_judged(lane.task, said)._replace(verdict="did not end"))
 
     def _go_on(self, lane: _Lane, waiting: deque[_Job], done: Callable[[int, Verdict], None]) -> None:
         """Have what was noted judged, or tell the verdict."""
@@ -222,7 +233,7 @@ class Lanes:
         else:
             lane.process.end()
         if why:
-            done(lane.number, _not_judged(lane.task, why))
+            done(lane.number, not_judged(lane.task, why))
         elif lane.traced:
             done(lane.number, _verdict(lane.task, sent))
         else:
@@ -233,11 +244,12 @@ def _verdict(task: Task, sent: bytes) -> Verdict:
     try:
         found = Verdict(*json.loads(sent))
     except (ValueError, TypeError):
-        found = _not_judged(task, _JUDGE_BROKE_DOWN)
+        found = not_judged(task, _JUDGE_BROKE_DOWN)
     shown = found.console[: max(_MOST_SAID - len(found.said), 0)]
     said = "\n".join(filter(None, [shown, found.said]))[:_MOST_SAID]
     return found._replace(said=said)
 
 
-def _not_judged(task: Task, said: str) -> Verdict:
+def not_judged(task: Task, said: str) -> Verdict:
+    """Make the verdict on an answer that was not judged, for the reason that is ``said``."""
     return Verdict("not judged", False, f"Exercise {task.exercise}: not judged.", "", said)

@@ -7,10 +7,12 @@ import functools
 import inspect
 import linecache
 import math
+import pickle
 import signal
 import traceback
-from collections.abc import Callable, Sequence
-from typing import Any
+from collections.abc import Callable, Iterable, Iterator, Sequence
+from concurrent.futures import Executor
+from typing import Any, NamedTuple
 
 from ..clocks.explored import ExploredSimulation, Order
 from ..faults import Fault
@@ -18,6 +20,7 @@ from ..results.orders import Orders
 from ..results.ticks import Run
 from ..run.explain import TimeStandsStill
 from ..run.host import duration
+from ..run.kept import one_at_a_time
 from ..run.roslaunch.launch import Node
 from ..run.simulate import Prepared, prepare, run_prepared
 from ..run.source import NodeLike
@@ -43,6 +46,18 @@ _KILLED = (128 + signal.SIGKILL, -signal.SIGKILL)
 
 Try = Callable[[Order], object]
 """Runs something in an order. Returns how it fails; None, or something else that is false, if it does not."""
+
+
+class Tried(NamedTuple):
+    """An order that was run: how it failed, as of :data:`Try`, and how many things there were to choose among."""
+
+    order: Order
+    failure: Any
+    threads: int
+
+
+TryAll = Callable[[Iterable[Order]], Iterator[Tried]]
+"""Runs something in several orders, of which each has noted what was chosen when it is yielded, one after the other."""
 
 
 @dataclasses.dataclass(frozen=True)
@@ -84,6 +99,7 @@ def explore(
     seed: int = 0,
     deep: bool = False,
     faults: Sequence[Fault] = (),
+    executor: Executor | None = None,
 ) -> Exploration:
     """Run a node, or several, in many orders of events, and return the shortest order found in which it fails.
 
@@ -116,15 +132,23 @@ def explore(
     ``strategy`` is "pct" (random priorities), "random", or "all" (those that deviate once from the usual order, then
     twice, ...). ``seed`` is for the first two.
 
-    Raises what :func:`simulate` raises but TimeStandsStill; TypeError for a ``check`` that cannot be called; ValueError
-    for an unknown strategy, for ``schedules`` below 1, for a ``seed`` that is no whole number, and for a function, or a
-    launch file of ROS 2, that is to be explored ``deep``. Among several nodes, functions are explored as without it.
+    With an ``executor``, its processes run the orders, on one machine or on several: a ProcessPoolExecutor of Python's,
+    or one of Dask's, MPI's or joblib's. What is found, its token and ``schedules`` are the same, however many processes
+    there are. They need the node's files in the same places, and ``node`` and ``check`` are sent to them: with Python's
+    own pool, a function has to be one of a module. The order that fails is made shorter here.
+
+    Raises what :func:`simulate` raises but TimeStandsStill; TypeError for a ``check`` that cannot be called, for what
+    is no executor, and for what cannot be sent to its processes; ValueError for an unknown strategy, for ``schedules``
+    below 1, for a ``seed`` that is no whole number, and for a function, or a launch file of ROS 2, that is to be
+    explored ``deep``. Among several nodes, functions are explored as without it.
     """
     _refuse(schedules, strategy, seed)
     if check is not None and not callable(check):
         raise TypeError(f"check is a function of the run, not {check!r}")
     if isinstance(node, (list, tuple)) and not node:
         raise ValueError("there is no node to run: the list is empty")
+    if executor is not None and not isinstance(executor, Executor):
+        raise TypeError(f"executor is a concurrent.futures.Executor, not {executor!r}")
     prepared = prepare(node, args, False, deep, faults)
     runs: dict[str, Run | None] = {}
 
@@ -134,7 +158,10 @@ def explore(
             runs[order.token] = run
         return failure
 
-    found = search(attempt, schedules, strategy, seed, deep)
+    trying = one_by_one(attempt)
+    if executor is not None:
+        trying = functools.partial(_elsewhere, executor, _Job(node, seconds, check, args, deep, faults))
+    found = search(attempt, schedules, strategy, seed, deep, trying)
     functions = [code.name for code in prepared.codes if deep and code.source is None]
     left_out = [f"Only files were explored deep, not {', '.join(functions)}."] if functions else []
     order = found.order
@@ -153,6 +180,42 @@ def explore(
         orders,
         "\n".join(lines),
     )
+
+
+class _Job(NamedTuple):
+    """What another process needs to know to run an order."""
+
+    node: NodeLike | Sequence[NodeLike | Node]
+    seconds: float
+    check: Callable[[Run], object] | None
+    args: Sequence[str]
+    deep: bool
+    faults: Sequence[Fault]
+
+
+def _elsewhere(executor: Executor, job: _Job, orders: Iterable[Order]) -> Iterator[Tried]:
+    """Have an executor run orders, and yield what came of them, in their order."""
+    waiting = [(order, executor.submit(_run_here, job, order)) for order in orders]
+    try:
+        for order, future in waiting:
+            try:
+                done = future.result()
+            except (AttributeError, TypeError, pickle.PicklingError) as error:
+                if "pickle" not in str(error).lower():
+                    raise
+                raise TypeError(f"this cannot be sent to another process: {error}") from error
+            vars(order).update(vars(done.order))  # which is a copy
+            yield done._replace(order=order)
+    finally:
+        for _, future in waiting:
+            future.cancel()
+
+
+def _run_here(job: _Job, order: Order) -> Tried:
+    """Run an order in a process of an executor."""
+    with one_at_a_time():  # its threads share one console
+        failure, _ = _run(prepare(job.node, job.args, False, job.deep, job.faults), job.seconds, job.check, order)
+    return Tried(order, failure, order.forget())
 
 
 _USUAL = {deep: Order(deep=deep).token for deep in (False, True)}
@@ -247,7 +310,12 @@ def _refuse(schedules: int, strategy: str, seed: int) -> None:
         raise ValueError(f"seed must be a whole number, not {seed!r}")
 
 
-def search(attempt: Try, schedules: int, strategy: str, seed: int, deep: bool) -> Found:
+def one_by_one(attempt: Try) -> TryAll:
+    """Make what tries several orders of what tries one."""
+    return lambda orders: (Tried(order, attempt(order), order.forget()) for order in orders)
+
+
+def search(attempt: Try, schedules: int, strategy: str, seed: int, deep: bool, trying: TryAll) -> Found:
     """Try orders until one fails, and make that one shorter."""
     usual = Order(deep=deep)
     if failure := attempt(usual):
@@ -255,22 +323,23 @@ def search(attempt: Try, schedules: int, strategy: str, seed: int, deep: bool) -
     if not (usual.options or usual.ends):
         return Found(None, failure, 1, math.inf, "There is only one order: nothing is open at any instant. It is well.")
     different, points, threads, tried, bound = {_USUAL[deep]}, len(usual.options), 0, 1, 0.0
-    for order in STRATEGIES[strategy](usual, seed, deep):
-        if tried == schedules:
+    for batch in STRATEGIES[strategy](usual, seed, deep):
+        left = schedules - tried
+        for order, failure, known in trying(batch[:left]):
+            tried += 1
+            if failure:
+                shortest, failure = _shorten(attempt, order, failure, usual)
+                if not (shortest.made and attempt(Order(shortest.made, deep=deep))):
+                    said = "the usual order, but not each time: the node, or the test, does not do the same in each run"
+                    return Found(shortest, failure, tried, 0, said)
+                times = f"which deviates {_times(len(shortest.made))} from the usual one"
+                return Found(shortest, failure, tried, 0, f"the shortest order found, {times}, after {tried} orders")
+            different.add(order.token)
+            points, threads = max(points, len(order.options)), max(threads, known)
+        if len(batch) > left:
             if strategy == "all":
-                bound = len(order.made or order.planned) - 1
+                bound = len(batch[left].made or batch[left].planned) - 1
             break
-        tried += 1
-        failure = attempt(order)
-        if failure:
-            shortest, failure = _shorten(attempt, order, failure, usual)
-            if not (shortest.made and attempt(Order(shortest.made, deep=deep))):
-                said = "the usual order, but not each time: the node, or the test, does not do the same in each run"
-                return Found(shortest, failure, tried, 0, said)
-            times = f"which deviates {_times(len(shortest.made))} from the usual one"
-            return Found(shortest, failure, tried, 0, f"the shortest order found, {times}, after {tried} orders")
-        different.add(order.token)
-        points, threads = max(points, len(order.options)), max(threads, order.forget())
     else:
         bound = math.inf
     return Found(None, failure, tried, bound, _all_well(strategy, tried, len(different), bound, threads, points))
@@ -385,7 +454,7 @@ def explored(
             if schedule:
                 order = Order.of(schedule)
             else:
-                found = search(attempt, schedules, strategy, seed, deep)
+                found = search(attempt, schedules, strategy, seed, deep, one_by_one(attempt))
                 if found.order is None:
                     return
                 order, said = Order(found.order.made, deep=deep), found.said

@@ -4,77 +4,109 @@ from __future__ import annotations
 
 import random
 from collections.abc import Callable, Hashable, Iterator, Sequence
+from itertools import count, islice
 
-from ..clocks.explored import Decide, Order
+from ..clocks.explored import Order
 
 __all__ = ["STRATEGIES", "Strategy", "bound_of_pct"]
 
 # PCT looks for faults that need at most so many things in a certain order: a run for 1, one for 2, one for 3, ...
 _DEPTHS = 3
 
-Strategy = Callable[[Order, int, bool], Iterator[Order]]
-"""Is given the usual order, after its run, a seed, and whether to be deep. Yields the orders to try, each of which is
-run before the next is asked for."""
+# So many orders at first are tried together; then twice as many each time, up to the greatest number.
+_FIRST, _GREATEST = 30, 960
+
+Strategy = Callable[[Order, int, bool], Iterator[list[Order]]]
+"""Is given the usual order, after its run, a seed, and whether to be deep. Yields the orders to try, several together,
+which may be run at the same time: all of them are run before the next are asked for. Which they are does not depend on
+how many processes run them."""
 
 
-def fewest_first(usual: Order, seed: int, deep: bool) -> Iterator[Order]:
+def _sizes() -> Iterator[int]:
+    return (min(_FIRST << number, _GREATEST) for number in count())
+
+
+def fewest_first(usual: Order, seed: int, deep: bool) -> Iterator[list[Order]]:
     """Yield all orders: first those that deviate once from the usual one, then twice, ...
 
     Source: iterative context bounding, in Musuvathi and Qadeer, "Iterative context bounding for systematic testing of
     multithreaded programs" (PLDI 2007), as in CHESS. There preemptions are counted, here deviations.
     """
-    level = [usual]
+    level, sizes = [usual], _sizes()
     while level:
-        following = []
-        for before in level:
-            last = max(before.made, default=-1)
-            ends = [point for point in before.ends if last < 0 and point < min(before.made, default=0)]
-            points = range(last + 1, len(before.options))
-            choices = [(point, choice) for point in points for choice in range(1, before.options[point])]
-            for point, choice in (*((point, 1) for point in ends), *choices):
-                order = Order({**before.made, point: choice}, deep=deep)
-                yield order
-                following.append(order)
-        level = following
+        orders, level = (order for before in level for order in _once_more(before, deep)), []
+        while batch := list(islice(orders, next(sizes))):
+            yield batch
+            level += batch
 
 
-def at_random(usual: Order, seed: int, deep: bool) -> Iterator[Order]:
+def _once_more(before: Order, deep: bool) -> Iterator[Order]:
+    """Yield the orders that deviate once more than one that was run, later in the run."""
+    last = max(before.made, default=-1)
+    ends = [point for point in before.ends if last < 0 and point < min(before.made, default=0)]
+    points = range(last + 1, len(before.options))
+    choices = [(point, choice) for point in points for choice in range(1, before.options[point])]
+    for point, choice in (*((point, 1) for point in ends), *choices):
+        yield Order({**before.made, point: choice}, deep=deep)
+
+
+def at_random(usual: Order, seed: int, deep: bool) -> Iterator[list[Order]]:
     """Yield orders in which everything that may be next is equally likely, at each point."""
-    draw = random.Random(seed)
-    while True:
-        yield Order(decide=lambda point, options: draw.randrange(len(options)), deep=deep)
+    number = count()
+    for size in _sizes():
+        yield [Order(decide=_Random(_draw(seed, next(number))), deep=deep) for _ in range(size)]
 
 
-def by_priority(usual: Order, seed: int, deep: bool) -> Iterator[Order]:
+def _draw(seed: int, number: int) -> random.Random:
+    """Make what draws for one order, whatever is drawn for the others."""
+    return random.Random(f"{seed} {number}")
+
+
+class _Random:
+    """Decides at random."""
+
+    def __init__(self, draw: random.Random) -> None:
+        self._draw = draw
+
+    def __call__(self, point: int, options: Sequence[Hashable]) -> int:
+        return self._draw.randrange(len(options))
+
+
+def by_priority(usual: Order, seed: int, deep: bool) -> Iterator[list[Order]]:
     """Yield orders in which the thread with the highest of random priorities goes on. These change at random points.
 
     Source: PCT, in Burckhardt, Kothari, Musuvathi and Nagarakatte, a "scheduler with probabilistic guarantees of
     finding bugs" (ASPLOS 2010), algorithm 1. Of things that are no threads, such as what an executor has seen, one has
     the highest priority likewise.
     """
-    draw = random.Random(seed)
-    longest, number = len(usual.options), 0
-    while True:
-        order = Order(decide=_priorities(draw, longest, number % _DEPTHS), deep=deep)
-        yield order
-        longest, number = max(longest, len(order.options)), number + 1
+    longest, number = len(usual.options), count()
+    for size in _sizes():
+        batch = []
+        for order in islice(number, size):
+            decide = _Priorities(_draw(seed, order), longest, order % _DEPTHS)
+            batch.append(Order(decide=decide, deep=deep))
+        yield batch
+        longest = max(longest, *(len(order.options) for order in batch))
 
 
-def _priorities(draw: random.Random, points: int, changes: int) -> Decide:
-    of: dict[Hashable, float] = {}
-    changing = set(draw.sample(range(points), min(changes, points)))
+class _Priorities:
+    """Decides by priorities drawn at random, of which so many change at one of so many points."""
 
-    def decide(point: int, options: Sequence[Hashable]) -> int:
+    def __init__(self, draw: random.Random, points: int, changes: int) -> None:
+        self._draw = draw
+        self._of: dict[Hashable, float] = {}
+        self._changing = set(draw.sample(range(points), min(changes, points)))
+
+    def __call__(self, point: int, options: Sequence[Hashable]) -> int:
+        of = self._of
         for option in options:
-            of.setdefault(option, draw.random())
+            of.setdefault(option, self._draw.random())
         first = max(range(len(options)), key=lambda place: of[options[place]])
-        if point in changing:
-            changing.discard(point)
-            of[options[first]] = -1.0 - len(changing)  # below all others; of two that fell, the first is the lower
+        if point in self._changing:
+            self._changing.discard(point)
+            of[options[first]] = -1.0 - len(self._changing)  # below all; of two that fell, the first is the lower
             first = max(range(len(options)), key=lambda place: of[options[place]])
         return first
-
-    return decide
 
 
 def bound_of_pct(threads: int, points: int, schedules: int, depth: int) -> float:
