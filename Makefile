@@ -82,13 +82,9 @@ html doctest linkcheck: $(VENV)
 
 html: $(WEB)
 
-# What the page has to know of the exercises, a teacher's own among them.
-EXERCISES := import json; from rosspin.exercises import EXERCISES; \
-  print(json.dumps({each.name: {"number": each.number, "title": each.title} for each in EXERCISES}))
-
 # What runs in the page: made anew only when its sources change, its packages only when their pins do.
 $(WEB): $(NPM) $(wildcard web/*.mjs web/*.py web/src/* web/licences/* notebooks/*exercises.md lessons/*.py) $(shell find src/rosspin -name '*.py' -o -name '*.txt' -o -name '*.toml')
-	"$(BIN)/node" --experimental-wasm-jspi web/build.mjs build/npm "$$("$(BIN)/python" -c 'import yaml; print(*yaml.__path__)')" build/web/live "$$("$(BIN)/python" -c '$(EXERCISES)')"
+	"$(BIN)/node" --experimental-wasm-jspi web/build.mjs build/npm "$$("$(BIN)/python" -c 'import yaml; print(*yaml.__path__)')" build/web/live "$$("$(BIN)/python" -m rosspin.site.rules)"
 
 $(NPM): web/package.json web/package-lock.json web/.npmrc | $(VENV)
 	mkdir -p build/npm

@@ -1,6 +1,6 @@
-// Builds what runs in the reader's page: node build.mjs PACKAGES YAML OUT EXERCISES, from web/src, src/rosspin, lessons, the
-// npm packages in the folder PACKAGES and PyYAML, whose package is the folder YAML, into the folder OUT. EXERCISES has their
-// numbers and titles by their names, as JSON.
+// Builds what runs in the reader's page: node build.mjs PACKAGES YAML OUT RULES, from web/src, src/rosspin, lessons, the npm
+// packages in the folder PACKAGES and PyYAML, whose package is the folder YAML, into the folder OUT. RULES are the constants
+// that Python has, too, as JSON: see rosspin/site/rules.py.
 
 import { cpSync, existsSync, mkdirSync, readFileSync, readdirSync, renameSync, rmSync, writeFileSync } from "node:fs"
 import { createHash } from "node:crypto"
@@ -12,7 +12,7 @@ import { snapshot } from "./snapshot.mjs"
 
 const here = import.meta.dirname
 const [packages, yaml, out] = process.argv.slice(2, 5).map((folder) => path.resolve(folder))
-const exercises = process.argv[5]
+const rules = Object.fromEntries(Object.entries(JSON.parse(process.argv[5])).map(([name, value]) => [name, JSON.stringify(value)]))
 const pyodide = path.join(packages, "node_modules/pyodide")
 const require = createRequire(path.join(packages, "package.json"))
 const { build } = require("esbuild")
@@ -132,7 +132,7 @@ const sealed = ["pyodide.asm.wasm", "python_stdlib.zip", "rosspin.zip", "snapsho
 const { metafile } = await build({
   ...common,
   format: "esm",
-  define: { FILES: JSON.stringify(Object.fromEntries(sealed)) },
+  define: { FILES: JSON.stringify(Object.fromEntries(sealed)), ...rules },
   external: ["./sha256.js"],
   entryPoints: ["editor.js", "runs.js", "sha256.js", "share.js", "stepper.js"].map((name) => path.join(here, "src", name)),
 })
@@ -142,7 +142,7 @@ const version = JSON.stringify(sha256(readFileSync(path.join(out, "runs.js"))).s
 await build({
   ...common,
   outdir: path.join(out, "../hand-in"),
-  define: { RUNS: version, EXERCISES: exercises },
+  define: { RUNS: version, ...rules },
   entryPoints: ["hand-in.js", "hand-in.css", "judge.js"].map((name) => path.join(here, "src", name)),
 })
 // Loaded with the page that looks at logs, with some to try.
@@ -150,7 +150,7 @@ const looking = path.join(out, "../look")
 await build({
   ...common,
   outdir: looking,
-  define: { RUNS: version },
+  define: { RUNS: version, ...rules },
   entryPoints: ["look.js", "look.css"].map((name) => path.join(here, "src", name)),
 })
 for (const name of ["r2_timer_10.log", "r2_sleep_10_work_5.log", "r2_blocks_two.log"]) {
@@ -160,7 +160,7 @@ for (const name of ["r2_timer_10.log", "r2_sleep_10_work_5.log", "r2_blocks_two.
 // Loaded with the page, as a classic script: a page opened from a file has no modules, and has to say so.
 const live = await build({
   ...common,
-  define: { RUNS: version },
+  define: { RUNS: version, ...rules },
   entryPoints: ["live.js", "live.css"].map((name) => path.join(here, "src", name)),
   write: false,
 })

@@ -1,7 +1,7 @@
 """Run a node in a web page: in simulated time that keeps pace with real time, in the page's own Python (Pyodide).
 
-``web/src/worker.js`` calls :func:`run`, :func:`trace`, :func:`judge`, :func:`look` and :func:`pin`. Nothing here is
-needed, or can run, outside of a browser.
+``web/src/worker.js`` calls :func:`run`, :func:`trace`, :func:`judge`, :func:`look` and :func:`pin`, and on the page for
+teachers :func:`read`, :func:`answer` and :func:`report`. Nothing here is needed, or can run, outside of a browser.
 """
 
 from __future__ import annotations
@@ -22,14 +22,14 @@ import zipimport
 from collections import defaultdict, deque
 from collections.abc import Callable, Iterable, Iterator, Sequence
 from contextlib import contextmanager, redirect_stderr, redirect_stdout, suppress
-from functools import wraps
+from functools import cache, wraps
 from itertools import islice
 from json import dumps, loads
 from traceback import walk_tb
 from typing import TYPE_CHECKING, Any
 
 from js import performance
-from pyodide.ffi import can_run_sync, run_sync
+from pyodide.ffi import JsException, can_run_sync, run_sync
 
 from . import exercises
 from .clocks.clock import NS
@@ -53,9 +53,10 @@ from .world.graph import TickLog
 from .world.world import NotSimulated, World
 
 if TYPE_CHECKING:
+    from .hand_ins.on_page import Table
     from .look import Look
 
-__all__ = ["judge", "look", "pin", "run", "trace", "wake"]
+__all__ = ["answer", "judge", "look", "pin", "read", "report", "run", "trace", "wake"]
 
 # The page interrupts code that does not give way, so that a run's watchdog can look at it. Outside of runs, ignore it.
 signal.signal(signal.SIGINT, signal.SIG_IGN)
@@ -140,7 +141,7 @@ def run(source: str, filename: str, seconds: float, args: str, speed: float, bes
             else:
                 node_args = _split(args, "arguments")
             others = [(load_source(*code), _split(words, "arguments")) for *code, words in loads(beside)]
-            node = load_source(_node(source), filename)
+            node = load_source(exercises.code(source), filename)
             pacer = _Pacer(page, speed, printed, "" if others else filename, ROSES[node.hint or 1])
             return dumps(_run(node, seconds, node_args, others, pacer, printed))
         except (ValueError, SyntaxError, NotSimulated, TimeStandsStill) as error:
@@ -148,21 +149,21 @@ def run(source: str, filename: str, seconds: float, args: str, speed: float, bes
             if isinstance(error, SyntaxError):
                 print("Python could not read this line, so nothing ran.", file=sys.stderr)
             if isinstance(error, NotSimulated):
-                ros = load_source(_node(source), filename).hint or 1
+                ros = load_source(exercises.code(source), filename).hint or 1
                 with_ros, option = ("", "") if error.where == ON_A_COMPUTER else (f" with ROS {ros}", f" --ros{ros}")
                 print(f"On a computer{with_ros}, run: python -m rosspin run{option} FILE", file=sys.stderr)
             return dumps({"status": 1})
 
 
 def trace(exercise: str, text: str) -> str:
-    """Run the answer ``text`` to an ``exercise``, given by its name, without its magic, and write down what it did.
+    """Run the answer ``text`` to an ``exercise``, given by its name, and write down what it did.
 
     Returns the trace for :func:`judge` in another Python: JSON of little more than 2 MB at most, empty if there is no
     such exercise.
     """
     with _left_as_found():
         try:
-            return exercises.trace(exercise, text)
+            return exercises.trace(exercise, exercises.code(text))
         except ValueError:
             return ""
 
@@ -173,7 +174,7 @@ def judge(exercise: str, text: str, trace: str) -> str:
     The result is a :class:`rosspin.exercises.Verdict` as JSON.
     """
     with _left_as_found():
-        return dumps(exercises.verdict(exercise, text, trace)._asdict())
+        return dumps(exercises.verdict(exercise, exercises.code(text), trace)._asdict())
 
 
 def pin(source: str, filename: str, seconds: float, args: str, console: str, ticks: str) -> str:
@@ -187,7 +188,65 @@ def pin(source: str, filename: str, seconds: float, args: str, console: str, tic
     else:
         words = _split(args, "arguments")
     shown = [Tick(name, number, *map(float, times)) for name, number, *times in loads(ticks)]
-    return as_test(_node(source), filename, seconds, words, console, shown)
+    return as_test(exercises.code(source), filename, seconds, words, console, shown)
+
+
+@cache
+def _table() -> Table:
+    from .hand_ins.on_page import Table  # which only one page needs
+
+    return Table()
+
+
+def read(paths: str, files: Any) -> str:
+    """Read what students handed in: ``paths`` as JSON, and of each a file, as worker.js has it. None of it is run.
+
+    The result, as JSON, is what :meth:`rosspin.hand_ins.on_page.Table.read` returns, of these and all earlier files.
+    """
+    return dumps(_table().read((path, io.BufferedReader(_Blob(file))) for path, file in zip(loads(paths), files)))
+
+
+def answer(number: int, exercise: str) -> str:
+    """Return, as JSON, an answer that was read: see :meth:`rosspin.hand_ins.on_page.Table.answer`."""
+    return dumps(_table().answer(number, exercise))
+
+
+def report(verdicts: str) -> str:
+    """Tell, as JSON, what came of all that was read: see :meth:`rosspin.hand_ins.on_page.Table.report`."""
+    return dumps(_table().report(loads(verdicts)))
+
+
+class _Blob(io.RawIOBase):
+    """A file that the browser has, of which only what is read comes into memory."""
+
+    def __init__(self, file: Any) -> None:
+        self._file = file
+        self._at = 0
+
+    def readable(self) -> bool:
+        return True
+
+    def seekable(self) -> bool:
+        return True
+
+    def tell(self) -> int:
+        return self._at
+
+    def seek(self, offset: int, whence: int = os.SEEK_SET) -> int:
+        start = {os.SEEK_SET: 0, os.SEEK_CUR: self._at, os.SEEK_END: self._file.size}[whence]
+        if start + offset < 0:
+            raise OSError(errno.EINVAL, "before its start")
+        self._at = start + offset
+        return self._at
+
+    def readinto(self, buffer: Any) -> int:
+        try:
+            data = self._file.read(self._at, self._at + len(buffer)).to_bytes()
+        except JsException:
+            raise OSError(errno.EIO, "the browser does not give it") from None
+        buffer[: len(data)] = data
+        self._at += len(data)
+        return len(data)
 
 
 def look(log: Any, name: str) -> str:
@@ -266,11 +325,6 @@ def _split(text: str, name: str) -> list[str]:
         return shlex.split(text)
     except ValueError as error:
         raise ValueError(f"{name}: {str(error)[0].lower()}{str(error)[1:]}") from None
-
-
-def _node(text: str) -> str:
-    """A text without its magic; the lines below it keep their numbers."""
-    return text if not text.startswith("%%") else "\n" + text.partition("\n")[2]
 
 
 def _run(

@@ -18,6 +18,11 @@ sys.modules.update({name: MagicMock() for name in ("js", "pyodide", "pyodide.ffi
 sys.modules["js"].performance.now.return_value = 0.0
 from rosspin import page
 
+def blob(data):
+    def read(start, end):
+        return SimpleNamespace(to_bytes=lambda: data[start:end])
+    return SimpleNamespace(size=len(data), read=read)
+
 said = []
 for job in map(json.loads, sys.stdin):
     kind = job.pop("kind")
@@ -28,6 +33,11 @@ for job in map(json.loads, sys.stdin):
     )
     if kind == "look":
         job["log"] = SimpleNamespace(to_bytes=job["log"].encode)
+    if kind == "read":
+        given = job.pop("files")
+        job |= {"paths": json.dumps([*given]), "files": [blob(text.encode()) for text in given.values()]}
+    if kind == "report":
+        job["verdicts"] = json.dumps(job["verdicts"])
     made = getattr(page, kind)(**job | ({"page": shown} if kind == "run" else {}))
     result = {"trace": made} if kind == "trace" else json.loads(made)
     said.append([{"kind": "batch", "chunks": chunks, "leftOut": 0, "ticks": ticks}, {"kind": "end", "result": result}])

@@ -55,6 +55,10 @@ JOBS = {
     "a bag": look_job("#ROSBAG V2.0"),
     "an answer to nothing": {"kind": "trace", "exercise": "nothing", "text": ""},
     "a verdict on no trace": {"kind": "judge", "exercise": "first-ticks", "text": "", "trace": "{"},
+    "hand-ins": {"kind": "read", "files": {"all/a/slow-timer.py": "x = 1", "all/b/slow-timer.py": "", "all/c.pdf": ""}},
+    "one that was handed in": {"kind": "answer", "number": 0, "exercise": "slow-timer"},
+    "one that is gone": {"kind": "answer", "number": 9, "exercise": "slow-timer"},
+    "a table": {"kind": "report", "verdicts": [[0, "slow-timer", "not yet", "late", "a hint"]]},
 }
 
 

@@ -34,6 +34,7 @@ LAYERS = [
     "real",
     "doctor",
     "exercises",
+    "hand_ins",
     "grading",
     "page",
     "site",

@@ -9,6 +9,17 @@ declare const RUNS: string
 /** The exercises by their names, with what is shown of them. */
 declare const EXERCISES: Record<string, { number: number; title: string }>
 
+/** Rules that Python has, too: see rosspin/site/rules.py. */
+declare const RULES: {
+  numbered: string[]
+  handIns: { file: number; answer: number; name: number; time: number; said: number; entries: number }
+}
+
+/** What workers have. */
+declare class FileReaderSync {
+  readAsArrayBuffer(blob: Blob): ArrayBuffer
+}
+
 interface Window {
   /** The answers to exercises; on pages that have some. */
   rosspinStore?: import("./store.js").Store

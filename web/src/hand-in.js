@@ -1,7 +1,7 @@
 // Loaded with each page of exercises, before live.js: has the store of all answers, which live.js shows, and lets the
 // reader save them as a file to hand in.
 
-import { MOST, write } from "./answers.js"
+import { MOST, isTooLong, write } from "./answers.js"
 import { HAS_JSPI, LACKS_JSPI } from "./jspi.js"
 import { fingerprint, isText } from "./kept.js"
 import { find, here, make, save } from "./make.js"
@@ -79,7 +79,7 @@ function handIn(event) {
  */
 function doubts(found, text) {
   const changed = store.solvedBefore()
-  const long = Object.keys(found).filter((exercise) => found[exercise].length > MOST.answer)
+  const long = Object.keys(found).filter((exercise) => isTooLong(found[exercise]))
   return [
     changed.length && `You have solved ${list(changed)} with another text, which Earlier version brings back.`,
     long.length && `Too long to be judged, with more than ${MOST.answer} characters: ${list(long)}.`,
@@ -100,8 +100,8 @@ function list(names) {
 }
 
 const { name = "", student: number = "", id: mine = random() } = known()
-const field = make("input", { value: name, maxLength: MOST.name, autocomplete: "name" })
-const idField = make("input", { value: number, maxLength: MOST.name, autocomplete: "off" })
+const field = make("input", { value: name, maxLength: 2 * MOST.name, autocomplete: "name" }) // of which emoji have two
+const idField = make("input", { value: number, maxLength: 2 * MOST.name, autocomplete: "off" })
 const status = make("span", { role: "status" })
 const form = make("form", { className: "hand-in", noValidate: true })
 form.append(make("label", {}, "Your name ", field), make("label", {}, "Student ID, if your teacher wants it ", idField))

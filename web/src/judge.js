@@ -1,14 +1,13 @@
 // Loaded with the teachers' page: judges the files that students hand in, and shows who solved what.
 
-import { csv } from "./csv.js"
+import { chosen, dropped } from "./dropped.js"
 import { HAS_JSPI, LACKS_JSPI } from "./jspi.js"
-import { judge, rest } from "./judging.js"
+import { ask, judge, rest } from "./judging.js"
 import { find, here, make, save } from "./make.js"
 import { numberOf } from "./names.js"
 import { notHere } from "./python.js"
 import { Painter } from "./painter.js"
-import { NOT_JUDGED, Table, count } from "./table.js"
-import { dropped, unpacked } from "./unpack.js"
+import { NOT_JUDGED, Table } from "./table.js"
 import { reveal } from "./unseen.js"
 
 const base = new URL("../live/", here()).href
@@ -16,8 +15,7 @@ const base = new URL("../live/", here()).href
 /** How many answers are judged at the same time. */
 const LANES = Math.max(2, Math.min(4, navigator.hardwareConcurrency - 1))
 
-/** So many problems are listed, and so many cells shown, which come piece by piece. */
-const MOST_NOTES = 50
+/** So many cells are shown, which come piece by piece. */
 const MOST_CELLS = 3000
 const PIECE = 500
 const LEAST_ROWS = 10 // in a piece
@@ -40,36 +38,54 @@ const SIGNS = {
 /** @type {Answer | null} that of which it is shown what the checker said */
 let shown = null
 
-const known = new Table((...answer) => judge(base, ...answer), LANES, (answer) => {
+const known = new Table((job) => ask(base, job), (...answer) => judge(base, ...answer), LANES, (answer) => {
   if (!answer) return draw()
   if (signs.has(answer)) mark(answer)
   if (shown === answer) show(answer, false)
-  if (known.isDone) rest()
+  if (known.isDone) end()
   teller.soon()
 })
 const teller = new Painter(() => tell())
 
-let unlisted = 0 // problems
 let reading = 0 // drops whose files are being read
 
-/** @param {Promise<import("./unpack.js").Dropped[]>} coming */
+/** @type {import("./protocol.js").Results["report"]["hard"]} what was hard, once all is judged */
+let missed = []
+
+/** @param {import("./dropped.js").Dropped[] | Promise<import("./dropped.js").Dropped[]>} coming */
 async function add(coming) {
   reading++
+  missed = []
   results.hidden = false
   progress.removeAttribute("value")
   status.textContent = "Reading the files"
-  const files = await coming
-  const problems = await known.add(files, (done) => {
-    ;[progress.max, progress.value] = [files.length, done]
-    status.textContent = `Reading ${count(files.length, "file")}`
-  })
+  const problem = await known.add(await coming).catch((error) => String(error.message))
   reading--
   tell()
-  const listed = problems.slice(0, Math.max(MOST_NOTES - notes.childElementCount, 0))
-  notes.append(...listed.map((textContent) => make("li", { textContent })))
-  unlisted += problems.length - listed.length
-  const more = `${unlisted} more such lines are not shown. Save as CSV lists each file that is refused.`
-  unshown.textContent = unlisted ? more : ""
+  const lines = known.problems.slice(notes.childElementCount)
+  if (problem) lines.push(problem)
+  notes.append(...lines.map((textContent) => make("li", { textContent })))
+  const more = `${known.unlisted} more such lines are not shown. Save as CSV lists each file that is refused.`
+  unshown.textContent = known.unlisted ? more : ""
+  if (known.isDone) end()
+}
+
+/** All is judged. */
+async function end() {
+  rest()
+  const { hard } = await known.report().catch(() => ({ hard: [] }))
+  if (!known.isDone) return
+  missed = hard
+  teller.soon()
+}
+
+async function saveTable() {
+  try {
+    save("answers.csv", "text/csv", (await known.report()).csv)
+    known.isSaved = true
+  } catch (error) {
+    notes.append(make("li", { textContent: `The table could not be written: ${error}` }))
+  }
 }
 
 // --- what is shown ---
@@ -103,8 +119,8 @@ function draw() {
   const head = make("tr", {}, heading("name", "Name"), heading("solved", "Solved"))
   head.append(...columns.map((name) => heading(name, numberOf(name), titleOf(name, "Exercise"))))
   const made = (/** @type {(typeof known.rows)[number]} */ row) => {
-    const [others, namesakes] = [known.others(row), known.namesakes(row)]
-    const said = [row.source, row.student && `ID ${row.student}`]
+    const { others, namesakes } = row
+    const said = [row.source, row.student && `ID ${row.student}`, row.note]
     if (others.length) said.push(`same browser as ${others.join(", ")}`)
     if (namesakes.length) said.push(`same name as ${namesakes.join(", ")}, another browser`)
     const name = make("th", { scope: "row" }, row.name)
@@ -128,7 +144,7 @@ function draw() {
   append(0)
   const again = /** @type {HTMLElement | undefined} */ (table.querySelectorAll("thead button")[focused])
   again?.focus()
-  results.hidden = known.rows.length + known.refused.length === 0
+  results.hidden = known.rows.length + known.refused === 0
   scroll.hidden = legend.hidden = known.rows.length === 0
   cut.textContent =
     rows.length < known.rows.length
@@ -156,14 +172,13 @@ function tell() {
   progress.value = answers.length - open
   stopButton.ariaDisabled = String(open === 0)
   if (status.textContent !== said) status.textContent = said // said once, not at each answer
-  const missed = open ? [] : known.hard
   hard.hidden = !missed.length
   hard.replaceChildren(make("p", {}, make("strong", { textContent: "What was hard" })), make("ul", {}, ...missed.map(hardness)))
 }
 
 /** What was hard of an exercise: the hints say which belief has failed, and how often. */
-function hardness(/** @type {(typeof known.hard)[number]} */ { exercise, answered, solved, hints }) {
-  const told = hints.slice(0, 3).map(([hint, count]) => make("li", { textContent: `${count} × ${hint}` }))
+function hardness(/** @type {(typeof missed)[number]} */ [exercise, answered, solved, hints]) {
+  const told = hints.map(([hint, count]) => make("li", { textContent: `${count} × ${hint}` }))
   return make("li", {}, `${titleOf(exercise, "Exercise")}: ${solved} of ${answered} solved`, make("ul", {}, ...told))
 }
 
@@ -176,11 +191,13 @@ const titleOf = (/** @type {string} */ name, word = "exercise") =>
  *
  * @param {Answer} answer
  */
-function show(answer, go = true) {
-  const focused = [...detail.children].indexOf(/** @type {Element} */ (document.activeElement))
+async function show(answer, go = true) {
   shown = answer
+  const found = await known.text(answer).catch(() => ({ text: "" }))
+  if (shown !== answer) return
+  const focused = [...detail.children].indexOf(/** @type {Element} */ (document.activeElement))
   const { row, exercise, verdict, said } = answer
-  const text = reveal(answer.text.slice(0, 50_000))
+  const text = reveal(found.text)
   detail.replaceChildren(
     make("p", {}, make("strong", { textContent: `${row.name}, ${titleOf(exercise)}: ${verdict}` })),
     reveal(said || "Nothing is known yet.").pre,
@@ -207,7 +224,7 @@ function button(text, act) {
 
 const input = make("input", { type: "file", multiple: true, accept: ".json,.zip,application/json,application/zip" })
 input.addEventListener("change", async () => {
-  await add(unpacked([...(input.files ?? [])]))
+  await add(chosen(input.files ?? []))
   input.value = "" // the same file can be chosen again
 })
 const drop = make("div", { className: "judge-drop" })
@@ -217,7 +234,7 @@ const status = make("span", { role: "status" })
 const progress = make("progress", { ariaLabel: "Answers judged" })
 const stopButton = button("Stop", () => known.stop())
 const bar = make("div", { className: "judge-bar" })
-const saveButton = button("Save as CSV", () => save("answers.csv", "text/csv", csv(known.save(titleOf))))
+const saveButton = button("Save as CSV", saveTable)
 bar.append(progress, stopButton, saveButton, status)
 const notes = make("ul")
 const unshown = make("p")

@@ -1,17 +1,19 @@
 // Judges answers that were handed in: each runs in one sandbox, and what came of it is judged in another.
 
-import { MOST } from "./answers.js"
 import { load } from "./python.js"
 
 /** For how long (ms) an answer may run, or be judged, and for how long Python may start. */
-const TIME = 20_000
+const TIME = RULES.handIns.time * 1000
 const START = 60_000
 
+/** For how long (ms) hand-ins may be read. */
+const READING = 600_000
+
 /** So much (characters) is shown of what was said of an answer. */
-const MOST_SAID = 30_000
+const MOST_SAID = RULES.handIns.said
 
 /** @typedef {import("./protocol.js").Verdict | "did not end" | "stopped"} Found of an answer */
-/** @typedef {{verdict: Found, said: string, hint?: string}} Judgement with the hint for a wrong answer */
+/** @typedef {{verdict: Found, said: string, why?: string, hint?: string}} Judgement why and hint: of a wrong answer */
 
 const NOT_JUDGED = "not judged"
 
@@ -43,7 +45,7 @@ class NoVerdict extends Error {
  * @param {AbortSignal} stopped
  * @returns {Promise<Results[K]>}
  */
-function result(sandbox, job, stopped) {
+function result(sandbox, job, stopped, time = TIME) {
   return new Promise((resolve, reject) => {
     /** @type {number | undefined} */
     let timer
@@ -64,7 +66,7 @@ function result(sandbox, job, stopped) {
     limit(START, "Python did not start.")
     sandbox.started.then((message) => {
       if (message.kind !== "ready") return hear(message)
-      limit(TIME, `It was ended after ${TIME / 1000} s.`, "did not end")
+      limit(time, `It was ended after ${time / 1000} s.`, "did not end")
       sandbox.do(job, (message) => message.kind !== "batch" && hear(message))
     })
   })
@@ -76,6 +78,33 @@ function result(sandbox, job, stopped) {
  * @type {import("./sandboxes.js").Sandbox[]}
  */
 const resting = []
+
+/**
+ * The sandbox in which hand-ins are read; none of them runs there. It does one job after the other.
+ *
+ * @type {import("./sandboxes.js").Sandbox | undefined}
+ */
+let reading
+/** @type {Promise<unknown>} */
+let before = Promise.resolve()
+
+/**
+ * What comes of a job for that sandbox. Error: nothing, and it says why.
+ *
+ * @template {"read" | "answer" | "report"} K
+ * @param {string} base the address of the folder that runs.js is in
+ * @param {Extract<import("./protocol.js").Job, {kind: K}>} job
+ * @returns {Promise<Results[K]>}
+ */
+export function ask(base, job) {
+  const asked = before.then(async () => {
+    const { Sandbox } = await load(base)
+    reading ??= new Sandbox()
+    return result(reading, job, new AbortController().signal, READING)
+  })
+  before = asked.catch(() => {})
+  return asked
+}
 
 /** End what is left when all has been judged. */
 export const rest = () => resting.splice(0).forEach((sandbox) => sandbox.end())
@@ -90,9 +119,6 @@ export const rest = () => resting.splice(0).forEach((sandbox) => sandbox.end())
  * @returns {Promise<Judgement>}
  */
 export async function judge(base, exercise, text, stopped) {
-  if (text.length > MOST.answer) {
-    return { verdict: NOT_JUDGED, said: `It has ${text.length} characters; at most ${MOST.answer} are judged.` }
-  }
   /** @type {import("./sandboxes.js").Sandbox[]} */
   const sandboxes = []
   try {
@@ -103,11 +129,11 @@ export async function judge(base, exercise, text, stopped) {
     sandboxes.push(running, judging)
     const { trace } = await result(running, { kind: "trace", exercise, text }, stopped)
     running.end()
-    const { verdict, console, said, hint } = await result(judging, { kind: "judge", exercise, text, trace }, stopped)
+    const { verdict, console, said, why, hint } = await result(judging, { kind: "judge", exercise, text, trace }, stopped)
     sandboxes.pop()
     resting.push(judging)
     const shown = console.slice(0, Math.max(MOST_SAID - said.length, 0))
-    return { verdict, hint, said: [shown, said].filter(Boolean).join("\n").slice(0, MOST_SAID) }
+    return { verdict, why, hint, said: [shown, said].filter(Boolean).join("\n").slice(0, MOST_SAID) }
   } catch (error) {
     return error instanceof NoVerdict ? error.judgement : { verdict: NOT_JUDGED, said: String(error) }
   } finally {

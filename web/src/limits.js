@@ -16,6 +16,9 @@ export const LONGEST = {
   judge: { characters: 2_000_000, values: 100 },
   look: { characters: 4_000_000, values: 250_000 },
   pin: { characters: 2_000_000, values: 100 },
+  read: { characters: 4_000_000, values: 100_000 },
+  answer: { characters: 1_000_000, values: 100 },
+  report: { characters: 6_000_000, values: 2000 },
 }
 
 /** So much room is there for messages in each second, in characters: each takes some itself, and for each value. */

@@ -13,7 +13,11 @@ import { LONGEST, SHOWN } from "./limits.js"
  * @typedef {{kind: "look", log: ArrayBuffer, name: string}} LookJob
  * @typedef {{kind: "pin", source: string, filename: string, seconds: number, args: string, console: string,
  *   ticks: Tick[]}} PinJob to write a test that pins what a run showed
- * @typedef {RunJob | TraceJob | JudgeJob | LookJob | PinJob} Job
+ * @typedef {{kind: "read", files: {path: string, file: Blob | null}[]}} ReadJob what students handed in, besides all before
+ * @typedef {{kind: "answer", number: number, exercise: string}} AnswerJob to have one that was read
+ * @typedef {{kind: "report", verdicts: (readonly [row: number, exercise: string, verdict: string, why: string,
+ *   hint: string])[]}} ReportJob to have a table of all that was read
+ * @typedef {RunJob | TraceJob | JudgeJob | LookJob | PinJob | ReadJob | AnswerJob | ReportJob} Job
  * @typedef {{kind: "file", name: string, bytes: ArrayBuffer | null}} File what a sandbox needed; null: it cannot be had
  * @typedef {Job | File} ToSandbox
  *
@@ -40,8 +44,14 @@ import { LONGEST, SHOWN } from "./limits.js"
  * @typedef {{problem: string, kind: string, entries: number, seconds: number, notes: string[], verdicts: Fault[],
  *   series: Series[], files: [name: string, text: string][]}} LookResult a problem, or all the rest
  * @typedef {{test: string}} PinResult
- * @typedef {{run: RunResult, trace: TraceResult, judge: JudgeResult, look: LookResult, pin: PinResult}} Results by the kind
- *   of the job
+ * @typedef {{number: number, name: string, student: string, file: string, date: string, note: string, late: boolean,
+ *   others: string[], namesakes: string[], answers: number[]}} HandIn of a student; answers: to which of the exercises
+ * @typedef {{exercises: string[], rows: HandIn[], problems: string[], unlisted: number, refused: number}} ReadResult
+ * @typedef {{text: string, why: string}} AnswerResult why: it cannot be judged
+ * @typedef {{csv: string, hard: [exercise: string, answered: number, solved: number,
+ *   hints: [hint: string, count: number][]][]}} ReportResult
+ * @typedef {{run: RunResult, trace: TraceResult, judge: JudgeResult, look: LookResult, pin: PinResult,
+ *   read: ReadResult, answer: AnswerResult, report: ReportResult}} Results by the kind of the job
  *
  * What a sandbox says; its last word on a job is that it has ended or failed:
  * @typedef {{kind: "ready"}} Ready
@@ -75,9 +85,14 @@ import { LONGEST, SHOWN } from "./limits.js"
  *   judge: Python<[exercise: string, text: string, trace: string]>,
  *   look: Python<[log: ArrayBuffer, name: string]>,
  *   pin: Python<[source: string, filename: string, seconds: number, args: string, console: string, ticks: string]>,
+ *   read: Python<[paths: string, files: Readable[]]>,
+ *   answer: Python<[number: number, exercise: string]>,
+ *   report: Python<[verdicts: string]>,
  *   wake(supply: (path: string) => Promise<void> | undefined): void,
  * }} PythonPage
  */
+
+/** @typedef {{size: number, read(from: number, to: number): Uint8Array}} Readable file as Python reads it */
 
 /**
  * @template {unknown[]} A
@@ -205,6 +220,22 @@ const JUDGE = object(
   { why: "", hint: "" },
 )
 
+/** What a table has room for: see rosspin/hand_ins/on_page.py. */
+const ROWS = 1000
+const EXERCISES_OF_ALL = 100
+
+const HAND_IN = object({
+  ...{ number: integer(), name: NAME, student: NAME, file: SENTENCE, date: NAME, note: SENTENCE, late: truth },
+  ...{ others: list(NAME, 10), namesakes: list(SENTENCE, 10), answers: list(integer(0, EXERCISES_OF_ALL - 1), EXERCISES_OF_ALL) },
+})
+
+const READ = object({
+  ...{ exercises: list(NAME, EXERCISES_OF_ALL), rows: list(HAND_IN, ROWS) },
+  ...{ problems: list(text(1000), 100), unlisted: integer(), refused: integer() },
+})
+
+const HARD = list(tuple(NAME, integer(), integer(), list(tuple(SENTENCE, integer()), 10)), EXERCISES_OF_ALL)
+
 /**
  * What is known of the result of a job, by its kind; false if that is not right.
  *
@@ -227,6 +258,12 @@ const RESULTS = {
     return known && Boolean(known.problem) === (known.verdicts.length === 0) && known.series.every(isWhole) && known
   },
   pin: object({ test: TEXT }),
+  read(result) {
+    const known = READ(result)
+    return known && known.rows.every((/** @type {HandIn} */ row) => row.answers.every((place) => place < known.exercises.length)) && known
+  },
+  answer: object({ text: TEXT, why: SENTENCE }),
+  report: object({ csv: text(LONGEST.report.characters), hard: HARD }),
 }
 
 const isResult = object({ result: (value) => typeof value === "object" })

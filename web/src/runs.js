@@ -1,7 +1,6 @@
 // Runs of code, each in a sandbox of its own, which finds nothing of earlier ones there and ends with it. The next one is
 // started meanwhile.
 
-import { code } from "./names.js"
 import { Sandbox } from "./sandboxes.js"
 
 export { Sandbox }
@@ -105,7 +104,7 @@ export function warmUp(answers) {
  */
 export function start(job, hear) {
   const { exercise, ...node } = job
-  if (exercise) return answer(exercise, code(job.source), hear)
+  if (exercise) return answer(exercise, job.source, hear)
   const runner = runs.take()
   runner.do({ kind: "run", ...node }, hear)
   return runner

@@ -286,6 +286,20 @@ async function boot() {
 // --- jobs ---
 
 /**
+ * A file as Python reads it: no more comes into memory than is asked for.
+ *
+ * @param {Blob | null} file
+ * @returns {import("./protocol.js").Readable}
+ */
+function readable(file) {
+  const read = (/** @type {number} */ from, /** @type {number} */ to) => {
+    if (!file) throw new Error("the browser does not give it")
+    return new Uint8Array(new FileReaderSync().readAsArrayBuffer(file.slice(from, to)))
+  }
+  return { size: file?.size ?? 0, read }
+}
+
+/**
  * Do a job, with the functions of rosspin.page: what came of it.
  *
  * @param {import("./protocol.js").PythonPage} python
@@ -293,7 +307,7 @@ async function boot() {
  * @param {Page} page
  * @returns {Promise<import("./protocol.js").Results[keyof import("./protocol.js").Results]>}
  */
-async function act({ run, trace, judge, look, pin }, job, page) {
+async function act({ run, trace, judge, look, pin, read, answer, report }, job, page) {
   if (job.kind === "run") {
     const { source, filename, seconds, args, speed, beside } = job
     return JSON.parse(await run.callPromising(source, filename, seconds, args, speed, JSON.stringify(beside), page))
@@ -303,6 +317,12 @@ async function act({ run, trace, judge, look, pin }, job, page) {
     const { source, filename, seconds, args, console, ticks } = job
     return { test: await pin.callPromising(source, filename, seconds, args, console, JSON.stringify(ticks)) }
   }
+  if (job.kind === "read") {
+    const paths = job.files.map(({ path }) => path)
+    return JSON.parse(await read.callPromising(JSON.stringify(paths), job.files.map(({ file }) => readable(file))))
+  }
+  if (job.kind === "answer") return JSON.parse(await answer.callPromising(job.number, job.exercise))
+  if (job.kind === "report") return JSON.parse(await report.callPromising(JSON.stringify(job.verdicts)))
   if (job.kind === "trace") return { trace: await trace.callPromising(job.exercise, job.text) }
   return JSON.parse(await judge.callPromising(job.exercise, job.text, job.trace))
 }

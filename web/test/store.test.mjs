@@ -3,6 +3,8 @@
 import assert from "node:assert/strict"
 import { beforeEach, test } from "node:test"
 
+import "./rules.mjs"
+
 import { Store } from "../src/store.js"
 
 /** As localStorage: keys are its own properties. It can be full, or not be there. */

@@ -20,7 +20,7 @@ from .reach import reaches_for
 from .running import Runner
 from .traces import Misfit, Outcome, Request, Trace, read, write
 
-__all__ = ["EXERCISES", "Exercise", "Feedback", "Finding", "Misfit", "check", "judge", "trace"]
+__all__ = ["EXERCISES", "Exercise", "Feedback", "Finding", "Misfit", "check", "code", "judge", "trace"]
 
 _CUT = "the node did so much that not all of it was looked at."
 _LESS = "Let it print and publish no more than the exercise asks for."
@@ -32,6 +32,11 @@ def check(which: int | str, answer: Any) -> Feedback:
     The exercise is given by its number or its name. Raises ValueError if there is no such exercise.
     """
     return judge(which, answer, trace(which, answer))
+
+
+def code(answer: str) -> str:
+    """Return what of an answer is checked, in the same lines: its first line is not, if it begins with %%."""
+    return f"\n{answer.partition(chr(10))[2]}" if answer.startswith("%%") else answer
 
 
 def trace(which: int | str, answer: Any) -> str:

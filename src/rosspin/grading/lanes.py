@@ -20,17 +20,11 @@ from typing import NamedTuple
 
 from ..exercises import Verdict
 from ..exercises.traces import LONGEST
-from .hand_ins import MOST_ANSWER
+from ..hand_ins import MOST_SAID, TIME, too_long
 from .sealed import CannotSeal, Process
 from .worker import AS_BEFORE, OPEN, SEALED
 
-__all__ = ["LOOK", "TIME", "Lanes", "Task", "not_judged"]
-
-TIME = 20
-"""For how long (s) an answer may run, or be judged, as on the page."""
-
-# So much (characters) is kept of what was said of an answer, as on the page.
-_MOST_SAID = 30_000
+__all__ = ["LOOK", "Lanes", "Task", "not_judged"]
 
 LOOK = 0.2
 """How long (s) to wait at most for anything before looking at the time, and whether to stop."""
@@ -197,9 +191,8 @@ class Lanes:
 
     def _begin(self, job: _Job, done: Callable[[int, Verdict], None]) -> None:
         number, task, trace = job
-        if len(task.text) > MOST_ANSWER:
-            said = f"It has {len(task.text)} characters; at most {MOST_ANSWER} are judged."
-            done(number, not_judged(task, said))
+        if why := too_long(task.text):
+            done(number, not_judged(task, why))
             return
         try:
             lane = self._idle.pop() if self._idle else _Lane(not self.why)
@@ -245,8 +238,8 @@ def _verdict(task: Task, sent: bytes) -> Verdict:
         found = Verdict(*json.loads(sent))
     except (ValueError, TypeError):
         found = not_judged(task, _JUDGE_BROKE_DOWN)
-    shown = found.console[: max(_MOST_SAID - len(found.said), 0)]
-    said = "\n".join(filter(None, [shown, found.said]))[:_MOST_SAID]
+    shown = found.console[: max(MOST_SAID - len(found.said), 0)]
+    said = "\n".join(filter(None, [shown, found.said]))[:MOST_SAID]
     return found._replace(said=said)
 
 

@@ -30,7 +30,6 @@ from typing import Any, NoReturn
 from .. import exercises, rclpy, rospy
 from ..run.alone import refuse_processes
 from .filtered import close_kernel, is_known
-from .hand_ins import code
 
 __all__ = ["AS_BEFORE", "OPEN", "READY", "SEALED", "work"]
 
@@ -158,7 +157,7 @@ def _done(job: Mapping[str, str]) -> bytes:
     """Run an answer and return the trace, or judge a trace and return the verdict; or do nothing, to try it."""
     if not job:
         return b""
-    text = code(job["text"])
+    text = exercises.code(job["text"])
     if "trace" in job:
         return json.dumps(exercises.verdict(job["exercise"], text, job["trace"])).encode()
     refuse_processes()  # by their names

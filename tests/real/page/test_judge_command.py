@@ -1,12 +1,12 @@
-"""``rosspin judge`` gives the verdicts of the page for teachers, on the same hand-ins."""
+"""``rosspin judge`` gives the verdicts of the page for teachers, on the same hand-ins, and the same table."""
 
 from __future__ import annotations
 
-import json
+import csv
 from pathlib import Path
 
 import pytest
-from answers import CELLS, NAMES, number_of, written
+from answers import CELLS, written
 from answers_ros1 import WRONG
 from command_line import run
 from hand_ins import Table, handed_in
@@ -29,30 +29,31 @@ HAND_INS = {
         "missing-ticks": "print('x' * 20_000_000)",
         "zz-top": "x = 1",
     },
+    # In Python emoji are a character each, in JavaScript two.
+    "Zoe\N{COMBINING DIAERESIS}": {"slow-timer": "#" + "\N{ROBOT FACE}" * 30_000, "ten-hertz": "#" * 50_001},
+    "\N{ROBOT FACE}" * 80: {"zz-top": ""},
 }
 
 
 def test_the_command_gives_the_verdicts_of_the_page(table: Table, tmp_path: Path) -> None:
-    texts = {name: handed_in(name, id=name, answers=answers) for name, answers in HAND_INS.items()}
+    hand_ins = [handed_in(name, id=name[:9], answers=answers) for name, answers in HAND_INS.items()]
+    # The newest counts, whoever wrote its date; the same name may be composed or not.
+    for name, date in (("Sam", "2026-11-20"), ("Sam", "2026-11-21T12:00:00.000Z"), ("Sam", "Sat Nov 28 2026")):
+        hand_ins.append(handed_in(name, id="s", date=date, answers={"zz-top": ""}))
+    hand_ins.append(handed_in("Zo\N{LATIN SMALL LETTER E WITH DIAERESIS}", id="o", answers={"zz-top": ""}))
+    texts = {f"{number:02}": text for number, text in enumerate(hand_ins)}
+    (tmp_path / "class").mkdir()
     for name, text in texts.items():
-        (tmp_path / f"{name}.json").write_text(text)
-    status, out, _ = run("judge", str(tmp_path), "--json")
+        (tmp_path / "class" / f"{name}.json").write_text(text)
+    status, _, _ = run("judge", str(tmp_path / "class"), "--csv", str(tmp_path / "table.csv"))
     assert status == 1
-    command = {
-        (student["name"], name): answer["verdict"]
-        for student in json.loads(out)["students"]
-        for name, answer in student["answers"].items()
-    }
+    with open(tmp_path / "table.csv", encoding="utf-8-sig", newline="") as file:
+        command = list(csv.reader(file))
     table.drop(**texts)
     table.done()
-    head, *rows = table.csv()
-    names = {f"exercise {number_of(name)}" if name in NAMES else f"exercise {name}": name for _, name in command}
-    page = {
-        (row[0], names[column.partition(":")[0]]): verdict
-        for row in rows
-        for column, verdict in zip(head[9:], row[9:], strict=True)
-        if verdict
-    }
+    page = table.csv()
     assert page == command
-    assert {verdict for (name, _), verdict in page.items() if name == "right"} == {"solved"}
-    assert "solved" not in {verdict for (name, _), verdict in page.items() if name != "right"}
+    head, *rows = page
+    verdicts = slice(head.index("solved") + 1, next(n for n, name in enumerate(head) if name.endswith(": why")))
+    assert {verdict for row in rows if row[0] == "right" for verdict in row[verdicts] if verdict} == {"solved"}
+    assert "solved" not in {verdict for row in rows if row[0] != "right" for verdict in row[verdicts]}

@@ -1,4 +1,7 @@
-"""Find the files in folders and archives, as learning platforms export them. Nothing is unpacked onto the disk."""
+"""Find the files in folders and archives, as learning platforms export them. Nothing is unpacked onto the disk.
+
+They are on the disk, or a browser has them.
+"""
 
 from __future__ import annotations
 
@@ -9,22 +12,34 @@ import re
 import stat
 import zipfile
 import zlib
-from collections.abc import Iterable, Iterator
+from collections.abc import Iterable, Iterator, Mapping
 from pathlib import Path
 from typing import IO, Any, NamedTuple, cast
 
-from .hand_ins import MOST_FILE, SUFFIXES
+from . import MOST_FILE
+from .files import SUFFIXES
 
-__all__ = ["Found", "find"]
+__all__ = ["ON_DISK", "ON_PAGE", "Bounds", "Found", "find", "find_given"]
 
-# What is read at most: so many archives within each other; in all, and of an archive among what was handed in together
-# with those within it, so many entries of folders and archives, and bytes: of answers, of packed archives, of lists.
+# So many archives within each other are read.
 _DEEPEST = 4
-_MOST_ENTRIES = 200_000
-_MOST_BYTES = 400_000_000
-_MOST_UNPACKED = 2_000_000_000
-_MOST_LISTED = 20_000_000
-_OF_ONE = 10  # a tenth of that
+
+# Of an archive among what was handed in, together with those within it, a tenth of what is read in all.
+_OF_ONE = 10
+
+
+class Bounds(NamedTuple):
+    """What is read at most: entries of folders and archives, and bytes of answers, of packed archives, of lists."""
+
+    entries: int
+    answers: int
+    unpacked: int
+    listed: int
+
+
+ON_DISK = Bounds(200_000, 400_000_000, 2_000_000_000, 20_000_000)
+ON_PAGE = Bounds(20_000, 100_000_000, 1_000_000_000, 20_000_000)
+"""A page's Python has less memory, in which an archive within another one is as a whole."""
 
 # How entries may be packed: zipfile unpacks these, and no others, without making more of them than is asked for.
 _PACKED = (zipfile.ZIP_STORED, zipfile.ZIP_DEFLATED)
@@ -54,14 +69,9 @@ class Found(NamedTuple):
 class _Budget:
     """How much may still be read, and within which other budget."""
 
-    def __init__(self, above: _Budget | None = None) -> None:
-        part = _OF_ONE if above else 1
-        self.left = {
-            "entries": _MOST_ENTRIES // part,
-            "answers": _MOST_BYTES // part,
-            "unpacked": _MOST_UNPACKED // part,
-            "listed": _MOST_LISTED // part,
-        }
+    def __init__(self, bounds: Bounds, above: _Budget | None = None) -> None:
+        self.bounds = bounds
+        self.left = {name: most // (_OF_ONE if above else 1) for name, most in bounds._asdict().items()}
         self._above = above
 
     def take(self, what: str, number: int) -> None:
@@ -101,10 +111,36 @@ class _Listed:
 
 def find(path: Path) -> Iterator[Found]:
     """Yield the files in a folder or an archive, or a single file. Raises OSError if it is none of these."""
+    return _within_bounds(path.name, _find(path, budget := _Budget(ON_DISK)), budget)
+
+
+def find_given(name: str, files: Mapping[tuple[str, ...], IO[bytes]]) -> Iterator[Found]:
+    """Yield the files that a browser has: of a folder with this name, by their paths in it; or one, without a path."""
+    return _within_bounds(name, _find_given(name, files, budget := _Budget(ON_PAGE)), budget)
+
+
+def _within_bounds(name: str, found: Iterator[Found], budget: _Budget) -> Iterator[Found]:
     try:
-        yield from _find(path, _Budget())
+        yield from found
     except _TooMuch:
-        yield Found((path.name,), why="there is too much in all; have it judged in parts")
+        yield Found((name,), why="there is too much in all; have it judged in parts")
+
+
+def _find_given(name: str, files: Mapping[tuple[str, ...], IO[bytes]], budget: _Budget) -> Iterator[Found]:
+    for parts in sorted(files, key=_in_order):
+        budget.take("entries", 1)
+        try:
+            if not parts:
+                yield from _single(name, files[parts], budget)
+            elif not any(map(_LEFT_BEHIND.fullmatch, parts)):
+                yield from _opened(parts, files[parts], budget)
+        except OSError as error:
+            yield Found(parts or (name,), why=f"it cannot be read: {error.strerror}")
+
+
+def _in_order(parts: tuple[str, ...]) -> list[tuple[bool, str]]:
+    """Return what paths are ordered by: in a folder files come first, as on the disk."""
+    return [(place < len(parts), part) for place, part in enumerate(parts, 1)]
 
 
 def _find(path: Path, budget: _Budget) -> Iterator[Found]:
@@ -112,12 +148,7 @@ def _find(path: Path, budget: _Budget) -> Iterator[Found]:
         if path.exists() and not path.is_file():  # a pipe may never end
             raise OSError(errno.EINVAL, "it is no file, and no folder")
         with open(path, "rb") as file:
-            data = file.read(MOST_FILE + 1)
-            if path.suffix.lower() == ".zip" or data.startswith(b"PK\x03\x04"):
-                file.seek(0)
-                yield from _unzipped((), file, budget, 1, path.name)
-                return
-        yield Found((path.name,), data)
+            yield from _single(path.name, file, budget)
         return
     waiting: list[tuple[str, ...]] = [()]
     while waiting:
@@ -133,6 +164,15 @@ def _find(path: Path, budget: _Budget) -> Iterator[Found]:
         for name in files:
             yield from _file(Path(path, *parts, name), (*parts, name), budget)
         waiting += ((*parts, name) for name in reversed(folders))
+
+
+def _single(name: str, file: IO[bytes], budget: _Budget) -> Iterator[Found]:
+    data = file.read(MOST_FILE + 1)
+    if name.lower().endswith(".zip") or data.startswith(b"PK\x03\x04"):
+        file.seek(0)
+        yield from _unzipped((), file, budget, 1, name)
+    else:
+        yield Found((name,), data)
 
 
 def _sorted(entries: Iterable[os.DirEntry[str]], budget: _Budget) -> tuple[list[str], list[str]]:
@@ -151,14 +191,18 @@ def _file(place: Path, parts: tuple[str, ...], budget: _Budget) -> Iterator[Foun
         # A link may lead to the teacher's own files, and what is no file may never end.
         if not stat.S_ISREG(os.lstat(place).st_mode):
             yield Found(parts, why="it is a link, or no file")
-        elif place.suffix.lower() == ".zip":
-            with open(place, "rb") as file:
-                yield from _handed_in(parts, file, budget, 1)
         else:
             with open(place, "rb") as file:
-                yield _content(parts, file, budget)
+                yield from _opened(parts, file, budget)
     except OSError as error:
         yield Found(parts, why=f"it cannot be read: {error.strerror}")
+
+
+def _opened(parts: tuple[str, ...], file: IO[bytes], budget: _Budget) -> Iterator[Found]:
+    if parts[-1].lower().endswith(".zip"):
+        yield from _handed_in(parts, file, budget, 1)
+    else:
+        yield _content(parts, file, budget)
 
 
 def _content(parts: tuple[str, ...], file: IO[bytes], budget: _Budget) -> Found:
@@ -173,7 +217,7 @@ def _content(parts: tuple[str, ...], file: IO[bytes], budget: _Budget) -> Found:
 
 def _handed_in(parts: tuple[str, ...], file: IO[bytes], above: _Budget, depth: int) -> Iterator[Found]:
     """Yield the files in an archive that is one of several: whatever is in it, others are read as well."""
-    budget = _Budget(above)
+    budget = _Budget(above.bounds, above)
     try:
         yield from _unzipped(parts, file, budget, depth)
     except _TooMuch as error:
@@ -220,10 +264,11 @@ def _entry(
     elif depth == _DEEPEST:
         yield Found(place, why=f"it is an archive within {_DEEPEST} others")
     else:
+        most = budget.bounds.unpacked // _OF_ONE
         with archive.open(entry) as file:
-            data = file.read(_MOST_UNPACKED // _OF_ONE + 1)
+            data = file.read(most + 1)
         inner = _handed_in if depth == 1 else _unzipped
-        if len(data) > _MOST_UNPACKED // _OF_ONE:
+        if len(data) > most:
             yield Found(place, why="there is too much in it")
         else:
             budget.take("unpacked", len(data))

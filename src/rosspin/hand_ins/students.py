@@ -5,17 +5,18 @@ from __future__ import annotations
 import os
 import re
 import unicodedata
-from collections.abc import Callable, Collection, Sequence
-from dataclasses import dataclass, field
+from collections import defaultdict
+from collections.abc import Callable, Collection, Iterable, Sequence
+from dataclasses import dataclass, field, replace
 from datetime import datetime
 from pathlib import Path
 from typing import NamedTuple
 
 from ..exercises import EXERCISES, Verdict
+from .files import MOST_PLAIN, HandIn, Refused, plain, read
 from .found import Found, find
-from .hand_ins import MOST_PLAIN, HandIn, Refused, plain, read
 
-__all__ = ["Class", "Row"]
+__all__ = ["Class", "Room", "Row"]
 
 # How learning platforms name what they export. Moodle: a folder, or the start of a file's name, for each student.
 _MOODLE = re.compile(r"(?P<name>.+?)_(?P<id>\d+)_assignsubmission_(?:file|onlinetext)_?(?P<rest>.*)")
@@ -25,16 +26,28 @@ _CANVAS = re.compile(r"(?P<name>[^_]+)(?P<late>_LATE)?_(?P<id>\d+)_\d+_(?P<rest>
 _GRADESCOPE = re.compile(r"(?P<name>submission_(?P<id>\d+))(?P<rest>)")
 
 
-# So many files are named that are refused.
+# So many files are named that are refused; and of the names beside a row, so many.
 _MOST_REFUSED = 500
+_MOST_NAMES = 5
+
+
+class Room(NamedTuple):
+    """What a table has room for."""
+
+    rows: int
+    answers: int
+    exercises: int
+
+    def __str__(self) -> str:
+        return f"room for {self.rows} files, {self.answers} answers and {self.exercises} exercises"
 
 
 @dataclass
 class Row:
     """What one student has handed in.
 
-    ``name``, ``student`` ID and ``date`` are the file's own words; ``sender`` is who sent it, as the learning platform
-    says, by its name and its ID there, and ``late`` that it came late.
+    ``name``, ``student`` ID, ``browser`` and ``date`` are the file's own words; ``sender`` is who sent it, as the
+    learning platform says, by its name and its ID there, and ``late`` that it came late.
     """
 
     name: str
@@ -43,10 +56,16 @@ class Row:
     sender: str = ""
     sender_id: str = ""
     late: bool = False
+    browser: str = ""
     date: datetime | None = None
     note: str = ""
     answers: dict[str, str] = field(default_factory=dict)
     verdicts: dict[str, Verdict] = field(default_factory=dict)
+
+    @property
+    def when(self) -> str:
+        """The date in words, where it is read; empty if it is not known."""
+        return f"{self.date:%Y-%m-%d %H:%M}" if self.date else ""
 
     @property
     def solved(self) -> int:
@@ -83,6 +102,9 @@ class _Owner(NamedTuple):
         return plain(self.name) if self.sent else ""
 
 
+# What is said of a file for which there is no room.
+_FULL = "this table has {room}; rosspin judge, on your computer, takes more"
+
 _Part = tuple[Found, _Owner, HandIn]
 
 
@@ -92,9 +114,10 @@ class Class:
     ``why_unsealed`` says why the answers were not sealed when they were judged; it is empty if they were.
     """
 
-    def __init__(self) -> None:
+    def __init__(self, room: Room | None = None) -> None:
+        self._room = room
         self.why_unsealed = ""
-        self._refused = 0
+        self.number_refused = 0
         self.refused: list[tuple[str, str]] = []
         self.notes: list[str] = []
         self._rows: dict[tuple[str, ...], Row] = {}
@@ -117,8 +140,12 @@ class Class:
         for each in find(path):
             found.append(each)
             step()
+        self.take(found, _name_of(path), str(path))
+
+    def take(self, found: Sequence[Found], name: str, place: str) -> None:
+        """Take what was found in one ``place``. Whose it is if nothing else says it, says its ``name``."""
         skipped = len(os.path.commonprefix([file.parts[:-1] for file in found]))
-        top = _name_of(path, found[0].parts[:skipped] if found else ())
+        top = _folder(found[0].parts[0]) if skipped else name
         loose: dict[_Owner, list[_Part]] = {}
         left: list[tuple[_Owner, Found, str]] = []
         having: set[_Owner] = set()
@@ -137,13 +164,13 @@ class Class:
             if hand_in.name:
                 key = owner.key if owner.sent else ("", hand_in.name, hand_in.id)
                 sent = owner.sender, owner.id, owner.late
-                row = Row(hand_in.name, plain(file.path), hand_in.student, *sent, hand_in.date)
+                row = Row(hand_in.name, plain(file.path), hand_in.student, *sent, hand_in.id, hand_in.date)
                 row.answers = dict(hand_in.answers)
                 self._take(row, key)
             else:
                 loose.setdefault(owner.person, []).append((file, owner, hand_in))
         for owner, parts in loose.items():
-            self._take_loose(owner, parts, path)
+            self._take_loose(owner, parts, place)
         for owner, file, why in left:
             self._leave(owner, file, why, having, "" if owner.sent else top)
 
@@ -153,12 +180,21 @@ class Class:
         if before and before.date and (row.date is None or before.date > row.date):
             self.notes.append(f"{row.file} is left out: {row.name} handed in {before.file} after it.")
             return
+        if not self._has_room(key, row.answers):
+            return self._refuse(row.file, _FULL.format(room=self._room))
         if before:
             said = f"{row.file} takes the place of {before.file}, which {before.name} handed in before."
             self.notes.append(said)
         self._rows[key] = row
 
-    def _take_loose(self, owner: _Owner, parts: Sequence[_Part], path: Path) -> None:
+    def _has_room(self, key: tuple[str, ...], answers: Collection[str]) -> bool:
+        if not self._room:
+            return True
+        others = [row.answers for other, row in self._rows.items() if other != key]
+        used = len(others) + 1, sum(map(len, others)) + len(answers), len({*answers}.union(*others))
+        return all(number <= most for number, most in zip(used, self._room, strict=True))
+
+    def _take_loose(self, owner: _Owner, parts: Sequence[_Part], place: str) -> None:
         """Make one hand-in of the node files and notebooks of one student."""
         parts = sorted(parts, key=lambda part: (part[1].version, _by_size(part[0].path)))
         row = Row(plain(owner.name) or "(no name)", plain(parts[0][0].path), "", owner.sender, owner.id)
@@ -172,19 +208,25 @@ class Class:
                 came[exercise], row.answers[exercise] = file.path, text
         if len(parts) > 1:
             row.file += f" and {len(parts) - 1} more"
-        key = owner.key if owner.sent else (*owner.key, str(path))
+        key = owner.key if owner.sent else (*owner.key, place)
         if before := self._rows.get(key):
-            before.answers = row.answers | before.answers  # the file that the site saved has the last word
+            # The file that the site saved has the last word.
+            row = replace(before, answers=row.answers | before.answers)
+            if self._has_room(key, row.answers):
+                self._rows[key] = row
+            else:
+                self._refuse(parts[0][0].path, _FULL.format(room=self._room))
         else:
             self._take(row, key)
 
     def _refuse(self, file: str, why: str) -> None:
         """Say it, unless that has been said of so many that nobody would read it."""
-        self._refused += 1
-        if self._refused <= _MOST_REFUSED:
+        self.number_refused += 1
+        if self.number_refused <= _MOST_REFUSED:
             self.refused.append((file, why))
         else:
-            self.refused[_MOST_REFUSED:] = [("...", f"{self._refused - _MOST_REFUSED} more files, for such reasons")]
+            more = self.number_refused - _MOST_REFUSED
+            self.refused[_MOST_REFUSED:] = [("...", f"{more} more files, for such reasons")]
 
     def _leave(self, owner: _Owner, file: Found, why: str, having: Collection[_Owner], top: str) -> None:
         """Refuse what holds no answers. Whatever else lies beside somebody's answers does not matter."""
@@ -195,7 +237,31 @@ class Class:
         if owner not in having and owner.name != top and _Owner(top) not in having:
             # A student is missed in the table, whatever was handed in. What lies among answers is no student's folder.
             row = Row(plain(owner.name), plain(file.path), "", owner.sender, owner.id, note=f"refused: {why}")
-            self._rows.setdefault(owner.key, row)
+            if self._has_room(owner.key, ()):
+                self._rows.setdefault(owner.key, row)
+
+    def beside(self) -> list[tuple[Row, list[str], list[str]]]:
+        """Return the rows, each with some other names from the same browser, and files of the same name from others."""
+        rows = self.rows
+        in_browser, of_name = defaultdict[str, list[Row]](list), defaultdict[str, list[Row]](list)
+        for row in rows:
+            if row.browser:
+                in_browser[row.browser].append(row)
+                of_name[row.name].append(row)
+        return [
+            (
+                row,
+                _few(each.name for each in in_browser.get(row.browser, ()) if each.name != row.name),
+                _few(each.file for each in of_name.get(row.name, ()) if row.browser not in ("", each.browser)),
+            )
+            for row in rows
+        ]
+
+
+def _few(names: Iterable[str]) -> list[str]:
+    found = [*names]
+    more = len(found) - _MOST_NAMES
+    return [*found[:_MOST_NAMES], f"{more} more"] if more > 0 else found
 
 
 def _sender(parts: Sequence[str]) -> _Owner | None:
@@ -217,10 +283,8 @@ def _folder(part: str) -> str:
     return part[:-4] if part.lower().endswith(".zip") else part
 
 
-def _name_of(path: Path, skipped: Sequence[str]) -> str:
+def _name_of(path: Path) -> str:
     """Whose files these are if nothing else says it: the folder's, or that in which the file is."""
-    if skipped:
-        return _folder(skipped[0])
     place = path.resolve()
     return place.name if place.is_dir() else place.stem if place.suffix == ".zip" else place.parent.name
 

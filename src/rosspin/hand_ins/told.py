@@ -17,9 +17,11 @@ __all__ = ["as_csv", "as_data", "as_words", "hard", "say_python", "say_unsealed"
 # The Python of the page. A newer one reads texts that an older one does not.
 PAGE_PYTHON = (3, 14)
 
-# Where a cell may begin with the sign of a formula, as in web/src/csv.js.
+# Where a cell may begin with the sign of a formula: at its start, or after a separator in the middle, since a
+# spreadsheet may separate by another one. What is white, quoted or not seen may come before the sign.
 _SIGNS = "=＝﹦⁼₌+＋﹢⁺₊-－﹣−⁻₋@＠﹫"
 _SEPARATORS = ",;|；，"
+_UNSEEN = "\u034f\u115f\u1160\u17b4\u17b5\u180b\u180c\u180d\u180f\u3164\uffa0"  # and of category C or Z, and selectors
 
 
 class Hard(NamedTuple):
@@ -78,13 +80,14 @@ def _line(row: Row) -> str:
 def as_csv(found: Class) -> list[list[str | int]]:
     """Return the table: a row for each student, a column for each exercise, and then one for each reason."""
     names = found.exercises
-    head = ["name", "student ID", "sent by", "sender ID", "late", "file", "note", "date", "sealed", "answers", "solved"]
+    head = ["name", "student ID", "sent by", "sender ID", "late", "file", "note", "date"]
+    head += ["same browser as", "same name in another browser", "sealed", "answers", "solved"]
     rows: list[list[str | int]] = [[*head, *names, *(f"{name}: why" for name in names)]]
-    for row in found.rows:
+    for row, others, namesakes in found.beside():
         verdicts = [row.verdicts.get(name) for name in names]
-        date = f"{row.date:%Y-%m-%d %H:%M}" if row.date else ""
         sent = [row.sender, row.sender_id, "late" if row.late else ""]
-        about = [row.name, row.student, *sent, row.file, row.note, date, "NO" if found.why_unsealed else "yes"]
+        about = [row.name, row.student, *sent, row.file, row.note, row.when, ", ".join(others), ", ".join(namesakes)]
+        about.append("NO" if found.why_unsealed else "yes")
         said = [each.verdict if each else "" for each in verdicts]
         rows.append([*about, len(row.answers), row.solved, *said, *(each.why if each else "" for each in verdicts)])
     told = {row.file for row in found.rows if row.note}
@@ -104,9 +107,14 @@ def _field(value: str | int) -> str:
     for each in line:
         if at_start and each in _SIGNS:
             guarded.append("'")
-        at_start = each in _SEPARATORS or (at_start and (each == '"' or unicodedata.category(each)[0] in "CZ"))
+        at_start = each in _SEPARATORS or (at_start and (each == '"' or _is_unseen(each)))
         guarded.append(each)
     return '"' + "".join(guarded).replace('"', '""') + '"'
+
+
+def _is_unseen(letter: str) -> bool:
+    is_selector = "\ufe00" <= letter <= "\ufe0f" or "\U000e0100" <= letter <= "\U000e01ef"
+    return letter in _UNSEEN or is_selector or unicodedata.category(letter)[0] in "CZ"
 
 
 def as_data(found: Class) -> dict[str, Any]:

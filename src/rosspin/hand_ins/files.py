@@ -1,7 +1,4 @@
-"""Read what a student hands in: the file that the site saves, a node file, or a notebook. Nothing of it is run.
-
-The rules for the site's file, and what is said of one that is refused, are those of ``web/src/answers.js``.
-"""
+"""Read what a student hands in: the file that the site saves, a node file, or a notebook. Nothing of it is run."""
 
 from __future__ import annotations
 
@@ -14,25 +11,18 @@ from datetime import datetime
 from typing import Any, NamedTuple
 
 from ..exercises import EXERCISES
+from . import MOST_FILE, MOST_NAME
 
-__all__ = ["MOST_ANSWER", "MOST_FILE", "MOST_PLAIN", "SUFFIXES", "HandIn", "Refused", "code", "plain", "read"]
-
-MOST_FILE = 1_000_000
-"""Of a file, so many bytes are read at most."""
-
-MOST_ANSWER = 50_000
-"""An answer is judged if it has at most so many characters."""
+__all__ = ["MOST_PLAIN", "NUMBERED", "SUFFIXES", "HandIn", "Refused", "plain", "read"]
 
 MOST_PLAIN = 1000
 """So many characters of a name are looked at."""
 
-_MOST_NAME = 100
 _MOST_ANSWERS = 100
 
 SUFFIXES = (".json", ".py", ".ipynb", ".md")
 """The files that can hold answers."""
 
-# The exercises that had numbers before they had names, from 1 on, as in web/src/names.js. This list never changes.
 NUMBERED = (
     *("first-ticks", "after-a-slow-callback", "cpp-ticks", "ten-hertz", "fire-once", "stop-after-five"),
     *("loop-to-timer", "frequency-parameter", "two-rates", "survive-an-overrun", "share-data", "stop-the-motor"),
@@ -41,6 +31,7 @@ NUMBERED = (
     *("starving-neighbour", "wake-a-rate", "end-without-a-traceback", "ask-without-hanging"),
     *("let-a-callback-wait", "slow-service", "cancel-a-goal"),
 )
+"""The exercises that had numbers before they had names, from 1 on. This list never changes."""
 
 # The name of an exercise, or in files of version 1 its old number.
 _NAME = {1: re.compile(r"[1-9][0-9]{0,2}"), 2: re.compile(r"[a-z0-9]+(-[a-z0-9]+)*")}
@@ -76,7 +67,7 @@ class HandIn(NamedTuple):
 def read(name: str, data: bytes) -> HandIn:
     """Read a file with this name. Raises :class:`Refused`."""
     if len(data) > MOST_FILE:
-        raise Refused(f"it is {len(data) / 1e6:.1f} MB; the limit is {MOST_FILE / 1e6:g} MB")
+        raise Refused(f"it has more than {MOST_FILE / 1e6:g} MB, which is the limit")
     if name.endswith(".json"):
         return _read_saved(data)
     if name.endswith(".ipynb"):
@@ -88,16 +79,11 @@ def read(name: str, data: bytes) -> HandIn:
     raise Refused("it is no file of answers: those end in .json, .py, .ipynb or .md")
 
 
-def code(answer: str) -> str:
-    """Return what of an answer is checked, in the same lines: its first line is not, if it begins with %%."""
-    return f"\n{answer.partition(chr(10))[2]}" if answer.startswith("%%") else answer
-
-
 def plain(name: str) -> str:
     """Return a name in one line, without characters that are not seen or that turn the direction of a text."""
     # What is normalised is short: for marks without end, that takes the square of their number.
     line = re.sub(r"\s+", " ", unicodedata.normalize("NFC", name[:MOST_PLAIN]))
-    return "".join(each for each in line if unicodedata.category(each)[0] != "C").strip()[:_MOST_NAME]
+    return "".join(each for each in line if unicodedata.category(each)[0] != "C").strip()[:MOST_NAME]
 
 
 def _text(data: bytes) -> str:
@@ -131,7 +117,7 @@ def _read_saved(data: bytes) -> HandIn:
     if len(answers) > _MOST_ANSWERS:
         raise Refused(f"it has {len(answers)} answers, and at most {_MOST_ANSWERS} are read")
     is_name = _NAME[version].fullmatch
-    if not all(len(key) <= _MOST_NAME and is_name(key) and isinstance(answers[key], str) for key in answers):
+    if not all(len(key) <= MOST_NAME and is_name(key) and isinstance(answers[key], str) for key in answers):
         raise Refused("one of its answers is not a text with the name of an exercise")
     known = {_named(key): _whole(text) for key, text in answers.items()}
     student = found.get("student")

@@ -1,0 +1,34 @@
+"""What the page's own script has to know of rosspin, as JSON for web/build.mjs: its exercises, and common rules.
+
+``python -m rosspin.site.rules`` prints it.
+"""
+
+from __future__ import annotations
+
+import json
+from typing import Any
+
+from .. import hand_ins
+from ..exercises import EXERCISES
+from ..hand_ins.files import NUMBERED
+from ..hand_ins.found import ON_PAGE
+
+__all__ = ["defined"]
+
+
+def defined() -> dict[str, Any]:
+    """Return the constants by the names that they have in JavaScript."""
+    return {
+        "EXERCISES": {each.name: {"number": each.number, "title": each.title} for each in EXERCISES},
+        "RULES": {
+            "numbered": NUMBERED,
+            "handIns": {
+                **{"file": hand_ins.MOST_FILE, "answer": hand_ins.MOST_ANSWER, "name": hand_ins.MOST_NAME},
+                **{"time": hand_ins.TIME, "said": hand_ins.MOST_SAID, "entries": ON_PAGE.entries},
+            },
+        },
+    }
+
+
+if __name__ == "__main__":
+    print(json.dumps(defined()))
