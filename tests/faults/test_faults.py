@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import re
 from collections.abc import Callable
 from pathlib import Path
 from textwrap import dedent
@@ -11,7 +12,7 @@ import pytest
 
 import rosspin
 from rosspin import Run
-from rosspin.faults import ClockJump, Crash, Fault, Late, Slow, Topic, read
+from rosspin.faults import ClockJump, Crash, Fault, Late, Service, Slow, Topic, read
 
 # Nodes of either ROS: /talker publishes 1, 2, ... on /scan every 0.1 s, /robot prints when it hears which.
 ROS_1 = """
@@ -612,3 +613,153 @@ def test_a_run_without_faults_has_none(pair: Callable[..., Run]) -> None:
 def test_numbers_beyond_all_bounds_are_refused(text: str) -> None:
     with pytest.raises(ValueError):
         read(text)
+
+
+# --- services ---------------------------------------------------------------------------------------------------------
+
+SERVER_1 = """
+    import rospy
+    from std_srvs.srv import Trigger, TriggerResponse
+
+    def serve(request):
+        print(f"asked at {rospy.get_time():.2f}")
+        return TriggerResponse(success=True)
+
+    rospy.init_node("server")
+    rospy.Service("ask", Trigger, serve)
+    rospy.spin()
+"""
+CLIENT_1 = """
+    import rospy
+    from std_srvs.srv import Trigger
+
+    rospy.init_node("client")
+    rospy.wait_for_service("ask")
+    ask = rospy.ServiceProxy("ask", Trigger)
+    for _ in range(3):
+        rospy.sleep(1 - rospy.get_time() % 1)
+        ask()
+        print(f"answered at {rospy.get_time():.2f}")
+"""
+SERVER_2 = """
+    import rclpy
+    from rclpy.qos import QoSProfile, ReliabilityPolicy
+    from std_srvs.srv import Trigger
+
+    def serve(request, response):
+        print(f"asked at {node.get_clock().now().nanoseconds / 1e9:.2f}")
+        return response
+
+    rclpy.init()
+    node = rclpy.create_node("server")
+    profile = QoSProfile(depth=10, reliability=ReliabilityPolicy.QOS)
+    node.create_service(Trigger, "ask", serve, qos_profile=profile)
+    try:
+        rclpy.spin(node)
+    except KeyboardInterrupt:
+        pass
+"""
+CLIENT_2 = """
+    import rclpy
+    from rclpy.qos import QoSProfile, ReliabilityPolicy
+    from std_srvs.srv import Trigger
+
+    def ask():
+        client.call_async(Trigger.Request()).add_done_callback(answered)
+
+    def answered(future):
+        print(f"answered at {node.get_clock().now().nanoseconds / 1e9:.2f}")
+
+    rclpy.init()
+    node = rclpy.create_node("client")
+    profile = QoSProfile(depth=10, reliability=ReliabilityPolicy.QOS)
+    client = node.create_client(Trigger, "ask", qos_profile=profile)
+    node.create_timer(1.0, ask)
+    try:
+        rclpy.spin(node)
+    except KeyboardInterrupt:
+        pass
+"""
+
+
+@pytest.fixture
+def asking(tmp_path: Path) -> Callable[..., Run]:
+    """Runs a client that asks a server each second, with faults."""
+
+    def run(ros: int, *faults: Fault, qos: str = "RELIABLE") -> Run:
+        paths = []
+        for name, texts in {"server": (SERVER_1, SERVER_2), "client": (CLIENT_1, CLIENT_2)}.items():
+            paths.append(tmp_path / f"{name}{ros}.py")
+            paths[-1].write_text(dedent(texts[ros - 1]).replace("QOS", qos))
+        return rosspin.simulate(paths, 3.9, faults=faults)
+
+    return run
+
+
+def said(run: Run) -> list[str]:
+    """What the nodes print, without their names."""
+    return [line.rpartition("] ")[2] for line in run.console.splitlines() if " at " in line]
+
+
+@pytest.mark.parametrize("ros", [1, 2])
+def test_requests_and_responses_come_late(ros: int, asking: Callable[..., Run]) -> None:
+    usual = said(asking(ros))
+    assert usual[:4] == ["asked at 1.00", "answered at 1.00", "asked at 2.00", "answered at 2.00"]
+    late = said(asking(ros, Service("/ask", request_delay=0.2, response_delay=0.3)))
+    assert late == [f"{what} at {n}.{part}" for n in (1, 2, 3) for what, part in (("asked", "20"), ("answered", "50"))]
+    run = asking(ros, Service("ask", response_delay=(0.1, 0.4), client="/client", seed=3))
+    assert run.console == asking(ros, Service("ask", response_delay=(0.1, 0.4), client="/client", seed=3)).console
+    assert said(run)[0] == "asked at 1.00" and said(run)[1] > "answered at 1.09"
+    assert [(each.what, each.which) for each in run.faults] == [
+        ("delayed", "the response of /ask from /server to /client")
+    ] * 3
+
+
+def test_what_is_best_effort_loses_requests_and_responses(asking: Callable[..., Run]) -> None:
+    run = asking(2, Service("/ask", response_drop=1.0), qos="BEST_EFFORT")
+    assert said(run) == ["asked at 1.00", "asked at 2.00", "asked at 3.00"]
+    assert {each.which for each in run.faults} == {"the response of /ask from /server to /client"}
+    assert said(asking(2, Service("/ask", request_drop=1.0), qos="BEST_EFFORT")) == []
+    halves = [asking(2, Service("/ask", request_drop=0.5, seed=seed), qos="BEST_EFFORT") for seed in range(6)]
+    assert all(len(said(run)) == 6 - 2 * len(run.faults) for run in halves)
+    assert len({len(run.faults) for run in halves}) > 1
+
+
+@pytest.mark.parametrize(("ros", "why"), [(1, "over TCP, as all of ROS 1 does"), (2, "is reliable")])
+@pytest.mark.parametrize("part", ["request", "response"])
+def test_what_is_reliable_loses_neither(ros: int, why: str, part: str, asking: Callable[..., Run]) -> None:
+    with pytest.raises(ValueError, match=rf"^Service\('/ask', {part}_drop=0.5\): .*{why}.*Use {part}_delay="):
+        asking(ros, Service("/ask", **{f"{part}_drop": 0.5}))  # type: ignore[arg-type]
+
+
+def test_the_calls_of_another_client_are_left_alone(asking: Callable[..., Run]) -> None:
+    run = asking(2, Service("/ask", request_delay=0.5, client="/other"))
+    assert said(run)[0] == "asked at 1.00"
+    assert (
+        "Service('/ask', request_delay=0.5, client='/other'): no node of another process has called /ask" in run.console
+    )
+
+
+@pytest.mark.parametrize(
+    ("text", "why"),
+    [
+        ("Service('/ask')", "this does nothing: say request_delay=0.5, or response_delay=0.5"),
+        ("Service('', request_delay=1)", "service must be a name, such as '/reset'"),
+        ("Service('/ask', request_drop=2)", "request_drop is how likely a message is lost, from 0 to 1"),
+        ("Service('/ask', response_delay=(2, 1))", "response_delay is a number of at least 0, in s, or the least and"),
+    ],
+)
+def test_a_wrong_fault_of_a_service_says_why(text: str, why: str) -> None:
+    with pytest.raises(ValueError, match=re.escape(why)):
+        read(text)
+
+
+@pytest.mark.parametrize("ros", [1, 2])
+def test_what_a_test_asks_comes_late(ros: int, tmp_path: Path) -> None:
+    path = tmp_path / "server.py"
+    path.write_text(dedent((SERVER_1, SERVER_2)[ros - 1]).replace("QOS", "RELIABLE"))
+    with rosspin.start(path, faults=[Service("/ask", request_delay=0.25)]) as node:
+        node.advance(1)
+        node.call("/ask")
+        assert "asked" not in node.advance(0.2).console
+        assert "asked at 1.25" in node.advance(0.2).console

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import dataclasses
+import shutil
 import subprocess
 import sys
 from collections.abc import Callable, Iterator
@@ -13,21 +14,15 @@ from typing import Any
 import pytest
 from answers import CELLS, written
 from answers_ros1 import WRONG
+from bs4 import BeautifulSoup
 from distributed import Client, LocalCluster
 from planted_orders import PLANTS
+from tree import EXAMPLES
 
 import rosspin
 from rosspin.__main__ import main
 
 BROKEN = "%%answer two-timers\n1 / 0"
-
-# What --workers is given: a cluster of two processes, and two of this machine's.
-CLUSTER = """
-from distributed import Client, LocalCluster
-
-def workers():
-    return Client(LocalCluster(n_workers=2, threads_per_worker=1, dashboard_address=None)).get_executor()
-"""
 
 
 @pytest.fixture(scope="module")
@@ -53,12 +48,12 @@ def test_a_cluster_finds_what_is_found_without(executor: Executor, tmp_path: Pat
     assert bool(found.failure) is not mended
 
 
-@pytest.mark.parametrize("workers", ["concurrent.futures:ProcessPoolExecutor", "a_cluster:workers"])
+@pytest.mark.parametrize("workers", ["concurrent.futures:ProcessPoolExecutor", "cluster:workers"])
 def test_the_verdicts_are_the_same_wherever_answers_are_judged(
     workers: str, tmp_path: Path, require: Callable[[str], None]
 ) -> None:
     require("bwrap")
-    (tmp_path / "a_cluster.py").write_text(CLUSTER)
+    shutil.copy(EXAMPLES / "grading" / "cluster.py", tmp_path)
     wrong = written("slow-timer", WRONG["slow-timer"][0][0])
     for student, answers in {
         "ada": {name: CELLS[name][1].source for name in ("slow-timer", "two-timers")},
@@ -75,6 +70,14 @@ def test_the_verdicts_are_the_same_wherever_answers_are_judged(
         found.append(run.stdout)
     assert found[0] == found[1]
     assert [found[0].count(f'"verdict": "{verdict}"') for verdict in ("solved", "not yet", "not judged")] == [2, 2, 0]
+
+
+def test_the_program_of_the_page_finds_what_the_page_shows(site: Path) -> None:
+    page = BeautifulSoup((site / "docs/how-to/find-the-order.html").read_text(encoding="utf-8"), "html.parser")
+    folder = EXAMPLES / "orders" / "ros2"
+    run = subprocess.run([sys.executable, "explore_parts.py"], cwd=folder, capture_output=True, text=True, check=True)
+    assert run.stdout.splitlines()[1].startswith("In the shortest order found, ")
+    assert run.stdout.splitlines()[1] in page.get_text()
 
 
 @pytest.mark.parametrize(

@@ -12,7 +12,11 @@ import ast
 from collections.abc import Iterable
 from dataclasses import MISSING, dataclass, fields
 
-__all__ = ["ClockJump", "Crash", "Fault", "Jitter", "Late", "Slow", "Topic", "checked", "read"]
+__all__ = ["ClockJump", "Crash", "Fault", "Jitter", "Late", "Service", "Slow", "Topic", "checked", "read"]
+
+
+# Names of what is no node.
+_EXAMPLES = {"service": "reset", "topic": "scan"}
 
 
 class Fault:
@@ -24,7 +28,7 @@ class Fault:
         for field in fields(self):  # type: ignore[arg-type]
             value = getattr(self, field.name)
             if field.default is MISSING:
-                words.append(repr(value) if field.name in ("topic", "node") else f"{field.name}={value!r}")
+                words.append(repr(value) if field.name in ("topic", "service", "node") else f"{field.name}={value!r}")
             elif value != field.default:
                 words.append(f"{field.name}={value!r}")
         return f"{type(self).__name__}({', '.join(words)})"
@@ -42,10 +46,25 @@ class Fault:
         if not (_is_number(value) and value > 0):
             self._refuse(f"{name} must be a number above 0, in s")
 
+    def _is_chance(self, name: str) -> None:
+        value = getattr(self, name)
+        if not (_is_number(value) and 0 <= value <= 1):
+            self._refuse(f"{name} is how likely a message is lost, from 0 to 1")
+
+    def _is_span(self, name: str) -> tuple[float, float]:
+        """Return the least and the most delay (s), and keep a list as a tuple, so that the fault has a hash."""
+        value = getattr(self, name)
+        pair = tuple(value) if isinstance(value, (tuple, list)) else (value, value)
+        if not (len(pair) == 2 and all(map(_is_number, pair)) and 0 <= pair[0] <= pair[1]):
+            self._refuse(f"{name} is a number of at least 0, in s, or the least and the most: (0.0, 0.05)")
+        if isinstance(value, list):
+            object.__setattr__(self, name, pair)
+        return pair
+
     def _has_name(self, name: str) -> None:
         value = getattr(self, name)
         if not (isinstance(value, str) and value.strip("/")):
-            self._refuse(f"{name} must be a name, such as '/{'scan' if name == 'topic' else 'robot'}'")
+            self._refuse(f"{name} must be a name, such as '/{_EXAMPLES.get(name, 'robot')}'")
         object.__setattr__(self, name, value if value.startswith("/") else f"/{value}")
 
 
@@ -78,11 +97,8 @@ class Topic(Fault):
         self._has_name("topic")
         if self.to:
             self._has_name("to")
-        if not (_is_number(self.drop) and 0 <= self.drop <= 1):
-            self._refuse("drop is how likely a message is lost, from 0 to 1")
-        pair = tuple(self.delay) if isinstance(self.delay, (tuple, list)) else (self.delay, self.delay)
-        if not (len(pair) == 2 and all(map(_is_number, pair)) and 0 <= pair[0] <= pair[1]):
-            self._refuse("delay is a number of at least 0, in s, or the least and the most: (0.0, 0.05)")
+        self._is_chance("drop")
+        pair = self._is_span("delay")
         if self.duplicate:
             self._refuse(
                 "no transport of ROS hands a message over twice: TCP and the readers of DDS throw away what they have "
@@ -92,13 +108,38 @@ class Topic(Fault):
             self._refuse("messages overtake each other only if some take longer: add delay=(0.0, 0.05)")
         if not (self.drop or pair[1]):
             self._refuse("this does nothing: say drop=0.1, or delay=0.05")
-        if isinstance(self.delay, list):
-            object.__setattr__(self, "delay", pair)
 
-    @property
-    def delays(self) -> tuple[float, float]:
-        """The least and the most delay (s)."""
-        return self.delay if isinstance(self.delay, tuple) else (self.delay, self.delay)
+
+@dataclass(frozen=True, repr=False)
+class Service(Fault):
+    """Requests to a service, or its responses, come late, or never, on their way from one process to another.
+
+    ``request_delay`` and ``response_delay`` are how long they take, or the least and the most, between which that is
+    drawn; they keep their order. ``request_drop`` and ``response_drop`` are how likely they are lost, from 0 to 1. As
+    of a :class:`Topic`, only best effort loses messages, and services are reliable unless a profile says otherwise on
+    either side; a call that never gets an answer is also that of a service whose process dies: :class:`Crash`.
+    ``client`` is the node whose calls are meant; without it, all are.
+
+    An action of ROS 2 has services, too: ``/fibonacci/_action/send_goal``. A response reaches a test immediately.
+    """
+
+    service: str
+    request_delay: float | tuple[float, float] = 0.0
+    response_delay: float | tuple[float, float] = 0.0
+    request_drop: float = 0.0
+    response_drop: float = 0.0
+    client: str = ""
+    seed: int = 0
+
+    def __post_init__(self) -> None:
+        self._has_name("service")
+        if self.client:
+            self._has_name("client")
+        spans = [self._is_span("request_delay"), self._is_span("response_delay")]
+        self._is_chance("request_drop")
+        self._is_chance("response_drop")
+        if not (self.request_drop or self.response_drop or any(most for _, most in spans)):
+            self._refuse("this does nothing: say request_delay=0.5, or response_delay=0.5")
 
 
 @dataclass(frozen=True, repr=False)
@@ -184,7 +225,7 @@ class Jitter(Fault):
         self._is_length()
 
 
-KINDS: dict[str, type[Fault]] = {kind.__name__: kind for kind in (Topic, Crash, Late, ClockJump, Slow, Jitter)}
+KINDS: dict[str, type[Fault]] = {kind.__name__: kind for kind in (Topic, Crash, Late, ClockJump, Slow, Jitter, Service)}
 
 
 def checked(faults: Iterable[Fault]) -> tuple[Fault, ...]:

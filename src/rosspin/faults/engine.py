@@ -8,7 +8,7 @@ from collections import Counter
 from collections.abc import Callable, Iterable, Sequence
 from functools import partial
 from random import Random
-from typing import Any
+from typing import Any, NamedTuple
 
 from ..clocks.clock import NS, nanoseconds
 from ..clocks.programs import end_run
@@ -18,11 +18,37 @@ from ..clocks.stacks import whose
 from ..world.graph import Graph, Recording
 from ..world.tester import NAME as TESTER
 from ..world.world import World
-from . import ClockJump, Crash, Fault, Jitter, Late, Slow, Topic, checked
+from . import ClockJump, Crash, Fault, Jitter, Late, Service, Slow, Topic, checked
 
 __all__ = ["Engine", "Wire"]
 
 _ANONYMOUS = re.compile(r"_\d+_\d+$")
+
+
+class _Leg(NamedTuple):
+    """What a fault does to messages on one way: how likely they are lost, and the least and the most delay (s)."""
+
+    fault: Topic | Service
+    drop: float
+    delays: tuple[float, float]
+    reorder: bool = False
+
+
+def _leg(fault: Fault, name: str, sender: str, receiver: str, part: str) -> _Leg | None:
+    """Return what a fault does to a topic's messages, or to requests or responses; None if it is about others."""
+    if isinstance(fault, Topic) and not part and fault.topic == name and fault.to in ("", receiver):
+        return _Leg(fault, fault.drop, _span(fault.delay), fault.reorder)
+    if not (isinstance(fault, Service) and part and fault.service == name):
+        return None
+    if fault.client not in ("", sender if part == "request" else receiver):
+        return None
+    if part == "request":
+        return _Leg(fault, fault.request_drop, _span(fault.request_delay))
+    return _Leg(fault, fault.response_drop, _span(fault.response_delay))
+
+
+def _span(delay: float | tuple[float, float]) -> tuple[float, float]:
+    return delay if isinstance(delay, tuple) else (delay, delay)
 
 
 class Engine:
@@ -78,24 +104,27 @@ class Engine:
 
     # --- topics -------------------------------------------------------------------------------------------------------
 
-    def wire(self, topic: str, sender: str, receiver: str, world: World, reliable: bool | None) -> Wire | None:
+    def wire(
+        self, name: str, sender: str, receiver: str, world: World, reliable: bool | None, part: str = ""
+    ) -> Wire | None:
         """Return what carries messages from one node to another, whose world is given; None if nothing befalls them.
 
-        ``reliable`` is that of a pair of ROS 2; None is TCP. The run ends with ValueError for what they cannot do.
+        They are those of the topic ``name`` or, of a service, its "request" or "response", the ``part``. ``reliable``
+        is that of a pair of ROS 2; None is TCP. The run ends with ValueError for what they cannot do.
         """
-        faults = [each for each in self._of(Topic) if each.topic == topic and each.to in ("", receiver)]
-        if not faults or TESTER == receiver:
+        found = [leg for fault in self._faults if (leg := _leg(fault, name, sender, receiver, part))]
+        if not found or TESTER == receiver:
             return None
-        for fault in faults:
-            if (fault.drop or fault.reorder) and reliable is not False:
-                self._fail(ValueError(f"{fault!r}: {_why_not(fault, sender, receiver, reliable)}"))
-            self._carried[id(fault)] += 0
+        for leg in found:
+            if (leg.drop or leg.reorder) and reliable is not False:
+                self._fail(ValueError(f"{leg.fault!r}: {_why_not(leg, sender, receiver, reliable, part)}"))
+            self._carried[id(leg.fault)] += 0
         # The name of an anonymous node of ROS 1 is another one in each run.
-        key = topic, _ANONYMOUS.sub("", sender), _ANONYMOUS.sub("", receiver)
+        key = f"{name} {part}".rstrip(), _ANONYMOUS.sub("", sender), _ANONYMOUS.sub("", receiver)
         self._wires[key] += 1
-        return Wire(self, faults, (topic, sender, receiver), repr((*key, self._wires[key])), world)
+        return Wire(self, found, (name, part, sender, receiver), repr((*key, self._wires[key])), world)
 
-    def carry(self, fault: Topic) -> None:
+    def carry(self, fault: Fault) -> None:
         """Count a message that a fault could befall."""
         self._carried[id(fault)] += 1
 
@@ -184,6 +213,10 @@ class Engine:
             return []
         if isinstance(fault, Topic):
             return [self._idle_topic(fault)]
+        if isinstance(fault, Service):
+            if id(fault) not in self._carried:
+                return [(f"no node of another process has called {fault.service}", False)]
+            return [(f"it befell none of {self._carried[id(fault)]} requests and responses", False)]
         node = getattr(fault, "node", "")
         nodes = [name for world in self._worlds() for name in world.nodes]
         if node and node not in nodes:
@@ -214,16 +247,16 @@ class Wire:
     """Carries messages of a topic from one node to another, late or not at all, as ``faults`` say."""
 
     def __init__(
-        self, engine: Engine, faults: Sequence[Topic], names: tuple[str, str, str], key: str, world: World
+        self, engine: Engine, legs: Sequence[_Leg], names: tuple[str, str, str, str], key: str, world: World
     ) -> None:
         self._engine = engine
-        self._topic, self._sender, receiver = names
-        self._which = f"{self._topic} from {self._sender} to {receiver}"
+        self._topic, part, self._sender, receiver = names
+        self._which = f"{f'the {part} of ' if part else ''}{self._topic} from {self._sender} to {receiver}"
         self._world = world
         # Each fault draws from a row of its own, and as often whatever the others do.
-        rows = [[Random(f"{fault.seed} {key} {what}") for what in ("drop", "delay")] for fault in faults]
-        self._faults = [(fault, drops, times) for fault, (drops, times) in zip(faults, rows, strict=True)]
-        self._reorders = any(fault.reorder for fault in faults)
+        rows = [[Random(f"{leg.fault.seed} {key} {what}") for what in ("drop", "delay")] for leg in legs]
+        self._legs = [(leg, drops, times) for leg, (drops, times) in zip(legs, rows, strict=True)]
+        self._reorders = any(leg.reorder for leg in legs)
         self._sent = self._newest = 0  # how many messages were sent, and which of them has arrived
         self._under_way = 0
         self.last = 0  # when (ns) the last of those under way arrives
@@ -235,13 +268,13 @@ class Wire:
         message = self._topic, self._sender, now, make
         self._sent += 1
         arrival, lost, late = now, None, None
-        for fault, drops, times in self._faults:
-            engine.carry(fault)
-            if fault.drop and drops.random() < fault.drop:
-                lost = lost or fault
-            if fault.delays[1]:
-                arrival += nanoseconds(times.uniform(*fault.delays))
-                late = fault
+        for leg, drops, times in self._legs:
+            engine.carry(leg.fault)
+            if leg.drop and drops.random() < leg.drop:
+                lost = lost or leg.fault
+            if leg.delays[1]:
+                arrival += nanoseconds(times.uniform(*leg.delays))
+                late = leg.fault
         if lost:
             engine.note(lost, "dropped", self._which, message=message)
             return
@@ -273,24 +306,33 @@ class Wire:
 
     def _arrive(self, number: int, message: Any, arrive: Callable[[], object]) -> None:
         if number < self._newest:
-            fault = next(fault for fault, *_ in self._faults if fault.reorder)
+            fault = next(leg.fault for leg, *_ in self._legs if leg.reorder)
             self._engine.note(fault, "overtaken", self._which, message=message)
             return
         self._newest = number
         arrive()
 
 
-def _why_not(fault: Topic, sender: str, receiver: str, reliable: bool | None) -> str:
-    loses = "Use delay=" if fault.drop else "Leave out reorder="
+def _why_not(leg: _Leg, sender: str, receiver: str, reliable: bool | None, part: str) -> str:
+    loses = f"Use {f'{part}_' if part else ''}delay=" if leg.drop else "Leave out reorder="
     if reliable is None:
+        said = f"{sender} sends to {receiver} over TCP, as all of ROS 1 does, which loses nothing and keeps the order. "
+        if part:
+            return (
+                f"{said}{loses}, or let the service die: Crash({(receiver if part == 'request' else sender)!r}, at=...)"
+            )
         return (
-            f"{sender} sends to {receiver} over TCP, as all of ROS 1 does, which loses nothing and keeps the order. "
-            f"{loses}; rospy loses messages only where they come faster than a callback takes them and queue_size is "
-            f"small: Slow({receiver!r}, callback=..., by=...)"
+            f"{said}{loses}; rospy loses messages only where they come faster than a callback takes them and "
+            f"queue_size is small: Slow({receiver!r}, callback=..., by=...)"
         )
+    best_effort = (
+        "the client and the service be best effort, as with qos_profile_sensor_data"
+        if part
+        else "the subscription be best effort, as with qos_profile_sensor_data"
+    )
     return (
         f"the connection from {sender} to {receiver} is reliable: what is lost on its way is sent again, comes late, "
-        f"and in order. {loses}, or let the subscription be best effort, as with qos_profile_sensor_data"
+        f"and in order. {loses}, or let {best_effort}"
     )
 
 

@@ -13,12 +13,15 @@ import time
 from collections import deque
 from collections.abc import Callable
 from contextlib import nullcontext, suppress
+from functools import partial
 from typing import TYPE_CHECKING, Any, NamedTuple
+from weakref import WeakKeyDictionary
 
 from ..clocks.frames import warn
 from ..messages.ros2 import Message, received, transfer
 from ..messages.ros2 import Service as Interface
 from ..world.graph import CallMade
+from ..world.tester import NAME as TESTER
 from .ends import Entity, Owner
 from .exceptions import RCLError
 from .qos import Policies, QoSProfile, incompatible_policy
@@ -94,6 +97,7 @@ class ServiceEnd(Owner):
         self.messages: deque[Any] = deque(maxlen=qos._rosspin_kept)
         self.events = Events(self, srv_type)
         self._offered, self._requested = Policies.offered(qos), Policies.requested(qos)
+        self._wires: WeakKeyDictionary[Any, Any] = WeakKeyDictionary()  # from others, where a fault acts on them
 
     def join(self) -> None:
         """Find the other ends of the service, and be found."""
@@ -125,6 +129,21 @@ class ServiceEnd(Owner):
     def _put(self, message: Any) -> None:
         self.messages.append(message)
         self.node.nudge()
+
+    def _carry(self, other: Any, part: str, message: Message, arrive: Callable[[], object]) -> None:
+        """Let a request or a response of another end arrive: now, unless a fault of the run acts on it."""
+        faults = self.world.graph.faults
+        if faults is None or (isinstance(other, Owner) and not self.is_remote(other)):
+            arrive()
+            return
+        if other not in self._wires:
+            sender, here = other.node.full_name if isinstance(other, Owner) else TESTER, self.node.full_name
+            reliable = self._requested.reliable
+            self._wires[other] = faults.wire(self.end.topic, sender, here, self.world, reliable, part)
+        if wire := self._wires[other]:
+            wire.send(lambda: message, arrive)
+        else:
+            arrive()
 
     def take(self) -> Any:
         """Return the oldest message, or None if there is none any more."""
@@ -162,8 +181,14 @@ class ClientEnd(ServiceEnd):
             raise RCLError("failed to check service availability: rcl node's context is invalid")
         return any(self._reaches(service) and service.reaches_back(self) for service in self.peers)
 
-    def receive(self, sequence: int, response: Message | None) -> None:
+    def receive(self, service: Any, sequence: int, response: Message | None) -> None:
         """Take what a service sends. An answer to another client (None) wakes this one, too, for nothing."""
+        if response is None:
+            self._arrive(sequence, None)
+        else:
+            self._carry(service, "response", response, partial(self._arrive, sequence, response))
+
+    def _arrive(self, sequence: int, response: Message | None) -> None:
         if not self.is_destroyed:
             self._put((sequence, response and received(response, self.srv_type.Response)))
 
@@ -183,6 +208,9 @@ class ServerEnd(ServiceEnd):
 
     def receive(self, request: Message, header: Header) -> None:
         """Take a request that a client sends now."""
+        self._carry(header.client, "request", request, partial(self._arrive, request, header))
+
+    def _arrive(self, request: Message, header: Header) -> None:
         if self.is_destroyed:
             return
         if header.client in self.peers:
@@ -195,7 +223,7 @@ class ServerEnd(ServiceEnd):
         super().meet(other)
         early, self._early = self._early, []
         for request, header in early:
-            self.receive(request, header)
+            self._arrive(request, header)
 
     def reaches_back(self, client: ClientEnd) -> bool:
         """Whether a client gets the answers, as far as it knows."""
@@ -222,7 +250,7 @@ class ServerEnd(ServiceEnd):
         for client in list(self.peers):
             if self._reaches(client):
                 own = client is header.client
-                client.receive(header.sequence if own else 0, message if own else None)
+                client.receive(self, header.sequence if own else 0, message if own else None)
         self.events.tell(2, header.client.gid, header.sequence, response=message)
 
 

@@ -191,7 +191,7 @@ class _Client(_ServiceEnd):
         self._service = service
         self._then = then
 
-    def receive(self, sequence: int, response: Message | None) -> None:
+    def receive(self, service: Any, sequence: int, response: Message | None) -> None:
         """Take a response, which is the service's to another client if it is None."""
         if response:
             self._service.part(self)
@@ -222,7 +222,7 @@ class _Service(_ServiceEnd):
         header.call.answer(tester.NAME, self.world.clock.now(), lambda: response)
         for client in list(self.peers):
             own = client is header.client
-            client.receive(header.sequence if own else 0, response if own else None)
+            client.receive(self, header.sequence if own else 0, response if own else None)
 
 
 def give_parameters(world: World, parameters: Mapping[str, Any]) -> None:

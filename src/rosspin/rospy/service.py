@@ -11,6 +11,7 @@ import threading
 import traceback
 import warnings
 from collections.abc import Callable, Mapping
+from functools import partial
 from types import TracebackType
 from typing import Any
 
@@ -19,7 +20,7 @@ from ..clocks.frames import node_frames
 from ..messages import ros1
 from ..messages.genpy import Duration
 from ..messages.ros1 import DeserializationError, Message
-from ..world.graph import CallMade, Recording
+from ..world.graph import CallMade, Recording, Wire
 from ..world.world import NotSimulated, World, current, not_simulated, waiting_for
 from . import names, rosgraph
 from .core import logerr, logwarn, logwarn_throttle, may_register
@@ -129,6 +130,10 @@ class Services:
         kind = service.service_class._type
         connection.reply = {"callerid": self.node.name, "md5sum": md5sum, "service": connection.name, "type": kind}
         self._connections.append(connection)
+        if faults := self.node.world.graph.faults:
+            client, server = header["callerid"], self.node.name
+            for part, names_ in (("request", (client, server)), ("response", (server, client))):
+                connection.wires[part] = faults.wire(connection.name, *names_, self.node.world, None, part)
         self.node.world.start(threading.Thread(target=service.handle, args=(connection,), daemon=True))
 
     def close(self, connection: Connection) -> None:
@@ -152,6 +157,10 @@ class Connection:
         self.reply: dict[str, str] = {}  # the service's header
         self.persists = header.get("persistent", "").lower() in ("1", "true")
         self.is_left = False  # by the thread of the service
+        self.wires: dict[str, Wire | None] = {
+            "request": None,
+            "response": None,
+        }  # where a fault of the run acts on them
         self.handler: Any = None  # the stack of that thread, once it has begun
         self._is_closed = False
         self._requests: queue.SimpleQueue[tuple[bytes, CallMade] | None] = queue.SimpleQueue()
@@ -163,7 +172,8 @@ class Connection:
         if self._is_closed:
             raise AttributeError("'NoneType' object has no attribute 'tell'")  # rospy's buffer is gone
         data = self._bytes(seq, request)
-        self._requests.put((data, recording.add_call(self.name, name, _copy(request, data))))
+        copy = _copy(request, data)
+        self._pass_on("request", self._requests, (data, recording.add_call(self.name, name, copy)), copy)
 
     def next_request(self) -> tuple[bytes, CallMade]:
         """Wait for a request. Raises TransportTerminated if none comes."""
@@ -183,7 +193,21 @@ class Connection:
 
     def _send(self, node: State, is_error: bool, data: bytes, call: CallMade, make: Callable[[], Any]) -> None:
         call.answer(node.name, node.clock.now(), make)
-        self._answers.put((is_error, data))
+        self._pass_on("response", self._answers, (is_error, data), make)
+
+    def _pass_on(self, part: str, line: queue.SimpleQueue[Any], what: Any, make: Callable[[], Any]) -> None:
+        """Put into a queue what one side sends."""
+        if wire := self.wires[part]:
+            wire.send(make, partial(line.put, what))
+        else:
+            line.put(what)
+
+    def _end(self, part: str, line: queue.SimpleQueue[Any]) -> None:
+        """Let nothing come after what has been sent."""
+        if wire := self.wires[part]:
+            wire.follow(partial(line.put, None))
+        else:
+            line.put(None)
 
     def next_answer(self) -> tuple[bool, bytes]:
         """Wait for an error (True) or a response. Raises TransportTerminated if none comes."""
@@ -195,12 +219,12 @@ class Connection:
 
     def hang_up(self) -> None:
         """Close the service's side."""
-        self._answers.put(None)
+        self._end("response", self._answers)
 
     def close(self) -> None:
         """Close the proxy's side."""
         self._is_closed = True
-        self._requests.put(None)
+        self._end("request", self._requests)
 
     def read(self, data_class: type[Message], data: bytes) -> Message:
         """Make a message from bytes. Raises TransportException if half of another stands before it."""

@@ -73,10 +73,13 @@ class Faults(Protocol):
     def lateness(self, one: str, other: str) -> int:
         """Return how much (ns) later than usual two nodes of different processes find each other."""
 
-    def wire(self, topic: str, sender: str, receiver: str, world: Any, reliable: bool | None) -> Wire | None:
+    def wire(
+        self, name: str, sender: str, receiver: str, world: Any, reliable: bool | None, part: str = ""
+    ) -> Wire | None:
         """Return what carries messages from one node to another, whose world is given; None if nothing befalls them.
 
-        ``reliable`` is that of a pair of ROS 2; None is TCP. The run ends with ValueError for what they cannot do.
+        They are those of the topic ``name`` or, of a service, its "request" or "response", the ``part``. ``reliable``
+        is that of a pair of ROS 2; None is TCP. The run ends with ValueError for what they cannot do.
         """
 
 

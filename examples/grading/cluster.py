@@ -1,0 +1,5 @@
+from distributed import Client
+
+
+def workers():
+    return Client().get_executor()
