@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import os
+import platform
 import re
 import sys
 import time
@@ -70,4 +71,6 @@ def _look(event: str, args: tuple[Any, ...]) -> None:
         _refuse("it runs a node on the wall clock")
 
 
+# Python asks uname once in a process, for a traceback of Sphinx's, say.
+platform.platform()
 sys.addaudithook(_look)
