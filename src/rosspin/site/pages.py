@@ -460,7 +460,7 @@ def _rclpy_names() -> dict[str, list[str]]:
         module: [
             name
             for name in file.__all__
-            if file.__name__.endswith(module)
+            if getattr(file.__spec__, "name", "").endswith(module)  # runs call it otherwise
             or module.endswith(f".{name}")
             or getattr(getattr(file, name), "__module__", "") == module
         ]
