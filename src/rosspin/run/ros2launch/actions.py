@@ -20,12 +20,14 @@ if TYPE_CHECKING:
     from .context import LaunchContext
 
 __all__ = [
-    *("Action", "DeclareLaunchArgument", "EmitEvent", "ExecuteProcess", "GroupAction", "IfCondition"),
-    *("IncludeLaunchDescription", "LaunchConfigurationEquals", "LaunchConfigurationNotEquals", "LaunchDescription"),
-    *("LaunchDescriptionSource", "LogInfo", "Node", "OpaqueFunction", "PushROSNamespace", "Refused"),
-    *("RegisterEventHandler", "SetEnvironmentVariable", "SetLaunchConfiguration", "SetParameter", "SetRemap"),
-    *("Shutdown", "TimerAction", "UnlessCondition", "UnregisterEventHandler", "UnsetEnvironmentVariable"),
-    *("UnsetLaunchConfiguration",),
+    *("Action", "AppendEnvironmentVariable", "DeclareLaunchArgument", "EmitEvent"),
+    *("ExecuteProcess", "GroupAction", "IfCondition", "IncludeLaunchDescription"),
+    *("LaunchConfigurationEquals", "LaunchConfigurationNotEquals", "LaunchDescription", "LaunchDescriptionSource"),
+    *("LogInfo", "Node", "OpaqueFunction", "PushROSNamespace"),
+    *("Refused", "RegisterEventHandler", "SetEnvironmentVariable", "SetLaunchConfiguration"),
+    *("SetParameter", "SetParametersFromFile", "SetRemap", "SetUseSimTime"),
+    *("Shutdown", "TimerAction", "UnlessCondition", "UnregisterEventHandler"),
+    *("UnsetEnvironmentVariable", "UnsetLaunchConfiguration"),
 ]
 
 
@@ -152,6 +154,21 @@ class UnsetLaunchConfiguration(Action):
 class SetEnvironmentVariable(SetLaunchConfiguration):
     def execute(self, context: LaunchContext) -> None:
         context.environment[perform(context, self.name)] = perform(context, self.value)
+
+
+@dataclass(eq=False)
+class AppendEnvironmentVariable(Action):
+    name: Any
+    value: Any
+    prepend: Any = False
+    separator: Any = os.pathsep
+
+    def execute(self, context: LaunchContext) -> None:
+        name, value = perform(context, self.name), perform(context, self.value)
+        parts = [context.environment[name], value] if name in context.environment else [value]
+        if perform_typed(context, self.prepend, bool):
+            parts.reverse()
+        context.environment[name] = perform(context, self.separator).join(parts)
 
 
 class UnsetEnvironmentVariable(UnsetLaunchConfiguration):
@@ -395,7 +412,12 @@ class Node(ExecuteProcess):
             validate_namespace(namespace)
             yield from ("-r", f"__ns:={namespace}")
         for each in values.get("global_params", ()):
-            yield from ("-p", "{}:={}".format(*each)) if isinstance(each, tuple) else ("--params-file", each)
+            if isinstance(each, tuple):
+                yield from ("-p", "{}:={}".format(*each))
+            elif os.path.isfile(each):
+                yield from ("--params-file", os.path.abspath(each))
+            else:
+                raise FileNotFoundError(f"there is no parameter file {each}")
         self._full_name = f"{namespace.rstrip('/')}/{name}" if name and namespace is not None else ""
         yield from words_for(context, self.parameters or (), self._full_name or "/**")
         for source, target in (*values.get("ros_remaps", ()), *(self.remappings or ())):
@@ -434,6 +456,27 @@ class SetParameter(Action):
     def execute(self, context: LaunchContext) -> None:
         found = evaluate(context, {perform(context, self.name): self.value})
         context.launch_configurations.setdefault("global_params", []).extend(found)
+
+
+@dataclass(eq=False)
+class SetParametersFromFile(Action):
+    filename: Any
+
+    def execute(self, context: LaunchContext) -> None:
+        context.launch_configurations.setdefault("global_params", []).append(perform(context, self.filename))
+
+
+@dataclass(eq=False)
+class SetUseSimTime(Action):
+    """Sets the parameter of the node that ros2 launch has itself, which no other node sees."""
+
+    value: Any
+
+    def execute(self, context: LaunchContext) -> None:
+        if type(self.value) is not bool:
+            raise ValueError(f"Type 'Type.BOOL' and value '{self.value}' do not agree")
+        if not self.value:
+            raise RuntimeError("Failed to set use_sim_time parameter")
 
 
 @dataclass(eq=False)

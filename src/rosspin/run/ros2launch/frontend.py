@@ -273,6 +273,11 @@ def _simple(kind: Callable[..., Any], *names: str) -> Callable[[_Entity], Any]:
     return lambda entity: kind(*entity.texts(*names))
 
 
+def _append_env(entity: _Entity) -> Any:
+    given = {"prepend": entity.typed("prepend", bool), "separator": entity.text("separator")}
+    return actions.AppendEnvironmentVariable(*entity.texts("name", "value"), **_without_none(given))
+
+
 _READERS: dict[str, Callable[[_Entity], Any]] = {
     "arg": _arg,
     "executable": _executable,
@@ -281,11 +286,13 @@ _READERS: dict[str, Callable[[_Entity], Any]] = {
     "node": _node,
     "timer": _timer,
     "let": _simple(actions.SetLaunchConfiguration, "name", "value"),
+    "append_env": _append_env,
     "set_env": _simple(actions.SetEnvironmentVariable, "name", "value"),
     "unset_env": _simple(actions.UnsetEnvironmentVariable, "name"),
     "push_ros_namespace": _simple(actions.PushROSNamespace, "namespace"),
     "push-ros-namespace": _simple(actions.PushROSNamespace, "namespace"),
     "set_parameter": _simple(actions.SetParameter, "name", "value"),
+    "set_parameters_from_file": _simple(actions.SetParametersFromFile, "filename"),
     "set_remap": _simple(actions.SetRemap, "from", "to"),
     "log": lambda entity: actions.LogInfo(msg=entity.text("message", optional=False)),
     "shutdown": lambda entity: actions.Shutdown(reason=entity.text("reason") or "reason not given"),

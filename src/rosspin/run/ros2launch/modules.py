@@ -21,7 +21,7 @@ _PARAMETERS = "Parameter ParameterFile ParameterValue"
 # The names in each module; "name=another" is one that is called otherwise here.
 _NAMES = {
     "launch": "Action Event EventHandler LaunchContext LaunchDescription LaunchDescriptionSource Substitution",
-    "launch.actions": "DeclareLaunchArgument EmitEvent ExecuteProcess GroupAction "
+    "launch.actions": "AppendEnvironmentVariable DeclareLaunchArgument EmitEvent ExecuteProcess GroupAction "
     "IncludeLaunchDescription LogInfo OpaqueFunction RegisterEventHandler SetEnvironmentVariable "
     "SetLaunchConfiguration Shutdown TimerAction UnregisterEventHandler UnsetEnvironmentVariable "
     "UnsetLaunchConfiguration",
@@ -40,7 +40,7 @@ _NAMES = {
     "launch.utilities": "normalize_to_list_of_substitutions=listed perform_substitutions=perform",
     "launch_ros": "",
     "launch_ros.actions": "Node PushROSNamespace PushRosNamespace=PushROSNamespace RosTimer=TimerAction "
-    "SetParameter SetRemap ROSTimer=TimerAction",
+    "SetParameter SetParametersFromFile SetRemap SetUseSimTime ROSTimer=TimerAction",
     "launch_ros.descriptions": _PARAMETERS,
     "launch_ros.parameter_descriptions": _PARAMETERS,
     "launch_ros.substitutions": "ExecutableInPackage",
@@ -55,13 +55,13 @@ _NAMES = {
 # Those that are refused when they are used; a + is before what runs nodes in C++.
 _REFUSED = {
     "launch": "LaunchService",
-    "launch.actions": "AppendEnvironmentVariable ExecuteLocal OpaqueCoroutine PopEnvironment "
+    "launch.actions": "ExecuteLocal OpaqueCoroutine PopEnvironment "
     "PopLaunchConfigurations PushEnvironment PushLaunchConfigurations ResetEnvironment ResetLaunchConfigurations",
     "launch.event_handlers": "OnExecutionComplete OnProcessIO",
     "launch.substitutions": "AllSubstitution AnonName AnySubstitution Command FileContent FindExecutable "
     "LaunchLogDir LocalSubstitution",
     "launch_ros.actions": "+ComposableNodeContainer LifecycleNode LifecycleTransition +LoadComposableNodes "
-    "SetParametersFromFile SetROSLogDir SetUseSimTime",
+    "SetROSLogDir",
     "launch_ros.descriptions": "ComposableNode",
     "launch_ros.event_handlers": "OnStateTransition",
     "launch_ros.events.lifecycle": "ChangeState",
