@@ -218,7 +218,7 @@ def test_what_is_not_simulated_may_be_left_alone(launched: Write) -> None:
 
 def test_nodes_in_cpp_are_named_or_left_out(launched: Write) -> None:
     path = launched("Node(package='pkg', executable='built')")
-    text = f"{path}:12: pkg/built is a C++ node, and only Python nodes are simulated; --skip-cpp leaves it out"
+    text = f"{path}:12: pkg/built is a C++ node whose source is not there; --skip-cpp leaves it out"
     with pytest.raises(ValueError, match=re.escape(text)):
         simulate(path, 1)
     assert f"rosspin: {path}:12: pkg/built is left out\n" in simulate(path, 1, skip_cpp=True).console

@@ -6,10 +6,11 @@ import fcntl
 import json
 import os
 import re
+import select
 import shutil
 import subprocess
 import tempfile
-from collections.abc import Iterator, Mapping, Sequence
+from collections.abc import Callable, Iterator, Mapping, Sequence
 from contextlib import contextmanager
 from functools import cache
 from hashlib import sha256
@@ -20,6 +21,7 @@ from typing import NamedTuple
 from ..messages.library import Library
 from ..world.world import NotSimulated
 from . import headers
+from .cmake import companions
 
 __all__ = ["Built", "CompileError", "build", "node_command"]
 
@@ -70,16 +72,23 @@ class Built(NamedTuple):
 
 
 class _Source(NamedTuple):
-    """A node's text and the headers of its own that it includes, by the names under which the compiler finds them."""
+    """The texts of a node, by their paths, and the headers of its own, by the names under which it includes them."""
 
-    text: str
+    texts: Mapping[Path, str]
     own: Mapping[str, str]
     names: Sequence[str]  # of all that they include
     ros: int
 
 
-def build(path: str | os.PathLike[str]) -> Built:
-    """Compile a node, unless that was done before; return the program.
+# Called again and again while the compiler works.
+Waiting = Callable[[], object]
+
+# How often (s) that is.
+_LOOK = 0.2
+
+
+def build(path: str | os.PathLike[str], waiting: Waiting = lambda: None) -> Built:
+    """Compile a node, with the sources that its package builds with it, unless that was done; return the program.
 
     Raises OSError if it cannot be read, CompileError if it is no C++, :class:`NotSimulated` if it uses what has no
     stand-in, and ValueError if there is no compiler.
@@ -89,9 +98,10 @@ def build(path: str | os.PathLike[str]) -> Built:
     if not source.ros:
         raise ValueError(f"{path}: this includes neither ros/ros.h nor rclcpp/rclcpp.hpp")
     messages = headers.messages(source.names, Library(source.ros, path.resolve().parent))
-    name = f"node/{path.name}"
-    texts = {name: source.text, **{f"include/{each}": text for each, text in {**messages, **source.own}.items()}}
-    made = _made(source.ros)
+    nodes = {f"node/{number}/{each.name}": each for number, each in enumerate(source.texts)}
+    texts = {name: source.texts[each] for name, each in nodes.items()}
+    texts |= {f"include/{each}": text for each, text in {**messages, **source.own}.items()}
+    made = _made(source.ros, waiting)
     program = _KEPT / "programs" / f"{_digest(made.key, json.dumps(texts, sort_keys=True))}.wasm"
     if program.exists():
         return Built(program, source.ros)
@@ -100,26 +110,35 @@ def build(path: str | os.PathLike[str]) -> Built:
         for number, (each, text) in enumerate(texts.items()):
             inputs[each] = str(Path(scratch, str(number)))
             _write(Path(inputs[each]), text)
-        node = Path(scratch, "node.o")
-        compiled = _Step(node, ["-include-pch", "prelude.pch", "-c", name], {**made.files, **inputs})
-        objects = {"node.o": str(node), **{each: made.files[each] for each in made.objects}}
+        steps = []
+        objects = {}
+        for number, name in enumerate(nodes):
+            object_ = Path(scratch, f"{number}.o")
+            steps.append(
+                _Step(object_, ["-include-pch", "prelude.pch", "-c", name], {**made.files, **inputs}).request()
+            )
+            objects[f"{number}.o"] = str(object_)
+        objects |= {each: made.files[each] for each in made.objects}
         link = {
             "args": ["clang++", *_FLAGS, *objects, *_LINK, "-o", "made"],
             "inputs": objects,
             "outputs": {"made": str(program)},
         }
-        said, status = _compile([compiled.request(), link])
+        said, status = _compile([*steps, link], waiting)
     if status:
-        raise _explained(said.replace(name, str(path)))
+        for name, file in nodes.items():
+            said = said.replace(name, str(file))
+        raise _explained(said)
     return Built(program, source.ros)
 
 
 def _read(path: Path) -> _Source:
-    text = _text(path)
+    package = next((place for place in path.resolve().parents if (place / "package.xml").is_file()), None)
+    folders = [package / "include", package / "src"] if package else []
+    texts = {each: _text(each) for each in (path, *(companions(package, path) if package else ()))}
     own: dict[str, str] = {}
     names: list[str] = []
-    left = [(name, path.parent) for name in headers.included(text)]
-    folders = _include_folders(path)
+    left = [(name, each.parent) for each, text in texts.items() for name in headers.included(text)]
     stand_ins = {**headers.stand_ins(1), **headers.stand_ins(2)}
     while left:
         name, folder = left.pop()
@@ -131,17 +150,11 @@ def _read(path: Path) -> _Source:
             own[name] = _text(found)
             left += [(each, found.parent) for each in headers.included(own[name])]
     roses = {_ROOTS[root] for name in names if (root := name.partition("/")[0]) in _ROOTS}
-    return _Source(text, own, names, roses.pop() if len(roses) == 1 else 0)
+    return _Source(texts, own, names, roses.pop() if len(roses) == 1 else 0)
 
 
 def _text(path: Path) -> str:
     return path.read_text(encoding="utf-8", errors="surrogateescape")
-
-
-def _include_folders(path: Path) -> list[Path]:
-    """Return where the headers of a node's package are: in its folder include."""
-    package = next((place for place in path.resolve().parents if (place / "package.xml").is_file()), None)
-    return [package / "include", package / "src"] if package else []
 
 
 def _explained(said: str) -> Exception:
@@ -156,19 +169,34 @@ def _explained(said: str) -> Exception:
 # --- what all nodes share ---
 
 
-class _Made(NamedTuple):
-    """The stand-ins, compiled: their files by the names that the compiler is given, and a key of all."""
+class _StandIn(NamedTuple):
+    """The stand-in for a ROS: its headers, the steps that compile it, its files by the compiler's names, and a key."""
 
+    own: Mapping[str, str]
+    folder: Path
+    steps: Sequence[_Step]
     files: Mapping[str, str]
     objects: Sequence[str]
     key: str
 
 
-@cache
-def _made(ros: int) -> _Made:
+def _made(ros: int, waiting: Waiting) -> _StandIn:
     """Compile the stand-in for a ROS unless somebody has. Raises ValueError if there is no compiler."""
     if not _CLANG.is_dir():
         raise ValueError("C++ nodes need a compiler for WebAssembly: run `make html` in the source of rosspin")
+    made = _stand_in(ros)
+    if not all(step.file.exists() for step in made.steps):
+        with _alone(made.folder):
+            for name, text in made.own.items():
+                _write(made.folder / "include" / name, text)
+            said, status = _compile([step.request() for step in made.steps if not step.file.exists()], waiting)
+        if status:
+            raise RuntimeError(f"the stand-ins do not compile:\n{said}")
+    return made
+
+
+@cache
+def _stand_in(ros: int) -> _StandIn:
     version = json.loads((_CLANG / "package.json").read_text(encoding="utf-8"))["version"]
     own = headers.stand_ins(ros)
     names = {name: f"include/{name}" for name in own}
@@ -177,9 +205,8 @@ def _made(ros: int) -> _Made:
     folder = _KEPT / key
     files = {name: str(folder / name) for name in names.values()}
     pch = _Step(folder / "prelude.pch", ["-x", "c++-header", prelude], files)
-    steps = [pch]
-    runtimes = (*_RUNTIMES, _RUNTIME_OF[ros])
-    for name in runtimes:
+    objects: dict[str, _Step] = {}
+    for name in (*_RUNTIMES, _RUNTIME_OF[ros]):
         source = _RUNTIME / f"{name}.cpp"
         with_ros = name not in _RUNTIMES
         needs = {**files, "prelude.pch": str(pch.file)} if with_ros else {each: files[each] for each in _OF_RUNTIME}
@@ -187,16 +214,10 @@ def _made(ros: int) -> _Made:
         own_key = key if with_ros else json.dumps({each: own[each.removeprefix("include/")] for each in needs})
         state = _digest(version, _text(source), own_key, json.dumps(_FLAGS))
         file = _KEPT / "runtime" / f"{name}-{state}.o"
-        steps.append(_Step(file, [*options, "-c", f"{name}.cpp"], {**needs, f"{name}.cpp": str(source)}))
-    if not all(step.file.exists() for step in steps):
-        with _alone(folder):
-            for name, text in own.items():
-                _write(folder / "include" / name, text)
-            said, status = _compile([step.request() for step in steps if not step.file.exists()])
-        if status:
-            raise RuntimeError(f"the stand-ins do not compile:\n{said}")
-    objects = {f"{name}.o": str(step.file) for name, step in zip(runtimes, steps[1:], strict=True)}
-    return _Made({**files, **objects, "prelude.pch": str(pch.file)}, list(objects), _digest(key, *objects.values()))
+        objects[f"{name}.o"] = _Step(file, [*options, "-c", f"{name}.cpp"], {**needs, f"{name}.cpp": str(source)})
+    made = {name: str(step.file) for name, step in objects.items()}
+    all_files = {**files, **made, "prelude.pch": str(pch.file)}
+    return _StandIn(own, folder, [pch, *objects.values()], all_files, list(made), _digest(key, *made.values()))
 
 
 class _Step(NamedTuple):
@@ -234,16 +255,24 @@ def node_command() -> list[str]:
     return [found]
 
 
-def _compile(steps: Sequence[Mapping[str, object]]) -> tuple[str, int]:
+def _compile(steps: Sequence[Mapping[str, object]], waiting: Waiting) -> tuple[str, int]:
     """Run the compiler; return what it says, and its status."""
-    done = subprocess.run(
-        [*node_command(), str(_JS / "compile.mjs"), str(_CLANG)],
-        input=json.dumps({"steps": steps}).encode(),
-        stdout=subprocess.DEVNULL,
-        stderr=subprocess.PIPE,
-        check=False,
-    )
-    return done.stderr.decode(errors="replace"), done.returncode
+    said = b""
+    with tempfile.TemporaryFile() as request:
+        request.write(json.dumps({"steps": steps}).encode())
+        request.seek(0)
+        command = [*node_command(), str(_JS / "compile.mjs"), str(_CLANG)]
+        with subprocess.Popen(command, stdin=request, stdout=subprocess.DEVNULL, stderr=subprocess.PIPE) as child:
+            assert child.stderr
+            file = child.stderr.fileno()
+            while True:
+                ready, _, _ = select.select([file], [], [], _LOOK)
+                waiting()
+                data = os.read(file, 1 << 16) if ready else b""
+                if ready and not data:
+                    break
+                said += data
+    return said.decode(errors="replace"), child.returncode
 
 
 def _digest(*parts: str) -> str:

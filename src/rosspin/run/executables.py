@@ -12,7 +12,7 @@ from typing import Any
 
 from .source import Code, load, load_entry_point
 
-__all__ = ["find_node", "find_python", "is_cpp"]
+__all__ = ["find_cpp", "find_node", "find_python", "is_cpp"]
 
 
 def find_python(package: Path, name: str) -> Path | None:
@@ -37,6 +37,13 @@ def is_cpp(package: Path, name: str) -> bool:
     text = cmake.read_text(encoding="utf-8", errors="replace") if cmake.is_file() else ""
     is_built = re.search(rf"add_executable\s*\(\s*{re.escape(name)}\s", text)
     return bool(is_built) or any(path.suffix in (".cpp", ".cc", ".cxx", ".c") for path in package.rglob(f"{name}.*"))
+
+
+def find_cpp(package: Path, name: str) -> Path | None:
+    """Find the source in C++ of a program that a package builds, or seems to build."""
+    from ..cpp.cmake import program  # most packages go without
+
+    return program(package, name)
 
 
 def find_node(package: Path, name: str) -> Code | None:

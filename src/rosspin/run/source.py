@@ -58,8 +58,10 @@ CPP = (".cpp", ".cc", ".cxx")
 NodeLike = str | os.PathLike[str] | Callable[[], Any]
 
 
-def load(node: NodeLike) -> Code:
+def load(node: NodeLike, waiting: Callable[[], object] = lambda: None) -> Code:
     """Make a node of a file, a function, or the name of a function, as in ``package.module:main``.
+
+    ``waiting()`` is called again and again while a node in C++ is compiled.
 
     Raises OSError if it cannot be read, SyntaxError if it is not Python, ValueError for several nodes or a launch file,
     TypeError for anything else.
@@ -80,7 +82,7 @@ def load(node: NodeLike) -> Code:
     if path.endswith(CPP):
         from ..cpp import Program, build  # most runs go without
 
-        program = Program(build(path), path)
+        program = Program(build(path, waiting), path)
         return Code(program, os.path.splitext(path)[0], path, None, hint=program.ros)
     if not os.path.exists(path) and _ENTRY.fullmatch(entry := path if ":" in path else _console_script(path)):
         return load_entry_point(entry)

@@ -387,7 +387,7 @@ void at_signal(int number)
       context->shutdown("signal handler");
 }
 
-void received(const std::string& what, std::int64_t, const rosspin::Value& values)
+void received(const std::string& what, std::int64_t when, const rosspin::Value& values)
 {
   auto find = [&](auto& all) { return all.find(values.items[0].whole); };
   if (what == "message")
@@ -398,18 +398,18 @@ void received(const std::string& what, std::int64_t, const rosspin::Value& value
       info.source_timestamp = values.items[2].whole;
       info.received_timestamp = values.items[3].whole;
       info.publication_sequence_number = info.reception_sequence_number = values.items[4].whole;
-      found->second->receive({values.items[1].string, MessageInfo(info)});
+      found->second->receive({values.items[1].string, MessageInfo(info), when});
     }
   }
   else if (what == "request")
   {
     if (auto found = find(all<ServiceBase>()); found != all<ServiceBase>().end())
-      found->second->receive({values.items[1].whole, values.items[2].string});
+      found->second->receive({values.items[1].whole, values.items[2].string, when});
   }
   else if (what == "response")
   {
     if (auto found = find(all<ClientBase>()); found != all<ClientBase>().end())
-      found->second->receive({values.items[1].whole, values.items[2].string});
+      found->second->receive({values.items[1].whole, values.items[2].string, when});
   }
 }
 }  // namespace
@@ -744,11 +744,11 @@ std::chrono::nanoseconds TimerBase::time_until_trigger() const
 
 // When a call begins, the next one is due one period after this one was. If that has passed, it is due at the next place
 // on the grid (source: rcl_timer_call).
-void TimerBase::call_back()
+void TimerBase::call_back(std::int64_t now)
 {
   if (cancelled_)
     return;
-  std::int64_t now = clock_->ns(), expected = next_, begun = rosspin::now();
+  std::int64_t expected = next_, begun = rosspin::now(), ahead = clock_->ns() - begun;
   next_ = later(next_, period_);
   if (period_ < least_period)
     next_ = now + least_call;
@@ -757,7 +757,7 @@ void TimerBase::call_back()
   if (source_ < 0)
     source_ = rosspin::source(name_, period_);
   int source = source_;
-  rosspin::begin_tick(source, ++calls_, expected - (now - begun), begun);
+  rosspin::begin_tick(source, ++calls_, expected - ahead, begun);
   callback_(TimerInfo{Time(expected, clock_->get_clock_type()), Time(now, clock_->get_clock_type())});
   rosspin::end_tick(source, rosspin::now() - begun);
 }
@@ -1682,7 +1682,7 @@ void Executor::wait_for_work(std::int64_t timeout)
   rosspin::wait(rosspin::now());  // what has come is seen
   for (;;)
   {
-    if (seen_ != detail::changes)
+    if (needs_collecting())
       collect();
     auto found = due();
     taken_.assign(found.begin(), found.end());
@@ -1803,12 +1803,29 @@ namespace experimental
 {
 namespace executors
 {
+// A thread of rclcpp's notes each timer when it is due, as its call; the calls are made one after the other (source:
+// timers_manager.cpp, execute_ready_timers_unsafe).
 void EventsExecutor::spin()
 {
   Spinning spinning(*this, "spin");
   while (goes_on())
-    if (!call_next())
-      wait_for_work(-1);
+  {
+    rosspin::wait(rosspin::now());  // what has come is seen
+    if (needs_collecting())
+      collect();
+    std::shared_ptr<detail::Callable> first;
+    for (const auto& each : known_)
+      if (auto callable = each.lock(); callable && (!first || callable->due() < first->due()))
+        first = callable;
+    std::int64_t due = first ? first->due() : rosspin::never;
+    if (due > rosspin::now())
+      rosspin::wait(due);
+    else if (first->kind == detail::Callable::timer)
+      static_cast<TimerBase&>(*first).call_back(
+          static_cast<TimerBase&>(*first).clock().ns() - (rosspin::now() - due));
+    else
+      first->call_back();
+  }
 }
 }  // namespace executors
 }  // namespace experimental

@@ -22,7 +22,7 @@ from ...clocks.installed import note_own
 from ...clocks.simulation import Simulation
 from ...messages.library import Library
 from ...results.folders import TemporaryFolder
-from ..executables import find_node, is_cpp
+from ..executables import find_cpp, find_node, is_cpp
 from ..host import Host
 from ..source import Code, compiled, load, read, warn_of_files
 from ..tags import Fault
@@ -207,16 +207,20 @@ class LaunchService:
         return self._file.skip_cpp
 
     def node(self, place: str, package: str, name: str) -> Code | None:
-        """Return the code of a package's node; None if it is left out. Raises ValueError if it is none in Python."""
+        """Return the code of a package's node; None if it is left out. Raises ValueError if there is none."""
         folder = self._library.package(package)
         code = find_node(folder, name) if folder else None
         if code or self.leaves_out(place, f"{package}/{name}"):
             return code
+        if source := find_cpp(self.package(package), name):
+            return load(source, self._let_work)
         if is_cpp(self.package(package), name):
-            raise ValueError(
-                f"{package}/{name} is a C++ node, and only Python nodes are simulated; --skip-cpp leaves it out"
-            )
+            raise ValueError(f"{package}/{name} is a C++ node whose source is not there; --skip-cpp leaves it out")
         raise ValueError(f"executable '{name}' not found in package '{package}'")
+
+    def _let_work(self) -> None:
+        """Let the compiler work for longer than a simulation may stand still."""
+        self._clock.beside += 1
 
     def command(self, place: str, words: Sequence[str]) -> tuple[Code | None, Sequence[str]]:
         """Return the code of a program, and the rest of its command line. Raises ValueError if it is not in Python."""

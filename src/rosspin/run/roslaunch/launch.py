@@ -15,7 +15,7 @@ from typing import Any
 from ...messages.library import Library
 from ...rospy.rosgraph import PRIV_NAME, canonicalize_name, load_mappings, make_global_ns, ns_join
 from ...world import yaml_texts
-from ..executables import find_python, is_cpp
+from ..executables import find_cpp, find_python, is_cpp
 from ..source import NodeLike
 from ..tags import Tag, parse
 
@@ -359,13 +359,12 @@ class _Reader:
             raise _Fault(f"there is no package {package} around this file; --skip-cpp leaves its node {kind} out")
         if file := find_python(folder, kind):
             return file
-        if not is_cpp(folder, kind):
+        source = find_cpp(folder, kind)
+        if not (source or is_cpp(folder, kind)):
             raise _Fault(f"there is no node {kind} in package {package}")
-        if not self._skip_cpp:
-            raise _Fault(
-                f"{package}/{kind} is a C++ node, and only Python nodes are simulated; --skip-cpp leaves it out"
-            )
-        return None
+        if source or self._skip_cpp:
+            return None if self._skip_cpp else source
+        raise _Fault(f"{package}/{kind} is a C++ node whose source is not there; --skip-cpp leaves it out")
 
     # --- substitutions ---
 

@@ -33,9 +33,9 @@ public:
   };
   explicit Callable(Kind kind) : kind(kind) {}
   virtual ~Callable();
-  // Whether there is a call to make now, and when, in the run's time (ns), there is one if nothing comes.
+  // Whether there is a call to make now, and from when on, in the run's time (ns), if nothing comes.
   virtual bool is_due() const = 0;
-  virtual std::int64_t due() const { return rosspin::never; }
+  virtual std::int64_t due() const = 0;
   virtual void call_back() = 0;
   const Kind kind;
 };
@@ -153,7 +153,10 @@ public:
   // What follows is not rclcpp's.
   bool is_due() const override { return is_ready(); }
   std::int64_t due() const override { return cancelled_ ? rosspin::never : clock_->in_run(next_); }
-  void call_back() override;
+  void call_back() override { call_back(clock_->ns()); }
+  // Make the call as of a time of its clock.
+  void call_back(std::int64_t now);
+  const Clock& clock() const { return *clock_; }
 
 protected:
   std::function<void(const TimerInfo&)> callback_;
@@ -354,8 +357,10 @@ public:
   {
     std::string bytes;
     MessageInfo info;
+    std::int64_t when = 0;  // in the run's time
   };
   bool is_due() const override { return !received_.empty(); }
+  std::int64_t due() const override { return received_.empty() ? rosspin::never : received_.front().when; }
   void receive(Received received);
   // Call back when a message comes, whoever spins.
   void take_immediately() { at_once_ = true; }
@@ -460,8 +465,10 @@ public:
   {
     std::int64_t number;
     std::string bytes;
+    std::int64_t when = 0;  // in the run's time
   };
   bool is_due() const override { return !requests_.empty(); }
+  std::int64_t due() const override { return requests_.empty() ? rosspin::never : requests_.front().when; }
   void receive(Request request) { requests_.push_back(std::move(request)); }
 
 protected:
@@ -549,8 +556,10 @@ public:
   {
     std::int64_t sequence;
     std::string bytes;
+    std::int64_t when = 0;  // in the run's time
   };
   bool is_due() const override { return !answers_.empty(); }
+  std::int64_t due() const override { return answers_.empty() ? rosspin::never : answers_.front().when; }
   void receive(Answer answer) { answers_.push_back(std::move(answer)); }
 
 protected:

@@ -93,6 +93,7 @@ protected:
   virtual void called(const detail::Callable&, std::int64_t) {}
   FutureReturnCode spin_until(const std::function<bool()>& is_ready, std::chrono::nanoseconds timeout);
   void spin_some(std::chrono::nanoseconds max_duration, bool exhaustive);
+  bool needs_collecting() const { return seen_ != detail::changes; }
   void collect();
   std::vector<std::shared_ptr<detail::Callable>> due() const;
   std::int64_t next_due() const;
