@@ -11,7 +11,9 @@ import codespell_lib
 import pytest
 from tree import ROOT
 
-TEXTS = ["README.md", "index.rst", "conf.py", "Makefile", "docs", "notebooks", "src", "examples", "tests", "benchmarks"]
+TEXTS = ["README.md", "CHANGELOG.md", ".github", "index.rst", "conf.py", "Makefile"]
+TEXTS += ["docs", "notebooks", "src", "examples", "tests", "benchmarks"]
+PAGES = ["README.md", "CHANGELOG.md", ".github", "index.rst", *sorted(ROOT.glob("docs/**/*.rst")), "notebooks"]
 
 # British too, in the sense meant here: the verb and the file LICENSE, what a computer runs, a module of Python, a noun.
 BRITISH = "license,licensed,licenses,program,programs,math,practice"
@@ -50,7 +52,7 @@ def test_words_are_spelt_right() -> None:
 @pytest.mark.parametrize(
     ("texts", "allowed"),
     [
-        (["README.md", "index.rst", *sorted(ROOT.glob("docs/**/*.rst")), "notebooks"], f"{BRITISH},{IN_LISTINGS}"),
+        (PAGES, f"{BRITISH},{IN_LISTINGS}"),
         (["src", "conf.py", "Makefile", "docs/_static"], f"{BRITISH},{IN_CODE}"),
     ],
     ids=["pages", "code"],
