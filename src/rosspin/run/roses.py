@@ -70,6 +70,8 @@ ROSES = {
         {
             "actionlib": "rospy.actionlib",
             "message_filters": "rospy.message_filters",
+            "roslib": "rospy.rospkg",
+            "rospkg": "rospy.rospkg",
             "tf": "rospy.tf",
             "tf2_py": "rospy.tf2_ros",
             "tf2_ros": "rospy.tf2_ros",
