@@ -378,7 +378,7 @@ def test_a_module_that_a_page_lacks_is_named(monkeypatch: pytest.MonkeyPatch) ->
         ("0.5", "a Duration: rospy.Timer(rospy.Duration(0.5), callback)"),
         ("None", "Pass a timer the callback itself"),
         ("(self)", "A timer passes its callback one argument"),
-        ("rospy.log_info", "Python names what it did not find"),
+        ("rospy.log_info", "`rospy` has no `log_info`"),
         ("class SpinnerPyNode", "Python could not read the answer"),
         ("    pass", "The node ended by itself"),
         ("    # init_node", 'Call rospy.init_node("a_name")'),

@@ -661,7 +661,11 @@ WRONG: dict[str, list[tuple[Answer, str, str]]] = {
             "not printed by the callback of a `rospy.Timer`",
             "Let a timer",
         ),
-        ({"str(self.counter))": "str(self.counter))\n        1 / 0"}, "in line 15: `ZeroDivisionError", "oneshot"),
+        (
+            {"str(self.counter))": "str(self.counter))\n        1 / 0"},
+            "in line 15: `ZeroDivisionError",
+            "This line divides by 0.",
+        ),
         (
             f"import threading\n{NODE}threading.Timer(1.5, lambda: {say('1')}).start()\nrospy.spin()",
             "not printed by the callback of a `rospy.Timer`",
@@ -770,7 +774,11 @@ rospy.spin()
             "TypeError: unsupported operand",
             "in Hz",
         ),
-        ({"1.0 / frequency_in_hz": "1.0 / int(frequency_in_hz)"}, "With `_frequency:=0.5`, the node died", "in Hz"),
+        (
+            {"1.0 / frequency_in_hz": "1.0 / int(frequency_in_hz)"},
+            "With `_frequency:=0.5`, the node died",
+            "This line divides by 0.",
+        ),
         ({'"~frequency"': "~frequency"}, "NameError: name 'frequency' is not defined", "Python names"),
         ({'"~frequency"': '"~period"'}, "With `_frequency:=10`: counter 1 came at 0.5 s", PRIVATE),
     ],
@@ -1101,7 +1109,11 @@ rospy.spin()
             "where counter 1 was due, counter 0 came",
             "The first counter is 1:",
         ),
-        ({"publish(self.counter)": "publish(str(self.counter))"}, "timer died in line 21:", "in `__init__`"),
+        (
+            {"publish(self.counter)": "publish(str(self.counter))"},
+            "timer died in line 21:",
+            "A field of a message takes values of its own type only.",
+        ),
         (
             {"publish(self.counter)": "publish()"},
             "on `/counter`: each message holds 0, not a counter.",
@@ -1110,7 +1122,7 @@ rospy.spin()
         (
             {PUBLISHER: PUBLISHER.replace("UInt32, ", "")},
             "missing 1 required positional",
-            '`rospy.Publisher("counter", UInt32, queue_size=10)`:',
+            '`rospy.Publisher("topic", UInt32, queue_size=10)`:',
         ),
         ({"self.publisher.": "self.pub."}, "has no attribute 'pub'", "with its `self.`"),
         (
@@ -1142,8 +1154,8 @@ rospy.spin()
             "With `_subscribes_at:=1.0`: the goal arrived only at 3 s",
             "has a parameter `latch`",
         ),
-        ({GOAL: GOAL.replace("7", "8")}, "the goal 8 arrived, not 7", "has a parameter `latch`"),
-        ({GOAL: ""}, "the goal did not arrive", "has a parameter `latch`"),
+        ({GOAL: GOAL.replace("7", "8")}, "the goal 8 arrived, not 7", "The goal is 7."),
+        ({GOAL: ""}, "the goal did not arrive", "The planner publishes nothing on `/goal`."),
         (
             {LATCHES: "", '"goal", UInt32, self.goalCallback': '"goal", UInt32, self.goalCallback, latch=True'},
             "unexpected keyword argument 'latch'",
@@ -1152,9 +1164,14 @@ rospy.spin()
         ({GOAL: GOAL + "\n        self.publisher.unregister()"}, "the goal did not arrive", "has a parameter `latch`"),
         ({LATCHES: "latch=true, "}, "name 'true' is not defined", "In Python this is written `True`."),
         ({DO_SPIN: ""}, "the goal did not arrive", "The node ended by itself"),
-        ({GOAL: f"{GOAL}\n        self.publisher.publish(0)"}, "the goal 0 arrived, not 7", "latch"),
+        ({GOAL: f"{GOAL}\n        self.publisher.publish(0)"}, "the goal 0 arrived, not 7", "The goal is 7."),
     ],
     "newest-position": [
+        (
+            {SIZE: ")", "str(message.data)": "str(sensor.position)"},
+            "printed position 4, but the message that it got held 2",
+            "in another process",
+        ),
         (
             {SIZE: ")"},
             "at 0.43 s the controller steered by position 2, which was 0.23 s old",

@@ -179,6 +179,7 @@ IMPORTS_BEST = {IMPORTS_QOS: f"{IMPORTS_QOS}, QoSProfile, ReliabilityPolicy"}
 
 RIGHT: dict[str, list[Answer]] = {
     "make-it-10-hz": [
+        {SAYS: '        print(f"[SPINNER PY NODE]  counter={self.counter}")\n'},
         {MAKES: "self.create_timer(1 / 10, self.timer_callback)"},
         {MAKES: "self.create_timer(timer_period_sec=0.1, callback=self.timer_callback)"},
         {MAKES: "self.timer = self.create_timer(0.1, lambda: self.timer_callback())"},
@@ -617,6 +618,16 @@ FOR_ROS_1 = "import rospy\nrospy.init_node('n')\nrospy.spin()\n"
 
 WRONG: dict[str, list[tuple[Answer, str, str]]] = {
     "make-it-10-hz": [
+        ({MAKES: f"{MAKES}\n        {MAKES}"}, "counter 2 came at 0.1 s, not at 0.2 s", "two at a time"),
+        ({MAKES: "self.create_timer(0,1, self.timer_callback)"}, "no attribute 'add_entity'", "`0,1` is two numbers"),
+        ({MAKES: "self.createTimer(0.1, self.timer_callback)"}, "attribute 'createTimer'", "There is a `create_timer`"),
+        ({MAKES: "self.create_timer(0.1, timer_callback)"}, "name 'timer_callback'", "it is `self.timer_callback`"),
+        ({"import rclpy\n": "import rclpy\nimport no_module\n"}, "No module named", "Is the module spelt right?"),
+        (
+            {"(self):\n        super()": "(self):\n        self.t = None  # super()"},
+            "has no attribute",
+            "begins its __init__",
+        ),
         ({MAKES: "self.create_timer(10, self.timer_callback)"}, "no counter was printed", NOT_HZ),
         ({MAKES: "self.create_timer(10.0, self.timer_callback)"}, "no counter was printed", NOT_HZ),
         ({"(0.1,": "(0.5,"}, "counter 1 came at 0.5 s, not at 0.1 s", NOT_HZ),
@@ -696,6 +707,15 @@ WRONG: dict[str, list[tuple[Answer, str, str]]] = {
         ({ONE_CALL: "spin_once = 0.4"}, "a list of times in seconds, not a value of type `float`", "Write it as"),
     ],
     "publish-a-counter": [
+        (
+            {MAKES_PUBLISHER: MAKES_PUBLISHER.replace('UInt32, "counter"', '"counter", UInt32')},
+            "TypeError",
+            "the type, the",
+        ),
+        ({PUBLISHES: PUBLISHES.replace("UInt32(data=self.counter)", "UInt32")}, "TypeError", "make one, with `()`"),
+        ({"data=self.counter": "self.counter"}, "takes 1 positional argument", "given by their names"),
+        ({"data=self.counter": "data=str(self.counter)"}, "must be of type 'int'", "values of its own type"),
+        ({PUBLISHES: PUBLISHES.replace(".publish(", "(")}, "not callable", "Call what it has, such as `publish`"),
         (IN_EACH_CALL, "the node made 10 publishers of `/counter`, where one would do", MADE_ONCE),
         (
             {
@@ -762,7 +782,7 @@ WRONG: dict[str, list[tuple[Answer, str, str]]] = {
         (
             {MAKES_PUBLISHER: MAKES_PUBLISHER.replace(", 10)", ")")},
             "missing 1 required positional",
-            '`self.create_publisher(UInt32, "counter", 10)`:',
+            '`self.create_publisher(UInt32, "topic", 10)`:',
         ),
         (
             {"        self.create_subscription": "        pass  # "},
@@ -863,7 +883,7 @@ WRONG: dict[str, list[tuple[Answer, str, str]]] = {
         (
             {HEARS: "self.position_callback)"},
             "missing 1 required positional",
-            '`self.create_subscription(UInt32, "counter", self.callback, 10)`:',
+            '`self.create_subscription(UInt32, "topic", self.callback, 10)`:',
         ),
         (
             {"        self.publisher.publish": "        # self.publisher.publish"},
@@ -872,6 +892,11 @@ WRONG: dict[str, list[tuple[Answer, str, str]]] = {
         ),
     ],
     "only-the-newest": [
+        (
+            {TAKES_ONE: "self.position_callback, 10)", "str(message.data)": "str(self.position)"},
+            "printed position 4, but the message that it got held 2",
+            "in another process",
+        ),
         (
             {'"position", 10)\n': '"position", 1)\n'},
             "the sensor: its publisher now has reliable, volatile, depth 1, where it had reliable, volatile, depth 10",
@@ -939,6 +964,8 @@ WRONG: dict[str, list[tuple[Answer, str, str]]] = {
         (FOR_ROS_1, "This node is for ROS 1", "This exercise is on ROS 2"),
     ],
     "call-back-once": [
+        ({CANCELS: "        del self.timer\n"}, "object has no attribute 'timer'", "before this line runs"),
+        ({KEEPS: KEEPS.replace(")", ", autostart=False)")}, "no counter was printed", "or never started"),
         (
             {CANCELS: "        if self.counter:\n            return\n"},
             "the callback was called 4 times in 6 s",
@@ -962,7 +989,7 @@ WRONG: dict[str, list[tuple[Answer, str, str]]] = {
         (
             {"self.timer = ": "timer = "},
             "AttributeError: 'SpinnerPyNode' object has no attribute 'timer'",
-            "with its `self.`",
+            "`timer` is a variable of one function.",
         ),
         (
             {KEEPS: KEEPS.replace(")", ", oneshot=True)")},
@@ -986,6 +1013,11 @@ WRONG: dict[str, list[tuple[Answer, str, str]]] = {
         (FOR_ROS_1, "This node is for ROS 1", "This exercise is on ROS 2"),
     ],
     "period-parameter": [
+        (
+            {PERIOD: '        period = float(sys.argv[-1].split(":=")[-1]) if len(sys.argv) > 1 else 0.5\n'},
+            "With `period:=0.1`: the node has no parameter `period`",
+            "in other ways",
+        ),
         ({PERIOD: "        period = 0.5\n"}, "With `period:=0.1`: counter 1 came at 0.5 s", "is called"),
         (
             {PERIOD: '        period = self.get_parameter("period").value\n'},
@@ -1053,6 +1085,10 @@ WRONG: dict[str, list[tuple[Answer, str, str]]] = {
         (FOR_ROS_1, "This node is for ROS 1", "This exercise is on ROS 2"),
     ],
     "move-to-ros-2": [
+        ({"self.get_logger().info(": "self.get_logger.info("}, "no attribute 'info'", "to be called first, with `()`"),
+        ({"self.get_logger().info(": "rclpy.loginfo("}, "no attribute 'loginfo'", "In ROS 2 it is `self.get_logger()"),
+        ({FREQUENCY: FREQUENCY.replace(".value", "")}, "and 'Parameter'", "which is its `.value`"),
+        ({"SpinnerPyNode(Node):": "SpinnerPyNode:", '("spinner_py_node")': "()"}, "attribute '", "(Node)`?"),
         (FOR_ROS_1, "This node is for ROS 1: it imports `rospy`", "where a node imports `rclpy`"),
         ("import rospy, rclpy\n", "imports both", "This exercise is on ROS 2"),
         ({"timer_callback(self)": "timer_callback(self, event)"}, "missing 1 required positional", "no argument"),
@@ -1117,7 +1153,7 @@ WRONG: dict[str, list[tuple[Answer, str, str]]] = {
             "the time that an image takes",
         ),
         ({"create_timer(1.0": "create_timer(2.0"}, "the camera took 2 images in 5 s; it can take 5", "as before"),
-        ({"create_timer(0.1": "create_timer(0.2"}, "the motor: counter 1 came at 0.2 s", "single-threaded"),
+        ({"create_timer(0.1": "create_timer(0.2"}, "the motor: counter 1 came at 0.2 s", "They come every 0.2 s:"),
         ({"MultiThreadedExecutor()": "MultiThreadedExecutor(1)"}, "the motor: counter 1", "single-threaded"),
         (
             {EXECUTOR: "    executor = MultiThreadedExecutor()\n"},
@@ -1184,12 +1220,12 @@ WRONG: dict[str, list[tuple[Answer, str, str]]] = {
         (
             {SLEEPS: "            time.sleep(0.4)\n"},
             "With `work:=0.4`: counter 2 came at 0.8 s, not at 0.5 s",
-            "wakes the thread in `sleep()`",
+            "The pause is the same whatever the work takes.",
         ),
         (
             {"create_rate(2.0)": "create_rate(0.5)"},
             "counter 2 came at 2 s, not at 0.5 s",
-            "wakes the thread in `sleep()`",
+            "A Rate is given a frequency.",
         ),
         (
             {"daemon=True": "daemon=False"},
@@ -1285,7 +1321,11 @@ WRONG: dict[str, list[tuple[Answer, str, str]]] = {
             "the motor was stopped at 0.16 s",
             "has to drive the motor as before",
         ),
-        ({CAUGHT: CAUGHT.replace("pass", "raise SystemExit(1)")}, "ended with status 1 instead of 0", "finally"),
+        (
+            {CAUGHT: CAUGHT.replace("pass", "raise SystemExit(1)")},
+            "ended with status 1 instead of 0",
+            "Status 0 says that all is well.",
+        ),
         (
             {"    try:\n": "    import signal\n    signal.signal(signal.SIGINT, signal.SIG_IGN)\n    try:\n"},
             "did not end at Ctrl-C",
@@ -1417,6 +1457,8 @@ WRONG: dict[str, list[tuple[Answer, str, str]]] = {
         (FOR_ROS_1, "This node is for ROS 1", "This exercise is on ROS 2"),
     ],
     "cancel-a-goal": [
+        ({"cancel_requested": "cancel_requested()"}, "aborted (6) at 1 s", "`execute_callback` failed: `'bool' object"),
+        ({"self.goal.cancel_goal_async()": "pass  # "}, "was reached (4) at 5 s", "The client cancels the goal"),
         (
             {"            cancel_callback=self.may_cancel)\n": "            )\n"},
             "Cancelled at 3.2 s: the goal was reached (4) at 5 s, not cancelled (5)",
@@ -1435,7 +1477,7 @@ WRONG: dict[str, list[tuple[Answer, str, str]]] = {
             "without saying how it ended",
         ),
         ({"goal.canceled()": "goal.abort()"}, "was aborted (6) at 3.5 s", "without saying how it ended"),
-        ({"goal.canceled()": "goal.succeed()"}, "was reached (4) at 3.5 s", "is_cancel_requested"),
+        ({"goal.canceled()": "goal.succeed()"}, "was reached (4) at 3.5 s", "It succeeded early:"),
         (
             {"sequence=numbers)\n            numbers": "sequence=[])\n            numbers"},
             "the result has 0 numbers, not 7",

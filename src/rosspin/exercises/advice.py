@@ -5,7 +5,8 @@ from __future__ import annotations
 import inspect
 import re
 import sys
-from types import FrameType, ModuleType
+from difflib import get_close_matches
+from types import FrameType
 
 from ..clocks.frames import node_frames
 from ..rospy.exceptions import ROSInitException
@@ -36,15 +37,16 @@ def advice(error: BaseException) -> str:
     """Advise on an error in a node, in a sentence; an empty text stands for no advice."""
     if isinstance(error, TypeError) and "'Parameter'" in str(error):
         return (
-            'A parameter is not yet its number, which is its `.value`: `self.declare_parameter("period", 0.5).value`.'
+            "A parameter is not yet its number, which is its `.value`: `self.declare_parameter(name, default).value`."
         )
-    if form := _form(error):
-        return form
+    if said := _form(error) or _on_messages(error):
+        return said
     frame = _innermost(error)
     if frame is None:
         return ""
     module = str(frame.f_globals["__name__"])
-    return _on_rclpy(error, module, frame) if ".rclpy." in module else _on_rospy(error, module)
+    said = _on_rclpy(error, module, frame) if ".rclpy." in module else _on_rospy(error, module)
+    return said or _form_within(error)
 
 
 def lacking(error: ModuleNotFoundError) -> str:
@@ -54,8 +56,14 @@ def lacking(error: ModuleNotFoundError) -> str:
     return f"This page has stand-ins for rospy and rclpy, and Python's standard library, but no {error.name}."
 
 
-def not_found(error: BaseException) -> str:
-    """Say where to look for a name, an attribute or a module that Python did not find; empty for other errors."""
+_NOT_FOUND = (
+    "Python names what it did not find. Is it spelt as where you defined it, with its `self.`, and is it there before "
+    "this line runs?"
+)
+
+
+def not_found(error: BaseException, text: str) -> str:
+    """Say where to look for what Python did not find in an answer, a text; empty for other errors."""
     if isinstance(error, ModuleNotFoundError):
         if sys.platform == "emscripten":
             return f"{lacking(error)} No exercise needs it."
@@ -71,30 +79,66 @@ def not_found(error: BaseException) -> str:
             return f'A letter is a text. Write it in quotes: `"{error.name}"`.'
         if re.match(r"[A-Z]\w*[a-z]", error.name or ""):
             return "A class is imported from its module, or defined, before it is used. Is it spelt as it is there?"
-        return "Python names what it did not find. Is it spelt as where you defined it, with its `self.`?"
+        if re.search(rf"\bself\.{error.name}\b|\bdef {error.name}\(self\b", text):
+            return f"In a method of the class it is `self.{error.name}`."
+        return _NOT_FOUND
     if isinstance(error, AttributeError):
-        return (
-            _lacks(error) or "Python names what it did not find. Is it spelt as where you defined it, with its `self.`?"
-        )
+        if re.search(rf"(?<![.\w]){error.name} = ", text):
+            return f"`{error.name}` is a variable of one function. Others find it if it is kept as `self.{error.name}`."
+        return _lacks(error) or _meant(error) or _NOT_FOUND
+    if isinstance(error, ZeroDivisionError):
+        return "This line divides by 0. In Python `1 // 10` and `int(0.5)` are 0, and False counts as 0, too."
     return ""
 
 
 def _lacks(error: AttributeError) -> str:
     """Say what an object of ROS has instead; empty for an object of the answer's own."""
-    if isinstance(error.obj, ModuleType):
-        module = error.obj.__name__
+    if found := re.match(r"module '([\w.]+)' has no attribute", str(error)):
+        module = found[1]
+        if module == "rclpy" and error.name in _IN_ROS_2:
+            return f"`{error.name}` is one of rospy. In ROS 2 it is {_IN_ROS_2[error.name]}."
         if f"rosspin.{module}.{error.name}" in sys.modules:
             return f"Import it at the top: `import {module}.{error.name}`."
         return f"`{module}` has no `{error.name}`. Is it spelt as in the lesson?" if _is_of_ros(module) else ""
     kind = type(error.obj)
+    if "object has no attribute" not in str(error) or error.obj is None:
+        return ""
+    if kind.__name__ in ("function", "method"):
+        return f"This is a function, which is to be called first, with `()`: what it returns has `{error.name}`."
+    if hasattr(kind, "get_fields_and_field_types"):
+        fields = ", ".join(f"`{name}`" for name in kind.get_fields_and_field_types())
+        return f"A `{kind.__name__}` has no field `{error.name}`. It has {fields}."
+    if kind.__name__ == "TimerEvent":
+        return "It has `current_expected`, `current_real`, `last_expected`, `last_real` and `last_duration`."
     if not _is_of_ros(kind.__module__):
         return ""
     has = [f"`{name}()`" for name in vars(kind) if name[:1] != "_" and inspect.isfunction(vars(kind)[name])]
     return f"A `{kind.__name__}` has no `{error.name}`. It has {', '.join(has[:8])}." if has else ""
 
 
+def _meant(error: AttributeError) -> str:
+    """Return what an object has that is spelt almost like an attribute that it lacks; empty if there is nothing."""
+    if error.obj is None or not error.name:
+        return ""
+    names = {name.lower().replace("_", ""): name for name in dir(error.obj) if name[:1] != "_"}
+    near = get_close_matches(error.name.lower().replace("_", ""), names, 1, 0.85)
+    if near and names[near[0]] != f"{error.name}s":
+        return f"There is a `{names[near[0]]}`. Is it that?"
+    if _makes_nodes(error.name) and inspect.isclass(type(error.obj)):
+        return f"A `Node` has `{error.name}`. Is the class one of these, `class {type(error.obj).__name__}(Node)`?"
+    return ""
+
+
+def _makes_nodes(name: str) -> bool:
+    return name in ("create_timer", "create_publisher", "create_subscription", "create_client", "create_service") or (
+        name in ("create_rate", "declare_parameter", "get_logger", "get_clock")
+    )
+
+
 def not_called(error: BaseException, text: str, line: int) -> str:
-    """Advise on a callback that was called, in a ``line`` of the answer, where it was to be passed on."""
+    """Advise on what was called in a ``line`` of the answer, and should not have been; empty for other errors."""
+    if found := re.match(r"'(Publisher|Client|Timer|RcutilsLogger|Rate)' object is not callable", str(error)):
+        return f"It is no function. Call what it has, such as `{_METHODS[found[1]]}`."
     lines = text.splitlines()
     found = re.match(r"(?:\w+\.)*(\w+)\(\) missing \d+ required positional argument", str(error))
     if not (isinstance(error, TypeError) and found and 0 < line <= len(lines)):
@@ -103,22 +147,36 @@ def not_called(error: BaseException, text: str, line: int) -> str:
     return f"Pass the function on without calling it: `{called[1]}`, not `{called[1]}()`." if called else ""
 
 
+# What nodes take from rospy, and what there is in ROS 2.
+_IN_ROS_2 = {
+    "init_node": "`rclpy.init()`, and a `Node` with that name",
+    "Timer": "`self.create_timer`",
+    "Rate": "`self.create_rate`",
+    "Publisher": "`self.create_publisher`",
+    "Subscriber": "`self.create_subscription`",
+    "get_param": "`self.declare_parameter(name, default).value`",
+    "is_shutdown": "`not rclpy.ok()`",
+    "sleep": "`time.sleep`",
+    **dict.fromkeys(("logdebug", "loginfo"), "`self.get_logger().info`"),
+    **dict.fromkeys(("logwarn", "logerr"), "`self.get_logger().error`"),
+}
+
 # Names of other languages.
 _CONSTANTS = {"true": "True", "false": "False", "null": "None", "nil": "None"}
 
 # How what makes something is called, for whoever gives it the wrong arguments.
 _FORMS = {
     "create_timer": "`self.create_timer(0.5, self.timer_callback)`: the period in seconds, then the callback.",
-    "create_publisher": '`self.create_publisher(UInt32, "counter", 10)`: the type, the topic, how many may wait.',
-    "create_subscription": '`self.create_subscription(UInt32, "counter", self.callback, 10)`: the type, the topic, the '
+    "create_publisher": '`self.create_publisher(UInt32, "topic", 10)`: the type, the topic, how many may wait.',
+    "create_subscription": '`self.create_subscription(UInt32, "topic", self.callback, 10)`: the type, the topic, the '
     "callback, how many may wait.",
     "create_client": '`self.create_client(Trigger, "name")`: the type, then the name of the service.',
     "create_service": '`self.create_service(Trigger, "name", self.callback)`: the type, the name, the callback.',
     "spin": "`rclpy.spin(node)`: the node whose callbacks are to be called.",
-    "declare_parameter": '`self.declare_parameter("period", 0.5).value`: the name, then the default.',
-    "get_parameter": '`self.get_parameter("period").value`, after the parameter was declared.',
-    "Publisher": '`rospy.Publisher("counter", UInt32, queue_size=10)`: the topic, then the type.',
-    "Subscriber": '`rospy.Subscriber("counter", UInt32, self.callback)`: the topic, the type, the callback.',
+    "declare_parameter": "`self.declare_parameter(name, default).value`: the name, then the default.",
+    "get_parameter": "`self.get_parameter(name).value`, after the parameter was declared.",
+    "Publisher": '`rospy.Publisher("topic", UInt32, queue_size=10)`: the topic, then the type.',
+    "Subscriber": '`rospy.Subscriber("topic", UInt32, self.callback)`: the topic, the type, the callback.',
     "Timer": "`rospy.Timer(rospy.Duration(0.5), self.callback)`: the period, a Duration, then the callback.",
 }
 
@@ -140,6 +198,36 @@ def _form(error: BaseException) -> str:
     if not isinstance(error, TypeError) or not found:
         return ""
     return _LACKING.get((found[1], found[2])) or _FORMS.get(found[1], "")
+
+
+def _form_within(error: BaseException) -> str:
+    """Return how to call what refused its arguments itself."""
+    trace = error.__traceback__
+    while trace and isinstance(error, (TypeError, ValueError)):
+        code, names = trace.tb_frame.f_code, trace.tb_frame.f_locals
+        if _is_of_ros(str(trace.tb_frame.f_globals.get("__name__", ""))):
+            name = type(names.get("self")).__name__ if code.co_name == "__init__" else code.co_name
+            if name in _FORMS:
+                return _FORMS[name]
+        trace = trace.tb_next
+    return ""
+
+
+def _on_messages(error: BaseException) -> str:
+    """Advise on a message that was not made, or not filled, as it is to be."""
+    said = str(error)
+    if isinstance(error, TypeError) and said.startswith("Expected <class") and ".msg." in said:
+        if "Metaclass_" in said:
+            return "This is the class of the messages: make one, with `()`, and fill it."
+        return "A number is not yet a message: give `publish` one that holds it, as in `UInt32(data=5)`."
+    if isinstance(error, TypeError) and "__init__() takes 1 positional argument" in said:
+        return "The fields of a message are given by their names, as in `UInt32(data=5)`."
+    if (isinstance(error, AssertionError) and "field must be" in said) or "SerializationE" in type(error).__name__:
+        return "A field of a message takes values of its own type only. One for whole numbers takes no text."
+    return ""
+
+
+_METHODS = {"Publisher": "publish", "Client": "call_async", "Timer": "cancel", "RcutilsLogger": "info", "Rate": "sleep"}
 
 
 def _is_of_ros(module: str) -> bool:
@@ -171,7 +259,7 @@ def _on_rclpy(error: BaseException, module: str, frame: FrameType) -> str:
 
     if isinstance(error, NotInitializedException) or (isinstance(error, RCLError) and "rcl_init()" in str(error)):
         return "Call rclpy.init() before you make a node, and rclpy.shutdown() only at the end."
-    if isinstance(error, AttributeError) and (error.name or "").startswith("_"):
+    if isinstance(error, AttributeError) and (error.name or "").startswith("_") and "'_rosspin" not in str(error):
         return 'A class of Node begins its __init__ with super().__init__("a_name").'
     if isinstance(error, ZeroDivisionError):
         return "Nothing can have a frequency of 0 Hz."
@@ -184,19 +272,21 @@ def _on_rclpy(error: BaseException, module: str, frame: FrameType) -> str:
         return "The period of a timer cannot be negative: give create_timer the seconds from one call to the next."
     if isinstance(error, TypeError) and "float()" in str(error) and frame.f_code.co_name == "create_timer":
         return "The period of a timer comes first and is a number of seconds: create_timer(0.5, self.timer_callback)"
-    if isinstance(error, AttributeError) and error.name == "add_entity":
+    if "add_entity" in str(error):
+        if "missing" in str(error):
+            return "A callback group is made with `()`: `MutuallyExclusiveCallbackGroup()`."
         return "A callback group comes after the callback. Has a number a comma in it? `0,1` is two numbers: write 0.1."
     if isinstance(error, TypeError) and module.endswith(".executors"):
         if "not callable" in str(error):
             return "Pass the callback itself, without calling it: self.timer_callback, not self.timer_callback()."
         if "positional argument" in str(error):
             return _PASSED_2.get(type(frame.f_locals.get("entity")).__name__, "")
-    if isinstance(error, TypeError) and str(error).startswith("Expected <class") and "_msgs." in str(error):
-        return "A number is not yet a message: give `publish` one that holds it, as in UInt32(data=self.counter)."
-    if "__init__() takes 1 positional argument" in str(error):
-        return "The fields of a message are given by their names: UInt32(data=self.counter)."
-    if isinstance(error, AssertionError) and "field must be" in str(error):
-        return "The field of a message takes values of its own type only, such as a number, and no text."
+    if isinstance(error, RCLError) and "invalid allocator" in str(error):
+        return "The node uses this topic with another type already. Both ends of a topic have to name the same type."
+    if "History and/or depth settings are required" in str(error):
+        return "A QoSProfile needs a depth, too: QoSProfile(depth=10, ...)."
+    if isinstance(error, TypeError) and not str(error):
+        return "The callback of a service returns the response, and that of an action its result: `return response`."
     return ""
 
 

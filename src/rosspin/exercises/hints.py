@@ -9,7 +9,7 @@ from itertools import pairwise
 from .judging import plain, say
 from .seen import Printed, Seen
 
-__all__ = ["for_counters", "for_none"]
+__all__ = ["for_counters", "for_none", "for_times"]
 
 # Times (s) that differ by less are meant to be the same.
 _CLOSE = 1e-3
@@ -32,14 +32,26 @@ def for_counters(found: Sequence[Printed], wanted: Sequence[float], told: str = 
     steps = {after - number for number, after in pairwise(numbers)}
     if steps == {0}:
         return f"The counter stays at {numbers[0]}: each call has to add 1 to it, and to {told} what comes of that."
-    if numbers[0] == 0 and steps <= {1}:
+    if numbers[0] == 0 and steps <= {1} and abs(found[0].time - wanted[0]) < _CLOSE:
         return f"The first counter is 1: add 1 before you {told} it, not after."
+    if steps <= {1} and numbers[0] > 1:
+        return f"The first counter is 1, and this one begins at {numbers[0]}: it is 0 at the start. If not, {_OWN}"
     if steps <= {0, 1} and 0 in steps:
         return f"A counter comes more than once: does the node {told} it twice, or do two timers {told} the same one?"
     if len(steps) == 1 and (step := steps.pop()) > 1:
         return f"The counter goes up by {step} each time: add 1 in each call. If another timer counts in it: {_OWN}"
     if abs(found[0].time - wanted[0]) < _CLOSE:
         return f"Something else counts in the same variable: {_OWN}"
+    return ""
+
+
+def for_times(found: Sequence[Printed], wanted: Sequence[float]) -> str:
+    """Return a hint on the right counters at wrong times; empty if they show no more than another period."""
+    pairs = list(pairwise(found[: len(wanted)]))
+    if pairs and all(after.time - line.time < _CLOSE for line, after in pairs[::2]):
+        return "They come two at a time: do two timers call the same callback, or does one call count twice?"
+    if len(found) == 1 < len(wanted) and abs(found[0].time - wanted[0]) < _CLOSE:
+        return "It came once, and never again: what is to call back the next time?"
     return ""
 
 
@@ -51,6 +63,10 @@ def for_none(seen: Seen, tag: str, hint: str = "") -> str:
         text = line.text.strip().rpartition("]: ")[2]
         if line.time <= seen.seconds and sign.search(text) and not any(f"[{other}]" in text for other in others):
             return f"The lines are to read `[{tag}] counter = 1` and so on. The node printed `{plain(text)}`."
+    if any(timer.state == "stopped" and not timer.calls for timer in seen.timers):
+        return "A timer of the node was stopped before its first call, or never started."
+    if not seen.timers and seen.interrupted and not seen.printed:
+        return hint or "The node has no timer, and printed nothing. What is to call the callback?"
     slow = [timer for timer in seen.timers if not timer.calls and timer.period > seen.seconds]
     if slow and seen.interrupted:
         period, end = say(slow[0].period), say(seen.seconds)

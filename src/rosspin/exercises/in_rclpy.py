@@ -13,11 +13,12 @@ from ..rclpy.exceptions import ExternalShutdownException, RCLError, ROSInterrupt
 from ..rclpy.executors import Executor, _call
 from ..rclpy.qos import QoSProfile
 from ..rclpy.timer import Timer
+from ..rclpy.topics import Subscription
 from ..world.world import World
 from .advice import advice
 from .watched import Watched
 
-__all__ = ["ENDINGS", "WAITING", "hint", "in_words", "timer_of", "timers", "whose"]
+__all__ = ["ENDINGS", "WAITING", "heard_in", "hint", "in_words", "parameters", "timer_of", "timers", "whose"]
 
 # RCLError: rclpy.shutdown() after Ctrl-C
 ENDINGS: tuple[type[BaseException], ...] = (
@@ -57,6 +58,19 @@ def timers(world: World, printers: Iterable[Any]) -> list[Watched]:
     ]
 
 
+def heard_in(frame: FrameType) -> Any:
+    """Return the message with which an executor calls a subscription back in a frame, or None."""
+    if frame.f_code is not _call.__code__ or not isinstance(frame.f_locals["entity"], Subscription):
+        return None
+    return next(iter(frame.f_locals.get("args", ())), None)
+
+
+def parameters(world: World) -> list[str]:
+    """Return the parameters that its nodes have declared."""
+    nodes = [node.node() for context in world.part(State).contexts for node in context.nodes]
+    return sorted({name for node in nodes if node is not None for name in node._parameters})
+
+
 def in_words(qos: QoSProfile) -> str:
     """Return the policies that an end of a topic is often given."""
     return f"{qos.reliability.short_key}, {qos.durability.short_key}, depth {qos.depth}"
@@ -69,6 +83,6 @@ def whose(codes: Collection[CodeType]) -> str:
 
 def hint(error: BaseException, whose: str) -> str:
     """Return what may be behind an error that rclpy raises."""
-    if isinstance(error, AttributeError) and error.obj is None:
+    if isinstance(error, AttributeError) and str(error).startswith("'NoneType'"):
         return "This is None. The result of a future is None until the answer has come: use it in a done callback."
     return advice(error)

@@ -9,11 +9,12 @@ from typing import Any
 from .. import rospy
 from ..rospy.state import State
 from ..rospy.timer import Timer
+from ..rospy.topics import Subscription
 from ..world.world import World
 from .advice import advice
 from .watched import Watched
 
-__all__ = ["ENDINGS", "WAITING", "hint", "in_words", "timer_of", "timers", "whose"]
+__all__ = ["ENDINGS", "WAITING", "heard_in", "hint", "in_words", "parameters", "timer_of", "timers", "whose"]
 
 ENDINGS: tuple[type[BaseException], ...] = ()
 WAITING: Collection[CodeType] = (rospy.spin.__code__,)
@@ -36,6 +37,16 @@ def timers(world: World, printers: Iterable[Any]) -> list[Watched]:
         )
         for timer in world.part(State).timers
     ]
+
+
+def heard_in(frame: FrameType) -> Any:
+    """Return the message with which a subscription calls back from a frame, or None."""
+    return frame.f_locals["message"] if frame.f_code is Subscription._call.__code__ else None
+
+
+def parameters(world: World) -> list[str]:
+    """Return nothing: nobody declares parameters."""
+    return []
 
 
 def in_words(qos: None) -> str:

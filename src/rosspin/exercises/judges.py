@@ -11,7 +11,7 @@ from itertools import pairwise
 from typing import Concatenate, ParamSpec
 
 from .feedback import Finding
-from .hints import for_counters, for_none
+from .hints import for_counters, for_none, for_times
 from .judging import Answer, Judge, above, hint_for_kept, plain, say, say_error, say_kept
 from .seen import Printed, Seen
 
@@ -187,7 +187,25 @@ def ticks(
     found, wanted = seen.counters(tag), [*at, *(grid(period, until or seen.seconds, start) if period else ())]
     what = ", ".join(filter(None, (when, name)))
     said = hint if isinstance(hint, str) else hint(found)
-    return on_time(found, wanted, what, said if found else for_none(seen, tag, said))
+    if not found:
+        said = for_none(seen, tag, said)
+    elif seen.interrupted:
+        said = said or for_times(found, wanted)
+    return on_time(found, wanted, what, said)
+
+
+def unless_regular(hint: str) -> Hint:
+    """Return a hint for counters that leave their grid; those of another period are told so."""
+
+    def hint_for(found: Sequence[Printed]) -> str:
+        period = found[0].time if found else 0.0
+        if len(found) > 1 and all(abs(line.time - n * period) < _CLOSE for n, line in enumerate(found, 1)):
+            return (
+                f"They come every {say(period)}: that is the period of their timer now, not the one that is asked for."
+            )
+        return hint
+
+    return hint_for
 
 
 def overrun(found: Sequence[Printed]) -> str:
@@ -337,7 +355,8 @@ def ends_well(seen: Seen, when: str) -> Finding:
         again = "After a signal `rclpy.shutdown()` raises an error; `rclpy.try_shutdown()` does not."
         return Finding(False, f"{when}: the {say_error(error)}", again if error.type == "RCLError" else caught)
     if seen.status:
-        return Finding(False, f"{when}: the node ended with status {seen.status} instead of 0.")
+        text = f"{when}: the node ended with status {seen.status} instead of 0."
+        return Finding(False, text, "Status 0 says that all is well. It is that of a main part that just ends.")
     return Finding(True, f"{when}: the node ended with status 0, without a traceback.")
 
 
@@ -363,11 +382,22 @@ def fails(seen: Seen, when: str, hint: str) -> Finding:
 
 
 @_check
+def declares(seen: Seen, when: str, name: str) -> Finding | None:
+    """Whether a node of ROS 2 has declared a parameter. Nothing is said of one that has."""
+    if name in seen.parameters or not seen.interrupted:
+        return None
+    text = f"{when}: the node has no parameter `{name}`."
+    return Finding(
+        False, text, "It is declared, and read from there: whoever starts the node may set it in other ways."
+    )
+
+
+@_check
 def refuses(seen: Seen, when: str, name: str) -> Finding:
     """Whether a node has refused a parameter in words, with a status other than 0 and without a traceback."""
     look = f"Look at the {name} before you make the timer: write an error line, and end with `sys.exit(1)`."
     if counters := seen.counters():
-        often = f"{len(counters)} times in {say(seen.seconds)}"
+        often = f"{len(counters)} time{'s' if len(counters) > 1 else ''} in {say(seen.seconds)}"
         if any(timer.is_endless for timer in seen.timers):
             often = "without a pause"
         text = f"{when}: the node ticked anyway, {often}."
@@ -397,6 +427,12 @@ def makes_passes_until_signalled(answer: Answer) -> Iterator[Finding]:
             hint = "The first `sleep()` never returned. A Rate is a timer: who calls it back while the loop sleeps?"
         elif len(counters) > 1 and abs(counters[1].time - 0.5 - work) < _CLOSE:
             hint = "The work is a part of the period: shorten the pause by the time that the work takes."
+        elif counters and counters[0].time > _CLOSE:
+            hint = "The first pass begins immediately: the loop sleeps at its end, and a timer would wait for a period."
+        elif len(counters) > 1 and work > 0.1 and abs(counters[1].time - 0.4 - work) < _CLOSE:
+            hint = "The pause is the same whatever the work takes. Let it last for what is left of the period."
+        elif len(counters) > 1 and abs(counters[1].time - 0.5) > 0.05:
+            hint = "A Rate is given a frequency. Passes every 0.5 s are 2.0 a second."
         finding = on_time(counters, grid(0.5, seconds, start=0.0), when, hint)
         yield finding
         endings.append(ends_well(seen, f"{when}, Ctrl-C"))
@@ -423,7 +459,7 @@ def parts_add_up(seen: Seen, when: str, lock: str) -> Finding:
         due = 0.5 * number
         if len(reports) < number or reports[number - 1].time > due + 0.1:
             return Finding(False, f"{start}the report due at {say(due)} did not come.", stuck)
-        time, text, _ = reports[number - 1]
+        time, text, *_ = reports[number - 1]
         reported = _as_whole(text)
         if reported is None:
             return Finding(False, f"{start}`parts = {plain(text)}` is not a number of parts.")
@@ -447,7 +483,7 @@ def calls_add_up(seen: Seen, when: str) -> Finding:
     calls = max((timer.calls for timer in seen.timers), key=len, default=())
     begun = {timer.number: timer.calls for timer in seen.timers}
     total = 0
-    for time, text, timer in seen.values("SPINNER PY NODE", "parts"):
+    for time, text, timer, _ in seen.values("SPINNER PY NODE", "parts"):
         total += _as_whole(text) or 0
         began = max((call for call in begun.get(timer, ()) if call <= time), default=time)
         least = sum(call < began - _CLOSE for call in calls) - 1
@@ -471,7 +507,10 @@ def one_image_at_a_time(seen: Seen, when: str, takes: float) -> Finding:
     for image, later in pairwise(begun):
         if not any(image.time <= line.time <= later.time for line in done):
             text = f"{what} began image {later.text} at {say(later.time)}, while it still took image {image.text}."
-            reentrant = "In a `ReentrantCallbackGroup` calls of one timer may overlap; in the other kind they may not."
+            reentrant = (
+                "In a `ReentrantCallbackGroup` calls of one timer may overlap; in the other kind they may not. And a "
+                "callback that returns too soon is called again."
+            )
             return Finding(False, text, reentrant)
     for number, image in enumerate(begun, 1):
         end = next((line for line in done if line.text == image.text), None)
@@ -563,7 +602,8 @@ def cancels(answer: Answer) -> Iterator[Finding]:
 
 _REACHED = {
     "4": "The server went on to the end. In `execute_callback`, look at `is_cancel_requested` before each number.",
-    "6": "A goal is aborted if its callback returns without saying how it ended: `goal.canceled()`, `goal.succeed()`.",
+    "6": "A goal is aborted if its callback says `goal.abort()`, fails, or returns without saying how it ended: "
+    "`goal.canceled()`, `goal.succeed()`.",
 }
 _REFUSED = "Unless it has a `cancel_callback` that returns `CancelResponse.ACCEPT`, a server cancels no goal."
 
@@ -579,7 +619,14 @@ def _ended(seen: Seen, when: str, status: str, at: float, length: int) -> Findin
     if found[0].text != status:
         said = names.get(found[0].text, f"`{plain(found[0].text)}`")
         hint = _REACHED.get(found[0].text, "Only a goal that is to be cancelled is: look before you call `canceled()`.")
-        if status == "5" and cancelled and cancelled[0].text == "0":
+        asked = [line.text for line in seen.printed if "Error raised in execute callback" in line.text]
+        if asked:
+            hint = f"`execute_callback` failed: `{plain(asked[0].rpartition('callback: ')[2])}`."
+        elif status == "5" and not cancelled:
+            hint = "The client cancels the goal at 3.2 s. It is to stay as it is."
+        elif found[0].text == "4" and numbers[0].text != "10":
+            hint = "It succeeded early: `goal.succeed()` in place of `goal.canceled()`, or a client that asks for less."
+        elif status == "5" and cancelled[0].text == "0":
             hint = _REFUSED
         return Finding(False, f"{when}: the goal was {said} at {say(found[0].time)}, not {names[status]}.", hint)
     if abs(found[0].time - at) > _CLOSE:
@@ -625,16 +672,18 @@ def published_and_heard(answer: Answer) -> Iterator[Finding]:
     heard = seen.values("LISTENER", "counter")
     gone = "Nothing subscribes to `/counter` any more. Leave the listener as it is."
     hint = _ONCE if seen.ends_of("/counter", False) else gone
-    by_listener = on_time(heard, wanted, "The listener", hint if on_topic.right else _EVERY, told="publish")
-    if not (on_topic.right and by_listener.right):
+    by_listener = on_time(heard, wanted, "The listener", hint if on_topic.right else _EVERY)
+    if on_topic.right and heard and heard[0].text != "1":  # it is lost on its way
+        by_listener = by_listener._replace(hint=hint)
+    if on_topic.right and any(line.timer for line in heard):
+        yield _called_itself("The listener")
+    elif not (on_topic.right and by_listener.right):
         yield by_listener
     elif len(publishers) > 1:
         yield Finding(False, f"the node made {len(publishers)} publishers of `/counter`, where one would do.", _ONCE)
     elif publishers[0] > sent[0].time - _CLOSE:
         text = f"the publisher was made at {say(publishers[0])}, when its first message was already due."
         yield Finding(False, text, _ONCE)
-    elif any(line.timer for line in heard):
-        yield _called_itself("The listener")
     else:
         yield by_listener
 
@@ -669,9 +718,15 @@ def arrives_once(seen: Seen, when: str, goal: str, at: float) -> Finding:
     """Whether the listener, which subscribes at a time (s), hears the goal once, soon after."""
     heard = seen.values("LISTENER", "goal")
     if not heard:
-        return Finding(False, f"{when}: the goal did not arrive.")
+        sent = any(message.topic == "/goal" for message in seen.sent)
+        never = "The planner publishes nothing on `/goal`. It is to publish 7 there, once."
+        return Finding(False, f"{when}: the goal did not arrive.", "" if sent else never)
     if wrong := [line.text for line in heard if line.text != goal]:
-        return Finding(False, f"{when}: the goal {plain(wrong[0])} arrived, not {goal}.")
+        text = f"{when}: the goal {plain(wrong[0])} arrived, not {goal}."
+        return Finding(False, text, f"The goal is {goal}. What is published last is what is kept.")
+    if heard[0].time < at - _CLOSE or heard[0].timer:
+        text = f"{when}: the robot printed the goal at {say(heard[0].time)}, but no message had brought it."
+        return Finding(False, text, "The topic carries the goal: leave its callback to the subscription.")
     if len(heard) > 1:
         text = f"{when}: the goal arrived {len(heard)} times; a robot would start again each time."
         return Finding(False, text, "Publish once, and let the publisher keep the message.")
@@ -749,7 +804,7 @@ def steers_by_the_newest(seen: Seen, when: str, qos: str = "") -> Finding:
     steps = [line for line in seen.values("CONTROLLER", "position") if line.time <= seen.seconds]
     if len(sent) < 99:
         text = f"the sensor published {len(sent)} positions in {say(seen.seconds)}, not one every 0.1 s."
-        return Finding(False, text, _AS_IT_IS)
+        return Finding(False, text, f"{_AS_IT_IS} What calls it every 0.1 s has to be free to do so.")
     if wrong := _unmatched(seen):
         return wrong
     steered = f"the controller steered {len(steps)} times"
@@ -761,13 +816,16 @@ def steers_by_the_newest(seen: Seen, when: str, qos: str = "") -> Finding:
         return Finding(False, f"{steered} in {say(seen.seconds)}; it can do so 20 times.", hint)
     if short := [after for line, after in pairwise(steps) if after.time - line.time < 0.33 - _CLOSE]:
         text = f"the controller steered again at {say(short[0].time)}, less than 0.33 s after the last time."
-        return Finding(False, text, "Its computation takes 0.33 s: leave that as it is.")
-    for time, text, _ in steps:
+        return Finding(False, text, "Its computation takes 0.33 s, and the next one begins after that: leave both so.")
+    for time, text, _, heard in steps:
         number = _as_whole(text)
         made = None if number is None else sent.get(number)
         if made is None:
             said = f"`position = {plain(text)}` is not a position that the sensor has published."
             return Finding(False, said, "A message is not yet its number: print `message.data`.")
+        if heard not in ("", text):
+            said = f"at {say(time)} the controller printed position {text}, but the message that it got held {heard}."
+            return Finding(False, said, "The sensor could be in another process: what it says comes in the message.")
         if time - made > 0.1 + _CLOSE:
             said = f"at {say(time)} the controller steered by position {text}, which was {say(time - made)} old."
             return Finding(False, f"{said} A newer one had arrived.")

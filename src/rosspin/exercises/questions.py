@@ -290,7 +290,7 @@ _START_2 = {
         judge=by.every(
             by.run(2.0, by.ticks(0.5), when="Without the parameter"),
             by.until_wrong(
-                by.run(1.0, by.ticks(0.1, hint=_IN_SECONDS), given="period:=0.1"),
+                by.run(1.0, by.ticks(0.1, hint=_IN_SECONDS), by.declares("period"), given="period:=0.1"),
                 by.run(5.0, by.ticks(2.0, hint=_IN_SECONDS), given="period:=2.0"),
                 by.every(
                     by.ending(1.0, by.refuses("period"), given="period:=0.0"),
@@ -307,7 +307,7 @@ _START_2 = {
         "`rclpy.spin(node)` last.",
         judge=by.every(
             by.run(2.0, by.ticks(0.5), when="Without the parameter"),
-            by.run(1.0, by.ticks(0.1, hint=_DECLARED), given="frequency:=10.0"),
+            by.run(1.0, by.ticks(0.1, hint=_DECLARED), by.declares("frequency"), given="frequency:=10.0"),
             by.run(4.0, by.ticks(1.25, hint=_DECLARED), given="frequency:=0.8"),
         ),
     ),
@@ -375,7 +375,7 @@ _STARVED = (
     "While the camera's callback runs, a single-threaded executor calls nothing, and no executor calls what is in the "
     "same mutually exclusive group. A node's timers are in one such group unless you give them others."
 )
-_COMMANDED = by.ticks(0.1, "the motor", "MOTOR", _STARVED)
+_COMMANDED = by.ticks(0.1, "the motor", "MOTOR", by.unless_regular(_STARVED))
 _RING = (
     "The lines that begin with `rosspin:` say who waits, for what, and who would give that. While a callback waits, it "
     "keeps its thread and its callback group."
@@ -436,7 +436,7 @@ _WAIT_2 = {
             *(
                 by.goes_on(
                     5.05,
-                    by.ticks(0.1, "the motor", "MOTOR", _SERVING),
+                    by.ticks(0.1, "the motor", "MOTOR", by.unless_regular(_SERVING)),
                     by.answered(
                         "/take_picture",
                         takes,

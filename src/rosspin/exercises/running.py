@@ -82,6 +82,12 @@ class Ros(Protocol):
     def timers(self, world: World, printers: Iterable[Any]) -> list[Watched]:
         """Return the started timers. ``printers`` are those that have printed something."""
 
+    def heard_in(self, frame: FrameType) -> Any:
+        """Return the message with which a subscription calls back from a frame; None if none does."""
+
+    def parameters(self, world: World) -> list[str]:
+        """Return the parameters that were declared."""
+
     def in_words(self, qos: Any) -> str:
         """Return the QoS of an end of a topic in words; empty if there is none."""
 
@@ -104,6 +110,7 @@ class _Watched(ExploredSimulation):
         super().__init__(Order(decide=decide, deep=seed is not None))
         self.printed: list[Printed] = []
         self.timers: list[SeenTimer] = []
+        self.parameters: tuple[str, ...] = ()
         self.cut = False
         self._ros = ros
         self._timers: dict[int, tuple[int, Any]] = {}  # the timers met so far and their numbers, by id
@@ -142,19 +149,20 @@ class _Watched(ExploredSimulation):
                 if self._left < 0:
                     self.cut = True
                     return
-                self.printed.append(Printed(self.seconds(), _cut(piece), self._number(self._timer(sys._getframe()))))
+                timer, heard = self._caller(sys._getframe())
+                self.printed.append(Printed(self.seconds(), _cut(piece), self._number(timer), heard))
             else:
                 self.printed[-1] = self.printed[-1]._replace(text=_cut(self.printed[-1].text + piece))
             self._whole = piece.endswith("\n")
 
-    def _timer(self, frame: FrameType | None) -> Any:
-        """Return the timer whose call a frame belongs to, or None."""
+    def _caller(self, frame: FrameType | None) -> tuple[Any, str]:
+        """Return the timer whose call a frame belongs to, or None, and what the message holds of which it is told."""
         while frame:
-            timer = self._ros.timer_of(frame)
-            if timer is not None:
-                return timer
+            timer, message = self._ros.timer_of(frame), self._ros.heard_in(frame)
+            if timer is not None or message is not None:
+                return timer, _data(message)
             frame = frame.f_back
-        return None
+        return None, ""
 
     def _number(self, timer: Any) -> int:
         if timer is None:
@@ -167,7 +175,7 @@ class _Watched(ExploredSimulation):
             if frame.f_code in self._ros.WAITING:
                 return
             frame = frame.f_back
-        if frame and self._timer(frame) is None:
+        if frame and self._caller(frame)[0] is None:
             self._sleeps[threading.get_ident(), frame.f_lineno] += 1
 
     def _stop_if_endless(self) -> None:
@@ -189,6 +197,7 @@ class _Watched(ExploredSimulation):
         assert isinstance(world, World)
         ticks = world.recording.ticks()
         printers = [timer for _, timer in self._timers.values()]
+        self.parameters = tuple(map(plain, self._ros.parameters(world)))[:_MOST]
         self.timers = []
         for timer, source, has_ended, was_asked, period, node in self._ros.timers(world, printers):
             calls = [tick for tick in ticks if tick.source == source]
@@ -290,6 +299,7 @@ class Runner:
             timers,
             tuple(clock.loops()[:_MOST]),
             ends,
+            clock.parameters,
             sent,
             calls,
             result.status,
@@ -333,7 +343,7 @@ class Runner:
         line = next((line for code, line in reversed(frames) if code.co_filename == _FILENAME), 0)
         codes = {code for code, _ in frames}
         whose = self._ros.whose(codes) or ("thread" if threading.Thread.run.__code__ in codes else "node")
-        hint = self._ros.hint(error, whose) or not_found(error) or not_called(error, self._text, line)
+        hint = self._ros.hint(error, whose) or not_found(error, self._text) or not_called(error, self._text, line)
         said = plain(traceback.format_exception_only(error)[-1])
         is_ending = isinstance(error, self._ros.ENDINGS)
         return Error(_type(error), said, line, whose, is_ending, hint)
@@ -397,9 +407,13 @@ def _type(value: object) -> str:
 
 def _sent(message: Message) -> Sent:
     topic, _, time, content = message
-    data = getattr(content, "data", None)
-    text = _cut(str(data)) if type(data) in (bool, int, float, str) else ""
-    return Sent(topic, time, str(getattr(content, "_type", _type(content))), text)
+    return Sent(topic, time, str(getattr(content, "_type", _type(content))), _data(content))
+
+
+def _data(message: Any) -> str:
+    """Return the field ``data`` of a message as a text."""
+    data = getattr(message, "data", None)
+    return _cut(str(data)) if type(data) in (bool, int, float, str) else ""
 
 
 def _called(call: Call) -> Called:

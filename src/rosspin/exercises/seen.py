@@ -11,11 +11,15 @@ __all__ = ["Called", "Error", "Kept", "Printed", "Seen", "SeenEnd", "SeenTimer",
 
 
 class Printed(NamedTuple):
-    """A printed line: when (s), its text, and the number of the timer whose call printed it, or 0."""
+    """A printed line: when (s), its text, and the number of the timer whose call printed it, or 0.
+
+    If the callback of a subscription printed it, ``heard`` is the field ``data`` of the message that it was given.
+    """
 
     time: float
     text: str
     timer: int = 0
+    heard: str = ""
 
 
 class SeenTimer(NamedTuple):
@@ -110,11 +114,11 @@ class Seen(NamedTuple):
 
     ``printed`` are the lines that it printed, even after Ctrl-C; ``timers`` are those that it had started by then.
     ``loops`` are the lines of the answer in which something other than a timer's callback slept again and again.
-    ``ends`` are its publishers and subscriptions, ``sent`` the messages that it published, ``calls`` the requests to
-    its services. ``status`` is its exit status, ``errors`` are the exceptions whose tracebacks were printed, and
-    ``interrupted`` says whether it ran until Ctrl-C. If it had to be killed, ``kept_at`` is where it was, and
-    ``kept_by_rate`` says that it waited for a Rate of ROS 2 and nothing else. ``variables`` are the names and values of
-    those requested variables that it has.
+    ``ends`` are its publishers and subscriptions, ``parameters`` those that it had declared in ROS 2, ``sent`` the
+    messages that it published, ``calls`` the requests to its services. ``status`` is its exit status, ``errors`` are
+    the exceptions whose tracebacks were printed, and ``interrupted`` says whether it ran until Ctrl-C. If it had to be
+    killed, ``kept_at`` is where it was, and ``kept_by_rate`` says that it waited for a Rate of ROS 2 and nothing else.
+    ``variables`` are the names and values of those requested variables that it has.
     """
 
     seconds: float
@@ -122,6 +126,7 @@ class Seen(NamedTuple):
     timers: tuple[SeenTimer, ...]
     loops: tuple[int, ...]
     ends: tuple[SeenEnd, ...]
+    parameters: tuple[str, ...]
     sent: tuple[Sent, ...]
     calls: tuple[Called, ...]
     status: int
@@ -138,7 +143,7 @@ class Seen(NamedTuple):
 
     def values(self, tag: str, name: str) -> list[Printed]:
         """Return the lines ``[tag] name = value``, however they were printed, each with its value as the text."""
-        sign = re.compile(rf"(?:^|: )\[{tag}\] {name} = (.*)")
+        sign = re.compile(rf"(?:^|: )\[{tag}\]\s+{name}\s*=\s*(.*)")
         found = [(line, sign.search(line.text)) for line in self.printed]
         return [line._replace(text=match[1].strip()) for line, match in found if match]
 
