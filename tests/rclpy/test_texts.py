@@ -80,6 +80,36 @@ def test_times_and_profiles_are_copied_neither_deeply_nor_by_pickle() -> None:
                 way(value)
 
 
+PARTS = """
+import copy, pickle, rclpy
+from std_msgs.msg import String
+from std_srvs.srv import Trigger
+rclpy.init()
+node = rclpy.create_node("node")
+publisher, subscription = node.create_publisher(String, "a", 1), node.create_subscription(String, "a", print, 1)
+client, service = node.create_client(Trigger, "t"), node.create_service(Trigger, "t", print)
+for part in (node.get_clock(), publisher, subscription, service, client):
+    print(type(copy.copy(part)) is type(part))
+    try:
+        pickle.dumps(part)
+    except TypeError as error:
+        print(error)
+try:
+    node.create_service(Trigger.Request(), "b", print)
+except RuntimeError as error:
+    print(error)
+"""
+
+
+def test_parts_of_a_node_cannot_be_pickled(write: Any) -> None:
+    """As the real one prints it."""
+    parts = [f"rclpy._rclpy_pybind11.{name}" for name in ("Clock", "Publisher", "Subscription", "Service")]
+    assert simulate(write(PARTS), 1).console.splitlines() == [
+        *(line for part in (*parts, "_thread.lock") for line in ("True", f"cannot pickle '{part}' object")),
+        "The service type provided is not valid (std_srvs.srv.Trigger_Request()), this might be a message or action",
+    ]
+
+
 NAMING = """
 from rclpy.node import Node
 import rclpy.qos

@@ -11,7 +11,7 @@ from typing import Any
 from weakref import WeakKeyDictionary
 
 from .context import Context, get_default_context, state
-from .duration import Duration
+from .duration import Duration, Held
 from .exceptions import NotInitializedException
 from .gate import Gate
 from .handle import Handle
@@ -139,8 +139,10 @@ class _Held:
 _HELD = _Held()
 
 
-class Clock:
+class Clock(Held):
     """Tells the time: the system's, a steady one (in simulated time they are the same), or ROS's, a ROSClock."""
+
+    _rosspin_held = "Clock"
 
     def __new__(cls, *, clock_type: ClockType = ClockType.SYSTEM_TIME) -> Clock:
         if not isinstance(clock_type, ClockType):

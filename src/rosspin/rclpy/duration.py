@@ -35,7 +35,7 @@ class Ordered:
 class Held:
     """Base of what holds an object of the C part: it can be copied, but neither deeply nor by pickle."""
 
-    _rosspin_held: str
+    _rosspin_held: str  # the name of its class; with a module if that is another
 
     def __copy__(self) -> Any:
         copied = object.__new__(type(self))
@@ -43,7 +43,8 @@ class Held:
         return copied
 
     def __reduce_ex__(self, protocol: Any) -> Any:
-        raise TypeError(f"cannot pickle 'rclpy._rclpy_pybind11.{self._rosspin_held}' object")
+        held = self._rosspin_held
+        raise TypeError(f"cannot pickle '{held if '.' in held else f'rclpy._rclpy_pybind11.{held}'}' object")
 
 
 class Duration(Held, Ordered):

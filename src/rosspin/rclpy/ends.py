@@ -12,6 +12,7 @@ from typing import TYPE_CHECKING, Any, NamedTuple
 from weakref import ref
 
 from .discovery import ENDPOINT, Participants, late
+from .duration import Held
 from .exceptions import InvalidHandle
 from .handle import Handle, Life
 from .qos import QoSProfile
@@ -129,7 +130,7 @@ class Owner:
             self.peers.remove(other)
 
 
-class Entity:
+class Entity(Held):
     """Base of publishers, subscriptions, clients and services, as a node has them.
 
     Names that rclpy's classes do not have begin with _rosspin, here and in all that a node can hold, so that they do

@@ -280,6 +280,7 @@ class Client(_OfService):
     """Asks a service. Made by ``Node.create_client``. An executor has to spin its node, which takes the answers."""
 
     _rosspin: ClientEnd
+    _rosspin_held = "_thread.lock"
 
     def __init__(
         self,
@@ -374,6 +375,7 @@ class Service(_OfService):
     """Lets an executor call ``callback(request, response)``, which returns the answer. Made by ``create_service``."""
 
     _rosspin: ServerEnd
+    _rosspin_held = "Service"
 
     def __init__(
         self,

@@ -403,6 +403,7 @@ class Publisher(_OnTopic):
     """Publishes messages on a topic. Made by ``Node.create_publisher``."""
 
     _rosspin: PublisherEnd
+    _rosspin_held = "Publisher"
 
     def __init__(
         self,
@@ -454,6 +455,8 @@ class Publisher(_OnTopic):
 
 class Subscription(_OnTopic):
     """Lets an executor call ``callback(message)``, or ``callback(message, info)``. Made by ``create_subscription``."""
+
+    _rosspin_held = "Subscription"
 
     class CallbackType(Enum):
         """With what the callback is called."""
