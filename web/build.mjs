@@ -12,11 +12,18 @@ import { snapshot } from "./snapshot.mjs"
 
 const here = import.meta.dirname
 const [packages, yaml, out] = process.argv.slice(2, 5).map((folder) => path.resolve(folder))
-const rules = Object.fromEntries(Object.entries(JSON.parse(process.argv[5])).map(([name, value]) => [name, JSON.stringify(value)]))
+const rules = Object.fromEntries(leaves("", JSON.parse(process.argv[5])))
 const pyodide = path.join(packages, "node_modules/pyodide")
 const require = createRequire(path.join(packages, "package.json"))
 const { build } = require("esbuild")
 const { zipSync } = require("fflate")
+
+/** What esbuild puts in place of the constants in an object, each by its own name: a script has those that it uses. */
+function leaves(name, value) {
+  const isGroup = name !== "EXERCISES" && typeof value === "object" && !Array.isArray(value)
+  if (!isGroup) return [[name, JSON.stringify(value)]]
+  return Object.entries(value).flatMap(([part, inner]) => leaves(name ? `${name}.${part}` : part, inner))
+}
 
 /** Write a file that is there as a whole or not at all: what is left of a disk that is full is not taken for it. */
 function writeWhole(file, content) {
@@ -44,12 +51,12 @@ const common = {
 }
 // Loaded with each page that has a figure to move, for that alone.
 const moving = ["handles.js", "vehicle.js"].map((name) => path.join(here, "src", name))
-await build({ ...common, outdir: path.join(out, "../handles"), entryPoints: moving })
+await build({ ...common, define: rules, outdir: path.join(out, "../handles"), entryPoints: moving })
 // Likewise where a run can be gone through step by step.
 const stepping = ["steps.js", "stepper.css"].map((name) => path.join(here, "src", name))
 await build({
   ...common,
-  define: { "import.meta.url": '""' }, // for the part of stepper.js that live.js loads as a module
+  define: { ...rules, "import.meta.url": '""' }, // the latter for the part of stepper.js that live.js loads as a module
   outdir: path.join(out, "../stepper"),
   entryPoints: stepping,
 })

@@ -147,8 +147,13 @@ def say_time(seconds: float) -> str:
     """Format a length of time in a suitable unit: ``0.5 s``, ``1.3 ms``, ``85 µs``."""
     for unit, size in (("s", 1.0), ("ms", 1e-3)):
         if abs(seconds) >= 0.0995 * size:
-            return f"{seconds / size:.3g} {unit}"
-    return f"{seconds * 1e6:.3g} µs" if abs(seconds) >= 0.5e-9 else "0"
+            return f"{_three(seconds / size)} {unit}"
+    return f"{_three(seconds * 1e6)} µs" if abs(seconds) >= 0.5e-9 else "0 s"
+
+
+def _three(value: float) -> str:
+    """Write three digits that count, and never a power of ten."""
+    return f"{float(f'{value:.3g}'):.15g}"
 
 
 def _say_beside(seconds: float, other: float) -> str:
@@ -243,7 +248,7 @@ def describe_faults(faults: Sequence[Mishap]) -> str:
     said = []
     for name, group in mishaps_by_name(faults).items():
         least, most = (say_time(by) for by in (min(each.by for each in group), max(each.by for each in group)))
-        by = "" if most == "0" == least else f" by {least}" if least == most else f" by {least} to {most}"
+        by = "" if most == "0 s" == least else f" by {least}" if least == most else f" by {least} to {most}"
         first, last = group[0].time, group[-1].time
         when = f" at {first:.3f} s" if len(group) == 1 else f" {len(group)} times from {first:.3f} s to {last:.3f} s"
         said.append(f"{name}{by}{when}")

@@ -103,8 +103,8 @@ def test_ticks_that_roscpp_loses(times: list[tuple[float, float]], gone: list[fl
         (85e-6, "85 µs"),
         (-0.002, "-2 ms"),
         (1e-9, "0.001 µs"),
-        (0, "0"),
-        (1e-12, "0"),
+        (0, "0 s"),
+        (1e-12, "0 s"),
     ],
 )
 def test_times_in_words(seconds: float, words: str) -> None:
@@ -134,7 +134,8 @@ def test_periods_in_words() -> None:
         "The median period was 505.000 ms; all 2 periods lay between 500.000 ms and 510.000 ms: a jitter of 10 ms."
     )
     assert describe_periods(ticks(*(n * 0.5 + 0.01 * (n == 50) for n in range(1, 151)))) == (
-        "The median period was 500.000 ms; 98% of the 149 periods lay between 500.000 ms and 500.000 ms: a jitter of 0."
+        "The median period was 500.000 ms; "
+        "98% of the 149 periods lay between 500.000 ms and 500.000 ms: a jitter of 0 s."
     )
 
 

@@ -2,7 +2,7 @@
 // rosspin/hand_ins/files.py.
 
 /** What is read at most: of a file (bytes), of an answer and of a name (characters). */
-export const MOST = RULES.handIns
+export const MOST = { file: RULES.handIns.file, answer: RULES.handIns.answer, name: RULES.handIns.name }
 
 /**
  * The text of such a file, made now.

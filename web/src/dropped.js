@@ -3,9 +3,6 @@
 
 /** @typedef {{path: string, file: File | null}} Dropped null: the browser does not give it */
 
-/** What is said to be in folders may be without end: so many entries are gone through. */
-const MOST = RULES.handIns.entries
-
 /**
  * The files of a drop; it has to be asked while the event is handled.
  *
@@ -17,7 +14,8 @@ export async function dropped({ items, files }) {
   if (!entries.some((entry) => entry?.isDirectory)) return chosen(files)
   /** @type {Dropped[]} */
   const found = []
-  const left = { entries: MOST + 2 } // the folder, and one that is too much, which Python says
+  // What is said to be in folders may be without end. The folder counts, and one that is too much, which Python says.
+  const left = { entries: RULES.handIns.entries + 2 }
   for (const entry of entries) if (entry) await walk(entry, found, left)
   return found
 }

@@ -13,6 +13,14 @@ declare const EXERCISES: Record<string, { number: number; title: string }>
 declare const RULES: {
   numbered: string[]
   handIns: { file: number; answer: number; name: number; time: number; said: number; entries: number }
+  timeline: {
+    colours: string[]
+    title: string
+  } & Record<
+    | ("kinds" | "top" | "row" | "ticks" | "reach" | "bar" | "axis" | "steps" | "above" | "mostAbove" | "many" | "columns")
+    | ("close" | "margin"),
+    number
+  >
 }
 
 /** What workers have. */

@@ -1,22 +1,25 @@
-// How a page draws a timeline: as rosspin/plots/rows.py draws the ones that are made with the site, from the same rows.
-// Across in percent of the width and down in pixels.
+// How a page draws a timeline: where rosspin/plots/layout.py has what, which a test compares. Across in percent of the
+// width and down in pixels.
 
-export const COLOURS = ["#0072b2", "#d55e00", "#009e73"]
-const TOP = 2
-const ROW = 54
-const TICKS = 34
-const REACH = 13
-const BAR = 10
-const AXIS = 40
-const MOST_ABOVE = 2
-const STEPS = 7 // at most, between the numbers of an axis
-const MOST_NUMBERS = STEPS + 1
-const MANY = 600 // marks in a row: more would run into each other
-const MOST = 1200 // in all
-const TITLE = "time (s); line: expected, mark: real"
+export const COLOURS = RULES.timeline.colours
+export const MARGIN = RULES.timeline.margin
+const KINDS = RULES.timeline.kinds
+const TOP = RULES.timeline.top
+const ROW = RULES.timeline.row
+const TICKS = RULES.timeline.ticks
+const REACH = RULES.timeline.reach
+const BAR = RULES.timeline.bar
+const ABOVE = RULES.timeline.above
+const MOST_ABOVE = RULES.timeline.mostAbove
+const AXIS = RULES.timeline.axis
+const STEPS = RULES.timeline.steps
+const MANY = RULES.timeline.many
+const COLUMNS = RULES.timeline.columns
+const CLOSE = RULES.timeline.close
+const TITLE = RULES.timeline.title
+const MOST = 1200 // marks in all, as many as a browser draws in a moment
 export const INK = { stroke: "currentColor" }
 const LINE = { ...INK, "stroke-opacity": 0.55 }
-export const MARGIN = 0.016 // of the width, on either side of the ticks
 
 /**
  * An SVG element.
@@ -65,10 +68,10 @@ function mark(kind, x, y) {
  * @param {number[]} up
  * @param {number} most
  */
-function toDraw(across, up, most) {
+export function toDraw(across, up, most) {
   if (across.length <= most) return across.map((_, index) => index)
   const first = Math.min(...across)
-  const width = (Math.max(...across) - first) / Math.max(most / 2 - 1, 1) || 1
+  const width = (Math.max(...across) - first) / Math.max(Math.min(COLUMNS, most / 2 - 1), 1) || 1
   /** @type {Map<number, [low: number, high: number]>} */
   const columns = new Map()
   across.forEach((x, index) => {
@@ -133,11 +136,11 @@ function drawRow(number, [, , expected, lost, ticks], { first, span, kinds }, mo
  * @param {When[]} ticks
  * @returns {[lanes: number[], height: number]}
  */
-function lanesOf(ticks) {
+export function lanesOf(ticks) {
   /** @type {number[]} */
   const ends = [] // of the last call in each lane
   const taken = ticks.map(([real, duration]) => {
-    const free = ends.findIndex((end) => end < real + 1e-3)
+    const free = ends.findIndex((end) => end < real + CLOSE)
     const lane = free < 0 ? ends.length : free
     ends[lane] = real + duration
     return lane
@@ -152,13 +155,13 @@ function lanesOf(ticks) {
  * @param {number} number of the row
  * @param {When[]} ticks
  */
-function heights(number, ticks) {
+export function heights(number, ticks) {
   const [lanes] = lanesOf(ticks)
   let above = 0
   return ticks.map(([real], index) => {
-    const isAbove = index && real - ticks[index - 1][0] < 1e-3 && lanes[index] === lanes[index - 1]
+    const isAbove = index && real - ticks[index - 1][0] < CLOSE && lanes[index] === lanes[index - 1]
     above = isAbove ? Math.min(above + 1, MOST_ABOVE) : 0
-    return round(TOP + ROW * number + TICKS + lanes[index] - 10 * above)
+    return round(TOP + ROW * number + TICKS + lanes[index] - ABOVE * above)
   })
 }
 
@@ -174,7 +177,7 @@ export function layOut(ticks, end, lost = []) {
   const begin = Math.min(...ticks.map(([, , expected]) => expected))
   const first = ticks[0][1] === 1 ? Math.min(0, begin) : begin
   const last = Math.max(end, ...ticks.map(([, , expected, real, duration]) => Math.max(expected, real + duration)))
-  const scale = { first, span: last - first || 1, kinds: 3, title: TITLE + (lost.length ? ", cross: lost" : "") }
+  const scale = { first, span: last - first || 1, kinds: KINDS, title: TITLE + (lost.length ? ", cross: lost" : "") }
   /** @type {Map<string, Row>} */
   const found = new Map()
   /** @type {Map<string, Set<number>>} */
@@ -209,16 +212,10 @@ export function layOut(ticks, end, lost = []) {
 export function drawTimeline(rows, { title, ...scale }, alternative) {
   const top = TOP + ROW * rows.length
   const axis = []
-  const size = step(scale.span)
-  const first = Math.ceil(scale.first / size - 1e-9)
-  // They are counted: added to a number that is large enough, 1 changes nothing.
-  for (let count = 0; count < MOST_NUMBERS; count++) {
-    const n = first + count
-    if (n * size > scale.first + scale.span + 1e-9 * size) break
-    const x = percent((100 * (n * size - scale.first)) / scale.span)
+  for (const number of numbers(scale.first, scale.span)) {
+    const x = percent((100 * (number - scale.first)) / scale.span)
     axis.push(draw("line", { x1: x, x2: x, y1: top, y2: top + 3.5, ...INK, "stroke-width": 0.8 }))
-    const number = String(Number((n * size).toPrecision(6)))
-    axis.push(draw("text", { x, y: top + 17, "text-anchor": "middle" }, number))
+    axis.push(draw("text", { x, y: top + 17, "text-anchor": "middle" }, String(Number(number.toPrecision(9)))))
   }
   const drawn = rows.map((row, number) => draw("g", {}, ...drawRow(number, row, scale, mostOf(rows.length))))
   const place = { x: percent(100 * MARGIN), width: percent(100 - 200 * MARGIN) }
@@ -229,7 +226,7 @@ export function drawTimeline(rows, { title, ...scale }, alternative) {
   return draw(
     "svg",
     {
-      ...{ width: "100%", height: top + AXIS, role: "img", "aria-label": alternative },
+      ...{ width: "100%", height: ROW * rows.length + AXIS, role: "img", "aria-label": alternative },
       ...{ fill: "currentColor", "font-size": 13 },
     },
     draw("line", { x1: 0, x2: "100%", y1: top, y2: top, ...INK, "stroke-width": 0.8 }),
@@ -240,11 +237,16 @@ export function drawTimeline(rows, { title, ...scale }, alternative) {
 }
 
 /**
- * The step between the numbers on an axis of that length: 1, 2 or 5 times a power of ten.
+ * The numbers of an axis: their step is 1, 2 or 5 times a power of ten.
  *
- * @param {number} length
+ * @param {number} first
+ * @param {number} span
  */
-function step(length) {
-  const power = 10 ** Math.floor(Math.log10(length / STEPS))
-  return power * ([1, 2, 5].find((factor) => length / (factor * power) <= STEPS) ?? 10)
+export function numbers(first, span) {
+  const power = 10 ** Math.floor(Math.log10(span / STEPS))
+  const size = power * ([1, 2, 5].find((factor) => span / (factor * power) <= STEPS) ?? 10)
+  const begin = Math.ceil(first / size - 1e-9)
+  // They are counted: added to a number that is large enough, 1 changes nothing.
+  const found = Array.from({ length: STEPS + 1 }, (_, count) => (begin + count) * size)
+  return found.filter((number) => number <= first + span + 1e-9 * size)
 }

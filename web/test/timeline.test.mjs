@@ -3,6 +3,8 @@
 import assert from "node:assert/strict"
 import { test } from "node:test"
 
+import "./rules.mjs"
+
 import { drawn, drawTimeline, layOut } from "../src/svg.js"
 
 const tick = (source, number, expected, { real = expected, duration = 0 } = {}) => [source, number, expected, real, duration]

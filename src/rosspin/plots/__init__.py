@@ -22,10 +22,9 @@ from typing import TYPE_CHECKING
 from ..measures import by_source, describe_faults, describe_lateness, describe_periods, periods
 from ..results.ticks import Mishap, Run, Tick
 from . import pictures
+from .layout import COLUMNS, KINDS, to_draw
 from .rows import (
     COLOURS,
-    COLUMNS,
-    KINDS,
     MARKS,
     Period,
     describe,
@@ -36,7 +35,6 @@ from .rows import (
     said_if_fewer,
     times_of,
     title,
-    to_draw,
 )
 from .two_orders import both_orders, orders
 

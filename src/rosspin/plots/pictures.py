@@ -10,7 +10,7 @@ import io
 import os
 import re
 import sys
-from collections.abc import Iterator, Sequence
+from collections.abc import Callable, Iterator, Sequence
 from contextlib import contextmanager
 from importlib.util import find_spec
 from pathlib import Path
@@ -19,14 +19,15 @@ from weakref import WeakKeyDictionary
 from xml.etree import ElementTree
 
 from ..results.saving import save_whole
+from .layout import MARGIN
 
 if TYPE_CHECKING:
     from matplotlib.axes import Axes
     from matplotlib.figure import Figure
 
 __all__ = [
-    *("STANDALONE", "SUFFIXES", "alternative", "drawing", "figure_of", "missing", "new_axes", "new_column", "page"),
-    "save",
+    *("STANDALONE", "SUFFIXES", "alternative", "drawing", "figure_of", "margin", "missing", "new_axes", "new_column"),
+    *("number", "page", "save"),
 ]
 
 SUFFIXES = (".pdf", ".png", ".svg")
@@ -40,6 +41,7 @@ _CSS = (
     "@container(min-width:530.01px){.rosspin-narrow{display:none!important}}</style>"
 )
 _MARGIN = 10  # px, in a file of its own
+_PAD = 0.03  # in, beside the axes: see rosspin.mplstyle
 STANDALONE = (  # the style of an SVG that is a file
     "svg{color:#1b1b1b;background:#fff;font-family:system-ui,sans-serif}"
     "@media(prefers-color-scheme:dark){svg{color:#eee;background:#14181e}}"
@@ -80,6 +82,29 @@ def drawing(ax: Axes | None, alt: str, caption: str, height: float = 220) -> Ite
         _captions[ax] = caption
         yield ax
     _offer_html()
+
+
+def margin(share: float) -> float:
+    """Return what matplotlib calls the margin of an axis: a part of its data, for a ``share`` of a picture's width."""
+    width, pad = _WIDTHS["rosspin-wide"], 72 * _PAD
+    inside = (share * width - pad) / (width - 2 * pad)
+    return inside / (1 - 2 * inside)
+
+
+def number(ax: Axes, numbers: Callable[[float, float], list[float]]) -> None:
+    """Number the axis of time by a rule of where its data begin and how long they are, whatever part is shown."""
+    from matplotlib.ticker import Locator
+
+    class Numbers(Locator):
+        def __call__(self) -> list[float]:
+            return self.tick_values(*ax.get_xlim())
+
+        def tick_values(self, vmin: float, vmax: float) -> list[float]:
+            around = margin(MARGIN) * (vmax - vmin) / (1 + 2 * margin(MARGIN))
+            span = vmax - vmin - 2 * around
+            return numbers(vmin + around, span) if span > 0 else []
+
+    ax.xaxis.set_major_locator(Numbers())
 
 
 def new_axes(height: float) -> Axes:

@@ -9,7 +9,8 @@ from typing import TYPE_CHECKING, NamedTuple
 
 from ..results.orders import Instant, Orders, Step
 from . import pictures
-from .rows import AXIS, BAR, COLOURS, KINDS, MARKS, ROW, TICKS, Row, describe, draw_rows, height_of, make_row
+from .layout import AXIS, BAR, KINDS, ROW, TICKS
+from .rows import COLOURS, MARKS, Row, describe, draw_rows, height_of, make_row
 
 if TYPE_CHECKING:
     from matplotlib.axes import Axes

@@ -12,6 +12,7 @@ from .. import hand_ins
 from ..exercises import EXERCISES
 from ..hand_ins.files import NUMBERED
 from ..hand_ins.found import ON_PAGE
+from ..plots import layout
 
 __all__ = ["defined"]
 
@@ -26,6 +27,7 @@ def defined() -> dict[str, Any]:
                 **{"file": hand_ins.MOST_FILE, "answer": hand_ins.MOST_ANSWER, "name": hand_ins.MOST_NAME},
                 **{"time": hand_ins.TIME, "said": hand_ins.MOST_SAID, "entries": ON_PAGE.entries},
             },
+            "timeline": layout.constants(),
         },
     }
 
