@@ -39,7 +39,10 @@ _KEPT = _BUILD / "cpp"
 _FLAGS = ["--target=wasm32-wasip1", "-std=gnu++17", "-O1", "-fwasm-exceptions", "-w", "-fno-color-diagnostics"]
 _FLAGS += ["-D_WASI_EMULATED_SIGNAL", "-D_WASI_EMULATED_PROCESS_CLOCKS", "-D_WASI_EMULATED_GETPID", "-Iinclude"]
 _FLAGS_NODE = ["-fsanitize=null,return", "-fsanitize-trap=null,return", "-ferror-limit=5"]
-_LINK = ["-lwasi-emulated-process-clocks", "-Wl,--export=__cpp_exception,--export=malloc,--export-table"]
+_LINK = [
+    "-lwasi-emulated-process-clocks",
+    "-Wl,--export=__cpp_exception,--export=malloc,--export=rosspin_shared,--export-table",
+]
 _LINK += ["-Wl,-z,stack-size=8388608,--stack-first,--max-memory=1073741824"]
 
 # The files of the runtime that have no ROS, and the one of each ROS.

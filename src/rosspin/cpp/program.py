@@ -33,6 +33,9 @@ _RUN = Path(__file__).parent / "js" / "run.mjs"
 
 NEVER = 2**63 - 1
 
+_TICK = 32  # bytes
+_CHUNK = 1 << 16  # bytes that are read at once
+
 # How often (s) a node is looked at while it computes, and after how much time of a processor (s) it will not end.
 _LOOK = 0.2
 _MOST = 10.0
@@ -68,11 +71,11 @@ class _Running:
         self._events: list[tuple[int, str]] = []  # what is to be given to the node: when it came, and what
         self._signals: list[int] = []
         self._sources: list[str] = []
-        self._counts: list[int] = []
-        self._open: dict[int, int] = {}  # ticks that have not ended, by their sources
+        self._ticks = 0  # how many were told
+        self._open: dict[int, int] = {}  # the places of ticks that have not ended, by their numbers
         self._streams = {1: _Stream(lambda: sys.stdout), 2: _Stream(lambda: sys.stderr)}
         self._ros = _answers(program.ros)(world, self._come)
-        self._line = b""
+        self._data = bytearray()  # that was read, and not used yet
 
     def run(self) -> None:
         for number in (signal.SIGINT, signal.SIGTERM):
@@ -97,10 +100,12 @@ class _Running:
     def _follow(self) -> None:
         """Go on with the node until it ends."""
         while True:
-            batch = self._read()
+            batch = self._read_line()
             self._advance(int(batch["now"]))
             for entry in batch["log"]:
                 self._note(*entry)
+            if "ticks" in batch:
+                self._note_ticks(self._read(lambda data: batch["ticks"]))
             if "trap" in batch:
                 self._trapped(batch["trap"], batch["where"])
             if "status" in batch:
@@ -163,25 +168,30 @@ class _Running:
             }
         )
 
-    def _read(self) -> dict[str, Any]:
+    def _read_line(self) -> dict[str, Any]:
+        batch: dict[str, Any] = json.loads(self._read(lambda data: data.find(b"\n", max(len(data) - _CHUNK, 0)) + 1))
+        return batch
+
+    def _read(self, find_end: Callable[[bytearray], int]) -> bytes:
+        """Take what the node has written up to ``find_end(data)``: 0, or more than there is, until that has come."""
         assert self._child.stdout
         file = self._child.stdout.fileno()
         used = self._used()
-        while b"\n" not in self._line[-65536:]:
+        while not 0 < (end := find_end(self._data)) <= len(self._data):
             ready, _, _ = select.select([file], [], [], _LOOK)
             self._clock.beside += 1
             if ready:
-                data = os.read(file, 1 << 16)
+                data = os.read(file, _CHUNK)
                 if not data:
                     status = self._child.wait()
                     self._world.failure = RuntimeError(f"{self._program.path}: Node.js has ended, status {status}")
                     end_run()
-                self._line += data
+                self._data += data
             elif self._used() - used > _MOST:
                 self._stand_still()
-        line, _, self._line = self._line.partition(b"\n")
-        batch: dict[str, Any] = json.loads(line)
-        return batch
+        taken = bytes(self._data[:end])
+        del self._data[:end]
+        return taken
 
     def _used(self) -> float:
         """For how long (s) the node has had a processor."""
@@ -204,15 +214,29 @@ class _Running:
             self._sources.append(self._world.source(name))
             if log is not None:
                 log.periods.setdefault(self._sources[-1], int(period))
-        elif what == "begin" and log is not None:
-            source, number, expected, real = values
-            self._open[source] = log.add(self._sources[source], number, int(expected), int(real))
         elif what == "end" and log is not None:
-            source, duration = values
-            log.end(self._open.pop(source), int(duration))
+            tick, duration = map(int, values)
+            log.end(self._open.pop(tick), duration)
         elif what == "tell":
             name, arguments = unpacked(values[0])
             self._ros.take(name, arguments)
+
+    def _note_ticks(self, data: bytes) -> None:
+        """Record ticks, written as ``js/shared.mjs`` says, in whole columns: a run may have a million."""
+        log = self._world.recording.log
+        halves, wholes = memoryview(data).cast("i"), memoryview(data).cast("q")
+        first, self._ticks = self._ticks, self._ticks + len(data) // _TICK
+        if log is None:
+            return
+        durations: list[int | None] = [*wholes[3::4].tolist()]
+        places = len(log)
+        at = -1
+        while -1 in durations[at + 1 :]:  # they go on; there are as many as calls within calls
+            at = durations.index(-1, at + 1)
+            durations[at] = None
+            self._open[first + at] = places + at
+        sources = [self._sources[number] for number in halves[0::8].tolist()]
+        log.extend(sources, halves[1::8].tolist(), wholes[1::4].tolist(), wholes[2::4].tolist(), durations)
 
     def _trapped(self, trap: str, where: list[str]) -> None:
         """Say what has ended the node from outside, as on a computer: a fault of its memory."""

@@ -1,10 +1,10 @@
 // A C++ node as a process of a host: what happens in it is told in batches, and it asks the host to let time go on.
 //
-// A batch is { log, now, wake, asks?, status?, trap? }. `log` is what happened since the last one, in order:
-// ["out", fd, text (a character a byte)], ["source", name, period], ["begin", source, number, expected, real],
-// ["end", source, duration], ["tell", text]. Times are in ns, as text. The node waits until `wake`, unless it `asks`
-// something (text), or has ended, with a `status` or in a `trap`. The host answers { now, horizon, events, signals },
-// and `answer`: the node may run on its own as long as its time is before `horizon`.
+// A batch is { log, ticks?, now, wake, asks?, status?, trap? }. `log` is what happened since the last one, in order:
+// ["out", fd, text (a character a byte)], ["source", name, period], ["end", tick, duration] of a tick that was told in an
+// earlier batch, ["tell", text]. `ticks` are bytes (see shared.mjs). Times are in ns, as text. The node waits until `wake`,
+// unless it `asks` something (text), or has ended, with a `status` or in a `trap`. The host answers { now, horizon, events,
+// signals }, and `answer`: the node may run on its own as long as its time is before `horizon`.
 
 import { Program } from "./wasi.mjs"
 import { functionNames } from "./names.mjs"
@@ -21,16 +21,20 @@ export class Node {
   constructor(module, { args, environment, start, ahead, seed }, exchange, pass) {
     this.exchange = exchange
     this.pass = pass
-    this.now = BigInt(start)
+    this.start = BigInt(start)
     this.ahead = BigInt(ahead)
-    this.horizon = this.now
-    this.urgent = false
     this.log = []
     this.coming = [] // what the program is to be told as soon as it waits
     this.sources = 0
     this.draw = mulberry(seed)
     this.module = module
     this.program = new Program(module, args, environment, this)
+  }
+
+  begin(shared) {
+    this.shared = shared
+    shared.now = shared.horizon = this.start
+    shared.ahead = this.ahead
   }
 
   run() {
@@ -55,11 +59,12 @@ export class Node {
   }
 
   sleep(until) {
-    if (until < this.horizon && !this.urgent) {
-      if (until > this.now) this.now = until
+    const { shared } = this
+    if (until < shared.horizon && !shared.urgent) {
+      if (until > shared.now) shared.now = until
       return
     }
-    this.urgent = false
+    shared.urgent = false
     if (!this.coming.length) this.#heed(this.exchange(this.#batch({ wake: String(until) })))
     for (const come of this.coming.splice(0)) come()
   }
@@ -70,21 +75,21 @@ export class Node {
   }
 
   #batch(more) {
-    const batch = { log: this.log, now: String(this.now), ...more }
+    const batch = { log: this.log, ticks: this.shared.takeTicks(), now: String(this.shared.now), ...more }
     this.log = []
     return batch
   }
 
   #heed({ now, ahead, horizon, events, signals }) {
-    this.now = BigInt(now)
-    this.ahead = BigInt(ahead)
-    this.horizon = BigInt(horizon)
-    const { program, coming } = this
+    const { program, coming, shared } = this
+    shared.now = BigInt(now)
+    shared.ahead = BigInt(ahead)
+    shared.horizon = BigInt(horizon)
     for (const [when, text] of events) {
       coming.push(() => program.exports.rosspin_event(program.give(bytes(`${text}\0`)), BigInt(when)))
     }
     for (const number of signals) coming.push(() => program.exports.rosspin_signal(number))
-    if (coming.length) this.urgent = true
+    if (coming.length) shared.urgent = true
   }
 
   #answer(program, text, length) {
@@ -102,16 +107,15 @@ export class Node {
   #imports(program) {
     return {
       wait: (until) => program.sleep(until),
-      look: () => program.look(),
       source: (name, length, period) => {
         this.#note("source", program.text(name, length), String(period))
         return this.sources++
       },
-      begin: (source, number, expected, real) => this.#note("begin", source, number, String(expected), String(real)),
-      end: (source, duration) => this.#note("end", source, String(duration)),
+      flush: () => this.pass(this.#batch({})),
+      end: (tick, duration) => this.#note("end", String(tick), String(duration)),
       tell: (text, length) => {
         this.#note("tell", long(program.bytes(text, length)))
-        this.urgent = true
+        this.shared.urgent = true
       },
       ask: (text, length, answered) => {
         const reply = this.exchange(this.#batch({ asks: long(program.bytes(text, length)) }))

@@ -1,5 +1,6 @@
 // Runs a C++ node for a host that talks over pipes: node run.mjs PROGRAM. A line of JSON from the host starts it, then
-// there is a line for each batch and a line for each answer (see node.mjs).
+// there is a line for each batch and a line for each answer (see node.mjs); of its ticks a batch says
+// how many bytes they are, which follow it.
 
 import { readFileSync, readSync, writeSync } from "node:fs"
 
@@ -23,9 +24,13 @@ function read() {
   }
 }
 
-function pass(batch) {
-  const line = Buffer.from(`${JSON.stringify(batch)}\n`)
-  for (let at = 0; at < line.length; ) at += writeSync(1, line, at)
+function pass({ ticks, ...batch }) {
+  put(Buffer.from(`${JSON.stringify({ ...batch, ticks: ticks?.length })}\n`))
+  if (ticks) put(ticks)
+}
+
+function put(bytes) {
+  for (let at = 0; at < bytes.length; ) at += writeSync(1, bytes, at)
 }
 
 const module = new WebAssembly.Module(readFileSync(process.argv[2]))

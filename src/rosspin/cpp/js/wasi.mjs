@@ -1,5 +1,7 @@
 // The world of a C++ node: WASI (snapshot preview 1) on a simulated clock, for Node and for the page.
 
+import { Shared } from "./shared.mjs"
+
 const SUCCESS = 0
 const BADF = 8
 const INVAL = 28
@@ -17,9 +19,9 @@ export class Exit extends Error {
 }
 
 /**
- * One program. `link` is what it shares with others: `link.now` is its time (bigint, ns), `link.ahead` what the system's
- * clock is ahead of it, `link.write(fd, bytes)` takes what it prints, `link.sleep(until)` lets the time go on to `until`
- * and may come back earlier, with something for the program to do; `link.random(bytes)` fills bytes.
+ * One program. `link` is what it shares with others: `link.begin(shared)` sets its time, `link.write(fd, bytes)` takes
+ * what it prints, `link.sleep(until)` lets the time go on to `until` (bigint, ns) and may come back earlier, with something
+ * for the program to do; `link.random(bytes)` fills bytes.
  */
 export class Program {
   constructor(module, args, environment, link) {
@@ -27,7 +29,6 @@ export class Program {
     this.link = link
     this.args = args.map((word) => encoder.encode(`${word}\0`))
     this.environment = Object.entries(environment).map(([name, value]) => encoder.encode(`${name}=${value}\0`))
-    this.looks = 0
   }
 
   /** Run it to its end; return its exit status. What ends it from outside, or a trap, is thrown. */
@@ -38,6 +39,8 @@ export class Program {
     })
     this.exports = instance.exports
     this.memory = instance.exports.memory
+    this.shared = new Shared(instance.exports)
+    this.link.begin(this.shared)
     try {
       try {
         instance.exports._start()
@@ -54,13 +57,13 @@ export class Program {
     }
   }
 
-  /** Let it look at what `look` finds; whoever looks again and again waits. */
+  /** Note that it looks at the time, or at something else; whoever looks again and again waits. */
   look() {
-    if (++this.looks > LOOKS) this.link.sleep(this.link.now + LOOK)
+    if (++this.shared.looks > LOOKS) this.link.sleep(this.shared.now + LOOK)
   }
 
   sleep(until) {
-    if (until > this.link.now) this.looks = 0
+    if (until > this.shared.now) this.shared.looks = 0
     else this.look()
     return this.link.sleep(until)
   }
@@ -87,7 +90,7 @@ export class Program {
 
   #time(clock) {
     this.look()
-    return clock === 0 ? this.link.now + this.link.ahead : this.link.now
+    return clock === 0 ? this.shared.now + this.shared.ahead : this.shared.now
   }
 
   #words(words, list, buffer) {
@@ -186,14 +189,14 @@ export class Program {
           }
           const clock = this.#view.getUint32(at + 16, true)
           const timeout = this.#view.getBigUint64(at + 24, true)
-          const now = this.link.now + (clock === 0 ? this.link.ahead : 0n)
+          const now = this.shared.now + (clock === 0 ? this.shared.ahead : 0n)
           const absolute = this.#view.getUint16(at + 40, true) & 1
           dues.push([absolute ? (timeout > now ? timeout - now : 0n) : timeout, at])
         }
         if (!found && dues.length) {
           dues.sort(([one], [other]) => (one < other ? -1 : 1))
-          const until = this.link.now + dues[0][0]
-          while (this.link.now < until) this.sleep(until)
+          const until = this.shared.now + dues[0][0]
+          while (this.shared.now < until) this.sleep(until)
           add(dues[0][1], SUCCESS)
         }
         this.#view.setUint32(happened, found, true)

@@ -15,25 +15,48 @@
 extern "C"
 {
 FROM_HOST("wait") void rosspin_wait(std::int64_t until);
-FROM_HOST("look") void rosspin_look();
 FROM_HOST("source") int rosspin_source(const char* name, std::size_t length, std::int64_t period);
-FROM_HOST("begin") void rosspin_begin(int source, int number, std::int64_t expected, std::int64_t real);
-FROM_HOST("end") void rosspin_end(int source, std::int64_t duration);
+FROM_HOST("flush") void rosspin_flush();
+FROM_HOST("end") void rosspin_end(std::int64_t tick, std::int64_t duration);
 FROM_HOST("tell") void rosspin_tell(const char* text, std::size_t length);
 FROM_HOST("ask") const char* rosspin_ask(const char* text, std::size_t length, std::size_t* answered);
 FROM_HOST("name") const char* rosspin_name(std::uintptr_t address, std::size_t* length);
+}
+
+namespace
+{
+constexpr int most_ticks = 4096;
+
+// A program that looks at the clock so often without waiting waits by looking: from then on each look takes 1 µs.
+constexpr std::int32_t most_looks = 10'000;
+constexpr std::int64_t one_look = 1'000;
+
+struct Tick
+{
+  std::int32_t source, number;
+  std::int64_t expected, real, duration;  // -1 while it goes on
+};
+}  // namespace
+
+extern "C"
+{
+// What the host reads and writes here, in this order (see js/shared.mjs): the time, what the system's clock is ahead of
+// it, until when the program is alone; whether it has told something, so that the host has to be asked; how often it has
+// looked; and the ticks, as many as were not told yet, and the number of the first of these.
+__attribute__((used)) struct
+{
+  std::int64_t now, ahead, horizon;
+  std::int32_t urgent, looks, ticks, unused;
+  std::int64_t first;
+  Tick tick[most_ticks];
+} rosspin_shared;
 }
 
 namespace rosspin
 {
 namespace
 {
-std::int64_t read_clock(clockid_t clock)
-{
-  timespec time;
-  clock_gettime(clock, &time);
-  return time.tv_sec * std::int64_t(1'000'000'000) + time.tv_nsec;
-}
+auto& shared = rosspin_shared;
 
 // --- values as text: a letter for the kind, then the value ---
 
@@ -153,27 +176,56 @@ bool Value::operator==(const Value& other) const
          string == other.string && items == other.items && fields == other.fields;
 }
 
-std::int64_t now() { return read_clock(CLOCK_MONOTONIC); }
-std::int64_t system_now() { return read_clock(CLOCK_REALTIME); }
+std::int64_t now()
+{
+  look();
+  return shared.now;
+}
 
-void wait(std::int64_t until) { rosspin_wait(until); }
+std::int64_t system_now() { return now() + shared.ahead; }
+
+// Nobody else has anything to do before the horizon, so the time goes on to it without the host.
+void wait(std::int64_t until)
+{
+  if (until > shared.now)
+    shared.looks = 0;
+  else
+    look();
+  if (until >= shared.horizon || shared.urgent)
+    rosspin_wait(until);
+  else if (until > shared.now)
+    shared.now = until;
+}
 
 void sleep_until(std::int64_t until)
 {
-  while (now() < until)
-    rosspin_wait(until);
+  while (shared.now < until)
+    wait(until);
 }
 
-void look() { rosspin_look(); }
+void look()
+{
+  if (++shared.looks > most_looks)
+    rosspin_wait(shared.now + one_look);
+}
 
 int source(const std::string& name, std::int64_t period) { return rosspin_source(name.data(), name.size(), period); }
 
-void begin_tick(int source, int number, std::int64_t expected, std::int64_t real)
+std::int64_t begin_tick(int source, int number, std::int64_t expected, std::int64_t real)
 {
-  rosspin_begin(source, number, expected, real);
+  if (shared.ticks == most_ticks)
+    rosspin_flush();
+  shared.tick[shared.ticks] = {source, number, expected, real, -1};
+  return shared.first + shared.ticks++;
 }
 
-void end_tick(int source, std::int64_t duration) { rosspin_end(source, duration); }
+void end_tick(std::int64_t tick, std::int64_t duration)
+{
+  if (tick >= shared.first)
+    shared.tick[tick - shared.first].duration = duration;
+  else
+    rosspin_end(tick, duration);
+}
 
 Value ask(const std::string& what, std::vector<Value> values)
 {

@@ -275,8 +275,7 @@ bool Rate::sleep()
 {
   if (source_ < 0)
     source_ = rosspin::source("Rate", period_.nanoseconds());
-  rosspin::begin_tick(source_, ++passes_, grid_, begun_);
-  rosspin::end_tick(source_, rosspin::now() - begun_);
+  rosspin::end_tick(rosspin::begin_tick(source_, ++passes_, grid_, begun_), rosspin::now() - begun_);
   grid_ += period_.nanoseconds();
   Time now = clock_->now(), next = last_ + period_;
   if (now < last_)
@@ -756,10 +755,9 @@ void TimerBase::call_back(std::int64_t now)
     next_ += (1 + (now - next_) / period_) * period_;
   if (source_ < 0)
     source_ = rosspin::source(name_, period_);
-  int source = source_;
-  rosspin::begin_tick(source, ++calls_, expected - ahead, begun);
+  std::int64_t tick = rosspin::begin_tick(source_, ++calls_, expected - ahead, begun);
   callback_(TimerInfo{Time(expected, clock_->get_clock_type()), Time(now, clock_->get_clock_type())});
-  rosspin::end_tick(source, rosspin::now() - begun);
+  rosspin::end_tick(tick, rosspin::now() - begun);
 }
 
 // --- topics and services ---

@@ -117,8 +117,7 @@ bool Passes::sleep()
   std::int64_t ends = now(), expected = start_ + period;
   if (source_ < 0)
     source_ = rosspin::source(wall_ ? "WallRate" : "Rate", period);
-  rosspin::begin_tick(source_, ++passes_, grid_, begun_);
-  rosspin::end_tick(source_, rosspin::now() - begun_);
+  rosspin::end_tick(rosspin::begin_tick(source_, ++passes_, grid_, begun_), rosspin::now() - begun_);
   grid_ += period;
   if (ends < start_)  // the clock has gone back
     expected = ends + period;
@@ -679,13 +678,12 @@ CallbackInterface::CallResult TimerImpl::Run::call()
   std::int64_t begun = rosspin::now();
   if (self->source_ < 0)
     self->source_ = rosspin::source(self->name_, self->period);
-  int source = self->source_;
   std::int64_t ahead = called.real - begun;
-  rosspin::begin_tick(source, ++self->calls_, called.expected - ahead, begun);
+  std::int64_t tick = rosspin::begin_tick(self->source_, ++self->calls_, called.expected - ahead, begun);
   auto callback = self->callback_;  // the timer may be destroyed meanwhile
   callback(called);
   duration = rosspin::now() - begun;
-  rosspin::end_tick(source, duration);
+  rosspin::end_tick(tick, duration);
   if (!timer)
     return Success;
   last_real = called.real;

@@ -26,10 +26,10 @@ void sleep_until(std::int64_t until);
 // Whoever asks the same again and again, without waiting, waits by asking.
 void look();
 
-// Something that ticks, and its ticks: the host records them. Times are in ns.
+// Something that ticks, and its ticks: the host records them. Times are in ns. Beginning a tick gives what ends it.
 int source(const std::string& name, std::int64_t period);
-void begin_tick(int source, int number, std::int64_t expected, std::int64_t real);
-void end_tick(int source, std::int64_t duration);
+std::int64_t begin_tick(int source, int number, std::int64_t expected, std::int64_t real);
+void end_tick(std::int64_t tick, std::int64_t duration);
 
 // A value as the host and the program exchange it: of parameters, for example.
 struct Value

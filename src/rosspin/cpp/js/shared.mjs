@@ -1,0 +1,73 @@
+// What a program and its host share in the program's memory (see rosspin_shared in runtime/host.cpp).
+
+const NOW = 0
+const AHEAD = 8
+const HORIZON = 16
+const URGENT = 24
+const LOOKS = 28
+const TICKS = 32
+const FIRST = 40
+const TICK = 48
+
+const SIZE = 32 // of a tick: source, number (int32), expected, real, duration (int64)
+
+export class Shared {
+  constructor(exports) {
+    this.memory = exports.memory
+    this.at = exports.rosspin_shared.value
+  }
+
+  get #view() {
+    if (this.seen?.buffer !== this.memory.buffer) this.seen = new DataView(this.memory.buffer, this.at)
+    return this.seen
+  }
+
+  get now() {
+    return this.#view.getBigInt64(NOW, true)
+  }
+
+  set now(time) {
+    this.#view.setBigInt64(NOW, time, true)
+  }
+
+  get ahead() {
+    return this.#view.getBigInt64(AHEAD, true)
+  }
+
+  set ahead(time) {
+    this.#view.setBigInt64(AHEAD, time, true)
+  }
+
+  get horizon() {
+    return this.#view.getBigInt64(HORIZON, true)
+  }
+
+  set horizon(time) {
+    this.#view.setBigInt64(HORIZON, time, true)
+  }
+
+  get urgent() {
+    return this.#view.getInt32(URGENT, true) !== 0
+  }
+
+  set urgent(is) {
+    this.#view.setInt32(URGENT, is ? 1 : 0, true)
+  }
+
+  get looks() {
+    return this.#view.getInt32(LOOKS, true)
+  }
+
+  set looks(count) {
+    this.#view.setInt32(LOOKS, count, true)
+  }
+
+  /** Take the ticks that were not told yet, as bytes; undefined if there are none. */
+  takeTicks() {
+    const count = this.#view.getInt32(TICKS, true)
+    if (!count) return undefined
+    this.#view.setInt32(TICKS, 0, true)
+    this.#view.setBigInt64(FIRST, this.#view.getBigInt64(FIRST, true) + BigInt(count), true)
+    return new Uint8Array(this.memory.buffer).slice(this.at + TICK, this.at + TICK + count * SIZE)
+  }
+}
