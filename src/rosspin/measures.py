@@ -34,7 +34,7 @@ _MANY = 100
 # A difference below this part of a period does not count: on a real clock, ROS 2 rounds when a tick was expected.
 _CLOSE = 0.02
 
-# The most periods of a run in which lost ticks are worth looking for, where nobody has asked for them.
+# The most periods of a run in which lost ticks are worth looking for, where no one has asked for them.
 _MOST_PERIODS = 1_000_000
 
 

@@ -169,7 +169,7 @@ def trace(exercise: str, text: str) -> str:
 
 
 def judge(exercise: str, text: str, trace: str) -> str:
-    """Judge an answer by its trace, in a Python that has run nobody's code; nothing of the answer is run here.
+    """Judge an answer by its trace, in a Python that has run no one's code; nothing of the answer is run here.
 
     The result is a :class:`rosspin.exercises.Verdict` as JSON.
     """

@@ -45,7 +45,7 @@ def heard_in(frame: FrameType) -> Any:
 
 
 def parameters(world: World) -> list[str]:
-    """Return nothing: nobody declares parameters."""
+    """Return nothing: no one declares parameters."""
     return []
 
 

@@ -146,7 +146,7 @@ class Service(Fault):
 class Crash(Fault):
     """The process of a node is killed with SIGKILL, after all that is due ``at`` that time.
 
-    The others notice it as late as on a real ROS: in ROS 1 its connections break immediately; in ROS 2 nobody is told,
+    The others notice it as late as on a real ROS: in ROS 1 its connections break immediately; in ROS 2 no one is told,
     and its process is missed 20 s later. What restarts nodes that die, as ``respawn`` does, restarts this one.
     """
 

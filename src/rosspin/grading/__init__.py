@@ -99,7 +99,7 @@ def _print(found: Class, as_json: bool) -> None:
     if as_json:
         print(json.dumps(as_data(found), indent=1))
         return
-    # A terminal that lacks a character is shown something else; and nobody's text moves its cursor.
+    # A terminal that lacks a character is shown something else; and no one's text moves its cursor.
     encoding = sys.stdout.encoding or "utf-8"
     for line in as_words(found):
         shown = "".join(each if each.isprintable() else "\N{REPLACEMENT CHARACTER}" for each in line.expandtabs())

@@ -129,7 +129,7 @@ class Class:
 
     @property
     def exercises(self) -> list[str]:
-        """Return the exercises that somebody has answered, in the order of the pages."""
+        """Return the exercises that someone has answered, in the order of the pages."""
         answered = {name for row in self._rows.values() for name in row.answers}
         known = [exercise.name for exercise in EXERCISES if exercise.name in answered]
         return [*known, *sorted(answered.difference(known))]
@@ -220,7 +220,7 @@ class Class:
             self._take(row, key)
 
     def _refuse(self, file: str, why: str) -> None:
-        """Say it, unless that has been said of so many that nobody would read it."""
+        """Say it, unless that has been said of so many that no one would read it."""
         self.number_refused += 1
         if self.number_refused <= _MOST_REFUSED:
             self.refused.append((file, why))
@@ -229,7 +229,7 @@ class Class:
             self.refused[_MOST_REFUSED:] = [("...", f"{more} more files, for such reasons")]
 
     def _leave(self, owner: _Owner, file: Found, why: str, having: Collection[_Owner], top: str) -> None:
-        """Refuse what holds no answers. Whatever else lies beside somebody's answers does not matter."""
+        """Refuse what holds no answers. Whatever else lies beside someone's answers does not matter."""
         name = file.parts[-1]
         if owner in having and not (name.startswith("rosspin-answers") or name.endswith(".zip")):
             return

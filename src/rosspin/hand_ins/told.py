@@ -35,7 +35,7 @@ class Hard(NamedTuple):
 
 
 def hard(found: Class) -> list[Hard]:
-    """Return the exercises that somebody answered and has not solved, the hardest first."""
+    """Return the exercises that someone answered and has not solved, the hardest first."""
     titles = {exercise.name: exercise.title for exercise in EXERCISES}
     told = []
     for name in found.exercises:

@@ -1,4 +1,4 @@
-"""Look at a log that somebody brings: what repeats in it, at what period and how late, and which fault it looks like.
+"""Look at a log that someone brings: what repeats in it, at what period and how late, and which fault it looks like.
 
 Plain Python, so that the page does it, too, without the text leaving the computer.
 """

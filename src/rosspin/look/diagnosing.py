@@ -230,7 +230,7 @@ class _Diagnosis:
             self.say("queue", "sure" if grows else "likely", evidence, [series])
 
     def lost(self) -> None:
-        """Say where numbers are missing in gaps of just their length: somebody has sent or logged them all the same."""
+        """Say where numbers are missing in gaps of just their length: someone has sent or logged them all the same."""
         for series in self.regular:
             gone = [_left_out(series, gap) for gap in series.gaps]
             if sum(map(bool, gone)) >= max(2, 0.5 * len(gone)):

@@ -22,7 +22,7 @@ NS = 10**9
 # What the two files are called. The test finds the node beside it.
 NODE, TEST = "node_of_the_log.py", "test_the_log.py"
 
-_MOST = 3  # lines; a node of more is nobody's example
+_MOST = 3  # lines; a node of more is no one's example
 _SLOWEST = 100  # times the shortest period: what comes more seldom would make the test long
 _PASSES = 20  # of the slowest line, which the test runs for
 

@@ -23,7 +23,7 @@ FEWEST = 6
 # Of more different lines, only the most frequent are series.
 _MOST = 300
 
-# Periods as somebody would choose them (ns): the roundest; those, a whole number of Hz, or such a number of seconds.
+# Periods as someone would choose them (ns): the roundest; those, a whole number of Hz, or such a number of seconds.
 _ROUND = sorted(chosen * 10.0**power for chosen in (1, 2, 2.5, 4, 5) for power in range(5, 12))
 _RATES = [
     *_ROUND,
@@ -95,12 +95,12 @@ class Series:
 
     @property
     def chosen(self) -> float:
-        """The period (ns) that somebody may have chosen, or a round one that has become longer; 0 if none is near."""
+        """The period (ns) that someone may have chosen, or a round one that has become longer; 0 if none is near."""
         return nice(self.period, self.close)
 
     @property
     def drift(self) -> float:
-        """By which part the period is longer than the one that somebody may have chosen."""
+        """By which part the period is longer than the one that someone may have chosen."""
         return self.period / self.chosen - 1 if self.chosen else 0.0
 
     @property
@@ -149,7 +149,7 @@ class Series:
 
 
 def nice(period: float, close: float = _CLOSE) -> float:
-    """Return the period (ns) if somebody may have chosen it; else the longest round one below it, if near."""
+    """Return the period (ns) if someone may have chosen it; else the longest round one below it, if near."""
     if period <= 0:
         return 0.0
     near = [each for each in _RATES if abs(period / each - 1) < close]

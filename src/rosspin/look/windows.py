@@ -11,7 +11,7 @@ from .series import MS, Gap, Series
 
 __all__ = ["Window", "every", "find_windows", "node_of"]
 
-# A machine has such hiccups (ns) now and then, and they are nobody's fault.
+# A machine has such hiccups (ns) now and then, and they are no one's fault.
 _HICCUP = 30 * MS
 
 # So near (ns) is at the same time, for what two callbacks of one thread log one after the other.

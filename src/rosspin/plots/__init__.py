@@ -93,7 +93,7 @@ def picture(
     faults: Sequence[Mishap] = (),
     caption: str | None = None,
 ) -> Figure:
-    """Draw a :func:`timeline` in a figure that pyplot does not know: no window opens, and nobody has to close it."""
+    """Draw a :func:`timeline` in a figure that pyplot does not know: no window opens, and no one has to close it."""
     ax = pictures.new_axes(height_of([*make_rows(_groups(ticks), None, {}), *fault_rows(_faults(ticks, faults))]))
     return pictures.figure_of(timeline(ticks, period, kinds, end, faults=faults, caption=caption, ax=ax))
 

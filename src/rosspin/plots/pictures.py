@@ -108,7 +108,7 @@ def number(ax: Axes, numbers: Callable[[float, float], list[float]]) -> None:
 
 
 def new_axes(height: float) -> Axes:
-    """Make Axes in a figure that pyplot does not know, ``height`` px high: nobody closes it, and no window opens."""
+    """Make Axes in a figure that pyplot does not know, ``height`` px high: no one closes it, and no window opens."""
     return new_column([height])[0]
 
 
@@ -256,7 +256,7 @@ def _short(number: re.Match[str]) -> str:
 def _offer_html() -> None:
     """Let Jupyter show the figures in which rosspin has drawn as a page does, and others as before.
 
-    IPython sets what it shows of a figure anew whenever it sets matplotlib's backend.
+    IPython sets what it shows of a figure again whenever it sets matplotlib's backend.
     """
     shell = getattr(sys.modules.get("IPython"), "get_ipython", lambda: None)()
     if shell is None or not hasattr(shell, "kernel"):

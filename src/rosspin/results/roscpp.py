@@ -28,7 +28,7 @@ def timer_ticks(period: float, duration: Callable[[int], float], seconds: float,
     if even the call after that would have been due already, the next one is due now (source:
     ros/timer_manager.h, ``updateNext``). A call that is due is put at the end of the queue.
 
-    Raises ValueError for a period that is not above 0, with which roscpp would call back for ever in no time.
+    Raises ValueError for a period that is not above 0, with which roscpp would call back forever in no time.
     """
     if period <= 0:
         raise ValueError(f"with a period of {period:g}, roscpp calls back without a pause")

@@ -54,7 +54,7 @@ def _step(stack: Stack) -> tuple[str, Stack] | None:
         name = thread_name(holder)
         return (f"the end of {name}" if is_end else f"{_LOCK} {name} holds"), holder
     if stack.lock and stack.lock.holder is stack:
-        # Events, conditions and the like wait for a lock that they have taken themselves, until somebody releases it.
+        # Events, conditions and the like wait for a lock that they have taken themselves, until someone releases it.
         place = outer_place(places(stack.trail))
         return (f"{_LOCK} it holds", stack) if place and node_place([place]) else None
     return None

@@ -83,7 +83,7 @@ class Host:
         self.processes: list[Process] = []
         self.faults = None if faults in ((), []) else self._faulty(faults)
         self.at_graph: list[Callable[[int, Graph], None]] = []  # called when a ROS is used for the first time
-        self.waits = ""  # what waited for ever when Ctrl-C came
+        self.waits = ""  # what waited forever when Ctrl-C came
         self._failed: list[BaseException] | None = None
         self._graphs: dict[int, Graph] = {}
         self._stand_ins: dict[str, Mapping[str, ModuleType]] = {}
@@ -316,7 +316,7 @@ class Host:
         return simulated
 
     def _before_ctrl_c(self) -> None:
-        """Note what has failed so far, and say what waits for ever: threads, and the callbacks of ROS 2."""
+        """Note what has failed so far, and say what waits forever: threads, and the callbacks of ROS 2."""
         self._failed = self._errors()
         clock = self.clock
         assert isinstance(clock, Simulation)

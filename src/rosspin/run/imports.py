@@ -85,7 +85,7 @@ class Imports(MetaPathFinder):
         self._world.bind(ros)
         modules = self._stand_in(ros, fullname.partition(".")[0])
         if fullname in modules:
-            sys.modules.pop(fullname, None)  # else it would be loaded anew, by its own spec
+            sys.modules.pop(fullname, None)  # else it would be loaded again, by its own spec
             given = _Given(self._module(ros, fullname, modules), partial(self._bring, ros, fullname))
             return ModuleSpec(fullname, given, is_package=True)
         if any(name.startswith(f"{fullname}.") for name in modules):

@@ -1,6 +1,6 @@
 """Put back what a run changes in its process: :data:`KEPT` lists what is kept.
 
-Nothing is made anew for a run: its beginning notes what is there, and its end puts back what differs. To see whether
+Nothing is made again for a run: its beginning notes what is there, and its end puts back what differs. To see whether
 anything differs takes one look at each name, by identity; only what was changed is touched.
 """
 
@@ -465,7 +465,7 @@ def _loggers() -> Put:
 # These are put back in this order, and then the names in rospy, rclpy, the message classes and the standard library's
 # modules. Others see to the rest: clocks/programs.py to signal handlers and to the names in builtins, process.py to
 # what is registered with atexit, which it calls at the end of the run, and messages/finder.py to message classes, which
-# each run makes anew.
+# each run makes again.
 KEPT: tuple[Kept, ...] = (
     Kept("command line, excepthooks", _command_line),
     Kept("sys.modules", _modules, found_again=False),

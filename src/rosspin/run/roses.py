@@ -17,7 +17,7 @@ class Ros(NamedTuple):
     ``beside`` are packages that its nodes may import, too, and the modules here that stand in for them.
     ``needed`` are the modules that its nodes need beside Python's own. ``naming`` is what names a node on its command
     line, and ``sets`` the option before what is set there, if there is one. ``raises`` says whether Ctrl-C raises
-    KeyboardInterrupt in a node, which ends it if nobody catches that. ``steps`` is the class that notes its steps. The
+    KeyboardInterrupt in a node, which ends it if no one catches that. ``steps`` is the class that notes its steps. The
     rest completes sentences about a node: what kills it if it does not end, what its loops should check, what its main
     part ends with, what else is a thread, how its loops should sleep; and of these, in C++, the second and the last.
     """

@@ -48,7 +48,7 @@ def shaken(node: Code) -> Code:
     return node._replace(main=main, loader=loader)
 
 
-@lru_cache(256)  # of the modules that each of a thousand runs imports anew
+@lru_cache(256)  # of the modules that each of a thousand runs imports again
 def _shaken(source: str | bytes, filename: str, everywhere: bool) -> CodeType:
     tree = ast.fix_missing_locations(_Shaker(everywhere).visit(ast.parse(source, filename)))
     return compile(tree, filename, "exec", dont_inherit=True)

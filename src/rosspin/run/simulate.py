@@ -173,7 +173,7 @@ def run_captured(
     clock: Clock, node: Code, seconds: float, args: Sequence[str], *streams: TextIO, faults: Sequence[Fault] = ()
 ) -> Run:
     """Run a loaded node on a clock, in this process. What it prints also goes to ``streams``: stdout's and stderr's."""
-    duration(seconds)  # run_node takes None as for ever
+    duration(seconds)  # run_node takes None as forever
     with capture(*streams) as console:
         result = run_node(node, seconds, args, clock, TickLog(), faults=faults)
     runtime = "simulated" if isinstance(clock, Simulation) else "wall"

@@ -277,7 +277,7 @@ class StartedNode:
 
         ``handler(request)`` returns the fields of the response. It is called in a thread of its own for each request,
         and may sleep there, in simulated time. If it returns None, there is no response: in ROS 1 the call fails, in
-        ROS 2 it waits for ever. ``advance`` raises what it raises, and ends the run.
+        ROS 2 it waits forever. ``advance`` raises what it raises, and ends the run.
 
         Raises LookupError if there is no such type.
         """

@@ -32,7 +32,7 @@ __all__ = ["setup"]
 
 
 class OutputsBuilder(DummyBuilder):
-    """Writes the expected outputs of the examples, the copies of nodes and the README's picture anew.
+    """Writes the expected outputs of the examples, the copies of nodes and the README's picture again.
 
     The author reads the difference in ``git diff``, and changes the sentences around it. The status is 1 if a run
     failed, which is listed.
@@ -159,7 +159,7 @@ def _finish(app: Sphinx, error: Exception | None) -> None:
     if error is not None:
         return
     _mark(app).unlink()
-    # Sphinx warns only when it reads or writes a page, so the next build has to begin anew.
+    # Sphinx warns only when it reads or writes a page, so the next build has to begin again.
     if app._warncount:
         Path(app.doctreedir, ENV_PICKLE_FILENAME).unlink(missing_ok=True)
     root = Path(app.srcdir)

@@ -15,7 +15,7 @@ __all__ = ["MIME", "Edit", "Facts", "Stale", "one_line", "report", "sentence_nea
 # A notebook's cell hands its findings to the build as this: a list of (line, what stands there, what the run says now).
 MIME = "application/vnd.rosspin.stale+json"
 
-_WIDTH = 200  # characters of a value or a sentence: nobody would read more
+_WIDTH = 200  # characters of a value or a sentence: no one would read more
 
 
 @dataclass(frozen=True)

@@ -1,7 +1,7 @@
 """Sphinx extension: a page or notebook that says ``slides`` at its top can be shown as slides.
 
 Its beginning is the first slide, each of its sections the next one; ``web/src/slides.js`` shows them. Nothing on the
-page is made anew for that: its listings run, and its figures have their handles.
+page is made again for that: its listings run, and its figures have their handles.
 
 In reStructuredText the mark is the field ``:slides:`` above the title, in a notebook ``slides: true`` in its front
 matter.

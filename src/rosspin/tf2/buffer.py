@@ -34,7 +34,7 @@ class BufferCore:
         self._set(transform, authority, False)
 
     def set_transform_static(self, transform: Any, authority: str) -> None:
-        """Add one that holds for ever."""
+        """Add one that holds forever."""
         self._set(transform, authority, True)
 
     def _set(self, stamped: Any, authority: str, is_static: bool) -> None:

@@ -94,7 +94,7 @@ class Moving:
 
 
 class _Static:
-    """Where a frame is for ever; the methods are those of :class:`Moving`."""
+    """Where a frame is forever; the methods are those of :class:`Moving`."""
 
     stamps = (0,)
 
@@ -266,7 +266,7 @@ class Frames:
         raise self._loop()
 
     def latest_common_time(self, target: str, source: str) -> int:
-        """The latest time at which the transform is known; 0 if it is for ever. Raises what tf2 raises."""
+        """The latest time at which the transform is known; 0 if it is forever. Raises what tf2 raises."""
         if target == source:
             latest = self._latest(source)
             return latest[0] if latest else 0

@@ -85,7 +85,7 @@ class Faults(Protocol):
 
 E = TypeVar("E", bound=End)
 
-# A message as it is recorded: topic, node, time (ns), and a function that makes the message when somebody asks for it.
+# A message as it is recorded: topic, node, time (ns), and a function that makes the message when someone asks for it.
 Published = tuple[str, str, int, Callable[[], Any]]
 
 
@@ -194,7 +194,7 @@ class _Ends(Generic[E]):
 
 
 class CallMade:
-    """A call of a service while it is recorded. ``make_request()`` makes the request when somebody asks for it."""
+    """A call of a service while it is recorded. ``make_request()`` makes the request when someone asks for it."""
 
     def __init__(self, service: str, client: str, asked: int, make_request: Callable[[], Any]) -> None:
         self._asked = service, client, asked, make_request
@@ -388,16 +388,16 @@ class Graph:
         self._subscriptions.remove(end)
 
     def topics(self) -> list[tuple[str, str]]:
-        """Return the topics that somebody publishes, and their types."""
+        """Return the topics that someone publishes, and their types."""
         with self._lock:
             return self._publications.types()
 
     def names(self) -> list[str]:
-        """Return the topics that somebody has, or has had."""
+        """Return the topics that someone has, or has had."""
         with self._lock:
             return list(dict.fromkeys(self._publications.names() + self._subscriptions.names()))
 
     def subscribed(self) -> list[tuple[str, str]]:
-        """Return the topics to which somebody subscribes, and their types."""
+        """Return the topics to which someone subscribes, and their types."""
         with self._lock:
             return self._subscriptions.types()

@@ -37,7 +37,7 @@ class Tester(ABC):
         self._graph = world.graph
         self._messages = messages
         self._fail = fail
-        self._published: dict[str, str] = {}  # the topics that somebody has published, and their types
+        self._published: dict[str, str] = {}  # the topics that someone has published, and their types
 
     @abstractmethod
     def publication(self, subscription: Any) -> Any:
