@@ -20,7 +20,7 @@ from .reach import reaches_for
 from .running import Runner
 from .traces import Misfit, Outcome, Request, Trace, read, write
 
-__all__ = ["EXERCISES", "Exercise", "Feedback", "Finding", "Misfit", "check", "code", "judge", "trace"]
+__all__ = ["EXERCISES", "Exercise", "Feedback", "Finding", "Misfit", "check", "judge", "trace"]
 
 _CUT = "the node did so much that not all of it was looked at."
 _LESS = "Let it print and publish no more than the exercise asks for."
