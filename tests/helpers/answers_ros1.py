@@ -479,6 +479,7 @@ rospy.spin()
     "name-the-fault": [
         {'"B"': '"b"', '"E"': "'e'"},
         {'"B"': '" B "'},
+        {'"E"': '"E: an exception"', '"C"': '"**C**"'},
         {'"D"': '"(D)"'},
         {'"C"': '"C."'},
         {'log_1 = "B"': "", 'log_2 = "E"': 'log_1, log_2 = "BE"'},
@@ -581,7 +582,7 @@ WRONG: dict[str, list[tuple[Answer, str, str]]] = {
         ({TIMER: "timer = [period]"}, "died in line 2: `NameError: name 'period'", "Python names what it did"),
         ({TIMER: "timer = range(10**9)"}, "3 times are asked for, not 100", "Does a timer call"),
         ({TIMER: "class A(list):\n    pass\ntimer = A([0.4, 0.8, 1.2])"}, "a value of type `A`", "Write it as"),
-        ({TIMER: "timer = [True, 0.8, 1.2]"}, "a value of type `list`", "Write it as"),
+        ({TIMER: "timer = [True, 0.8, 1.2]"}, "not one that holds something else", "Write it as"),
         ({TIMER: f"{ARRAY}timer = Array(['0.4', '0.8', '1.2'])"}, "a value of type `Array`", "Write it as"),
     ],
     "after-a-slow-callback": [
@@ -1052,6 +1053,7 @@ rospy.spin()
         ({'log_3 = "D"': 'log_3 = "C"'}, "`log_3`: it is not C", "a period apart again"),
         ({'log_4 = "C"': 'log_4 = "E"'}, "`log_4`: it is not E", "a traceback would name a thread"),
         ({'log_4 = "C"': 'log_4 = "G"'}, "`log_4`: it is not G", "each number would be printed once"),
+        ({'log_4 = "C"': 'log_4 = "C frequency"'}, "one of the letters A to G, not", 'Write it as `"A"`'),
         ({'log_4 = "C"': 'log_4 = "H"'}, "one of the letters A to G, not `'H'`", 'Write it as `"A"`'),
         ({'log_4 = "C"': "class Mine(str):\n    pass\nlog_4 = Mine('C')"}, "not `Mine`", 'Write it as `"A"`'),
         ({'log_4 = "C"': "log_4 = 3"}, "one of the letters A to G, not `3`", 'Write it as `"A"`'),

@@ -1175,6 +1175,8 @@ WRONG: dict[str, list[tuple[Answer, str, str]]] = {
         (times(ORDER, 1, 2, 2, 1), "the order: not 1, 2, 2, 1", "thread 1 writes last"),
         (times(ORDER, 2, 1, 1, 2), "the order: not 2, 1, 1, 2", "Here thread 2 begins"),
         (times(ORDER, 2, 1, 2, 1), "the order: not 2, 1, 2, 1", "thread 1 writes last, over what thread 2"),
+        (times(ORDER, 1, 2, 1, 2, 2), "4 numbers are asked for, not 5", "It has four lines"),
+        (times(ORDER, 1, 2, 1, 1), "the fourth of these numbers is not 1", "each thread runs its first line before"),
         (times(ORDER, 2, 2, 1, 1), "the order: not 2, 2, 1, 1", "nothing is lost"),
         (times(ORDER, 1, 2), "the order: not 1, 2", "so each stands in the list twice"),
         (

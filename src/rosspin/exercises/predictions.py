@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import pkgutil
+import re
 import tomllib
 from collections.abc import Callable, Iterator, Sequence
 from typing import Any
@@ -21,7 +22,8 @@ _ASKED = {
     "counters": (lambda number: f"{number:g}", "counters", "[1, 2, 3]"),
     "numbers": (lambda number: f"{number:g}", "numbers", "[1, 1, 2, 2]"),
 }
-_NTH = ("the first", "the second", "the third")
+_NTH = ("the first", "the second", "the third", "the fourth")
+_LEAST = 3  # of so many numbers it is said which one is wrong
 
 
 def predicted(name: str, asked: str = "times") -> Judge:
@@ -41,7 +43,10 @@ def predicted(name: str, asked: str = "times") -> Judge:
                 yield Finding(None, f"{what}: there is no prediction yet.", f"Give `{variable}` a list of {asked}.")
             elif value.numbers is None:
                 _, listed, example = _ASKED[asked]
-                text = f"{what}: the prediction is a list of {listed}, not {a_value(value.type)}."
+                other = a_value(value.type)
+                if value.type in ("list", "tuple"):
+                    other = "one that holds something else"
+                text = f"{what}: the prediction is a list of {listed}, not {other}."
                 yield Finding(False, text, f"Write it as `{example}`.")
             else:
                 yield _compare(value.numbers, table, asked)
@@ -56,11 +61,11 @@ def _compare(given: Sequence[float], table: Any, asked: str) -> Finding:
     if same(given, right):
         return Finding(True, f"{what}: {said}.")
     why = next((why for why, wrong in table["wrong"].items() if any(same(given, each) for each in wrong)), "")
-    if not why and len(given) != len(right) == len(_NTH):
+    if not why and len(given) != len(right) >= _LEAST:
         return Finding(False, f"{what}: {len(right)} {asked} are asked for, not {len(given)}.", hint)
     pairs = zip(given, right, strict=False)
     first = next((n for n, (one, other) in enumerate(pairs) if not same([one], [other])), min(len(given), len(right)))
-    known = why or first >= len(given) or len(right) < len(_NTH)
+    known = why or first >= len(given) or len(right) < _LEAST
     text = f"not {said}" if known else f"{_NTH[first]} of these {asked} is not {say_one(given[first])}"
     return Finding(False, f"{what}: {text}.", why or hint, _beside(given, right, first, say_one))
 
@@ -96,7 +101,8 @@ def chosen(name: str) -> Judge:
             if value is None or value.is_open:
                 yield Finding(None, f"`{variable}`: there is no answer yet.")
                 continue
-            named = value.text.strip(" ().").upper() if value.type == "str" else ""
+            found = re.match(r"\W*([A-Z])(?=\W*$|\s*[:.,;)*-])", value.text, re.IGNORECASE)
+            named = found[1].upper() if found and value.type == "str" else ""
             if named not in choices:
                 letters = f"one of the letters A to {max(choices)}"
                 text = f"`{variable}`: the answer is {letters}, not `{plain(_shown(value))}`."
