@@ -152,7 +152,7 @@ export class Cell {
     this.args.addEventListener("keydown", (event) => event.key === "Enter" && this.#run())
     this.args.addEventListener("input", () => this.#offer())
     this.speed = make("select", { ariaLabel: "Speed" })
-    for (const [textContent, value] of [["real time", "1"], ["10 times as fast", "10"], ["instantly", "0"]]) {
+    for (const [textContent, value] of [["instantly", "0"], ["10 times as fast", "10"], ["real time", "1"]]) {
       this.speed.append(make("option", { textContent, value }))
     }
     this.status = make("span", { role: "status" })
@@ -429,6 +429,7 @@ export class Cell {
     const beside = others.filter((other) => other !== this).map((other) => other.#beside)
     const job = { source, filename, seconds, args, speed: Number(this.speed.value), beside, exercise: this.exercise }
     const hear = (/** @type {import("./runs.js").Told} */ message) => this.#hear(message, job)
+    this.plot.expect(seconds)
     this.#worker = start(this.#base, job, (message) => number === this.#runs && hear(message))
     this.#say("starting Python")
   }

@@ -5,6 +5,9 @@ import { make } from "./make.js"
 import { Painter } from "./painter.js"
 import { INK, MARGIN, draw, drawTimeline, drawn, layOut, percent } from "./svg.js"
 
+/** While a run goes on, its axis stands still for so long (s), or until the end of the run. */
+const STEP = 30
+
 /** No timeline has more rows. */
 const MOST_ROWS = 100
 
@@ -19,7 +22,8 @@ const inSeconds = (/** @type {number} */ time) => `${Number(time.toFixed(6))} s`
 export class Plot {
   /** @type {Tick[]} */
   #ticks = []
-  #painter = new Painter(() => this.#paint("Timeline of a run that goes on."))
+  #painter = new Painter(() => this.#paint("Timeline of a run that goes on.", this.#until))
+  #seconds = 0 // that a run is to last
   /** @type {number[][]} */
   #chunks = [] // of each tick: what it printed
   /** @type {[share: number, down: number][]} */
@@ -49,6 +53,21 @@ export class Plot {
     this.#chosen = -1
     this.element.hidden = true
     this.element.replaceChildren()
+  }
+
+  /**
+   * A run begins that is to last so long.
+   *
+   * @param {number} seconds
+   */
+  expect(seconds) {
+    this.#seconds = seconds
+  }
+
+  /** Where the axis ends while the run goes on. */
+  get #until() {
+    const last = this.#ticks.at(-1)?.[3] ?? 0
+    return Math.min(this.#seconds, STEP * Math.ceil((last + 1e-9) / STEP))
   }
 
   /** @param {Tick[]} ticks */

@@ -48,8 +48,12 @@ def test_run_in_real_time(tutorial: Page) -> None:
             new MutationObserver(() => said.push(status.textContent)).observe(status, { childList: true })
         }"""
     )
+    expect(cell.element.get_by_role("combobox")).to_have_value("0")  # it is a choice: a run is shown instantly
     cell.run(1.5, "real time")
+    axis = cell.plot.locator("text")
+    begun = axis.all_text_contents() if axis.first.wait_for() is None else []
     assert cell.ends("done") == simulate(EXAMPLES / LISTINGS[TIMER], 1.5).console
+    assert begun == axis.all_text_contents()  # it has not moved while ticks came
     assert tutorial.evaluate("said.includes('running')")
     ticks = cell.plot.locator("circle")
     expect(ticks).to_have_count(3)
