@@ -38,10 +38,12 @@ if TYPE_CHECKING:
     from ..faults import Fault
     from ..faults.engine import Engine
 
-__all__ = ["PATIENCE", "Host", "Result", "Supervisor", "duration", "kept", "replaced"]
+__all__ = ["AFTER_SIGINT", "AFTER_SIGTERM", "PATIENCE", "Host", "Result", "Supervisor", "duration", "kept", "replaced"]
 
-# After Ctrl-C roslaunch waits 15 s, asks once more with SIGTERM, and kills after another 2 s.
-PATIENCE = 17
+# How long (s) roslaunch waits after Ctrl-C, and then after SIGTERM, before it kills; here so long in all after Ctrl-C
+# (source: roslaunch/nodeprocess.py, _TIMEOUT_SIGINT and _TIMEOUT_SIGTERM).
+AFTER_SIGINT, AFTER_SIGTERM = 15, 2
+PATIENCE = AFTER_SIGINT + AFTER_SIGTERM
 
 # The statuses of a process that has not failed: Ctrl-C may end it, too, as a signal of a shell or of a launcher.
 _FINE = (None, 0, 128 + signal.SIGINT, -signal.SIGINT)

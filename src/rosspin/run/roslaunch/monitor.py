@@ -18,7 +18,7 @@ from ...clocks.threads import unlist_threads
 from ...rospy.state import Master
 from ...world.world import World
 from ..explain import say_where
-from ..host import Host
+from ..host import AFTER_SIGINT, AFTER_SIGTERM, Host
 from ..process import Process
 from ..source import Code
 from ..streams import nowhere
@@ -29,10 +29,6 @@ __all__ = ["Monitor"]
 
 # How far apart (ns) its looks at its processes are.
 _LOOK = NS // 10
-
-# How long (s) it waits for a process after SIGINT, and then after SIGTERM.
-_PATIENCE = 15
-_LAST_PATIENCE = 2
 
 # How many processes are ended at a time.
 _WORKERS = 10
@@ -168,11 +164,11 @@ class Monitor:
         world = member.world
         if not world.over:
             press_ctrl_c(world)
-        if self._ends_within(world, _PATIENCE):
+        if self._ends_within(world, AFTER_SIGINT):
             return False
         self._complain(f"[{member.name}] escalating to SIGTERM")
         send(world, signal.SIGTERM)
-        if self._ends_within(world, _LAST_PATIENCE):
+        if self._ends_within(world, AFTER_SIGTERM):
             return False
         self._complain(f"[{member.name}] escalating to SIGKILL")
         self._stderr.write(say_where(member.code, where_it_waits(world)))
