@@ -51,7 +51,8 @@ def test_run_in_real_time(tutorial: Page) -> None:
     expect(cell.element.get_by_role("combobox")).to_have_value("0")  # it is a choice: a run is shown instantly
     cell.run(1.5, "real time")
     axis = cell.plot.locator("text")
-    begun = axis.all_text_contents() if axis.first.wait_for() is None else []
+    axis.first.wait_for()
+    begun = axis.all_text_contents()
     assert cell.ends("done") == simulate(EXAMPLES / LISTINGS[TIMER], 1.5).console
     assert begun == axis.all_text_contents()  # it has not moved while ticks came
     assert tutorial.evaluate("said.includes('running')")
