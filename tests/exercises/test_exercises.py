@@ -400,6 +400,21 @@ def test_an_error_has_a_hint_of_its_own(wrong: str, hint: str) -> None:
 
 
 @pytest.mark.parametrize(
+    "error",
+    [
+        "NameError(name=[])",
+        "AttributeError(name='(', obj=Odd())",
+        "AttributeError('object has no attribute', name='x', obj=Odd())",
+        "type('E', (TypeError,), {'__str__': lambda self: 1 / 0})()",
+    ],
+)
+@pytest.mark.parametrize("name", ["ten-hertz", "make-it-10-hz"])
+def test_no_error_is_too_strange(name: str, error: str) -> None:
+    odd = "class Odd:\n    def __dir__(self): raise RuntimeError\n    def __getattr__(self, name): raise RuntimeError\n"
+    assert "died in line" in repr(check(name, f"{odd}raise {error}"))
+
+
+@pytest.mark.parametrize(
     ("answer", "said"),
     [
         ("x = (1,", "Line 1 is not Python: '(' was never closed"),

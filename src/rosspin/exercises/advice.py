@@ -79,11 +79,11 @@ def not_found(error: BaseException, text: str) -> str:
             return f'A letter is a text. Write it in quotes: `"{error.name}"`.'
         if re.match(r"[A-Z]\w*[a-z]", error.name or ""):
             return "A class is imported from its module, or defined, before it is used. Is it spelt as it is there?"
-        if re.search(rf"\bself\.{error.name}\b|\bdef {error.name}\(self\b", text):
+        if error.name and re.search(rf"\bself\.{re.escape(error.name)}\b|\bdef {re.escape(error.name)}\(self\b", text):
             return f"In a method of the class it is `self.{error.name}`."
         return _NOT_FOUND
     if isinstance(error, AttributeError):
-        if re.search(rf"(?<![.\w]){error.name} = ", text):
+        if error.name and re.search(rf"(?<![.\w]){re.escape(error.name)} = ", text):
             return f"`{error.name}` is a variable of one function. Others find it if it is kept as `self.{error.name}`."
         return _lacks(error) or _meant(error) or _NOT_FOUND
     if isinstance(error, ZeroDivisionError):
@@ -124,15 +124,9 @@ def _meant(error: AttributeError) -> str:
     near = get_close_matches(error.name.lower().replace("_", ""), names, 1, 0.85)
     if near and names[near[0]] != f"{error.name}s":
         return f"There is a `{names[near[0]]}`. Is it that?"
-    if _makes_nodes(error.name) and inspect.isclass(type(error.obj)):
+    if error.name in _OF_NODES:
         return f"A `Node` has `{error.name}`. Is the class one of these, `class {type(error.obj).__name__}(Node)`?"
     return ""
-
-
-def _makes_nodes(name: str) -> bool:
-    return name in ("create_timer", "create_publisher", "create_subscription", "create_client", "create_service") or (
-        name in ("create_rate", "declare_parameter", "get_logger", "get_clock")
-    )
 
 
 def not_called(error: BaseException, text: str, line: int) -> str:
@@ -146,6 +140,12 @@ def not_called(error: BaseException, text: str, line: int) -> str:
     called = re.search(rf"((?:\w+\.)*{found[1]})\(\)", lines[line - 1]) if f"def {found[1]}(" in text else None
     return f"Pass the function on without calling it: `{called[1]}`, not `{called[1]}()`." if called else ""
 
+
+# What a class has that is one of Node.
+_OF_NODES = {
+    *("create_timer", "create_rate", "create_publisher", "create_subscription", "create_client", "create_service"),
+    *("declare_parameter", "get_parameter", "get_logger", "get_clock"),
+}
 
 # What nodes take from rospy, and what there is in ROS 2.
 _IN_ROS_2 = {

@@ -343,7 +343,9 @@ class Runner:
         line = next((line for code, line in reversed(frames) if code.co_filename == _FILENAME), 0)
         codes = {code for code, _ in frames}
         whose = self._ros.whose(codes) or ("thread" if threading.Thread.run.__code__ in codes else "node")
-        hint = self._ros.hint(error, whose) or not_found(error, self._text) or not_called(error, self._text, line)
+        hint = ""
+        with suppress(Exception):  # an error, and what it names, may be the answer's own
+            hint = self._ros.hint(error, whose) or not_found(error, self._text) or not_called(error, self._text, line)
         said = plain(traceback.format_exception_only(error)[-1])
         is_ending = isinstance(error, self._ros.ENDINGS)
         return Error(_type(error), said, line, whose, is_ending, hint)
