@@ -9,6 +9,7 @@ from collections.abc import Callable
 from pathlib import Path
 
 import pytest
+from cpp_scenarios import FOLDER, SECONDS, compared, recorded
 from rclcpp_nodes import read_ticks
 from tree import ROOT
 
@@ -51,7 +52,21 @@ def test_python_hears_cpp_and_cpp_hears_python() -> None:
     assert "[SUBSCRIBER CPP NODE] counter = 3" in run.console
 
 
-def recorded() -> list[Path]:
+SCENARIOS = recorded("ros2.txt")
+
+
+@pytest.mark.parametrize("name", SCENARIOS)
+def test_a_scenario_gives_what_rclcpp_would(name: str) -> None:
+    run = simulate(FOLDER / "ros2.cpp", SECONDS, [name, "--ros-args", "-r", "from:=to"], start=100.0)
+    assert compared(run.console, run.status) == SCENARIOS[name]
+
+
+def test_each_scenario_has_its_lines() -> None:
+    assert simulate(FOLDER / "ros2.cpp", 1.0).console.split() == list(SCENARIOS)
+    assert len(SCENARIOS) >= 60
+
+
+def of_one_thread() -> list[Path]:
     """The recordings of the probes in one thread."""
     files = sorted(RECORDINGS.glob("*_cpp_*.csv"))
     return [file for file in files if "executor:=multi" not in load(file).provenance["command"]]
@@ -60,7 +75,7 @@ def recorded() -> list[Path]:
 LATE = 0.1  # s: a fifth of the period; no two rules are that close
 
 
-@pytest.mark.parametrize("file", recorded(), ids=lambda file: file.stem)
+@pytest.mark.parametrize("file", of_one_thread(), ids=lambda file: file.stem)
 def test_the_probes_tick_as_they_did(file: Path) -> None:
     real = load(file)
     program, *args = real.provenance["command"].split()

@@ -680,7 +680,7 @@ CallbackGroup::SharedPtr NodeBaseInterface::group_for(const CallbackGroup::Share
   if (!given)
     return default_group_;
   if (!callback_group_in_node(given))
-    throw std::runtime_error("Cannot create " + std::string(what) + ", group not in node.");
+    throw exceptions::MissingGroupNodeException(what);
   return given;
 }
 
@@ -768,6 +768,7 @@ PublisherBase::PublisherBase(node_interfaces::NodeBaseInterface::SharedPtr node,
 {
   if (options.event_callbacks.any())
     rosspin::not_simulated("rclcpp::PublisherOptions::event_callbacks");
+  node_->group_for(options.callback_group, "publisher");
   rosspin::Value answer = node_->ask("publisher", {topic, type, profile(qos)}, "could not create publisher");
   id_ = field(answer, "id").whole;
   topic_ = field(answer, "name").string;
@@ -1578,7 +1579,8 @@ void Executor::remove_node(Base node, bool)
   auto is_it = [&](const auto& each) { return each.lock() == node; };
   auto found = std::find_if(nodes_.begin(), nodes_.end(), is_it);
   if (found == nodes_.end())
-    throw std::runtime_error("Node '" + std::string(node->get_fully_qualified_name()) + "' needs to be associated with an executor.");
+    throw std::runtime_error("Node '" + std::string(node->get_fully_qualified_name()) + "' needs to be associated with " +
+                             (node->get_associated_with_executor_atomic() ? "this executor." : "an executor."));
   nodes_.erase(found);
   node->get_associated_with_executor_atomic() = false;
   detail::changes++;
@@ -1600,7 +1602,7 @@ void Executor::remove_callback_group(CallbackGroup::SharedPtr group, bool)
 {
   auto found = std::find_if(groups_.begin(), groups_.end(), [&](const auto& each) { return each.lock() == group; });
   if (found == groups_.end())
-    throw std::runtime_error("Callback group needs to be associated with executor.");
+    throw std::runtime_error("Callback group needs to be associated with an executor.");
   groups_.erase(found);
   group->get_associated_with_executor_atomic() = false;
   detail::changes++;

@@ -85,6 +85,15 @@ public:
   explicit UnknownTypeError(const std::string& type) : std::runtime_error("Unknown type: " + type) {}
 };
 
+class MissingGroupNodeException : public std::runtime_error
+{
+public:
+  explicit MissingGroupNodeException(const std::string& kind)
+    : std::runtime_error("cannot create: " + kind + " , callback group not in node")
+  {
+  }
+};
+
 class InvalidParameterTypeException : public std::runtime_error
 {
 public:

@@ -1,0 +1,759 @@
+// Scenarios for rclcpp, one for each run: the parameter scenario says which. Each line begins with the time since the
+// start, in s, to the nearest tenth.
+
+#include <chrono>
+#include <cstdio>
+#include <functional>
+#include <map>
+#include <memory>
+#include <set>
+#include <string>
+#include <thread>
+#include <vector>
+
+#include "example_interfaces/srv/add_two_ints.hpp"
+#include "geometry_msgs/msg/twist.hpp"
+#include "rclcpp/rclcpp.hpp"
+#include "std_msgs/msg/string.hpp"
+#include "std_msgs/msg/u_int32.hpp"
+
+using namespace std::chrono_literals;
+using example_interfaces::srv::AddTwoInts;
+using rclcpp::Node;
+using std_msgs::msg::String;
+using std_msgs::msg::UInt32;
+
+namespace
+{
+std::chrono::steady_clock::time_point begun;
+
+void say(const std::string& what)
+{
+  double now = std::chrono::duration<double>(std::chrono::steady_clock::now() - begun).count();
+  std::printf("%.1f %s\n", now + 1e-9, what.c_str());
+  std::fflush(stdout);
+}
+
+void work(std::chrono::milliseconds time) { std::this_thread::sleep_for(time); }
+
+template<class T>
+std::string shown(const T& value)
+{
+  std::stringstream stream;
+  stream << value;
+  return stream.str();
+}
+
+// What an exception says, on one line.
+template<class Function>
+void attempt(Function function)
+{
+  try
+  {
+    function();
+    say("nothing thrown");
+  }
+  catch (const std::exception& error)
+  {
+    std::string text = error.what();
+    say("thrown: " + text.substr(0, text.find('\n')));
+  }
+}
+
+UInt32 number(unsigned value)
+{
+  UInt32 message;
+  message.data = value;
+  return message;
+}
+
+struct Listener
+{
+  std::string name;
+  void hear(const UInt32& message) { say(name + " " + std::to_string(message.data)); }
+  void shared(UInt32::SharedPtr message) { say(name + " " + std::to_string(message->data)); }
+  void constant(const UInt32::ConstSharedPtr message) const { say(name + " " + std::to_string(message->data)); }
+  void with_info(const UInt32& message, const rclcpp::MessageInfo& info)
+  {
+    say(name + " " + std::to_string(message.data) + (info.get_rmw_message_info().source_timestamp > 0 ? " stamped" : ""));
+  }
+};
+
+void show(const UInt32& message) { say(std::to_string(message.data)); }
+
+void hear(UInt32::UniquePtr message) { say("unique " + std::to_string(message->data)); }
+
+typedef std::shared_ptr<Node> Shared;
+typedef std::function<void(const Shared&)> Scenario;
+
+std::map<std::string, Scenario> scenarios()
+{
+  std::map<std::string, Scenario> all;
+
+  // --- timers ---
+
+  all["timer"] = [](const Shared& node)
+  {
+    int count = 0;
+    auto timer = node->create_wall_timer(500ms, [&] { say("tick " + std::to_string(++count)); });
+    rclcpp::spin(node);
+  };
+  all["timer_spun_late"] = [](const Shared& node)
+  {
+    auto timer = node->create_wall_timer(500ms, [] { say("tick"); });
+    work(1200ms);
+    rclcpp::spin(node);
+  };
+  all["timer_spin_some"] = [](const Shared& node)
+  {
+    auto timer = node->create_wall_timer(500ms, [] { say("tick"); });
+    rclcpp::executors::SingleThreadedExecutor executor;
+    executor.add_node(node);
+    while (rclcpp::ok())
+    {
+      executor.spin_some();
+      rclcpp::sleep_for(300ms);
+    }
+  };
+  all["timer_blocks"] = [](const Shared& node)
+  {
+    int count = 0;
+    auto timer = node->create_timer(500ms,
+        [&]
+        {
+          say("tick " + std::to_string(++count));
+          if (count == 2)
+            work(1300ms);
+        });
+    rclcpp::spin(node);
+  };
+  all["timer_cancel"] = [](const Shared& node)
+  {
+    rclcpp::TimerBase::SharedPtr timer;
+    int count = 0;
+    timer = node->create_wall_timer(400ms,
+        [&]
+        {
+          say("tick");
+          if (++count == 2)
+            timer->cancel();
+          say(shown(timer->is_canceled()));
+        });
+    rclcpp::spin(node);
+  };
+  all["timer_cancel_and_reset"] = [](const Shared& node)
+  {
+    auto timer = node->create_wall_timer(400ms, [] { say("tick"); });
+    auto stop = node->create_wall_timer(1s, [&] { timer->is_canceled() ? timer->reset() : timer->cancel(); });
+    rclcpp::spin(node);
+  };
+  all["timer_reset_again_and_again"] = [](const Shared& node)
+  {
+    auto timer = node->create_wall_timer(500ms, [] { say("tick"); });
+    auto other = node->create_wall_timer(300ms, [&] { timer->reset(); });
+    rclcpp::spin(node);
+  };
+  all["timer_dropped"] = [](const Shared& node)
+  {
+    auto timer = node->create_wall_timer(300ms, [] { say("tick"); });
+    auto other = node->create_wall_timer(1s, [&] { timer.reset(); });
+    rclcpp::spin(node);
+  };
+  all["timer_not_kept"] = [](const Shared& node)
+  {
+    node->create_wall_timer(300ms, [] { say("tick"); });
+    rclcpp::spin(node);
+    say("ended");
+  };
+  all["timer_one_shot"] = [](const Shared& node)
+  {
+    rclcpp::TimerBase::SharedPtr timer = node->create_wall_timer(700ms,
+        [&]
+        {
+          say("once");
+          timer->cancel();
+        });
+    rclcpp::spin(node);
+  };
+  all["timer_takes_itself"] = [](const Shared& node)
+  {
+    int count = 0;
+    auto timer = node->create_wall_timer(300ms,
+        [&](rclcpp::TimerBase& timer)
+        {
+          say("tick");
+          if (++count == 3)
+            timer.cancel();
+        });
+    rclcpp::spin(node);
+  };
+  all["timer_takes_info"] = [](const Shared& node)
+  {
+    auto start = node->now();
+    auto timer = node->create_timer(500ms,
+        [&](const rclcpp::TimerInfo& info)
+        {
+          say(shown((info.expected_call_time - start).seconds()) + " " +
+              shown((info.actual_call_time - start).seconds()));
+          work(700ms);
+        });
+    rclcpp::spin(node);
+  };
+  all["timer_time_until_trigger"] = [](const Shared& node)
+  {
+    auto timer = node->create_wall_timer(500ms, [] {});
+    work(200ms);
+    say(std::to_string(timer->time_until_trigger().count() / 1000000) + shown(timer->is_ready()));
+    work(400ms);
+    say(std::to_string(timer->time_until_trigger().count() / 1000000) + shown(timer->is_ready()));
+    timer->cancel();
+    say(shown(timer->time_until_trigger() == std::chrono::nanoseconds::max()) + shown(timer->is_ready()));
+  };
+  all["timer_autostart"] = [](const Shared& node)
+  {
+    auto timer = node->create_wall_timer(500ms, [] { say("tick"); }, nullptr, false);
+    auto other = node->create_wall_timer(1200ms, [&] { timer->reset(); });
+    rclcpp::spin(node);
+  };
+  all["timer_made_in_a_callback"] = [](const Shared& node)
+  {
+    rclcpp::TimerBase::SharedPtr made;
+    auto timer = node->create_wall_timer(1s,
+        [&]
+        {
+          say("outer");
+          made = node->create_wall_timer(300ms, [] { say("inner"); });
+        });
+    rclcpp::spin(node);
+  };
+  all["timer_negative"] = [](const Shared& node)
+  { attempt([&] { node->create_wall_timer(-1ms, [] {}); }); };
+  all["timers_due_together"] = [](const Shared& node)
+  {
+    auto one = node->create_wall_timer(500ms, [] { say("one"); });
+    auto two = node->create_wall_timer(500ms, [] { say("two"); });
+    auto three = node->create_wall_timer(1s, [] { say("three"); });
+    rclcpp::spin(node);
+  };
+  all["timers_slow"] = [](const Shared& node)
+  {
+    auto one = node->create_wall_timer(500ms, [] { say("one"), work(800ms); });
+    auto two = node->create_wall_timer(700ms, [] { say("two"), work(800ms); });
+    rclcpp::spin(node);
+  };
+  all["timers_cancelled_while_due"] = [](const Shared& node)
+  {
+    rclcpp::TimerBase::SharedPtr one = node->create_wall_timer(500ms, [] { say("one"); });
+    auto two = node->create_wall_timer(500ms, [&] { say("two"), one->cancel(); });
+    rclcpp::spin(node);
+  };
+
+  // --- rates and clocks ---
+
+  all["rate"] = [](const Shared&)
+  {
+    rclcpp::Rate rate(2.0);
+    while (rclcpp::ok())
+    {
+      say("pass");
+      rate.sleep();
+    }
+  };
+  all["rate_blocks"] = [](const Shared&)
+  {
+    rclcpp::WallRate rate(500ms);
+    for (int pass = 1; rclcpp::ok(); pass++)
+    {
+      say("pass");
+      if (pass == 2)
+        work(1200ms);
+      if (!rate.sleep())
+        say("late");
+    }
+  };
+  all["rate_runs_timers"] = [](const Shared& node)
+  {
+    auto timer = node->create_wall_timer(200ms, [] { say("tick"); });
+    rclcpp::Rate rate(2);
+    while (rclcpp::ok())
+    {
+      rclcpp::spin_some(node);
+      rate.sleep();
+    }
+  };
+  all["rate_reset"] = [](const Shared&)
+  {
+    rclcpp::Rate rate(1);
+    work(700ms);
+    rate.reset();
+    rate.sleep();
+    say("slept");
+    say(std::to_string(rate.period().count()) + shown(rate.is_steady()));
+  };
+  all["rate_of_nothing"] = [](const Shared&)
+  {
+    attempt([] { rclcpp::Rate rate(0.0); });
+    attempt([] { rclcpp::Rate rate(rclcpp::Duration(0, 0)); });
+  };
+  all["clock_sleeps"] = [](const Shared& node)
+  {
+    auto clock = node->get_clock();
+    say(shown(clock->sleep_for(300ms)));
+    say(shown(clock->sleep_until(clock->now() + rclcpp::Duration(0, 400000000))));
+    say(shown(clock->sleep_until(clock->now() - rclcpp::Duration(1, 0))));
+    attempt([&] { clock->sleep_until(rclcpp::Time(5, 0, RCL_STEADY_TIME)); });
+  };
+  all["times"] = [](const Shared&)
+  {
+    rclcpp::Time one(1, 500000000), other(3000000000LL);
+    say(shown((other - one).seconds()) + " " + shown((one + rclcpp::Duration::from_seconds(0.25)).nanoseconds()));
+    say(shown(one < other) + shown(one == other) + shown(rclcpp::Duration(2, 0) > rclcpp::Duration(1500ms)));
+    builtin_interfaces::msg::Time message = other;
+    say(std::to_string(message.sec) + " " + std::to_string(message.nanosec));
+    attempt([&] { return one < rclcpp::Time(1, 0, RCL_STEADY_TIME); });
+    attempt([&] { return one - rclcpp::Time(1, 0, RCL_ROS_TIME); });
+    attempt([&] { rclcpp::Time(-1, 0); });
+    attempt([&] { return rclcpp::Duration(1, 0) * INFINITY; });
+  };
+  all["sleep_for"] = [](const Shared&)
+  {
+    say(shown(rclcpp::sleep_for(400ms)));
+    rclcpp::shutdown();
+    say(shown(rclcpp::sleep_for(400ms)));
+  };
+  all["without_clock"] = [](const Shared&)
+  {
+    auto node = std::make_shared<Node>("other", rclcpp::NodeOptions().append_parameter_override("use_sim_time", true));
+    auto timer = node->create_timer(500ms, [] { say("ROS time"); });
+    auto wall = node->create_wall_timer(800ms, [&] { say("wall " + shown(node->now().seconds())); });
+    rclcpp::spin(node);
+  };
+
+  // --- executors ---
+
+  all["spin_once"] = [](const Shared& node)
+  {
+    auto one = node->create_wall_timer(400ms, [] { say("one"); });
+    auto two = node->create_wall_timer(400ms, [] { say("two"); });
+    rclcpp::executors::SingleThreadedExecutor executor;
+    executor.add_node(node);
+    work(1s);
+    for (int call = 0; call < 4; call++)
+    {
+      executor.spin_once(100ms);
+      say("call");
+    }
+  };
+  all["spin_some_and_all"] = [](const Shared& node)
+  {
+    auto publisher = node->create_publisher<UInt32>("topic", 10);
+    unsigned left = 3;
+    auto subscription = node->create_subscription<UInt32>("topic", 10,
+        [&](const UInt32& message)
+        {
+          say("heard " + std::to_string(message.data));
+          if (--left)
+            publisher->publish(number(left));
+        });
+    publisher->publish(number(7));
+    rclcpp::spin_some(node);
+    say("some");
+    rclcpp::executors::SingleThreadedExecutor executor;
+    executor.add_node(node);
+    executor.spin_all(0s);
+    say("all");
+    attempt([&] { executor.spin_all(-1s); });
+  };
+  all["executor_of_two_nodes"] = [](const Shared& node)
+  {
+    auto other = std::make_shared<Node>("other");
+    auto one = node->create_wall_timer(500ms, [] { say("one"); });
+    auto two = other->create_wall_timer(800ms, [] { say("two"); });
+    rclcpp::executors::SingleThreadedExecutor executor;
+    executor.add_node(node);
+    executor.add_node(other);
+    rclcpp::TimerBase::SharedPtr stop = node->create_wall_timer(1300ms,
+        [&]
+        {
+          executor.remove_node(other);
+          stop->cancel();
+        });
+    executor.spin();
+    attempt([&] { executor.remove_node(other); });
+  };
+  all["executor_cancelled"] = [](const Shared& node)
+  {
+    rclcpp::executors::SingleThreadedExecutor executor;
+    executor.add_node(node);
+    auto timer = node->create_wall_timer(600ms, [&] { say("cancel"), executor.cancel(); });
+    executor.spin();
+    say("ended " + shown(rclcpp::ok()));
+    executor.spin();
+    say("ended");
+  };
+  all["executor_errors"] = [](const Shared& node)
+  {
+    rclcpp::executors::SingleThreadedExecutor executor;
+    executor.add_node(node);
+    attempt([&] { executor.add_node(node); });
+    attempt([&] { rclcpp::spin_some(node); });
+    auto timer = node->create_wall_timer(100ms, [&] { attempt([&] { executor.spin_some(); }), rclcpp::shutdown(); });
+    executor.spin();
+    attempt([&] { rclcpp::executors::SingleThreadedExecutor other; });
+  };
+  all["static_executor"] = [](const Shared& node)
+  {
+    auto publisher = node->create_publisher<UInt32>("topic", 10);
+    auto timer = node->create_wall_timer(500ms, [&] { say("tick"), publisher->publish(number(1)), work(600ms); });
+    auto subscription = node->create_subscription<UInt32>("topic", 10, [](const UInt32&) { say("heard"); });
+    rclcpp::executors::StaticSingleThreadedExecutor executor;
+    executor.add_node(node);
+    executor.spin();
+  };
+  all["timer_before_subscription"] = [](const Shared& node)
+  {
+    auto publisher = node->create_publisher<UInt32>("topic", 10);
+    auto timer = node->create_wall_timer(500ms, [&] { say("tick"), publisher->publish(number(1)), work(600ms); });
+    auto subscription = node->create_subscription<UInt32>("topic", 10, [](const UInt32&) { say("heard"); });
+    rclcpp::spin(node);
+  };
+  all["callback_group"] = [](const Shared& node)
+  {
+    auto group = node->create_callback_group(rclcpp::CallbackGroupType::MutuallyExclusive, false);
+    auto one = node->create_wall_timer(500ms, [] { say("default"); });
+    auto two = node->create_wall_timer(500ms, [] { say("group"); }, group);
+    rclcpp::executors::SingleThreadedExecutor executor;
+    executor.add_node(node);
+    auto add = node->create_wall_timer(1200ms,
+        [&]
+        {
+          if (!group->get_associated_with_executor_atomic())
+            executor.add_callback_group(group, node->get_node_base_interface());
+        });
+    executor.spin();
+  };
+  all["group_of_another_node"] = [](const Shared& node)
+  {
+    auto group = Node("other").create_callback_group(rclcpp::CallbackGroupType::Reentrant);
+    attempt([&] { node->create_wall_timer(1s, [] {}, group); });
+  };
+
+  // --- topics ---
+
+  all["callbacks"] = [](const Shared& node)
+  {
+    Listener listener{"member"};
+    using std::placeholders::_1;
+    using std::placeholders::_2;
+    auto publisher = node->create_publisher<UInt32>("topic", 10);
+    std::vector<rclcpp::SubscriptionBase::SharedPtr> kept;
+    kept.push_back(node->create_subscription<UInt32>("topic", 10, std::bind(&Listener::hear, &listener, _1)));
+    kept.push_back(node->create_subscription<UInt32>("topic", 10, std::bind(&Listener::shared, &listener, _1)));
+    kept.push_back(node->create_subscription<UInt32>("topic", 10, std::bind(&Listener::constant, &listener, _1)));
+    kept.push_back(node->create_subscription<UInt32>("topic", 10, std::bind(&Listener::with_info, &listener, _1, _2)));
+    kept.push_back(node->create_subscription<UInt32>("topic", 10, hear));
+    kept.push_back(node->create_subscription<UInt32>("topic", 10,
+        [](const UInt32::ConstSharedPtr& message) { say("lambda " + std::to_string(message->data)); }));
+    std::function<void(UInt32::SharedPtr)> function = [](UInt32::SharedPtr) { say("function"); };
+    kept.push_back(node->create_subscription<UInt32>("topic", rclcpp::SensorDataQoS(), function));
+    publisher->publish(number(1));
+    publisher->publish(std::make_unique<UInt32>(number(2)));
+    rclcpp::spin_some(node);
+    say("some");
+    rclcpp::spin_some(node);
+  };
+  all["queue_of_1"] = [](const Shared& node)
+  {
+    auto publisher = node->create_publisher<UInt32>("topic", 10);
+    auto subscription = node->create_subscription<UInt32>("topic", 1, show);
+    for (unsigned each = 0; each < 5; each++)
+      publisher->publish(number(each));
+    rclcpp::spin(node);
+  };
+  all["queue_of_3"] = [](const Shared& node)
+  {
+    auto publisher = node->create_publisher<UInt32>("topic", 10);
+    auto subscription = node->create_subscription<UInt32>("topic", rclcpp::QoS(3).best_effort(), show);
+    for (unsigned each = 0; each < 5; each++)
+      publisher->publish(number(each));
+    rclcpp::spin(node);
+  };
+  all["keep_all"] = [](const Shared& node)
+  {
+    auto publisher = node->create_publisher<UInt32>("topic", rclcpp::QoS(rclcpp::KeepAll()));
+    auto subscription = node->create_subscription<UInt32>("topic", rclcpp::QoS(rclcpp::KeepAll()), show);
+    for (unsigned each = 0; each < 12; each++)
+      publisher->publish(number(each));
+    rclcpp::spin_some(node);
+    rclcpp::executors::SingleThreadedExecutor executor;
+    executor.add_node(node);
+    executor.spin_all(0s);
+  };
+  all["slow_subscription"] = [](const Shared& node)
+  {
+    unsigned count = 0;
+    auto publisher = node->create_publisher<UInt32>("topic", 10);
+    auto timer = node->create_wall_timer(250ms, [&] { publisher->publish(number(++count)); });
+    auto subscription = node->create_subscription<UInt32>("topic", 10,
+        [](const UInt32& m)
+        {
+          say(std::to_string(m.data));
+          if (m.data == 3)
+            work(1700ms);
+        });
+    rclcpp::spin(node);
+  };
+  all["transient_local"] = [](const Shared& node)
+  {
+    auto qos = rclcpp::QoS(rclcpp::KeepLast(2)).transient_local();
+    auto publisher = node->create_publisher<UInt32>("topic", qos);
+    for (unsigned each = 0; each < 5; each++)
+      publisher->publish(number(each));
+    auto late = node->create_subscription<UInt32>("topic", qos, [](const UInt32& m) { say("late " + std::to_string(m.data)); });
+    auto none = node->create_subscription<UInt32>("topic", 10, [](const UInt32& m) { say("volatile " + std::to_string(m.data)); });
+    rclcpp::spin(node);
+  };
+  all["qos_that_does_not_match"] = [](const Shared& node)
+  {
+    auto publisher = node->create_publisher<UInt32>("topic", rclcpp::SensorDataQoS());
+    auto subscription = node->create_subscription<UInt32>("topic", rclcpp::QoS(10), [](const UInt32&) { say("heard"); });
+    publisher->publish(number(1));
+    rclcpp::spin_some(node);
+    say(std::to_string(publisher->get_subscription_count()));
+  };
+  all["counts"] = [](const Shared& node)
+  {
+    auto publisher = node->create_publisher<UInt32>("~/topic", 10);
+    say(publisher->get_topic_name() + std::string(" ") + std::to_string(publisher->get_subscription_count()));
+    auto subscription = node->create_subscription<UInt32>("~/topic", 10, [](const UInt32&) {});
+    say(std::to_string(publisher->get_subscription_count()) + std::to_string(subscription->get_publisher_count()));
+    say(std::to_string(node->count_publishers("/s/topic")) + std::to_string(node->count_subscribers("/s/topic")));
+    publisher.reset();
+    say(std::to_string(subscription->get_publisher_count()));
+    say(std::to_string(node->get_topic_names_and_types().count("/s/topic")));
+  };
+  all["names"] = [](const Shared&)
+  {
+    Node node("other", "/space");
+    say(node.get_fully_qualified_name() + std::string(" ") + node.get_namespace() + " " + node.get_logger().get_name());
+    say(node.create_publisher<String>("a", 1)->get_topic_name());
+    say(node.create_publisher<String>("/a", 1)->get_topic_name());
+    say(node.create_sub_node("sub")->create_publisher<String>("a", 1)->get_topic_name());
+    say(node.create_publisher<String>("from", 1)->get_topic_name());
+    attempt([&] { node.create_publisher<String>("a b", 1); });
+    attempt([] { Node("1"); });
+    attempt([] { Node("a", "b c"); });
+  };
+  all["published_after_shutdown"] = [](const Shared& node)
+  {
+    auto publisher = node->create_publisher<String>("topic", 10);
+    rclcpp::shutdown();
+    attempt([&] { publisher->publish(String()); });
+    attempt([] { Node("late"); });
+  };
+  all["message"] = [](const Shared&)
+  {
+    geometry_msgs::msg::Twist twist;
+    twist.linear.x = 0.5;
+    say(shown(twist == geometry_msgs::msg::Twist()) + shown(twist == twist));
+    std::printf("%s", geometry_msgs::msg::to_yaml(twist).c_str());
+    std::printf("%s", std_msgs::msg::to_yaml(String().set__data("text")).c_str());
+  };
+
+  // --- services ---
+
+  all["service"] = [](const Shared& node)
+  {
+    auto service = node->create_service<AddTwoInts>("add",
+        [](const AddTwoInts::Request::SharedPtr request, AddTwoInts::Response::SharedPtr response)
+        {
+          say("asked");
+          work(400ms);
+          response->sum = request->a + request->b;
+        });
+    auto client = node->create_client<AddTwoInts>("add");
+    say(shown(client->wait_for_service(1s)));
+    auto request = std::make_shared<AddTwoInts::Request>();
+    request->a = 2;
+    request->b = 3;
+    auto future = client->async_send_request(request);
+    say(rclcpp::to_string(rclcpp::spin_until_future_complete(node, future)));
+    say(std::to_string(future.get()->sum));
+    client->async_send_request(
+        request, [](rclcpp::Client<AddTwoInts>::SharedFuture future) { say("callback " + std::to_string(future.get()->sum)); });
+    rclcpp::spin(node);
+  };
+  all["service_that_is_not_there"] = [](const Shared& node)
+  {
+    auto client = node->create_client<AddTwoInts>("add");
+    say(shown(client->service_is_ready()));
+    say(shown(client->wait_for_service(700ms)));
+    auto future = client->async_send_request(std::make_shared<AddTwoInts::Request>());
+    say(rclcpp::to_string(rclcpp::spin_until_future_complete(node, future, 500ms)));
+    say(shown(client->remove_pending_request(future)));
+  };
+
+  // --- parameters ---
+
+  all["parameters"] = [](const Shared& node)
+  {
+    say(std::to_string(node->declare_parameter("whole", 1)));
+    say(shown(node->declare_parameter("real", 1.5)));
+    say(node->declare_parameter("text", "words"));
+    say(shown(node->declare_parameter<bool>("flag", false)));
+    for (auto each : node->declare_parameter("list", std::vector<std::int64_t>{1, 2}))
+      say(std::to_string(each));
+    int whole = 0;
+    say(shown(node->get_parameter("whole", whole)) + std::to_string(whole));
+    say(shown(node->get_parameter_or("lacking", whole, 9)) + std::to_string(whole));
+    say(shown(node->has_parameter("lacking")));
+    say(node->get_parameter("list").value_to_string() + node->get_parameter("real").value_to_string());
+    say(shown(node->get_parameter("text")));
+  };
+  all["parameters_wrong"] = [](const Shared& node)
+  {
+    node->declare_parameter("whole", 1);
+    attempt([&] { node->declare_parameter("whole", 2); });
+    attempt([&] { node->declare_parameter("", 2); });
+    attempt([&] { node->get_parameter("lacking"); });
+    attempt([&] { node->set_parameter(rclcpp::Parameter("lacking", 1)); });
+    attempt([&] { node->get_parameter("whole").as_string(); });
+    attempt([&] { node->get_parameter("whole").get_value<double>(); });
+    attempt([&] { node->undeclare_parameter("whole"); });
+    attempt([&] { node->declare_parameter<int>("empty"); });
+    say(node->set_parameter(rclcpp::Parameter("whole", "text")).reason);
+  };
+  all["parameter_ranges"] = [](const Shared& node)
+  {
+    rcl_interfaces::msg::ParameterDescriptor descriptor;
+    descriptor.integer_range.resize(1);
+    descriptor.integer_range[0].set__from_value(0).set__to_value(10).set__step(2);
+    node->declare_parameter("even", 4, descriptor);
+    for (int value : {6, 7, 12, 10})
+    {
+      auto result = node->set_parameter(rclcpp::Parameter("even", value));
+      say(shown(result.successful) + " " + result.reason);
+    }
+    descriptor = rcl_interfaces::msg::ParameterDescriptor();
+    descriptor.read_only = true;
+    node->declare_parameter("fixed", 1, descriptor);
+    say(node->set_parameter(rclcpp::Parameter("fixed", 2)).reason);
+    attempt([&] { node->declare_parameter("odd", 3, node->describe_parameter("even")); });
+  };
+  all["parameter_callbacks"] = [](const Shared& node)
+  {
+    node->declare_parameter("whole", 1);
+    auto first = node->add_on_set_parameters_callback(
+        [](const std::vector<rclcpp::Parameter>& parameters)
+        {
+          say("on " + shown(parameters[0]));
+          rcl_interfaces::msg::SetParametersResult result;
+          result.successful = parameters[0].as_int() < 5;
+          result.reason = "too much";
+          return result;
+        });
+    auto before = node->add_pre_set_parameters_callback(
+        [](std::vector<rclcpp::Parameter>& parameters)
+        {
+          say("pre");
+          if (parameters[0].as_int() == 3)
+            parameters[0] = rclcpp::Parameter(parameters[0].get_name(), 4);
+        });
+    auto after = node->add_post_set_parameters_callback([](const std::vector<rclcpp::Parameter>&) { say("post"); });
+    for (int value : {2, 3, 8})
+      say(shown(node->set_parameter(rclcpp::Parameter("whole", value)).successful) + std::to_string(node->get_parameter("whole").as_int()));
+    first.reset();
+    say(shown(node->set_parameter(rclcpp::Parameter("whole", 8)).successful));
+  };
+  all["parameters_undeclared"] = [](const Shared&)
+  {
+    auto options = rclcpp::NodeOptions().allow_undeclared_parameters(true).automatically_declare_parameters_from_overrides(true);
+    options.append_parameter_override("given", 5);
+    Node node("other", options);
+    say(std::to_string(node.get_parameter("given").as_int()) + node.get_parameter("lacking").get_type_name());
+    say(shown(node.set_parameter(rclcpp::Parameter("new.part", "text")).successful));
+    say(node.get_parameter("new.part").as_string());
+    std::map<std::string, std::string> found;
+    say(shown(node.get_parameters("new", found)) + found["part"]);
+    for (const auto& name : node.list_parameters({"new"}, 2).names)
+      say(name);
+  };
+
+  // --- logs and contexts ---
+
+  all["log"] = [](const Shared& node)
+  {
+    auto logger = node->get_logger();
+    RCLCPP_DEBUG(logger, "debug");
+    RCLCPP_INFO(logger, "info %d %s %.2f %ld %c %5d|%-5d|%05d %x %%", 1, "text", 2.5, std::int64_t(1) << 40, 'c', 1, 2, 3, 255);
+    RCLCPP_WARN_STREAM(logger, "warn " << 1 << true << 0.5);
+    RCLCPP_ERROR(logger.get_child("part"), "error");
+    RCLCPP_FATAL(rclcpp::get_logger("free"), "fatal");
+    logger.set_level(rclcpp::Logger::Level::Error);
+    RCLCPP_WARN(logger, "warn");
+    RCLCPP_ERROR(logger.get_child("part"), "error");
+    (void)rcutils_logging_set_logger_level("free", RCUTILS_LOG_SEVERITY_DEBUG);
+    RCLCPP_DEBUG(rclcpp::get_logger("free"), "debug");
+  };
+  all["log_filters"] = [](const Shared& node)
+  {
+    auto timer = node->create_wall_timer(400ms,
+        [&]
+        {
+          RCLCPP_INFO_ONCE(node->get_logger(), "once");
+          RCLCPP_INFO_SKIPFIRST(node->get_logger(), "skipfirst");
+          RCLCPP_INFO_THROTTLE(node->get_logger(), *node->get_clock(), 1000, "throttle");
+          RCLCPP_INFO_STREAM_EXPRESSION(node->get_logger(), node->now().seconds() < 101, "expression");
+        });
+    rclcpp::spin(node);
+  };
+  all["shutdown"] = [](const Shared& node)
+  {
+    rclcpp::on_shutdown([] { say("on_shutdown " + shown(rclcpp::ok())); });
+    rclcpp::contexts::get_global_default_context()->add_pre_shutdown_callback([] { say("pre " + shown(rclcpp::ok())); });
+    auto timer = node->create_wall_timer(500ms, [] { say(shown(rclcpp::shutdown()) + shown(rclcpp::shutdown())); });
+    rclcpp::spin(node);
+    say("ended");
+  };
+  all["ctrl_c"] = [](const Shared& node)
+  {
+    rclcpp::on_shutdown([] { std::puts("on_shutdown"); });
+    rclcpp::spin(node);
+    std::puts("ended");
+  };
+  all["context_of_its_own"] = [](const Shared&)
+  {
+    auto context = std::make_shared<rclcpp::Context>();
+    attempt([&] { Node("early", rclcpp::NodeOptions().context(context)); });
+    context->init(0, nullptr);
+    attempt([&] { context->init(0, nullptr); });
+    auto node = std::make_shared<Node>("other", rclcpp::NodeOptions().context(context));
+    auto timer = node->create_wall_timer(500ms, [&] { context->shutdown("enough"); });
+    rclcpp::spin(node);
+    say(context->shutdown_reason() + shown(rclcpp::ok()) + shown(rclcpp::ok(context)));
+  };
+  all["exception_leaves_spin"] = [](const Shared& node)
+  {
+    auto timer = node->create_wall_timer(500ms, [] { throw std::runtime_error("in a callback"); });
+    attempt([&] { rclcpp::spin(node); });
+    attempt([&] { rclcpp::spin(node); });
+  };
+  return all;
+}
+}  // namespace
+
+int main(int argc, char* argv[])
+{
+  auto words = rclcpp::init_and_remove_ros_arguments(argc, argv);
+  begun = std::chrono::steady_clock::now();
+  auto node = std::make_shared<Node>("s");
+  auto all = scenarios();
+  if (words.size() < 2)
+  {
+    for (const auto& each : all)
+      std::printf("%s\n", each.first.c_str());
+    return 0;
+  }
+  all.at(words[1])(node);
+  return 0;
+}
