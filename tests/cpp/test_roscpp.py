@@ -93,6 +93,39 @@ def test_how_a_node_may_end(write: Write, body: str, status: int, said: str) -> 
     assert said in run.console
 
 
+NAMED = """\
+#include "ros/ros.h"
+#include "std_msgs/UInt32.h"
+struct Listener
+{
+  void hear(const std_msgs::UInt32::ConstPtr& message) { std::printf("member %u\\n", message->data); }
+  void see(const std_msgs::UInt32ConstPtr& message) const { std::printf("constant %u\\n", message->data); }
+};
+void hear(const std_msgs::UInt32::ConstPtr& message) { std::printf("free %u\\n", message->data); }
+int main(int argc, char** argv)
+{
+  ros::init(argc, argv, "node");
+  ros::NodeHandle nh;
+  Listener listener;
+  ros::Subscriber one = nh.subscribe<std_msgs::UInt32>("topic", 1, &Listener::hear, &listener);
+  ros::Subscriber two = nh.subscribe<std_msgs::UInt32>("topic", 1, &Listener::see, &listener);
+  ros::Subscriber three = nh.subscribe<std_msgs::UInt32>("topic", 1, hear);
+  ros::Subscriber four = nh.subscribe("topic", 1, &Listener::hear, &listener);
+  ros::Publisher publisher = nh.advertise<std_msgs::UInt32>("topic", 1);
+  std_msgs::UInt32 message;
+  message.data = 5;
+  publisher.publish(message);
+  ros::spin();
+}
+"""
+
+
+def test_a_subscriber_may_name_its_message(write: Write) -> None:
+    """As roscpp's overloads of NodeHandle::subscribe do (source: node_handle.h)."""
+    console = simulate(write(NAMED, "node.cpp"), 1.0).console
+    assert console.splitlines() == ["member 5", "constant 5", "free 5", "member 5"]
+
+
 def test_a_loop_without_an_end_ends_the_run(write: Write, monkeypatch: pytest.MonkeyPatch) -> None:
     monkeypatch.setattr("rosspin.cpp.program._MOST", 0.5)
     node = write('#include "ros/ros.h"\nint main()\n{\n  for (volatile int i = 0;; i++) {}\n}\n', "node.cpp")

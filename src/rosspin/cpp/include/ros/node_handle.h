@@ -220,6 +220,27 @@ public:
   {
     return subscribed<P>(topic, queue_size, callback);
   }
+  // The same with the message named, as in subscribe<std_msgs::String>.
+  template<class M, class T>
+  Subscriber subscribe(const std::string& topic, std::uint32_t queue_size,
+      void (T::*callback)(const boost::shared_ptr<M const>&), T* object, const TransportHints& = TransportHints())
+  {
+    typedef const boost::shared_ptr<M const>& P;
+    return subscribed<P>(topic, queue_size, [=](P message) { (object->*callback)(message); });
+  }
+  template<class M, class T>
+  Subscriber subscribe(const std::string& topic, std::uint32_t queue_size,
+      void (T::*callback)(const boost::shared_ptr<M const>&) const, T* object, const TransportHints& = TransportHints())
+  {
+    typedef const boost::shared_ptr<M const>& P;
+    return subscribed<P>(topic, queue_size, [=](P message) { (object->*callback)(message); });
+  }
+  template<class M>
+  Subscriber subscribe(const std::string& topic, std::uint32_t queue_size,
+      void (*callback)(const boost::shared_ptr<M const>&), const TransportHints& = TransportHints())
+  {
+    return subscribed<const boost::shared_ptr<M const>&>(topic, queue_size, callback);
+  }
   template<class M>
   Subscriber subscribe(const std::string& topic, std::uint32_t queue_size,
       const boost::function<void(const boost::shared_ptr<M const>&)>& callback,
