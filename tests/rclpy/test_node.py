@@ -845,7 +845,7 @@ def test_steps_count_from_the_lower_end_of_the_range() -> None:
 
 def test_what_a_node_itself_is_given_goes_before_the_command_line() -> None:
     def body(_: Any) -> int:
-        node = rclpy.create_node("other", cli_args=["-p", "rate:=2"])
+        node = rclpy.create_node("other", cli_args=["--ros-args", "-p", "rate:=2"])
         rate: int = node.declare_parameter("rate", 1).value
         return rate
 

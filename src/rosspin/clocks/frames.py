@@ -71,10 +71,11 @@ def warn(text: str, category: type[Warning] = UserWarning) -> None:
     """
     caller, frame = sys._getframe(1), node_frame(sys._getframe())
     registry = frame.f_globals.setdefault("__warningregistry__", {})
-    places = registry.setdefault("rosspin", {})
+    places = registry.get("rosspin", {})
     place = frame.f_code.co_filename, frame.f_lineno
     filename, line = places.setdefault((text, category, caller.f_code, caller.f_lineno), place)
     warnings.warn_explicit(text, category, filename, line, registry=registry)
+    registry["rosspin"] = places  # Python empties a registry that is new, or whose filters have changed
 
 
 def node_frames(trace: TracebackType | None) -> TracebackType | None:

@@ -250,8 +250,8 @@ def _ignore(*message: Any) -> None:
 
 
 def _ros_arguments(words: list[str]) -> list[str] | None:
-    """Return what follows ``--ros-args`` in the arguments of a node."""
-    return words[words.index("--ros-args") + 1 :] if "--ros-args" in words else None
+    """Return the arguments of a node from ``--ros-args`` on."""
+    return words[words.index("--ros-args") :] if "--ros-args" in words else None
 
 
 def _listed(text: str) -> list[str]:

@@ -749,6 +749,7 @@ class ActionClient(_ActionEnd):
 
     def server_is_ready(self) -> bool:
         """Whether a server is known, with all of its ends."""
+        self._node._rosspin.check()
         if self._rosspin.is_destroyed:
             raise RCLError("Failed to check if action server is available: rcl node pointer is invalid")
         clients, heard = (

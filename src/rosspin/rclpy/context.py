@@ -192,10 +192,12 @@ class Context:
             self._callbacks.append(callback)
 
     def get_domain_id(self) -> int:
-        """The number of its ROS domain."""
+        """The number of its ROS domain. Raises RCLError after it has ended."""
         if self._rosspin.arguments is None:
             raise RuntimeError("Context must be initialized before it can have a domain id")
         self._rosspin.check()
+        if not self._rosspin.valid:
+            raise RCLError("Failed to get domain id: error not set")
         return self._rosspin.domain_id
 
     def __enter__(self) -> Context:

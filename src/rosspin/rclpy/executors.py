@@ -107,9 +107,8 @@ class Executor:
 
     def __init__(self, *, context: Context | None = None) -> None:
         self._context = context or get_default_context()
-        if self._context._rosspin.arguments is None:
-            # What rclpy says about a context that was not initialised.
-            raise TypeError("'NoneType' object does not support the context manager protocol")
+        with self._context.handle:  # type: ignore[union-attr]  # None before init: TypeError, as in rclpy
+            pass
         if not self._context.ok():
             raise invalid_context("create guard_condition")
         self._clock = self._context._rosspin.state.clock
@@ -277,6 +276,8 @@ class Executor:
         seconds = timeout_sec.seconds if isinstance(timeout_sec, _Timeout) else timeout_sec
         timeout = -1 if seconds is None or seconds < 0 else int(float(seconds) * 1e9)
         deadline = time.monotonic_ns() + timeout if timeout > 0 else None
+        if deadline is not None and not self._context.ok():
+            raise invalid_context("create timer")
         works = False
         while not works and not self._is_shutdown and not condition():
             triggered, self._rosspin_is_triggered = self._rosspin_is_triggered, False
@@ -339,8 +340,8 @@ class Executor:
     def _rosspin_gather(self, nodes: list[Node]) -> tuple[list[Timer], list[Receiver], list[GuardCondition]]:
         """Collect what to wait for."""
         can_execute = self.can_execute
-        timers = [timer for node in nodes for timer in node._timers if can_execute(timer)]
         receivers: list[Any] = [each for node in nodes for each in node._subscriptions if can_execute(each)]
+        timers = [timer for node in nodes for timer in node._timers if can_execute(timer)]
         for node in nodes:
             if node._clients or node._services or node._rosspin_waitables:  # most have none
                 receivers += filter(can_execute, (*node._clients, *node._services, *node._rosspin_waitables))
@@ -359,7 +360,7 @@ class Executor:
     ) -> tuple[set[Any], bool]:
         """Wait until something is due or has changed. Return what is due, and whether the timeout (ns) is over."""
         if not self._context.ok():
-            raise invalid_context("initialize wait set" if deadline is None else "create timer")
+            raise invalid_context("initialize wait set")
         if self._clock.now() != self._rosspin_waited_until:
             self._clock.sleep(0)  # a message that another thread sends at this time has arrived
         watched = [timer.clock._rosspin_watchers for timer in timers if not timer.clock._rosspin_flows]
@@ -501,7 +502,7 @@ class MultiThreadedExecutor(Executor):
         if num_threads == 1:
             warn("MultiThreadedExecutor is used with a single thread.\nUse the SingleThreadedExecutor instead.")
         self._futures: list[Task] = []
-        self._executor = ThreadPoolExecutor(num_threads or _THREADS)
+        self._executor = ThreadPoolExecutor(_THREADS if num_threads is None else num_threads)
 
     def _rosspin_begin(self, task: Task) -> None:
         self._clock.give_way()  # threads of a pool that are given work at one time begin it in any order

@@ -93,6 +93,13 @@ def _nobody() -> None:
     return None
 
 
+class _NotMade:
+    """What a node has whose ``__init__`` has not called Node's (yet): the error that rclpy gives."""
+
+    def __get__(self, node: Node, owner: type[Node]) -> RclNode:
+        raise AttributeError(f"{owner.__name__!r} object has no attribute '_Node__node'")
+
+
 class Node(Parameters):
     """A node has a name, makes timers, publishers, subscriptions, clients and services, and has to be spun.
 
@@ -100,6 +107,7 @@ class Node(Parameters):
     Raises NotInitializedException before ``init``, InvalidNodeNameException and InvalidNamespaceException.
     """
 
+    _rosspin: RclNode = _NotMade()  # type: ignore[assignment]
     _rosspin_lacking: ModuleType | None = None
 
     def __init__(
@@ -130,7 +138,7 @@ class Node(Parameters):
         namespace = namespace if namespace.startswith("/") else f"/{namespace}"
         names.validate_namespace(namespace)
         try:
-            arguments = [] if cli_args is None else [Arguments(["--ros-args", *cli_args])]
+            arguments = [] if cli_args is None else [Arguments(list(cli_args))]
         except RCLError as error:
             why = str(error).replace("failed to initialize rcl", "Failed to parse ROS arguments", 1)
             raise RCLInvalidROSArgsError(why) from None
@@ -205,6 +213,8 @@ class Node(Parameters):
     @property
     def executor(self) -> Executor | None:
         """The executor to which the node was last added. The node alone does not keep it."""
+        if "_rosspin" not in vars(self):
+            raise AttributeError(f"{type(self).__name__!r} object has no attribute '_Node__executor_weakref'")
         return self._rosspin.executor()
 
     @executor.setter
@@ -426,13 +436,13 @@ class Node(Parameters):
         Raises InvalidTopicNameException, TypeError or ValueError if ``qos_profile`` is no QoS, AttributeError if
         ``msg_type`` is no message of ROS 2, and RCLError if the process uses the topic with another type.
         """
+        group = callback_group or self.default_callback_group
         full_name, qos = self._rosspin_prepare("publisher", msg_type, topic, qos_profile, qos_overriding_options)
         if (other := self._rosspin_other_type(full_name, _class_of(msg_type))) is not None:
             raise RCLError(
                 "Failed to create publisher: create_publisher() called for existing topic name "
                 f"rt{full_name} with incompatible type {other}"
             )
-        group = callback_group or self.default_callback_group
         events = event_callbacks or PublisherEventCallbacks()
         end = PublisherEnd(self._rosspin, _class_of(msg_type), full_name, qos)
         publisher = publisher_class(end, msg_type, topic, qos, event_callbacks=events, callback_group=group)
@@ -457,11 +467,11 @@ class Node(Parameters):
 
         Raises as ``create_publisher``.
         """
+        group = callback_group or self.default_callback_group
         full_name, qos = self._rosspin_prepare("subscription", msg_type, topic, qos_profile, qos_overriding_options)
         if self._rosspin_other_type(full_name, _class_of(msg_type)) is not None:
             raise RCLError("Failed to create subscription: invalid allocator")
         own_topics.look(self._rosspin, full_name)
-        group = callback_group or self.default_callback_group
         events = event_callbacks or SubscriptionEventCallbacks()
         end = SubscriptionEnd(self._rosspin, _class_of(msg_type), full_name, qos, raw)
         subscription = Subscription(end, msg_type, topic, callback, group, qos, raw, events)
@@ -493,7 +503,8 @@ class Node(Parameters):
         for node in self._rosspin.context.nodes:
             for owner in node.ends:
                 if isinstance(owner, TopicEnd) and owner.end.topic == full_name and owner.msg_type is not msg_type:
-                    return f"{msg_type.__module__.split('.')[0]}::msg::dds_::{msg_type.__name__}_"
+                    package, folder, *_ = msg_type.__module__.split(".")
+                    return f"{package}::{folder}::dds_::{msg_type.__name__}_"
         return None
 
     def resolve_topic_name(self, topic: str, *, only_expand: bool = False) -> str:
@@ -605,6 +616,8 @@ class Node(Parameters):
             names.validate_full_topic_name(name)
             name = self.resolve_topic_name(name)
             own_topics.look(self._rosspin, name)
+        what = "publishers" if kind is PublisherEnd else "subscriptions"
+        self._rosspin_check_context(f"Failed to get information by topic for {what}")
         ends = [end for node in self._rosspin_nodes() for end in _ends(node, kind) if end.end.topic == name]
         return [info_of(end, end.node, kind is PublisherEnd, no_mangle) for end in ends]
 
@@ -627,9 +640,9 @@ class Node(Parameters):
         Raises InvalidServiceNameException, AttributeError or RuntimeError if ``srv_type`` is no service of ROS 2, and
         RCLError if the process uses the name with another type.
         """
+        group = callback_group or self.default_callback_group
         full_name = self._rosspin_prepare_service("client", srv_type, srv_name, qos_profile)
         look_for_parameters(self._rosspin.context.state.world.graph, full_name)
-        group = callback_group or self.default_callback_group
         end = ClientEnd(self._rosspin, srv_type, full_name, qos_profile)
         client = Client(self._context, end, srv_type, srv_name, qos_profile, group)
         self._rosspin_add(client, self._clients)
@@ -648,10 +661,10 @@ class Node(Parameters):
 
         Raises as ``create_client``.
         """
+        group = callback_group or self.default_callback_group
         full_name = self._rosspin_prepare_service("service", srv_type, srv_name, qos_profile)
         if qos_profile.durability is DurabilityPolicy.TRANSIENT_LOCAL:
             logging.get_logger("rcl").warning(_TRANSIENT_LOCAL)
-        group = callback_group or self.default_callback_group
         end = ServerEnd(self._rosspin, srv_type, full_name, qos_profile)
         service = Service(end, srv_type, srv_name, callback, group, qos_profile)
         self._rosspin_add(service, self._services)

@@ -183,6 +183,8 @@ class QoSProfile(Held):
                     "A zero depth with KEEP_LAST doesn't make sense; no data could be stored. "
                     "This will be interpreted as SYSTEM_DEFAULT",
                 )
+        elif type(self) is QoSProfile:  # which has slots in rclpy
+            raise AttributeError(f"'QoSProfile' object has no attribute {name!r}")
         super().__setattr__(name, value)
 
     def __eq__(self, other: object) -> bool:

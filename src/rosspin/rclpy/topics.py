@@ -30,7 +30,7 @@ from .event_handler import (
     QoSSubscriptionEventType,
     SubscriptionEventCallbacks,
 )
-from .exceptions import RCLError
+from .exceptions import RCLError, invalid_context
 from .gate import Gate
 from .lateness import Countdown, Lasting
 from .qos import FOR_EVER, Policies, QoSPolicyKind, QoSProfile, incompatible_policy, length
@@ -537,15 +537,16 @@ def wait_for_message(
 
     Return whether one came, and the message. A signal ends the wait; ``rclpy.shutdown()`` does not.
     """
+    if not node.context.ok():
+        raise invalid_context("initialize wait set")
     own, gate = node.context._rosspin.state, Gate()
     subscription = node.create_subscription(msg_type, topic, lambda _: None, qos_profile, callback_group=_OutOfReach())
     end = subscription._rosspin
     end.nudge = gate.open
     own.waiting[gate] = None
     until = None if time_to_wait < 0 else time.monotonic_ns() + int(float(time_to_wait) * 1e9)
-    valid = node.context.ok()
     try:
-        while not end.messages and node.context.ok() == valid:
+        while not end.messages and node.context.ok():
             left = None if until is None else until - time.monotonic_ns()
             if left is not None and left <= 0:
                 break

@@ -185,11 +185,11 @@ class Connection:
         """Send a response. Raises what ``Message.serialize`` does; none can be read after that."""
         service.seq += 1
         data = self._bytes(service.seq, response)
-        self._send(service.node, False, data, call, _copy(response, data))
+        self._send(service._rosspin_node, False, data, call, _copy(response, data))
 
     def refuse(self, service: Service, reason: str, call: CallMade) -> None:
         """Send an error."""
-        self._send(service.node, True, reason.encode(), call, lambda: None)
+        self._send(service._rosspin_node, True, reason.encode(), call, lambda: None)
 
     def _send(self, node: State, is_error: bool, data: bytes, call: CallMade, make: Callable[[], Any]) -> None:
         call.answer(node.name, node.clock.now(), make)
@@ -288,26 +288,26 @@ class Service(_Named):
         self.buff_size = buff_size
         self.seq = 0
         self.done = False
-        self.node = state()
-        self._services = self.node.world.part(Services)
-        self._services.register(self)
+        self._rosspin_node = state()
+        self._rosspin_services = self._rosspin_node.world.part(Services)
+        self._rosspin_services.register(self)
 
     def error_handler(self, e: Exception, exc_type: type, exc_value: Exception, tb: TracebackType | None) -> None:
         """Log an exception of the handler."""
-        self.node.world.note_error(e)
+        self._rosspin_node.world.note_error(e)
         trace = traceback.format_exception(exc_type, exc_value, node_frames(tb))
         logerr(f"Error processing request: {e}\n{trace}")
 
     def shutdown(self, reason: str = "") -> None:
         """Accept no more calls. Those that have begun are answered, and those of persistent proxies."""
         self.done = True
-        self._services.unregister(self.resolved_name, self)
+        self._rosspin_services.unregister(self.resolved_name, self)
 
     def spin(self) -> None:
         """Wait until the service or the node is shut down. It handles no calls: these have threads of their own."""
         try:
-            while not self.node.shutdown and not self.done:
-                self.node.clock.sleep(_LOOK_OF_SPIN)
+            while not self._rosspin_node.shutdown and not self.done:
+                self._rosspin_node.clock.sleep(_LOOK_OF_SPIN)
         except KeyboardInterrupt:
             pass
 
@@ -316,26 +316,26 @@ class Service(_Named):
         connection.handler = current()
         try:
             self._answer(connection)
-            while connection.persists and not self.node.shutdown:
+            while connection.persists and not self._rosspin_node.shutdown:
                 self._answer(connection)
         except TransportTerminated as error:
             if not connection.persists:
                 logerr(f"incoming connection failed: {error}")
         except (Exception, SystemExit, KeyboardInterrupt):
-            self._services.leave(connection)
+            self._rosspin_services.leave(connection)
             raise
-        self._services.close(connection)
+        self._rosspin_services.close(connection)
 
     def _answer(self, connection: Connection) -> None:
         data, call = connection.next_request()
-        if self.node.shutdown:
+        if self._rosspin_node.shutdown:
             return
         request = connection.read(self.request_class, data)
         request._connection_header = connection.header  # type: ignore[attr-defined]
-        faults = self.node.world.graph.faults
+        faults = self._rosspin_node.world.graph.faults
         if faults and faults.slows:
-            faults.call(self.node.name, self.handler)
-        tell = self.node.world.recording.tell
+            faults.call(self._rosspin_node.name, self.handler)
+        tell = self._rosspin_node.world.recording.tell
         if tell:
             tell("calls", self.handler)
         try:

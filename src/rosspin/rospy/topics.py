@@ -577,7 +577,7 @@ class Subscriber(Topic):
     """
 
     impl: Subscription | None
-    end = Subscription  # the class of the node's end
+    _rosspin_end = Subscription  # the class of the node's end
 
     def __init__(
         self,
@@ -591,7 +591,7 @@ class Subscriber(Topic):
     ) -> None:
         super().__init__(name, data_class, "sub")
         assert self.resolved_name
-        self.impl = self._topics.acquire(self.end, self._topics.subscriptions, self.resolved_name, data_class)
+        self.impl = self._topics.acquire(self._rosspin_end, self._topics.subscriptions, self.resolved_name, data_class)
         if queue_size is not None:
             self.impl.set_queue_size(queue_size)
         self.callback = callback

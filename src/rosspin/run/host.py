@@ -29,7 +29,7 @@ from ..world.graph import Graph, Recording, TickLog
 from ..world.world import World
 from .deadlock import explain_threads
 from .explain import keep_those_of, say_killed, stands_still
-from .kept import KEPT, one_at_a_time, state_of_names, state_of_node, state_of_process
+from .kept import KEPT, collect_rarely, one_at_a_time, state_of_names, state_of_node, state_of_process
 from .process import PATCHES, Process, Slots
 from .roses import ROSES
 from .source import Code
@@ -196,6 +196,8 @@ class Host:
         with one_at_a_time(), ExitStack() as stack:
             put_back = state_of_process()
             stack.callback(lambda: self._keep_names(put_back()))
+            if isinstance(self.clock, Simulation):
+                collect_rarely()
             self._loaded: list[Callable[[], Callable[[], None]]] = []
             stack.callback(lambda: [undo() for undo in self._loaded])
             stack.enter_context(patched([*PATCHES, *self._patches()]))
