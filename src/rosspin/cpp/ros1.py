@@ -177,4 +177,4 @@ class _Subscription(Subscription):
 
 
 class _Subscriber(Subscriber):
-    end = _Subscription
+    _rosspin_end = _Subscription
