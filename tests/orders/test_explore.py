@@ -9,6 +9,7 @@ import random
 import re
 from concurrent.futures import Executor, Future, ProcessPoolExecutor
 from itertools import count
+from multiprocessing import get_context
 from pathlib import Path
 from textwrap import dedent
 from typing import Any
@@ -440,7 +441,7 @@ def test_an_executor_finds_what_is_found_without(strategy: str, tmp_path: Path) 
         alone = rosspin.explore(planted, 0.5, LOST.check, **arguments)
         assert bool(alone.failure) is not mended
         backwards = rosspin.explore(planted, 0.5, LOST.check, executor=Backwards(), **arguments)
-        with ProcessPoolExecutor(2) as pool:
+        with ProcessPoolExecutor(2, get_context("spawn")) as pool:  # tests have threads, which bear no fork
             pooled = rosspin.explore(planted, 0.5, LOST.check, executor=pool, **arguments)
         for found in (backwards, pooled):
             assert dataclasses.replace(found, orders=None) == dataclasses.replace(alone, orders=None)

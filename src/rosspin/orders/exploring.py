@@ -9,6 +9,7 @@ import linecache
 import math
 import pickle
 import signal
+import sys
 import traceback
 from collections.abc import Callable, Iterable, Iterator, Sequence
 from concurrent.futures import Executor
@@ -195,6 +196,13 @@ class _Job(NamedTuple):
 
 def _elsewhere(executor: Executor, job: _Job, orders: Iterable[Order]) -> Iterator[Tried]:
     """Have an executor run orders, and yield what came of them, in their order."""
+    pools = sys.modules.get("concurrent.futures.process")  # which is not everywhere
+    if pools and isinstance(executor, pools.ProcessPoolExecutor):
+        # Given several that it cannot send, it may never shut down (an old fault of Python).
+        try:
+            pickle.dumps(job)
+        except (AttributeError, TypeError, pickle.PicklingError) as error:
+            raise TypeError(f"this cannot be sent to another process: {error}") from error
     waiting = [(order, executor.submit(_run_here, job, order)) for order in orders]
     try:
         for order, future in waiting:
