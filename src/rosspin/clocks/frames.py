@@ -17,8 +17,8 @@ from typing import NamedTuple
 from .installed import is_installed_file
 
 __all__ = [
-    *("Place", "Whereabouts", "asleep_in_loop", "called_from", "format_error", "is_installed", "node_frame"),
-    *("is_statement", "node_frames"),
+    *("Place", "Whereabouts", "as_printed", "asleep_in_loop", "called_from", "format_error", "is_installed"),
+    *("is_statement", "node_frame", "node_frames"),
     *("node_place", "outer_place", "outwards", "places", "trail", "trail_of", "warn"),
 ]
 
@@ -93,12 +93,35 @@ def node_frames(trace: TracebackType | None) -> TracebackType | None:
     return kept
 
 
+def as_printed(error: BaseException, trace: TracebackType | None = None) -> traceback.TracebackException:
+    """Describe an exception as Python prints it, with the frames of ``trace``.
+
+    From Python 3.12 on, traceback fails where Python itself does not: at a NameError whose name is no text.
+    """
+    chain: dict[int, BaseException] = {}
+    left: list[BaseException | None] = [error]
+    while left:
+        each = left.pop()
+        if each is not None and id(each) not in chain:
+            chain[id(each)] = each
+            left += [each.__cause__, each.__context__]
+    odd = [each for each in chain.values() if isinstance(each, NameError)]
+    names = [(each, each.name) for each in odd if not isinstance(each.name, str | None)]
+    for each, _ in names:
+        each.name = None
+    try:
+        return traceback.TracebackException(type(error), error, trace)
+    finally:
+        for each, name in names:
+            each.name = name
+
+
 def format_error(error: BaseException, made: traceback.FrameSummary | None = None) -> str:
     """Format an exception as Python prints it, but with the node's frames only.
 
     If there are none, as when a callback cannot be called, show ``made``: the frame that started the thread.
     """
-    printed = traceback.TracebackException(type(error), error, node_frames(error.__traceback__))
+    printed = as_printed(error, node_frames(error.__traceback__))
     # The heading is printed even above no frames.
     printed.stack = printed.stack or traceback.StackSummary.from_list([made] if made else [])
     return "".join(printed.format())

@@ -9,7 +9,6 @@ import random
 import signal
 import sys
 import threading
-import traceback
 from collections import Counter
 from collections.abc import Collection, Iterable, Iterator, Sequence
 from contextlib import contextmanager, suppress
@@ -21,6 +20,7 @@ from typing import Any, Protocol, TypeVar
 
 from ..clocks.clock import NS, nanoseconds
 from ..clocks.explored import ExploredSimulation, Order
+from ..clocks.frames import as_printed
 from ..clocks.programs import send
 from ..results.ticks import Call, Message, Tick
 from ..run.explain import TimeStandsStill, waits_for_a_rate, where_it_was_kept
@@ -346,7 +346,7 @@ class Runner:
         hint = ""
         with suppress(Exception):  # an error, and what it names, may be the answer's own
             hint = self._ros.hint(error, whose) or not_found(error, self._text) or not_called(error, self._text, line)
-        said = plain(traceback.format_exception_only(error)[-1])
+        said = plain([*as_printed(error).format_exception_only()][-1])
         is_ending = isinstance(error, self._ros.ENDINGS)
         return Error(_type(error), said, line, whose, is_ending, hint)
 

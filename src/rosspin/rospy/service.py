@@ -8,7 +8,6 @@ from __future__ import annotations
 
 import queue
 import threading
-import traceback
 import warnings
 from collections.abc import Callable, Mapping
 from functools import partial
@@ -16,7 +15,7 @@ from types import TracebackType
 from typing import Any
 
 from ..clocks.clock import nanoseconds
-from ..clocks.frames import node_frames
+from ..clocks.frames import as_printed, node_frames
 from ..messages import ros1
 from ..messages.genpy import Duration
 from ..messages.ros1 import DeserializationError, Message
@@ -295,7 +294,7 @@ class Service(_Named):
     def error_handler(self, e: Exception, exc_type: type, exc_value: Exception, tb: TracebackType | None) -> None:
         """Log an exception of the handler."""
         self._rosspin_node.world.note_error(e)
-        trace = traceback.format_exception(exc_type, exc_value, node_frames(tb))
+        trace = [*as_printed(exc_value, node_frames(tb)).format()]
         logerr(f"Error processing request: {e}\n{trace}")
 
     def shutdown(self, reason: str = "") -> None:
