@@ -162,10 +162,11 @@ def test_a_class(tmp_path: Path) -> None:
     head, ben, ada, cy, film = csv.reader(io.StringIO(data.decode("utf-8-sig")))
     assert data.startswith(b"\xef\xbb\xbf")
     assert head[:4] == ["name", "student ID", "sent by", "sender ID"] and head[8:] == [
+        *("same browser as", "same name in another browser"),
         *("sealed", "answers", "solved", "who-calls", "slow-timer", "who-calls: why", "slow-timer: why"),
     ]
-    assert ben[0] == "'=Ben" and ben[1] == "s-=Ben" and ben[11:13] == ["", "not yet"] and ben[-1]
-    assert ada[8:] == ["yes", "2", "2", "solved", "solved", "", ""]
+    assert ben[0] == "'=Ben" and ben[1] == "s-=Ben" and ben[13:15] == ["", "not yet"] and ben[-1]
+    assert ada[8:] == ["", "", "yes", "2", "2", "solved", "solved", "", ""]
     assert film == [*[""] * 5, "film.mp4", "refused: it is no file of answers", *[""] * (len(head) - 7)]
 
 
