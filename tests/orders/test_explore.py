@@ -7,7 +7,11 @@ import math
 import pickle
 import random
 import re
+import sys
+from collections.abc import Iterator
 from concurrent.futures import Executor, Future, ProcessPoolExecutor
+from contextlib import contextmanager
+from importlib import import_module
 from itertools import count
 from multiprocessing import get_context
 from pathlib import Path
@@ -405,6 +409,17 @@ def test_a_loop_of_asyncio_stays_on_its_thread(tmp_path: Path) -> None:
     assert not found.failure, found
 
 
+@contextmanager
+def while_nodes_run() -> Iterator[None]:
+    """Within this context ``random`` is a node's own, as a thread of Dask's finds it that unpickles the next job."""
+    shared = sys.modules.pop("random")
+    import_module("random")
+    try:
+        yield
+    finally:
+        sys.modules["random"] = shared
+
+
 class Backwards(Executor):
     """Runs the last first of what it was given, as if it came back from another process."""
 
@@ -413,13 +428,15 @@ class Backwards(Executor):
 
     def submit(self, function: Any, /, *args: Any, **kwargs: Any) -> Future[Any]:
         future = _Asked(self)
-        self.left.append((future, pickle.dumps((function, args, kwargs))))
+        with while_nodes_run():
+            self.left.append((future, pickle.dumps((function, args, kwargs))))
         return future
 
     def run(self) -> None:
         while self.left:
             future, job = self.left.pop()
-            function, args, kwargs = pickle.loads(job)
+            with while_nodes_run():
+                function, args, kwargs = pickle.loads(job)
             future.set_result(pickle.loads(pickle.dumps(function(*args, **kwargs))))
 
 

@@ -57,15 +57,23 @@ def at_random(usual: Order, seed: int, deep: bool) -> Iterator[list[Order]]:
         yield [Order(decide=_Random(_draw(seed, next(number))), deep=deep) for _ in range(size)]
 
 
-def _draw(seed: int, number: int) -> random.Random:
+class _Draw(random.Random):
+    """Draws for one order.
+
+    It may be sent to a process while a thread runs nodes there, each of which has a ``random`` of its own: there pickle
+    finds this class, but not Python's.
+    """
+
+
+def _draw(seed: int, number: int) -> _Draw:
     """Make what draws for one order, whatever is drawn for the others."""
-    return random.Random(f"{seed} {number}")
+    return _Draw(f"{seed} {number}")
 
 
 class _Random:
     """Decides at random."""
 
-    def __init__(self, draw: random.Random) -> None:
+    def __init__(self, draw: _Draw) -> None:
         self._draw = draw
 
     def __call__(self, point: int, options: Sequence[Hashable]) -> int:
@@ -92,7 +100,7 @@ def by_priority(usual: Order, seed: int, deep: bool) -> Iterator[list[Order]]:
 class _Priorities:
     """Decides by priorities drawn at random, of which so many change at one of so many points."""
 
-    def __init__(self, draw: random.Random, points: int, changes: int) -> None:
+    def __init__(self, draw: _Draw, points: int, changes: int) -> None:
         self._draw = draw
         self._of: dict[Hashable, float] = {}
         self._changing = set(draw.sample(range(points), min(changes, points)))
