@@ -39,6 +39,9 @@ def firefox() -> str | None:
     return shutil.which("firefox-esr") or shutil.which("firefox")
 
 
+_HAS_LOADED = "address => document.URL === new URL(address).href && document.readyState === 'complete'"
+
+
 class Tab:
     """A page in Firefox. Its methods raise RuntimeError with what Firefox says."""
 
@@ -81,13 +84,23 @@ class Tab:
     def open(self, address: str) -> None:
         """Go to a page, and wait until it is loaded. What the last one had on its way is given up: that is no error."""
         self._leaves, self._left = 1e3 * time.time(), math.inf
-        with suppress(RuntimeError):  # Firefox takes a frame that is given up for the page
-            self._navigate("about:blank")
+        self._navigate("about:blank")
         self._left = 1e3 * time.time()
         self._navigate(address)
 
     def _navigate(self, address: str) -> None:
-        self._send("browsingContext.navigate", context=self._context, url=address, wait="complete")
+        """The page is asked whether it has loaded: Firefox may take a frame that the last one gives up for it."""
+        self._send("browsingContext.navigate", context=self._context, url=address, wait="none")
+        until = time.monotonic() + PATIENCE
+        while not self._has_loaded(address):
+            if time.monotonic() > until:
+                raise RuntimeError(f"{address} has not loaded")
+            time.sleep(0.02)
+
+    def _has_loaded(self, address: str) -> bool:
+        with suppress(RuntimeError):  # the last page ends, and what was asked there
+            return self.evaluate(_HAS_LOADED, address)
+        return False
 
     def evaluate(self, function: str, *arguments: Any) -> Any:
         """What a JavaScript function returns that is called with these arguments, or what it promises."""
