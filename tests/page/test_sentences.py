@@ -18,7 +18,7 @@ CASES = [
     ("import rospy\nrospy.Rate(2)\n", 1, 1, 'Call rospy.init_node("a_name") before you use anything else'),
     ("import control_srvs.srv\n", 1, 0, "python -m rosspin run --ros1 FILE"),
     ("import control_srvs.srv\n", 1, 0, "control_srvs is not simulated; run this node on a real ROS"),
-    (node("rospy.get_master"), 1, 0, "node.py:4: rospy.get_master is not simulated; run this node on a real ROS"),
+    (node("rospy.MasterProxy"), 1, 0, "node.py:4: rospy.MasterProxy is not simulated; run this node on a real ROS"),
     (node2("import rosbag2_py"), 1, 0, "On a computer with ROS 2, run: python -m rosspin run --ros2 FILE"),
     (node2("from control_srvs.srv import Empty"), 1, 0, "control_srvs is not simulated"),
     (node2("node.create_timer(0.5, print)"), 0, 0, "never called. Is rclpy.spin(node) missing"),

@@ -214,16 +214,16 @@ def test_errors_are_raised_in_the_caller(write: Any) -> None:
         measure(write("def ("), 1)
     with pytest.raises(ValueError, match="seconds must be a number of at least 0"):
         measure(write(""), -1)
-    for text in ("import rospy\nrospy.get_master\n", "import threading, rospy\nimport cv_bridge\n"):
+    for text in ("import rospy\nrospy.MasterProxy\n", "import threading, rospy\nimport cv_bridge\n"):
         node = write(text)
-        with pytest.raises(NotSimulated, match="(get_master|cv_bridge) is not simulated; run this node") as caught:
+        with pytest.raises(NotSimulated, match="(MasterProxy|cv_bridge) is not simulated; run this node") as caught:
             measure(node, NEVER)
         assert f'File "{node}", line 2, in <module>' in caught.value.__notes__[0]
     in_thread = write(
         """
         import threading, rospy
         rospy.init_node("node")
-        threading.Thread(target=lambda: rospy.get_master).start()
+        threading.Thread(target=lambda: rospy.MasterProxy).start()
         rospy.spin()
         """
     )

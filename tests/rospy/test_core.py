@@ -512,7 +512,7 @@ def test_exceptions_have_rospy_s_bases() -> None:
 
 @pytest.mark.parametrize(
     "name",
-    ["get_master", "MasterProxy", "get_node_uri", "msproxy"],
+    ["MasterProxy", "get_ros_root", "msproxy", "parse_rosrpc_uri"],
 )
 def test_what_needs_a_real_ros_says_so(name: str) -> None:
     with pytest.raises(NotSimulated) as caught:

@@ -197,8 +197,8 @@ def test_of_two_nodes_the_later_one_answers() -> None:
 
 
 def test_what_is_not_simulated_ends_the_run_in_a_handler() -> None:
-    with pytest.raises(NotSimulated, match="get_master"):
-        simulate([server(lambda request: rospy.get_master()), client(True, late=1.0)], 3.0)
+    with pytest.raises(NotSimulated, match="MasterProxy"):
+        simulate([server(lambda request: rospy.MasterProxy()), client(True, late=1.0)], 3.0)
 
 
 def test_a_deadlock_says_where_it_waits(write: Any) -> None:

@@ -117,12 +117,12 @@ def test_what_is_not_simulated_ends_the_run_in_a_callback() -> None:
 
         rospy.init_node("n")
         publisher = rospy.Publisher("a", Empty, queue_size=1)
-        rospy.Subscriber("a", Empty, lambda message: rospy.get_master())
+        rospy.Subscriber("a", Empty, lambda message: rospy.MasterProxy())
         rospy.sleep(1)
         publisher.publish()
         rospy.spin()
 
-    with pytest.raises(NotSimulated, match=r"rospy\.get_master"):
+    with pytest.raises(NotSimulated, match=r"rospy\.MasterProxy"):
         simulate(node, 2)
 
 

@@ -280,7 +280,7 @@ def test_time_that_stands_still(
 @pytest.mark.parametrize(
     ("code", "name", "line"),
     [
-        ("import rospy\n\nrospy.get_master().getPid()\n", "rospy.get_master", 3),
+        ("import rospy\n\nrospy.MasterProxy().getPid()\n", "rospy.MasterProxy", 3),
         ("from rospy import MasterProxy\n", "rospy.MasterProxy", 1),
         ("import rospy\nfrom control_srvs.srv import Empty\n", "control_srvs", 2),
         ("import rospy.msproxy\n", "rospy.msproxy", 1),

@@ -101,7 +101,7 @@ def test_a_bad_first_line_says_what_is_wrong(
 def test_what_ends_the_run_stops_the_notebook(shell: Any, capsys: pytest.CaptureFixture[str]) -> None:
     for cell, error in (
         ("%%simulate 1\ndef (", "SyntaxError"),
-        ("%%simulate 1\nimport rospy\nrospy.get_master", "NotSimulated"),
+        ("%%simulate 1\nimport rospy\nrospy.MasterProxy", "NotSimulated"),
         ("%%simulate 1\nimport rospy\nrospy.init_node('n')\nwhile True:\n    rospy.sleep(0)", "TimeStandsStill"),
     ):
         result = shell.run_cell(cell)

@@ -399,15 +399,15 @@ def test_nothing_is_no_run() -> None:
 def test_a_stand_in_that_lacks_something_ends_the_run() -> None:
     def in_main() -> None:
         rospy.init_node("node")
-        rospy.get_master()
+        rospy.MasterProxy()
 
     def in_thread() -> None:
         rospy.init_node("node")
-        rospy.Timer(rospy.Duration(1), lambda event: rospy.get_master())
+        rospy.Timer(rospy.Duration(1), lambda event: rospy.MasterProxy())
         rospy.spin()
 
     for node in (in_main, in_thread):
-        with pytest.raises(NotSimulated, match=r"rospy\.get_master is not simulated"):
+        with pytest.raises(NotSimulated, match=r"rospy\.MasterProxy is not simulated"):
             simulate([talker(), node], 3)
     assert simulate([talker()], 1).status == 0
 

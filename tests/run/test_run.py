@@ -443,11 +443,11 @@ def test_packages_of_its_ros_are_not_simulated_and_those_of_the_other_are_not_th
 def test_the_master_is_not_simulated_wherever_it_is_met() -> None:
     def in_a_callback() -> None:
         rospy.init_node("node")
-        rospy.Timer(rospy.Duration(1), lambda event: rospy.get_master())
+        rospy.Timer(rospy.Duration(1), lambda event: rospy.MasterProxy())
         rospy.spin()
 
-    for node in (lambda: rospy.get_master(), in_a_callback):
-        with pytest.raises(NotSimulated, match=r"^rospy\.get_master is not simulated; run this node on a real ROS$"):
+    for node in (lambda: rospy.MasterProxy(), in_a_callback):
+        with pytest.raises(NotSimulated, match=r"^rospy\.MasterProxy is not simulated; run this node on a real ROS$"):
             simulate(node, 10)
 
 
@@ -485,7 +485,7 @@ def test_a_busy_callback_is_found_in_the_end(write: Any, watchful: None) -> None
 
 def test_after_an_error_the_next_run_is_as_ever() -> None:
     with pytest.raises(NotSimulated):
-        simulate(lambda: rospy.get_master(), 1)
+        simulate(lambda: rospy.MasterProxy(), 1)
     assert simulate(TIMER_NODE, 2).console == NAMESPACE + counters(0.5, 1.0, 1.5, 2.0)
 
 

@@ -7,6 +7,7 @@ import io
 import struct
 import sys
 from collections.abc import Callable, Iterator, Sequence
+from functools import partial
 from typing import Any, ClassVar, TypeVar
 
 from . import classes
@@ -71,6 +72,7 @@ class Message:
     _defaults: ClassVar[list[tuple[str, Callable[[], Any]]]]
     _made_of: ClassVar[list[tuple[str, Callable[[], Any]]]]  # its nested messages and times
     _times: ClassVar[list[str]]
+    _plan: ClassVar[Callable[..., list[Step]]]  # makes its steps, for any kind of arrays
     _steps: ClassVar[list[Step]]
 
     def __init__(self, *args: Any, **kwds: Any) -> None:
@@ -186,6 +188,7 @@ class Messages(classes.Messages[Message]):
         slots = [safe(field.name) for field in definition.fields]
         first = definition.fields[0] if definition.fields else None
         needed = [definition, *self._nested(definition)]
+        steps = partial(plan, definition.fields, self._inside)
         namespace = {
             "__doc__": f"The message {definition.name}: {', '.join(slots) or 'no fields'}.",
             "__module__": self.home(definition),
@@ -204,7 +207,8 @@ class Messages(classes.Messages[Message]):
                 if not field.kind.array and (inside := self._inside(field.kind.base))
             ],
             "_times": [safe(field.name) for field in definition.fields if str(field.kind) in TIMES],
-            "_steps": plan(definition.fields, self._inside),
+            "_plan": steps,
+            "_steps": steps(),
         }
         return type(name, (Message,), {**namespace, **{each.name: each.value for each in definition.constants}})
 

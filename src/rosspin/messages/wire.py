@@ -9,6 +9,7 @@ from __future__ import annotations
 
 import struct
 from collections.abc import Callable, Sequence
+from importlib import import_module
 from itertools import groupby
 from keyword import iskeyword
 from operator import attrgetter
@@ -16,7 +17,7 @@ from typing import Any, NamedTuple
 
 from .definitions import CODES, Field, Kind
 
-__all__ = ["SIMPLE", "LengthError", "Step", "plan", "read", "safe"]
+__all__ = ["SIMPLE", "LengthError", "Step", "numpy_array", "plan", "read", "safe"]
 
 SIMPLE = CODES | {"bool": "B", "byte": "b"}
 LENGTH = struct.Struct("<I")
@@ -41,14 +42,21 @@ class Step(NamedTuple):
 # What a field's type is made of: its fields and its class; None if it is built in. Times are made of two numbers.
 Nested = Callable[[str], "tuple[Sequence[Field], Callable[[], Any]] | None"]
 
+Array = Callable[[str, Kind], Step]
+
 
 def safe(name: str) -> str:
     """A field's name in Python: Python's own words get an underscore."""
     return f"{name}_" if iskeyword(name) or name == "self" else name
 
 
-def plan(fields: Sequence[Field], nested: Nested, path: str = "self", flat: bool = True) -> list[Step]:
-    """Plan the steps of a message with these fields; ``path`` is genpy's name for it, ``flat`` flattens nested ones."""
+def plan(
+    fields: Sequence[Field], nested: Nested, array: Array | None = None, path: str = "self", flat: bool = True
+) -> list[Step]:
+    """Plan the steps of a message with these fields; ``array`` plans arrays of numbers and bools (None: as tuples).
+
+    ``path`` is genpy's name for the message, ``flat`` flattens nested ones.
+    """
     parts = list(_flatten(fields, nested)) if flat else [(safe(field.name), field.kind) for field in fields]
     steps: list[Step] = []
     for simple, group in groupby(parts, key=lambda part: not part[1].array and part[1].base in SIMPLE):
@@ -57,7 +65,7 @@ def plan(fields: Sequence[Field], nested: Nested, path: str = "self", flat: bool
             # genpy packs 255 at a time.
             steps += [_numbers(members[start : start + 255]) for start in range(0, len(members), 255)]
         else:
-            steps += [_complex(name, kind, nested, path) for name, kind in group]
+            steps += [_complex(name, kind, nested, array or _array, path) for name, kind in group]
     return steps
 
 
@@ -89,18 +97,18 @@ def _setter(path: str) -> Callable[[Any, Any], None]:
     return lambda message, value: setattr(get(message), name, value)
 
 
-def _complex(name: str, kind: Kind, nested: Nested, path: str) -> Step:
+def _complex(name: str, kind: Kind, nested: Nested, array: Array, path: str) -> Step:
     if kind.array:
         if kind.base in ("uint8", "char"):
             return _bytes(name, kind.length)
         if kind.base in SIMPLE:
-            return _array(name, kind)
-        return _strings(name, kind, path) if kind.base == "string" else _messages(name, kind, nested, path)
+            return array(name, kind)
+        return _strings(name, kind, path) if kind.base == "string" else _messages(name, kind, nested, array, path)
     if kind.base == "string":
         return _string(name)
     inner = nested(kind.base)
     assert inner
-    get, steps = attrgetter(name), plan(inner[0], nested, path, flat=False)
+    get, steps = attrgetter(name), plan(inner[0], nested, array, path, flat=False)
 
     def write(message: Any, out: Write, at: list[Any]) -> None:
         part = get(message)
@@ -216,6 +224,27 @@ def _array(name: str, kind: Kind) -> Step:
     return Step(write, read_)
 
 
+def numpy_array(name: str, kind: Kind) -> Step:
+    """An array of numbers or bools that is one of numpy's. Its bytes are written as they are, whatever its type."""
+    numpy: Any = import_module("numpy")
+    get, set_, dtype = attrgetter(name), _setter(name), "?" if kind.base == "bool" else SIMPLE[kind.base]
+    width: int = numpy.dtype(dtype).itemsize
+
+    def write(message: Any, out: Write, at: list[Any]) -> None:
+        value = get(message)
+        if kind.length is None:
+            out(LENGTH.pack(len(value)))
+        out(value.tobytes())
+
+    def read_(message: Any, data: bytes, start: int) -> int:
+        size, start = _size(data, start, kind.length)
+        end = start + size * width
+        set_(message, numpy.frombuffer(data[start:end], dtype, size))
+        return end
+
+    return Step(write, read_)
+
+
 def _elements(value: Any, kind: Kind, out: Write, name: str) -> Any:
     """Write or check an array's length, and return its elements."""
     if kind.length is None:
@@ -246,14 +275,14 @@ def _strings(name: str, kind: Kind, path: str) -> Step:
     return Step(write, read_)
 
 
-def _messages(name: str, kind: Kind, nested: Nested, path: str) -> Step:
+def _messages(name: str, kind: Kind, nested: Nested, array: Array, path: str) -> Step:
     """An array of messages or of times."""
     get, set_ = attrgetter(name), _setter(name)
     inner = nested(kind.base)
     assert inner
     fields, make = inner
     element = f"val{1 if path == 'self' else int(path.removeprefix('val')) + 1}"
-    steps = plan(fields, nested, element, flat=False)
+    steps = plan(fields, nested, array, element, flat=False)
 
     def write(message: Any, out: Write, at: list[Any]) -> None:
         for item in _elements(get(message), kind, out, f"{path}.{name}"):

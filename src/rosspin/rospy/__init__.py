@@ -14,10 +14,11 @@ from typing import Any
 from ..messages import MessageFinder, genpy, ros1
 from ..messages.ros1 import Message
 from ..world.world import NotSimulated
-from . import client, core, exceptions, msg, names, rostime, service, timer, topics, validators
+from . import client, core, exceptions, msg, names, numpy_msg, rostime, service, timer, topics, validators
 from .client import *
 from .core import *
 from .exceptions import *
+from .master import get_master
 from .msg import AnyMsg
 from .names import *
 from .rostime import Duration, Time, get_rostime, get_time
@@ -39,6 +40,7 @@ __all__ = [
     "Subscriber",
     "Time",
     "Timer",
+    "get_master",
     "get_rostime",
     "get_time",
     "sleep",
@@ -54,12 +56,9 @@ Header: Any  # made when it is asked for
 # The names of rospy that are not here: the master and the network need a real ROS.
 NOT_SIMULATED = {
     "MasterProxy",
-    "get_master",
-    "get_node_uri",
     "get_ros_root",
     "impl",
     "msproxy",
-    "numpy_msg",
     "parse_rosrpc_uri",
 }
 
@@ -76,6 +75,8 @@ IN_PART = {
     "Publisher": "The queue loses nothing: ``queue_size``, ``tcp_nodelay`` and ``headers`` have no effect.",
     "Service": "There is no network: ``buff_size`` has no effect.",
     "Subscriber": "There is no network: ``buff_size`` and ``tcp_nodelay`` have no effect.",
+    "get_master": "It tells of the nodes of the run, and sets parameters; it registers nothing, and has no ``target``.",
+    "get_node_uri": "Nobody listens there: it only differs from node to node.",
     "init_node": "There is no network: ``disable_rosout`` and the ports have no effect.",
 }
 
@@ -91,6 +92,7 @@ MODULES = {
     "rospy.impl.validators": validators,
     "rospy.msg": msg,
     "rospy.names": names,
+    "rospy.numpy_msg": numpy_msg,
     "rospy.rostime": rostime,
     "rospy.service": service,
     "rospy.timer": timer,

@@ -53,6 +53,10 @@ _LEVELS = {
     FATAL: logging.CRITICAL,
 }
 
+# The services for a node's loggers, which only have names here; and its log, of which only the name and the type are.
+LOGGERS = ("get_loggers", "set_logger_level")
+LOG = ("/rosout", "rosgraph_msgs/Log")
+
 _unspecified: Any = object()
 
 # How often (ns) wait_for_message looks.
@@ -120,7 +124,7 @@ def begin_node(name: str, parameters: Mapping[str, Any], follows_clock: bool = T
     node.initialized = True
     for register in node.at_init:
         register()
-    for service in ("get_loggers", "set_logger_level"):
+    for service in LOGGERS:
         may_register("service", "service", f"{node.name}/{service}")
     if follows_clock and get_param("/use_sim_time", False):
         _listen_to_clock(node)
@@ -217,7 +221,7 @@ def get_published_topics(namespace: str = "/") -> list[list[str]]:
     node = state()
     topics = dict(node.world.graph.topics())
     if node.initialized and node.rosout:
-        topics = {"/rosout": "rosgraph_msgs/Log", **topics}
+        topics = dict([LOG, *topics.items()])
     below = rosgraph.make_global_ns(namespace)
     return [[topic, kind] for topic, kind in topics.items() if topic.startswith(below)]
 

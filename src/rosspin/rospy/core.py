@@ -20,6 +20,7 @@ from .state import State, state
 from .validators import ParameterInvalid, Validator
 
 __all__ = [
+    "get_node_uri",
     "is_shutdown",
     "logdebug",
     "logdebug_once",
@@ -257,6 +258,11 @@ def is_topic(param_name: str) -> Validator:
 
 
 # --- shutdown ---------------------------------------------------------------------------------------------------------
+
+
+def get_node_uri() -> str | None:
+    """Return where the node would be found on a network, where nobody listens; None before ``init_node``."""
+    return state().uri
 
 
 def is_shutdown() -> bool:

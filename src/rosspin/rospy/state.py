@@ -13,6 +13,8 @@ from .exceptions import ROSInitException
 
 __all__ = ["Master", "State", "handle_signals", "param_path", "state"]
 
+_PORT = 40_000  # of the first node
+
 Handler = Callable[[int, Any], None]
 
 
@@ -86,6 +88,11 @@ class State:
         self.log_messages: dict[object, str] = {}
         self.logged_once: set[object] = set()
         world.at_end.append(self._be_gone)
+
+    @property
+    def uri(self) -> str | None:
+        """Where the node would be found on a network; None before ``init_node``."""
+        return f"http://localhost:{_PORT + self.world.number}/" if self.initialized else None
 
     def _be_gone(self) -> None:
         self.shutdown_requested = self.shutdown = True

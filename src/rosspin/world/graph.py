@@ -10,7 +10,7 @@ import math
 import threading
 from collections.abc import Callable, Iterator, Mapping, Sequence
 from contextlib import contextmanager, suppress
-from itertools import repeat
+from itertools import chain, repeat
 from typing import Any, Generic, Protocol, TypeVar
 from weakref import WeakSet
 
@@ -185,6 +185,9 @@ class _Ends(Generic[E]):
 
     def of(self, topic: str) -> list[E]:
         return list(self._of.get(topic, ()))
+
+    def all(self) -> list[E]:
+        return list(chain.from_iterable(self._of.values()))
 
     def types(self) -> list[tuple[str, str]]:
         return [(topic, ends[0].type) for topic, ends in self._of.items() if ends]
@@ -391,6 +394,11 @@ class Graph:
         """Return the topics that someone publishes, and their types."""
         with self._lock:
             return self._publications.types()
+
+    def ends(self) -> tuple[list[Any], list[Any]]:
+        """Return all publications and all subscriptions, topic by topic."""
+        with self._lock:
+            return self._publications.all(), self._subscriptions.all()
 
     def names(self) -> list[str]:
         """Return the topics that someone has, or has had."""

@@ -241,7 +241,7 @@ def test_pointing_at_a_tick(tutorial: Page) -> None:
     ("body", "named", "line"),
     [
         ("\n\nraise KeyError('mine')", 'File "spinner_py_node.py", line 6', 6),
-        ("rospy.get_master", "spinner_py_node.py:4", 4),
+        ("rospy.MasterProxy", "spinner_py_node.py:4", 4),
     ],
 )
 def test_error_leads_to_its_line(tutorial: Page, body: str, named: str, line: int) -> None:
