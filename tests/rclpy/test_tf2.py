@@ -262,6 +262,24 @@ print(buffer.transform_full(asked, 'map', Time(), 'map'), tf2_ros.convert([1], l
     ]
 
 
+def test_messages_are_transformed_once_tf2_geometry_msgs_is_imported(write: Any) -> None:
+    asks = """
+from geometry_msgs.msg import Point, PointStamped
+buffer = Buffer()
+buffer.set_transform_static(transform('map', 'door', 3.0), 'me')
+asked = PointStamped(point=Point(x=1.0))
+asked.header.frame_id = 'door'
+try:
+    print(buffer.transform(asked, 'map').point.x)
+except Exception as error:
+    print(type(error).__name__, error.errstr)
+"""
+    known, unknown = "4.0", "TypeException Type <class 'geometry_msgs.msg._point_stamped.PointStamped'>"
+    for _ in range(2):  # and no run knows what another has imported
+        assert said(write, "import tf2_geometry_msgs", asks) == [known]
+        assert said(write, asks) == [f"{unknown} is not loaded or supported"]
+
+
 def test_nothing_of_it_is_left_after_a_run(write: Any) -> None:
     simulate(write("import rclpy, tf2_ros\ntf2_ros.Buffer = tf2_ros.BufferCore.clear = None\n"), 1)
     assert not any(name.startswith("tf2_") for name in sys.modules)

@@ -52,7 +52,7 @@ _IMPORTS = {
 
 
 # Likewise of packages beside rclpy (sources: tf2_ros_py/tf2_ros/buffer_client.py, message_filters/__init__.py).
-_IMPORTS_BESIDE = {"message_filters": "node", "tf2_ros": "action"}
+_IMPORTS_BESIDE = {"message_filters": "node", "tf2_geometry_msgs": "action", "tf2_ros": "action"}
 
 
 @cache

@@ -5,6 +5,7 @@ Each ROS adds what its times are, and its messages.
 
 from __future__ import annotations
 
+import sys
 from collections.abc import Callable
 from copy import deepcopy
 from typing import Any
@@ -144,12 +145,18 @@ for _class in (NotImplementedException, TypeException):
 
 
 class _Registration:
-    """Functions by what they are for. All of one kind have the same ones."""
+    """Functions by what they are for. All of one kind have the same ones.
 
-    def _get(self, functions: dict[Any, Callable[..., Any]], key: Any) -> Callable[..., Any]:
-        if key not in functions:
-            raise TypeException(f"Type {key} is not loaded or supported")
-        return functions[key]
+    Those of tf2_geometry_msgs are there if the node has imported it, for its own messages.
+    """
+
+    def _get(self, functions: dict[Any, Callable[..., Any]], key: Any, beside: str = "") -> Callable[..., Any]:
+        if key in functions:
+            return functions[key]
+        known = getattr(sys.modules.get("tf2_geometry_msgs"), beside, {})
+        if getattr(key, "__module__", "").startswith("geometry_msgs.msg.") and key.__name__ in known:
+            return known[key.__name__]  # type: ignore[no-any-return]
+        raise TypeException(f"Type {key} is not loaded or supported")
 
 
 class TransformRegistration(_Registration):
@@ -167,7 +174,7 @@ class TransformRegistration(_Registration):
 
     def get(self, key: Any) -> Callable[..., Any]:
         """What transforms objects of this type. Raises TypeException."""
-        return self._get(self._functions, key)
+        return self._get(self._functions, key, "TRANSFORMS")
 
 
 class ConvertRegistration(_Registration):
@@ -191,11 +198,11 @@ class ConvertRegistration(_Registration):
 
     def get_from_msg(self, key: Any) -> Callable[..., Any]:
         """What makes an object of this type of a message. Raises TypeException."""
-        return self._get(self._from_msg, key)
+        return self._get(self._from_msg, key, "CONVERTS")
 
     def get_to_msg(self, key: Any) -> Callable[..., Any]:
         """What makes a message of an object of this type. Raises TypeException."""
-        return self._get(self._to_msg, key)
+        return self._get(self._to_msg, key, "CONVERTS")
 
     def get_convert(self, key: Any) -> Callable[..., Any]:
         """What converts for this pair of types. Raises TypeException."""
