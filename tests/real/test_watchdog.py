@@ -46,6 +46,26 @@ def test_so_does_the_watchdog_and_nothing_is_raised_in_what_is_ending(
     assert as_before()
 
 
+def test_a_look_holds_no_frame(watched: None, monkeypatch: pytest.MonkeyPatch) -> None:
+    """What a frame refers to would be there until the next look."""
+    looks: list[float] = []
+    look = watchdog._FromAThread._look
+
+    def counted(self: Any) -> float:
+        looks.append(look(self))
+        return looks[-1]
+
+    def node() -> None:
+        while len(looks) < 4:
+            pass
+
+    asked: list[None] = []
+    monkeypatch.setattr(watchdog._FromAThread, "_look", counted)
+    monkeypatch.setattr(sys, "_current_frames", lambda: asked.append(None) or {})
+    simulate(node, 1.0)
+    assert (len(looks) >= 4, asked) == (True, [])
+
+
 @pytest.mark.parametrize("text", [source(ros, body) for ros in (1, 2) for body in (SLEEPING, OBSTINATE)])
 def test_the_place_is_known_even_if_none_of_its_lines_was_running(
     text: str, write: Any, watched: None, monkeypatch: pytest.MonkeyPatch

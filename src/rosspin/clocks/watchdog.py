@@ -104,9 +104,12 @@ class Watchdog:
         """How much a look counts: less than 1 if the thread has waited for a processor since the last one."""
         return 1.0
 
-    def _is_due(self, frame: FrameType | None) -> bool:
-        """Look at the code, which is at ``frame``, and decide whether to end it."""
-        self._due = self._due or (self._is_over() if self._taking_down else self._is_stuck(frame))
+    def _is_due(self, find_frame: Callable[[], FrameType | None]) -> bool:
+        """Look at the code, and decide whether to end it. ``find_frame()`` is where it is.
+
+        What holds a frame keeps all that the frame refers to, such as a node that is to be gone: so it is seldom asked.
+        """
+        self._due = self._due or (self._is_over() if self._taking_down else self._is_stuck(find_frame))
         return self._due
 
     def _is_over(self) -> bool:
@@ -114,7 +117,7 @@ class Watchdog:
         self._looks += self._look()
         return round(self._looks) > _LOOKS
 
-    def _is_stuck(self, frame: FrameType | None) -> bool:
+    def _is_stuck(self, find_frame: Callable[[], FrameType | None]) -> bool:
         """Whether the code has been without a sign of life for too many looks."""
         seen, self._last = self._last, self._sign_of_life()
         look = self._look()
@@ -123,7 +126,10 @@ class Watchdog:
             self._worked = self._busy_until_now()
             return False
         self._looks += look
-        if round(self._looks) < _LOOKS * (_PATIENT if _is_importing(frame) else 1):
+        if round(self._looks) < _LOOKS:
+            return False
+        frame = find_frame()
+        if _is_importing(frame) and round(self._looks) < _LOOKS * _PATIENT:
             return False
         if self._stuck is None:
             worked = self._busy_until_now() - self._worked
@@ -234,16 +240,18 @@ class _FromAThread(Watchdog):
         if isinstance(current(), Stack):
             end_at(frame)
 
+    def _find_frame(self) -> FrameType | None:
+        return sys._current_frames().get(self._ident)
+
     def _watch(self) -> None:
         while not self._done.wait(_INTERVAL):
             if not self._has_rung():
                 self._set_timer()
             with self._turn:
-                frame = sys._current_frames().get(self._ident)
-                if not self._is_due(frame):
+                if not self._is_due(self._find_frame):
                     continue
                 if self._taking_down and self._looks > _LOOKS * _PATIENT:
-                    _end_process(frame)
+                    _end_process(self._find_frame())
                 self._looks += 1
                 if self._done.is_set():
                     break
@@ -277,7 +285,7 @@ class _FromInterrupts(Watchdog):
     def _on_interrupt(self, number: int, frame: FrameType | None) -> None:
         from .jspi import can_raise  # which only a page can import
 
-        if self._is_due(frame) and can_raise(frame):
+        if self._is_due(lambda: frame) and can_raise(frame):
             raise Ended
 
 
