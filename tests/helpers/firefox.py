@@ -90,7 +90,8 @@ class Tab:
 
     def _navigate(self, address: str) -> None:
         """The page is asked whether it has loaded: Firefox may take a frame that the last one gives up for it."""
-        self._send("browsingContext.navigate", context=self._context, url=address, wait="none")
+        with suppress(RuntimeError):
+            self._send("browsingContext.navigate", context=self._context, url=address, wait="none")
         until = time.monotonic() + PATIENCE
         while not self._has_loaded(address):
             if time.monotonic() > until:
