@@ -39,11 +39,11 @@ _KEPT = _BUILD / "cpp"
 _FLAGS = ["--target=wasm32-wasip1", "-std=gnu++17", "-O1", "-fwasm-exceptions", "-w", "-fno-color-diagnostics"]
 _FLAGS += ["-D_WASI_EMULATED_SIGNAL", "-D_WASI_EMULATED_PROCESS_CLOCKS", "-D_WASI_EMULATED_GETPID", "-Iinclude"]
 _FLAGS_NODE = ["-fsanitize=null,return", "-fsanitize-trap=null,return", "-ferror-limit=5"]
-_LINK = [
-    "-lwasi-emulated-process-clocks",
-    "-Wl,--export=__cpp_exception,--export=malloc,--export=rosspin_shared,--export-table",
-]
-_LINK += ["-Wl,-z,stack-size=8388608,--stack-first,--max-memory=1073741824"]
+_SYSTEM_LIBRARIES = "/usr/lib/wasm32-wasip1"
+_LINK = [f"{_SYSTEM_LIBRARIES}/crt1-command.o", f"-L{_SYSTEM_LIBRARIES}", "-lwasi-emulated-process-clocks"]
+_LINK += ["-lc++", "-lc++abi", "-lc", "/usr/lib/wasm32-unknown-wasip1/libclang_rt.builtins.a"]
+_LINK += ["--export=__cpp_exception", "--export=malloc", "--export=rosspin_shared", "--export-table"]
+_LINK += ["-z", "stack-size=8388608", "--stack-first", "--max-memory=1073741824"]
 
 # The files of the runtime that have no ROS, and the one of each ROS.
 _RUNTIMES = ("exceptions", "host")
@@ -123,7 +123,7 @@ def build(path: str | os.PathLike[str], waiting: Waiting = lambda: None) -> Buil
             objects[f"{number}.o"] = str(object_)
         objects |= {each: made.files[each] for each in made.objects}
         link = {
-            "args": ["clang++", *_FLAGS, *objects, *_LINK, "-o", "made"],
+            "args": ["wasm-ld", *objects, *_LINK, "-o", "made"],
             "inputs": objects,
             "outputs": {"made": str(program)},
         }
@@ -207,7 +207,8 @@ def _stand_in(ros: int) -> _StandIn:
     key = _digest(version, prelude, json.dumps([dict(own), _FLAGS, _FLAGS_NODE, _LINK], sort_keys=True))
     folder = _KEPT / key
     files = {name: str(folder / name) for name in names.values()}
-    pch = _Step(folder / "prelude.pch", ["-x", "c++-header", prelude], files)
+    # Otherwise, each node would make anew what the headers need of templates.
+    pch = _Step(folder / "prelude.pch", ["-x", "c++-header", "-fpch-instantiate-templates", prelude], files)
     objects: dict[str, _Step] = {}
     for name in (*_RUNTIMES, _RUNTIME_OF[ros]):
         source = _RUNTIME / f"{name}.cpp"

@@ -4,19 +4,16 @@
 
 import { mkdirSync, readFileSync, renameSync, writeFileSync } from "node:fs"
 import path from "node:path"
-import { pathToFileURL } from "node:url"
+import { setFlagsFromString } from "node:v8"
 
-const { runClang, Exit } = await import(pathToFileURL(path.join(process.argv[2], "gen/bundle.js")))
+import { Compiler } from "./llvm.mjs"
+
+// To optimise the compiler itself takes longer than it then saves.
+setFlagsFromString("--liftoff-only")
+
+const brought = (name) => readFileSync(path.join(process.argv[2], "gen", name))
+const compiler = new Compiler(await WebAssembly.compile(brought("llvm.core.wasm")), brought("llvm-resources.tar"))
 const { steps } = JSON.parse(readFileSync(0, "utf8"))
-
-const put = (tree, name, content) => {
-  const parts = name.split("/")
-  const last = parts.pop()
-  for (const part of parts) tree = tree[part] ??= {}
-  tree[last] = content
-}
-
-const take = (tree, name) => name.split("/").reduce((at, part) => at[part], tree)
 
 // Written beside and renamed: a file that is there is whole.
 const write = (file, content) => {
@@ -27,18 +24,12 @@ const write = (file, content) => {
 }
 
 for (const { args, inputs, outputs } of steps) {
-  const tree = {}
-  for (const [name, file] of Object.entries(inputs)) put(tree, name, readFileSync(file))
-  let made
-  try {
-    made = await runClang(args, tree, {
-      stdout: null,
-      stderr: (bytes) => bytes && process.stderr.write(bytes),
-      fetchProgress: () => {},
-    })
-  } catch (error) {
-    if (!(error instanceof Exit)) throw error
-    process.exit(error.code || 1)
+  const files = Object.fromEntries(Object.entries(inputs).map(([name, file]) => [name, readFileSync(file)]))
+  const { status, said, made } = compiler.run(args, files, Object.keys(outputs))
+  process.stderr.write(said)
+  if (status) {
+    process.exitCode = status
+    break
   }
-  for (const [name, file] of Object.entries(outputs)) write(file, take(made, name))
+  for (const [name, file] of Object.entries(outputs)) write(file, made[name])
 }
