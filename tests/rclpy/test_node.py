@@ -85,7 +85,6 @@ def test_a_node_is_not_for_both(write: Any) -> None:
     ("source", "name"),
     [
         ("import cv_bridge", "cv_bridge"),
-        ("from tf2_ros import BufferClient", "tf2_ros.BufferClient"),
         ("from control_srvs.srv import Trigger", "control_srvs"),
         ("rclpy.init(); rclpy.create_node('n').add_waitable(1)", "Node.add_waitable"),
         (

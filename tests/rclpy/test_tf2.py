@@ -8,7 +8,7 @@ from typing import Any
 
 import pytest
 
-from rosspin import NotSimulated, rclpy, simulate, start
+from rosspin import rclpy, simulate, start
 from rosspin.rclpy import tf2_ros as stand_in
 
 HEAD = """
@@ -236,9 +236,72 @@ def test_it_passes_on_the_messages_that_many_nodes_import_from_it(write: Any) ->
     assert simulate(node, 1).console == "True True\n"
 
 
-def test_what_it_lacks_says_so(write: Any) -> None:
-    with pytest.raises(NotSimulated, match=r"^tf2_ros\.BufferClient is not simulated; run this node on a real ROS"):
-        simulate(write("import rclpy\nfrom tf2_ros import BufferClient\n"), 1)
+SERVES = """
+import threading
+from rclpy.action import ActionServer, GoalResponse
+from tf2_msgs.action import LookupTransform
+from tf2_ros import BufferClient
+
+def serve(handle):
+    asked, result = handle.request, LookupTransform.Result()
+    result.transform = transform(asked.target_frame, asked.source_frame, asked.timeout.nanosec / 1e9)
+    if asked.source_frame.isdigit():
+        result.error.error = int(asked.source_frame)
+        result.error.error_string = f'error {asked.source_frame}'
+    handle.succeed()
+    return result
+
+def accept(goal):
+    return GoalResponse.REJECT if goal.source_frame == 'no' else GoalResponse.ACCEPT
+
+def attempt(call, *words):
+    try:
+        found = getattr(client, call)(*words)
+        print(found if isinstance(found, bool) else (found.child_frame_id, found.transform.translation.x))
+    except Exception as error:
+        print(type(error).__name__, error)
+
+client = BufferClient(node, 'tf2_buffer_server')
+attempt('lookup_transform', 'map', 'base', Time())
+server = ActionServer(node, LookupTransform, 'tf2_buffer_server', serve, goal_callback=accept)
+"""
+
+
+def test_a_client_asks_a_buffer_server(write: Any) -> None:
+    asks = """
+spins = threading.Thread(target=rclpy.spin, args=(node,))
+spins.start()
+attempt('lookup_transform', 'map', 'base', Time(), Duration(seconds=0.5))
+attempt('lookup_transform', 'map', 'base', Time().to_msg())
+attempt('lookup_transform', 'map', 'base', 3)
+attempt('lookup_transform_full', 'map', Time(), 'base', Time(), 'odom')
+for source in ('1', '2', '3', '4', '5', '6', 'no'):
+    attempt('lookup_transform', 'map', source, Time())
+attempt('can_transform', 'map', 'base', Time())
+attempt('can_transform_full', 'map', Time(), '3', Time(), 'odom')
+rclpy.shutdown()
+"""
+    errors = ("Lookup", "Connectivity", "Extrapolation", "InvalidArgument", "Timeout", "Transform")
+    with pytest.warns(UserWarning, match=r"^Passing a builtin_interfaces\.msg\.Time argument is deprecated"):
+        found = said(write, SERVES, asks)
+    assert found == [
+        "TimeoutException The BufferServer is not ready.",
+        *("('base', 0.5)", "('base', 0.0)", "TypeError Must pass a rclpy.time.Time object.", "('base', 0.0)"),
+        *(f"{name}Exception error {number}" for number, name in enumerate(errors, 1)),
+        "TimeoutException The LookupTransform goal sent to the BufferServer did not come back with accepted status. "
+        "Something is likely wrong with the server.",
+        *("True", "False"),
+    ]
+
+
+def test_a_client_that_nobody_spins_gives_up(write: Any) -> None:
+    asks = "attempt('lookup_transform', 'map', 'base', Time(), Duration(seconds=0.5))\nprint(seconds())\n"
+    late, when = said(write, SERVES, asks, seconds=4.0)[1:]
+    assert late == (
+        "TimeoutException The LookupTransform goal sent to the BufferServer did not come back in the specified time. "
+        "Something is likely wrong with the server."
+    )
+    assert float(when) == pytest.approx(2.6, abs=0.01)  # it looks ten times a second
 
 
 def test_a_buffer_transforms_what_it_is_told_how_to(write: Any) -> None:

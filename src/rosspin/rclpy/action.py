@@ -686,6 +686,9 @@ class ActionClient(_ActionEnd):
         request = self._action_type.Impl.GetResultService.Request(goal_id=goal_handle.goal_id)
         return self._rosspin_ask(self._rosspin_results, request, goal_handle.goal_id, "send result")
 
+    def _get_result(self, goal_handle: ClientGoalHandle) -> Any:
+        return _wait_for(self._get_result_async(goal_handle))
+
     def _rosspin_ask(self, client: ClientEnd, request: Message, goal_id: Any, what: str) -> Future:
         if self._rosspin.is_destroyed:
             raise RCLError(f"Failed to {what} request: action client pointer is invalid")

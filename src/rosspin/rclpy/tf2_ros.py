@@ -5,8 +5,8 @@ from __future__ import annotations
 import sys
 import threading
 import time
+import warnings
 from collections.abc import Callable
-from functools import partial
 from importlib import import_module
 from types import ModuleType
 from typing import Any
@@ -17,6 +17,7 @@ from ..tf2.buffer import (
     BufferInterface,
     ConvertRegistration,
     NotImplementedException,
+    Stamped,
     TransformRegistration,
     TypeException,
     convert,
@@ -30,7 +31,7 @@ from ..tf2.exceptions import (
     TransformException,
 )
 from ..tf2.frames import Frames
-from ..world.world import refusing
+from .action import ActionClient
 from .callback_groups import ReentrantCallbackGroup
 from .clock import Clock
 from .duration import Duration
@@ -44,6 +45,7 @@ from .time import Time
 
 __all__ = [
     "Buffer",
+    "BufferClient",
     "BufferCore",
     "BufferInterface",
     "ConnectivityException",
@@ -84,17 +86,8 @@ class BufferCore(buffer_.BufferCore):
     def _stamp(self, nanoseconds: int) -> Any:
         return self._time(nanoseconds).to_msg()
 
-    def _message(self) -> Any:
-        return import_module("geometry_msgs.msg").TransformStamped()
 
-
-def Stamped(obj: Any, stamp: Any, frame_id: str) -> Any:
-    """Give an object a header, and return it."""
-    obj.header = import_module("std_msgs.msg").Header(frame_id=frame_id, stamp=stamp)
-    return obj
-
-
-class Buffer(BufferCore, BufferInterface):
+class Buffer(BufferCore, buffer_.Buffer):
     """Keeps the transforms of the last ``cache_time`` (10 s), and waits for those to come.
 
     With a ``node``, the service tf2_frames tells what it knows. It is not cleared when the time jumps back.
@@ -116,49 +109,12 @@ class Buffer(BufferCore, BufferInterface):
         for callback in list(self._new_data_callbacks):
             callback()
 
-    def lookup_transform(self, target_frame: str, source_frame: str, time: Any, timeout: Duration = Duration()) -> Any:
-        """Wait for a transform for at most ``timeout``, and return it. Raises TransformException."""
-        self.can_transform(target_frame, source_frame, time, timeout)
-        return self.lookup_transform_core(target_frame, source_frame, time)
-
-    def lookup_transform_full(
-        self,
-        target_frame: str,
-        target_time: Any,
-        source_frame: str,
-        source_time: Any,
-        fixed_frame: str,
-        timeout: Duration = Duration(),
-    ) -> Any:
-        """Wait for a transform between two times for at most ``timeout``, and return it. Raises TransformException."""
-        self.can_transform_full(target_frame, target_time, source_frame, source_time, fixed_frame, timeout)
-        return self.lookup_transform_full_core(target_frame, target_time, source_frame, source_time, fixed_frame)
-
-    def can_transform(
-        self,
-        target_frame: str,
-        source_frame: str,
-        time: Any,
-        timeout: Duration = Duration(),
-        return_debug_tuple: bool = False,
-    ) -> Any:
-        """Whether a lookup would succeed within ``timeout``; with ``return_debug_tuple`` also why not."""
-        can = partial(self.can_transform_core, target_frame, source_frame, time)
-        return _within(timeout, can, return_debug_tuple)
-
-    def can_transform_full(
-        self,
-        target_frame: str,
-        target_time: Any,
-        source_frame: str,
-        source_time: Any,
-        fixed_frame: str,
-        timeout: Duration = Duration(),
-        return_debug_tuple: bool = False,
-    ) -> Any:
-        """The same for a transform between two times."""
-        can = partial(self.can_transform_full_core, target_frame, target_time, source_frame, source_time, fixed_frame)
-        return _within(timeout, can, return_debug_tuple)
+    def _wait(self, timeout: Duration, can: Callable[[], tuple[int, str]]) -> None:
+        clock = Clock()
+        if timeout != Duration():
+            end = clock.now() + timeout
+            while clock.now() < end and not can()[0]:
+                time.sleep(_LOOK)
 
     def wait_for_transform_async(self, target_frame: str, source_frame: str, time: Any) -> Future:
         """A future whose result is the transform, as soon as it is known."""
@@ -199,6 +155,66 @@ class Buffer(BufferCore, BufferInterface):
         asked = target_frame, target_time, source_frame, source_time, fixed_frame
         await self.wait_for_transform_full_async(*asked)
         return self.lookup_transform_full_core(*asked)
+
+
+class BufferClient(buffer_.BufferClient):
+    """Asks the buffer server whose action is ``ns``, while another thread spins the node.
+
+    Looks ``check_frequency`` times a second whether the server takes too long to accept: longer than it may look up,
+    and ``timeout_padding``.
+    """
+
+    def __init__(
+        self, node: Node, ns: str, check_frequency: float = 10.0, timeout_padding: Duration = Duration(seconds=2.0)
+    ) -> None:
+        super().__init__()
+        self.node = node
+        self.action_client = ActionClient(node, import_module("tf2_msgs.action").LookupTransform, action_name=ns)
+        self.check_frequency = check_frequency
+        self.timeout_padding = timeout_padding
+
+    def lookup_transform(self, target_frame: str, source_frame: str, time: Any, timeout: Any = None) -> Any:
+        """Ask for a transform, for which the server waits for at most ``timeout``. Raises TransformException."""
+        if isinstance(time, import_module("builtin_interfaces.msg").Time):
+            time = Time.from_msg(time)
+            warnings.warn(
+                "Passing a builtin_interfaces.msg.Time argument is deprecated, and will be removed in the near future. "
+                "Use rclpy.time.Time instead.",
+                stacklevel=2,
+            )
+        elif not isinstance(time, Time):
+            raise TypeError("Must pass a rclpy.time.Time object.")
+        return super().lookup_transform(target_frame, source_frame, time, timeout)
+
+    def _ask(self, **goal: Any) -> Any:
+        limit = goal.pop("timeout") or Duration()
+        if not self.action_client.server_is_ready():
+            raise TimeoutException("The BufferServer is not ready.")
+        fields = {name: value.to_msg() if isinstance(value, Time) else value for name, value in goal.items()}
+        accepted = self.action_client.send_goal_async(
+            import_module("tf2_msgs.action").LookupTransform.Goal(**fields, timeout=limit.to_msg())
+        )
+        done = threading.Event()
+        accepted.add_done_callback(lambda _: done.set())
+
+        def watch() -> None:
+            clock = Clock()
+            begin = clock.now()
+            while not done.is_set() and clock.now() <= begin + limit + self.timeout_padding:
+                time.sleep(1.0 / self.check_frequency)
+            done.set()
+
+        threading.Thread(target=watch).start()
+        done.wait()
+        if not accepted.done():
+            raise TimeoutException(f"{_SENT} in the specified time. Something is likely wrong with the server.")
+        handle = accepted.result()
+        if not handle.accepted:
+            raise TimeoutException(f"{_SENT} with accepted status. Something is likely wrong with the server.")
+        return self.action_client._get_result(handle).result
+
+
+_SENT = "The LookupTransform goal sent to the BufferServer did not come back"
 
 
 class TransformListener:
@@ -287,16 +303,6 @@ class StaticTransformBroadcaster:
         self.pub_tf.publish(self.net_message)
 
 
-def _within(timeout: Duration, can: Callable[[], tuple[int, str]], with_why: bool) -> Any:
-    clock = Clock()
-    if timeout != Duration():
-        end = clock.now() + timeout
-        while clock.now() < end and not can()[0]:
-            time.sleep(_LOOK)
-    found = can()
-    return found if with_why else found[0]
-
-
 def _listed(transforms: Any) -> list[Any]:
     return list(transforms) if hasattr(transforms, "__iter__") else [transforms]
 
@@ -313,23 +319,12 @@ def _nanoseconds(time: Any, what: str = "time") -> int:
     raise TypeError(f"{what} must have sec and nanosec, or nanoseconds.")
 
 
-_refuse = refusing("tf2_ros", {"BufferClient"})
 # Names that tf2_ros passes on, as its broadcasters import them; many nodes have them from here.
 _PASSED_ON = {"geometry_msgs.msg": "TransformStamped", "tf2_msgs.msg": "TFMessage"}
-_pass_on = passing_on("tf2_ros", _PASSED_ON)
-
-
-def __getattr__(name: str) -> Any:
-    return _pass_on(name) if name in _PASSED_ON.values() else _refuse(name)
+__getattr__ = passing_on("tf2_ros", _PASSED_ON)
 
 
 # What a node may import, by its name on a real ROS.
-MODULES: dict[str, ModuleType] = dict.fromkeys(
-    (
-        *("tf2_py", "tf2_ros", "tf2_ros.buffer", "tf2_ros.buffer_interface", "tf2_ros.static_transform_broadcaster"),
-        *("tf2_ros.transform_broadcaster", "tf2_ros.transform_listener"),
-    ),
-    sys.modules[__name__],
-)
+MODULES: dict[str, ModuleType] = dict.fromkeys(buffer_.MODULES, sys.modules[__name__])
 for _name in MODULES:
     globals().setdefault(_name.rpartition(".")[2], sys.modules[__name__])  # so that tf2_ros.buffer is there immediately

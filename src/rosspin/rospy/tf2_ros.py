@@ -18,6 +18,7 @@ from ..tf2.buffer import (
     BufferInterface,
     ConvertRegistration,
     NotImplementedException,
+    Stamped,
     TransformRegistration,
     TypeException,
     convert,
@@ -31,7 +32,7 @@ from ..tf2.exceptions import (
     TransformException,
 )
 from ..tf2.noetic import NoeticFrames
-from ..world.world import refusing
+from .action_client import SimpleActionClient
 from .core import logwarn
 from .rostime import Duration, Time
 from .service import Service, ServiceException
@@ -40,6 +41,7 @@ from .topics import Publisher, Subscriber
 
 __all__ = [
     "Buffer",
+    "BufferClient",
     "BufferCore",
     "BufferInterface",
     "ConnectivityException",
@@ -77,17 +79,8 @@ class BufferCore(buffer_.BufferCore):
     def _time(self, nanoseconds: int) -> Time:
         return Time(nanoseconds // NS, nanoseconds % NS)
 
-    def _message(self) -> Any:
-        return import_module("geometry_msgs.msg").TransformStamped()
 
-
-def Stamped(obj: Any, stamp: Any, frame_id: str) -> Any:
-    """Give an object a header, and return it."""
-    obj.header = import_module("std_msgs.msg").Header(frame_id=frame_id, stamp=stamp)
-    return obj
-
-
-class Buffer(BufferCore, BufferInterface):
+class Buffer(BufferCore, buffer_.Buffer):
     """Keeps the transforms of the last ``cache_time`` (10 s), and waits for those to come.
 
     Unless ``debug`` is false, the service ~tf2_frames of the first one tells what it knows.
@@ -106,60 +99,43 @@ class Buffer(BufferCore, BufferInterface):
             with suppress(ServiceException):  # another buffer of this node has it
                 self.frame_server = Service("~tf2_frames", services.FrameGraph, tell)
 
-    def lookup_transform(
-        self, target_frame: str, source_frame: str, time: Any, timeout: Duration = Duration(0.0)
-    ) -> Any:
-        """Wait for a transform for at most ``timeout``, and return it. Raises TransformException."""
-        self.can_transform(target_frame, source_frame, time, timeout)
-        return self.lookup_transform_core(target_frame, source_frame, time)
-
-    def lookup_transform_full(
-        self,
-        target_frame: str,
-        target_time: Any,
-        source_frame: str,
-        source_time: Any,
-        fixed_frame: str,
-        timeout: Duration = Duration(0.0),
-    ) -> Any:
-        """Wait for a transform between two times for at most ``timeout``, and return it. Raises TransformException."""
-        self.can_transform_full(target_frame, target_time, source_frame, source_time, fixed_frame, timeout)
-        return self.lookup_transform_full_core(target_frame, target_time, source_frame, source_time, fixed_frame)
-
-    def can_transform(
-        self,
-        target_frame: str,
-        source_frame: str,
-        time: Any,
-        timeout: Duration = Duration(0.0),
-        return_debug_tuple: bool = False,
-    ) -> Any:
-        """Whether a lookup would succeed within ``timeout``; with ``return_debug_tuple`` also why not."""
-        can = partial(self.can_transform_core, target_frame, source_frame, time)
-        return self._within(timeout, can, return_debug_tuple)
-
-    def can_transform_full(
-        self,
-        target_frame: str,
-        target_time: Any,
-        source_frame: str,
-        source_time: Any,
-        fixed_frame: str,
-        timeout: Duration = Duration(0.0),
-        return_debug_tuple: bool = False,
-    ) -> Any:
-        """The same for a transform between two times."""
-        can = partial(self.can_transform_full_core, target_frame, target_time, source_frame, source_time, fixed_frame)
-        return self._within(timeout, can, return_debug_tuple)
-
-    def _within(self, timeout: Duration, can: Callable[[], tuple[int, str]], with_why: bool) -> Any:
+    def _wait(self, timeout: Duration, can: Callable[[], tuple[int, str]]) -> None:
         if timeout != Duration(0.0):
             begin = Time.now()
             interval = timeout * self.CAN_TRANSFORM_POLLING_SCALE
             while Time.now() < begin + timeout and not can()[0] and Time.now() + _JUMP >= begin:
                 sleep(interval)
-        found = can()
-        return found if with_why else found[0]
+
+
+class BufferClient(buffer_.BufferClient):
+    """Asks the buffer server whose action is ``ns``, and waits for ``timeout_padding`` longer than the server may.
+
+    ``check_frequency`` has no effect.
+    """
+
+    def __init__(self, ns: str, check_frequency: Any = None, timeout_padding: Duration = Duration(2)) -> None:
+        super().__init__()
+        self.client = SimpleActionClient(ns, import_module("tf2_msgs.msg").LookupTransformAction)
+        self.timeout_padding = timeout_padding
+        if check_frequency is not None:
+            logwarn("Argument check_frequency is deprecated and should not be used.")
+
+    def wait_for_server(self, timeout: Duration = Duration()) -> bool:
+        """Wait until the server is connected, for at most ``timeout`` (0: for ever). Return whether it is."""
+        return self.client.wait_for_server(timeout)
+
+    def _ask(self, **goal: Any) -> Any:
+        goal["timeout"] = goal["timeout"] or Duration()
+        self.client.send_goal(import_module("tf2_msgs.msg").LookupTransformGoal(**goal))
+        if not self.client.wait_for_result(goal["timeout"] + self.timeout_padding):
+            raise TimeoutException(f"{_SENT} in the specified time. Something is likely wrong with the server")
+        if self.client.get_state() != _SUCCEEDED:
+            raise TimeoutException(f"{_SENT} with SUCCEEDED status. Something is likely wrong with the server.")
+        return self.client.get_result()
+
+
+_SENT = "The LookupTransform goal sent to the BufferServer did not come back"
+_SUCCEEDED = 3
 
 
 class TransformListener:
@@ -245,25 +221,16 @@ def _nanoseconds(time: Any, what: str = "time") -> int:
     return int(seconds) * NS + math.floor(fraction * NS + 0.5)
 
 
-_refuse = refusing("tf2_ros", {"BufferClient"})
-
-
 def __getattr__(name: str) -> Any:
     if name in _PASSED_ON:
         return getattr(import_module(_PASSED_ON[name]), name)
-    return _refuse(name)
+    raise AttributeError(f"module 'tf2_ros' has no attribute '{name}'", name=name)
 
 
 # Names that tf2_ros passes on, as its broadcasters import them.
 _PASSED_ON = {"TransformStamped": "geometry_msgs.msg", "TFMessage": "tf2_msgs.msg"}
 
 # What a node may import, by its name on a real ROS.
-MODULES: dict[str, ModuleType] = dict.fromkeys(
-    (
-        *("tf2_py", "tf2_ros", "tf2_ros.buffer", "tf2_ros.buffer_interface", "tf2_ros.static_transform_broadcaster"),
-        *("tf2_ros.transform_broadcaster", "tf2_ros.transform_listener"),
-    ),
-    sys.modules[__name__],
-)
+MODULES: dict[str, ModuleType] = dict.fromkeys(buffer_.MODULES, sys.modules[__name__])
 for _name in MODULES:
     globals().setdefault(_name.rpartition(".")[2], sys.modules[__name__])  # so that tf2_ros.buffer is there immediately

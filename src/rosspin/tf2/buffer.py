@@ -8,21 +8,40 @@ from __future__ import annotations
 import sys
 from collections.abc import Callable
 from copy import deepcopy
+from functools import partial
+from importlib import import_module
 from typing import Any
 
-from .exceptions import TransformException
+from .exceptions import (
+    ConnectivityException,
+    ExtrapolationException,
+    InvalidArgumentException,
+    LookupException,
+    TimeoutException,
+    TransformException,
+)
 from .frames import Frames
 from .geometry import Transform
 
 __all__ = [
+    "MODULES",
+    "Buffer",
+    "BufferClient",
     "BufferCore",
     "BufferInterface",
     "ConvertRegistration",
     "NotImplementedException",
+    "Stamped",
     "TransformRegistration",
     "TypeException",
     "convert",
 ]
+
+# The modules of both packages, which all have the same names here.
+MODULES = (
+    *("tf2_py", "tf2_ros", "tf2_ros.buffer", "tf2_ros.buffer_client", "tf2_ros.buffer_interface"),
+    *("tf2_ros.static_transform_broadcaster", "tf2_ros.transform_broadcaster", "tf2_ros.transform_listener"),
+)
 
 
 class BufferCore:
@@ -118,8 +137,7 @@ class BufferCore:
         return message
 
     def _message(self) -> Any:
-        """Return an empty geometry_msgs/TransformStamped."""
-        raise NotImplementedError
+        return import_module("geometry_msgs.msg").TransformStamped()
 
     def _stamp(self, nanoseconds: int) -> Any:
         """Return a time as a message has it."""
@@ -209,6 +227,12 @@ class ConvertRegistration(_Registration):
         return self._get(self._convert, key)
 
 
+def Stamped(obj: Any, stamp: Any, frame_id: str) -> Any:
+    """Give an object a header, and return it."""
+    obj.header = import_module("std_msgs.msg").Header(frame_id=frame_id, stamp=stamp)
+    return obj
+
+
 def convert(a: Any, b_type: Any) -> Any:
     """Convert an object to a type, directly or by way of a message. Raises TypeException."""
     known = ConvertRegistration()
@@ -260,3 +284,116 @@ class BufferInterface:
         raise NotImplementedException
 
     lookup_transform_full = can_transform = can_transform_full = lookup_transform
+
+
+class Buffer(BufferCore, BufferInterface):
+    """Waits for transforms to come. A ROS says how, in ``_wait``."""
+
+    def _wait(self, timeout: Any, can: Callable[[], tuple[int, str]]) -> None:
+        """Wait until a lookup ``can`` succeed, for at most ``timeout``, a duration of this ROS."""
+        raise NotImplementedError
+
+    def lookup_transform(self, target_frame: str, source_frame: str, time: Any, timeout: Any = None) -> Any:
+        """Wait for a transform for at most ``timeout``, and return it. Raises TransformException."""
+        self.can_transform(target_frame, source_frame, time, timeout)
+        return self.lookup_transform_core(target_frame, source_frame, time)
+
+    def lookup_transform_full(
+        self,
+        target_frame: str,
+        target_time: Any,
+        source_frame: str,
+        source_time: Any,
+        fixed_frame: str,
+        timeout: Any = None,
+    ) -> Any:
+        """Wait for a transform between two times for at most ``timeout``, and return it. Raises TransformException."""
+        self.can_transform_full(target_frame, target_time, source_frame, source_time, fixed_frame, timeout)
+        return self.lookup_transform_full_core(target_frame, target_time, source_frame, source_time, fixed_frame)
+
+    def can_transform(
+        self, target_frame: str, source_frame: str, time: Any, timeout: Any = None, return_debug_tuple: bool = False
+    ) -> Any:
+        """Whether a lookup would succeed within ``timeout``; with ``return_debug_tuple`` also why not."""
+        can = partial(self.can_transform_core, target_frame, source_frame, time)
+        return self._within(timeout, can, return_debug_tuple)
+
+    def can_transform_full(
+        self,
+        target_frame: str,
+        target_time: Any,
+        source_frame: str,
+        source_time: Any,
+        fixed_frame: str,
+        timeout: Any = None,
+        return_debug_tuple: bool = False,
+    ) -> Any:
+        """The same for a transform between two times."""
+        can = partial(self.can_transform_full_core, target_frame, target_time, source_frame, source_time, fixed_frame)
+        return self._within(timeout, can, return_debug_tuple)
+
+    def _within(self, timeout: Any, can: Callable[[], tuple[int, str]], with_why: bool) -> Any:
+        if timeout is not None:
+            self._wait(timeout, can)
+        found = can()
+        return found if with_why else found[0]
+
+
+class BufferClient(BufferInterface):
+    """Asks the action of a buffer server for transforms. A ROS says how, in ``_ask``."""
+
+    def _ask(self, **goal: Any) -> Any:
+        """Send a goal of tf2_msgs/LookupTransform with these fields, and return the result. Raises TimeoutException."""
+        raise NotImplementedError
+
+    def lookup_transform(self, target_frame: str, source_frame: str, time: Any, timeout: Any = None) -> Any:
+        """Ask for a transform, for which the server waits for at most ``timeout``. Raises TransformException."""
+        asked = {"target_frame": target_frame, "source_frame": source_frame, "source_time": time}
+        return _answer(self._ask(**asked, timeout=timeout, advanced=False))
+
+    def lookup_transform_full(
+        self,
+        target_frame: str,
+        target_time: Any,
+        source_frame: str,
+        source_time: Any,
+        fixed_frame: str,
+        timeout: Any = None,
+    ) -> Any:
+        """The same for a transform between two times."""
+        asked = {"target_frame": target_frame, "source_frame": source_frame, "source_time": source_time}
+        full = {"target_time": target_time, "fixed_frame": fixed_frame}
+        return _answer(self._ask(**asked, **full, timeout=timeout, advanced=True))
+
+    def can_transform(self, *args: Any, **kwargs: Any) -> bool:
+        """Whether ``lookup_transform`` with these arguments succeeds."""
+        return _succeeds(self.lookup_transform, *args, **kwargs)
+
+    def can_transform_full(self, *args: Any, **kwargs: Any) -> bool:
+        """The same for a transform between two times."""
+        return _succeeds(self.lookup_transform_full, *args, **kwargs)
+
+
+def _succeeds(look_up: Callable[..., Any], *args: Any, **kwargs: Any) -> bool:
+    try:
+        look_up(*args, **kwargs)
+    except TransformException:
+        return False
+    return True
+
+
+# By the numbers of tf2_msgs/TF2Error.
+_ERRORS = {
+    1: LookupException,
+    2: ConnectivityException,
+    3: ExtrapolationException,
+    4: InvalidArgumentException,
+    5: TimeoutException,
+}
+
+
+def _answer(result: Any) -> Any:
+    error = result.error
+    if error.error != error.NO_ERROR:
+        raise _ERRORS.get(error.error, TransformException)(error.error_string)
+    return result.transform
