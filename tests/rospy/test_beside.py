@@ -59,6 +59,15 @@ def test_packages_are_found_around_the_node(tmp_path: Path) -> None:
         ("rospkg.RosStack()", "rospkg.RosStack"),
         ("rospkg.RosPack().get_path('std_msgs')", "the folder of the package std_msgs"),
         ("import roslib.message", "roslib.message"),
+        ("import roslib.names; roslib.names.resource_name('a', 'b')", r"roslib\.names\.resource_name"),
+        ("import rosgraph.network", r"rosgraph\.network"),
+        (
+            "import rosgraph; rosgraph.Master('a').registerPublisher()",
+            r"rosgraph\.Master\.registerPublisher",
+        ),
+        ("import rosgraph; rosgraph.Master('a', 'http://other:11311/')", "the master http://other:11311/"),
+        ("rospy.get_master().unregisterService('a', 'b')", r"rospy\.get_master\(\)\.unregisterService"),
+        ("rospy.get_master().target", r"rospy\.get_master\(\)\.target"),
     ],
 )
 def test_what_packages_have_besides_is_not_simulated(code: str, name: str, tmp_path: Path) -> None:

@@ -291,12 +291,16 @@ def search_param(param_name: str) -> str | None:
     Raises ROSException for a private name.
     """
     node = state()
-    name = node.mappings.get(param_name, param_name)
+    return search_from(node.name, node.mappings.get(param_name, param_name))
+
+
+def search_from(node_name: str, name: str) -> str | None:
+    """Search for a parameter upwards from a node's namespace (source: rosmaster/paramserver.py)."""
     if rosgraph.is_private(name):
         raise ROSException("cannot search for parameter: Internal failure: invalid key")
     if not name or rosgraph.is_global(name):
         return name if name and has_param(name) else None
-    namespace = node.name + rosgraph.SEP
+    namespace = node_name + rosgraph.SEP
     while True:
         first = name.split(rosgraph.SEP)[0]
         if has_param(namespace + first):

@@ -10,11 +10,11 @@ from ..world.world import NotSimulated, World, current_world
 from . import client, names, rosgraph
 from .state import State, state
 
-__all__ = ["Master", "get_master"]
+__all__ = ["ALTERS", "CALLS", "OF_NAMES", "URI", "Master", "get_master"]
 
-_URI = "http://localhost:11311/"
+URI = "http://localhost:11311/"
 
-_ALTERS = ("register", "unregister", "subscribeParam", "unsubscribeParam")
+ALTERS = ("register", "unregister", "subscribeParam", "unsubscribeParam")
 
 Answer = tuple[int, str, Any]  # 1 if it went well, else -1; what the master says; a value
 
@@ -26,18 +26,18 @@ class Master:
     """
 
     def __getattr__(self, key: str) -> Callable[..., list[Any]]:
-        if key == "target" or key.startswith(_ALTERS):
+        if key == "target" or key.startswith(ALTERS):
             raise NotSimulated(f"rospy.get_master().{key}")
 
         def ask(*args: Any) -> list[Any]:
             words = list(args)
-            if key in _OF_NAMES:
+            if key in OF_NAMES:
                 words[0] = names.resolve_name(words[0])
-            elif key not in _CALLS:
+            elif key not in CALLS:
                 from xmlrpc.client import Fault  # slow to import
 
                 raise Fault(1, f"<class 'Exception'>:method \"{key}\" is not supported")
-            call, count = _OF_NAMES.get(key) or _CALLS[key]
+            call, count = OF_NAMES.get(key) or CALLS[key]
             return list(call(state(), *words)) if len(words) == count else [-1, "Error: bad call arity", -1]
 
         return ask
@@ -155,16 +155,16 @@ def _delete(node: State, name: str) -> Answer:
 
 
 # What the master answers: a function of the node that asks, and how many arguments the node gives.
-_CALLS: dict[str, tuple[Callable[..., Answer], int]] = {
+CALLS: dict[str, tuple[Callable[..., Answer], int]] = {
     "getParamNames": (lambda node: (1, "Parameter names", client.get_param_names()), 0),
     "getPid": (lambda node: (1, "", os.getpid()), 0),
     "getSystemState": (_system_state, 0),
     "getTopicTypes": (_types, 0),
-    "getUri": (lambda node: (1, "", _URI), 0),
+    "getUri": (lambda node: (1, "", URI), 0),
 }
 
 # The same for those whose first argument is a name.
-_OF_NAMES: dict[str, tuple[Callable[..., Answer], int]] = {
+OF_NAMES: dict[str, tuple[Callable[..., Answer], int]] = {
     "deleteParam": (_delete, 1),
     "getParam": (_get, 1),
     "getPublishedTopics": (_topics, 1),

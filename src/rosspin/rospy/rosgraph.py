@@ -3,10 +3,12 @@
 from __future__ import annotations
 
 import os
+import random
 import re
 import sys
 from collections.abc import Mapping
 
+MSG_EXT, SRV_EXT = ".msg", ".srv"
 SEP = GLOBALNS = "/"
 PRIV_NAME = "~"
 REMAP = ":="
@@ -117,11 +119,32 @@ def canonicalize_name(name: str) -> str:
     return (SEP if is_global(name) else "") + SEP.join(part for part in name.split(SEP) if part)
 
 
-def resolve_name(name: str, namespace_: str) -> str:
-    """Return the full name that a name has in the node ``namespace_``, without remapping."""
+def resolve_name(name: str, namespace_: str, remappings: Mapping[str, str] | None = None) -> str:
+    """Return the full name that a name has in the node ``namespace_``, or what ``remappings`` make of that."""
     if not name:
         return namespace(namespace_)
     name = canonicalize_name(name)
     if is_private(name):
-        return canonicalize_name(namespace_ + SEP + name[1:])
-    return name if is_global(name) else namespace(namespace_) + name
+        name = canonicalize_name(namespace_ + SEP + name[1:])
+    elif not is_global(name):
+        name = namespace(namespace_) + name
+    return (remappings or {}).get(name, name)
+
+
+def make_caller_id(name: str) -> str:
+    """Return the full name of a node, with a slash at its end."""
+    return make_global_ns(ns_join(get_ros_namespace(), name))
+
+
+def script_resolve_name(script_name: str, name: str) -> str:
+    """Return the full name that a name has in a script, without remapping."""
+    if not name:
+        return get_ros_namespace()
+    if is_private(name):
+        return ns_join(make_caller_id(script_name), name[1:])
+    return name if is_global(name) else get_ros_namespace() + name
+
+
+def anonymous_name(id: str) -> str:
+    """Make a name unique."""
+    return f"{id}_rosspin_{os.getpid()}_{random.randint(0, sys.maxsize)}"

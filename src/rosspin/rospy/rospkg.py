@@ -12,6 +12,7 @@ from typing import Any
 
 from ..messages.library import Library
 from ..world.world import NotSimulated, refusing
+from . import rosgraph
 
 __all__ = ["ResourceNotFound", "RosPack"]
 
@@ -91,6 +92,15 @@ def _module(name: str, *names: str, lacking: tuple[str, ...] = ()) -> ModuleType
     return module
 
 
+_names = _module(
+    "roslib.names",
+    lacking=(
+        *("is_legal_resource_base_name", "is_legal_resource_name", "package_resource_name", "resource_name"),
+        *("resource_name_base", "resource_name_package"),
+    ),
+)
+vars(_names).update({name: value for name, value in vars(rosgraph).items() if name[0] != "_"})
+
 # What a node may import, by its name on a real ROS.
 MODULES: dict[str, ModuleType] = {
     "rospkg": _module(
@@ -100,6 +110,7 @@ MODULES: dict[str, ModuleType] = {
     ),
     "rospkg.common": _module("rospkg.common", "ResourceNotFound"),
     "roslib": _module("roslib", "load_manifest"),
+    "roslib.names": _names,
     "roslib.packages": _module("roslib.packages", "InvalidROSPkgException", "get_pkg_dir", lacking=("find_node",)),
 }
 for _kind, _home in ((ResourceNotFound, "rospkg.common"), (InvalidROSPkgException, "roslib.packages")):

@@ -70,6 +70,7 @@ ROSES = {
         {
             "actionlib": "rospy.actionlib",
             "message_filters": "rospy.message_filters",
+            "rosgraph": "rospy.graph",
             "roslib": "rospy.rospkg",
             "rospkg": "rospy.rospkg",
             "tf": "rospy.tf",
