@@ -528,3 +528,33 @@ def test_what_rospy_has_not_either_is_an_attribute_error() -> None:
 def test_every_public_name_is_there() -> None:
     for name in rospy.__all__:
         assert getattr(rospy, name).__doc__ or isinstance(getattr(rospy, name), int)
+
+
+def test_the_master_tells_of_the_nodes_of_all_processes_as_long_as_they_live() -> None:
+    def short() -> None:
+        from std_srvs.srv import Empty
+
+        rospy.init_node("short")
+        rospy.Publisher("chat", rospy.Header, queue_size=1)
+        rospy.Service("serve", Empty, lambda request: ())
+        rospy.sleep(1.0)
+
+    def asks() -> None:
+        from std_msgs.msg import Header
+
+        rospy.init_node("asks")
+        rospy.Subscriber("chat", Header)
+        master = rospy.get_master()
+        for _ in range(2):
+            rospy.sleep(0.75)
+            published, subscribed, services = master.getSystemState()[2]
+            print(dict(published), dict(subscribed), [name for name, _ in services if "logger" not in name])
+            print(master.lookupNode("short")[0], master.lookupService("serve")[::2], rospy.get_node_uri())
+
+    lines = simulate([short, asks], 2.0).console.splitlines()
+    assert [line for line in lines if line[0] != "["] == [  # without what the supervisor says
+        "{'/rosout': ['/short', '/asks'], '/chat': ['/short']} {'/chat': ['/asks']} ['/serve']",
+        "1 [1, 'rosrpc://localhost:40001'] http://localhost:40002/",
+        "{'/rosout': ['/asks']} {'/chat': ['/asks']} []",
+        "-1 [-1, ''] http://localhost:40002/",
+    ]
