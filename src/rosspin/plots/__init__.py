@@ -19,9 +19,11 @@ from collections.abc import Collection, Mapping, Sequence
 from dataclasses import dataclass
 from typing import TYPE_CHECKING
 
-from ..measures import by_source, describe_faults, describe_lateness, describe_periods, periods
+from ..measures import by_source, describe_faults, describe_lateness, describe_periods, periods, topic_ticks
 from ..results.ticks import Mishap, Run, Tick
+from ..vehicle.drives import NODE, Drive
 from . import pictures
+from .driven import ROAD, draw_off, draw_way
 from .layout import COLUMNS, KINDS, to_draw
 from .rows import (
     COLOURS,
@@ -43,7 +45,7 @@ if TYPE_CHECKING:
     from matplotlib.figure import Figure
 
 __all__ = [
-    *("Movable", "compare", "lateness", "overview", "period_histogram", "picture", "timeline", "with_handle"),
+    *("Movable", "compare", "drive", "lateness", "overview", "period_histogram", "picture", "timeline", "with_handle"),
     "both_orders",
     "orders",
 ]
@@ -106,6 +108,29 @@ def overview(ticks: Ticks, *, caption: str | None = None) -> Figure:
         draw(ticks, caption=caption, ax=ax)
         if legend := ax.get_legend():  # the rows of the timeline name the colours, and need less room
             legend.remove()
+    return pictures.figure_of(axes[0])
+
+
+def drive(run: Run, *, caption: str | None = None) -> Figure:
+    """Draw what a vehicle did, from a run with a node of :mod:`rosspin.vehicle`, in a figure unknown to pyplot.
+
+    From above: its way, how far off its line it was, and a :func:`timeline` of the other nodes' ticks and of the
+    commands, by their senders. Raises ValueError if there is no vehicle in the run.
+    """
+    shown = Drive.of(run.messages)
+    if not shown.spots:
+        raise ValueError("no vehicle says where it is in this run: rosspin.simulate([my_node, vehicle], ...)")
+    groups = {name: group for name, group in by_source(run.ticks).items() if not name.startswith(f"{NODE} ")}
+    for sender in dict.fromkeys(command.node for command in shown.commands):
+        sent = [message for message in run.messages if message.node == sender]
+        groups[f"{sender} /cmd_vel"] = topic_ticks(sent, "/cmd_vel")
+    rows = make_rows(groups, None, {}) if groups else []
+    axes = pictures.new_column([ROAD, 0.7 * _PLOT, *([height_of(rows)] if rows else [])])
+    caption = _caption(caption, run)
+    draw_way(shown, caption, axes[0])
+    draw_off(shown, caption, axes[1])
+    if rows:
+        timeline(groups, end=run.seconds, caption=caption, ax=axes[2])
     return pictures.figure_of(axes[0])
 
 

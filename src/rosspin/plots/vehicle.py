@@ -10,24 +10,25 @@ from __future__ import annotations
 import cmath
 import html
 import math
-from collections.abc import Iterable
+from collections.abc import Iterable, Sequence
 from itertools import pairwise
 from typing import TYPE_CHECKING, NamedTuple
 
+from ..vehicle.drives import say_off
+from ..vehicle.physics import START, STEP, Place, line, nearest, point
 from . import pictures
 
 if TYPE_CHECKING:
+    from matplotlib.axes import Axes
     from matplotlib.figure import Figure
 
-__all__ = ["PERIOD", "SECONDS", "Drive", "drive", "preview", "svg"]
+__all__ = ["PERIOD", "SECONDS", "Drive", "draw", "drive", "preview", "svg"]
 
 PERIOD = 0.5  # of the ticks, if none is late
 SECONDS = 12.0  # of each run
 _SPEED = 1.2  # m/s
 _AHEAD = 1.0  # how far it looks along the line
-_EDGE = 0.25  # farther than this from its line, it has left it
 
-_STEP = 0.01  # between points of the line
 _BOX = "-0.5 -1.75 12.4 4.2"  # what a picture shows: left, top, width, height; y points down there
 _PX = 760  # how wide a file is
 _BLUE, _ORANGE = "#0072b2", "#d55e00"
@@ -39,17 +40,6 @@ _VEHICLE = (
 )
 
 
-def _winding() -> list[tuple[float, float]]:
-    points, x = list[tuple[float, float]](), 0.0
-    while x < 20:
-        points.append((x, 1.2 * math.sin(x * math.tau / 7)))
-        x += _STEP / math.hypot(1, 1.2 * math.tau / 7 * math.cos(x * math.tau / 7))
-    return points
-
-
-_LINE = _winding()
-
-
 class _Arc(NamedTuple):
     """From ``time`` on it drives from (x, y), heading in radians, along a curve of this curvature (1/m)."""
 
@@ -59,14 +49,10 @@ class _Arc(NamedTuple):
     heading: float
     curvature: float
 
-    def after(self, seconds: float) -> tuple[float, float, float]:
-        """Return where the vehicle is then, and its heading."""
+    def after(self, seconds: float) -> Place:
+        """Return where the vehicle is then."""
         way = _SPEED * seconds
-        heading = self.heading + self.curvature * way
-        # The chord of the arc, which points where it headed halfway.
-        half = self.curvature * way / 2
-        chord, middle = way * (math.sin(half) / half if half else 1.0), self.heading + half
-        return self.x + chord * math.cos(middle), self.y + chord * math.sin(middle), heading
+        return Place(self.x, self.y, self.heading).after(way, self.curvature * way)
 
 
 class Drive(NamedTuple):
@@ -91,9 +77,7 @@ class Drive(NamedTuple):
     @property
     def words(self) -> str:
         """What is seen of it."""
-        if self.off <= _EDGE:
-            return f"keeps to its line: at most {100 * self.off:.0f} cm off"
-        return f"leaves its line by {self.off:.1f} m, at {self.when:.1f} s"
+        return say_off(self.off, self.when)
 
     @property
     def path(self) -> str:
@@ -106,36 +90,28 @@ class Drive(NamedTuple):
             parts.append(f"A{radius:.4g} {radius:.4g} 0 {is_large:d} {arc.curvature < 0:d} {x:.3f} {-y:.3f}")
         return "".join(parts)
 
-    def at(self, time: float) -> tuple[float, float, float]:
-        """Return where the vehicle is at a time, and its heading."""
+    def at(self, time: float) -> Place:
+        """Return where the vehicle is at a time."""
         arc = next(arc for arc in reversed(self.arcs) if arc.time <= time)
         return arc.after(time - arc.time)
 
 
 def drive(ticks: Iterable[float]) -> Drive:
     """Drive along the line for :data:`SECONDS`, steering at these times (s, in order)."""
-    place, arc = 0, _Arc(0.0, 0.0, 0.0, math.atan2(_LINE[1][1], _LINE[1][0]), 0.0)
+    place, arc = 0, _Arc(0.0, *START, 0.0)
     arcs, off, when = [], 0.0, 0.0
     for tick in [*(tick for tick in ticks if tick < SECONDS), SECONDS]:
         arcs.append(arc)
         steps = math.ceil((tick - arc.time) / 0.02)
         for seconds in (step * (tick - arc.time) / steps for step in range(1, steps + 1)):
             x, y, heading = arc.after(seconds)
-            place = _nearest(x, y, place)
-            if (distance := math.dist((x, y), _LINE[place])) > off:
+            place = nearest(x, y, place)
+            if (distance := math.dist((x, y), point(place))) > off:
                 off, when = distance, arc.time + seconds
-        ahead, up = _LINE[place + round(_AHEAD / _STEP)]
+        ahead, up = point(place + round(_AHEAD / STEP))
         across = math.cos(heading) * (up - y) - math.sin(heading) * (ahead - x)
         arc = _Arc(tick, x, y, heading, 2 * across / math.dist((x, y), (ahead, up)) ** 2)
     return Drive(arcs, off, when)
-
-
-def _nearest(x: float, y: float, place: int) -> int:
-    """Find the nearest point of the line, as an index, from where it was last: the line may come near twice."""
-    for step in (1, -1):
-        while math.dist((x, y), _LINE[place + step]) < math.dist((x, y), _LINE[place]):
-            place += step
-    return place
 
 
 def svg(drive: Drive, alternative: str, standalone: bool = False) -> str:
@@ -145,13 +121,13 @@ def svg(drive: Drive, alternative: str, standalone: bool = False) -> str:
     """
     x, y, heading = drive.at(drive.when)
     file = f' xmlns="http://www.w3.org/2000/svg" width="{_PX}"' if standalone else ' width="100%"'
-    line = "M" + "L".join(f"{x:.2f} {-y:.2f}" for x, y in _LINE[::15] if x < 12)
+    road = "M" + "L".join(f"{x:.2f} {-y:.2f}" for x, y in line(12.0)[::15])
     return f"""\
 <svg{file} class="rosspin-road" role="img" aria-label="{html.escape(alternative)}" viewBox="{_BOX}" fill="none"
   stroke-linecap="round">{f"<style>{pictures.STANDALONE}</style>" if standalone else ""}
 <marker id="rosspin-tick" viewBox="-1 -1 2 2" markerWidth="2.2"><circle r="1" fill="{_BLUE}"/></marker>
-<path d="{line}" stroke="currentColor" stroke-opacity="0.12" stroke-width="0.5"/>
-<path d="{line}" stroke="currentColor" stroke-opacity="0.5" stroke-width="0.03" stroke-dasharray="0.12"/>
+<path d="{road}" stroke="currentColor" stroke-opacity="0.12" stroke-width="0.5"/>
+<path d="{road}" stroke="currentColor" stroke-opacity="0.5" stroke-width="0.03" stroke-dasharray="0.12"/>
 <path class="way" d="{drive.path}" stroke="{_BLUE}" stroke-width="0.07" marker-mid="url(#rosspin-tick)"/>
 <path class="way overdue" d="{drive.path}" stroke="{_ORANGE}" stroke-width="0.13" stroke-linecap="butt"
   pathLength="{SECONDS:g}" stroke-dasharray="{drive.dashes}"/>
@@ -170,16 +146,33 @@ def preview(drive: Drive, title: str, words: str) -> Figure:
     ax.set_axis_off()
     times = [n * 0.02 for n in range(round(SECONDS / 0.02) + 1)]
     way = [drive.at(time)[:2] for time in times]
-    ax.plot(*zip(*_LINE, strict=True), c="black", alpha=0.12, lw=36, solid_capstyle="round")
-    ax.plot(*zip(*_LINE, strict=True), c="black", alpha=0.5, lw=1.5, ls=(0, (5, 5)))
-    ax.plot(*zip(*way, strict=True), c=_BLUE, lw=5)
-    for first, last in drive.overdue:
-        late = [place for time, place in zip(times, way, strict=True) if first <= time <= last]
-        ax.plot(*zip(*late, strict=True), c=_ORANGE, lw=9, solid_capstyle="round")
-    ax.plot([arc.x for arc in drive.arcs[1:]], [arc.y for arc in drive.arcs[1:]], "o", c=_BLUE, ms=11, mew=0)
-    x, y, heading = drive.at(drive.when)
-    turned = [complex(x, y) + complex(*point) * cmath.rect(1, heading) for point in _BODY]
-    ax.fill([point.real for point in turned], [point.imag for point in turned], fc=_ORANGE, ec="black", lw=2, zorder=3)
+    late = [[place for time, place in zip(times, way, strict=True) if a <= time <= b] for a, b in drive.overdue]
+    draw(ax, way, late, [arc[1:3] for arc in drive.arcs[1:]], drive.at(drive.when), 2.0)
     figure.text(0.05, 0.86, title, size=36, weight="bold")
     figure.text(0.05, 0.07, words, size=20)
     return figure
+
+
+def draw(
+    ax: Axes,
+    way: Sequence[tuple[float, float]],
+    marked: Iterable[Sequence[tuple[float, float]]],
+    dots: Sequence[tuple[float, float]],
+    place: Place,
+    size: float,
+    far: float = 20.0,
+) -> None:
+    """Draw the line, as ``far`` along x, a way along it, parts of that which are marked, dots on it, and the vehicle.
+
+    A ``size`` of 1 is for a picture in a page.
+    """
+    road = list(zip(*line(far), strict=True))
+    ax.plot(*road, c="black", alpha=0.12, lw=18 * size, solid_capstyle="round")
+    ax.plot(*road, c="black", alpha=0.5, lw=0.75 * size, ls=(0, (5, 5)))
+    ax.plot(*zip(*way, strict=True), c=_BLUE, lw=2.5 * size)
+    for part in marked:
+        ax.plot(*zip(*part, strict=True), c=_ORANGE, lw=4.5 * size, solid_capstyle="round")
+    ax.plot([x for x, _ in dots], [y for _, y in dots], "o", c=_BLUE, ms=5.5 * size, mew=0)
+    turned = [complex(*place[:2]) + complex(*point) * cmath.rect(1, place.heading) for point in _BODY]
+    body = [point.real for point in turned], [point.imag for point in turned]
+    ax.fill(*body, fc=_ORANGE, ec="black", lw=size, zorder=3)
