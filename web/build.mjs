@@ -78,10 +78,11 @@ for (const folder of [path.join(here, "../src/rosspin"), yaml]) {
 }
 const lessons = path.join(here, "../lessons")
 for (const name of existsSync(lessons) ? readdirSync(lessons).sort() : []) {
-  if (!name.endsWith(".py")) continue
-  // The answers stand last, and are nobody's business there.
-  const text = readFileSync(path.join(lessons, name), "utf8").replace(/^RIGHT = [^]*$/m, "RIGHT = WRONG = ()\n")
-  files[`rosspin/exercises/own/${name}`] = Buffer.from(text)
+  if (name.endsWith(".py")) files[`rosspin/exercises/own/${name}`] = readFileSync(path.join(lessons, name))
+}
+// The answers stand last, and are nobody's business there.
+for (const name of Object.keys(files).filter((name) => name.startsWith("rosspin/exercises/own/"))) {
+  files[name] = Buffer.from(files[name].toString().replace(/^RIGHT = [^]*$/m, "RIGHT = WRONG = ()\n"))
 }
 writeFileSync(path.join(out, "rosspin.zip"), zipSync(files, { level: 9, mtime: new Date(1980, 0) }))
 

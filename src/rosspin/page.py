@@ -42,13 +42,18 @@ from .measures import by_source, describe_timeline, lost_by_source, quantile
 from .results.pinned import as_test
 from .results.ticks import Tick
 from .run.alone import ON_A_COMPUTER, refuse_processes
+from .run.beside import run_beside
 from .run.explain import TimeStandsStill, say_error
+from .run.host import Result
 from .run.roses import ROSES, Ros
 from .run.roslaunch.launch import Launch
 from .run.roslaunch.launch import Node as LaunchNode
 from .run.simulate import run_node, run_nodes
 from .run.source import Code, load_source, split_words
 from .run.steps_seen import StepsSeen
+from .vehicle import VEHICLES
+from .vehicle.drawn import drawn
+from .vehicle.drives import NODE, Drive
 from .world.graph import TickLog
 from .world.world import NotSimulated, World
 
@@ -92,6 +97,9 @@ _MOST_SERIES = 50
 _MOST_ENTRIES = 60_000
 
 
+# How the sources of the ticks begin of which a page shows nothing.
+_OF_VEHICLE = f"{NODE} "
+
 # A page has no processes.
 refuse_processes()
 
@@ -130,7 +138,8 @@ def run(source: str, filename: str, seconds: float, args: str, speed: float, bes
     JSON: the exit ``status``, the number of ``errors`` in its threads, the last ``ticks`` with their durations, their
     ``count``, the ``lost`` ones, each with its source and when it was due (s), the ``chunks`` that each tick printed (a
     call of ``print`` is one, counted from 0; the last ones only), the ``end`` of the run (s) and a text ``alternative``
-    to their plot; and of a node that runs alone its ``scenes``. Errors are printed and give status 1.
+    to their plot; of a node that runs alone its ``scenes``, and after ``%%drive SECONDS -- ARGS`` the ``drive`` of the
+    vehicle that ran beside it, as :func:`rosspin.vehicle.drawn.drawn` has it. Errors are printed and give status 1.
     """
     printed = _Printed()
     streams = [_Stream(page, is_error, printed, filename) for is_error in (False, True)]
@@ -142,7 +151,10 @@ def run(source: str, filename: str, seconds: float, args: str, speed: float, bes
                 node_args = _split(args, "arguments")
             others = [(load_source(*code), _split(words, "arguments")) for *code, words in loads(beside)]
             node = load_source(exercises.code(source), filename)
-            pacer = _Pacer(page, speed, printed, "" if others else filename, ROSES[node.hint or 1])
+            drives = source.startswith("%%drive ")
+            pacer = _Pacer(page, speed, printed, "" if others or drives else filename, ROSES[node.hint or 1])
+            if drives:
+                return dumps(_drive(node, seconds, node_args, pacer, printed))
             return dumps(_run(node, seconds, node_args, others, pacer, printed))
         except (ValueError, SyntaxError, NotSimulated, TimeStandsStill) as error:
             print(say_error(error), file=sys.stderr)
@@ -171,10 +183,11 @@ def trace(exercise: str, text: str) -> str:
 def judge(exercise: str, text: str, trace: str) -> str:
     """Judge an answer by its trace, in a Python that has run no one's code; nothing of the answer is run here.
 
-    The result is a :class:`rosspin.exercises.Verdict` as JSON.
+    The result is a :class:`rosspin.exercises.Verdict` as JSON, with the ``drive`` of its first run.
     """
     with _left_as_found():
-        return dumps(exercises.verdict(exercise, exercises.code(text), trace)._asdict())
+        verdict = exercises.verdict(exercise, exercises.code(text), trace)
+        return dumps(verdict._asdict() | {"drive": exercises.drawing(exercise, trace)})
 
 
 def pin(source: str, filename: str, seconds: float, args: str, console: str, ticks: str) -> str:
@@ -315,9 +328,9 @@ def _magic(source: str) -> tuple[float, Sequence[str]]:
     words, args = split_words(_split(first[2:], first))
     with suppress(ValueError):
         magic, seconds, *_ = words
-        if magic == "simulate":
+        if magic in ("simulate", "drive"):
             return float(seconds), args
-    raise ValueError(f"{first}: the first line can be %%simulate SECONDS here")
+    raise ValueError(f"{first}: the first line can be %%simulate SECONDS here, or %%drive SECONDS")
 
 
 def _split(text: str, name: str) -> list[str]:
@@ -343,6 +356,21 @@ def _run(
             result = run_nodes(launch, seconds, pacer.simulation, printed, [each for each, _ in nodes])
         else:
             result = run_node(node, seconds, args, pacer.simulation, printed)
+    return _shown(result, seconds, args, pacer, printed)
+
+
+def _drive(node: Code, seconds: float, args: Sequence[str], pacer: _Pacer, printed: _Printed) -> dict[str, Any]:
+    """Run a node beside a vehicle. What is shown is the node's, and the vehicle's drive."""
+    result = run_beside(node, args, [VEHICLES[node.hint or 2]], seconds, pacer.simulation, printed)
+    own = [place for place, tick in enumerate(result.ticks) if not tick.source.startswith(_OF_VEHICLE)]
+    ticks = tuple(result.ticks[place] for place in own)
+    printed.chunks = [printed.chunks[place] for place in own]
+    end = min(pacer.simulation.seconds(), seconds)
+    drive = drawn(Drive.of(result.messages()), [tick.real for tick in ticks], end)
+    return _shown(result._replace(ticks=ticks), seconds, args, pacer, printed) | {"drive": drive}
+
+
+def _shown(result: Result, seconds: float, args: Sequence[str], pacer: _Pacer, printed: _Printed) -> dict[str, Any]:
     errors = [error for process in result.host.processes for error in process.world.errors]
     hints = [_hint(error) for error in errors]
     ended_early = result.status == 0 and pacer.simulation.now() < seconds * NS
@@ -377,6 +405,7 @@ def _run(
             for source, group in islice(groups.items(), _MOST)
         )[:_TEXT],
         "scenes": _drawable(pacer.scenes.data(result.status) if pacer.scenes else None),
+        "drive": [],
     }
 
 
@@ -472,7 +501,8 @@ class _Pacer:
 
     def _show_ticks(self) -> None:
         for source, number, expected, real, _ in zip(*self._ticks.columns(self._shown)):
-            self._page.tick(_name(source), number, expected / NS, real / NS)
+            if not source.startswith(_OF_VEHICLE):
+                self._page.tick(_name(source), number, expected / NS, real / NS)
             self._shown += 1
 
 

@@ -13,7 +13,7 @@ from typing import Any
 import pytest
 from answers import CELLS, NAMES, answer_in, number_of
 
-from rosspin.exercises import Misfit, check, judge, trace
+from rosspin.exercises import EXERCISES, Misfit, check, judge, trace
 from rosspin.exercises.traces import LONGEST
 
 # The page's Python, as far as it is not of a browser.
@@ -62,6 +62,7 @@ def test_each_verdict(tmp_path: Path) -> None:
         "console": console,
         "why": "",
         "hint": "",
+        "drive": [],
     }
     wrong = verdict("ten-hertz", "\n1 / 0", tmp_path)
     assert (wrong["verdict"], wrong["solved"], wrong["status"]) == (
@@ -76,8 +77,8 @@ def test_each_verdict(tmp_path: Path) -> None:
     none = verdict("nothing", "", tmp_path)
     assert (none["verdict"], none["solved"]) == ("not judged", False)
     assert none["said"] == (
-        f"there is no exercise 'nothing': they are numbered 1 to {len(NAMES)}, and have the names in the first lines "
-        "of their cells"
+        f"there is no exercise 'nothing': they are numbered 1 to {len(EXERCISES)}, and have the names in the first "
+        "lines of their cells"
     )
 
 

@@ -168,7 +168,8 @@ def test_the_scripts_are_loaded_where_they_are_needed(site: Path) -> None:
         for name in re.findall(r"hand-in/([\w-]+)\.js", path.read_text(encoding="utf-8")):
             found[name].add(path.relative_to(site).as_posix())
     notebooks = (ROOT / "notebooks").glob("*.md")
-    asking = {f"notebooks/{path.stem}.html" for path in notebooks if "\n%%answer " in path.read_text(encoding="utf-8")}
+    asks = re.compile(r"^%%answer |^```\{exercise\} ", re.MULTILINE)
+    asking = {f"notebooks/{path.stem}.html" for path in notebooks if asks.search(path.read_text(encoding="utf-8"))}
     assert EXERCISES in asking
     assert found == {"hand-in": asking, "judge": {TEACHERS}}
 

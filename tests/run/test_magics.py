@@ -125,3 +125,50 @@ def test_the_shell_is_as_it_was_after_a_cell(shell: Any) -> None:
     shell.run_cell(f"%%simulate 1\n{NODE}")
     assert (sys.modules["__main__"], sys.path, sys.argv) == (main, path, argv)
     assert "rospy" not in shell.user_ns
+
+
+DRIVER = """import rclpy
+from geometry_msgs.msg import Twist, Vector3
+
+rclpy.init()
+node = rclpy.create_node("driver")
+publisher = node.create_publisher(Twist, "cmd_vel", 10)
+node.create_timer(0.5, lambda: publisher.publish(Twist(linear=Vector3(x=1.0))))
+print("ready")
+try:
+    rclpy.spin(node)
+except KeyboardInterrupt:
+    pass
+"""
+
+
+def test_a_cell_drives_a_vehicle(shell: Any, capsys: pytest.CaptureFixture[str]) -> None:
+    assert shell.run_cell(f"%%drive 2 --name driven\n{DRIVER}").success
+    said = capsys.readouterr().out
+    assert said.startswith("ready\nThe vehicle drives 1.5 m in 2 s and keeps to its line: at most 12 cm off.")
+    run = shell.user_ns["driven"]
+    assert (run.status, run.seconds, run.console) == (0, 2.0, "ready\n")
+    assert len([sent for sent in run.messages if sent.topic == "/line"]) == 40
+
+
+def test_a_cell_of_ros_1_drives_one_without_a_roslaunch_that_speaks(
+    shell: Any, capsys: pytest.CaptureFixture[str]
+) -> None:
+    cell = "import rospy\nrospy.init_node('driver')\nrospy.spin()\n"
+    assert shell.run_cell(f"%%drive 1\n{cell}").success
+    assert capsys.readouterr().out.startswith("The vehicle drives 0.0 m in 1 s")
+    assert shell.user_ns["run"].console == ""
+
+
+def test_a_task_is_put_into_a_cell_of_its_own(shell: Any, capsys: pytest.CaptureFixture[str]) -> None:
+    assert shell.run_cell("%answer follow-the-line").success
+    assert "Let a timer steer ten times a second" in capsys.readouterr().out
+    assert shell.rl_next_input.startswith("%%answer follow-the-line\nimport rclpy\n")
+    shell.run_cell("%answer follow-the-lane")
+    said = capsys.readouterr()
+    assert "there is no such exercise; the names are follow-the-line, " in said.out + said.err
+
+
+def test_the_answer_to_a_task_is_drawn(shell: Any, capsys: pytest.CaptureFixture[str]) -> None:
+    assert shell.run_cell(f"%%answer follow-the-line\n{DRIVER}").success
+    assert "The vehicle drives 7.5 m in 8 s and leaves its line by" in capsys.readouterr().out

@@ -1,6 +1,7 @@
 // A listing that can be edited and run: its buttons, its status line, what its runs show.
 
 import { Console } from "./console.js"
+import { drawDrive } from "./drive.js"
 import { Kept } from "./kept.js"
 import { find, make } from "./make.js"
 import { Plot } from "./plot.js"
@@ -120,7 +121,7 @@ export class Cell {
     this.#highlighted = [...this.#pre.childNodes]
     const caption = listing.parentElement?.querySelector(".code-block-caption .caption-text")
     this.exercise = this.#original.match(/^%%answer (\S+)/)?.[1] ?? "" // that it answers; a text is then checked rather than run
-    this.#simulates = this.#original.startsWith("%%simulate ")
+    this.#simulates = /^%%(simulate|drive) /.test(this.#original)
     // hand-in.js, which is on each page that has exercises, keeps the answers to all of them.
     const answer = this.exercise && window.rosspinStore?.of(this.exercise)
     this.#kept = answer || new Kept(`${location.pathname}:${index}`, this.#original)
@@ -160,6 +161,7 @@ export class Cell {
     const file = this.exercise ? "" : this.#name
     this.console = new Console(`Console of ${this.#name}`, file, (line) => this.#edit(line))
     this.plot = new Plot(`Ticks of ${this.#name}`, (chunks) => this.console.mark(chunks))
+    this.driven = make("div", {})
     this.notice = make("p", { className: "live-notice", hidden: true })
     this.copied = make("textarea", { readOnly: true, hidden: true, rows: 4, ariaLabel: "To be copied" })
     listing.append(this.#arranged())
@@ -177,7 +179,7 @@ export class Cell {
     if (!this.exercise) bar.append(this.speed)
     if (isNode) bar.append(this.arguments)
     bar.append(this.status)
-    const parts = [this.notice, bar, this.copied, this.plot.element, this.#made ?? "", this.console.element]
+    const parts = [this.notice, bar, this.copied, this.driven, this.plot.element, this.#made ?? "", this.console.element]
     return make("div", { className: "live-cell" }, ...parts)
   }
 
@@ -399,6 +401,7 @@ export class Cell {
   #clear(runs) {
     this.console.clear()
     this.plot.clear()
+    this.driven.replaceChildren()
     this.#endSteps()
     this.#endSteps = () => {}
     this.copied.hidden = this.pin.hidden = true
@@ -448,6 +451,7 @@ export class Cell {
       this.#worker = null
       this.console.finish()
       const { result } = message
+      this.driven.replaceChildren(drawDrive(result.drive) ?? "")
       if ("solved" in result) this.#say((result.verdict || SEE_CONSOLE) + this.#progress(result.solved))
       else this.#finish(result, job)
     } else {
@@ -462,9 +466,9 @@ export class Cell {
    * @param {import("./protocol.js").RunResult} result
    * @param {import("./runs.js").Text} job
    */
-  #finish({ status, errors, count, ticks, lost, chunks, alternative, end, scenes }, { source, filename, seconds, args, beside }) {
+  #finish({ status, errors, count, ticks, lost, chunks, alternative, end, scenes, drive }, { source, filename, seconds, args, beside }) {
     const { whole } = this.console
-    const pins = !status && !errors && !beside.length && count === ticks.length && whole !== null && whole.length <= LONGEST
+    const pins = !status && !errors && !beside.length && !drive.length && count === ticks.length && whole !== null && whole.length <= LONGEST
     this.#pinned = pins ? { source, filename, seconds, args, console: whole, ticks } : null
     this.pin.hidden = !pins
     const none = this.#endSteps

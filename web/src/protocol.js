@@ -26,7 +26,8 @@ import { LONGEST, SHOWN } from "./limits.js"
  * @typedef {[source: string, number: number, expected: number, real: number, duration: number]} Tick
  * @typedef {[source: string, time: number]} Lost when (s) a tick was due that never came
  * @typedef {{status: number, errors: number, count: number, ticks: Tick[], lost: Lost[], chunks: number[][],
- *   end: number, alternative: string, scenes: Scenes | null}} RunResult
+ *   end: number, alternative: string, scenes: Scenes | null, drive: Drive}} RunResult
+ * @typedef {string[]} Drive what is drawn of a vehicle: see rosspin/vehicle/drawn.py; nothing if there was none
  * @typedef {[thread: number, callback: number, line: number]} Where a thread is; callback -1: in none; line 0: in none
  * @typedef {[time: number, said: string, ready: number[], threads: Where[], how: string[]]} Step
  * @typedef {{links: [name: string, waits: string][], to: number}} Ring of waits; to: for whom the last waits, -1: nobody
@@ -35,7 +36,7 @@ import { LONGEST, SHOWN } from "./limits.js"
  * @typedef {{trace: string}} TraceResult
  * @typedef {"solved" | "not yet" | "open" | "to read" | "not judged"} Verdict
  * @typedef {{verdict: Verdict, solved: boolean, status: string, console: string, said: string,
- *   why: string, hint: string}} JudgeResult
+ *   why: string, hint: string, drive: Drive}} JudgeResult
  * @typedef {{title: string, certain: string, evidence: string[], page: string, series: string[]}} Fault that a log shows;
  *   page: the address, below that of the site, of what explains it
  * @typedef {{name: string, part: number, count: number, period: number, chosen: number, drift: number, usual: number,
@@ -150,6 +151,9 @@ const CHUNK = tuple(truth, text(SHOWN.characters), integer(), integer())
 const TICKS = list(tuple(NAME, integer(-FAR, FAR), TIME, TIME, LENGTH), SHOWN.ticks)
 const LOST = list(tuple(NAME, TIME), SHOWN.ticks)
 
+/** Texts that become attributes of an SVG: whatever they are, they draw at most nonsense. */
+const DRIVE = (/** @type {Unknown} */ value) => list(text(100_000), 13)(value) && [0, 13].includes(value.length)
+
 const isScenes = object({
   threads: list(SENTENCE, 100),
   groups: list(SENTENCE, 100),
@@ -210,14 +214,17 @@ const RUN = object(
   {
     ...{ status: integer(-FAR, FAR), errors: integer(), count: integer() },
     ...{ ticks: TICKS, lost: LOST, chunks: list(list(integer(), 1000), SHOWN.ticks) },
-    ...{ end: LENGTH, alternative: TEXT, scenes: (value) => value === null || isScenes(value) },
+    ...{ end: LENGTH, alternative: TEXT, scenes: (value) => value === null || isScenes(value), drive: DRIVE },
   },
-  { errors: 0, count: 0, ticks: [], lost: [], chunks: [], end: 0, alternative: "", scenes: null },
+  { errors: 0, count: 0, ticks: [], lost: [], chunks: [], end: 0, alternative: "", scenes: null, drive: [] },
 )
 
 const JUDGE = object(
-  { verdict: (value) => VERDICTS.includes(value), solved: truth, status: SENTENCE, console: TEXT, said: TEXT, why: TEXT, hint: TEXT },
-  { why: "", hint: "" },
+  {
+    ...{ verdict: (value) => VERDICTS.includes(value), solved: truth, status: SENTENCE, console: TEXT, said: TEXT },
+    ...{ why: TEXT, hint: TEXT, drive: DRIVE },
+  },
+  { why: "", hint: "", drive: [] },
 )
 
 /** What a table has room for: see rosspin/hand_ins/on_page.py. */

@@ -10,7 +10,7 @@ export { Sandbox }
  * @typedef {import("./protocol.js").Results} Results
  * @typedef {Omit<import("./protocol.js").RunJob, "kind"> & {exercise: string}} Text to be run: a node, or an answer to an
  *   exercise
- * @typedef {{verdict: string, solved: boolean}} Judged the verdict in a line; "" if there is none
+ * @typedef {{verdict: string, solved: boolean, drive: string[]}} Judged the verdict in a line; "" if there is none
  * @typedef {import("./protocol.js").Word<"run"> | import("./protocol.js").End<Judged> | {kind: "begun"}} Told of that
  * @typedef {{end(): void}} Run that goes on
  */
@@ -171,9 +171,9 @@ function answer(exercise, text, hear) {
  * @param {(message: Told) => void} hear
  * @returns {Judged}
  */
-function told({ verdict, solved, status, console, said }, hear) {
+function told({ verdict, solved, status, console, said, drive }, hear) {
   const texts = [console, said.replaceAll("`", "")].filter(Boolean) // a console is no Markdown
   const isError = verdict === "not judged"
   hear({ kind: "batch", chunks: texts.map((text, number) => [isError, `${text}\n`, number, 0]), leftOut: 0, ticks: [] })
-  return { verdict: isError ? "" : status, solved }
+  return { verdict: isError ? "" : status, solved, drive }
 }

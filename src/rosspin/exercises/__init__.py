@@ -10,18 +10,22 @@ Running and judging can be done in two Pythons: :func:`trace` runs the answer an
 
 from __future__ import annotations
 
+from collections.abc import Sequence
 from typing import Any, NamedTuple
 
+from ..vehicle.drawn import drawn
 from .feedback import Feedback, Finding
 from .judging import Answer, Fails
 from .questions import EXERCISES as _OF_THE_SITE
 from .questions import Exercise
 from .reach import reaches_for
 from .running import Runner
+from .seen import Seen
 from .traces import Misfit, Outcome, Request, Trace, read, write
 
 __all__ = ["EXERCISES", "Exercise", "Feedback", "Finding", "Misfit", "check", "judge", "trace"]
 
+_NOTHING = Seen(0.0, (), (), (), (), (), (), (), 0, (), False, None, False, ())
 _CUT = "the node did so much that not all of it was looked at."
 _LESS = "Let it print and publish no more than the exercise asks for."
 
@@ -82,7 +86,25 @@ def judge(which: int | str, answer: Any, traced: str) -> Feedback:
     if early := given.hint_for_early_end():
         # It comes first if the node printed nothing, else last.
         hints.insert(len(hints) if console else 0, early)
-    return Feedback(exercise.number, tuple(findings), [*hints, exercise.hint][0], console, whole=whole)
+    hint = [*hints, exercise.hint][0]
+    return Feedback(exercise.number, tuple(findings), hint, console, whole=whole, drive=_seen_first(outcomes).drive)
+
+
+def drawing(name: str, traced: str) -> list[str]:
+    """Draw what a vehicle did in the first run of an answer: what :func:`rosspin.vehicle.drawn.drawn` returns.
+
+    It raises nothing, and returns nothing for what is no trace of the exercise of this name.
+    """
+    try:
+        seen = _seen_first(read(traced, name).outcomes)
+        ticks = sorted(time for timer in seen.timers for time in timer.calls)
+        return drawn(seen.drive, ticks, seen.seconds)
+    except Exception:  # a trace may be made of anything
+        return []
+
+
+def _seen_first(outcomes: Sequence[Outcome]) -> Seen:
+    return outcomes[0].seen or _NOTHING if outcomes else _NOTHING
 
 
 class Verdict(NamedTuple):

@@ -6,6 +6,8 @@ import re
 from dataclasses import dataclass, field
 from typing import NamedTuple
 
+from ..vehicle.drives import Drive
+
 __all__ = ["Feedback", "Finding"]
 
 _WORDS = {True: "Right", False: "Wrong", None: "Open"}
@@ -31,6 +33,7 @@ class Feedback:
     ``number`` is the exercise's, ``findings`` are in the order in which they were made, ``hint`` says how to go on, and
     ``console`` is what the node printed in its first run, as far as it is worth showing. If the node did more than was
     looked at, the last finding says so, and ``whole`` is false. ``progress`` says what else has been solved.
+    ``drive`` is what the vehicle did in the first run, if one ran beside the node.
     """
 
     number: int
@@ -39,6 +42,7 @@ class Feedback:
     console: str = field(default="", repr=False)
     progress: str = ""
     whole: bool = True
+    drive: Drive = field(default=Drive((), ()), repr=False)
 
     @property
     def passed(self) -> bool:

@@ -69,15 +69,22 @@ class Answer:
         stalls_at: float | None = None,
         allowed: str = "",
         has_to_end: bool = True,
+        beside: Sequence[str] = (),
+        interrupted_at: float | None = None,
     ) -> Seen:
         """Run the answer as a node in simulated time, with a parameter ``given`` as in ``period:=0.5``.
 
         With a ``seed`` its threads take turns at any point; from ``stalls_at`` (s) on, nothing of it runs for a while.
+        Nodes that run ``beside`` it are processes of their own: "vehicle", "silent vehicle" (its sensor is, from 3 s to
+        5 s) and "joystick" (:mod:`rosspin.vehicle.ros2`). If Ctrl-C comes earlier in the answer, ``interrupted_at``
+        (s), they go on to the end.
+
         The check ends if the node cannot be run, if it fails with an error whose text lacks ``allowed``, or if it
         ``has_to_end`` and Ctrl-C does not end it. An exception with which Ctrl-C ends nodes of its ROS is no failure.
         """
         args = self._args(given)
-        seen = self._node(Request(seconds, args, seed=seed, stalls_at=stalls_at))
+        request = Request(seconds, args, None, seed, stalls_at, (), tuple(beside), interrupted_at)
+        seen = self._node(request)
         if has_to_end or not seen.killed:
             self._refuse(seen, args, allowed)
         if any(timer.is_endless for timer in seen.timers):

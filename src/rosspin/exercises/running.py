@@ -10,9 +10,9 @@ import signal
 import sys
 import threading
 from collections import Counter
-from collections.abc import Collection, Iterable, Iterator, Sequence
+from collections.abc import Callable, Collection, Iterable, Iterator, Sequence
 from contextlib import contextmanager, suppress
-from functools import cached_property
+from functools import cached_property, partial
 from itertools import islice
 from json import dumps
 from types import CodeType, FrameType
@@ -21,16 +21,19 @@ from typing import Any, Protocol, TypeVar
 from ..clocks.clock import NS, nanoseconds
 from ..clocks.explored import ExploredSimulation, Order
 from ..clocks.frames import as_printed
-from ..clocks.programs import send
+from ..clocks.programs import press_ctrl_c, send
 from ..results.ticks import Call, Message, Tick
+from ..run.beside import run_beside
 from ..run.explain import TimeStandsStill, waits_for_a_rate, where_it_was_kept
 from ..run.host import Result
 from ..run.shaking import shaken
 from ..run.simulate import run_node
-from ..run.source import Code, load_source
+from ..run.source import Code, NodeLike, load_source
 from ..run.streams import capture
+from ..vehicle import ros1, ros2
+from ..vehicle.drives import NODE, Drive
 from ..world.graph import EndMade, TickLog
-from ..world.world import NotSimulated, World
+from ..world.world import NotSimulated, World, current_world
 from . import in_rospy
 from .advice import not_called, not_found
 from .judging import not_python, plain, started
@@ -57,6 +60,15 @@ _ROOM = LONGEST * 3 // 4
 _LONGEST_LINE = 1000
 _LEAST_LINE = 20  # besides its text
 _MOST = 100
+
+# The nodes that can run beside an answer, by the ROS and the name.
+_BESIDE: dict[tuple[int, str], NodeLike] = {
+    (2, "vehicle"): ros2.vehicle,
+    (2, "silent vehicle"): partial(ros2.vehicle, silent=(3.0, 5.0)),
+    (2, "joystick"): ros2.joystick,
+    (1, "vehicle"): ros1.vehicle,
+}
+_OTHERS = (NODE, "/joystick")  # what they are called
 
 # How long (s) a node stalls.
 _STALL = 0.93
@@ -112,6 +124,7 @@ class _Watched(ExploredSimulation):
         self.timers: list[SeenTimer] = []
         self.parameters: tuple[str, ...] = ()
         self.cut = False
+        self.world: World | None = None  # that of the answer, as soon as it runs
         self._ros = ros
         self._timers: dict[int, tuple[int, Any]] = {}  # the timers met so far and their numbers, by id
         self._sleeps: Counter[tuple[int, int]] = Counter()
@@ -124,7 +137,18 @@ class _Watched(ExploredSimulation):
 
     def terminate(self, at: float) -> None:
         """Send the node SIGTERM at a time (s)."""
-        self.at(nanoseconds(at), lambda: send(self.main.program, signal.SIGTERM))
+        self._at_answer(at, lambda world: send(world, signal.SIGTERM))
+
+    def press(self, at: float) -> None:
+        """Press Ctrl-C at a time (s) in the answer alone."""
+        self._at_answer(at, press_ctrl_c)
+
+    def _at_answer(self, at: float, act: Callable[[World], None]) -> None:
+        def do() -> None:
+            if self.world and not self.world.over:
+                act(self.world)
+
+        self.at(nanoseconds(at), do)
 
     def stall(self, at: float) -> None:
         """Let time pass at a time (s) while nothing runs, as on a machine that is busy with something else."""
@@ -180,21 +204,16 @@ class _Watched(ExploredSimulation):
 
     def _stop_if_endless(self) -> None:
         """Press Ctrl-C if a timer is called without a pause: what it does a thousand times says no more."""
-        world = self.main.program
-        assert isinstance(world, World)
         self._note_timers()
-        if self._has_endless() and not world.interrupted:
-            world.interrupted = True
-            send(world, signal.SIGINT)
+        if self.world and self._has_endless() and not self.world.interrupted:
+            press_ctrl_c(self.world)
 
     def _has_endless(self) -> bool:
         return any(timer.is_endless for timer in self.timers)
 
     def _note_timers(self) -> None:
-        if self._has_endless():  # it has been told to end
+        if not (world := self.world) or self._has_endless():  # it has been told to end
             return
-        world = self.main.program
-        assert isinstance(world, World)
         ticks = world.recording.ticks()
         printers = [timer for _, timer in self._timers.values()]
         self.parameters = tuple(map(plain, self._ros.parameters(world)))[:_MOST]
@@ -260,6 +279,8 @@ class Runner:
         clock = _Watched(self._ros, request.seconds, request.seed)
         if request.terminated_at is not None:
             clock.terminate(request.terminated_at)
+        if request.interrupted_at is not None:
+            clock.press(request.interrupted_at)
         if request.stalls_at is not None:
             clock.stall(request.stalls_at)
         if request.seed is not None:
@@ -267,6 +288,7 @@ class Runner:
         variables: list[tuple[str, Value]] = []
 
         def main() -> None:
+            clock.world = current_world()
             node.main()
             found = vars(sys.modules["__main__"])
             variables.extend((name, _value(found[name])) for name in request.variables if name in found)
@@ -274,7 +296,7 @@ class Runner:
         listener: Any = _Listener(clock)
         try:
             with capture(listener, listener) as console, _plain_environment():
-                result = run_node(node._replace(main=main), request.seconds, request.args, clock, TickLog())
+                result = self._beside(node._replace(main=main), request, clock)
         except (TimeStandsStill, NotSimulated, RuntimeError) as error:
             text = f"{started(request.args)} node cannot be run: `{plain(str(error))}`"
             raise _Failed(text, _hint_for(error)) from None
@@ -282,6 +304,13 @@ class Runner:
             if not self._ran:
                 self.console, self._ran = _shown(console.text()), True
         return self._seen(request, node, clock, result, variables)
+
+    def _beside(self, node: Code, request: Request, clock: _Watched) -> Result:
+        """Run the answer, with the others that the request names."""
+        if not request.beside:
+            return run_node(node, request.seconds, request.args, clock, TickLog())
+        others = [_BESIDE[self._ros_number, name] for name in request.beside]
+        return run_beside(node, request.args, others, request.seconds, clock, TickLog())
 
     def _seen(
         self, request: Request, node: Code, clock: _Watched, result: Result, variables: list[tuple[str, Value]]
@@ -291,7 +320,10 @@ class Runner:
         self.cut |= clock.cut
         errors, timers = self._fitting(map(self._error, world.errors)), self._fitting(clock.timers)
         ends = self._fitting(map(self._end, world.recording.ends))
-        sent, calls = self._fitting(map(_sent, result.messages())), self._fitting(map(_called, result.calls()))
+        messages = result.messages()
+        own = [message for message in messages if not request.beside or message.node not in _OTHERS]
+        sent, calls = self._fitting(map(_sent, own)), self._fitting(map(_called, result.calls()))
+        spots, commands = Drive.of(messages if request.beside else ())
         printed = self._fitting(clock.printed)
         return Seen(
             request.seconds,
@@ -308,6 +340,7 @@ class Runner:
             kept_at and Kept(kept_at.line, plain(kept_at.call)),
             waits_for_a_rate(node, world.ros, world.waited),
             tuple(variables),
+            Drive(self._fitting(spots), self._fitting(commands)),
         )
 
     def _end(self, end: EndMade) -> SeenEnd:

@@ -7,6 +7,8 @@ import signal
 from collections.abc import Collection
 from typing import NamedTuple
 
+from ..vehicle.drives import Drive
+
 __all__ = ["Called", "Error", "Kept", "Printed", "Seen", "SeenEnd", "SeenTimer", "Sent", "Value"]
 
 
@@ -118,7 +120,8 @@ class Seen(NamedTuple):
     messages that it published, ``calls`` the requests to its services. ``status`` is its exit status, ``errors`` are
     the exceptions whose tracebacks were printed, and ``interrupted`` says whether it ran until Ctrl-C. If it had to be
     killed, ``kept_at`` is where it was, and ``kept_by_rate`` says that it waited for a Rate of ROS 2 and nothing else.
-    ``variables`` are the names and values of those requested variables that it has.
+    ``variables`` are the names and values of those requested variables that it has. If a vehicle ran beside it,
+    ``drive`` is what that did.
     """
 
     seconds: float
@@ -135,6 +138,7 @@ class Seen(NamedTuple):
     kept_at: Kept | None
     kept_by_rate: bool
     variables: tuple[tuple[str, Value], ...]
+    drive: Drive = Drive((), ())
 
     @property
     def killed(self) -> bool:

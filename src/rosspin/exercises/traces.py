@@ -37,6 +37,8 @@ class Request(NamedTuple):
 
     SIGTERM may come before Ctrl-C, at ``terminated_at`` (s). With a ``seed`` the threads take turns at any point. From
     ``stalls_at`` (s) on, nothing of the answer runs for a while. ``variables`` are the names of variables to report.
+    ``beside`` are the other nodes, each a process of its own, which go on if Ctrl-C comes at ``interrupted_at`` (s) in
+    the answer alone.
     """
 
     seconds: float
@@ -45,6 +47,8 @@ class Request(NamedTuple):
     seed: int | None = None
     stalls_at: float | None = None
     variables: tuple[str, ...] = ()
+    beside: tuple[str, ...] = ()
+    interrupted_at: float | None = None
 
 
 class Failure(NamedTuple):

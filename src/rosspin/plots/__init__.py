@@ -19,7 +19,7 @@ from collections.abc import Collection, Mapping, Sequence
 from dataclasses import dataclass
 from typing import TYPE_CHECKING
 
-from ..measures import by_source, describe_faults, describe_lateness, describe_periods, periods, topic_ticks
+from ..measures import by_source, describe_faults, describe_lateness, describe_periods, periods
 from ..results.ticks import Mishap, Run, Tick
 from ..vehicle.drives import NODE, Drive
 from . import pictures
@@ -117,20 +117,24 @@ def drive(run: Run, *, caption: str | None = None) -> Figure:
     From above: its way, how far off its line it was, and a :func:`timeline` of the other nodes' ticks and of the
     commands, by their senders. Raises ValueError if there is no vehicle in the run.
     """
-    shown = Drive.of(run.messages)
+    groups = {name: group for name, group in by_source(run.ticks).items() if not name.startswith(f"{NODE} ")}
+    return drive_beside(Drive.of(run.messages), groups, run.seconds, _caption(caption, run))
+
+
+def drive_beside(shown: Drive, ticks: Mapping[str, Sequence[Tick]], end: float, caption: str) -> Figure:
+    """Draw a drive up to its ``end`` (s), beside these ticks, as :func:`drive` does."""
     if not shown.spots:
         raise ValueError("no vehicle says where it is in this run: rosspin.simulate([my_node, vehicle], ...)")
-    groups = {name: group for name, group in by_source(run.ticks).items() if not name.startswith(f"{NODE} ")}
+    groups = dict(ticks)
     for sender in dict.fromkeys(command.node for command in shown.commands):
-        sent = [message for message in run.messages if message.node == sender]
-        groups[f"{sender} /cmd_vel"] = topic_ticks(sent, "/cmd_vel")
+        times = [command.time for command in shown.commands if command.node == sender]
+        groups[f"{sender} /cmd_vel"] = [Tick(sender, number, time, time, 0.0) for number, time in enumerate(times, 1)]
     rows = make_rows(groups, None, {}) if groups else []
     axes = pictures.new_column([ROAD, 0.7 * _PLOT, *([height_of(rows)] if rows else [])])
-    caption = _caption(caption, run)
     draw_way(shown, caption, axes[0])
     draw_off(shown, caption, axes[1])
     if rows:
-        timeline(groups, end=run.seconds, caption=caption, ax=axes[2])
+        timeline(groups, end=end, caption=caption, ax=axes[2])
     return pictures.figure_of(axes[0])
 
 

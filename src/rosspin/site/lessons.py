@@ -17,7 +17,7 @@ from sphinx.util.docutils import SphinxDirective
 from sphinx.util.typing import ExtensionMetadata
 
 from ..exercises import EXERCISES, check
-from ..exercises.own import FAULTS, LESSONS, Answer, Lesson
+from ..exercises.own import FAULTS, FOLDER, LESSONS, Answer, Lesson
 from .claims import Stale
 from .notes import note
 
@@ -53,7 +53,8 @@ class ExerciseDirective(SphinxDirective):
         cell["classes"].append("live")
         number = next(each.number for each in EXERCISES if each.name == lesson.exercise.name)
         title = f"Exercise {number}: {lesson.exercise.title}"
-        shown: list[nodes.Node] = [nodes.rubric(title, title), cell]
+        heading = nodes.rubric(title, title, ids=[lesson.exercise.name])
+        shown: list[nodes.Node] = [heading, *self.parse_text_to_nodes(lesson.text), cell]
         for number, hint in enumerate(lesson.hints, 1):
             shown += self._folded(f"Hint {number}", self.parse_text_to_nodes(hint))
         if "solution" in self.options and lesson.right:
@@ -99,7 +100,7 @@ def stale_lessons(root: Path) -> Iterator[Stale]:
     shown = {name for _, text in _pages(root) for name in _SHOWN.findall(text)}
     for fault in FAULTS:
         yield Stale(os.path.relpath(fault.file, root), fault.line, fault.stands, fault.now)
-    for lesson in LESSONS:
+    for lesson in (each for each in LESSONS if each.file.parent == FOLDER):  # the site's own have tests
         file, text = os.path.relpath(lesson.file, root), lesson.file.read_text(encoding="utf-8")
         if lesson.exercise.name not in shown:
             yield Stale(file, 1, "no page shows it", f"write .. exercise:: {lesson.exercise.name} on one")

@@ -1,4 +1,4 @@
-"""The cell magics ``%%simulate``, ``%%measure`` and ``%%answer``, for which a cell is a node file, and ``%%facts``."""
+"""The cell magics ``%%simulate``, ``%%measure``, ``%%drive`` and ``%%answer``, for nodes, and ``%%facts``."""
 
 from __future__ import annotations
 
@@ -6,21 +6,28 @@ import argparse
 import json
 import shlex
 import sys
-from collections.abc import Callable
+from collections.abc import Callable, Sequence
 from dataclasses import replace
 from functools import partial
-from typing import Any, NoReturn
+from typing import Any, NoReturn, TextIO
 
 from IPython.core.error import UsageError
 from IPython.core.magic import Magics as BaseMagics
-from IPython.core.magic import cell_magic, magics_class
+from IPython.core.magic import cell_magic, line_magic, magics_class
 
+from .. import plots
 from ..clocks.simulation import Simulation
 from ..exercises import EXERCISES, Feedback, check
+from ..exercises.own import LESSONS
+from ..plots import drive_beside, pictures
 from ..results.ticks import Run
+from ..run.beside import run_beside
 from ..run.simulate import run_captured
-from ..run.source import load_source, split_words
+from ..run.source import Code, load_source, split_words
+from ..run.streams import capture
 from ..run.wall import measured
+from ..vehicle import VEHICLES
+from ..world.graph import TickLog
 from .claims import MIME, Facts
 
 __all__ = ["Magics"]
@@ -72,6 +79,8 @@ class Magics(BaseMagics):
         except ValueError as error:
             raise UsageError(f"%%answer NAME: {error}") from None
         print(feedback.console, end="")
+        if feedback.drive.spots:
+            self._display(drive_beside(feedback.drive, {}, feedback.drive.spots[-1].time, "simulated"))
         if not (feedback.passed and self._is_attended()):
             return feedback
         self._solved.add(feedback.number)
@@ -79,6 +88,22 @@ class Magics(BaseMagics):
         on_page = {each.number for each in EXERCISES if (each.ros, not each.part) == (answered.ros, not answered.part)}
         solved = f"You have solved {len(self._solved & on_page)} of {len(on_page)} exercises."
         return replace(feedback, progress=solved)
+
+    @line_magic("answer")  # type: ignore[arg-type]
+    def task(self, line: str) -> None:
+        """``%answer NAME``: put the exercise of this name, one that is a file, into a cell of its own below."""
+        lesson = next((each for each in LESSONS if each.exercise.name == line.strip()), None)
+        if lesson is None:
+            raise UsageError(f"%answer NAME: there is no such exercise; the names are {', '.join(_names())}")
+        shell: Any = self.shell
+        told = f"**{lesson.exercise.title}**\n\n{lesson.text}"
+        shell.display_pub.publish({"text/markdown": told, "text/plain": told})
+        shell.set_next_input(f"%%answer {lesson.exercise.name}\n{lesson.node.rstrip()}")
+
+    @cell_magic
+    def drive(self, line: str, cell: str) -> None:
+        """``%%drive SECONDS [--name NAME] [--quiet] [-- NODE ARGS]``: run the cell beside a vehicle, and draw it."""
+        self._display(plots.drive(self._run("drive", _beside_a_vehicle, line, cell)))
 
     @cell_magic
     def facts(self, line: str, cell: str) -> None:
@@ -97,10 +122,25 @@ class Magics(BaseMagics):
         kernel = getattr(self.shell, "kernel", None)
         return kernel is None or bool(kernel._allow_stdin)
 
-    def _run(self, magic: str, run: Callable[..., Run], line: str, cell: str) -> None:
+    def _display(self, figure: Any) -> None:
+        shell: Any = self.shell
+        shell.display_pub.publish({"text/html": pictures.page(figure), "text/plain": pictures.alternative(figure)})
+
+    def _run(self, magic: str, run: Callable[..., Run], line: str, cell: str) -> Run:
         own, args = split_words(shlex.split(line))
         options = _parser(magic).parse_args(own)
         shell: Any = self.shell
         node = load_source(_below_its_magic(cell), f"<cell {shell.execution_count}>")
         streams = () if options.quiet else (sys.stdout, sys.stderr)
-        shell.user_ns[options.name] = run(node, options.seconds, args, *streams)
+        found = shell.user_ns[options.name] = run(node, options.seconds, args, *streams)
+        return found
+
+
+def _beside_a_vehicle(node: Code, seconds: float, args: Sequence[str], *streams: TextIO) -> Run:
+    with capture(*streams) as console:
+        result = run_beside(node, args, [VEHICLES[node.hint or 2]], seconds, Simulation(), TickLog())
+    return result.run(console.text(), "simulated", seconds)
+
+
+def _names() -> list[str]:
+    return [each.exercise.name for each in LESSONS]

@@ -1,7 +1,8 @@
-"""A teacher's own exercises: each is a file in the folder ``lessons`` of the site, or in that of ``ROSSPIN_LESSONS``.
+"""Exercises that are one file each: those of ``notebooks/drive.md`` in this folder, and a teacher's.
 
-A file holds what the exercise is called, what it begins with, how an answer is checked, and answers that are right and
-wrong. ``docs/how-to/add-a-lesson.rst`` goes through one. The page's Python has these files in this folder.
+A teacher's are in the folder ``lessons`` of the site, or in that of ``ROSSPIN_LESSONS``. A file holds what the exercise
+is called, what it begins with, how an answer is checked, and answers that are right and wrong.
+``docs/how-to/add-a-lesson.rst`` goes through one. The page's Python has all these files in this folder.
 """
 
 from __future__ import annotations
@@ -34,13 +35,14 @@ class Fault(NamedTuple):
 
 
 class Lesson(NamedTuple):
-    """An exercise of a teacher's: the text that it begins with, its hints, and answers that are right and wrong.
+    """An exercise that is one file: its text, the node that it begins with, its hints, and answers, right and wrong.
 
     With each wrong answer comes a part of what is to be said of it. The first right one is the solution.
     """
 
     exercise: Exercise
     file: Path
+    text: str
     node: str
     hints: tuple[str, ...]
     right: tuple[Answer, ...]
@@ -67,6 +69,11 @@ _ASKED: Mapping[str, tuple[type | tuple[type, ...], str]] = {
     "WRONG": ((list, tuple), "a list of wrong answers, each with a part of what is said of it"),
 }
 
+_IN_ORDER = (
+    *("follow_the_line", "lose_the_line", "look_while_driving", "stop_when_blind", "stop_at_ctrl_c", "share_the_wheel"),
+)
+"""The files in this folder that are the site's, in the order of their page."""
+
 FAULTS: list[Fault] = []
 """What is wrong in files that cannot be used."""
 
@@ -80,7 +87,8 @@ def _folder() -> Path | None:
 
 
 def _modules() -> Iterator[tuple[str, ModuleType]]:
-    for found in sorted(pkgutil.iter_modules(__path__), key=lambda module: module.name):
+    found_all = sorted(pkgutil.iter_modules(__path__), key=lambda module: module.name)
+    for found in sorted(found_all, key=lambda module: (*_IN_ORDER, module.name).index(module.name)):
         try:
             yield found.name, importlib.import_module(f"{__name__}.{found.name}")
         except Exception as error:
@@ -117,7 +125,8 @@ def _read(name: str, module: ModuleType) -> Lesson | None:
         ros=2 if re.search(r"\brclpy\b", module.NODE) else 1,
     )
     node = module.NODE.lstrip("\n")
-    return Lesson(exercise, file, node, hints, tuple(module.RIGHT), tuple(map(tuple, module.WRONG)))
+    text = getattr(module, "TEXT", "").strip()
+    return Lesson(exercise, file, text, node, hints, tuple(module.RIGHT), tuple(map(tuple, module.WRONG)))
 
 
 FOLDER = _folder()
@@ -127,4 +136,4 @@ if FOLDER is not None:
     __path__.insert(0, str(FOLDER))
 
 LESSONS = tuple(lesson for name, module in _modules() if (lesson := _read(name, module)))
-"""The teacher's exercises, in the order of their files."""
+"""These exercises: first the site's, then the teacher's, in the order of their files."""

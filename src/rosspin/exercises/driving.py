@@ -1,0 +1,99 @@
+"""Judge what a vehicle did that an answer steers, beside which it runs."""
+
+from __future__ import annotations
+
+import math
+from collections.abc import Sequence
+from itertools import pairwise
+
+from ..vehicle.drives import Command, Spot, say_off
+from ..vehicle.physics import EDGE, FASTEST, Place, Vehicle
+from .feedback import Finding
+from .judging import plain, say
+from .seen import Seen
+
+__all__ = ["commands", "follows", "stands", "unmoved"]
+
+_LEAST = 0.9  # of the way that it can go, it has to go so much
+_STILL = 0.05  # m; farther than this, it has moved
+
+
+def commands(seen: Seen, first: float = 0.0, last: float = float("inf")) -> list[Command]:
+    """Return the commands of the answer from one time (s) to another, without the joystick's."""
+    return [each for each in seen.drive.commands if each.node != "/joystick" and first <= each.time <= last]
+
+
+def unmoved(seen: Seen) -> Finding | None:
+    """Find out why the vehicle was told nothing that moves it; None if it was."""
+    told = commands(seen)
+    if any(command.speed for command in told):
+        if _way(seen.drive.spots) > _STILL:
+            return None
+        text = f"a command came on `/cmd_vel`, at {say(told[0].time)}, but it did not reach the vehicle."
+        types = {plain(each.type) for each in seen.sent if each.topic == "/cmd_vel"}
+        hint = "What is published before the other node is found is lost: let a timer publish, again and again."
+        if not any(name.endswith("Twist") for name in types):
+            hint = f"The vehicle takes messages of the type `Twist`, and these are of another one: {', '.join(types)}."
+        return Finding(False, text, hint)
+    if told:
+        text = f"each of {len(told)} commands has a speed of 0: the vehicle never moved."
+        return Finding(False, text, "`command.linear.x = 2.0`: a new `Twist` is all zeros.")
+    text = "no command came on `/cmd_vel`: the vehicle never moved."
+    ends = seen.ends_of("/cmd_vel", True)
+    if ends:
+        return Finding(False, text, "There is a publisher. Does a timer publish with it, again and again?")
+    others = [end.topic for end in seen.ends if end.publishes and end.topic not in ("/rosout", "/parameter_events")]
+    others = [topic for topic in others if topic not in ("/line", "/pose", "/picture")]
+    where = f"It publishes on `{plain(others[0])}`. " if others else ""
+    return Finding(False, text, f"{where}The vehicle listens to `cmd_vel`.")
+
+
+def follows(
+    seen: Seen, hint: str = "", first: float = 0.0, last: float = float("inf"), speed: float = FASTEST
+) -> Finding:
+    """Whether the vehicle drives at its ``speed`` (m/s) from one time (s) to another, and keeps to its line.
+
+    ``hint`` is for whoever steers it well, but too late.
+    """
+    if wrong := unmoved(seen):
+        return wrong
+    spots = [spot for spot in seen.drive.spots if first <= spot.time <= last]
+    told = [command for command in commands(seen, first, last) if command.speed]
+    if not told:
+        return Finding(False, f"from {say(first)} on no command moved the vehicle.", hint)
+    worst = max(spots, key=lambda spot: spot.off)
+    way, could = _way(spots), speed * (spots[-1].time - max(told[0].time, first))
+    if worst.off > EDGE:
+        return Finding(False, f"the vehicle {say_off(worst.off, worst.time)}.", _why(seen, told) or hint)
+    if could <= 0 or way < _LEAST * could:
+        text = f"the vehicle keeps to its line, but drove {way:.1f} m where {could:.1f} m are asked for."
+        slow = f"Its speed was {told[0].speed:g} m/s. " if told[0].speed < speed else ""
+        return Finding(False, text, f"{slow}Leave its speed, {speed:g} m/s, as it is: slow vehicles are easy to steer.")
+    return Finding(True, f"the vehicle {say_off(worst.off, worst.time)}.")
+
+
+def stands(seen: Seen, first: float, last: float, hint: str) -> Finding:
+    """Whether the vehicle stands still from one time (s) to another."""
+    spots = [spot for spot in seen.drive.spots if first <= spot.time <= last]
+    way = _way(spots)
+    if way > _STILL:
+        return Finding(False, f"from {say(first)} to {say(last)} the vehicle drove {way:.1f} m.", hint)
+    return Finding(True, f"from {say(first)} to {say(last)} the vehicle stands still.")
+
+
+def _way(spots: Sequence[Spot]) -> float:
+    return sum(math.dist(one[1:3], other[1:3]) for one, other in pairwise(spots))
+
+
+def _why(seen: Seen, told: Sequence[Command]) -> str:
+    """Return a hint for who steers in a wrong way, as opposed to too late; empty if neither is seen."""
+    if not any(command.turn for command in told):
+        return "In each command, the turn is 0: nothing steers. `command.angular.z` is the turn, in rad/s to the left."
+    if len({command.turn for command in told}) == 1 < len(told):
+        return f"The turn is {told[0].turn:g} in each command. Is it made from the newest offset, each time?"
+    vehicle, away = Vehicle(), 0
+    for command in told[:20]:
+        spot = min(seen.drive.spots, key=lambda spot: abs(spot.time - command.time))
+        vehicle.place = Place(spot.x, spot.y, spot.heading)
+        away += 1 if vehicle.offset * command.turn < 0 else -1
+    return "It turns away from the line. Both the offset and the turn are positive to the left." if away > 0 else ""

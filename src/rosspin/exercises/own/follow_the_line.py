@@ -1,0 +1,133 @@
+"""A timer is what steers: without one, a node hears its sensor and does nothing."""
+
+from __future__ import annotations
+
+from collections.abc import Iterator
+
+from .. import Finding
+from ..driving import commands, follows
+from ..judging import Answer
+
+TITLE = "Follow the line"
+TEXT = """
+This node hears where the line is, and can steer. Let a timer steer ten times a second, so that the vehicle follows its
+line for 8 s.
+"""
+REVEALS = "A node steers by itself once it has a publisher. A command that was sent once is enough."
+
+NODE = """
+import rclpy
+from geometry_msgs.msg import Twist
+from rclpy.executors import ExternalShutdownException
+from rclpy.node import Node
+from std_msgs.msg import Float32
+
+
+class DriverPyNode(Node):
+    def __init__(self):
+        super().__init__("driver_py_node")
+        self.offset = 0.0
+        self.publisher = self.create_publisher(Twist, "cmd_vel", 10)
+        self.create_subscription(Float32, "line", self.line_callback, 10)
+        self.steer()
+
+    def line_callback(self, message):
+        self.offset = message.data
+
+    def steer(self):
+        command = Twist()
+        command.linear.x = 2.0  # m/s
+        command.angular.z = 8.0 * self.offset  # rad/s, to the left
+        self.publisher.publish(command)
+
+
+def main():
+    rclpy.init()
+    driver_py_node = DriverPyNode()
+    try:
+        rclpy.spin(driver_py_node)
+    except (KeyboardInterrupt, ExternalShutdownException):
+        pass
+    finally:
+        rclpy.try_shutdown()
+
+
+if __name__ == '__main__':
+    main()
+"""
+
+HINTS = [
+    "How often is `steer` called, and when? Is the vehicle there by then?",
+    "`self.create_timer(period, callback)`: the callback is called once each period.",
+    "Ten times a second is a period of 0.1 s. The callback can be `self.steer` itself.",
+]
+
+_AGAIN = "Its wheels stay as they were told last. Tell them again, ten times a second or so."
+
+
+def check(answer: Answer) -> Iterator[Finding]:
+    """Whether a timer steers, and the vehicle keeps to its line."""
+    seen = answer.run(8.0, beside=["vehicle"])
+    followed = follows(seen, _AGAIN)
+    yield followed
+    if followed.right and not any(
+        timer.state == "running" and len(timer.calls) >= 0.5 * len(commands(seen)) for timer in seen.timers
+    ):
+        hint = "If the sensor falls silent, so do the commands. With a timer the node acts at times of its own."
+        yield Finding(False, "no timer of the node sends the commands.", hint)
+
+
+RIGHT = [
+    {"        self.steer()\n": "        self.create_timer(0.1, self.steer)\n"},
+    {"        self.steer()\n": "        self.timer = self.create_timer(1 / 20, lambda: self.steer())\n"},
+    {
+        "        self.steer()\n": "        self.create_timer(timer_period_sec=0.2, callback=self.steer)\n",
+        "8.0 * self.offset": "9 * float(self.offset)",
+    },
+    {
+        "        self.steer()\n": "        for delay in (0.2, 0.2):\n"
+        "            self.create_timer(delay, self.steer)\n",
+    },
+    """
+import rclpy
+from geometry_msgs.msg import Twist, Vector3
+from std_msgs.msg import Float32
+
+rclpy.init()
+node = rclpy.create_node("d")
+heard = [0.0]
+pub = node.create_publisher(Twist, "/cmd_vel", 1)
+node.create_subscription(Float32, "/line", lambda m: heard.append(m.data), 1)
+node.create_timer(0.05, lambda: pub.publish(Twist(linear=Vector3(x=2.0), angular=Vector3(z=8.0 * heard[-1]))))
+rclpy.spin(node)
+""",
+]
+WRONG = [
+    ({}, "it did not reach the vehicle"),
+    ({"self.steer()\n": "self.create_timer(0.1, self.steer())\n"}, "NoneType"),
+    ({"self.steer()\n": "self.create_timer(1.0, self.steer)\n"}, "leaves its line"),
+    ({"self.steer()\n": "self.create_timer(10, self.steer)\n"}, "command came on `/cmd_vel`"),
+    (
+        {"self.steer()\n": "self.create_timer(0.1, self.steer)\n", "8.0 * self.offset": "-8.0 * self.offset"},
+        "It turns away from the line",
+    ),
+    (
+        {"self.steer()\n": "self.create_timer(0.1, self.steer)\n", "x = 2.0": "x = 0.5"},
+        "Its speed was 0.5 m/s",
+    ),
+    (
+        {
+            "        self.steer()\n": "",
+            "self.offset = message.data\n": "self.offset = message.data\n        self.steer()\n",
+        },
+        "timer of the node sends the commands",
+    ),
+    (
+        {"self.steer()\n": "self.create_timer(0.1, self.steer)\n", '"cmd_vel"': '"cmd_val"'},
+        "It publishes on `/cmd_val`",
+    ),
+    (
+        {"self.steer()\n": "self.create_timer(0.1, self.steer)\n", '"line"': '"lines"'},
+        "In each command, the turn is 0",
+    ),
+]

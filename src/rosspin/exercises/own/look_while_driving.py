@@ -1,0 +1,165 @@
+"""A long callback keeps all others of a single-threaded executor waiting, the one that steers too."""
+
+from __future__ import annotations
+
+from collections.abc import Iterator
+
+from .. import Finding
+from ..driving import follows
+from ..judging import Answer, say
+
+TITLE = "Look while driving"
+TEXT = """
+The node now looks at the pictures of the camera, too, which takes 0.3 s for each. Keep the vehicle on its line, without
+looking at fewer pictures, or for a shorter time.
+"""
+REVEALS = "Callbacks run at the same time by themselves. More threads are enough, or a group is."
+
+NODE = """
+import time
+
+import rclpy
+from geometry_msgs.msg import Twist
+from rclpy.executors import ExternalShutdownException
+from rclpy.node import Node
+from std_msgs.msg import Float32, UInt32
+
+
+class DriverPyNode(Node):
+    def __init__(self):
+        super().__init__("driver_py_node")
+        self.offset = 0.0
+        self.publisher = self.create_publisher(Twist, "cmd_vel", 10)
+        self.create_subscription(Float32, "line", self.line_callback, 10)
+        self.create_subscription(UInt32, "picture", self.picture_callback, 1)
+        self.create_timer(0.1, self.timer_callback)
+
+    def line_callback(self, message):
+        self.offset = message.data
+
+    def picture_callback(self, message):
+        time.sleep(0.3)  # looks for people
+        self.get_logger().info("[CAMERA] picture = " + str(message.data))
+
+    def timer_callback(self):
+        command = Twist()
+        command.linear.x = 2.0
+        command.angular.z = 8.0 * self.offset
+        self.publisher.publish(command)
+
+
+def main():
+    rclpy.init()
+    driver_py_node = DriverPyNode()
+    try:
+        rclpy.spin(driver_py_node)
+    except (KeyboardInterrupt, ExternalShutdownException):
+        pass
+    finally:
+        rclpy.try_shutdown()
+
+
+if __name__ == '__main__':
+    main()
+"""
+
+HINTS = [
+    "What does the timer do while `picture_callback` looks for people? Who would call its callback?",
+    "`rclpy.spin(node, MultiThreadedExecutor(2))`: two threads. Which callbacks may they call at the same time?",
+    "Callbacks of one group wait for each other, and all are in the node's own group unless you say otherwise: "
+    "`callback_group=MutuallyExclusiveCallbackGroup()`.",
+]
+
+_WAITS = (
+    "While a picture is looked at, nothing steers. With two threads, and a callback group of its own for "
+    "`picture_callback`, the others go on."
+)
+_LOOK = "Leave what `picture_callback` does as it is: 0.3 s for a picture, and then the line."
+
+
+def check(answer: Answer) -> Iterator[Finding]:
+    """Whether the vehicle keeps to its line while pictures are looked at."""
+    seen = answer.run(8.0, beside=["vehicle"])
+    yield follows(seen, _WAITS)
+    looked = [line for line in seen.values("CAMERA", "picture") if line.time <= seen.seconds]
+    numbers = [int(line.text) if line.text.isdecimal() and len(line.text) < 6 else 0 for line in looked]
+    if len(looked) < 20:
+        text = f"{len(looked)} pictures were looked at in {say(seen.seconds)}, where 20 are the least."
+        yield Finding(False, text, _LOOK)
+        return
+    # The vehicle takes a picture every 0.25 s.
+    early = [line for line, number in zip(looked, numbers, strict=True) if line.time < 0.25 * number + 0.299]
+    if early or 0 in numbers:
+        line = early[0] if early else looked[numbers.index(0)]
+        text = f"at {say(line.time)} a picture was done that had not been looked at for 0.3 s."
+        yield Finding(False, text, _LOOK)
+    else:
+        yield Finding(True, f"{len(looked)} pictures were looked at.")
+
+
+_IMPORTS = (
+    "from rclpy.callback_groups import MutuallyExclusiveCallbackGroup, ReentrantCallbackGroup\n"
+    "from rclpy.executors import ExternalShutdownException, MultiThreadedExecutor\n"
+)
+_THREADS = {
+    "from rclpy.executors import ExternalShutdownException\n": _IMPORTS,
+    "spin(driver_py_node)": "spin(driver_py_node, MultiThreadedExecutor(2))",
+}
+_GROUP = {"self.picture_callback, 1)": "self.picture_callback, 1, callback_group=MutuallyExclusiveCallbackGroup())"}
+RIGHT = [
+    _THREADS | _GROUP,
+    _THREADS
+    | {
+        "self.offset = 0.0\n": "self.offset = 0.0\n        at_once = ReentrantCallbackGroup()\n",
+        "_callback, 10)": "_callback, 10, callback_group=at_once)",
+        "_callback, 1)": "_callback, 1, callback_group=at_once)",
+        "self.timer_callback)": "self.timer_callback, at_once)",
+        "MultiThreadedExecutor(2)": "MultiThreadedExecutor()",
+    },
+    {
+        "import time\n": "import time\nfrom threading import Thread\n",
+        "    def picture_callback(self, message):\n": "    def picture_callback(self, message):\n"
+        "        Thread(target=self.look, args=(message,), daemon=True).start()\n\n"
+        "    def look(self, message):\n",
+    },
+    {
+        "import time\n": "import queue\nimport threading\nimport time\n",
+        "        self.create_timer(0.1": "        self.pictures = queue.Queue()\n"
+        "        threading.Thread(target=self.look, daemon=True).start()\n        self.create_timer(0.1",
+        "        time.sleep(0.3)  # looks for people\n": "        self.pictures.put(message)\n\n"
+        "    def look(self):\n        while True:\n            message = self.pictures.get()\n"
+        "            time.sleep(0.3)\n            self.say(message)\n\n    def say(self, message):\n",
+    },
+    _THREADS
+    | {
+        "spin(driver_py_node, MultiThreadedExecutor(2))": "get_global_executor",
+        "        rclpy.get_global_executor\n": "        executor = MultiThreadedExecutor(num_threads=3)\n"
+        "        executor.add_node(driver_py_node)\n        executor.spin()\n",
+    }
+    | {"self.picture_callback, 1)": "self.picture_callback, 1, callback_group=ReentrantCallbackGroup())"},
+]
+WRONG = [
+    ({}, "leaves its line"),
+    (_THREADS, "leaves its line"),
+    (
+        _GROUP | {"from rclpy.executors import ExternalShutdownException\n": _IMPORTS},
+        "leaves its line",
+    ),
+    ({"        time.sleep(0.3)  # looks for people\n": ""}, "had not been looked at for 0.3 s"),
+    ({"time.sleep(0.3)": "time.sleep(0.1)"}, "had not been looked at for 0.3 s"),
+    (
+        {'        self.create_subscription(UInt32, "picture", self.picture_callback, 1)\n': ""},
+        "0 pictures were looked at",
+    ),
+    ({"self.create_timer(0.1": "self.create_timer(0.01"}, "leaves its line"),
+    ({"linear.x = 2.0": "linear.x = 0.7"}, "leaves its line"),
+    (
+        _THREADS
+        | {
+            "_callback, 10)": "_callback, 10, callback_group=self.own)",
+            "_callback, 1)": "_callback, 1, callback_group=self.own)",
+            "self.offset = 0.0\n": "self.offset = 0.0\n        self.own = MutuallyExclusiveCallbackGroup()\n",
+        },
+        "leaves its line",
+    ),
+]

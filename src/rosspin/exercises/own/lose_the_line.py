@@ -1,0 +1,104 @@
+"""Between two commands the wheels stay as they are: too long, and the line is lost."""
+
+from __future__ import annotations
+
+from collections.abc import Iterator
+
+from .. import Finding
+from ..driving import commands, follows
+from ..judging import Answer, say
+from ..seen import Seen
+
+TITLE = "At which rate is it lost?"
+TEXT = """
+Your node is not alone on its computer, and each command costs a little. Find the slowest timer, in steps of 0.05 s,
+with which the vehicle keeps to its line for 8 s at 2 m/s.
+"""
+REVEALS = "Any rate will do. The faster, the better, and it costs nothing."
+
+NODE = """
+import rclpy
+from geometry_msgs.msg import Twist
+from rclpy.executors import ExternalShutdownException
+from rclpy.node import Node
+from std_msgs.msg import Float32
+
+
+class DriverPyNode(Node):
+    def __init__(self):
+        super().__init__("driver_py_node")
+        self.offset = 0.0
+        self.publisher = self.create_publisher(Twist, "cmd_vel", 10)
+        self.create_subscription(Float32, "line", self.line_callback, 10)
+        self.create_timer(0.5, self.timer_callback)
+
+    def line_callback(self, message):
+        self.offset = message.data
+
+    def timer_callback(self):
+        command = Twist()
+        command.linear.x = 2.0
+        command.angular.z = 8.0 * self.offset
+        self.publisher.publish(command)
+
+
+def main():
+    rclpy.init()
+    driver_py_node = DriverPyNode()
+    try:
+        rclpy.spin(driver_py_node)
+    except (KeyboardInterrupt, ExternalShutdownException):
+        pass
+    finally:
+        rclpy.try_shutdown()
+
+
+if __name__ == '__main__':
+    main()
+"""
+
+HINTS = [
+    "Between two commands the wheels stay as they are. How far does the vehicle drive in 0.5 s?",
+    "Halve the period until the vehicle stays on its line, then make it longer again, in steps of 0.05 s.",
+]
+
+_SECONDS = 8.0
+_LONGEST = 0.25
+
+
+def check(answer: Answer) -> Iterator[Finding]:
+    """Whether the commands are as rare as they can be while the vehicle keeps to its line."""
+    seen = answer.run(_SECONDS, beside=["vehicle"])
+    followed = follows(seen, f"Its wheels are set every {say(_between(seen))}: too rarely. Make the period shorter.")
+    yield followed
+    if followed.right:
+        count, least = len(commands(seen)), int(_SECONDS / _LONGEST)
+        text = f"{count} commands came in {say(_SECONDS)}, one every {say(_between(seen))}."
+        hint = "It still keeps to its line if they are rarer. Make the period longer, in steps of 0.05 s."
+        yield Finding(count <= least + 1, text, hint)
+
+
+def _between(seen: Seen) -> float:
+    return round(_SECONDS / max(len(commands(seen)), 1), 2)
+
+
+RIGHT = [
+    {"0.5, self": "0.25, self"},
+    {"0.5, self": "1 / 4, self"},
+    {"0.5, self": "0.3, self"},
+    {
+        "        self.create_timer(0.5, self.timer_callback)\n": "        self.ticks = 0\n"
+        "        self.create_timer(0.05, self.timer_callback)\n",
+        "    def timer_callback(self):\n": "    def timer_callback(self):\n        self.ticks += 1\n"
+        "        if self.ticks % 5:\n            return\n",
+    },
+]
+WRONG = [
+    ({}, "leaves its line by 1.4 m"),
+    ({"0.5, self": "0.35, self"}, "leaves its line"),
+    ({"0.5, self": "0.2, self"}, "40 commands came in 8 s"),
+    ({"0.5, self": "0.05, self"}, "160 commands came in 8 s, one every 0.05 s"),
+    ({"0.5, self": "4.0, self"}, "leaves its line"),
+    ({"linear.x = 2.0": "linear.x = 1.0"}, "Its speed was 1 m/s"),
+    ({"0.5, self": "0.0, self"}, "is called without a pause"),
+]

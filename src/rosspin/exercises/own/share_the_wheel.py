@@ -1,0 +1,154 @@
+"""Whoever sent last steers. A node that shares a topic has to find out who else publishes on it."""
+
+from __future__ import annotations
+
+from collections.abc import Iterator
+
+from .. import Finding
+from ..driving import commands, follows, stands
+from ..judging import Answer, plain, say
+
+TITLE = "Share the wheel"
+TEXT = """
+From 3 s to 5 s, somebody with a joystick stops the vehicle: another node, which then publishes a speed of 0 on
+`/cmd_vel`, four times a second. Your node sends more, and wins. Find out who else publishes there, print it as
+`[DRIVER] other = ` and the name of the node, and send nothing meanwhile. Then drive on.
+"""
+REVEALS = "A topic has one publisher. The first one, or the one that matters, wins."
+
+NODE = """
+import rclpy
+from geometry_msgs.msg import Twist
+from rclpy.executors import ExternalShutdownException
+from rclpy.node import Node
+from std_msgs.msg import Float32
+
+
+class DriverPyNode(Node):
+    def __init__(self):
+        super().__init__("driver_py_node")
+        self.offset = 0.0
+        self.publisher = self.create_publisher(Twist, "cmd_vel", 10)
+        self.create_subscription(Float32, "line", self.line_callback, 10)
+        self.create_timer(0.05, self.timer_callback)
+
+    def line_callback(self, message):
+        self.offset = message.data
+
+    def timer_callback(self):
+        command = Twist()
+        command.linear.x = 2.0
+        command.angular.z = 8.0 * self.offset
+        self.publisher.publish(command)
+
+
+def main():
+    rclpy.init()
+    driver_py_node = DriverPyNode()
+    try:
+        rclpy.spin(driver_py_node)
+    except (KeyboardInterrupt, ExternalShutdownException):
+        pass
+    finally:
+        rclpy.try_shutdown()
+
+
+if __name__ == '__main__':
+    main()
+"""
+
+HINTS = [
+    "Both nodes publish on `cmd_vel`. Which of two commands do the wheels keep, and which node sends more of them?",
+    "`self.count_publishers('cmd_vel')` says how many publish there, your node included.",
+    "`self.get_publishers_info_by_topic('cmd_vel')` says who: each has a `node_name`.",
+]
+
+_PRESSED, _RELEASED = 3.0, 5.0
+_YIELD = (
+    "The wheels keep what came last, whoever sent it, and your node sends more. While somebody else publishes on "
+    "`cmd_vel`, send nothing."
+)
+
+
+def check(answer: Answer) -> Iterator[Finding]:
+    """Whether the joystick stops the vehicle while it is pressed, and the node says who that was."""
+    seen = answer.run(8.0, beside=["vehicle", "joystick"])
+    before = follows(seen, "Steer as before while nobody else does.", 0.0, _PRESSED)
+    yield before
+    if not before.right:
+        return
+    yield stands(seen, _PRESSED + 0.6, _RELEASED, _YIELD)
+    ours = [command.time for command in commands(seen, _PRESSED + 0.3, _RELEASED - 0.01)]
+    if ours:
+        yield Finding(False, f"at {say(ours[-1])}, with the joystick pressed, the node still sent commands.", _YIELD)
+        return
+    if not [command for command in commands(seen, _RELEASED + 0.01, _RELEASED + 1.0) if command.speed]:
+        hint = "Look at each tick who publishes, and steer as soon as nobody else does."
+        yield Finding(False, f"the joystick was gone at {say(_RELEASED)}, but the node did not drive again.", hint)
+        return
+    yield Finding(True, "while the joystick is pressed the node sends nothing, and then drives again.")
+    named = [line for line in seen.values("DRIVER", "other") if _PRESSED <= line.time <= _RELEASED]
+    names = {line.text.strip("/'\"[] ") for line in named}
+    if names != {"joystick"}:
+        said = " and ".join(f"`{plain(name)}`" for name in sorted(names)) or "nothing"
+        hint = "Print `[DRIVER] other = ` and the `node_name` of the publisher that is not yours."
+        yield Finding(False, f"asked who else publishes on `cmd_vel`, the node printed {said}.", hint)
+
+
+_SENDS = "    def timer_callback(self):\n"
+_OTHERS = "[each.node_name for each in self.get_publishers_info_by_topic('cmd_vel')]"
+RIGHT = [
+    {
+        _SENDS: f"{_SENDS}        names = {_OTHERS}\n"
+        "        for name in names:\n            if name != self.get_name():\n"
+        "                self.get_logger().info('[DRIVER] other = ' + name)\n                return\n",
+    },
+    {
+        _SENDS: f"{_SENDS}        if self.count_publishers('cmd_vel') > 1:\n"
+        f"            other, = set({_OTHERS}) - {{'driver_py_node'}}\n            print('[DRIVER] other =', other)\n"
+        "            return\n",
+    },
+    {
+        "self.offset = 0.0\n": "self.offset = 0.0\n        self.told = ''\n",
+        _SENDS: f"{_SENDS}        others = sorted(set({_OTHERS}) - {{self.get_name()}})\n"
+        "        if others and self.told != others:\n"
+        "            self.get_logger().warn(f'[DRIVER] other = /{others[0]}')\n"
+        "        self.told = others\n        if others:\n            return\n",
+    },
+    {  # its own timer looks
+        "        self.create_timer(0.05": "        self.other = None\n        self.create_timer(0.02, self.look)\n"
+        "        self.create_timer(0.05",
+        _SENDS: f"    def look(self):\n        found = [name for name in {_OTHERS} if name == 'joystick']\n"
+        "        if found and not self.other:\n            self.get_logger().info('[DRIVER] other = ' + found[0])\n"
+        f"        self.other = found\n\n{_SENDS}        if self.other:\n            return\n",
+    },
+]
+WRONG = [
+    ({}, "the vehicle drove"),
+    ({"0.05, self": "0.01, self"}, "the vehicle drove"),
+    ({"0.05, self": "0.25, self"}, "the vehicle drove"),
+    (
+        {_SENDS: f"{_SENDS}        if self.count_publishers('cmd_vel') > 1:\n            return\n"},
+        "the node printed nothing",
+    ),
+    (
+        {_SENDS: f"{_SENDS}        print('[DRIVER] other = joystick')\n"},
+        "the vehicle drove",
+    ),
+    (
+        {
+            _SENDS: f"{_SENDS}        if self.count_publishers('cmd_vel') > 1:\n            rclpy.shutdown()\n"
+            "            return\n"
+        },
+        "did not drive again",
+    ),
+    (
+        {
+            _SENDS: f"{_SENDS}        if self.count_publishers('cmd_vel') > 1:\n"
+            "            print('[DRIVER] other =', self.get_name())\n"
+            "            return\n"
+        },
+        "printed `driver_py_node`",
+    ),
+    ({_SENDS: f"{_SENDS}        if self.count_publishers('cmd_vel') > 0:\n            return\n"}, "command came on"),
+]

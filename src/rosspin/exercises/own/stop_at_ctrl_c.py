@@ -1,0 +1,155 @@
+"""Ctrl-C ends the node, not the motor."""
+
+from __future__ import annotations
+
+from collections.abc import Iterator
+
+from .. import Finding
+from ..driving import commands, follows, stands
+from ..judging import Answer, say
+
+TITLE = "Stop at Ctrl-C"
+TEXT = """
+After 4 s Ctrl-C ends the node, and the vehicle goes on with what it was told last. Let it stand
+still 0.2 s after Ctrl-C.
+"""
+REVEALS = "A vehicle stops when its node ends. After Ctrl-C a node can publish as before."
+
+NODE = """
+import rclpy
+from geometry_msgs.msg import Twist
+from rclpy.executors import ExternalShutdownException
+from rclpy.node import Node
+from std_msgs.msg import Float32
+
+
+class DriverPyNode(Node):
+    def __init__(self):
+        super().__init__("driver_py_node")
+        self.offset = 0.0
+        self.publisher = self.create_publisher(Twist, "cmd_vel", 10)
+        self.create_subscription(Float32, "line", self.line_callback, 10)
+        self.create_timer(0.1, self.timer_callback)
+
+    def line_callback(self, message):
+        self.offset = message.data
+
+    def timer_callback(self):
+        command = Twist()
+        command.linear.x = 2.0
+        command.angular.z = 8.0 * self.offset
+        self.publisher.publish(command)
+
+
+def main():
+    rclpy.init()
+    driver_py_node = DriverPyNode()
+    try:
+        rclpy.spin(driver_py_node)
+    except (KeyboardInterrupt, ExternalShutdownException):
+        pass
+    finally:
+        rclpy.try_shutdown()
+
+
+if __name__ == '__main__':
+    main()
+"""
+
+HINTS = [
+    "What does the vehicle do with the last command that it was sent?",
+    "At Ctrl-C, rclpy shuts its context down before your `except` is reached. Can the node publish after that?",
+    "`rclpy.init(signal_handler_options=SignalHandlerOptions.NO)`, with `SignalHandlerOptions` from `rclpy.signals`: "
+    "then Ctrl-C only raises KeyboardInterrupt, and you publish a `Twist()` before the shutdown.",
+]
+
+_AT = 4.03
+_ON = "Its wheels stay as they were told last, whatever becomes of the node. Send a speed of 0 when Ctrl-C comes."
+_LATE = (
+    "After Ctrl-C the node published, but rclpy had shut down by then. Ask it to leave Ctrl-C to you: "
+    "`rclpy.init(signal_handler_options=SignalHandlerOptions.NO)`."
+)
+
+
+def check(answer: Answer) -> Iterator[Finding]:
+    """Whether the vehicle is driven until Ctrl-C, and stands from then on."""
+    seen = answer.run(8.0, beside=["vehicle"], interrupted_at=_AT)
+    driven = follows(seen, "Until Ctrl-C, steer as before.", 0.0, _AT)
+    yield driven
+    if not driven.right:
+        return
+    if not seen.interrupted:
+        yield Finding(
+            False, f"the node had ended before Ctrl-C came, at {say(_AT)}.", "It drives until somebody ends it."
+        )
+        return
+    is_late = any("context is invalid" in error.said or "publisher" in error.said.lower() for error in seen.errors)
+    stopped = stands(seen, _AT + 0.2, 8.0, _LATE if is_late else _ON)
+    after = commands(seen, _AT)
+    if after and after[-1].speed:
+        hint = "A speed of 0 has to be the last command of all: a new `Twist` is all zeros."
+        text = f"the last command, at {say(after[-1].time)}, has a speed of {after[-1].speed:g} m/s."
+        stopped = Finding(False, text, hint)
+    yield stopped
+
+
+_OPTIONS = "rclpy.init(signal_handler_options=SignalHandlerOptions.NO)"
+_NO = {
+    "from rclpy.node import Node\n": "from rclpy.node import Node\nfrom rclpy.signals import SignalHandlerOptions\n",
+    "rclpy.init()": _OPTIONS,
+}
+_STOPS = {"    finally:\n": "    finally:\n        driver_py_node.publisher.publish(Twist())\n"}
+RIGHT = [
+    _NO | _STOPS,
+    _NO
+    | {
+        "    except (KeyboardInterrupt, ExternalShutdownException):\n        pass\n": "    except KeyboardInterrupt:\n"
+        "        driver_py_node.publisher.publish(Twist())\n",
+    },
+    {  # a handler of one's own
+        "import rclpy\n": "import signal\n\nimport rclpy\n",
+        "    try:\n": "    signal.signal(signal.SIGINT, driver_py_node.stop)\n    try:\n",
+        "    def line_callback": "    def stop(self, number, frame):\n        self.publisher.publish(Twist())\n"
+        "        rclpy.try_shutdown()\n\n    def line_callback",
+    },
+    {  # before the context is shut down
+        "        self.create_timer": "        self.context.on_shutdown(self.stop)\n        self.create_timer",
+        "    def line_callback": "    def stop(self):\n        pass\n\n    def line_callback",
+    }
+    | _NO
+    | {
+        "    finally:\n": "    finally:\n        for _ in range(3):\n"
+        "            driver_py_node.publisher.publish(Twist())\n"
+    },
+    {
+        "rclpy.init()\n    driver_py_node = DriverPyNode()\n": f"{_OPTIONS}\n    driver_py_node = DriverPyNode()\n",
+        "from rclpy.node import Node\n": "from rclpy.node import Node\n"
+        "from rclpy.signals import SignalHandlerOptions\n",
+        "        rclpy.spin(driver_py_node)\n": "        while True:\n            rclpy.spin_once(driver_py_node)\n",
+        "        pass\n": "        stop = Twist()\n        stop.linear.x = 0.0\n"
+        "        driver_py_node.publisher.publish(stop)\n",
+    },
+]
+WRONG = [
+    ({}, "the vehicle drove"),
+    (_STOPS, "rclpy had shut down by then"),
+    ({"        pass\n": "        driver_py_node.publisher.publish(Twist())\n"}, "rclpy had shut down by then"),
+    (_NO, "the vehicle drove"),
+    ({"    finally:\n": "    finally:\n        driver_py_node.destroy_node()\n"}, "the vehicle drove"),
+    (
+        _NO
+        | {
+            "        rclpy.try_shutdown()\n": "        rclpy.try_shutdown()\n"
+            "        driver_py_node.publisher.publish(Twist())\n"
+        },
+        "the vehicle drove",
+    ),
+    (
+        _NO
+        | {
+            "        pass\n": "        command = Twist()\n        command.linear.x = 2.0\n"
+            "        driver_py_node.publisher.publish(command)\n"
+        },
+        "has a speed of 2 m/s",
+    ),
+]

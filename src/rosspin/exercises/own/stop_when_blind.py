@@ -1,0 +1,159 @@
+"""The wheels stay as they were told last: a node that hears nothing any more has to stop them."""
+
+from __future__ import annotations
+
+from collections.abc import Iterator
+
+from .. import Finding
+from ..driving import commands, follows, stands
+from ..judging import Answer, say
+
+TITLE = "Stop when blind"
+TEXT = """
+From 3 s to 5 s nothing comes from the sensor. Stop the vehicle when nothing has come for 0.5 s, not earlier and at most
+0.1 s later, and go on when the sensor is back.
+"""
+REVEALS = "A node notices by itself that no message comes. A callback that is not called can do something."
+
+NODE = """
+import rclpy
+from geometry_msgs.msg import Twist
+from rclpy.executors import ExternalShutdownException
+from rclpy.node import Node
+from std_msgs.msg import Float32
+
+
+class DriverPyNode(Node):
+    def __init__(self):
+        super().__init__("driver_py_node")
+        self.offset = 0.0
+        self.publisher = self.create_publisher(Twist, "cmd_vel", 10)
+        self.create_subscription(Float32, "line", self.line_callback, 10)
+        self.create_timer(0.05, self.timer_callback)
+
+    def line_callback(self, message):
+        self.offset = message.data
+
+    def timer_callback(self):
+        command = Twist()
+        command.linear.x = 2.0
+        command.angular.z = 8.0 * self.offset
+        self.publisher.publish(command)
+
+
+def main():
+    rclpy.init()
+    driver_py_node = DriverPyNode()
+    try:
+        rclpy.spin(driver_py_node)
+    except (KeyboardInterrupt, ExternalShutdownException):
+        pass
+    finally:
+        rclpy.try_shutdown()
+
+
+if __name__ == '__main__':
+    main()
+"""
+
+HINTS = [
+    "Nothing calls `line_callback` while the sensor is silent. Which callback is still called?",
+    "`self.get_clock().now()` is the time. Keep it whenever a message comes.",
+    "In `timer_callback`: `silence = self.get_clock().now() - self.heard`, and `silence > Duration(seconds=0.5)`, with "
+    "`Duration` from `rclpy.duration`. A new `Twist` is all zeros: sent, it stops the vehicle.",
+]
+
+_FROM, _TO, _PATIENCE = 3.0, 5.0, 0.5  # when the sensor is silent, and how long (s) that may be
+_STOP = (
+    "Its wheels stay as they were told last. Send a `Twist` with a speed of 0 when nothing has come for 0.5 s: the "
+    "timer can look how long ago the last message was."
+)
+_MUTE = "To send nothing is not to stop: its wheels stay as they were told last. Send a `Twist` with a speed of 0."
+
+
+def check(answer: Answer) -> Iterator[Finding]:
+    """Whether it stops half a second after the last message, not earlier, and goes on with the next one."""
+    seen = answer.run(8.0, beside=["silent vehicle"])
+    before = follows(seen, "Steer as before while messages come.", 0.0, _FROM)
+    yield before
+    if not before.right:
+        return
+    due = _FROM - 0.05 + _PATIENCE
+    stopped = [command.time for command in commands(seen, _FROM - 0.05) if not command.speed and not command.turn]
+    early = [time for time in stopped if time < due - 0.06]
+    if early:
+        hint = "20 messages a second come 0.05 s apart. Wait until nothing has come for 0.5 s."
+        yield Finding(False, f"the vehicle was stopped at {say(early[0])}, earlier than 0.5 s after a message.", hint)
+        return
+    if stopped and due + 0.11 < stopped[0] < _TO:
+        late = say(stopped[0] - _FROM + 0.05)
+        text = f"the vehicle was stopped at {say(stopped[0])}, {late} after the last message."
+        yield Finding(False, text, "It is to be stopped when nothing has come for 0.5 s.")
+        return
+    is_mute = not commands(seen, due + 0.11, _TO)
+    yield stands(seen, due + 0.11, _TO, _MUTE if is_mute else _STOP)
+    again = [command for command in commands(seen, _TO + 0.01, _TO + 1.0) if command.speed]
+    if not again:
+        hint = "When messages come again, steer again: look at each tick how long ago the last one was."
+        yield Finding(False, f"the sensor was back at {say(_TO)}, but the vehicle was not driven again.", hint)
+    else:
+        yield Finding(True, f"from {say(again[0].time)} on it drives again.")
+
+
+_NOW = "self.get_clock().now()"
+_SILENT = "    def timer_callback(self):\n        command = Twist()\n"
+_HEARD = {
+    "self.offset = 0.0\n": f"self.offset = 0.0\n        self.heard = {_NOW}\n",
+    "self.offset = message.data\n": f"self.offset = message.data\n        self.heard = {_NOW}\n",
+}
+_IMPORT = {"import rclpy\n": "import rclpy\nfrom rclpy.duration import Duration\n"}
+_LOOKS = (
+    f"{_SILENT}        if {_NOW} - self.heard > Duration(seconds=0.5):\n"
+    "            self.publisher.publish(command)\n            return\n"
+)
+RIGHT = [
+    _IMPORT | _HEARD | {_SILENT: _LOOKS},
+    {
+        "import rclpy\n": "import time\n\nimport rclpy\n",
+        "self.offset = 0.0\n": "self.offset, self.heard = 0.0, time.monotonic()\n",
+        "self.offset = message.data\n": "self.offset, self.heard = message.data, time.monotonic()\n",
+        "command.linear.x = 2.0": "command.linear.x = 2.0 * (time.monotonic() - self.heard < 0.5)",
+        "8.0 * self.offset": "8.0 * self.offset * bool(command.linear.x)",
+    },
+    {  # a timer that each message sets back
+        "        self.create_timer(0.05": "        self.watchdog = self.create_timer(0.5, self.stop)\n"
+        "        self.blind = False\n        self.create_timer(0.05",
+        "self.offset = message.data\n": "self.offset = message.data\n        self.blind = False\n"
+        "        self.watchdog.reset()\n\n    def stop(self):\n        self.blind = True\n"
+        "        self.publisher.publish(Twist())\n",
+        "    def timer_callback(self):\n": "    def timer_callback(self):\n"
+        "        if self.blind:\n            return\n",
+    },
+    {  # counting ticks
+        "self.offset = 0.0\n": "self.offset = 0.0\n        self.missed = 0\n",
+        "self.offset = message.data\n": "self.offset = message.data\n        self.missed = 0\n",
+        "        self.publisher.publish(command)\n": "        self.missed += 1\n"
+        "        self.publisher.publish(command if self.missed <= 10 else Twist())\n",
+    },
+]
+WRONG = [
+    ({}, "the vehicle drove"),
+    (
+        _IMPORT | _HEARD | {_SILENT: _LOOKS.replace("            self.publisher.publish(command)\n", "")},
+        "To send nothing",
+    ),
+    (_IMPORT | _HEARD | {_SILENT: _LOOKS.replace("0.5", "0.05")}, "earlier than 0.5 s after a message"),
+    (_IMPORT | _HEARD | {_SILENT: _LOOKS.replace("0.5", "1.5")}, "1.55 s after the last message"),
+    (
+        _IMPORT | _HEARD | {_SILENT: _LOOKS.replace("            return", "            raise SystemExit")},
+        "was not driven again",
+    ),
+    (
+        {
+            "self.offset = message.data\n": "self.offset = message.data\n        if message.data is None:\n"
+            "            self.publisher.publish(Twist())\n"
+        },
+        "the vehicle drove",
+    ),
+    ({"command.linear.x = 2.0": "command.linear.x = 2.0 if self.offset else 0.0"}, "the vehicle drove"),
+]

@@ -1,0 +1,91 @@
+"""The tasks in which an answer steers the vehicle: what is right, and what is said of what looks right."""
+
+from __future__ import annotations
+
+import re
+from pathlib import Path
+
+import pytest
+from built_pages import parsed
+from tree import ROOT
+
+from rosspin.exercises import check, judge, trace
+from rosspin.exercises.own import FAULTS, LESSONS, Answer, Lesson
+
+TASKS = [lesson for lesson in LESSONS if "own" in lesson.file.parts]
+NAMES = ["follow-the-line", "lose-the-line", "look-while-driving", "stop-when-blind", "stop-at-ctrl-c"]
+NAMES += ["share-the-wheel"]
+FOLLOW = TASKS[0]
+
+
+def cases(kind: str) -> list[object]:
+    return [
+        pytest.param(task, answer, id=f"{task.exercise.name} {number}")
+        for task in TASKS
+        for number, answer in enumerate(getattr(task, kind), 1)
+    ]
+
+
+def test_the_tasks_come_in_their_order() -> None:
+    assert [task.exercise.name for task in TASKS] == NAMES and FAULTS == []
+    assert all(task.exercise.ros == 2 for task in TASKS)
+
+
+def test_the_page_shows_them_in_that_order_and_links_lead_to_them(site: Path) -> None:
+    page = parsed(site / "notebooks/drive.html")
+    assert [tag["id"] for tag in page.select("article .rubric[id]")] == NAMES
+    assert [text.split()[1] for tag in page.select("pre") if (text := tag.get_text()).startswith("%%answer ")][
+        ::2
+    ] == NAMES
+    notebook = (ROOT / "notebooks/drive.md").read_text(encoding="utf-8")
+    assert re.findall(r"^%answer (\S+)$", notebook, re.MULTILINE) == NAMES
+
+
+@pytest.mark.parametrize("task", TASKS, ids=NAMES)
+def test_each_has_right_answers_in_odd_style_and_wrong_ones_that_look_right(task: Lesson) -> None:
+    assert len(task.right) >= 4 and len(task.wrong) >= 5 and len(task.hints) >= 2
+    assert not check(task.exercise.name, task.node).passed
+
+
+@pytest.mark.parametrize(("task", "answer"), cases("right"))
+def test_what_keeps_the_vehicle_in_hand_is_right(task: Lesson, answer: Answer) -> None:
+    feedback = check(task.exercise.name, task.written(answer))
+    assert feedback.passed, feedback
+
+
+@pytest.mark.parametrize(("task", "wrong"), cases("wrong"))
+def test_a_wrong_answer_is_told_what_is_wrong_with_it(task: Lesson, wrong: tuple[Answer, str]) -> None:
+    answer, said = wrong
+    feedback = check(task.exercise.name, task.written(answer))
+    assert not feedback.passed and said in str(feedback), feedback
+
+
+def test_the_drive_is_judged_where_nothing_of_the_answer_runs() -> None:
+    name, answer = FOLLOW.exercise.name, FOLLOW.written(FOLLOW.right[0])
+    assert judge(name, answer, trace(name, answer)) == check(name, answer)
+
+
+@pytest.mark.parametrize(
+    ("changed", "said"),
+    [
+        ({"Twist()": "Twist"}, "died"),
+        ({"x = 2.0": 'x = "2.0"'}, "Assertion"),
+        ({"2.0  # m/s": "float('nan')"}, "speed of 0: the vehicle never moved"),
+        ({"2.0  # m/s": "1e300"}, "keeps to its line"),
+        ({'super().__init__("driver_py_node")': 'super().__init__("vehicle")'}, "keeps to its line"),
+        ({"self.offset  #": "float('inf')  #"}, "leaves its line"),
+        ({"from geometry_msgs.msg import Twist": "from geometry_msgs.msg import Vector3 as Twist"}, "died"),
+    ],
+)
+def test_whatever_is_sent_is_judged(changed: dict[str, str], said: str) -> None:
+    answer = FOLLOW.written(FOLLOW.right[0])
+    for old, new in changed.items():
+        assert old in answer
+        answer = answer.replace(old, new)
+    assert said in str(check(FOLLOW.exercise.name, answer))
+
+
+def test_another_type_on_the_topic_does_not_reach_the_vehicle() -> None:
+    answer = FOLLOW.written(FOLLOW.right[0]).replace("import Twist", "import Accel as Twist")
+    said = str(check(FOLLOW.exercise.name, answer))
+    assert "did not reach the vehicle" in said and "takes messages of the type `Twist`" in said
