@@ -189,10 +189,12 @@ def _made(ros: int, waiting: Waiting) -> _StandIn:
         raise ValueError("C++ nodes need a compiler for WebAssembly: run `make html` in the source of rosspin")
     made = _stand_in(ros)
     if not all(step.file.exists() for step in made.steps):
-        with _alone(made.folder):
+        with _alone(made.folder, waiting):
             for name, text in made.own.items():
                 _write(made.folder / "include" / name, text)
-            said, status = _compile([step.request() for step in made.steps if not step.file.exists()], waiting)
+            # Perhaps somebody else has meanwhile.
+            left = [step.request() for step in made.steps if not step.file.exists()]
+            said, status = _compile(left, waiting) if left else ("", 0)
         if status:
             raise RuntimeError(f"the stand-ins do not compile:\n{said}")
     return made
@@ -242,10 +244,16 @@ def _write(file: Path, text: str) -> None:
 
 
 @contextmanager
-def _alone(folder: Path) -> Iterator[None]:
+def _alone(folder: Path, waiting: Waiting) -> Iterator[None]:
     folder.mkdir(parents=True, exist_ok=True)
     with open(folder / "lock", "w") as lock:
-        fcntl.flock(lock, fcntl.LOCK_EX)
+        while True:
+            try:
+                fcntl.flock(lock, fcntl.LOCK_EX | fcntl.LOCK_NB)
+                break
+            except BlockingIOError:
+                waiting()
+                select.select([], [], [], _LOOK)
         yield
 
 

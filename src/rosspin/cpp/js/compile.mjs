@@ -8,8 +8,10 @@ import { setFlagsFromString } from "node:v8"
 
 import { Compiler } from "./llvm.mjs"
 
-// To optimise the compiler itself takes longer than it then saves.
+// To optimise the compiler itself takes longer than it then saves. Nor is garbage to be collected each time that its
+// memory has grown, which a newer V8 can be told.
 setFlagsFromString("--liftoff-only")
+if (Number.parseInt(process.versions.node) >= 24) setFlagsFromString("--external-memory-accounted-in-global-limit")
 
 const brought = (name) => readFileSync(path.join(process.argv[2], "gen", name))
 const compiler = new Compiler(await WebAssembly.compile(brought("llvm.core.wasm")), brought("llvm-resources.tar"))
