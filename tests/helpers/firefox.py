@@ -99,9 +99,10 @@ class Tab:
             time.sleep(0.02)
 
     def _has_loaded(self, address: str) -> bool:
-        with suppress(RuntimeError):  # the last page ends, and what was asked there
-            return self.evaluate(_HAS_LOADED, address)
-        return False
+        try:
+            return bool(self.evaluate(_HAS_LOADED, address))
+        except RuntimeError:  # the last page has ended, and what was asked there
+            return False
 
     def evaluate(self, function: str, *arguments: Any) -> Any:
         """What a JavaScript function returns that is called with these arguments, or what it promises."""

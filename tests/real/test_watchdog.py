@@ -59,9 +59,14 @@ def test_a_look_holds_no_frame(watched: None, monkeypatch: pytest.MonkeyPatch) -
         while len(looks) < 4:
             pass
 
-    asked: list[None] = []
+    asked: list[str] = []
+
+    def current_frames() -> dict[int, Any]:
+        asked.append("for frames")
+        return {}
+
     monkeypatch.setattr(watchdog._FromAThread, "_look", counted)
-    monkeypatch.setattr(sys, "_current_frames", lambda: asked.append(None) or {})
+    monkeypatch.setattr(sys, "_current_frames", current_frames)
     simulate(node, 1.0)
     assert (len(looks) >= 4, asked) == (True, [])
 
