@@ -532,7 +532,7 @@ def test_every_public_name_is_there() -> None:
 
 def test_the_master_tells_of_the_nodes_of_all_processes_as_long_as_they_live() -> None:
     def short() -> None:
-        from std_srvs.srv import Empty
+        from std_srvs.srv import Empty  # type: ignore[import-not-found]
 
         rospy.init_node("short")
         rospy.Publisher("chat", rospy.Header, queue_size=1)
