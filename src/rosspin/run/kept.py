@@ -14,7 +14,7 @@ import random
 import sys
 import threading
 import time
-from collections.abc import Callable, Iterable, Iterator
+from collections.abc import Callable, Collection, Iterable, Iterator
 from contextlib import contextmanager, suppress
 from itertools import chain
 from operator import is_
@@ -93,7 +93,7 @@ class _Names:
 
     def __init__(self, owner: Any) -> None:
         self._owner = owner
-        self.values: Iterable[Any] = vars(owner).values()
+        self.values: Collection[Any] = vars(owner).values()
 
     def copy(self) -> dict[str, Any]:
         return dict(vars(self._owner))
@@ -135,7 +135,7 @@ class _Content:
 
     def __init__(self, owner: Any) -> None:
         self._owner = owner
-        self.values: Iterable[Any] = owner.values() if isinstance(owner, dict) else owner
+        self.values: Collection[Any] = owner.values() if isinstance(owner, dict) else owner
 
     def copy(self) -> Any:
         return self._owner.copy()
@@ -175,9 +175,8 @@ class _AllNames:
                 return _nothing
             redo = []
             for owner, each in zip(self._owners.values(), noted, strict=False):  # new owners come last
-                if not _are_same(
-                    [owner.values, _END], [*(each.values() if isinstance(each, dict) else each), _MISSING]
-                ):
+                now, then = owner.values, each.values() if isinstance(each, dict) else each
+                if len(now) != len(then) or not all(map(is_, now, then)):
                     redo.append(owner.put(each))
             return lambda: _call(redo)
 
