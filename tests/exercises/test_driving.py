@@ -68,13 +68,13 @@ def test_the_drive_is_judged_where_nothing_of_the_answer_runs() -> None:
 @pytest.mark.parametrize(
     ("changed", "said"),
     [
-        ({"Twist()": "Twist"}, "died"),
+        ({"Twist()": "Twist"}, "stopped"),
         ({"x = 2.0": 'x = "2.0"'}, "Assertion"),
         ({"2.0  # m/s": "float('nan')"}, "speed of 0: the vehicle never moved"),
         ({"2.0  # m/s": "1e300"}, "keeps to its line"),
         ({'super().__init__("driver_py_node")': 'super().__init__("vehicle")'}, "keeps to its line"),
         ({"self.offset  #": "float('inf')  #"}, "leaves its line"),
-        ({"from geometry_msgs.msg import Twist": "from geometry_msgs.msg import Vector3 as Twist"}, "died"),
+        ({"from geometry_msgs.msg import Twist": "from geometry_msgs.msg import Vector3 as Twist"}, "stopped"),
     ],
 )
 def test_whatever_is_sent_is_judged(changed: dict[str, str], said: str) -> None:

@@ -413,7 +413,7 @@ def test_an_error_has_a_hint_of_its_own(wrong: str, hint: str) -> None:
 @pytest.mark.parametrize("name", ["ten-hertz", "make-it-10-hz"])
 def test_no_error_is_too_strange(name: str, error: str) -> None:
     odd = "class Odd:\n    def __dir__(self): raise RuntimeError\n    def __getattr__(self, name): raise RuntimeError\n"
-    assert "died in line" in repr(check(name, f"{odd}raise {error}"))
+    assert "stopped in line" in repr(check(name, f"{odd}raise {error}"))
 
 
 @pytest.mark.parametrize(
@@ -421,18 +421,18 @@ def test_no_error_is_too_strange(name: str, error: str) -> None:
     [
         ("x = (1,", "Line 1 is not Python: '(' was never closed"),
         ("(" * 5000, "is not Python"),
-        ("# later", "Open: There is no answer yet"),
+        ("# later", "Open: No answer yet"),
         ("import rospy\n\n\0", "Line 3 is not Python: source code cannot contain null bytes."),
         ("import rospy\nx = ...", "Open: There is still a gap, `...`, in line 2"),
         ("def f():\n    x = 1\n    ...", "Open: There is still a gap, `...`, in line 3"),
         ("class A:\n    x = ...\n    def f(self): ...", "Open: There is still a gap, `...`, in line 2"),
-        ("import rospy\nrospy.init_node('n')\n1 / 0", "died in line 3: `ZeroDivisionError: division by zero`."),
+        ("import rospy\nrospy.init_node('n')\n1 / 0", "stopped in line 3: `ZeroDivisionError: division by zero`."),
         (ENDLESS, "simulated time stands still at 0.0 s"),
         ("import rospy\nrospy.init_node('n')\nimport cv_bridge", "cv_bridge is not simulated"),
         ("import rospy\nrospy.init_node('n')\nwhile True:\n    rospy.sleep(1)", "did not end at Ctrl-C"),
         ("import sys\nsys.exit(3)", "ended with status 3 instead of 0"),
         ("import no_such_module", "No module named 'no_such_module'"),
-        ("raise KeyboardInterrupt", "died in line 1: `KeyboardInterrupt`"),
+        ("raise KeyboardInterrupt", "stopped in line 1: `KeyboardInterrupt`"),
     ],
 )
 def test_node_that_cannot_be_checked(answer: str, said: str, request: pytest.FixtureRequest) -> None:
@@ -595,7 +595,7 @@ def test_the_magic_counts_the_exercises_of_each_page_by_themselves(shell: Intera
 
 
 def test_the_magic_counts_as_a_line(shell: InteractiveShell) -> None:
-    assert "died in line 2:" in repr(shell.run_cell_magic("answer", "ten-hertz", "1 / 0"))
+    assert "stopped in line 2:" in repr(shell.run_cell_magic("answer", "ten-hertz", "1 / 0"))
 
 
 def test_the_magic_cuts_an_endless_console_short(shell: InteractiveShell, capsys: pytest.CaptureFixture[str]) -> None:

@@ -70,8 +70,8 @@ def test_each_verdict(tmp_path: Path) -> None:
         False,
         f"Exercise {number_of('ten-hertz')}: not yet.",
     )
-    assert "The node died in line 2: ZeroDivisionError" in wrong["said"]
-    assert wrong["why"].startswith("The node died in line 2: ZeroDivisionError")
+    assert "The node stopped in line 2: ZeroDivisionError" in wrong["said"]
+    assert wrong["why"].startswith("The node stopped in line 2: ZeroDivisionError")
     assert wrong["hint"] in wrong["said"]
     assert "Traceback" in wrong["console"]
     none = verdict("nothing", "", tmp_path)

@@ -70,7 +70,7 @@ def test_a_file_may_have_no_date(date: Any) -> None:
     assert read("a.json", saved(date=date)).date is None
 
 
-NOT_JSON = "it is not a file that Hand in saved (it is not JSON)"
+NOT_JSON = "it is not a file that Save answers made (it is not JSON)"
 NOT_THESE = "it is not a file of answers to these exercises"
 LACKING = "its name or its answers are missing"
 NO_ANSWER = "one of its answers is not a text with the name of an exercise"

@@ -579,7 +579,7 @@ WRONG: dict[str, list[tuple[Answer, str, str]]] = {
         ({TIMER: "timer = '0.4, 0.8, 1.2'"}, "not a value of type `str`", "Write it as `[1.0, 2.0, 3.0]`"),
         ({LOOP: "\nloop = ..."}, "The loop: there is no prediction yet", "Give `loop` a list of times"),
         (times(TIMER, 0.4, 0.9, 1.2), "the second of these times is not 0.9 s", "Does a timer call back before"),
-        ({TIMER: "timer = [period]"}, "died in line 2: `NameError: name 'period'", "Python names what it did"),
+        ({TIMER: "timer = [period]"}, "stopped in line 2: `NameError: name 'period'", "Python names what it did"),
         ({TIMER: "timer = range(10**9)"}, "3 times are asked for, not 100", "Does a timer call"),
         ({TIMER: "class A(list):\n    pass\ntimer = A([0.4, 0.8, 1.2])"}, "a value of type `A`", "Write it as"),
         ({TIMER: "timer = [True, 0.8, 1.2]"}, "not one that holds something else", "Write it as"),
@@ -618,7 +618,7 @@ WRONG: dict[str, list[tuple[Answer, str, str]]] = {
         ({"= 0.1": "= 10"}, "no counter was printed", NOT_A_FREQUENCY),
         ({"= 0.1": "= 0.01"}, "counter 1 came at 0.01 s, not at 0.1 s", NOT_A_FREQUENCY),
         ({"= 0.1": "= 1"}, "counter 1 came at 1 s, not at 0.1 s", NOT_A_FREQUENCY),
-        ({"= 0.1": "= 1 // 10"}, "timer died of `ZeroDivisionError: division by zero`", "a period of 0 s"),
+        ({"= 0.1": "= 1 // 10"}, "timer stopped with `ZeroDivisionError: division by zero`", "a period of 0 s"),
         ({"rospy.Duration(timer_delta_t_in_seconds)": "0.1"}, "has no attribute 'to_sec'", "is a Duration"),
         ({"+= 1": "+= 10"}, "where counter 1 was due, counter 10 came", "The counter goes up by 10 each time:"),
         ({"= 0.1": "= -0.1"}, "simulated time stands still", "goes on without ever sleeping"),
@@ -633,7 +633,7 @@ WRONG: dict[str, list[tuple[Answer, str, str]]] = {
     "fire-once": [
         ({", oneshot=True": ""}, "counter 2 came at 3 s; it should not have come", "has a parameter `oneshot`"),
         ({"= 1.5": "= 0.5"}, "counter 1 came at 0.5 s, not at 1.5 s", "the time until the only call"),
-        ({"oneshot=True": "oneshot"}, "died in line 10: `NameError: name 'oneshot'", "Python names what"),
+        ({"oneshot=True": "oneshot"}, "stopped in line 10: `NameError: name 'oneshot'", "Python names what"),
         (
             {
                 ", oneshot=True": "",
@@ -687,7 +687,7 @@ WRONG: dict[str, list[tuple[Answer, str, str]]] = {
         ),
         (
             counts(COUNT + "if count == 5: raise RuntimeError('stop')"),
-            "timer died in line 8: `RuntimeError: stop`",
+            "timer stopped in line 8: `RuntimeError: stop`",
             "shutdown()",
         ),
         ({"self.timer = rospy": "rospy"}, "has no attribute 'timer'", "with its `self.`"),
@@ -767,7 +767,7 @@ rospy.spin()
         ({'"~frequency"': '"frequency"'}, "With `_frequency:=10`: counter 1 came at 0.5 s, not at 0.1 s", PRIVATE),
         ({", 2.0)": ")"}, "KeyError", "the default is in Hz"),
         ({"1.0 / frequency_in_hz": "frequency_in_hz"}, "Without the parameter: counter 1 came at 2 s", "a period that"),
-        ({"1.0 / frequency_in_hz": "1 // frequency_in_hz"}, "died of `ZeroDivisionError", "a period of 0 s"),
+        ({"1.0 / frequency_in_hz": "1 // frequency_in_hz"}, "stopped with `ZeroDivisionError", "a period of 0 s"),
         ({", 2.0)": ", 0.5)"}, "Without the parameter: counter 1 came at 2 s", "the default is in Hz"),
         ({'rospy.get_param("~frequency", 2.0)': "2.0"}, "With `_frequency:=10`: counter 1 came at 0.5 s", PRIVATE),
         (
@@ -777,7 +777,7 @@ rospy.spin()
         ),
         (
             {"1.0 / frequency_in_hz": "1.0 / int(frequency_in_hz)"},
-            "With `_frequency:=0.5`, the node died",
+            "With `_frequency:=0.5`, the node stopped",
             "This line divides by 0.",
         ),
         ({'"~frequency"': "~frequency"}, "NameError: name 'frequency' is not defined", "Python names"),
@@ -834,11 +834,11 @@ rospy.spin()
             "count deadlines on from the old one",
         ),
         ({WHILE_LATE: "", SLEEP: "        rospy.sleep(period)"}, "counter 4 came at 2.2 s", "has left its grid"),
-        ({WHILE_LATE: ""}, "died in line 18: `ValueError: sleep length must be non-negative`", "move the deadline on"),
+        ({WHILE_LATE: ""}, "stopped in line 18: `ValueError: sleep length must be", "move the deadline on"),
         (overrun("rate.sleep()", "rate = rospy.Rate(2)"), "counter 4 came at 1.7 s", "two commands in quick"),
         (
             {WHILE_LATE: "        if deadline < time.monotonic():\n            deadline += period\n"},
-            "Started with `_work:=1.7`, the node died in line 20: `ValueError",
+            "Started with `_work:=1.7`, the node stopped in line 20: `ValueError",
             "move the deadline on",
         ),
         (
@@ -971,7 +971,7 @@ rospy.spin()
         ),
         (
             {**HOOKED, HOOK: "    rospy.on_shutdown(motor.drive)\n"},
-            "shutdown hook died of `TypeError",
+            "shutdown hook stopped with `TypeError",
             "is called without arguments",
         ),
         (
@@ -1012,7 +1012,7 @@ rospy.spin()
             "printed `missing = 1`, but 0 were",
             "How many whole periods",
         ),
-        ({"event.current_expected": "event.last_real"}, "died in line 11: `TypeError", "how late this call is"),
+        ({"event.current_expected": "event.last_real"}, "stopped in line 11: `TypeError", "how late this call is"),
         (
             {'"[SPINNER PY NODE] missing = "': '"missing: "'},
             "no line with `missing = ` was printed",
@@ -1113,7 +1113,7 @@ rospy.spin()
         ),
         (
             {"publish(self.counter)": "publish(str(self.counter))"},
-            "timer died in line 21:",
+            "timer stopped in line 21:",
             "A field of a message takes values of its own type only.",
         ),
         (

@@ -1049,7 +1049,7 @@ WRONG: dict[str, list[tuple[Answer, str, str]]] = {
         ),
         (
             {REFUSES: REFUSES.replace("not period > 0", "period == 0")},
-            "With `period:=-1.0`: the node died in line 16:",
+            "With `period:=-1.0`: the node stopped in line 16:",
             "error line",
         ),
         (
@@ -1069,7 +1069,7 @@ WRONG: dict[str, list[tuple[Answer, str, str]]] = {
         ),
         (
             {REFUSES: REFUSES.replace("sys.exit(1)", "return")},
-            "the node neither ticked nor ended",
+            "the node kept running without ticking",
             "end with `sys.exit(1)`",
         ),
         (
@@ -1198,23 +1198,23 @@ WRONG: dict[str, list[tuple[Answer, str, str]]] = {
         ),
         (
             {THREAD: SPINNING_THREAD, SPIN: "        spinner_py_node.loop()\n"},
-            "Ctrl-C: the thread died of `rclpy.executors.ExternalShutdownException`",
+            "Ctrl-C: the thread stopped with `rclpy.executors.ExternalShutdownException`",
             "Let the main part spin",
         ),
         (IN_MAIN, "SIGTERM at 3.3 s: the node did not end", "Let the main part spin"),
         (
             {SPIN_CAUGHT: "    rclpy.spin(spinner_py_node)\n"},
-            "Ctrl-C: the node died in line 28: `KeyboardInterrupt`",
+            "Ctrl-C: the node stopped in line 28: `KeyboardInterrupt`",
             "Catch both around `spin`",
         ),
         (
             {"(KeyboardInterrupt, ExternalShutdownException)": "KeyboardInterrupt"},
-            "SIGTERM: the node died in line 29:",
+            "SIGTERM: the node stopped in line 29:",
             "Catch both around `spin`",
         ),
         (
             {"(KeyboardInterrupt, ExternalShutdownException)": "ExternalShutdownException"},
-            "Ctrl-C: the node died in line 29: `KeyboardInterrupt`",
+            "Ctrl-C: the node stopped in line 29: `KeyboardInterrupt`",
             "Catch both",
         ),
         ({SPIN_CAUGHT: f"{SPIN_CAUGHT}    rclpy.shutdown()\n"}, "RCLError", "`rclpy.try_shutdown()` does not"),
@@ -1271,12 +1271,12 @@ WRONG: dict[str, list[tuple[Answer, str, str]]] = {
     "end-without-a-traceback": [
         (
             {"(KeyboardInterrupt, ExternalShutdownException)": "KeyboardInterrupt"},
-            "SIGTERM: the node died in line 38:",
+            "SIGTERM: the node stopped in line 38:",
             "Catch both",
         ),
         (
             {"(KeyboardInterrupt, ExternalShutdownException)": "ExternalShutdownException"},
-            "Ctrl-C while the node waits: the node died in line 38: `KeyboardInterrupt`",
+            "Ctrl-C while the node waits: the node stopped in line 38: `KeyboardInterrupt`",
             "Catch both",
         ),
         (
@@ -1339,7 +1339,7 @@ WRONG: dict[str, list[tuple[Answer, str, str]]] = {
         # The answer is used immediately.
         (
             {DONE: DONE_AT_ONCE},
-            "the node died in line 24: `AttributeError: 'NoneType' object has no attribute 'message'`",
+            "the node stopped in line 24: `AttributeError: 'NoneType' object has no attribute 'message'`",
             "The result of a future is None until the answer has come",
         ),
         ({DONE: POLLS, "import rclpy\n": "import time\nimport rclpy\n"}, "was not answered", "say who waits"),
@@ -1361,7 +1361,7 @@ WRONG: dict[str, list[tuple[Answer, str, str]]] = {
             "`AttributeError: 'NoneType' object",
             "until the answer has come",
         ),
-        ({"(self.done_callback)": "(self.done_callback(future))"}, "died in line 27", "until the answer has come"),
+        ({"(self.done_callback)": "(self.done_callback(future))"}, "stopped in line 27", "until the answer has come"),
         (
             {
                 "        future = self.client.call_async(Trigger.Request())\n": "",
@@ -1495,7 +1495,7 @@ WRONG: dict[str, list[tuple[Answer, str, str]]] = {
             "before each number",
         ),
         ({SLEEPS_HALF: "            time.sleep(1.0)\n"}, "cancelled (5) at 4 s, not at 3.5 s", "0.5 s for each"),
-        ({", MultiThreadedExecutor())": ")"}, "the node died", ""),
+        ({", MultiThreadedExecutor())": ")"}, "the node stopped", ""),
         ({SUCCEEDS: ""}, "Not cancelled: the goal was aborted (6) at 5 s", "`goal.succeed()`"),
         (
             {"if goal.is_cancel_requested": "if len(numbers) > 6"},

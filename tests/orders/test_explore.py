@@ -71,7 +71,7 @@ def test_the_answer_shows_both_orders_in_lines_of_the_node(racing: str) -> None:
 def test_a_deadlock_is_named_as_the_ring_of_waits(tmp_path: Path) -> None:
     plant = PLANTS["ros1-lock-order"]
     found = rosspin.explore(plant.write(tmp_path, mended=False)[0], plant.seconds, deep=True)
-    assert found.failure.startswith("this waits for ever:\n  the thread Thread-")
+    assert found.failure.startswith("deadlock. This can never continue:\n  the thread Thread-")
     assert "waits for a lock that the thread Thread-" in found.failure
     assert found.failure.endswith("Take the locks in the same order everywhere.")
 

@@ -52,7 +52,7 @@ rclpy.spin(node)
             "node.py:31: client.call(Trigger.Request())",
             "the request has come, but the callback group of the service lets one callback run at a time:",
             "  the timer's callback ask",
-            "Ask with call_async, or send_goal_async, and go on in a done callback. Or spin with a Multi",
+            "Ask with call_async, or send_goal_async, and continue in a done callback. Or spin with a Multi",
         ],
     ),
     "groups of their own, and one thread": (
@@ -115,9 +115,9 @@ spin_with(4)
 """,
         [
             "the timer's callback ask waits for the answer of /first",
-            "the callback of the service /first (first) has to give that",
+            "that has to come from the callback of the service /first (first)",
             "the callback of the service /first (first) waits for the answer of /second",
-            "the callback of the service /second (second) has to give that",
+            "that has to come from the callback of the service /second (second)",
             "the callback of the service /second (second) waits for the answer of /first",
             "the request has come, but the callback group of the service lets one callback run at a time:",
             "  the callback of the service /first (first)",
@@ -198,7 +198,7 @@ spin_with(4)
 """,
         [
             "the timer's callback ask waits for the answer of /work",
-            "the callback of the service /work (locked) has to give that",
+            "that has to come from the callback of the service /work (locked)",
             "the callback of the service /work (locked) waits for a lock that the timer's callback ask holds",
             "node.py:31: with lock: return response",
             "Hold no lock while you wait for what needs it.",
@@ -241,7 +241,7 @@ rclpy.spin(node)
             "the callback group of the service lets one callback run at a time:",
             "the timer's callback tick waits for the end of the thread asker",
             "node.py:36: thread.join()",
-            "Ask with call_async, or send_goal_async, and go on in a done callback. Or spin with a Multi",
+            "Ask with call_async, or send_goal_async, and continue in a done callback. Or spin with a Multi",
         ],
     ),
     "a goal sent on one thread": (
@@ -283,7 +283,7 @@ def test_what_waits_for_ever_is_explained(write: Any, kind: str) -> None:
     source, wanted = FOR_EVER[kind]
     console = simulate(write(BEGIN + source), 2).console
     said = [line.removeprefix("rosspin: ") for line in console.splitlines() if line.startswith("rosspin: ")]
-    assert said[0] == "this waits for ever:"
+    assert said[0] == "deadlock. This can never continue:"
     at = 0
     for words in wanted:
         at = next((number for number, line in enumerate(said) if number >= at and words in line), None) or pytest.fail(

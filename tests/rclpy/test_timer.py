@@ -389,7 +389,7 @@ def test_the_second_sleep_in_a_callback_hangs_under_one_thread() -> None:
         spun(prepare, 2.9, make, console=console)
         return len(passes)
 
-    assert callbacks(rclpy.executors.SingleThreadedExecutor, "rosspin: this waits for ever:") == 1
+    assert callbacks(rclpy.executors.SingleThreadedExecutor, "rosspin: deadlock. This can never continue:") == 1
     assert callbacks(rclpy.executors.MultiThreadedExecutor) > 2
 
 

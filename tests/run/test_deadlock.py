@@ -25,7 +25,7 @@ rospy.Timer(rospy.Duration(0.5), two)
 rospy.spin()
 """
 RING = """\
-rosspin: this waits for ever:
+rosspin: deadlock. This can never continue:
 rosspin:   the thread Thread-1 waits for a lock that the thread Thread-2 holds
 rosspin:     at FILE:8: with b: pass
 rosspin:   the thread Thread-2 waits for a lock that the thread Thread-1 holds
@@ -43,7 +43,7 @@ rospy.Timer(rospy.Duration(0.5), tick)
 rospy.spin()
 """
 HELD_TWICE = """\
-rosspin: this waits for ever:
+rosspin: deadlock. This can never continue:
 rosspin:   the thread Thread-1 waits for a lock that it holds
 rosspin:     at FILE:7: with lock: pass
 rosspin: A threading.Lock cannot be taken twice by one thread: release it first, or use an RLock.
@@ -61,7 +61,7 @@ with lock:
     thread.join()
 """
 JOINED = """\
-rosspin: this waits for ever:
+rosspin: deadlock. This can never continue:
 rosspin:   the thread MainThread waits for the end of the thread worker
 rosspin:     at FILE:11: thread.join()
 rosspin:   the thread worker waits for a lock that the thread MainThread holds
@@ -79,7 +79,7 @@ for thread in threads: thread.start()
 time.sleep(9)
 """
 JOINED_BOTH = """\
-rosspin: this waits for ever:
+rosspin: deadlock. This can never continue:
 rosspin:   the thread Thread-1 (one) waits for the end of the thread Thread-2 (two)
 rosspin:     at FILE:4: threads[1].join()
 rosspin:   the thread Thread-2 (two) waits for the end of the thread Thread-1 (one)
@@ -102,7 +102,7 @@ rospy.Timer(rospy.Duration(0.5), tick)
 rospy.spin()
 """
 CALLED = """\
-rosspin: this waits for ever:
+rosspin: deadlock. This can never continue:
 rosspin:   the thread Thread-1 waits for the answer of /work, which the thread Thread-2 (handle) has to give
 rosspin:     at FILE:12: rospy.ServiceProxy("work", Trigger)()
 rosspin:   the thread Thread-2 (handle) waits for a lock that the thread Thread-1 holds

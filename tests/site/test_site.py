@@ -301,7 +301,7 @@ def test_simulated_run_works(
     (tmp_path / "examples").symlink_to(ROOT / "examples")
     monkeypatch.chdir(tmp_path)
     assert main(["run", *shlex.split(command.partition(" run ")[2])]) == 0
-    said = "rosspin: this waits for ever:" if "/hangs/" in command else "counter = 1"
+    said = "rosspin: deadlock. This can never continue:" if "/hangs/" in command else "counter = 1"
     if "--schedule " in command:  # in this order a part is lost
         said = "parts = 19"
     assert said in "".join(capsys.readouterr())

@@ -143,9 +143,9 @@ export class Cell {
     this.stop = button("Stop", () => this.#stop())
     this.edit = button("Edit", () => this.#edit())
     this.reset = button("Reset", () => this.#reset())
-    this.share = button("Share", () => this.#share())
+    this.share = button("Copy link", () => this.#share())
     this.pin = button("Copy as test", () => this.#pin())
-    this.earlier = button("Earlier version", () => this.#bringBack())
+    this.earlier = button("Restore earlier version", () => this.#bringBack())
     this.copy = button("Copy text", () => this.#copy(this.#text, "copied"))
     this.seconds = make("input", { type: "number", min: "0", max: "3600", step: "any", value: SECONDS })
     this.args = make("input", { spellcheck: false, autocomplete: "off", autocapitalize: "off" })
@@ -157,6 +157,7 @@ export class Cell {
       this.speed.append(make("option", { textContent, value }))
     }
     this.status = make("span", { role: "status" })
+    this.pin.title = "Copy a test for pytest that expects what this run has shown"
     this.pin.hidden = true
     const file = this.exercise ? "" : this.#name
     this.console = new Console(`Console of ${this.#name}`, file, (line) => this.#edit(line))

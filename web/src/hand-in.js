@@ -81,7 +81,7 @@ function doubts(found, text) {
   const changed = store.solvedBefore()
   const long = Object.keys(found).filter((exercise) => isTooLong(found[exercise]))
   return [
-    changed.length && `You have solved ${list(changed)} with another text, which Earlier version brings back.`,
+    changed.length && `You have solved ${list(changed)} with another text, which Restore earlier version brings back.`,
     long.length && `Too long to be judged, with more than ${MOST.answer} characters: ${list(long)}.`,
     new Blob([text]).size > MOST.file && `The file is too large to be read: more than ${MOST.file / 1e6} MB.`,
   ].filter(Boolean)
@@ -105,7 +105,7 @@ const idField = make("input", { value: number, maxLength: 2 * MOST.name, autocom
 const status = make("span", { role: "status" })
 const form = make("form", { className: "hand-in", noValidate: true })
 form.append(make("label", {}, "Your name ", field), make("label", {}, "Student ID, if your teacher wants it ", idField))
-form.append(make("button", { textContent: "Hand in" }), status)
+form.append(make("button", { textContent: "Save answers" }), status)
 form.addEventListener("submit", handIn)
 const cannot = make("p", { textContent: `This browser cannot check answers, nor hand them in: ${LACKS_JSPI}` })
 if (location.protocol !== "file:") find("article h1").after(HAS_JSPI ? form : cannot)

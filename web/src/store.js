@@ -82,7 +82,7 @@ export class Answer {
   /** @type {string | null} */
   #draft = null // the version that typing goes on in
   /** @type {(string | null)[] | null} */
-  #round = null // the texts that Earlier version goes through, the one that is shown first
+  #round = null // the texts that Restore earlier version goes through, the one that is shown first
 
   /** Why the browser does not keep it, in words; "" if it does. */
   unkept = ""

@@ -39,7 +39,7 @@ function open(root = "/") {
   return new Store(root, { storage: found, now: () => ++clock, page: `page${++pages}` })
 }
 
-/** Each text that Earlier version shows, up to the one that it began with, with which it ends. */
+/** Each text that Restore earlier version shows, up to the one that it began with, with which it ends. */
 function round(answer) {
   const [texts, { text }] = [[], answer]
   do {

@@ -405,7 +405,7 @@ def refuses(seen: Seen, when: str, name: str) -> Finding:
     if seen.errors:
         return Finding(False, f"{when}: the {say_error(seen.errors[-1])}", look)
     if seen.interrupted:
-        return Finding(False, f"{when}: the node neither ticked nor ended.", look)
+        return Finding(False, f"{when}: the node kept running without ticking.", look)
     if not seen.status:
         ends = "Whatever started the node learns from its status whether all is well: end it with `sys.exit(1)`."
         return Finding(False, f"{when}: the node ended with status 0, as if all were well.", ends)

@@ -33,7 +33,7 @@ _DAEMON = (
     "daemon thread: `Thread(target=..., daemon=True)`."
 )
 _ZERO = "In Python `1 // 10` is 0, and `1 / 10` is 0.1. A decimal number has a point: `0,1` is two numbers, 0 and 1."
-_NO_ANSWER = "There is no answer yet."
+_NO_ANSWER = "No answer yet."
 _ENDS_EARLY = "The node ended by itself, before its time was over. Does its main part come to `{}`?"
 
 
@@ -233,9 +233,9 @@ def started(args: Sequence[str]) -> str:
 
 def say_error(error: Error) -> str:
     """Say what an exception has ended, and where, as the rest of a sentence."""
-    where = f"in line {error.line}:" if error.line else "of"
+    where = f"in line {error.line}:" if error.line else "with"
     said = plain(error.said)  # may end in a question
-    return f"{error.whose} died {where} `{said}`{'' if said.endswith('?') else '.'}"
+    return f"{error.whose} stopped {where} `{said}`{'' if said.endswith('?') else '.'}"
 
 
 def say_kept(seen: Seen, ros: int) -> str:

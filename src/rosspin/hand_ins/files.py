@@ -42,7 +42,7 @@ _FIRST_LINE = re.compile(r"%%answer[ \t]+(\S+)[^\n]*(\n|$)")
 _FENCE = re.compile(r"^```(?:(\{code-cell\}).*|[ \t]*)$", re.MULTILINE)
 _OPTIONS = re.compile(r"(---\n.*?^---\n|(?::[^\n]*\n)*)\n*", re.MULTILINE | re.DOTALL)
 
-_NOT_JSON = "it is not a file that Hand in saved (it is not JSON)"
+_NOT_JSON = "it is not a file that Save answers made (it is not JSON)"
 _NO_CELL = "it has no cell that begins with %%answer and the name of an exercise"
 
 

@@ -29,7 +29,7 @@ if TYPE_CHECKING:
 
 __all__ = ["explain"]
 
-_DONE = "ask with call_async, or send_goal_async, and go on in a done callback"
+_DONE = "ask with call_async, or send_goal_async, and continue in a done callback"
 _OWN = "put the callback that waits into a callback group of its own"
 _THREAD = f"{_DONE.capitalize()}. Or spin with a MultiThreadedExecutor, and {_OWN}."
 _GROUP = f"{_OWN.capitalize()}, or {_DONE}."
@@ -82,7 +82,7 @@ def explain(graph: Graph, tell: Callable[..., None] | None = None) -> str:
         steps = run.way(waiter)
         if steps:
             told.update(id(step.next.goal) for step in steps if step.next)
-            lines += ["this waits for ever:", *(f"  {line}" for step in steps for line in step.lines)]
+            lines += ["deadlock. This can never continue:", *(f"  {line}" for step in steps for line in step.lines)]
             advice = [step.advice for step in steps if step.advice]
             lines.append(_HOLDING if _HOLDING in advice else (advice or [_RING])[0])
             if tell:
@@ -174,7 +174,7 @@ class _Run:
                     return self._kept([*begin, "the request has come"], serving, waiter, what)
                 for task, (other, _) in self._tasks.items():
                     if other is serving or self._executes(task, serving, client, number):
-                        return self._after([*begin, f"{self._name(task)} has to give that"], task, "")
+                        return self._after([*begin, f"that has to come from {self._name(task)}"], task, "")
         return None
 
     def _blocked(self, waiter: _Waiter, at: list[str], holder: object, is_end: bool) -> _Step | None:

@@ -31,7 +31,7 @@ def explain_threads(clock: Simulation, tell: Callable[..., None] | None = None) 
             path[stack], stack = step
         if stack in path:
             ring = list(path)[list(path).index(stack) :]
-            lines += ["this waits for ever:", *(line for each in ring for line in _say(each, path[each]))]
+            lines += ["deadlock. This can never continue:", *(line for each in ring for line in _say(each, path[each]))]
             if tell:
                 tell("ring", {"links": [[thread_name(each), f"waits for {path[each]}"] for each in ring], "to": 0})
             locks = [path[each].startswith(_LOCK) for each in ring]

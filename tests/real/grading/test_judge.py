@@ -78,7 +78,7 @@ HOSTILE = {
     "x = (": ("not yet", "is not Python"),
     "-" * 49_000 + "1": ("not yet", "is not Python"),
     "#" * 50_001: ("not judged", "It has 50001 characters; at most 50000 are judged."),
-    "": ("open", "There is no answer yet."),
+    "": ("open", "No answer yet."),
     # The way to the teacher: it may write what it likes, and it is no trace; or the trace of a wrong answer.
     "import os\nos.write(3, b'solved')\nos._exit(0)": ("not judged", "The trace does not fit"),
     "import os\nos.write(3, b'[' * 3_000_000)": ("not judged", "Its Python broke down"),  # it sends too much

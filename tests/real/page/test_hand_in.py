@@ -21,7 +21,7 @@ pytestmark = pytest.mark.shares(2)
 def _hand_in(page: Page, name: str) -> tuple[str, dict[str, Any]]:
     with page.expect_download() as found:
         page.get_by_label("Your name").fill(name)
-        page.get_by_role("button", name="Hand in").click()
+        page.get_by_role("button", name="Save answers").click()
     return _read(found.value)
 
 
@@ -33,7 +33,7 @@ def test_what_was_answered_is_saved(page: Page, address: str) -> None:
     """As it stands on the page, run or not, and what the browser keeps of other pages; without any verdict."""
     page.goto(address + EXERCISES)
     status = page.locator(".hand-in").get_by_role("status")
-    page.get_by_role("button", name="Hand in").click()
+    page.get_by_role("button", name="Save answers").click()
     expect(status).to_have_text("Write your name first.")
     expect(page.get_by_label("Your name")).to_be_focused()
     page.get_by_label("Your name").fill("Ada")
@@ -61,7 +61,7 @@ def test_name_and_answers_are_there_after_a_reload(page: Page, address: str) -> 
     page.reload()
     expect(page.get_by_label("Your name")).to_have_value("Ada")
     with page.expect_download() as found:
-        page.get_by_role("button", name="Hand in").click()
+        page.get_by_role("button", name="Save answers").click()
     assert _read(found.value)[1] | {"date": before["date"]} == before
 
 

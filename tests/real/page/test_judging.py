@@ -118,7 +118,7 @@ def test_what_was_refused_is_not_forgotten(quick: Table) -> None:
     assert head[5:7] == ["file", "note"]
     assert [row[5:7] for row in refused] == [
         ["'=odd.json", "refused: it is not a file of answers to these exercises"],
-        ["other.json", "refused: it is not a file that Hand in saved (it is not JSON)"],
+        ["other.json", "refused: it is not a file that Save answers made (it is not JSON)"],
         ["huge.json", "refused: it has more than 1 MB, which is the limit"],
     ]
     assert not any(cell for row in refused for cell in (*row[:5], *row[7:]))
@@ -286,7 +286,7 @@ def test_looks(quick: Table, address: str) -> None:
     quick.said(f"B, exercise {FIRST}: solved")
     _stands_out(page)
     page.goto(address + EXERCISES)
-    expect(page.get_by_role("button", name="Hand in")).to_be_visible()
+    expect(page.get_by_role("button", name="Save answers")).to_be_visible()
     _stands_out(page)
 
 

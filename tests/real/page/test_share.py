@@ -46,7 +46,7 @@ def test_a_link_carries_the_code(tutorial: Page, address: str) -> None:
     cell.write(code)
     cell.element.get_by_role("textbox", name="Arguments").fill("_word:=shared")
     cell.element.get_by_role("spinbutton").fill("3")
-    cell.button("Share").click()
+    cell.button("Copy link").click()
     expect(cell.status).to_have_text("the link is copied; the code is in it")
     copied = _copied(tutorial)
     mine = node("print('mine')")
@@ -90,7 +90,7 @@ def test_a_link_chooses_the_tabs_of_its_listing(
     for tab in tabs:
         page.locator(".sd-tab-label", has_text=tab).locator("visible=true").first.click()
     cell = Cell(page, len(tabs) - 1)
-    cell.button("Share").click()
+    cell.button("Copy link").click()
     expect(cell.status).to_have_text("the link is copied; the code is in it")
     assert parse_qs(urlsplit(_copied(page)).query) == query
 

@@ -168,7 +168,7 @@ def test_a_link_that_cannot_be_made(context: BrowserContext, address: str) -> No
     open_tutorial(page, address)
     context.set_offline(True)
     cell = Cell(page, RATE)
-    cell.button("Share").click()
+    cell.button("Copy link").click()
     expect(cell.status).to_have_text("error: the link could not be made. Is the site still there?")
     context.set_offline(False)
 

@@ -57,7 +57,7 @@ class Answer(Cell):
         """What is handed in now."""
         self.page.get_by_label("Your name").fill("Ada")
         with self.page.expect_download() as found:
-            self.page.get_by_role("button", name="Hand in").click()
+            self.page.get_by_role("button", name="Save answers").click()
         file = json.loads(Path(found.value.path()).read_text(encoding="utf-8"))
         self.student = file["id"]
         answers: dict[str, str] = file["answers"]
@@ -78,7 +78,7 @@ def test_two_tabs(context: BrowserContext, page: Page, address: str) -> None:
     one.shows(RIGHT)
     assert one.handed_in() == other.handed_in() == {"first-ticks": RIGHT}
     assert one.student == other.student
-    one.button("Earlier version").click()
+    one.button("Restore earlier version").click()
     other.shows(WRONG)
     one.shows(WRONG)
     expect(one.status).to_have_text(re.compile(r"^an earlier version, last changed 2\d{3}-"))
@@ -86,7 +86,7 @@ def test_two_tabs(context: BrowserContext, page: Page, address: str) -> None:
     expect(one.element.locator("pre").first).to_have_text(CELLS["first-ticks"][0].source)
     one.page.reload()
     expect(one.element.locator("pre").first).to_have_text(CELLS["first-ticks"][0].source)
-    one.button("Earlier version").click()
+    one.button("Restore earlier version").click()
     other.shows(WRONG)
 
 
@@ -101,7 +101,7 @@ def test_a_tab_that_was_asleep_writes_nothing_over(page: Page, address: str) -> 
     page.evaluate("dispatchEvent(new PageTransitionEvent('pageshow', { persisted: true }))")
     answer.shows(newer)
     assert answer.handed_in() == {"first-ticks": newer}
-    answer.button("Earlier version").click()
+    answer.button("Restore earlier version").click()
     answer.shows(WRONG)
 
 
@@ -119,7 +119,7 @@ def test_a_link_leaves_the_readers_own_answer_alone(page: Page, address: str) ->
     answer.ends(rf"Exercise {number_of('first-ticks')}: right\. The code came with the link, so it does not count\.$")
     assert answer.progress == "0 of 19 solved"
     answer.write(RIGHT + "# changed\n")
-    expect(answer.button("Earlier version")).to_be_hidden()
+    expect(answer.button("Restore earlier version")).to_be_hidden()
     assert answer.handed_in() == {"first-ticks": WRONG}
     assert page.evaluate("key => localStorage.getItem(key)", RECORD) == kept
     answer.button("Reset").click()
@@ -142,13 +142,12 @@ def test_solved_is_the_text_that_solved_it(page: Page, address: str) -> None:
     assert answer.progress == "1 of 19 solved"
     assert answer.handed_in() == {"first-ticks": RIGHT + "# and more"}
     status = page.locator(".hand-in").get_by_role("status")
-    expect(status).to_contain_text(
-        f"You have solved exercise {number_of('first-ticks')} with another text, which Earlier version brings back."
-    )
-    answer.button("Earlier version").click()
+    solved = f"You have solved exercise {number_of('first-ticks')} with another text"
+    expect(status).to_contain_text(f"{solved}, which Restore earlier version brings back.")
+    answer.button("Restore earlier version").click()
     expect(answer.status).to_have_text(re.compile("^an earlier version, last changed .*, solved$"))
     assert answer.handed_in() == {"first-ticks": RIGHT}
-    expect(status).not_to_contain_text("Earlier version")
+    expect(status).not_to_contain_text("Restore earlier version")
 
 
 def test_a_reload_while_one_types(page: Page, address: str) -> None:
