@@ -358,7 +358,7 @@ rclpy.spin(node)
 
 @pytest.mark.parametrize("kind", NOT_FOR_EVER)
 def test_nothing_is_said_of_what_may_go_on(write: Any, kind: str) -> None:
-    assert "waits for ever" not in simulate(write(BEGIN + NOT_FOR_EVER[kind]), 2).console
+    assert "can never continue" not in simulate(write(BEGIN + NOT_FOR_EVER[kind]), 2).console
 
 
 def test_a_wait_across_processes_is_explained(write: Any) -> None:

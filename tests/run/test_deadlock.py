@@ -166,4 +166,4 @@ with lock: thread.join()
 
 
 def test_a_thread_does_not_wait_for_a_lock_that_it_has_had(write: Any) -> None:
-    assert "waits for ever" not in simulate(write(HAS_WAITED), 2).console
+    assert "can never continue" not in simulate(write(HAS_WAITED), 2).console
