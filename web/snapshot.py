@@ -10,7 +10,7 @@ from rosspin import messages
 from rosspin.messages.library import Library
 
 # rosspin imports these when it needs them.
-LATER = ["yaml", "rosspin.page", "rosspin.rclpy"]
+LATER = ["yaml", "rosspin.page", "rosspin.rclpy", "rosspin.run.scenes"]
 
 # So do nodes, and this saves them the wait for the standard library.
 NODES = ["datetime", "statistics"]

@@ -117,7 +117,8 @@ def test_first_click_loads_at_most_11_mb(context: BrowserContext, address: str, 
 def test_our_own_files_are_loaded_when_one_is_read(context: BrowserContext, address: str) -> None:
     page = context.new_page()
     asked = _asked(page, "rosspin.zip")
-    assert "counter = 1" in _first_run(page, address)
+    for text in ("", ROS2[0].read_text(encoding="utf-8")):
+        assert "counter = 1" in _first_run(page, address, text)
     assert not asked
     text = "import inspect\nimport rospy\nprint(inspect.getsource(rospy.Rate).splitlines()[0])\n"
     assert _first_run(page, address, text) == "class Rate:\n"
