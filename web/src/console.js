@@ -30,7 +30,8 @@ const sizeOf = (/** @type {string} */ text) => text.length + 3 * (text.match(ALI
 export class Console {
   #text = make("pre")
   #notice = make("p")
-  #leftOut = 0
+  #leftOut = 0 // lines
+  #cut = false // whether anything is left out
   #open = false // whether the last line goes on
   #size = 0
   /** @type {import("./protocol.js").Chunk[]} */
@@ -68,7 +69,7 @@ export class Console {
 
   /** All that was printed; null if some of it is left out. */
   get whole() {
-    return this.#leftOut ? null : this.#text.textContent
+    return this.#cut ? null : this.#text.textContent
   }
 
   clear() {
@@ -77,6 +78,7 @@ export class Console {
     this.#text.replaceChildren()
     this.#coming = []
     this.#leftOut = this.#size = this.#comingSize = 0
+    this.#cut = false
     this.#open = false
   }
 
@@ -91,6 +93,7 @@ export class Console {
     if (!chunks.length) return
     this.element.hidden = false
     this.#leftOut += leftOut
+    this.#cut ||= leftOut > 0
     for (const [onStderr, text, number, line] of chunks) {
       const isError = onStderr && !NO_ERROR.test(text)
       for (const [part] of text.matchAll(PARTS)) {
@@ -127,15 +130,16 @@ export class Console {
       line.remove()
     }
     const count = this.#leftOut.toLocaleString("en-GB")
-    this.#notice.hidden = this.#leftOut === 0
+    this.#notice.hidden = !this.#cut
     this.#notice.textContent =
-      this.#leftOut === 1 ? "Some of the output before this is left out." : `${count} earlier lines are left out.`
+      this.#leftOut < 2 ? "Some of the output before this is left out." : `${count} earlier lines are left out.`
     if (atEnd) this.element.scrollTop = this.element.scrollHeight
   }
 
   /** @param {string | null} part of a line */
   #leaveOut(part) {
-    this.#leftOut = Math.max(this.#leftOut + Number(part?.endsWith("\n")), 1)
+    this.#leftOut += Number(part?.endsWith("\n"))
+    this.#cut = true
   }
 
   /**

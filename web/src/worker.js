@@ -55,7 +55,8 @@ class Page {
   #chunks = []
   #count = 0
   #size = 0
-  #leftOut = 0 // lines, or part of one
+  #leftOut = 0 // lines
+  #cut = false // whether anything is left out
   /** @type {import("./protocol.js").Tick[]} */
   #ticks = []
   #next = 0 // when (ms) more may be sent
@@ -87,7 +88,8 @@ class Page {
 
   /** @param {string} text */
   #leaveOut(text) {
-    this.#leftOut = Math.max(this.#leftOut + lines(text), 1)
+    this.#leftOut += lines(text)
+    this.#cut = true
   }
 
   /**
@@ -121,11 +123,13 @@ class Page {
     this.#timer = undefined
     if (this.#chunks.length || this.#ticks.length) {
       const ticks = this.#ticks.slice(-SHOWN.ticks)
-      const text = say({ kind: "batch", chunks: this.#chunks, leftOut: this.#leftOut, ticks })
+      const leftOut = Math.max(this.#leftOut, Number(this.#cut)) // part of a line counts if there is no more
+      const text = say({ kind: "batch", chunks: this.#chunks, leftOut, ticks })
       this.#next = performance.now() + Math.max(INTERVAL, (room(text, "run") / PER_SECOND / PART) * 1e3)
     }
     this.#chunks = []
     this.#size = this.#leftOut = 0
+    this.#cut = false
     this.#ticks = []
   }
 }
