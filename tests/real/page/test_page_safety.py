@@ -10,7 +10,7 @@ from typing import Any
 import pytest
 from answers import CELLS, number_of
 from attacks import ATTACK, FORGERIES, SANDBOX, SCRIPT, WAYS, attempts, succeeded, tried
-from hand_ins import EXERCISES, TEACHERS, Table, exchange, handed_in, solves_nothing
+from hand_ins import EXERCISES, NO_RUNS, TEACHERS, Table, exchange, handed_in, solves_nothing
 from in_chromium import launched, served
 from listings_in_page import RATE, TIMER, TUTORIAL, Cell, link, open_tutorial
 from looks import faults
@@ -307,7 +307,9 @@ def test_what_is_not_seen_is_marked_in_a_shared_listing(context: BrowserContext,
 
 
 def test_what_is_not_seen_is_marked_in_the_table(context: BrowserContext, address: str, site: Path) -> None:
-    exchange(context, site, worker_js=b"postMessage(JSON.stringify({ kind: 'failed', reason: 'no\\u202e' }))")
+    failing = NO_RUNS.replace('end({ trace: "" })', "say({ kind: 'failed', reason: 'no\\u202e' })")
+    worker = (site / "_static/live/worker.js").read_text(encoding="utf-8")
+    exchange(context, site, worker_js=failing.replace("PYTHON", worker).encode())
     table = Table(context.new_page(), address)
     table.drop(eve=handed_in("Eve", answers={"first-ticks": f"%%answer first-ticks\n{ODD}"}))
     table.done()
