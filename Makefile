@@ -77,7 +77,7 @@ SPHINX = "$(BIN)/sphinx-build" -M $(1) . build -n
 .NOTPARALLEL:
 .PHONY: html zip test judge doctest outputs linkcheck serve lab bench ros1 ros2 record definitions pins clean
 
-html doctest linkcheck: $(VENV)
+html doctest linkcheck: $(VENV) $(NPM)
 	$(call SPHINX,$@) -W --keep-going $(SPHINXOPTS)
 
 html: $(WEB)
@@ -97,7 +97,7 @@ $(NPM)-for-test: $(NPM)
 	@touch $@
 
 # Writes what follows from the runs (expected outputs, copies of nodes) into the pages, to be read in `git diff`.
-outputs: $(VENV)
+outputs: $(VENV) $(NPM)
 	$(call SPHINX,$@) -q
 
 # The lanes of the tests: see tests/README.md. That of what is real comes with ROSSPIN_REQUIRE, which says what must be
@@ -126,7 +126,7 @@ serve: html
 # lab/overrides.json makes notebooks/*.md open as notebooks. The Lab opens in your browser, which needs your screen.
 $(foreach name,$(filter BROWSER DBUS_SESSION_BUS_ADDRESS DISPLAY WAYLAND_DISPLAY XAUTHORITY XDG_RUNTIME_DIR,$(FOUND)),\
   $(eval lab: export $(name) := $(value $(name))))
-lab: $(VENV:=-for-lab)
+lab: $(VENV:=-for-lab) $(NPM)
 	"$(BIN)/jupyter" lab --LabApp.app_settings_dir=lab --LabApp.default_url=/lab/tree/notebooks $(ARGS)
 
 bench: $(VENV:=-for-test)

@@ -83,6 +83,6 @@ if published.repository:
 
 # Sphinx keeps pages, and with them the outputs of notebooks, until this changes. The cache of myst-nb would not do: it
 # sees the cells of a notebook only, and its downloads lack their outputs.
-found = [*root.glob("src/**/*"), *root.glob("examples/**/*"), root / "pins/html.txt"]
+found = [*root.glob("src/**/*"), *root.glob("examples/**/*"), root / "pins/html.txt", root / "web/package-lock.json"]
 used = sorted(path for path in found if path.is_file() and path.suffix != ".pyc")
 what_pages_run = hashlib.sha256(b"".join(path.read_bytes() for path in used)).hexdigest()

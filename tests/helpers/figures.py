@@ -71,9 +71,16 @@ def both_of_ros_2(name: str) -> Callable[[float], Runs]:
 
 
 def three(*words: str, seconds: float) -> Callable[[float], Runs]:
-    """One callback in rospy, roscpp and rclpy."""
+    """One callback in rospy, roscpp by its rule, and rclpy."""
     one, two = probes(*(f"_{word}" for word in words), seconds=seconds), ros_2(*words, seconds=seconds)
     return lambda block: {**one(block), **two(block)}
+
+
+def three_simulated(*words: str, seconds: float) -> Callable[[float], Runs]:
+    """The same, but roscpp is simulated, too."""
+    others, ros_1 = three(*words, seconds=seconds), [f"_{word}" for word in words]
+    in_cpp = PROBE.with_suffix(".cpp")
+    return lambda block: {**others(block), "roscpp": simulate(in_cpp, seconds, [f"_block:={block}", *ros_1]).ticks}
 
 
 def loops(work: float) -> Runs:
@@ -159,8 +166,8 @@ FIGURES = [
     Kind("index.html", 0, "Time delta", spinner(SPINNER_ROS2, "timer_callback")),
     Kind("docs/tutorial.html", 0, "Time delta", spinner(SPINNER, "timerCallback")),
     Kind("notebooks/rate.html", 0, "Work in each pass", loops),
-    Kind("notebooks/slow-callback.html", 0, "The third call takes", three("block_call:=3", seconds=6.2)),
-    Kind("notebooks/slow-callback.html", 1, "Every call takes", three(seconds=6.2)),
+    Kind("notebooks/slow-callback.html", 0, "The third call takes", three_simulated("block_call:=3", seconds=6.2)),
+    Kind("notebooks/slow-callback.html", 1, "Every call takes", three_simulated(seconds=6.2)),
     Kind("notebooks/ros2-rate.html", 0, "Work in each pass", ros2_loops),
     Kind("notebooks/ros2-executors.html", 0, "Work of the slow timer", executors),
     Kind("docs/how-timing-works.html", 0, "Every call takes", probes(seconds=6)),

@@ -11,3 +11,11 @@ NODES = {
     "ros2-rate": f"{ROS2}/spinner_rate_py_node.py",
     "ros2-publish": "topics/ros2/pubsub_py_node.py",
 }
+
+# Beside it, the one in C++.
+IN_CPP = {
+    "timer": f"{ROS1}/spinner_cpp_node.cpp",
+    "rate": f"{ROS1}/spinner_rate_cpp_node.cpp",
+    "ros2-timer": "my_robotics_pkg_ros2_cpp/src/spinner_cpp_node.cpp",
+    "ros2-rate": "my_robotics_pkg_ros2_cpp/src/spinner_rate_cpp_node.cpp",
+}

@@ -66,6 +66,10 @@ _SYSTEM = re.compile(
 class CompileError(ValueError):
     """A C++ node that does not compile; the message is the compiler's."""
 
+    def _render_traceback_(self) -> list[str]:
+        """What a notebook shows: the lines of the cell, not those of rosspin."""
+        return str(self).splitlines()
+
 
 class Built(NamedTuple):
     """A compiled node, and which ROS it is of."""
@@ -90,18 +94,21 @@ Waiting = Callable[[], object]
 _LOOK = 0.2
 
 
-def build(path: str | os.PathLike[str], waiting: Waiting = lambda: None) -> Built:
+def build(path: str | os.PathLike[str], waiting: Waiting = lambda: None, text: str | None = None) -> Built:
     """Compile a node, with the sources that its package builds with it, unless that was done; return the program.
 
-    Raises OSError if it cannot be read, CompileError if it is no C++, :class:`NotSimulated` if it uses what has no
-    stand-in, and ValueError if there is no compiler.
+    A node that is in no file is a ``text``, with any name as ``path``. Raises OSError if it cannot be read,
+    CompileError if it is no C++, :class:`NotSimulated` if it uses what has no stand-in, and ValueError if there is no
+    compiler.
     """
     path = Path(path)
-    source = _read(path)
+    source = _read(path, text)
     if not source.ros:
         raise ValueError(f"{path}: this includes neither ros/ros.h nor rclcpp/rclcpp.hpp")
     messages = headers.messages(source.names, Library(source.ros, path.resolve().parent))
-    nodes = {f"node/{number}/{each.name}": each for number, each in enumerate(source.texts)}
+    # A cell is compiled once, whatever its number is.
+    names = (each.name if text is None else "cell.cpp" for each in source.texts)
+    nodes = {f"node/{number}/{name}": each for number, (name, each) in enumerate(zip(names, source.texts, strict=True))}
     texts = {name: source.texts[each] for name, each in nodes.items()}
     texts |= {f"include/{each}": text for each, text in {**messages, **source.own}.items()}
     made = _made(source.ros, waiting)
@@ -135,10 +142,11 @@ def build(path: str | os.PathLike[str], waiting: Waiting = lambda: None) -> Buil
     return Built(program, source.ros)
 
 
-def _read(path: Path) -> _Source:
+def _read(path: Path, text: str | None) -> _Source:
     package = next((place for place in path.resolve().parents if (place / "package.xml").is_file()), None)
     folders = [package / "include", package / "src"] if package else []
-    texts = {each: _text(each) for each in (path, *(companions(package, path) if package else ()))}
+    texts = {path: _text(path) if text is None else text}
+    texts |= {each: _text(each) for each in (companions(package, path) if package else ())}
     own: dict[str, str] = {}
     names: list[str] = []
     left = [(name, each.parent) for each, text in texts.items() for name in headers.included(text)]

@@ -49,7 +49,7 @@ def simulate(
     gives counts from there.
 
     ``node`` is the path of a node file, a function, or the name of one, as in ``"package.module:main"``. Whichever of
-    ``rospy`` and ``rclpy`` it imports first decides its ROS; one in C++ is of ROS 1. ``args`` are its command line,
+    ``rospy`` and ``rclpy`` it imports first decides its ROS, in C++ what it includes. ``args`` are its command line,
     such as ``"__ns:=/mrp"``, or ``"--ros-args", "-r", "__ns:=/mrp"`` in ROS 2. What is due exactly at ``seconds`` still
     runs; then Ctrl-C is pressed. Then, as on a real ROS, rospy ends with status 0, and rclpy raises KeyboardInterrupt,
     with status 130 if nothing catches it. The run ends earlier if the node does. As on a real ROS, an exception in the

@@ -28,9 +28,9 @@ from .kept import working_folder
 from .roses import ROSES, ros_of
 
 __all__ = [
-    *("Code", "NodeLike", "around_package", "folder_of", "load", "load_entry_point", "load_source", "names_a_ros"),
-    *("compiled", "is_launch_of_ros2", "is_own", "own_folders", "read", "refuse_null_bytes", "refuse_other_ros"),
-    *("refuse_text", "program", "split_words", "warn_of_files", "words_of"),
+    *("Code", "NodeLike", "around_package", "folder_of", "load", "load_cell", "load_entry_point", "load_source"),
+    *("compiled", "is_cpp", "is_launch_of_ros2", "is_own", "names_a_ros", "own_folders", "read", "refuse_null_bytes"),
+    *("refuse_other_ros", "refuse_text", "program", "split_words", "warn_of_files", "words_of"),
 ]
 
 
@@ -80,13 +80,33 @@ def load(node: NodeLike, waiting: Callable[[], object] = lambda: None) -> Code:
     if not isinstance(node, (str, os.PathLike)):
         raise TypeError(f"a node is the path of a file, or a function, not {node!r}")
     if path.endswith(CPP):
-        from ..cpp import Program, build  # most runs go without
-
-        program = Program(build(path, waiting), path)
-        return Code(program, os.path.splitext(path)[0], path, None, hint=program.ros)
+        return _load_cpp(path, waiting)
     if not os.path.exists(path) and _ENTRY.fullmatch(entry := path if ":" in path else _console_script(path)):
         return load_entry_point(entry)
     return load_source(read(path), path)
+
+
+def load_cell(text: str, name: str) -> Code:
+    """Load a node from the text of a cell, in Python or C++. Raises SyntaxError, or ValueError for C++, if it is none.
+
+    In C++, it may include headers and messages as a file in the working directory could.
+    """
+    return _load_cpp(name, lambda: None, text) if is_cpp(text) else load_source(text, name)
+
+
+def is_cpp(text: str) -> bool:
+    """Whether a text is a node in C++: it includes a header of a ROS."""
+    return bool(_INCLUDE.search(text))
+
+
+_INCLUDE = re.compile(r'^[ \t]*#[ \t]*include[ \t]*[<"](ros|rclcpp|rclcpp_components)/', re.MULTILINE)
+
+
+def _load_cpp(path: str, waiting: Callable[[], object], text: str | None = None) -> Code:
+    from ..cpp import Program, build  # most runs go without
+
+    program = Program(build(path, waiting, text), path)
+    return Code(program, os.path.splitext(path)[0], path, None, hint=program.ros)
 
 
 # How a function of a module is written (source: the specification of entry points, packaging.python.org).

@@ -150,8 +150,8 @@ def missing_exercises(root: Path) -> Iterator[Stale]:
 def _line_of(traceback: list[str]) -> int:
     """Return the line of a cell, counted from 1, at which it failed."""
     plain = re.sub(r"\x1b\[[\d;]*m", "", "\n".join(traceback))
-    found = re.search(r"Cell In\s*\[\d+\], line (\d+)", plain)
-    return int(found[1]) if found else 1
+    found = re.search(r"Cell In\s*\[\d+\], line (\d+)|^<cell \d+>:(\d+):", plain)  # of Python, of a compiler for C++
+    return int(found[1] or found[2]) if found else 1
 
 
 def _finish(app: Sphinx, error: Exception | None) -> None:

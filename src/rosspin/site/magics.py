@@ -23,7 +23,7 @@ from ..plots import drive_beside, pictures
 from ..results.ticks import Run
 from ..run.beside import run_beside
 from ..run.simulate import run_captured
-from ..run.source import Code, load_source, split_words
+from ..run.source import Code, load_cell, split_words
 from ..run.streams import capture
 from ..run.wall import measured
 from ..vehicle import VEHICLES
@@ -53,7 +53,10 @@ def _below_its_magic(cell: str) -> str:
 
 @magics_class
 class Magics(BaseMagics):
-    """Cell magics. A cell that runs as a node file imports a stand-in with ``import rospy`` or ``import rclpy``."""
+    """Cell magics. A cell that runs as a node file imports a stand-in with ``import rospy`` or ``import rclpy``.
+
+    Or it is in C++, and includes one: ``ros/ros.h`` or ``rclcpp/rclcpp.hpp``.
+    """
 
     def __init__(self, shell: Any) -> None:
         super().__init__(shell)
@@ -130,7 +133,7 @@ class Magics(BaseMagics):
         own, args = split_words(shlex.split(line))
         options = _parser(magic).parse_args(own)
         shell: Any = self.shell
-        node = load_source(_below_its_magic(cell), f"<cell {shell.execution_count}>")
+        node = load_cell(_below_its_magic(cell), f"<cell {shell.execution_count}>")
         streams = () if options.quiet else (sys.stdout, sys.stderr)
         found = shell.user_ns[options.name] = run(node, options.seconds, args, *streams)
         return found

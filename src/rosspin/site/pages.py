@@ -18,6 +18,7 @@ from typing import Any, ClassVar, cast
 from docutils import nodes
 from docutils.parsers.rst import directives
 from pygments.lexer import inherit
+from pygments.lexers.c_cpp import CppLexer
 from pygments.lexers.python import PythonLexer
 from pygments.token import Keyword
 from sphinx.application import Sphinx
@@ -41,7 +42,7 @@ from ..results.rules import calculated
 from ..results.ticks import Run, Tick
 from ..run.host import kept, replaced
 from ..run.simulate import run_captured
-from ..run.source import load, load_source
+from ..run.source import is_cpp, load, load_source
 from . import scenes
 from .claims import Facts, one_line
 from .notes import note
@@ -522,11 +523,20 @@ def _table(*headings: str, rows: Iterable[Iterable[str]]) -> str:
 
 
 class CellLexer(PythonLexer):
-    """Python as in the cells of a notebook, where a line may begin with a magic."""
+    """Python as in the cells of a notebook, where a line may begin with a magic. The rest of a cell may be C++."""
 
     name = "IPython cell"
     aliases: ClassVar = ["ipython3"]
     tokens: ClassVar = {"root": [(r"^%%?\w+", Keyword.Namespace), inherit]}
+
+    def get_tokens_unprocessed(self, text: str, stack: Iterable[str] = ("root",)) -> Iterator[tuple[int, Any, str]]:
+        """Yield where each token is, its kind and its text."""
+        first, newline, rest = text.partition("\n")
+        is_other = first.startswith("%%") and is_cpp(rest)
+        yield from super().get_tokens_unprocessed(first + newline if is_other else text, stack)
+        if is_other:
+            for at, kind, token in CppLexer().get_tokens_unprocessed(rest):  # type: ignore[no-untyped-call]
+                yield len(first + newline) + at, kind, token
 
 
 def offer_download(app: Sphinx, page: str, source: list[str]) -> None:
