@@ -1,11 +1,22 @@
-"""What C++ nodes share is compiled by one process; the others wait, and say so."""
+"""What C++ nodes share is compiled once; who has to wait for it says so. Nodes of pages are compiled together."""
 
 from __future__ import annotations
 
+from collections.abc import Callable, Mapping, Sequence
 from contextlib import ExitStack
 from pathlib import Path
+from types import SimpleNamespace
+from typing import Any
 
+import pytest
+from tree import ROOT
+
+from rosspin.cpp import build, build_together, building
 from rosspin.cpp.building import _alone
+from rosspin.site import compiling
+from rosspin.site.compiling import _begin, _nodes
+
+NODE = ROOT / "examples/my_robotics_pkg/src/spinner_cpp_node.cpp"
 
 
 def test_whoever_waits_for_another_to_compile_says_so(tmp_path: Path) -> None:
@@ -21,3 +32,67 @@ def test_whoever_waits_for_another_to_compile_says_so(tmp_path: Path) -> None:
 
     with _alone(tmp_path, waiting):
         assert len(said) == 2
+
+
+def test_only_who_compiles_for_many_is_waited_for(tmp_path: Path) -> None:
+    first = ExitStack()
+    first.enter_context(_alone(tmp_path, lambda: None))
+    with _alone(tmp_path, first.close, shared=True), _alone(tmp_path, pytest.fail, shared=True):
+        pass
+
+
+@pytest.fixture
+def asked(monkeypatch: pytest.MonkeyPatch, tmp_path: Path) -> list[Sequence[Mapping[str, Any]]]:
+    """What a compiler is asked for that makes empty programs, one list of steps each time."""
+    found = []
+
+    def compile_(steps: Sequence[Mapping[str, Any]], waiting: Callable[[], object]) -> tuple[str, int]:
+        found.append(steps)
+        for step in steps:
+            for file in step["outputs"].values():
+                Path(file).touch()
+        return "", 0
+
+    building._made(1, lambda: None)  # the real one
+    monkeypatch.setattr(building, "_PROGRAMS", tmp_path)
+    monkeypatch.setattr(building, "_compile", compile_)
+    return found
+
+
+def test_nodes_are_compiled_together_and_found_one_by_one(asked: list[Any], tmp_path: Path) -> None:
+    text = NODE.read_text(encoding="utf-8")
+    nodes = [(str(NODE), None), ("cell", text), ("cell", text), (str(tmp_path / "lost.cpp"), None), ("cell", "int i;")]
+    build_together(nodes)
+    assert [len(steps) for steps in asked] == [4]
+    assert {build(NODE).program, build("<cell 7>", text=text).program} == {*tmp_path.glob("*.wasm")}
+    build_together(nodes)
+    assert len(asked) == 1
+
+
+def test_what_a_page_runs_is_found() -> None:
+    assert list(_nodes((ROOT / "docs/tutorial.rst").read_text(encoding="utf-8"), ROOT)) == [
+        (str(NODE), None),
+        (str(NODE.with_name("spinner_rate_cpp_node.cpp")), None),
+    ]
+    [(_, cell)] = _nodes((ROOT / "notebooks/timer.md").read_text(encoding="utf-8"), ROOT)
+    assert cell == f"\n{NODE.read_text(encoding='utf-8')}"
+    assert not list(_nodes((ROOT / "notebooks/drift.md").read_text(encoding="utf-8"), ROOT))
+
+
+def test_pages_with_cpp_nodes_are_read_last_and_compiled_meanwhile(monkeypatch: pytest.MonkeyPatch) -> None:
+    started: list[Any] = []
+
+    def process(target: object, args: tuple[list[tuple[str, str | None]]], daemon: bool) -> Any:
+        started.append((target, [Path(name).name for name, _ in args[0]]))
+        return SimpleNamespace(start=lambda: None)
+
+    monkeypatch.setattr(compiling, "get_context", lambda kind: SimpleNamespace(Process=process))
+    names = {"docs/tutorial": "rst", "notebooks/drift": "md", "notebooks/timer": "md"}
+    app: Any = SimpleNamespace(srcdir=ROOT, connect=lambda *args: None)
+    env: Any = SimpleNamespace(doc2path=lambda page: ROOT / f"{page}.{names[page]}")
+    pages = list(names)
+    _begin(app, env, pages)
+    assert pages == ["notebooks/drift", "docs/tutorial", "notebooks/timer"]
+    assert started == [(build_together, [NODE.name, "spinner_rate_cpp_node.cpp", "cell"])]
+    _begin(app, env, ["notebooks/drift"])
+    assert len(started) == 1

@@ -1,6 +1,6 @@
 """C++ nodes in simulated time: compiled to WebAssembly, with a stand-in for roscpp, they go by the clock of the run."""
 
-from .building import CompileError, build
+from .building import CompileError, build, build_together
 from .program import Program
 
-__all__ = ["CompileError", "Program", "build"]
+__all__ = ["CompileError", "Program", "build", "build_together"]

@@ -11,7 +11,7 @@ import shutil
 import subprocess
 import tempfile
 from collections.abc import Callable, Iterator, Mapping, Sequence
-from contextlib import contextmanager
+from contextlib import contextmanager, suppress
 from functools import cache
 from hashlib import sha256
 from importlib.util import find_spec
@@ -23,7 +23,7 @@ from ..world.world import NotSimulated
 from . import headers
 from .cmake import companions
 
-__all__ = ["Built", "CompileError", "build", "node_command"]
+__all__ = ["Built", "CompileError", "build", "build_together", "node_command"]
 
 _HERE = Path(__file__).parent
 _JS = _HERE / "js"
@@ -33,6 +33,7 @@ _BUILD = _HERE.parents[2] / "build"
 # Where `make html` puts the compiler, and where what it makes is kept.
 _CLANG = _BUILD / "npm" / "node_modules" / "@yowasp" / "clang"
 _KEPT = _BUILD / "cpp"
+_PROGRAMS = _KEPT / "programs"
 
 # Exceptions are those of WebAssembly. Whatever uses a null pointer ends there, as on a computer; in the memory of a
 # program here, it would be as good as any other.
@@ -101,7 +102,60 @@ def build(path: str | os.PathLike[str], waiting: Waiting = lambda: None, text: s
     CompileError if it is no C++, :class:`NotSimulated` if it uses what has no stand-in, and ValueError if there is no
     compiler.
     """
-    path = Path(path)
+    with tempfile.TemporaryDirectory() as scratch:
+        plan = _planned(Path(path), text, Path(scratch))
+        if not plan.program.exists():
+            with _alone(plan.program.parent, waiting, shared=True):
+                made = _made(plan.ros, waiting)
+                said, status = ("", 0) if plan.program.exists() else _compile(plan.steps(made), waiting)
+            if status:
+                for name, file in plan.names.items():
+                    said = said.replace(name, str(file))
+                raise _explained(said)
+    return Built(plan.program, plan.ros)
+
+
+def build_together(nodes: Sequence[tuple[str, str | None]]) -> None:
+    """Compile nodes, by their paths, or names and texts, in the time of a few. Whoever builds one meanwhile waits.
+
+    The first that does not compile ends it: those that are left are built when they are needed, and errors told then.
+    """
+    with tempfile.TemporaryDirectory() as scratch, _alone(_PROGRAMS, lambda: None):
+        left = {}
+        for number, (path, text) in enumerate(nodes):
+            with suppress(OSError, ValueError):
+                plan = _planned(Path(path), text, Path(scratch, str(number)))
+                left[plan.program] = plan
+        plans = [plan for program, plan in left.items() if not program.exists()]
+        steps = [step for plan in plans for step in plan.steps(_made(plan.ros, lambda: None))]
+        if steps:
+            _compile(steps, lambda: None)
+
+
+class _Plan(NamedTuple):
+    """What is to be compiled for a node: the program, the texts and files by the compiler's names."""
+
+    program: Path
+    ros: int
+    names: Mapping[str, Path]
+    inputs: Mapping[str, str]
+    scratch: Path
+
+    def steps(self, made: _StandIn) -> list[dict[str, object]]:
+        """Return what the compiler is asked for."""
+        steps = []
+        objects = {}
+        for number, name in enumerate(self.names):
+            object_ = self.scratch / f"{number}.o"
+            options = ["-include-pch", "prelude.pch", "-c", name]
+            steps.append(_Step(object_, options, {**made.files, **self.inputs}).request())
+            objects[f"{number}.o"] = str(object_)
+        objects |= {each: made.files[each] for each in made.objects}
+        args = ["wasm-ld", *objects, *_LINK, "-o", "made"]
+        return [*steps, {"args": args, "inputs": objects, "outputs": {"made": str(self.program)}}]
+
+
+def _planned(path: Path, text: str | None, scratch: Path) -> _Plan:
     source = _read(path, text)
     if not source.ros:
         raise ValueError(f"{path}: this includes neither ros/ros.h nor rclcpp/rclcpp.hpp")
@@ -111,35 +165,12 @@ def build(path: str | os.PathLike[str], waiting: Waiting = lambda: None, text: s
     nodes = {f"node/{number}/{name}": each for number, (name, each) in enumerate(zip(names, source.texts, strict=True))}
     texts = {name: source.texts[each] for name, each in nodes.items()}
     texts |= {f"include/{each}": text for each, text in {**messages, **source.own}.items()}
-    made = _made(source.ros, waiting)
-    program = _KEPT / "programs" / f"{_digest(made.key, json.dumps(texts, sort_keys=True))}.wasm"
-    if program.exists():
-        return Built(program, source.ros)
-    with tempfile.TemporaryDirectory() as scratch:
-        inputs = {}
-        for number, (each, text) in enumerate(texts.items()):
-            inputs[each] = str(Path(scratch, str(number)))
-            _write(Path(inputs[each]), text)
-        steps = []
-        objects = {}
-        for number, name in enumerate(nodes):
-            object_ = Path(scratch, f"{number}.o")
-            steps.append(
-                _Step(object_, ["-include-pch", "prelude.pch", "-c", name], {**made.files, **inputs}).request()
-            )
-            objects[f"{number}.o"] = str(object_)
-        objects |= {each: made.files[each] for each in made.objects}
-        link = {
-            "args": ["wasm-ld", *objects, *_LINK, "-o", "made"],
-            "inputs": objects,
-            "outputs": {"made": str(program)},
-        }
-        said, status = _compile([*steps, link], waiting)
-    if status:
-        for name, file in nodes.items():
-            said = said.replace(name, str(file))
-        raise _explained(said)
-    return Built(program, source.ros)
+    program = _PROGRAMS / f"{_digest(_stand_in(source.ros).key, json.dumps(texts, sort_keys=True))}.wasm"
+    inputs = {each: scratch / str(number) for number, each in enumerate(texts)}
+    if not program.exists():
+        for each, file in inputs.items():
+            _write(file, texts[each])
+    return _Plan(program, source.ros, nodes, {each: str(file) for each, file in inputs.items()}, scratch)
 
 
 def _read(path: Path, text: str | None) -> _Source:
@@ -193,8 +224,6 @@ class _StandIn(NamedTuple):
 
 def _made(ros: int, waiting: Waiting) -> _StandIn:
     """Compile the stand-in for a ROS unless somebody has. Raises ValueError if there is no compiler."""
-    if not _CLANG.is_dir():
-        raise ValueError("C++ nodes need a compiler for WebAssembly: run `make html` in the source of rosspin")
     made = _stand_in(ros)
     if not all(step.file.exists() for step in made.steps):
         with _alone(made.folder, waiting):
@@ -210,6 +239,8 @@ def _made(ros: int, waiting: Waiting) -> _StandIn:
 
 @cache
 def _stand_in(ros: int) -> _StandIn:
+    if not _CLANG.is_dir():
+        raise ValueError("C++ nodes need a compiler for WebAssembly: run `make html` in the source of rosspin")
     version = json.loads((_CLANG / "package.json").read_text(encoding="utf-8"))["version"]
     own = headers.stand_ins(ros)
     names = {name: f"include/{name}" for name in own}
@@ -252,12 +283,13 @@ def _write(file: Path, text: str) -> None:
 
 
 @contextmanager
-def _alone(folder: Path, waiting: Waiting) -> Iterator[None]:
+def _alone(folder: Path, waiting: Waiting, *, shared: bool = False) -> Iterator[None]:
+    """Wait until nobody else is there, or if it is ``shared``, nobody who wants to be alone."""
     folder.mkdir(parents=True, exist_ok=True)
     with open(folder / "lock", "w") as lock:
         while True:
             try:
-                fcntl.flock(lock, fcntl.LOCK_EX | fcntl.LOCK_NB)
+                fcntl.flock(lock, (fcntl.LOCK_SH if shared else fcntl.LOCK_EX) | fcntl.LOCK_NB)
                 break
             except BlockingIOError:
                 waiting()

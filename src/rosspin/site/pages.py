@@ -618,6 +618,7 @@ def setup(app: Sphinx) -> ExtensionMetadata:
     app.add_directive("scenes", ScenesDirective)
     app.add_directive("orders", OrdersDirective)
     app.setup_extension("rosspin.site.checks")
+    app.setup_extension("rosspin.site.compiling")
     app.setup_extension("rosspin.site.lessons")
     app.add_directive("facts", FactsDirective)
     app.add_directive("literalinclude", ListingDirective, override=True)

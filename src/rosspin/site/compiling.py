@@ -1,0 +1,49 @@
+"""Sphinx extension: the C++ nodes that pages run are compiled together, while other pages are read."""
+
+from __future__ import annotations
+
+import re
+from collections.abc import Iterator
+from multiprocessing import get_context
+from pathlib import Path
+
+from sphinx.application import Sphinx
+from sphinx.environment import BuildEnvironment
+from sphinx.util.typing import ExtensionMetadata
+
+from ..cpp import build_together
+from ..run.source import is_cpp
+
+__all__ = ["setup"]
+
+_FILE = re.compile(r"""["'](?:\.\./)*(examples/[\w./-]+\.(?:cpp|launch))["']""")
+_CELL = re.compile(r"^```\{code-cell\}.*\n(?::.*\n)*\n?%%simulate .*\n((?:.*\n)*?)```$", re.MULTILINE)
+
+
+def setup(app: Sphinx) -> ExtensionMetadata:
+    """Connect the function below."""
+    app.connect("env-before-read-docs", _begin)
+    return {"parallel_read_safe": True, "parallel_write_safe": True}
+
+
+def _begin(app: Sphinx, env: BuildEnvironment, pages: list[str]) -> None:
+    """Begin to compile, and read the pages that have to wait for that last."""
+    found = {page: [*_nodes(Path(env.doc2path(page)).read_text(encoding="utf-8"), app.srcdir)] for page in pages}
+    pages.sort(key=lambda page: bool(found[page]))
+    if nodes := [node for page in pages for node in found[page]]:
+        # A process of its own, as runs change what this one has.
+        process = get_context("spawn").Process(target=build_together, args=(nodes,), daemon=True)
+        process.start()
+        app.connect("build-finished", lambda app, error: process.join())
+
+
+def _nodes(page: str, root: Path) -> Iterator[tuple[str, str | None]]:
+    """Yield what a page runs: files by their paths, and cells by their texts, as the magic gives them.
+
+    A launch file is no node, but may start one.
+    """
+    for file in dict.fromkeys(_FILE.findall(page)):
+        yield str(root / file), None
+    for text in _CELL.findall(page):
+        if is_cpp(text):
+            yield str(root / "notebooks" / "cell"), f"\n{text}"
