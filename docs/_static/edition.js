@@ -1,10 +1,29 @@
 // A link that names an edition, as those of the home page do with "?ros=2", chooses it for the tabs of every later page.
-// sphinx-design, which remembers tabs, heeds such a name only on pages that have these tabs themselves.
+// sphinx-design, which remembers tabs, heeds such a name only on pages that have these tabs themselves. A link with
+// "?path=evening" chooses a path, which the pages on it then say, and along which they lead.
 {
-  const ros = new URLSearchParams(location.search).get("ros")
-  try {
-    if (ros) localStorage.setItem("sphinx-design-tab-id-ros", ros)
-  } catch {
-    // This browser stores nothing for us; the tabs can still be chosen by hand.
+  const asked = new URLSearchParams(location.search)
+  const remembered = (name, key) => {
+    const value = asked.get(name)
+    try {
+      if (value) localStorage.setItem(key, value)
+      return value ?? localStorage.getItem(key)
+    } catch {
+      return value // This browser stores nothing for us; the tabs can still be chosen by hand.
+    }
   }
+  remembered("ros", "sphinx-design-tab-id-ros")
+  const path = remembered("path", "rosspin:path")
+  addEventListener("DOMContentLoaded", () => {
+    const lines = [...document.querySelectorAll(".rosspin-path")]
+    const own = lines.filter((line) => line.dataset.path === path)
+    if (!own.length) return
+    lines.forEach((line) => (line.hidden = !own.includes(line)))
+    const [onward, next] = [own.at(-1).querySelector(":nth-child(2)"), document.querySelector(".right-next")]
+    if (!next) return
+    next.hidden = !onward
+    if (!onward) return
+    next.href = onward.href
+    next.querySelector(".prev-next-title").textContent = onward.textContent
+  })
 }

@@ -62,7 +62,19 @@ PARTS = {
 
 OF_SPHINX = {
     f"site.{name}"
-    for name in ("checks", "compiling", "doctests", "lessons", "live", "notes", "pages", "published", "slides", "times")
+    for name in (
+        "checks",
+        "compiling",
+        "doctests",
+        "lessons",
+        "live",
+        "notes",
+        "pages",
+        "paths",
+        "published",
+        "slides",
+        "times",
+    )
 }
 
 # Packages that only these modules may import.

@@ -586,12 +586,14 @@ def list_exercises(
 
 
 def name_exercises(app: Sphinx, page: nodes.document) -> None:
-    """Let links lead to each exercise by its name, which stays: ``notebooks/exercises.html#ten-hertz``."""
+    """Let links lead to each exercise by its name, which stays: ``exercises.html#ten-hertz``, ``:ref:`ten-hertz```."""
+    labels = app.env.domains.standard_domain
     for listing in page.findall(nodes.literal_block):
         if match := re.match(r"%%answer (\S+)\n", listing.astext()):
             section: nodes.Node = listing
             while not isinstance(section, nodes.section):
                 section = section.parent
+            labels.note_hyperlink_target(match[1], app.env.docname, match[1])
             if match[1] not in section["ids"]:
                 section["ids"].append(match[1])
 
