@@ -165,13 +165,13 @@ export class Cell {
     this.driven = make("div", {})
     this.notice = make("p", { className: "live-notice", hidden: true })
     this.copied = make("textarea", { readOnly: true, hidden: true, rows: 4, ariaLabel: "To be copied" })
-    listing.append(this.#arranged())
+    listing.append(...this.#arranged())
     this.#pre.addEventListener("click", () => getSelection()?.isCollapsed && this.#edit())
     if (answer) exercises.push(answer)
     this.#showKept()
   }
 
-  /** All that the reader can press and see, below the listing. */
+  /** What the reader can press, which stays in view beside a long listing, and what comes of it. */
   #arranged() {
     const bar = make("div", { className: "live-bar", role: "group", ariaLabel: `Run ${this.#name} in this page` })
     bar.append(this.run, this.both, this.stop, this.edit, this.reset, this.earlier, this.share, this.copy, this.pin)
@@ -180,8 +180,15 @@ export class Cell {
     if (!this.exercise) bar.append(this.speed)
     if (isNode) bar.append(this.arguments)
     bar.append(this.status)
-    const parts = [this.notice, bar, this.copied, this.driven, this.plot.element, this.#made ?? "", this.console.element]
-    return make("div", { className: "live-cell" }, ...parts)
+    const parts = [this.notice, this.copied, this.driven, this.plot.element, this.#made ?? "", this.console.element]
+    return [bar, make("div", { className: "live-cell" }, ...parts)]
+  }
+
+  /** Show what came of a run to a reader who has pressed Run beside a listing that ends farther down. */
+  #reveal() {
+    const { bottom } = /** @type {HTMLElement} */ (this.run.parentElement).getBoundingClientRect()
+    const isStuck = bottom > innerHeight - 1 && bottom < innerHeight + 1
+    if (isStuck) this.console.element.parentElement?.scrollIntoView({ block: "nearest" })
   }
 
   /** The text as it is now. */
@@ -455,6 +462,7 @@ export class Cell {
       this.driven.replaceChildren(drawDrive(result.drive) ?? "")
       if ("solved" in result) this.#say((result.verdict || SEE_CONSOLE) + this.#progress(result.solved))
       else this.#finish(result, job)
+      if (!("scenes" in result && result.scenes)) this.#reveal()
     } else {
       this.#end()
       this.console.print([[true, `${message.reason}\n`, 0, 0]], 0)
@@ -476,6 +484,7 @@ export class Cell {
     if (scenes) {
       import(`${this.#base}stepper.js`).then(({ offer }) => {
         if (this.#endSteps === none) this.#endSteps = offer(this.console.element, this.#name, scenes, this.#pre, this.#ran)
+        this.#reveal()
       })
     }
     if (count) this.plot.finish(ticks, count, alternative, chunks, end, lost)

@@ -30,9 +30,9 @@ def test_a_figure_moves(firefox_page: Tab, address: str) -> None:
 
 # The console of a page's first listing after a run.
 RUN = """async () => {
-    const cell = document.querySelector(".live-cell")
+    const cell = document.querySelector("div.live")
     cell.querySelector("select").value = "0" // instantly
-    cell.querySelector("button").click()
+    cell.querySelector(".live-bar button").click()
     const status = cell.querySelector("[role=status]")
     while (!/^(done|error|stopped)/.test(status.textContent)) await new Promise(go => setTimeout(go, 50))
     return [status.textContent, cell.querySelector("[role=log] pre").textContent]

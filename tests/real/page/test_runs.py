@@ -17,7 +17,8 @@ from listings_in_page import (
 )
 from notebook_nodes import NODES
 from notebook_nodes import ROS2 as NODES_ROS2
-from playwright.sync_api import BrowserContext, Page, expect
+from playwright.sync_api import Browser, BrowserContext, Page, expect
+from readers import reader
 from tree import EXAMPLES
 
 from rosspin import simulate
@@ -38,6 +39,20 @@ def test_run(tutorial: Page, index: int) -> None:
         expect(cell.plot).to_have_attribute("aria-label", re.compile(f"{run.ticks[0].source}: {len(run.ticks)} ticks"))
     else:
         expect(cell.plot).to_have_count(0)
+
+
+@pytest.mark.parametrize("name", ["docs/ros2/tutorial", "docs/tutorial"])
+def test_run_is_on_the_first_screen_and_so_is_what_it_gives(browser: Browser, address: str, name: str) -> None:
+    with reader(browser, viewport={"width": 1280, "height": 800}) as context:
+        page = context.new_page()
+        page.goto(f"{address}{name}.html?lang=python")
+        cell = Cell(page, 0)
+        expect(cell.button("Run")).to_be_in_viewport(ratio=1)
+        assert page.evaluate("scrollY") == 0
+        cell.button("Run").click()
+        cell.ends("done: 20 ticks")
+        for shown in cell.button("Run"), cell.plot, cell.console:
+            expect(shown).to_be_in_viewport(ratio=1)
 
 
 def test_run_in_real_time(tutorial: Page) -> None:
