@@ -144,6 +144,8 @@ def test_the_waits_alone(page: Page, address: str) -> None:
     figure = page.locator("figure[data-scenes]")
     expect(figure.locator("svg.stepper-ring")).to_have_attribute("aria-label", re.compile("^A ring of waits"))
     assert figure.get_by_role("button").count() == 0
+    box = figure.bounding_box()
+    assert box and box["y"] + box["height"] < 900  # at once: nobody has to scroll or to run anything for it
 
 
 @pytest.mark.parametrize("name", ["ros2-executors", "ros2-rate"])
