@@ -138,8 +138,8 @@ def run(source: str, filename: str, seconds: float, args: str, speed: float, bes
     JSON: the exit ``status``, the number of ``errors`` in its threads, the last ``ticks`` with their durations, their
     ``count``, the ``lost`` ones, each with its source and when it was due (s), the ``chunks`` that each tick printed (a
     call of ``print`` is one, counted from 0; the last ones only), the ``end`` of the run (s) and a text ``alternative``
-    to their plot; of a node that runs alone its ``scenes``, and after ``%%drive SECONDS -- ARGS`` the ``drive`` of the
-    vehicle that ran beside it, as :func:`rosspin.vehicle.drawn.drawn` has it. Errors are printed and give status 1.
+    to their plot; the ``scenes`` of the nodes, or after ``%%drive SECONDS -- ARGS`` the ``drive`` of the vehicle that
+    ran beside the node, as :func:`rosspin.vehicle.drawn.drawn` has it. Errors are printed and give status 1.
     """
     printed = _Printed()
     streams = [_Stream(page, is_error, printed, filename) for is_error in (False, True)]
@@ -152,7 +152,7 @@ def run(source: str, filename: str, seconds: float, args: str, speed: float, bes
             others = [(load_source(*code), _split(words, "arguments")) for *code, words in loads(beside)]
             node = load_source(exercises.code(source), filename)
             drives = source.startswith("%%drive ")
-            pacer = _Pacer(page, speed, printed, "" if others or drives else filename, ROSES[node.hint or 1])
+            pacer = _Pacer(page, speed, printed, "" if drives else filename, ROSES[node.hint or 1], len(others) > 0)
             if drives:
                 return dumps(_drive(node, seconds, node_args, pacer, printed))
             return dumps(_run(node, seconds, node_args, others, pacer, printed))
@@ -478,13 +478,13 @@ def _deque(items: Iterable[Any] = ()) -> deque[Any]:
 class _Pacer:
     """Makes a simulation keep pace with the page's clock, and shows the page each tick as it begins.
 
-    Of the node in the file ``filename``, if one is given, it keeps the steps.
+    Of the node in the file ``filename``, if one is given, it keeps the steps, with those of ``several`` beside it.
     """
 
-    def __init__(self, page: Any, speed: float, ticks: TickLog, filename: str, ros: Ros) -> None:
+    def __init__(self, page: Any, speed: float, ticks: TickLog, filename: str, ros: Ros, several: bool) -> None:
         self.scenes: StepsSeen | None = None
         if filename:
-            self.scenes = ros.steps_seen(ticks, filename, *([self._wait] if speed else []))
+            self.scenes = ros.steps_seen(ticks, filename, *([self._wait] if speed else []), several=several)
         paced = self.scenes.clock if self.scenes else PacedSimulation(self._wait) if speed else None
         self.simulation: Simulation = paced or Simulation()
         self._page = page

@@ -9,10 +9,11 @@ import pytest
 from tree import EXAMPLES
 
 from rosspin.clocks.simulation import Simulation
+from rosspin.run.roslaunch.launch import Launch, Node
 from rosspin.run.scenes import Scenes
-from rosspin.run.simulate import run_node
+from rosspin.run.simulate import run_node, run_nodes
 from rosspin.run.source import load
-from rosspin.run.steps_seen import ThreadsSeen
+from rosspin.run.steps_seen import StepsSeen, ThreadsSeen
 from rosspin.run.streams import capture
 from rosspin.world.graph import TickLog
 
@@ -51,11 +52,15 @@ def written(folder: Path, text: str) -> Path:
 class Told:
     """The scenes of a run, with names in place of numbers."""
 
-    def __init__(self, path: Path, seconds: float) -> None:
+    def __init__(self, path: Path, seconds: float, *others: Path, seen: type[StepsSeen] = Scenes) -> None:
         log = TickLog()
-        scenes = Scenes(log, str(path))
+        scenes = seen(log, str(path), several=bool(others))
         with capture() as console:
-            result = run_node(load(path), seconds, (), scenes.clock, log)
+            if others:
+                nodes = Launch([Node(each) for each in (path, *others)])
+                result = run_nodes(nodes, seconds, scenes.clock, log)
+            else:
+                result = run_node(load(path), seconds, (), scenes.clock, log)
         self.console, self.ticks = console.text(), result.ticks
         self.data: dict[str, Any] = scenes.data(result.status) or {}
         self.names = [name for name, _ in self.data.get("callbacks", ())]
@@ -100,6 +105,40 @@ def test_on_one_thread_the_quick_callback_waits_for_the_slow_one() -> None:
     _, threads, how = run.at(1.3, "slow_callback ends")
     assert threads == {"MainThread": ("", "rclpy.spin(two_timers_py_node)")}
     assert how["slow_callback"] == "waits for the next round"
+
+
+def test_of_several_nodes_each_is_named() -> None:
+    """The lines are those of the first one."""
+    folder = EXAMPLES / "my_robotics_pkg_ros2/my_robotics_pkg"
+    run = Told(folder / "publisher_py_node.py", 0.6, folder / "subscriber_py_node.py")
+    assert [said for said in run.said if said.startswith("0.5: ") and "No" not in said] == [
+        "0.5: The executor of /publisher_py_node finds what is ready: timer_callback.",
+        "0.5: /publisher_py_node calls timer_callback.",
+        "0.5: timer_callback ends.",
+        "0.5: The executor of /subscriber_py_node finds what is ready: counter_callback.",
+        "0.5: /subscriber_py_node calls counter_callback.",
+        "0.5: counter_callback ends.",
+    ]
+    assert run.data["groups"] == [
+        "Default group of /publisher_py_node: one at a time",
+        "Default group of /subscriber_py_node: one at a time",
+    ]
+    _, threads, _ = run.at(0.5, "calls timer_callback")
+    assert threads == {
+        "/publisher_py_node": ("timer_callback", "def timer_callback(self):"),
+        "/subscriber_py_node": ("", ""),
+    }
+
+
+def test_of_several_nodes_of_ros_1_each_thread_is_named() -> None:
+    folder = EXAMPLES / "my_robotics_pkg/src"
+    run = Told(folder / "publisher_py_node.py", 0.6, folder / "subscriber_py_node.py", seen=ThreadsSeen)
+    assert [said for said in run.said if "calls" in said] == [
+        "0.5: /publisher_py_node: Thread-1 calls timerCallback.",
+        "0.5: /subscriber_py_node: /counter calls counterCallback.",
+    ]
+    _, threads, _ = run.at(0.5, "calls counterCallback")
+    assert threads["/subscriber_py_node: /counter"] == ("counterCallback", "")
 
 
 def test_a_done_callback_is_called_in_the_next_round() -> None:

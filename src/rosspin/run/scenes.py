@@ -2,13 +2,15 @@
 
 from __future__ import annotations
 
-import threading
+from collections.abc import Iterable
 from pathlib import Path
 from typing import Any, NamedTuple
 
 from ..clocks.clock import NS
+from ..clocks.stacks import Switched, current
 from ..rclpy.callback_groups import ReentrantCallbackGroup
 from ..rclpy.executors import Executor, GuardCondition, MultiThreadedExecutor
+from ..rclpy.node import Node
 from ..rclpy.parameter_service import ParameterService
 from ..rclpy.services import Client
 from ..rclpy.task import Task
@@ -25,7 +27,7 @@ class _Call(NamedTuple):
 
     entity: Any
     executor: Executor
-    thread: int
+    thread: Switched
     task: Task
 
 
@@ -47,8 +49,8 @@ class _Asked:
 class Scenes(StepsSeen):
     """The steps of a run of ROS 2, in which a step is noted whenever an executor does something or the time goes on."""
 
-    def __init__(self, *args: Any) -> None:
-        super().__init__(*args)
+    def __init__(self, *args: Any, **more: Any) -> None:
+        super().__init__(*args, **more)
         self._ready: dict[Executor, list[Any]] = {}  # what each has found, and not called yet
         self._asked: dict[Any, _Asked] = {}  # by their code, and by their tasks
         self._calls: list[_Call] = []  # those that have not ended
@@ -64,7 +66,7 @@ class Scenes(StepsSeen):
             task, subject = subject, self._asked[subject]
             if what == "calls":
                 subject.tasks.remove(task)
-                self._calls.append(_Call(subject, more, threading.get_ident(), task))
+                self._calls.append(_Call(subject, more, current(), task))
                 self._note(f"{here} calls {self._say([subject])}.", self._begin(_callback(subject)))
                 return
         match what:
@@ -73,19 +75,20 @@ class Scenes(StepsSeen):
             case "finds":
                 self._say(_entities(subject))  # which gives them numbers in their order
                 self._ready[subject] = [entity for entity in _entities(subject) if entity in more]
-                if self._ready[subject]:
-                    self._note(f"The executor finds what is ready: {self._say(self._ready[subject])}.")
+                if found := self._ready[subject]:
+                    whose = self._of(subject.get_nodes())
+                    self._note(f"The executor{whose} finds what is ready: {self._say(found)}.")
             case "calls":
                 self._ready[more] = [each for each in self._ready.get(more, ()) if each is not subject]
                 task = next(task for task, entity, _ in more._tasks if entity is subject and task.executing())
-                self._calls.append(_Call(subject, more, threading.get_ident(), task))
+                self._calls.append(_Call(subject, more, current(), task))
                 late = self.clock.now() - subject._rosspin_expected if isinstance(subject, Timer) else 0
                 lateness = f", {late / NS:g} s late" if late > 0 else ""
                 sets = ". That sets the event for which the loop sleeps" if isinstance(_owner(subject), Rate) else ""
                 self._note(f"{here} calls {self._say([subject])}{lateness}{sets}.", self._begin(_callback(subject)))
             case "ends" if calls := [call for call in self._calls if call.entity is subject]:
                 # A coroutine may end in another thread than the one in which it began.
-                self._calls.remove(min(calls, key=lambda call: call.thread != threading.get_ident()))
+                self._calls.remove(min(calls, key=lambda call: call.thread is not current()))
                 self._note(f"{self._say([subject])} ends.")
             case "wakes":
                 why = "the event is set" if isinstance(subject, Timer) else "what it waited for is there"
@@ -109,8 +112,8 @@ class Scenes(StepsSeen):
         how = [self._how(each, executors.get(each), until) for each in self._callbacks]
         self._steps.append([self.clock.seconds(), said, order, list(self._where(line)), how])
 
-    def _inside(self, thread: int) -> Any:
-        calls = (call for call in reversed(self._calls) if call.thread == thread and call.task.executing())
+    def _inside(self, thread: Switched) -> Any:
+        calls = (call for call in reversed(self._calls) if call.thread is thread and call.task.executing())
         return next((call.entity for call in calls), None)
 
     def _group(self, entity: Any) -> tuple[Any, str]:
@@ -122,12 +125,17 @@ class Scenes(StepsSeen):
             return "Handed to the executor: in no group"
         nodes = [node for executor in self._ready for node in executor.get_nodes()]
         at_once = "many at a time" if isinstance(group, ReentrantCallbackGroup) else "one at a time"
-        if any(group is node._rate_group for node in nodes):
-            return f"Group of Rates: {at_once}"
-        if any(group is node.default_callback_group for node in nodes):
-            return f"Default group: {at_once}"
+        for node in nodes:
+            if group is node._rate_group:
+                return f"Group of Rates{self._of([node])}: {at_once}"
+            if group is node.default_callback_group:
+                return f"Default group{self._of([node])}: {at_once}"
         own = sum(name.startswith("Own") for _, name in self._groups.values())
         return f"Own group {own + 1}: {at_once}"
+
+    def _of(self, nodes: Iterable[Node]) -> str:
+        """Say of what nodes something is, if that could be asked."""
+        return f" of {', '.join(node.get_fully_qualified_name() for node in nodes)}" if self._several else ""
 
     def _name(self, entity: Any) -> str:
         if isinstance(_owner(entity), Rate):

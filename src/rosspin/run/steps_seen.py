@@ -10,9 +10,10 @@ from types import CodeType
 from typing import Any
 
 from ..clocks.clock import NS
+from ..clocks.explored import name_of
 from ..clocks.frames import trail
 from ..clocks.simulation import PacedSimulation
-from ..clocks.stacks import current
+from ..clocks.stacks import Stack, Switched, current
 from ..world.graph import TickLog
 
 __all__ = ["StepsSeen", "ThreadsSeen", "code_of"]
@@ -26,18 +27,21 @@ class StepsSeen:
     """The steps of a run, in which a step is noted whenever something is told or the time goes on.
 
     The run has to go on :attr:`clock`, and to record its ticks in ``log``. Lines are those of the file ``filename``.
-    ``pace(when)`` is called before the time becomes ``when`` (ns).
+    ``pace(when)`` is called before the time becomes ``when`` (ns). Of ``several`` nodes, each is named.
     """
 
-    def __init__(self, log: TickLog, filename: str, pace: Callable[[int], object] = lambda when: None) -> None:
+    def __init__(
+        self, log: TickLog, filename: str, pace: Callable[[int], object] = lambda when: None, several: bool = False
+    ) -> None:
         log.tell = self.tell
         self.clock = PacedSimulation(self._before)
         self._filename = filename
         self._pace = pace
+        self._several = several
         self._callbacks: dict[Any, int] = {}  # timers and the like: their numbers
         self._names: list[tuple[str, int]] = []  # of the callbacks, with the numbers of their groups
         self._groups: dict[Any, tuple[int, str]] = {}
-        self._threads: dict[int, tuple[int, str]] = {}
+        self._threads: dict[Stack, tuple[int, str]] = {}
         self._steps: list[list[Any]] = []
         self._rings: list[list[Any]] = []
 
@@ -64,7 +68,11 @@ class StepsSeen:
         if what == "ring":
             self._rings.append(subject)
         elif not (self._is_full or self.clock.is_over):
-            self._note_what(what, subject, more, threading.current_thread().name)
+            stack = current()
+            here = threading.current_thread().name
+            if self._several and isinstance(stack, Stack):
+                here = name_of(stack)
+            self._note_what(what, subject, more, here)
 
     def _note_what(self, what: str, subject: Any, more: Any, here: str) -> None:
         raise NotImplementedError()
@@ -88,21 +96,24 @@ class StepsSeen:
         """Note a step, after which nothing changes ``until`` then. ``line`` is the calling thread's, if it is known."""
         raise NotImplementedError()
 
-    def _inside(self, thread: int) -> Any:
+    def _inside(self, thread: Switched) -> Any:
         """Return what runs in a thread."""
         raise NotImplementedError()
 
     def _where(self, here: int) -> Iterator[tuple[int, int, int]]:
         """Find for each thread its number, the callback in it and its line."""
         for stack in self.clock.suspended():
-            thread = threading._active.get(stack.ident)  # type: ignore[attr-defined]
-            if thread is None:
+            if self._several:
+                name = stack.owner.name and name_of(stack)
+            else:
+                name = getattr(threading._active.get(stack.ident), "name", "")  # type: ignore[attr-defined]
+            if not name:
                 continue
-            number, _ = self._threads.setdefault(stack.ident, (len(self._threads), thread.name))
+            number, _ = self._threads.setdefault(stack, (len(self._threads), name))
             is_here = stack is current()
             frames = trail(sys._getframe()) if is_here else stack.trail
             line = next((line for code, _, line in frames if code.co_filename == self._filename), 0)
-            yield number, self._callbacks.get(self._inside(stack.ident), -1), is_here and here or line
+            yield number, self._callbacks.get(self._inside(stack), -1), is_here and here or line
 
     def _say(self, entities: Iterable[Any]) -> str:
         """Name callbacks; a new one gets a number, and so does its group."""
@@ -132,9 +143,9 @@ class StepsSeen:
 class ThreadsSeen(StepsSeen):
     """The steps of a run of ROS 1, where each timer, and each topic, calls back in a thread of its own."""
 
-    def __init__(self, *args: Any) -> None:
-        super().__init__(*args)
-        self._calls: dict[int, list[Any]] = {}  # by thread: the callbacks in it, the innermost last
+    def __init__(self, *args: Any, **more: Any) -> None:
+        super().__init__(*args, **more)
+        self._calls: dict[Switched, list[Any]] = {}  # by thread: the callbacks in it, the innermost last
 
     def data(self, status: int) -> dict[str, Any] | None:
         """Return the same as for ROS 2, without groups."""
@@ -142,7 +153,7 @@ class ThreadsSeen(StepsSeen):
         return data and data | {"groups": []}
 
     def _note_what(self, what: str, subject: Any, more: Any, here: str) -> None:
-        calls = self._calls.setdefault(threading.get_ident(), [])
+        calls = self._calls.setdefault(current(), [])
         if what == "says":
             self._note(f"{here} {subject}")
         elif what == "calls":
@@ -161,7 +172,7 @@ class ThreadsSeen(StepsSeen):
         how = ["runs" if callback in running else "" for callback in self._callbacks]
         self._steps.append([self.clock.seconds(), said, [], list(self._where(line)), how])
 
-    def _inside(self, thread: int) -> Any:
+    def _inside(self, thread: Switched) -> Any:
         return next(reversed(self._calls.get(thread, ())), None)
 
     def _group(self, entity: Any) -> tuple[Any, str]:

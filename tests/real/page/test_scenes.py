@@ -167,3 +167,24 @@ def test_the_threads_of_a_node_of_ros_1(tutorial: Page) -> None:
     expect(cell.element.locator(".stepper-picture > .stepper-box > b")).to_have_text(["Threads"])
     alternative = re.compile("MainThread, runs no callback, line .*; Thread-1, runs timerCallback, line ")
     expect(cell.element.locator(".stepper-picture")).to_have_attribute("aria-label", alternative)
+
+
+@pytest.mark.parametrize("own", ["publisher", "subscriber"])
+def test_nodes_that_run_together(page: Page, address: str, own: str) -> None:
+    """Both are drawn; the lines are those of the listing below which they ran."""
+    page.goto(f"{address}docs/ros2/publish.html?lang=python")
+    cell = Cell(page, ["publisher", "subscriber"].index(own))
+    cell.element.get_by_role("spinbutton").fill("0.6")
+    cell.element.get_by_role("button", name="Run both").click()
+    cell.ends("done: 1 tick")
+    cell.button("Step through this").click()
+    picture = cell.element.locator(".stepper-picture")
+    for name in "publisher", "subscriber":
+        expect(picture).to_contain_text(f"Default group of /{name}_py_node")
+    said, calls = cell.element.locator(".stepper-said"), re.compile(f"^/{own}_py_node calls ")
+    for _ in range(9):
+        if not calls.match(said.text_content() or ""):
+            cell.element.get_by_role("button", name="Forward").click()
+    expect(said).to_have_text(calls)
+    assert marked(page, cell.element)[0].startswith(f"def {'timer' if own == 'publisher' else 'counter'}_callback(self")
+    assert in_both_schemes(page) == []
