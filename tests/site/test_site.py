@@ -307,6 +307,16 @@ def test_simulated_run_works(
     assert said in "".join(capsys.readouterr())
 
 
+@pytest.mark.parametrize("name", ["docs/ros2/tutorial", "docs/tutorial"])
+def test_who_chooses_cpp_is_told_what_can_be_done_without_ros(name: str) -> None:
+    """On the first page, and below the first listing, with a command that is tried above."""
+    home = _page("index").select("article")[0]
+    (link,) = home.select("a[href='docs/simulation-limits.html#cpp-nodes']")
+    assert link.get_text() == "without ROS"
+    tab, *_ = (tab for tab in _page(name).select(".sd-tab-content") if "spinner_cpp_node.cpp" in tab.get_text())
+    assert "spinner_cpp_node.cpp \\\n      --simulated" in tab.get_text()
+
+
 def test_readme_links_lead_somewhere() -> None:
     readme = (ROOT / "README.md").read_text(encoding="utf-8")
     targets = [target for target in re.findall(r"\]\(([^)]+)\)", readme) if not urlsplit(target).scheme]
