@@ -101,6 +101,7 @@ export class Cell {
   /** @type {(Omit<import("./protocol.js").PinJob, "kind">) | null} */
   #pinned = null // what the last run showed, if a test can pin it
   #ran = "" // what the last run ran
+  #hasRun = false // whether what a run has shown, maybe nothing, is there still
   #endSteps = () => {} // takes away what goes through it step by step
   /** @type {import("./editor.js").Editor | null} */
   #editor = null
@@ -201,7 +202,7 @@ export class Cell {
     this.arguments.hidden = !READS_ARGUMENTS.test(this.#text) && !this.args.value
     this.args.placeholder = EXAMPLE[String(this.#text.match(/\brospy\b|\brclpy\b/))] ?? ""
     const isUntouched = this.#text === this.#original && this.seconds.value === SECONDS && !this.args.value
-    this.reset.ariaDisabled = String(isUntouched && !this.#own && this.console.empty)
+    this.reset.ariaDisabled = String(isUntouched && !this.#own && !this.#hasRun)
     this.earlier.hidden = !this.#kept.hasEarlier
   }
 
@@ -269,7 +270,7 @@ export class Cell {
     const text = this.#kept.text ?? this.#original
     if (text !== this.#text && this.#editor) this.#editor.write(text)
     else this.#show(text)
-    if (this.console.empty) this.#showMade(text === this.#original)
+    if (!this.#hasRun) this.#showMade(text === this.#original)
     if (!this.#worker) this.#say(said)
   }
 
@@ -414,6 +415,7 @@ export class Cell {
     this.#endSteps = () => {}
     this.copied.hidden = this.pin.hidden = true
     this.#pinned = null
+    this.#hasRun = runs
     this.#showMade(!runs)
   }
 

@@ -63,10 +63,6 @@ export class Console {
     this.clear()
   }
 
-  get empty() {
-    return this.element.hidden
-  }
-
   /** All that was printed; null if some of it is left out. */
   get whole() {
     return this.#cut ? null : this.#text.textContent

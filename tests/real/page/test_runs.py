@@ -55,6 +55,20 @@ def test_run_is_on_the_first_screen_and_so_is_what_it_gives(browser: Browser, ad
             expect(shown).to_be_in_viewport(ratio=1)
 
 
+def test_a_run_that_prints_nothing_can_be_reset(page: Page, address: str) -> None:
+    page.goto(f"{address}docs/publish.html")
+    cell = Cell(page, 0, "div.live:has([aria-label='Run slowing_py_node.py'])")
+    made, reset = cell.element.locator("figure.live-made"), cell.button("Reset")
+    expect(reset).to_have_attribute("aria-disabled", "true")
+    cell.button("Run").click()
+    assert cell.ends("done: 101 ticks") == ""
+    expect(made).to_be_hidden()
+    expect(reset).to_have_attribute("aria-disabled", "false")
+    reset.click()
+    expect(made).to_be_visible()
+    expect(reset).to_have_attribute("aria-disabled", "true")
+
+
 def test_run_in_real_time(tutorial: Page) -> None:
     cell = Cell(tutorial, TIMER)
     cell.status.evaluate(
