@@ -2,6 +2,8 @@
 
 from __future__ import annotations
 
+import os
+import signal
 from collections.abc import Callable, Mapping, Sequence
 from contextlib import ExitStack
 from pathlib import Path
@@ -11,7 +13,7 @@ from typing import Any
 import pytest
 from tree import ROOT
 
-from rosspin.cpp import build, build_together, building
+from rosspin.cpp import CompileError, build, build_together, building
 from rosspin.cpp.building import _alone
 from rosspin.site import compiling
 from rosspin.site.compiling import _begin, _nodes
@@ -67,6 +69,18 @@ def test_nodes_are_compiled_together_and_found_one_by_one(asked: list[Any], tmp_
     assert {build(NODE).program, build("<cell 7>", text=text).program} == {*tmp_path.glob("*.wasm")}
     build_together(nodes)
     assert len(asked) == 1
+
+
+def test_a_compiler_is_asked_again_and_another_if_it_has_ended() -> None:
+    def asked() -> int:
+        with pytest.raises(CompileError, match="expected"):
+            build("node.cpp", text="#include <ros/ros.h>\nint main( {")
+        return building._idle[-1].pid
+
+    first = asked()
+    assert asked() == first
+    os.kill(first, signal.SIGKILL)
+    assert asked() != first
 
 
 def test_what_a_page_runs_is_found() -> None:

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import atexit
 import fcntl
 import json
 import os
@@ -307,24 +308,58 @@ def node_command() -> list[str]:
     return [found]
 
 
+# Compilers that this process has started and that have nothing to do: starting one takes longer than a small node.
+# They end by themselves when they have been idle for a minute.
+_idle: list[subprocess.Popen[bytes]] = []
+os.register_at_fork(after_in_child=_idle.clear)
+
+
+@atexit.register
+def _end_compilers() -> None:
+    while _idle:
+        _idle.pop().communicate()
+
+
 def _compile(steps: Sequence[Mapping[str, object]], waiting: Waiting) -> tuple[str, int]:
     """Run the compiler; return what it says, and its status."""
-    said = b""
-    with tempfile.TemporaryFile() as request:
-        request.write(json.dumps({"steps": steps}).encode())
-        request.seek(0)
-        command = [*node_command(), str(_JS / "compile.mjs"), str(_CLANG)]
-        with subprocess.Popen(command, stdin=request, stdout=subprocess.DEVNULL, stderr=subprocess.PIPE) as child:
-            assert child.stderr
-            file = child.stderr.fileno()
-            while True:
-                ready, _, _ = select.select([file], [], [], _LOOK)
-                waiting()
-                data = os.read(file, 1 << 16) if ready else b""
-                if ready and not data:
-                    break
-                said += data
-    return said.decode(errors="replace"), child.returncode
+    request = json.dumps({"steps": steps}).encode() + b"\n"
+    answer = b""
+    while _idle and not answer:
+        answer = _asked(_idle.pop(), request, waiting)
+    answer = answer or _asked(_started(), request, waiting)
+    if not answer:
+        raise RuntimeError("the compiler ended without an answer")
+    answered = json.loads(answer)
+    return answered["said"], answered["status"]
+
+
+def _asked(child: subprocess.Popen[bytes], request: bytes, waiting: Waiting) -> bytes:
+    """Return a compiler's answer, or nothing if it has ended."""
+    assert child.stdin and child.stdout
+    answer = b""
+    try:
+        with suppress(BrokenPipeError):
+            child.stdin.write(request)
+            child.stdin.flush()
+        while not answer.endswith(b"\n"):
+            ready, _, _ = select.select([child.stdout], [], [], _LOOK)
+            waiting()
+            data = os.read(child.stdout.fileno(), 1 << 16) if ready else b""
+            if ready and not data:
+                return b""
+            answer += data
+        _idle.append(child)
+    finally:
+        if not answer.endswith(b"\n"):
+            with suppress(BrokenPipeError), child:
+                child.kill()
+    return answer
+
+
+def _started() -> subprocess.Popen[bytes]:
+    command = [*node_command(), str(_JS / "compile.mjs"), str(_CLANG)]
+    # In a session of its own: Ctrl-C is for the node.
+    return subprocess.Popen(command, stdin=subprocess.PIPE, stdout=subprocess.PIPE, cwd=_JS, start_new_session=True)
 
 
 def _digest(*parts: str) -> str:

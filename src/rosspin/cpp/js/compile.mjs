@@ -1,9 +1,11 @@
-// Compiles C++ to WebAssembly: node compile.mjs CLANG, with a request as JSON on standard input:
+// Compiles C++ to WebAssembly: node compile.mjs CLANG, with requests on standard input until it ends, each a line of JSON:
 // { steps: [{ args, inputs: { "path in the compiler's world": "file" }, outputs: { "path": "file" } }] }
-// What the compiler says goes to standard error; the exit status is its own.
+// The answer is a line on standard output: { said, status } of the compiler, which ends at the first step that fails.
+// A compiler needs half a gigabyte, so it ends when nobody has asked for a minute.
 
 import { mkdirSync, readFileSync, renameSync, writeFileSync } from "node:fs"
 import path from "node:path"
+import { createInterface } from "node:readline"
 import { setFlagsFromString } from "node:v8"
 
 import { Compiler } from "./llvm.mjs"
@@ -15,7 +17,6 @@ if (Number.parseInt(process.versions.node) >= 24) setFlagsFromString("--external
 
 const brought = (name) => readFileSync(path.join(process.argv[2], "gen", name))
 const compiler = new Compiler(await WebAssembly.compile(brought("llvm.core.wasm")), brought("llvm-resources.tar"))
-const { steps } = JSON.parse(readFileSync(0, "utf8"))
 
 // Written beside and renamed: a file that is there is whole.
 const write = (file, content) => {
@@ -25,13 +26,21 @@ const write = (file, content) => {
   renameSync(beside, file)
 }
 
-for (const { args, inputs, outputs } of steps) {
-  const files = Object.fromEntries(Object.entries(inputs).map(([name, file]) => [name, readFileSync(file)]))
-  const { status, said, made } = compiler.run(args, files, Object.keys(outputs))
-  process.stderr.write(said)
-  if (status) {
-    process.exitCode = status
-    break
+function compiled(steps) {
+  let all = ""
+  for (const { args, inputs, outputs } of steps) {
+    const files = Object.fromEntries(Object.entries(inputs).map(([name, file]) => [name, readFileSync(file)]))
+    const { status, said, made } = compiler.run(args, files, Object.keys(outputs))
+    all += said
+    if (status) return { said: all, status }
+    for (const [name, file] of Object.entries(outputs)) write(file, made[name])
   }
-  for (const [name, file] of Object.entries(outputs)) write(file, made[name])
+  return { said: all, status: 0 }
 }
+
+const ending = setTimeout(() => process.exit(), 60_000)
+for await (const line of createInterface({ input: process.stdin })) {
+  process.stdout.write(`${JSON.stringify(compiled(JSON.parse(line).steps))}\n`)
+  ending.refresh()
+}
+process.exit()
