@@ -78,6 +78,7 @@ def test_a_path_has_what_its_pages_and_exercises_need(site: Path, ros: int, cour
 # What a page may point to although a path leaves it out: what one looks up, and what teachers, or the curious, read.
 BESIDE = {f"docs/{name}" for name in ("differences", "for-teachers", "glossary", "paths", "simulation-limits")}
 BESIDE |= {"docs/how-to/info-lines", "docs/how-to/break-things-on-purpose"}
+BESIDE |= {"docs/how-to/message-type", "docs/how-to/wait-for-a-message"}
 # Those have a path of their own, for a node that stutters.
 BESIDE |= {f"docs/{name}" for name in ("show-your-log", "how-to/look-at-your-log", "how-to/irregular-loop")}
 BESIDE |= {"docs/how-to/why-does-it-hang"}
