@@ -44,7 +44,7 @@ HELD = {
     "reaches the network, or services of yours through a socket": {**dict.fromkeys(_SEALED, ATTACKS), **_KEPT},
     "starts or signals processes": {**dict.fromkeys(_SEALED, ATTACKS), **_KEPT},
     "takes": {**dict.fromkeys(_SEALED, "test_an_answer_that_never_ends_is_ended"), **_KEPT},
-    "goes on after the command has ended, or was killed": {
+    "continues after the command has ended, or was killed": {
         **dict.fromkeys((*_SEALED, LINUX, CONTAINER), "test_nothing_outlives_the_judge"),
     },
 }

@@ -210,8 +210,8 @@ def test_what_is_no_bag(data: bytes, says: str) -> None:
 @pytest.mark.parametrize(
     ("bound", "most", "data", "says"),
     [
-        ("_MOST_MESSAGES", 12, MCAP + TWENTY, "Only the first 12 messages of the bag were read."),
-        ("_MOST_MESSAGES", 12, BAG + TWENTY1, "Only the first 12 messages of the bag were read."),
+        ("MOST_MESSAGES", 12, MCAP + TWENTY, "Only the first 12 messages of the bag were read."),
+        ("MOST_MESSAGES", 12, BAG + TWENTY1, "Only the first 12 messages of the bag were read."),
         ("_MOST_STEPS", 50, MCAP + TWENTY + record(0x80, b"") * 40, "Only the first 50 records of the bag were read."),
         ("_MOST_STEPS", 90, BAG + TWENTY1 + record1(b"", op=b"\x04") * 20, "Only the first 90 records of the bag"),
         (

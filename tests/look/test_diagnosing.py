@@ -150,7 +150,7 @@ def test_two_rows_of_times_without_a_count() -> None:
 
 def test_there_is_a_known_log_for_each_verdict() -> None:
     assert {case.truth for case in CASES} | {"doubled", "held-up"} == TITLES.keys()
-    assert f"{sum(case.is_real for case in CASES)} of them were recorded on the real ROS 1" in PAGE
+    assert f": {sum(case.is_real for case in CASES)} recorded on the real ROS 1 and ROS 2, the" in PAGE
 
 
 @pytest.mark.parametrize("stamps", [[1700000000] * 30, [1700000000 + number // 8 for number in range(40)]])

@@ -129,7 +129,7 @@ def test_of_stamps_of_two_clocks_one_is_looked_at(wall: int, kept: str) -> None:
 
 
 def test_of_very_many_lines_the_first_are_read(monkeypatch: pytest.MonkeyPatch) -> None:
-    monkeypatch.setattr("rosspin.look.reading._MOST_LINES", 100)
+    monkeypatch.setattr("rosspin.look.reading.MOST_LINES", 100)
     found = look(b"".join(b"[INFO] [%d.5]: counter = %d\n" % (n, n) for n in range(1000)))
     assert found.entries == 100 and found.notes == ("Only the first 100 lines were read.",)
 
@@ -141,7 +141,7 @@ def test_of_a_very_long_line_the_beginning_is_read(begin: bytes) -> None:
 
 
 def test_of_very_many_different_lines_the_most_frequent_are_looked_at(monkeypatch: pytest.MonkeyPatch) -> None:
-    monkeypatch.setattr("rosspin.look.series._MOST", 3)
+    monkeypatch.setattr("rosspin.look.series.MOST", 3)
     words = ("a", "b", "a", "c", "a", "b", "d", "e", "c", "a")
     found = look(b"".join(b"[INFO] [%d.5]: %s\n" % (n, word.encode()) for n, word in enumerate(words * 10)))
     assert [series.name for series in found.series] == ["a", "b", "c"]

@@ -20,10 +20,10 @@ from typing import Any, BinaryIO, NamedTuple
 
 from .reading import BAGS, Entry, Log, NoLog, plain
 
-__all__ = ["read_bag"]
+__all__ = ["MOST_MESSAGES", "read_bag"]
 
 # How much is read of a bag. Of a longer one, all that is said comes from this much.
-_MOST_MESSAGES = 500_000
+MOST_MESSAGES = 500_000
 _MOST_STEPS = 4_000_000  # records, and the fields in their headers
 _MOST_BYTES = 10**9  # that are unpacked, or come through a pipe
 _MOST_TOPICS = 10_000
@@ -58,8 +58,8 @@ def read_bag(magic: bytes, file: BinaryIO, progress: Callable[[float], None]) ->
     try:
         for time, topic, publisher in messages:
             log.entries.append(Entry(time, topic, publisher, "", "", ()))
-            if len(log.entries) >= _MOST_MESSAGES:
-                raise _Full(f"the first {_MOST_MESSAGES:,} messages")
+            if len(log.entries) >= MOST_MESSAGES:
+                raise _Full(f"the first {MOST_MESSAGES:,} messages")
     except _Full as bound:
         if not log.entries:
             raise NoLog(f"this {suffix} was given up: {bound} had been read, and no message") from None
@@ -288,7 +288,7 @@ def _db3(file: BinaryIO, progress: Callable[[float], None]) -> Iterator[_Message
             if kind != "integer":
                 raise ValueError(f"a message on {topics[number][0]!r} has a time of the type {kind}")
             if count % 4096 == 0:
-                progress(count / max(count, min(most, _MOST_MESSAGES)))
+                progress(count / max(count, min(most, MOST_MESSAGES)))
             yield _Message(time, *topics[number])
 
 

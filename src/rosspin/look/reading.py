@@ -13,7 +13,7 @@ from collections.abc import Sequence
 from dataclasses import dataclass, field
 from datetime import datetime
 
-__all__ = ["LIMIT", "Entry", "Log", "NoLog", "read"]
+__all__ = ["LIMIT", "MOST_LINES", "Entry", "Log", "NoLog", "read"]
 
 NS = 10**9
 
@@ -24,7 +24,7 @@ LIMIT = 16_000_000
 _EPOCH_BEGINS = 10**9 * NS
 
 # Of a text, no more lines than these are looked at, and of a line no more characters.
-_MOST_LINES = 500_000
+MOST_LINES = 500_000
 _WIDEST = 2_000
 
 # The first bytes of a bag.
@@ -97,8 +97,8 @@ def read(data: bytes) -> Log:
     if not data.strip():
         raise NoLog("the file is empty")
     lines = _decode(data).splitlines()
-    cut = len(lines) > _MOST_LINES
-    del lines[_MOST_LINES:]
+    cut = len(lines) > MOST_LINES
+    del lines[MOST_LINES:]
     try:
         table = _table(lines)
     except csv.Error:  # of what looked like one
@@ -107,7 +107,7 @@ def read(data: bytes) -> Log:
     if len(data) >= LIMIT:
         log.notes.append(f"Only the first {LIMIT // 10**6} MB were read.")
     elif cut:
-        log.notes.append(f"Only the first {_MOST_LINES:,} lines were read.")
+        log.notes.append(f"Only the first {MOST_LINES:,} lines were read.")
     return log
 
 

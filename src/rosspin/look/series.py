@@ -12,7 +12,7 @@ from statistics import median, mode
 from ..measures import quantile
 from .reading import Entry, shape
 
-__all__ = ["FEWEST", "MS", "NS", "Gap", "Series", "first_run", "group"]
+__all__ = ["FEWEST", "MOST", "MS", "NS", "Gap", "Series", "first_run", "group"]
 
 NS = 10**9
 MS = 10**6
@@ -21,7 +21,7 @@ MS = 10**6
 FEWEST = 6
 
 # Of more different lines, only the most frequent are series.
-_MOST = 300
+MOST = 300
 
 # Periods as someone would choose them (ns): the roundest; those, a whole number of Hz, or such a number of seconds.
 _ROUND = sorted(chosen * 10.0**power for chosen in (1, 2, 2.5, 4, 5) for power in range(5, 12))
@@ -199,7 +199,7 @@ def group(entries: Sequence[Entry], kind: str) -> tuple[list[Series], int]:
         key = ("", entry.node, "" if kind != "console" else entry.shape)
         found.setdefault((entry.process if kind == "console" else "", *key[1:]), []).append(entry)
     made = []
-    for (process, node, text), group in nlargest(_MOST, found.items(), key=lambda each: len(each[1])):
+    for (process, node, text), group in nlargest(MOST, found.items(), key=lambda each: len(each[1])):
         numbers = _counting(group)
         rows = _rows(numbers) if numbers else [list(range(len(group)))]
         for part, row in enumerate(rows, 1):
@@ -217,7 +217,7 @@ def group(entries: Sequence[Entry], kind: str) -> tuple[list[Series], int]:
             fit(series)
             made.append(series)
     made.sort(key=lambda series: -len(series.times))
-    return made, len(found) if len(found) > _MOST else 0
+    return made, len(found) if len(found) > MOST else 0
 
 
 def _name(node: str, text: str, members: Sequence[Entry]) -> str:
