@@ -11,6 +11,7 @@ import pytest
 from rosspin import plots, simulate, start
 from rosspin.plots.pictures import alternative
 from rosspin.vehicle import ros1, ros2
+from rosspin.vehicle.drawn import drawn
 from rosspin.vehicle.drives import NODE, Drive
 from rosspin.vehicle.physics import AHEAD, EDGE, FASTEST, START, Vehicle, line, nearest, point
 
@@ -205,6 +206,17 @@ def test_the_picture_is_described_from_the_run() -> None:
     assert "/follower tick: 16 ticks" in said and "/follower /cmd_vel: 16 ticks" in said and "sense" not in said
     ways = [list(each.get_xdata()) for each in figure.axes[0].lines]  # type: ignore[arg-type]
     assert [spot.x for spot in Drive.of(run.messages).spots] in ways
+
+
+@pytest.mark.parametrize("seconds", [2.0, 8.0])
+def test_the_end_of_the_road_is_in_the_picture(seconds: float) -> None:
+    """In a page and in matplotlib: the road is half a metre wide, and its end is round."""
+    run = simulate([partial(follower2, 0.1), ros2.vehicle], seconds)
+    _, box, road, *_ = drawn(Drive.of(run.messages), [], seconds)
+    left, _, width, _ = map(float, box.split())
+    ax = plots.drive(run).axes[0]
+    assert 0.25 < left + width - float(road.rpartition("L")[2].split()[0]) < 0.5
+    assert 0.25 < ax.get_xlim()[1] - ax.lines[0].get_path().get_extents().x1 < 0.5
 
 
 def test_without_a_vehicle_there_is_no_picture() -> None:

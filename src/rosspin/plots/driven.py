@@ -27,7 +27,8 @@ def draw_way(drive: Drive, caption: str, ax: Axes) -> None:
         last = drive.spots[-1]
         across, up = zip(*way, strict=True)
         left, right = min(-0.5, *across), max(11.0, max(across) + 0.6)
-        draw(ax, way, _off(drive), list(_told(drive)), Place(last.x, last.y, last.heading), 0.7, right)
+        # The road ends where its round end is still seen.
+        draw(ax, way, _off(drive), list(_told(drive)), Place(last.x, last.y, last.heading), 0.7, right - 0.3)
         ax.set(xlim=(left, right), ylim=(min(-1.6, min(up) - 0.4), max(1.6, max(up) + 0.4)), aspect="equal")
         ax.set_axis_off()
 

@@ -36,7 +36,7 @@ def drawn(drive: Drive, ticks: Iterable[float], seconds: float) -> list[str]:
     return [
         drive.words,
         f"{left:.2f} {top:.2f} {right - left:.2f} {bottom - top:.2f}",
-        "M" + "L".join(f"{x:.2f} {-y:.2f}" for x, y in line(right)[::15]),
+        "M" + "L".join(f"{x:.2f} {-y:.2f}" for x, y in line(right - 0.3)[::15]),  # its round end is seen
         _path(spots),
         "".join(map(_path, off)),
         "".join(f"M{spot.x:.2f} {-spot.y:.2f}h0" for spot in _at(spots, told)),

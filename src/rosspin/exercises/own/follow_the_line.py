@@ -10,8 +10,8 @@ from ..judging import Answer
 
 TITLE = "Follow the line"
 TEXT = """
-This node hears where the line is, and can steer. Let a timer steer ten times a second, so that the vehicle follows its
-line for 8 s.
+This node hears where the line is. Make it steer ten times a second, with a timer, so that the vehicle follows its line
+for 8 s.
 """
 REVEALS = "A node steers by itself once it has a publisher. A command that was sent once is enough."
 
@@ -57,9 +57,9 @@ if __name__ == '__main__':
 """
 
 HINTS = [
-    "How often is `steer` called, and when? Is the vehicle there by then?",
-    "`self.create_timer(period, callback)`: the callback is called once each period.",
-    "Ten times a second is a period of 0.1 s. The callback can be `self.steer` itself.",
+    "How often is `steer` called, and when?",
+    "`self.create_timer(period, callback)` calls the callback once each period.",
+    "The period is 0.1 s, and the callback can be `self.steer` itself.",
 ]
 
 _AGAIN = "Its wheels stay as they were told last. Tell them again, ten times a second or so."

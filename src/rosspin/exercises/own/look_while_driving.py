@@ -10,8 +10,8 @@ from ..judging import Answer, say
 
 TITLE = "Look while driving"
 TEXT = """
-The node now looks at the pictures of the camera, too, which takes 0.3 s for each. Keep the vehicle on its line, without
-looking at fewer pictures, or for a shorter time.
+The node now also looks at each picture of the camera for 0.3 s. Keep the vehicle on its line, without looking at fewer
+pictures, or for a shorter time.
 """
 REVEALS = "Callbacks run at the same time by themselves. More threads are enough, or a group is."
 
@@ -64,9 +64,9 @@ if __name__ == '__main__':
 """
 
 HINTS = [
-    "What does the timer do while `picture_callback` looks for people? Who would call its callback?",
-    "`rclpy.spin(node, MultiThreadedExecutor(2))`: two threads. Which callbacks may they call at the same time?",
-    "Callbacks of one group wait for each other, and all are in the node's own group unless you say otherwise: "
+    "Who could call the timer's callback while `picture_callback` looks for people?",
+    "`rclpy.spin(node, MultiThreadedExecutor(2))` has two threads. Which callbacks may they call at the same time?",
+    "Callbacks of one group wait for each other, and all are in the node's own group. Give one of them another: "
     "`callback_group=MutuallyExclusiveCallbackGroup()`.",
 ]
 

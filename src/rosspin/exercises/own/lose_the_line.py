@@ -11,8 +11,8 @@ from ..seen import Seen
 
 TITLE = "At which rate is it lost?"
 TEXT = """
-Your node is not alone on its computer, and each command costs a little. Find the slowest timer, in steps of 0.05 s,
-with which the vehicle keeps to its line for 8 s at 2 m/s.
+Each command takes computing time. Find the slowest timer, in steps of 0.05 s, with which the vehicle stays on its line
+for 8 s at 2 m/s.
 """
 REVEALS = "Any rate will do. The faster, the better, and it costs nothing."
 
@@ -58,8 +58,8 @@ if __name__ == '__main__':
 """
 
 HINTS = [
-    "Between two commands the wheels stay as they are. How far does the vehicle drive in 0.5 s?",
-    "Halve the period until the vehicle stays on its line, then make it longer again, in steps of 0.05 s.",
+    "How far does the vehicle drive between two commands, in 0.5 s?",
+    "Halve the period until the vehicle stays on its line, then lengthen it in steps of 0.05 s.",
 ]
 
 _SECONDS = 8.0

@@ -10,9 +10,9 @@ from ..judging import Answer, plain, say
 
 TITLE = "Share the wheel"
 TEXT = """
-From 3 s to 5 s, somebody with a joystick stops the vehicle: another node, which then publishes a speed of 0 on
-`/cmd_vel`, four times a second. Your node sends more, and wins. Find out who else publishes there, print it as
-`[DRIVER] other = ` and the name of the node, and send nothing meanwhile. Then drive on.
+From 3 s to 5 s a joystick, which is another node, should stop the vehicle: it publishes a speed of 0 on `/cmd_vel`,
+four times a second. Your node sends more often, and wins. Find out which other node publishes there, print its name as
+`[DRIVER] other = ` and the name, and send nothing meanwhile. Then drive on.
 """
 REVEALS = "A topic has one publisher. The first one, or the one that matters, wins."
 
@@ -58,14 +58,14 @@ if __name__ == '__main__':
 """
 
 HINTS = [
-    "Both nodes publish on `cmd_vel`. Which of two commands do the wheels keep, and which node sends more of them?",
+    "Which of two commands does the vehicle follow, and which node sends more of them?",
     "`self.count_publishers('cmd_vel')` says how many publish there, your node included.",
     "`self.get_publishers_info_by_topic('cmd_vel')` says who: each has a `node_name`.",
 ]
 
 _PRESSED, _RELEASED = 3.0, 5.0
 _YIELD = (
-    "The wheels keep what came last, whoever sent it, and your node sends more. While somebody else publishes on "
+    "The wheels keep what came last, whoever sent it, and your node sends more. While another node publishes on "
     "`cmd_vel`, send nothing."
 )
 

@@ -10,8 +10,7 @@ from ..judging import Answer, say
 
 TITLE = "Stop at Ctrl-C"
 TEXT = """
-After 4 s Ctrl-C ends the node, and the vehicle goes on with what it was told last. Let it stand
-still 0.2 s after Ctrl-C.
+After 4 s Ctrl-C ends the node, but the vehicle follows its last command. Stop it within 0.2 s of Ctrl-C.
 """
 REVEALS = "A vehicle stops when its node ends. After Ctrl-C a node can publish as before."
 
@@ -57,10 +56,10 @@ if __name__ == '__main__':
 """
 
 HINTS = [
-    "What does the vehicle do with the last command that it was sent?",
+    "What does the vehicle do with the last command?",
     "At Ctrl-C, rclpy shuts its context down before your `except` is reached. Can the node publish after that?",
     "`rclpy.init(signal_handler_options=SignalHandlerOptions.NO)`, with `SignalHandlerOptions` from `rclpy.signals`: "
-    "then Ctrl-C only raises KeyboardInterrupt, and you publish a `Twist()` before the shutdown.",
+    "then Ctrl-C only raises KeyboardInterrupt. Publish a `Twist()` before the shutdown.",
 ]
 
 _AT = 4.03

@@ -10,8 +10,8 @@ from ..judging import Answer, say
 
 TITLE = "Stop when blind"
 TEXT = """
-From 3 s to 5 s nothing comes from the sensor. Stop the vehicle when nothing has come for 0.5 s, not earlier and at most
-0.1 s later, and go on when the sensor is back.
+From 3 s to 5 s the sensor is silent. Stop the vehicle when nothing has come for 0.5 s, not earlier and at most 0.1 s
+later, and drive on when the sensor is back.
 """
 REVEALS = "A node notices by itself that no message comes. A callback that is not called can do something."
 
@@ -57,10 +57,10 @@ if __name__ == '__main__':
 """
 
 HINTS = [
-    "Nothing calls `line_callback` while the sensor is silent. Which callback is still called?",
-    "`self.get_clock().now()` is the time. Keep it whenever a message comes.",
+    "Which callback is still called while the sensor is silent?",
+    "Keep the time, `self.get_clock().now()`, whenever a message comes.",
     "In `timer_callback`: `silence = self.get_clock().now() - self.heard`, and `silence > Duration(seconds=0.5)`, with "
-    "`Duration` from `rclpy.duration`. A new `Twist` is all zeros: sent, it stops the vehicle.",
+    "`Duration` from `rclpy.duration`. A new `Twist` is all zeros, and stops the vehicle.",
 ]
 
 _FROM, _TO, _PATIENCE = 3.0, 5.0, 0.5  # when the sensor is silent, and how long (s) that may be
