@@ -5,6 +5,7 @@ from __future__ import annotations
 import gzip
 import json
 import re
+from itertools import pairwise
 from pathlib import Path
 
 import jupytext
@@ -70,6 +71,21 @@ def test_the_beginning_and_the_end_name_the_notebook_that_comes_next(name: str, 
     texts = cells(name, "markdown")
     assert f"]({following}.md)" in texts[0].partition("**Next**: ")[2].partition("\n\n")[0]
     assert f"]({following}.md)" in texts[-1].partition("## Where next")[2]
+
+
+@pytest.mark.parametrize(("name", "count"), {"ros2-timer": 2, "ros2-rate": 1, "ros2-executors": 2}.items())
+def test_a_quick_check_has_one_right_answer_which_a_run_gives(name: str, count: int) -> None:
+    """Each answer is folded and says why it is wrong; the cell that follows makes the right one's words from a run."""
+    notebook, checks = jupytext.read(ROOT / "notebooks" / f"{name}.md").cells, 0
+    for cell, following in pairwise(notebook):
+        parts = re.findall(r'<details name="(.+)"><summary>(.+)</summary>\n\n(Yes|No)\. [^<]+', cell.source)
+        if cell.cell_type == "markdown" and parts:
+            checks += 1
+            [right] = [words for _, words, verdict in parts if verdict == "Yes"]
+            assert len(parts) >= 3 and len(parts) == cell.source.count("<details name=") and "**Check**:" in cell.source
+            assert len({group for group, *_ in parts}) == 1
+            assert following.source.startswith("%%facts") and f'== "{right}"' in following.source
+    assert checks == count
 
 
 @pytest.mark.parametrize("name", NOTEBOOKS)

@@ -37,6 +37,18 @@ def tab_to(page: Page, name: str) -> None:
     pytest.fail(f"Tab does not lead to {name}")
 
 
+def test_a_quick_check_by_keyboard_without_a_script(browser: Browser, address: str) -> None:
+    """Of its answers one is open at a time, and says whether it is right."""
+    with reader(browser, java_script_enabled=False) as context:
+        page = context.new_page()
+        page.goto(address + "notebooks/ros2-executors.html")
+        answers = page.locator("details[name=swapped]")
+        for number, said in ((0, "No."), (1, "Yes.")):
+            answers.nth(number).locator("summary").press("Enter")
+            expect(page.locator("details[name=swapped][open]")).to_have_count(1)
+            expect(answers.nth(number).get_by_text(said)).to_be_visible()
+
+
 def test_an_exercise_by_keyboard(page: Page, address: str) -> None:
     """From its heading to the editor, a wrong answer, the hint, a right answer, and on to what follows."""
     name = ON_PAGE[2][0]
