@@ -112,7 +112,7 @@ if (!isWhole(kept)) {
 }
 cpSync(kept, path.join(out, "snapshot.gz"))
 
-// What runs in a sandbox: its worker, which is all one text, and its page, which has no address to load from, not even its
+// What runs in a sandbox: its workers, each of which is all one text, and its page, which has no address to load from, not even its
 // own script. "blob:" is what it is sent.
 await build({
   ...common,
@@ -120,6 +120,7 @@ await build({
   define: { "import.meta.url": JSON.stringify("memory:/") }, // where it believes that its files are
   entryPoints: [path.join(here, "src/worker.js")],
 })
+await build({ ...common, entryPoints: [path.join(here, "src/cpp.js")] })
 const { outputFiles } = await build({ ...common, write: false, entryPoints: [path.join(here, "src/sandbox.js")] })
 const script = outputFiles[0].text
 const policy = `default-src 'none'; script-src 'sha256-${sha256(script, "base64")}' blob: 'wasm-unsafe-eval'`
@@ -135,7 +136,7 @@ writeFileSync(
 
 // Loaded when a listing is touched, or an answer is to be judged. What runs code knows each file that it starts from.
 const sealed = ["pyodide.asm.wasm", "python_stdlib.zip", "rosspin.zip", "snapshot.gz"]
-  .concat(["sandbox.html", "worker.js"])
+  .concat(["sandbox.html", "worker.js", "cpp.js"])
   .map((name) => [name, sha256(readFileSync(path.join(out, name)))])
 const { metafile } = await build({
   ...common,

@@ -26,6 +26,8 @@ LISTINGS = [
 
 TIMER, RATE = 3, 4
 
+IN_PYTHON = "div.live:not(.highlight-cpp)"
+
 ROS2 = [
     EXAMPLES / "my_robotics_pkg_ros2" / "my_robotics_pkg" / f"spinner_{name}py_node.py"
     for name in ("", "rate_", "param_")
@@ -35,7 +37,7 @@ ROS2 = [
 class Cell:
     """A listing of the page that can be run, as a reader sees it."""
 
-    def __init__(self, page: Page, index: int, listings: str = "div.live") -> None:
+    def __init__(self, page: Page, index: int, listings: str = IN_PYTHON) -> None:
         self.page = page
         self.element = page.locator(listings).nth(index)
         self.console = self.element.get_by_role("log", name="Console")

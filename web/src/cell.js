@@ -17,9 +17,12 @@ const SEE_CONSOLE = "error: see the console"
 
 /** What a node has in it that reads its command line. */
 const READS_ARGUMENTS = /\b(get_param|search_param|declare_parameters?|argv)\b/
+const READS_ARGUMENTS_IN_CPP = /\bgetParam|\bparam(<\w+>)?\(|\bparam::|\bdeclare_parameters?\b/
 
-/** @type {Record<string, string>} an example of how a parameter is set, by the ROS of the node */
-const EXAMPLE = { rospy: "_frequency:=5", rclpy: "--ros-args -p frequency:=5.0" }
+/** @type {Record<string, string>} an example of how a parameter is set, by what a node of that ROS has in it */
+const EXAMPLE = { "rospy": "_frequency:=5", "rclpy": "--ros-args -p frequency:=5.0" }
+EXAMPLE["ros/ros.h"] = EXAMPLE.rospy
+EXAMPLE["rclcpp/"] = EXAMPLE.rclpy
 
 /** The status of a node that Ctrl-C ended, as it does at the end of a run unless the node has seen to it. */
 const BY_CTRL_C = 130
@@ -93,6 +96,7 @@ export class Cell {
   /** @type {Keeping | null} */
   #own = null // what the reader has written, while the other is shown
   #name
+  #program // of a node in C++: the SHA-256 of what was compiled with the page; else ""
   #simulates // whether its first line says for how long it runs
   /** @type {HTMLElement | null} */
   #made = null // the plot that was made with the page, if there is one
@@ -120,6 +124,7 @@ export class Cell {
     this.#pre = find("pre", listing)
     this.#original = /** @type {string} */ (this.#pre.textContent)
     this.#highlighted = [...this.#pre.childNodes]
+    this.#program = listing.className.match(/\bprogram-([\da-f]{64})\b/)?.[1] ?? ""
     const caption = listing.parentElement?.querySelector(".code-block-caption .caption-text")
     this.exercise = this.#original.match(/^%%answer (\S+)/)?.[1] ?? "" // that it answers; a text is then checked rather than run
     this.#simulates = /^%%(simulate|drive) /.test(this.#original)
@@ -160,6 +165,7 @@ export class Cell {
     this.status = make("span", { role: "status" })
     this.pin.title = "Copy a test for pytest that expects what this run has shown"
     this.pin.hidden = true
+    this.edit.hidden = this.share.hidden = this.#program !== ""
     const file = this.exercise ? "" : this.#name
     this.console = new Console(`Console of ${this.#name}`, file, (line) => this.#edit(line))
     this.plot = new Plot(`Ticks of ${this.#name}`, (chunks) => this.console.mark(chunks))
@@ -167,7 +173,7 @@ export class Cell {
     this.notice = make("p", { className: "live-notice", hidden: true })
     this.copied = make("textarea", { readOnly: true, hidden: true, rows: 4, ariaLabel: "To be copied" })
     listing.append(...this.#arranged())
-    this.#pre.addEventListener("click", () => getSelection()?.isCollapsed && this.#edit())
+    if (!this.#program) this.#pre.addEventListener("click", () => getSelection()?.isCollapsed && this.#edit())
     if (answer) exercises.push(answer)
     this.#showKept()
   }
@@ -199,8 +205,9 @@ export class Cell {
 
   /** Offer what can be done with the text as it is: arguments for a node that reads some, Reset for one that was changed. */
   #offer() {
-    this.arguments.hidden = !READS_ARGUMENTS.test(this.#text) && !this.args.value
-    this.args.placeholder = EXAMPLE[String(this.#text.match(/\brospy\b|\brclpy\b/))] ?? ""
+    const reads = this.#program ? READS_ARGUMENTS_IN_CPP : READS_ARGUMENTS
+    this.arguments.hidden = !reads.test(this.#text) && !this.args.value
+    this.args.placeholder = EXAMPLE[String(this.#text.match(/\brospy\b|\brclpy\b|\bros\/ros\.h\b|\brclcpp\//))] ?? ""
     const isUntouched = this.#text === this.#original && this.seconds.value === SECONDS && !this.args.value
     this.reset.ariaDisabled = String(isUntouched && !this.#own && !this.#hasRun)
     this.earlier.hidden = !this.#kept.hasEarlier
@@ -420,7 +427,7 @@ export class Cell {
   }
 
   #warmUp() {
-    warmUp(this.#base, this.exercise !== "")
+    warmUp(this.#base, this.exercise !== "", this.#program)
   }
 
   /** @type {import("./protocol.js").Beside} */
@@ -440,11 +447,12 @@ export class Cell {
     const [source, filename, args] = this.#beside
     this.#ran = source
     const beside = others.filter((other) => other !== this).map((other) => other.#beside)
-    const job = { source, filename, seconds, args, speed: Number(this.speed.value), beside, exercise: this.exercise }
+    const program = { program: this.#program, ros: /\brclcpp\//.test(source) ? 2 : 1 }
+    const job = { source, filename, seconds, args, speed: Number(this.speed.value), beside, exercise: this.exercise, ...program }
     const hear = (/** @type {import("./runs.js").Told} */ message) => this.#hear(message, job)
     this.plot.expect(seconds)
     this.#worker = start(this.#base, job, (message) => number === this.#runs && hear(message))
-    this.#say("starting Python")
+    this.#say(this.#program ? "starting" : "starting Python")
   }
 
   /**
@@ -469,7 +477,7 @@ export class Cell {
       this.#end()
       this.console.print([[true, `${message.reason}\n`, 0, 0]], 0)
       this.console.finish()
-      this.#say("error: Python stopped")
+      this.#say(`error: ${this.#program ? "it" : "Python"} stopped`)
     }
   }
 
@@ -477,9 +485,9 @@ export class Cell {
    * @param {import("./protocol.js").RunResult} result
    * @param {import("./runs.js").Text} job
    */
-  #finish({ status, errors, count, ticks, lost, chunks, alternative, end, scenes, drive }, { source, filename, seconds, args, beside }) {
+  #finish({ status, errors, count, ticks, lost, chunks, alternative, end, scenes, drive }, { source, filename, seconds, args, beside, program }) {
     const { whole } = this.console
-    const pins = !status && !errors && !beside.length && !drive.length && count === ticks.length && whole !== null && whole.length <= LONGEST
+    const pins = !program && !status && !errors && !beside.length && !drive.length && count === ticks.length && whole !== null && whole.length <= LONGEST
     this.#pinned = pins ? { source, filename, seconds, args, console: whole, ticks } : null
     this.pin.hidden = !pins
     const none = this.#endSteps
@@ -491,7 +499,7 @@ export class Cell {
     }
     if (count) this.plot.finish(ticks, count, alternative, chunks, end, lost)
     const ticked = count ? `: ${count} tick${count === 1 ? "" : "s"}` : ""
-    const done = status === BY_CTRL_C ? `done${ticked}, ended by Ctrl-C with a traceback` : SEE_CONSOLE
+    const done = status === BY_CTRL_C ? `done${ticked}, ended by Ctrl-C${program ? "" : " with a traceback"}` : SEE_CONSOLE
     this.#say(status ? done : errors ? `done, but with an ${SEE_CONSOLE}` : `done${ticked}`)
   }
 

@@ -1,4 +1,4 @@
-// The files from which Python starts. Each is what it was when the site was built, or it is not used: its SHA-256 is
+// The files from which code starts. Each is what it was when the site was built, or it is not used: its SHA-256 is
 // known here, and is compared wherever it came from.
 
 const base = new URL(".", import.meta.url)
@@ -6,8 +6,9 @@ const base = new URL(".", import.meta.url)
 /** What keeps the snapshot across pages; undefined where the browser offers nothing of the kind, as without https. */
 const opening = globalThis.caches?.open("rosspin").catch(() => undefined)
 
-/** The address of a file, which says which version of it is meant. */
-const address = (/** @type {string} */ name) => new URL(`${name}?${FILES[name].slice(0, 16)}`, base).href
+/** The address of a file, which says which version of it is meant. A program is named by what its SHA-256 is to be. */
+const address = (/** @type {string} */ name) =>
+  new URL(name in FILES ? `${name}?${FILES[name].slice(0, 16)}` : `../programs/${name}.wasm.gz`, base).href
 
 /** @param {ArrayBuffer} bytes */
 async function digest(bytes) {
@@ -19,7 +20,7 @@ async function digest(bytes) {
 }
 
 /** @type {(name: string, bytes: ArrayBuffer) => Promise<boolean>} */
-const isRight = async (name, bytes) => (await digest(bytes)) === FILES[name]
+const isRight = async (name, bytes) => (await digest(bytes)) === (FILES[name] ?? name)
 
 /** What is wrong with the site or the browser, in words for the reader. */
 export class Fault extends Error {}

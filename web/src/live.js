@@ -8,19 +8,27 @@ import { notHere } from "./python.js"
 const base = here().href
 
 document.querySelectorAll(".live-missing").forEach((line) => line.remove())
-/** Why Python cannot run here, in a sentence; "" if it can. */
-const why = notHere("run Python") || (HAS_JSPI ? "" : `This browser cannot run this listing: ${LACKS_JSPI}`)
-/** @type {NodeListOf<HTMLElement>} */
-const listings = document.querySelectorAll("div.live")
-const cells = why ? [] : [...listings].map((listing, index) => new Cell(listing, index, base))
-if (why) listings.forEach((listing) => listing.append(make("p", { className: "live-missing", textContent: why })))
+/** Why nothing can run here, in a sentence; "" if it can. */
+const nothing = notHere("run its listings")
+/** Why Python cannot. */
+const why = nothing || (HAS_JSPI ? "" : `This browser cannot run this listing: ${LACKS_JSPI}`)
+/** @type {(named: string) => HTMLElement[]} */
+const listings = (named) => [...document.querySelectorAll(`div.live${named}`)].filter((each) => each instanceof HTMLElement)
+/** @type {Cell[]} */
+const cells = []
+// Those in C++ have the last numbers: what is kept of others, and links to them, go by theirs.
+;[...listings(":not(.highlight-cpp)"), ...listings(".highlight-cpp")].forEach((listing, index) => {
+  const textContent = listing.matches(".highlight-cpp") ? nothing : why
+  if (textContent) listing.append(make("p", { className: "live-missing", textContent }))
+  else cells[index] = new Cell(listing, index, base)
+})
 
 /** Show the code that came with the link, if there is some, or say why not. */
 async function receive() {
   document.querySelector(".live-notice.of-page")?.remove()
   if (!location.hash.startsWith("#code=")) return
   try {
-    if (why) throw new Error(why)
+    if (nothing) throw new Error(nothing)
     await (await loadShare(base)).receive(cells, base)
   } catch (error) {
     const textContent = /** @type {Error} */ (error).message

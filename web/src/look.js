@@ -362,7 +362,7 @@ if (missing) {
 } else {
   const bars = make("div", { className: "look-bar" }, "Or try an example: ", ...tries)
   place.replaceChildren(drop, bars, notice, status, problem, results)
-  place.addEventListener("focusin", () => warmUp(base, false), { once: true })
+  place.addEventListener("focusin", () => warmUp(base, false, ""), { once: true })
   text.addEventListener("paste", () => setTimeout(lookAtText)) // when it is there
   for (const kind of /** @type {const} */ (["dragenter", "dragover", "dragleave", "drop"])) {
     addEventListener(kind, (event) => {

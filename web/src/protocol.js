@@ -8,6 +8,8 @@ import { LONGEST, SHOWN } from "./limits.js"
  * @typedef {[source: string, filename: string, args: string]} Beside a node that runs together with the one of the job
  * @typedef {{kind: "run", source: string, filename: string, seconds: number, args: string, speed: number,
  *   beside: Beside[]}} RunJob
+ * @typedef {{kind: "cpp", name: string, bytes: ArrayBuffer | null, ros: number, filename: string, seconds: number, args: string,
+ *   speed: number}} CppJob to run a compiled node; bytes: its program, packed until it reaches its worker
  * @typedef {{kind: "trace", exercise: string, text: string}} TraceJob
  * @typedef {{kind: "judge", exercise: string, text: string, trace: string}} JudgeJob
  * @typedef {{kind: "look", log: ArrayBuffer, name: string}} LookJob
@@ -17,7 +19,7 @@ import { LONGEST, SHOWN } from "./limits.js"
  * @typedef {{kind: "answer", number: number, exercise: string}} AnswerJob to have one that was read
  * @typedef {{kind: "report", verdicts: (readonly [row: number, exercise: string, verdict: string, why: string,
  *   hint: string])[]}} ReportJob to have a table of all that was read
- * @typedef {RunJob | TraceJob | JudgeJob | LookJob | PinJob | ReadJob | AnswerJob | ReportJob} Job
+ * @typedef {RunJob | CppJob | TraceJob | JudgeJob | LookJob | PinJob | ReadJob | AnswerJob | ReportJob} Job
  * @typedef {{kind: "file", name: string, bytes: ArrayBuffer | null}} File what a sandbox needed; null: it cannot be had
  * @typedef {Job | File} ToSandbox
  *
@@ -51,7 +53,7 @@ import { LONGEST, SHOWN } from "./limits.js"
  * @typedef {{text: string, why: string}} AnswerResult why: it cannot be judged
  * @typedef {{csv: string, hard: [exercise: string, answered: number, solved: number,
  *   hints: [hint: string, count: number][]][]}} ReportResult
- * @typedef {{run: RunResult, trace: TraceResult, judge: JudgeResult, look: LookResult, pin: PinResult,
+ * @typedef {{run: RunResult, cpp: RunResult, trace: TraceResult, judge: JudgeResult, look: LookResult, pin: PinResult,
  *   read: ReadResult, answer: AnswerResult, report: ReportResult}} Results by the kind of the job
  *
  * What a sandbox says; its last word on a job is that it has ended or failed:
@@ -244,16 +246,23 @@ const READ = object({
 const HARD = list(tuple(NAME, integer(), integer(), list(tuple(SENTENCE, integer()), 10)), EXERCISES_OF_ALL)
 
 /**
+ * @param {Unknown} result
+ * @returns {RunResult | false}
+ */
+function run(result) {
+  const known = RUN(result)
+  const right = known && known.ticks.length > 0 === known.count > 0 && known.ticks.length <= known.count
+  return right && (known.scenes === null || areMatched(known.scenes)) && known
+}
+
+/**
  * What is known of the result of a job, by its kind; false if that is not right.
  *
  * @type {{[K in keyof Results]: (result: Unknown) => Results[K] | false}}
  */
 const RESULTS = {
-  run(result) {
-    const known = RUN(result)
-    const right = known && known.ticks.length > 0 === known.count > 0 && known.ticks.length <= known.count
-    return right && (known.scenes === null || areMatched(known.scenes)) && known
-  },
+  run,
+  cpp: run,
   trace: object({ trace: text(LONGEST.trace.characters) }),
   judge(result) {
     const known = JUDGE(result)

@@ -12,14 +12,15 @@ export const IS_IT_THERE = "Is the site still there?"
 export const load = (base) => import(`${base}runs.js?${RUNS}`)
 
 /**
- * Have Python ready for the next run, of an answer to an exercise if `answers`.
+ * Have ready what the next run needs, of an answer to an exercise if `answers`, or of a program.
  *
  * @param {string} base
  * @param {boolean} answers
+ * @param {string} program
  */
-export function warmUp(base, answers) {
+export function warmUp(base, answers, program) {
   load(base).then(
-    (runs) => runs.warmUp(answers),
+    (runs) => runs.warmUp(answers, program),
     () => {}, // a run will say so
   )
 }

@@ -1,15 +1,16 @@
 // Runs of code, each in a sandbox of its own, which finds nothing of earlier ones there and ends with it. The next one is
 // started meanwhile.
 
-import { Sandbox } from "./sandboxes.js"
+import { Fault, load } from "./files.js"
+import { CPP, PYTHON, Sandbox } from "./sandboxes.js"
 
 export { Sandbox }
 
 /**
  * @typedef {import("./protocol.js").Failed} Failed
  * @typedef {import("./protocol.js").Results} Results
- * @typedef {Omit<import("./protocol.js").RunJob, "kind"> & {exercise: string}} Text to be run: a node, or an answer to an
- *   exercise
+ * @typedef {Omit<import("./protocol.js").RunJob, "kind"> & {exercise: string, program: string, ros: number}} Text to be run:
+ *   a node, an answer to an exercise, or a node in C++, whose program has this SHA-256
  * @typedef {{verdict: string, solved: boolean, drive: string[]}} Judged the verdict in a line; "" if there is none
  * @typedef {import("./protocol.js").Word<"run"> | import("./protocol.js").End<Judged> | {kind: "begun"}} Told of that
  * @typedef {{end(): void}} Run that goes on
@@ -27,6 +28,11 @@ const FIRST = 200
 class Pool {
   /** @type {Runner | null} the one for the next job, if it was asked for */
   next = null
+
+  /** @param {typeof PYTHON} what its sandboxes run */
+  constructor(what) {
+    this.what = what
+  }
 
   warmUp() {
     return (this.next ??= new Runner(this))
@@ -49,7 +55,7 @@ class Runner {
   /** @param {Pool} pool */
   constructor(pool) {
     this.#pool = pool
-    this.#sandbox = new Sandbox()
+    this.#sandbox = new Sandbox(pool.what)
     this.#known = this.#sandbox.started.then((message) => {
       if (message.kind === "failed") this.end()
       return message
@@ -82,15 +88,33 @@ class Runner {
   }
 }
 
-const runs = new Pool()
-const judges = new Pool()
+const runs = new Pool(PYTHON)
+const judges = new Pool(PYTHON)
+const programs = new Pool(CPP)
+
+/** @type {Map<string, Promise<ArrayBuffer>>} programs that were asked for, by their SHA-256 */
+const brought = new Map()
+
+/** @param {string} program */
+function bring(program) {
+  const coming = brought.get(program) ?? load(program)
+  brought.set(program, coming)
+  coming.catch(() => brought.delete(program)) // the next time may have more luck
+  return coming
+}
 
 /**
- * Have sandboxes ready for the next run, of an answer to an exercise if `answers`.
+ * Have sandboxes ready for the next run, of an answer to an exercise if `answers`, or of a program.
  *
  * @param {boolean} answers
+ * @param {string} program
  */
-export function warmUp(answers) {
+export function warmUp(answers, program) {
+  if (program) {
+    programs.warmUp()
+    bring(program)
+    return
+  }
   runs.warmUp()
   if (answers) judges.warmUp()
 }
@@ -103,10 +127,25 @@ export function warmUp(answers) {
  * @returns {Run}
  */
 export function start(job, hear) {
-  const { exercise, ...node } = job
+  const { exercise, program, ros, ...node } = job
   if (exercise) return answer(exercise, job.source, hear)
+  if (program) return runProgram(job, hear)
   const runner = runs.take()
   runner.do({ kind: "run", ...node }, hear)
+  return runner
+}
+
+/**
+ * @param {Text} job
+ * @param {(message: Told) => void} hear
+ * @returns {Run}
+ */
+function runProgram({ program, ros, filename, seconds, args, speed }, hear) {
+  const runner = programs.take()
+  bring(program).then(
+    (bytes) => runner.do({ kind: "cpp", name: "program.gz", bytes, ros, filename, seconds, args, speed }, hear),
+    (error) => hear({ kind: "failed", reason: error instanceof Fault ? error.message : "The program could not be loaded. Is the site still there?" }),
+  )
   return runner
 }
 

@@ -12,10 +12,14 @@ const WORD = 5000
 /** A file that could not be had is not asked for again before so long (ms). */
 const AGAIN = 300
 
-/** What Python starts from, and what it may need later on. */
-const WASM = "pyodide.asm.wasm"
+/** What a sandbox runs: its script, what that starts from, and what it may need later on. */
 const SNAPSHOT = "snapshot.gz"
-const LATE = ["python_stdlib.zip", "rosspin.zip"]
+export const PYTHON = {
+  script: "worker.js",
+  files: ["pyodide.asm.wasm", SNAPSHOT],
+  late: ["python_stdlib.zip", "rosspin.zip"],
+}
+export const CPP = { script: "cpp.js", files: [], late: [] }
 
 /** @typedef {Promise<ArrayBuffer | null>} Coming */
 
@@ -66,12 +70,12 @@ function open(frame) {
   })
 }
 
-const NOT_LOADED = "Python could not be loaded. Is the site still there?"
+export const NOT_LOADED = "Python could not be loaded. Is the site still there?"
 const NOT_OPENED = "The frame in which Python runs did not open. Is the site still there, and does the browser sandbox frames?"
 
 /** @typedef {import("./protocol.js").Results} Results */
 
-/** One sandbox: a Python that has started, or is about to. It does one job after the other. */
+/** One sandbox: a Python that has started, or is about to, or what runs a program. It does one job after the other. */
 export class Sandbox {
   /** @type {HTMLIFrameElement | null} */
   #frame = make("iframe", { sandbox: "allow-scripts", hidden: true, title: "Sandbox", src: sandboxPage })
@@ -81,36 +85,42 @@ export class Sandbox {
   #job = null // the kind of what it does
   /** @type {(message: any) => void} */
   #hear = () => {}
-  #missing = new Set(LATE) // which of them it has not been given, nor will be soon
+  #missing // which files it has not been given, nor will be soon
   /** @type {(message: import("./protocol.js").Ready | import("./protocol.js").Failed) => void} */
   #start = () => {}
 
-  constructor() {
+  /** @param {{script: string, files: string[], late: string[]}} what it runs */
+  constructor({ script, files, late } = PYTHON) {
+    this.#missing = new Set(late)
     /**
      * A promise of its first message: it is ready, or has failed.
      *
      * @type {Promise<import("./protocol.js").Ready | import("./protocol.js").Failed>}
      */
     this.started = new Promise((resolve) => (this.#start = resolve))
-    this.#open()
+    this.#open(script, files)
   }
 
-  async #open() {
+  /**
+   * @param {string} name
+   * @param {string[]} names
+   */
+  async #open(name, names) {
     const { port1, port2 } = new MessageChannel()
     const frame = /** @type {HTMLIFrameElement} */ (this.#frame)
     try {
       const opened = open(frame)
-      const [compiling, unpacking] = [file(WASM), file(SNAPSHOT)]
-      const [script] = await Promise.all([file("worker.js"), opened])
+      const coming = names.map((each) => /** @type {const} */ ([each, file(each)]))
+      const [script] = await Promise.all([file(name), opened])
       if (!this.#frame) return
       this.#port = port1
       port1.onmessage = ({ data }) => this.#receive(data)
       frame.contentWindow?.postMessage(script, "*", [port2]) // it has no origin that could be named
       // One after the other: the one that is to be compiled does not wait for the other one to be unpacked.
-      for (const [name, coming] of /** @type {const} */ ([[WASM, compiling], [SNAPSHOT, unpacking]])) {
-        const bytes = await coming
+      for (const [each, promised] of coming) {
+        const bytes = await promised
         await new Promise((go) => setTimeout(go)) // others wait for it, too, and each copy of it takes a moment
-        this.#pass(name, bytes)
+        this.#pass(each, bytes)
       }
     } catch (error) {
       this.#start({ kind: "failed", reason: error instanceof Fault ? error.message : NOT_LOADED })
@@ -146,7 +156,7 @@ export class Sandbox {
    * @param {string} name
    */
   async #give(name) {
-    if (!LATE.includes(name)) return this.#pass(name, null)
+    if (!PYTHON.late.includes(name)) return this.#pass(name, null)
     if (!this.#missing.delete(name)) return
     const bytes = await load(name).catch(() => null)
     if (!bytes) {

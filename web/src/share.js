@@ -43,7 +43,7 @@ export async function receive(cells, base) {
   const { cell, text, seconds, args } = await unpack(location.hash)
   // Exercises change their places, but not their names.
   const exercise = named(text)
-  const place = exercise ? cells.find((other) => other.exercise === exercise) : cells[cell]
+  const place = exercise ? cells.find((other) => other?.exercise === exercise) : cells[cell]
   if (!place) throw new Error("The code in this link belongs to a listing that this page no longer has.")
   /** @type {typeof import("./editor.js") | null} */
   const editor = await import(`${base}editor.js`).catch(() => null)

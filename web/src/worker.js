@@ -4,14 +4,11 @@
 // @ts-expect-error: Pyodide does not describe it
 import createPyodideModule from "pyodide/pyodide.asm.mjs"
 import { info } from "pyodide/pyodide-lock.json"
-import { LONGEST, PER_SECOND, room, SHOWN } from "./limits.js"
+import { LONGEST } from "./limits.js"
 import { filled, HEAD, restore } from "./memory.js"
+import { Page } from "./page.js"
 import { signals } from "./signals.js"
 import { install, LIBRARY, options, PACKAGES } from "./start.js"
-
-// What is shown is sent so often (ms), or less often, so that it takes no more than that part of the room there is.
-const INTERVAL = 50
-const PART = 0.5
 
 // Python has at most so much memory (bytes): more than ten times what it needs to start, and so little that a computer
 // of 4 GB can judge four answers at the same time.
@@ -41,108 +38,6 @@ function say(/** @type {import("./protocol.js").FromSandbox} */ message) {
   const text = JSON.stringify(message)
   post(text)
   return text
-}
-
-/** @typedef {import("./protocol.js").Shown} Shown */
-
-/**
- * What Python sees of the page. What it prints and when it ticks is gathered, so that a flood does not drown it.
- *
- * @implements {Shown}
- */
-class Page {
-  /** @type {import("./protocol.js").Chunk[]} */
-  #chunks = []
-  #count = 0
-  #size = 0
-  #leftOut = 0 // lines
-  #cut = false // whether anything is left out
-  /** @type {import("./protocol.js").Tick[]} */
-  #ticks = []
-  #next = 0 // when (ms) more may be sent
-  /** @type {number | undefined} */
-  #timer
-
-  /**
-   * @param {string} text
-   * @param {boolean} isError
-   * @param {number} line
-   */
-  print(text, isError, line) {
-    const number = this.#count++
-    if (!text) return
-    const most = SHOWN.characters
-    if (text.length > most) this.#leaveOut(text.slice(0, -most))
-    this.#chunks.push([isError, text.slice(-most), number, line])
-    this.#size += Math.min(text.length, most)
-    while (this.#size > most || this.#chunks.length > SHOWN.chunks) {
-      const first = this.#chunks[0]
-      const dropped = first[1].slice(0, this.#chunks.length > SHOWN.chunks ? Infinity : this.#size - most)
-      if (dropped.length < first[1].length) first[1] = first[1].slice(dropped.length)
-      else this.#chunks.shift()
-      this.#size -= dropped.length
-      this.#leaveOut(dropped)
-    }
-    this.#soon()
-  }
-
-  /** @param {string} text */
-  #leaveOut(text) {
-    this.#leftOut += lines(text)
-    this.#cut = true
-  }
-
-  /**
-   * @param {string} source
-   * @param {number} number
-   * @param {number} expected
-   * @param {number} real
-   */
-  tick(source, number, expected, real) {
-    this.#ticks.push([source, number, expected, real, 0])
-    if (this.#ticks.length >= 2 * SHOWN.ticks) this.#ticks.splice(0, SHOWN.ticks)
-    this.#soon()
-  }
-
-  /**
-   * @param {number} ms
-   * @returns {Promise<void>}
-   */
-  wait(ms) {
-    return new Promise((resolve) => setTimeout(resolve, ms))
-  }
-
-  #soon() {
-    const left = this.#next - performance.now()
-    if (left <= 0) this.send()
-    else this.#timer ??= setTimeout(() => this.send(), left)
-  }
-
-  send() {
-    clearTimeout(this.#timer)
-    this.#timer = undefined
-    if (this.#chunks.length || this.#ticks.length) {
-      const ticks = this.#ticks.slice(-SHOWN.ticks)
-      const leftOut = Math.max(this.#leftOut, Number(this.#cut)) // part of a line counts if there is no more
-      const text = say({ kind: "batch", chunks: this.#chunks, leftOut, ticks })
-      this.#next = performance.now() + Math.max(INTERVAL, (room(text, "run") / PER_SECOND / PART) * 1e3)
-    }
-    this.#chunks = []
-    this.#size = this.#leftOut = 0
-    this.#cut = false
-    this.#ticks = []
-  }
-}
-
-/**
- * How many lines end in a text.
- *
- * @param {string} text
- */
-function lines(text) {
-  let count = 0
-  for (let end = text.indexOf("\n"); end >= 0; end = text.indexOf("\n", end + 1)) count++
-  return count
 }
 
 // --- files that the page has ---
@@ -307,7 +202,7 @@ function readable(file) {
  * Do a job, with the functions of rosspin.page: what came of it.
  *
  * @param {import("./protocol.js").PythonPage} python
- * @param {import("./protocol.js").Job} job
+ * @param {Exclude<import("./protocol.js").Job, import("./protocol.js").CppJob>} job
  * @param {Page} page
  * @returns {Promise<import("./protocol.js").Results[keyof import("./protocol.js").Results]>}
  */
@@ -340,10 +235,10 @@ booting.then(
   (error) => fail(`Python could not be started: ${error}`),
 )
 
-addEventListener("message", async (/** @type {MessageEvent<import("./protocol.js").ToSandbox>} */ { data }) => {
+addEventListener("message", async (/** @type {MessageEvent<Exclude<import("./protocol.js").ToSandbox, import("./protocol.js").CppJob>>} */ { data }) => {
   if (data.kind === "file") return file(data.name).resolve(data.bytes)
   const python = await booting
-  const page = new Page()
+  const page = new Page(say)
   try {
     signals.last = performance.now()
     const result = await act(python, data, page)

@@ -241,7 +241,7 @@ class _Running:
     def _trapped(self, trap: str, where: list[str]) -> None:
         """Say what has ended the node from outside, as on a computer: a fault of its memory."""
         place = next((name for name in where if name), "")
-        sys.stderr.write(f"rosspin: {self._program.path}: {_why(trap)}{f', in {place}' if place else ''}\n")
+        sys.stderr.write(f"rosspin: {self._program.path}: {trap}{f', in {place}' if place else ''}\n")
         raise SystemExit(_SEGMENTATION_FAULT)
 
     def _stand_still(self) -> None:
@@ -252,16 +252,6 @@ class _Running:
 def _answers(ros: int) -> Any:
     """Return what answers nodes of a ROS: that of ROS 2 loads rclpy."""
     return getattr(import_module(f".ros{ros}", __package__), f"Ros{ros}")
-
-
-def _why(trap: str) -> str:
-    if "call stack" in trap:
-        return "its stack has overflowed: a function may call itself without an end"
-    if "out of bounds" in trap:
-        return "it has used memory that it does not have, or its stack has overflowed"
-    if "unreachable" in trap:
-        return "it has used a null pointer, or left a function without the value that it should return"
-    return f"it was ended ({trap})"
 
 
 class _Stream:

@@ -17,6 +17,9 @@ from ..run.source import is_cpp
 __all__ = ["setup"]
 
 _FILE = re.compile(r"""["'](?:\.\./)*(examples/[\w./-]+\.(?:cpp|launch))["']""")
+_LIVE = re.compile(
+    r"^[ ]*\.\. literalinclude:: (?:\.\./)*(examples/[\w./-]+\.cpp)\n(?:[ ]+:.*\n)*?[ ]+:class:.*\blive\b", re.MULTILINE
+)
 _CELL = re.compile(r"^```\{code-cell\}.*\n(?::.*\n)*\n?%%simulate .*\n((?:.*\n)*?)```$", re.MULTILINE)
 
 
@@ -42,7 +45,7 @@ def _nodes(page: str, root: Path) -> Iterator[tuple[str, str | None]]:
 
     A launch file is no node, but may start one.
     """
-    for file in dict.fromkeys(_FILE.findall(page)):
+    for file in dict.fromkeys([*_FILE.findall(page), *_LIVE.findall(page)]):
         yield str(root / file), None
     for text in _CELL.findall(page):
         if is_cpp(text):

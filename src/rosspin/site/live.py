@@ -1,17 +1,20 @@
 """Sphinx extension: listings that run in the page, and the policy on what a page may load.
 
 A listing of the class ``live`` (``:class: live`` on its literalinclude, the tag ``live`` on a notebook cell) is found
-and run by ``web/``. Those of the class ``together`` also run in pairs: the page's first with its second, its third with
-its fourth. Below a listing stands the plot of a run that is made with the page. ``web/`` also moves the figures with a
-handle.
+and run by ``web/``. One in C++ shows a whole file, whose program is among the site's files. Those of the class
+``together`` also run in pairs: the page's first with its second, its third with its fourth. Below a listing stands the
+plot of a run that is made with the page. ``web/`` also moves the figures with a handle.
 """
 
 from __future__ import annotations
 
 import base64
+import gzip
 import hashlib
+import os
 import re
 import shlex
+import shutil
 from collections.abc import Sequence
 from pathlib import Path
 from typing import Any, cast
@@ -21,12 +24,13 @@ from sphinx.application import Sphinx
 from sphinx.util.typing import ExtensionMetadata
 
 from ..clocks.simulation import Simulation
+from ..cpp import build, lean
 from ..measures import lost_by_source
 from ..plots import picture
 from ..plots.pictures import page
 from ..run.explain import TimeStandsStill
 from ..run.simulate import run_node
-from ..run.source import load_source, split_words
+from ..run.source import load, load_source, split_words
 from ..run.streams import capture
 from ..world.graph import TickLog
 from ..world.world import NotSimulated
@@ -57,6 +61,10 @@ _MENDED = {
     r'(<button [^>]*\bsearch-button-field\b[^>]*) aria-label="Search"': r"\1",
     '<summary aria-label="Toggle hidden content">': "<summary>",
 }
+
+# The folder of the programs of listings in C++, and the class that names one by the SHA-256 of its file.
+_PROGRAMS = "_static/programs"
+_PROGRAM = re.compile(r"\bprogram-([\da-f]{64})\b")
 
 _INLINE_SCRIPT = re.compile(r"<script(?![^>]*\bsrc=)[^>]*>(.*?)</script>", re.DOTALL)
 _CHARSET = '<meta charset="utf-8" />'
@@ -95,13 +103,30 @@ def _add_below(app: Sphinx, doctree: nodes.document, name: str) -> None:
         captioned = isinstance(listing.parent, nodes.container) and "literal-block-wrapper" in listing.parent["classes"]
         place = listing.parent if captioned else listing
         where = place.parent.index(place) + 1
-        place.parent.insert(where, nodes.raw("", plot(listing.astext()) + _NO_SCRIPT, format="html"))
+        file = listing["source"] if listing.get("language") == "cpp" else ""
+        if file and app.builder.format == "html":
+            listing["classes"].append(f"program-{_publish(Path(file), Path(app.outdir, _PROGRAMS))}")
+        place.parent.insert(where, nodes.raw("", plot(listing.astext(), file) + _NO_SCRIPT, format="html"))
 
 
-def plot(text: str) -> str:
+def _publish(file: Path, folder: Path) -> str:
+    """Put the program of a C++ node into a folder, and return the SHA-256 of its file."""
+    program = build(file).program
+    packed = program.with_suffix(".gz")
+    if not packed.exists():
+        beside = packed.with_suffix(f".{os.getpid()}")
+        beside.write_bytes(gzip.compress(lean(program.read_bytes(), file.read_text(encoding="utf-8")), mtime=0))
+        beside.rename(packed)
+    digest = hashlib.sha256(packed.read_bytes()).hexdigest()
+    folder.mkdir(parents=True, exist_ok=True)
+    shutil.copyfile(packed, folder / f"{digest}.wasm.gz")
+    return digest
+
+
+def plot(text: str, file: str = "") -> str:
     """Run a listing in simulated time, and return its timeline as HTML; empty if there are no ticks.
 
-    A first line ``%%simulate SECONDS -- ARGS`` gives the time and the arguments.
+    One in C++ is the text of a ``file``. A first line ``%%simulate SECONDS -- ARGS`` gives the time and the arguments.
     """
     first, _, rest = text.partition("\n")
     seconds, args = SECONDS, cast(Sequence[str], ())
@@ -113,7 +138,8 @@ def plot(text: str) -> str:
     with capture():
         try:
             clock = Simulation()
-            result = run_node(load_source(text, "<listing>"), seconds, args, clock, TickLog())
+            node = load(file) if file else load_source(text, "<listing>")
+            result = run_node(node, seconds, args, clock, TickLog())
         except (SyntaxError, NotSimulated, TimeStandsStill):
             return ""
     if not result.ticks:
@@ -148,16 +174,21 @@ def _add_files(app: Sphinx, page: str, template: str, context: dict[str, Any], d
 
 
 def _finish_pages(app: Sphinx, error: Exception | None) -> None:
-    """Give each written page its Content-Security-Policy, and mend the names in it."""
+    """Give each written page its Content-Security-Policy, mend the names in it, and drop programs that no page runs."""
     if error is not None or app.builder.format != "html":
         return
+    programs: set[str] = set()
     for path in Path(app.outdir).rglob("*.html"):
         text = path.read_text(encoding="utf-8")
+        programs.update(_PROGRAM.findall(text))
         if "_static" not in path.parts and "Content-Security-Policy" not in text:
             for found, mended in _MENDED.items():
                 text = re.sub(found, mended, text)
             head = f'{_CHARSET}\n    <meta http-equiv="Content-Security-Policy" content="{policy(text)}" />'
             path.write_text(text.replace(_CHARSET, head, 1), encoding="utf-8")
+    for path in Path(app.outdir, _PROGRAMS).glob("*"):
+        if path.name.partition(".")[0] not in programs:
+            path.unlink()
 
 
 def policy(page: str) -> str:

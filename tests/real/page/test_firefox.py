@@ -21,6 +21,7 @@ from rosspin import simulate
 pytestmark = pytest.mark.shares(2)
 
 SPINNER = ROOT / "examples/my_robotics_pkg/src/spinner_py_node.py"
+SPINNER_CPP = ROOT / "examples/my_robotics_pkg_ros2_cpp/src/spinner_cpp_node.cpp"
 
 
 def test_a_figure_moves(firefox_page: Tab, address: str) -> None:
@@ -28,10 +29,10 @@ def test_a_figure_moves(firefox_page: Tab, address: str) -> None:
     moves(firefox_page, address, FIGURES[3])
 
 
-# The console of a page's first listing after a run.
-RUN = """async () => {
-    const cell = document.querySelector("div.live")
-    cell.querySelector("select").value = "0" // instantly
+# The console of a page's first listing, of Python or C++, after a run.
+RUN = """async (of, speed) => {
+    const cell = document.querySelector("div.live" + of)
+    cell.querySelector("select").value = speed
     cell.querySelector(".live-bar button").click()
     const status = cell.querySelector("[role=status]")
     while (!/^(done|error|stopped)/.test(status.textContent)) await new Promise(go => setTimeout(go, 50))
@@ -55,9 +56,17 @@ def test_a_listing_runs(firefox_page: Tab, address: str) -> None:
     if not firefox_page.evaluate("() => 'Suspending' in WebAssembly"):
         assert "lacks JSPI" in firefox_page.evaluate("() => document.querySelector('.live-missing').textContent")
         return
-    status, console = firefox_page.evaluate(RUN)
+    status, console = firefox_page.evaluate(RUN, ":not(.highlight-cpp)", "0")
     assert status == "done: 20 ticks"
     assert console == simulate(SPINNER, 10).console
+
+
+@pytest.mark.parametrize("speed", ["0", "10"])
+def test_a_listing_in_cpp_runs(firefox_page: Tab, address: str, speed: str) -> None:
+    firefox_page.open(address + "docs/ros2/tutorial.html?lang=cpp")
+    status, console = firefox_page.evaluate(RUN, ".highlight-cpp", speed)
+    assert status == "done: 20 ticks"
+    assert console == simulate(SPINNER_CPP, 10).console
 
 
 def test_answers_are_judged(firefox_page: Tab, site: Path) -> None:
@@ -77,7 +86,7 @@ def test_answers_are_judged(firefox_page: Tab, site: Path) -> None:
 # Runs what came with a link until some of it is left out, and stops it: how much there was to lay out.
 FLOOD = f"""async index => {{
     const turn = () => new Promise(go => setTimeout(go, 50))
-    const cell = document.querySelectorAll("div.live")[index]
+    const cell = document.querySelectorAll("div.live:not(.highlight-cpp)")[index]
     const status = cell.querySelector("[role=status]")
     const press = name => [...cell.querySelectorAll("button")].find(button => button.textContent === name).click()
     while (!cell.querySelector(".live-notice")?.textContent) await turn()

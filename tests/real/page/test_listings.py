@@ -7,6 +7,7 @@ from pathlib import Path
 
 import pytest
 from listings_in_page import (
+    IN_PYTHON,
     LISTINGS,
     TIMER,
     TUTORIAL,
@@ -72,14 +73,14 @@ def test_choosing_a_language_at_the_top_shows_listings_with_run(context: Browser
 
 
 def test_listing_is_the_file(tutorial: Page) -> None:
-    shown = tutorial.locator("div.live > .highlight > pre").evaluate_all("found => found.map(pre => pre.textContent)")
+    shown = tutorial.locator(f"{IN_PYTHON} > .highlight > pre").all_text_contents()
     assert shown == [(EXAMPLES / name).read_text(encoding="utf-8") for name in LISTINGS]
 
 
 def _is_plain(page: Page, line: str) -> None:
-    listing = page.locator("div.live").nth(1)
+    listing = page.locator(IN_PYTHON).nth(1)
     expect(listing.locator("pre")).to_contain_text("class SpinnerPyNode")
-    expect(page.get_by_text(line).nth(1)).to_be_visible()
+    expect(page.get_by_text(line).locator("visible=true").nth(1)).to_be_visible()
     expect(listing.get_by_role("button", name="Run")).to_have_count(0)
 
 

@@ -7,6 +7,7 @@ from pathlib import Path
 
 import pytest
 from listings_in_page import (
+    IN_PYTHON,
     LISTINGS,
     RATE,
     ROS2,
@@ -226,7 +227,7 @@ def both(context: BrowserContext, address: str) -> tuple[Cell, Cell]:
     """The publisher and the subscriber of the tutorial on topics."""
     page = context.new_page()
     page.goto(f"{address}docs/publish.html?lang=python")
-    publisher, subscriber, *_ = (Cell(page, index) for index in range(page.locator("div.live").count()))
+    publisher, subscriber, *_ = (Cell(page, index) for index in range(page.locator(IN_PYTHON).count()))
     return publisher, subscriber
 
 
@@ -263,7 +264,7 @@ def test_they_run_as_they_stand_there(both: tuple[Cell, Cell]) -> None:
 def test_a_page_may_have_several_pairs(context: BrowserContext, address: str) -> None:
     page = context.new_page()
     page.goto(f"{address}docs/ros2/publish.html")
-    cells = [Cell(page, index) for index in range(page.locator("div.live").count())]
+    cells = [Cell(page, index) for index in range(page.locator(IN_PYTHON).count())]
     names = ["publisher", "subscriber", "thirty", "slow", "eager", "late"]
     folders = [EXAMPLES / NODES_ROS2] * 2 + [EXAMPLES / "topics/ros2"] * 4
     paths = [folder / f"{name}_py_node.py" for folder, name in zip(folders, names, strict=True)]

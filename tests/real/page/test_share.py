@@ -8,6 +8,7 @@ from urllib.parse import parse_qs, urlsplit
 
 import pytest
 from listings_in_page import (
+    IN_PYTHON,
     LISTINGS,
     RATE,
     ROS2,
@@ -112,7 +113,7 @@ def test_a_broken_link_does_nothing_but_say_so(tutorial: Page, address: str, fra
     other.goto(address + TUTORIAL + fragment)
     expect(other.get_by_role("alert").filter(has_text="link")).to_contain_text(said)
     for index, name in enumerate(LISTINGS):
-        shown = other.locator("div.live > .highlight > pre").nth(index).text_content()
+        shown = other.locator(f"{IN_PYTHON} > .highlight > pre").nth(index).text_content()
         assert shown == (EXAMPLES / name).read_text(encoding="utf-8")
     assert not wrong
     other.close()

@@ -3,7 +3,7 @@
 // A batch is { log, ticks?, now, wake, asks?, status?, trap? }. `log` is what happened since the last one, in order:
 // ["out", fd, text (a character a byte)], ["source", name, period], ["end", tick, duration] of a tick that was told in an
 // earlier batch, ["tell", text]. `ticks` are bytes (see shared.mjs). Times are in ns, as text. The node waits until `wake`,
-// unless it `asks` something (text), or has ended, with a `status` or in a `trap`. The host answers { now, horizon, events,
+// unless it `asks` something (text), or has ended, with a `status` or by a `trap`, in words. The host answers { now, horizon, events,
 // signals }, and `answer`: the node may run on its own as long as its time is before `horizon`.
 
 import { Program } from "./wasi.mjs"
@@ -43,7 +43,7 @@ export class Node {
       end = { status: this.program.run((program) => this.#imports(program)) }
     } catch (error) {
       if (!(error instanceof WebAssembly.RuntimeError || error instanceof RangeError)) throw error
-      end = { trap: error.message, where: this.#places(error) }
+      end = { trap: why(error.message), where: this.#places(error) }
     }
     this.pass(this.#batch(end))
   }
@@ -51,7 +51,7 @@ export class Node {
   write(fd, bytes) {
     let text = ""
     for (const byte of bytes) text += String.fromCharCode(byte)
-    this.#note("out", fd, text)
+    this.note("out", fd, text)
   }
 
   random(bytes) {
@@ -69,7 +69,7 @@ export class Node {
     for (const come of this.coming.splice(0)) come()
   }
 
-  #note(...entry) {
+  note(...entry) {
     this.log.push(entry)
     if (this.log.length >= LONG) this.pass(this.#batch({}))
   }
@@ -108,13 +108,13 @@ export class Node {
     return {
       wait: (until) => program.sleep(until),
       source: (name, length, period) => {
-        this.#note("source", program.text(name, length), String(period))
+        this.note("source", program.text(name, length), String(period))
         return this.sources++
       },
       flush: () => this.pass(this.#batch({})),
-      end: (tick, duration) => this.#note("end", String(tick), String(duration)),
+      end: (tick, duration) => this.note("end", String(tick), String(duration)),
       tell: (text, length) => {
-        this.#note("tell", long(program.bytes(text, length)))
+        this.note("tell", long(program.bytes(text, length)))
         this.shared.urgent = true
       },
       ask: (text, length, answered) => {
@@ -129,6 +129,14 @@ export class Node {
       },
     }
   }
+}
+
+/** Why a trap has ended it, in words. */
+function why(said) {
+  if (said.includes("call stack")) return "its stack has overflowed: a function may call itself without an end"
+  if (said.includes("out of bounds")) return "it has used memory that it does not have, or its stack has overflowed"
+  if (said.includes("unreachable")) return "it has used a null pointer, or left a function without the value that it should return"
+  return `it was ended (${said})`
 }
 
 /** Bytes of a text of which each character is one, and the other way round. */

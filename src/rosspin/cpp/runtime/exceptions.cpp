@@ -1,6 +1,7 @@
 // Exceptions on WebAssembly. The compiler throws and catches with the instructions of WebAssembly; what it calls for
 // the rest is here, as the C++ ABI for Itanium (1.15: level II) and LLVM's lowering for WebAssembly define it: clang's
 // package has neither libunwind nor a libc++abi with exceptions.
+#include <cctype>
 #include <cstdarg>
 #include <cstdint>
 #include <cstdio>
@@ -9,6 +10,7 @@
 #include <cxxabi.h>
 #include <exception>
 #include <functional>
+#include <map>
 #include <new>
 #include <optional>
 #include <string>
@@ -87,17 +89,43 @@ std::intptr_t read_signed(const std::uint8_t*& at)
   }
 }
 
+// Name a type as libstdc++ does, if it is a number, a text or a class without parameters; else as the compiler does. The
+// library's own demangler would be a fifth of a program.
+std::string readable(const std::string& mangled)
+{
+  static const std::map<std::string, std::string> others = {{"b", "bool"}, {"c", "char"}, {"d", "double"},
+      {"f", "float"}, {"i", "int"}, {"j", "unsigned int"}, {"l", "long"}, {"m", "unsigned long"}, {"x", "long long"},
+      {"y", "unsigned long long"}, {"PKc", "char const*"}, {"Pc", "char*"},
+      {"NSt3__212basic_stringIcNS_11char_traitsIcEENS_9allocatorIcEEEE",
+          "std::__cxx11::basic_string<char, std::char_traits<char>, std::allocator<char> >"}};
+  if (auto found = others.find(mangled); found != others.end())
+    return found->second;
+  std::string name;
+  std::size_t at = mangled[0] == 'N', end = mangled.size() - at;
+  if (mangled.compare(at, 2, "St") == 0)
+  {
+    name = "std";
+    at += 2;
+  }
+  while (at < end && std::isdigit(static_cast<unsigned char>(mangled[at])))
+  {
+    char* rest;
+    std::size_t length = std::strtoul(&mangled[at], &rest, 10);
+    at = rest - mangled.data();
+    std::string part = mangled.substr(at, length);
+    at += length;
+    if (part != "__2")  // of libc++
+      name += (name.empty() ? "" : "::") + (part == "_GLOBAL__N_1" ? "(anonymous namespace)" : part);
+  }
+  return at == end ? name : mangled;
+}
+
 // Says what ends the program, as libstdc++ does, which the real ROS is built with.
 [[noreturn]] void say_and_abort()
 {
   if (const std::type_info* type = __cxxabiv1::__cxa_current_exception_type())
   {
-    int status = 0;
-    char* readable = __cxxabiv1::__cxa_demangle(type->name(), nullptr, nullptr, &status);
-    std::string name = readable ? readable : type->name();
-    for (std::size_t at; (at = name.find("std::__2::")) != std::string::npos;)
-      name.replace(at, 10, "std::");
-    std::fprintf(stderr, "terminate called after throwing an instance of '%s'\n", name.c_str());
+    std::fprintf(stderr, "terminate called after throwing an instance of '%s'\n", readable(type->name()).c_str());
     try
     {
       throw;

@@ -1,0 +1,21 @@
+// For the page, which is typed.
+
+type Tick = [source: string, number: number, expected: number, real: number, duration: number]
+
+interface Told {
+  print(text: string, isError: boolean, tick: number): void
+  begin(tick: Tick, number: number): void
+  pace(now: number): void
+}
+
+export class Alone {
+  constructor(
+    module: WebAssembly.Module,
+    node: { ros: number; name: string; words: string[]; seconds: number; seed: number; paced: boolean },
+    shown: Told,
+  )
+  ticks: Tick[]
+  periods: Map<string, number>
+  readonly now: bigint
+  run(): { status: number; end: number }
+}

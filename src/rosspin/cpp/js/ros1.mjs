@@ -1,0 +1,91 @@
+// What a C++ node of ROS 1 asks, answered for one that is alone: its own topics, and a parameter server. See ros1.py, which
+// answers where there are others.
+
+export class Ros1 {
+  #name = ""
+  #publications = []
+  #subscriptions = []
+  #parameters = {}
+  #event
+
+  /** `host.event(what, values)` gives something to the node as soon as it waits. */
+  constructor(host) {
+    this.#event = (what, values) => host.event(what, values)
+  }
+
+  asked = {
+    init: (name, parameters) => {
+      this.#name = name
+      for (const [each, text] of Object.entries(parameters)) this.asked.set_param(each, fromCommandLine(text))
+    },
+    advertise: (topic, kind, _size, latches) =>
+      BigInt(this.#publications.push({ topic, kind, latches, last: null, ended: false }) - 1),
+    subscribe: (topic, kind) => {
+      const number = BigInt(this.#subscriptions.push({ topic, kind, ended: false }) - 1)
+      for (const { last } of this.#others(this.#publications, this.#subscriptions[number])) {
+        if (last) this.#event("message", [number, last, this.#name])
+      }
+      return number
+    },
+    subscribers: (number) => BigInt(this.#others(this.#subscriptions, this.#publications[number]).length),
+    publishers: (number) => BigInt(this.#others(this.#publications, this.#subscriptions[number]).length),
+    get_param: (name) => parts(name).reduce((at, part) => at?.[part], this.#parameters),
+    has_param: (name) => this.asked.get_param(name) !== undefined,
+    set_param: (name, value) => {
+      const [last, ...above] = parts(name).reverse()
+      let at = this.#parameters
+      for (const part of above.reverse()) at = isTable(at[part]) ? at[part] : (at[part] = {})
+      at[last] = value
+    },
+    delete_param: (name) => {
+      const found = this.asked.has_param(name)
+      const [last, ...above] = parts(name).reverse()
+      if (found) delete this.asked.get_param(above.reverse().join("/"))[last]
+      return found
+    },
+    search_param: (space, name) => {
+      if (name.startsWith("/")) return this.asked.has_param(name) ? name : null
+      const above = parts(space)
+      for (let count = above.length; count >= 0; count--) {
+        const around = ["", ...above.slice(0, count), ""].join("/")
+        if (this.asked.has_param(around + parts(name)[0])) return around + name
+      }
+      return null
+    },
+    param_names: () => leaves("", this.#parameters),
+  }
+
+  told = {
+    publish: (number, data) => {
+      const publication = this.#publications[number]
+      if (publication.ended) return
+      if (publication.latches) publication.last = data
+      this.#subscriptions.forEach((each, place) => {
+        if (meet(publication, each)) this.#event("message", [BigInt(place), data, this.#name])
+      })
+    },
+    unadvertise: (number) => (this.#publications[number].ended = true),
+    unsubscribe: (number) => (this.#subscriptions[number].ended = true),
+    shutdown: () => this.#event("shutdown", []),
+  }
+
+  #others(all, end) {
+    return all.filter((each) => meet(each, end))
+  }
+}
+
+const meet = (one, other) =>
+  one.topic === other.topic && !one.ended && !other.ended && (one.kind === other.kind || [one.kind, other.kind].includes("*"))
+
+const parts = (name) => name.split("/").filter(Boolean)
+const isTable = (value) => typeof value === "object" && value !== null && !Array.isArray(value)
+const leaves = (above, table) =>
+  Object.entries(table).flatMap(([name, value]) => (isTable(value) ? leaves(`${above}/${name}`, value) : [`${above}/${name}`]))
+
+/** Read a value as roscpp does (source: roscpp/param.cpp, init). */
+function fromCommandLine(text) {
+  if (/^[-+]?\d+$/.test(text)) return BigInt(text.replace("+", ""))
+  if (/^[-+]?(\d+\.?\d*|\.\d+)(e[-+]?\d+)?$/i.test(text)) return Number(text)
+  if (["true", "True", "TRUE"].includes(text)) return true
+  return ["false", "False", "FALSE"].includes(text) ? false : text
+}
