@@ -10,7 +10,7 @@ ROS1 := build-essential catkin libroscpp-dev python3-roslaunch python3-rosmaster
 MESSAGES := python3-actionlib-msgs python3-diagnostic-msgs python3-geometry-msgs python3-nav-msgs python3-sensor-msgs \
   python3-std-srvs python3-trajectory-msgs python3-visualization-msgs
 # The LTS of ROS 2, the messages that nodes of the tests use, and what builds a package of nodes. With DISTRO=kilted,
-# another distribution beside it, to which the tests hold the same nodes.
+# another distribution next to it, to which the tests hold the same nodes.
 DISTRO := jazzy
 ROS2 := $(addprefix ros-$(DISTRO)-,rclpy rmw-fastrtps-cpp geometry-msgs nav-msgs rosgraph-msgs sensor-msgs \
   std-msgs std-srvs test-msgs)
@@ -36,7 +36,7 @@ SOURCED := AMENT_PREFIX_PATH CMAKE_PREFIX_PATH PYTHONPATH ROS_DISTRO
 FOUND := $(foreach name,$(.VARIABLES),$(if $(filter environment%,$(origin $(name))),$(name)))
 unexport MAKEFLAGS MFLAGS $(filter-out $(KEPT) $(if $(findstring rclcpp,$(ROSSPIN_REQUIRE)),$(SOURCED)),$(FOUND))
 
-# One stamp for each PYTHON: choosing another one makes the environment anew, as changed pins do. What only the tests or
+# One stamp for each PYTHON: choosing another one rebuilds the environment, as changed pins do. What only the tests or
 # the Lab need is added to it when they are asked for.
 VENV := .venv/made-with-$(subst $(space),_,$(subst /,_,$(PYTHON)))
 FOR_HTML := docs
@@ -82,7 +82,7 @@ html doctest linkcheck: $(VENV) $(NPM)
 
 html: $(WEB)
 
-# What runs in the page: made anew only when its sources change, its packages only when their pins do.
+# What runs in the page: rebuilt only when its sources change, its packages only when their pins do.
 $(WEB): $(NPM) $(wildcard web/*.mjs web/*.py web/src/* web/licences/* notebooks/*exercises.md lessons/*.py) $(shell find src/rosspin -name '*.py' -o -name '*.txt' -o -name '*.toml' -o -name '*.mjs')
 	"$(BIN)/node" --experimental-wasm-jspi web/build.mjs build/npm "$$("$(BIN)/python" -c 'import yaml; print(*yaml.__path__)')" build/web/live "$$("$(BIN)/python" -m rosspin.site.rules)"
 
@@ -104,7 +104,7 @@ outputs: $(VENV) $(NPM)
 # there. A whole file at a time: its tests share what they have built or started. What is real waits half of the time.
 PYTEST = "$(BIN)/pytest" --numprocesses $(1) --dist loadfile --no-loadscope-reorder
 
-# mypy works beside the doctests: each takes one processor.
+# mypy works during the doctests: each takes one processor.
 test: $(VENV:=-for-test) $(NPM)-for-test html
 	"$(BIN)/ruff" check
 	"$(BIN)/mypy" & typed=$$!; $(call SPHINX,doctest) -W --keep-going $(SPHINXOPTS); examples=$$?; wait $$typed && exit $$examples
@@ -112,7 +112,7 @@ test: $(VENV:=-for-test) $(NPM)-for-test html
 	$(if $(ROSSPIN_REQUIRE),$(call PYTEST,4) --share tests/real)
 
 # The whole corpus of scenarios on all that is real and installed, one after another: it takes hours. What is recorded,
-# and the ledger of it, is written anew; commit that.
+# and the ledger of it, is rewritten; commit that.
 judge: $(VENV:=-for-test) html
 	"$(BIN)/pytest" tests/real/judge tests/real --keep-duplicates --hypothesis-profile judge --conclusive $(ARGS)
 
@@ -170,7 +170,7 @@ ros1:
 	  { echo 'ROS 1 is in the archives of Debian and Ubuntu only; install $(ROS1) $(MESSAGES) there' >&2; exit 1; }
 	$(SUDO) apt-get install --yes $(ROS1) $(MESSAGES)
 
-# The real ROS 2 in Python, from its wheels, in an environment of its own: they start every Python beside them anew.
+# The real ROS 2 in Python, from its wheels, in an environment of its own: they restart every Python there.
 ros2: build/ros2$(OTHER)/made
 
 build/ros2$(OTHER)/made: pins/ros2$(OTHER).txt | $(VENV)
@@ -179,12 +179,12 @@ build/ros2$(OTHER)/made: pins/ros2$(OTHER).txt | $(VENV)
 	$(@D)/bin/python -m pip install --quiet --disable-pip-version-check --require-hashes --no-deps -r $<
 	@touch $@
 
-# Anew, on the real ROS 1 and 2: the runs that pages show where none is installed.
+# Recorded again, on the real ROS 1 and 2: the runs that pages show where none is installed.
 record: $(VENV)
 	"$(BIN)/python" benchmarks/record.py
 	"$(BIN)/python" benchmarks/record_ros2.py
 
-# Anew, from the pinned rosbags: the message definitions that rosspin carries.
+# From the pinned rosbags: the message definitions that rosspin carries.
 definitions: $(VENV:=-for-test)
 	"$(BIN)/python" benchmarks/definitions.py
 

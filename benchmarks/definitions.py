@@ -1,4 +1,4 @@
-"""Write the message definitions that rosspin carries, anew from the pinned rosbags: `make definitions`.
+"""Write the message definitions that rosspin carries, from the pinned rosbags: `make definitions`.
 
 rosbags has the definitions of the ROS releases, without comments and without default values; the defaults of the few
 ROS 2 fields that have one are added here. One text for each ROS, each definition headed as in a bag file.

@@ -17,7 +17,7 @@ def by_turns(rounds: int, clock: Callable[[], float], functions: dict[str, Calla
     times: Times = {name: [] for name in functions}
     for _ in range(rounds):
         for name, function in functions.items():
-            gc.collect()  # nobody tidies up after the one before
+            gc.collect()  # no one tidies up after the one before
             start = clock()
             function()
             times[name].append(clock() - start)

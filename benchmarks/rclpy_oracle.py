@@ -498,7 +498,7 @@ class Node(Handle):
 
 
 class Publisher(Handle):
-    """Of /parameter_events, to which nobody listens."""
+    """Of /parameter_events, to which no one listens."""
 
     def __init__(self, *args: Any) -> None:
         pass

@@ -20,7 +20,7 @@ def report(pairs: int = 200_000, few: int = 100, many: int = 10_000, rounds: int
     )
     each = {name: f"{median(taken) / pairs * 1e9:.0f} ns" for name, taken in times.items()}
     yield line(
-        "  a lock that nobody else wants, acquired and released, simulated / real",
+        "  a lock that no one else wants, acquired and released, simulated / real",
         ratio(times, "simulated", "real"),
         most=10,
         times=f"{each['simulated']} / {each['real']}",

@@ -80,13 +80,13 @@ const lessons = path.join(here, "../lessons")
 for (const name of existsSync(lessons) ? readdirSync(lessons).sort() : []) {
   if (name.endsWith(".py")) files[`rosspin/exercises/own/${name}`] = readFileSync(path.join(lessons, name))
 }
-// The answers stand last, and are nobody's business there.
+// The answers come last, and are no one's business there.
 for (const name of Object.keys(files).filter((name) => name.startsWith("rosspin/exercises/own/"))) {
   files[name] = Buffer.from(files[name].toString().replace(/^RIGHT = [^]*$/m, "RIGHT = WRONG = ()\n"))
 }
 writeFileSync(path.join(out, "rosspin.zip"), zipSync(files, { level: 9, mtime: new Date(1980, 0) }))
 
-// The snapshot: made anew only when what is in it changes, which is also when readers need to load it again.
+// The snapshot: rebuilt only when what is in it changes, which is also when readers need to load it again.
 const inputs = ["pyodide.mjs", "pyodide.asm.mjs", "pyodide.asm.wasm", "python_stdlib.zip"]
   .map((name) => path.join(pyodide, name))
   .concat(path.join(out, "rosspin.zip"))

@@ -24,7 +24,7 @@ def main():
     robot_py_node = RobotPyNode()
     try:
         if not robot_py_node.client.wait_for_service(timeout_sec=2.0):
-            robot_py_node.get_logger().error("nobody offers "
+            robot_py_node.get_logger().error("no node offers "
                 + robot_py_node.client.service_name)
             sys.exit(1)
         future = robot_py_node.client.call_async(Trigger.Request())

@@ -126,7 +126,7 @@ def _parser() -> argparse.ArgumentParser:
         type=float,
         default=0.0,
         metavar="S",
-        help="with --simulated: threads and callbacks go on late by up to S seconds",
+        help="with --simulated: threads and callbacks are late by up to S seconds",
     )
     run.add_argument(
         "--schedule",
@@ -262,7 +262,7 @@ def _write_test(found: Look, folder: Path) -> None:
 
 def _run(options: argparse.Namespace, args: Sequence[str]) -> int:
     if options.simulated and options.seconds is None:
-        raise ValueError("--simulated needs --seconds: nobody can press Ctrl-C in simulated time")
+        raise ValueError("--simulated needs --seconds: no one can press Ctrl-C in simulated time")
     options.file, *others = options.files
     if others and not options.simulated:
         raise ValueError("several nodes run in simulated time only: --simulated")
@@ -391,7 +391,7 @@ def _wrong(options: argparse.Namespace) -> Sequence[Fault]:
 
 
 def _plot_orders(options: argparse.Namespace, args: Sequence[str]) -> int:
-    """Save and describe a plot of the order of a token beside the usual one, which takes another run of each."""
+    """Save and describe a plot of the order of a token next to the usual one, which takes another run of each."""
     found = compare_orders(
         options.files if len(options.files) > 1 else options.file,
         options.seconds,

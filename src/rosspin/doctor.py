@@ -12,7 +12,7 @@ from .real import ros1, ros2
 
 __all__ = ["chromium", "report"]
 
-# Beside the project's tests: which recording of the real ROS was confirmed when, and by which version.
+# Next to the project's tests: which recording of the real ROS was confirmed when, and by which version.
 _LEDGER = Path(__file__).parents[2] / "tests" / "ledger.toml"
 
 _APT = "on Debian and Ubuntu: sudo apt-get install"

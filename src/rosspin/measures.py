@@ -157,7 +157,7 @@ def _three(value: float) -> str:
 
 
 def _say_beside(seconds: float, other: float) -> str:
-    """Format a length of time that stands beside another one, in ms if that is shorter."""
+    """Format a length of time next to another one, in ms if that is shorter."""
     in_ms = 0.5e-6 <= other < 0.0995 <= seconds < 0.9995
     return f"{seconds * 1e3:.3g} ms" if in_ms else say_time(seconds)
 

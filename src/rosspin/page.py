@@ -139,7 +139,7 @@ def run(source: str, filename: str, seconds: float, args: str, speed: float, bes
     ``count``, the ``lost`` ones, each with its source and when it was due (s), the ``chunks`` that each tick printed (a
     call of ``print`` is one, counted from 0; the last ones only), the ``end`` of the run (s) and a text ``alternative``
     to their plot; the ``scenes`` of the nodes, or after ``%%drive SECONDS -- ARGS`` the ``drive`` of the vehicle that
-    ran beside the node, as :func:`rosspin.vehicle.drawn.drawn` has it. Errors are printed and give status 1.
+    ran together with the node, as :func:`rosspin.vehicle.drawn.drawn` has it. Errors are printed and give status 1.
     """
     printed = _Printed()
     streams = [_Stream(page, is_error, printed, filename) for is_error in (False, True)]
@@ -360,7 +360,7 @@ def _run(
 
 
 def _drive(node: Code, seconds: float, args: Sequence[str], pacer: _Pacer, printed: _Printed) -> dict[str, Any]:
-    """Run a node beside a vehicle. What is shown is the node's, and the vehicle's drive."""
+    """Run a node together with a vehicle. What is shown is the node's, and the vehicle's drive."""
     result = run_beside(node, args, [VEHICLES[node.hint or 2]], seconds, pacer.simulation, printed)
     own = [place for place, tick in enumerate(result.ticks) if not tick.source.startswith(_OF_VEHICLE)]
     ticks = tuple(result.ticks[place] for place in own)
@@ -478,7 +478,7 @@ def _deque(items: Iterable[Any] = ()) -> deque[Any]:
 class _Pacer:
     """Makes a simulation keep pace with the page's clock, and shows the page each tick as it begins.
 
-    Of the node in the file ``filename``, if one is given, it keeps the steps, with those of ``several`` beside it.
+    Of the node in the file ``filename``, if one is given, it keeps the steps, with those of ``several`` next to it.
     """
 
     def __init__(self, page: Any, speed: float, ticks: TickLog, filename: str, ros: Ros, several: bool) -> None:

@@ -121,7 +121,7 @@ spin_with(4)
             "the callback of the service /second (second) waits for the answer of /first",
             "the request has come, but the callback group of the service lets one callback run at a time:",
             "  the callback of the service /first (first)",
-            "No executor and no group helps here: let one of these callbacks answer without asking.",
+            "No executor or group helps here: one of these callbacks has to answer without asking.",
         ],
     ),
     "all threads ask": (
@@ -169,7 +169,7 @@ rclpy.spin(node)
         [
             "the timer's callback tick waits for its Rate",
             "its timer is due, but the only thread of the executor is in a callback:",
-            "Let a timer call what the loop does",
+            "Do the work of the loop in a timer",
         ],
     ),
     "a spin in a callback": (
@@ -291,7 +291,7 @@ def test_what_waits_for_ever_is_explained(write: Any, kind: str) -> None:
         )
 
 
-# Each of these still waits when Ctrl-C comes, and would go on later, or nobody knows what for.
+# Each of these still waits when Ctrl-C comes, and would continue later, or no one knows what for.
 NOT_FOR_EVER = {
     "a slow service": """
 import time

@@ -310,7 +310,7 @@ def test_what_is_outside_of_the_stand_in(
 @pytest.mark.parametrize(
     ("args", "text"),
     [
-        (["run", TIMER_NODE, "--simulated"], "--simulated needs --seconds: nobody can press Ctrl-C in simulated time"),
+        (["run", TIMER_NODE, "--simulated"], "--simulated needs --seconds: no one can press Ctrl-C in simulated time"),
         (["run", TIMER_NODE, "--simulated", "--seconds", "-1"], "seconds must be a number of at least 0, not -1.0"),
         (["run", TIMER_NODE, "--simulated", "--seconds", "nan"], "seconds must be a number of at least 0, not nan"),
         (["run", TIMER_NODE, "--seconds", "nan"], "seconds must be a number of at least 0, not nan"),

@@ -84,7 +84,7 @@ rosspin:   the thread Thread-1 (one) waits for the end of the thread Thread-2 (t
 rosspin:     at FILE:4: threads[1].join()
 rosspin:   the thread Thread-2 (two) waits for the end of the thread Thread-1 (one)
 rosspin:     at FILE:5: threads[0].join()
-rosspin: Let one of them go on without waiting for the other.
+rosspin: One of them has to continue without waiting for the other.
 """
 CALL = """
 import threading, rospy

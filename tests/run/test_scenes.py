@@ -191,7 +191,7 @@ def test_who_wakes_a_rate() -> None:
         "The executor finds what is ready: the Rate's timer.",
         "MainThread calls the Rate's timer. That sets the event for which the loop sleeps.",
         "the Rate's timer ends.",
-        "Thread-1 (loop) goes on: the event is set.",
+        "Thread-1 (loop) continues: the event is set.",
     ]
     _, threads, _ = run.at(0.0, "No callback runs")
     assert threads["Thread-1 (loop)"] == ("", "self.loop_rate.sleep()")
@@ -211,7 +211,7 @@ def test_the_way_of_ctrl_c() -> None:
     run = told("my_robotics_pkg_ros2/my_robotics_pkg/spinner", 0.7)
     assert run.said[-4:] == [
         "0.7: MainThread gets the signal: rclpy shuts its contexts down and wakes the executors.",
-        "0.7: MainThread goes on with what the signal does in Python: at Ctrl-C it raises KeyboardInterrupt here.",
+        "0.7: MainThread continues with what the signal does in Python: at Ctrl-C it raises KeyboardInterrupt here.",
         "0.7: MainThread shuts rclpy down, which the signal has done already.",
         "0.7: The node has ended, with status 0.",
     ]

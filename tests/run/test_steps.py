@@ -702,7 +702,7 @@ def test_another_thread_cannot_go_on_with_it() -> None:
         thread = threading.Thread(target=step)
         thread.start()
         thread.join()
-        assert said == ["a node can go on only in the thread that started it"]
+        assert said == ["a node can continue only in the thread that started it"]
         node.advance(1)
 
 

@@ -4,7 +4,7 @@ import { make } from "./make.js"
 import { Painter } from "./painter.js"
 
 /**
- * So many lines are shown, of so many characters in all. One that is longer than a line can be goes on in the next: to lay
+ * So many lines are shown, of so many characters in all. One that is longer than a line can be continues in the next: to lay
  * out one line takes a browser more than twice as long if it is twice as long, above all in scripts other than Latin.
  */
 const MOST_LINES = 1000
@@ -32,7 +32,7 @@ export class Console {
   #notice = make("p")
   #leftOut = 0 // lines
   #cut = false // whether anything is left out
-  #open = false // whether the last line goes on
+  #open = false // whether the last line continues
   #size = 0
   /** @type {import("./protocol.js").Chunk[]} */
   #coming = [] // parts of lines that are not shown yet, and whether each is an error

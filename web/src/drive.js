@@ -1,4 +1,4 @@
-// A drive beside a run: the way of the vehicle, and how far off its line it was. What there is to draw comes from
+// A drive below a run: the way of the vehicle, and how far off its line it was. What there is to draw comes from
 // rosspin/vehicle/drawn.py, as paths.
 
 import { make } from "./make.js"

@@ -36,7 +36,7 @@ export function coloured(text) {
   return pieces
 }
 
-// It stands where the listing stood, and looks like it.
+// It takes the place of the listing, and looks like it.
 const looksLikeIt = EditorView.theme({
   "&": {
     background: "var(--pst-color-surface)",

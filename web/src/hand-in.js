@@ -52,7 +52,7 @@ function handIn(event) {
   const found = Object.fromEntries(store.texts())
   const exercises = Object.keys(found)
   if (!exercises.length) {
-    const nothing = store.solvedBefore().length ? "no answer stands changed." : "you have not changed an answer yet."
+    const nothing = store.solvedBefore().length ? "no answer is changed now." : "you have not changed an answer yet."
     status.textContent = [`There is nothing to hand in: ${nothing}`, ...doubts(found, "")].join(" ")
     return
   }

@@ -1,11 +1,11 @@
-// Figures with a handle. The page carries the rows of all its positions. The first stands there as matplotlib drew it, for a
+// Figures with a handle. The page carries the rows of all its positions. The first is there as matplotlib drew it, for a
 // wide and for a narrow place; another is drawn here, as large as the first is in that place.
 
 import { find } from "./make.js"
 import { drawTimeline } from "./svg.js"
 
 /**
- * The number that code beside a figure assigns to a variable; undefined where there is none.
+ * The number that code next to a figure assigns to a variable; undefined where there is none.
  *
  * @param {HTMLElement} figure
  * @param {string} name
@@ -17,7 +17,7 @@ function assigned(figure, name) {
 }
 
 /**
- * What a figure carries: the variable that it `sets` in the code beside it, if there is such, its axis, and its positions.
+ * What a figure carries: the variable that it `sets` in the code next to it, if there is such, its axis, and its positions.
  *
  * @typedef {[value: string, words: string, alternative: string, rows: import("./svg.js").Row[]]} Position
  * @typedef {import("./svg.js").Scale & {title: string, sets?: string, positions: Position[]}} Carried
@@ -50,7 +50,7 @@ function move(figure) {
     if (number) number.textContent = value
   }
   input.addEventListener("input", () => show(input.valueAsNumber))
-  // On paper, where nothing moves, stands what the text around the figure is about.
+  // Paper, where nothing moves, shows what the text around the figure is about.
   addEventListener("beforeprint", () => show(Number(input.defaultValue)))
   addEventListener("afterprint", () => show(input.valueAsNumber))
   number?.classList.add("rosspin-number")

@@ -73,7 +73,7 @@ function result(sandbox, job, stopped, time = TIME) {
 }
 
 /**
- * Sandboxes that have judged, and will go on: nothing of an answer runs in them.
+ * Sandboxes that have judged, and will continue: nothing of an answer runs in them.
  *
  * @type {import("./sandboxes.js").Sandbox[]}
  */

@@ -40,7 +40,7 @@ export function fingerprint(text) {
  * What a cell shows, kept by the browser or not.
  *
  * @typedef {object} Keeping
- * @property {string | null} text what the reader wrote; null if the listing stands as it comes with its page
+ * @property {string | null} text what the reader wrote; null if the listing is as it comes with its page
  * @property {string} said what there is to say of it
  * @property {string} unkept why the browser does not keep it, in words; "" if it does
  * @property {(text: string | null) => boolean} write keep a text, or with null that the listing was reset; whether there is

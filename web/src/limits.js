@@ -1,4 +1,4 @@
-// How much a sandbox may say: what comes out of it may have been written by the code that ran there, and the page goes on
+// How much a sandbox may say: what comes out of it may have been written by the code that ran there, and the page continues
 // answering its reader. See protocol.js.
 
 /** @typedef {import("./protocol.js").Job["kind"]} Kind of a job */

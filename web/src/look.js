@@ -32,7 +32,7 @@ let current = null
 let run = null
 let number = 0 // of the log that was given last
 
-/** End what goes on; the number of what begins now. */
+/** End what is running; the number of what begins now. */
 function begin() {
   run?.end()
   run = null
@@ -135,7 +135,7 @@ function pictures(rows, count, seconds) {
   axis.setAttribute("aria-hidden", "true")
   const others = count > rows.length ? ` The table has all ${count} series.` : ""
   const textContent =
-    "How late each came, beside the grid that fits best; strokes at the foot: missing. The box is the part that the " +
+    "How late each came, by the grid that fits best; strokes at the foot: missing. The box is the part that the " +
     `timeline shows.${others}`
   const late = make("figure", { className: "rosspin-plot" })
   late.append(...strips.map(({ element }) => element), axis, make("figcaption", { textContent }))

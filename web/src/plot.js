@@ -5,7 +5,7 @@ import { make } from "./make.js"
 import { Painter } from "./painter.js"
 import { INK, MARGIN, draw, drawTimeline, drawn, layOut, percent } from "./svg.js"
 
-/** While a run goes on, its axis stands still for so long (s), or until the end of the run. */
+/** While a run lasts, its axis stands still for so long (s), or until the end of the run. */
 const STEP = 30
 
 /** No timeline has more rows. */
@@ -22,7 +22,7 @@ const inSeconds = (/** @type {number} */ time) => `${Number(time.toFixed(6))} s`
 export class Plot {
   /** @type {Tick[]} */
   #ticks = []
-  #painter = new Painter(() => this.#paint("Timeline of a run that goes on.", this.#until))
+  #painter = new Painter(() => this.#paint("Timeline of a run in progress.", this.#until))
   #seconds = 0 // that a run is to last
   /** @type {number[][]} */
   #chunks = [] // of each tick: what it printed
@@ -64,7 +64,7 @@ export class Plot {
     this.#seconds = seconds
   }
 
-  /** Where the axis ends while the run goes on. */
+  /** Where the axis ends while the run lasts. */
   get #until() {
     const last = this.#ticks.at(-1)?.[3] ?? 0
     return Math.min(this.#seconds, STEP * Math.ceil((last + 1e-9) / STEP))

@@ -5,7 +5,7 @@ import { LONGEST, SHOWN } from "./limits.js"
 
 /**
  * What the page sends:
- * @typedef {[source: string, filename: string, args: string]} Beside a node that runs together with the one of the job
+ * @typedef {[source: string, filename: string, args: string]} Beside a node that runs together with the node of the job
  * @typedef {{kind: "run", source: string, filename: string, seconds: number, args: string, speed: number,
  *   beside: Beside[]}} RunJob
  * @typedef {{kind: "cpp", name: string, bytes: ArrayBuffer | null, ros: number, filename: string, seconds: number, args: string,
@@ -32,7 +32,7 @@ import { LONGEST, SHOWN } from "./limits.js"
  * @typedef {string[]} Drive what is drawn of a vehicle: see rosspin/vehicle/drawn.py; nothing if there was none
  * @typedef {[thread: number, callback: number, line: number]} Where a thread is; callback -1: in none; line 0: in none
  * @typedef {[time: number, said: string, ready: number[], threads: Where[], how: string[]]} Step
- * @typedef {{links: [name: string, waits: string][], to: number}} Ring of waits; to: for whom the last waits, -1: nobody
+ * @typedef {{links: [name: string, waits: string][], to: number}} Ring of waits; to: for whom the last waits, -1: no one
  * @typedef {{threads: string[], groups: string[], callbacks: [name: string, group: number][], steps: Step[],
  *   rings: Ring[]}} Scenes of a run; in ROS 1 there are no groups, and nothing is ready: each thread calls its own
  * @typedef {{trace: string}} TraceResult

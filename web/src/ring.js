@@ -1,4 +1,4 @@
-// Who waits for whom for ever, as a picture: boxes one below the other, and the way back beside them.
+// Who waits for whom in a deadlock, as a picture: boxes one below the other, and the way back next to them.
 
 import { sayRing, wrapped } from "./scenes.js"
 import { draw } from "./svg.js"

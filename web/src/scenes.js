@@ -47,7 +47,7 @@ export function scene({ groups, callbacks, threads, steps }, index) {
 }
 
 /**
- * A ring of waits, or a way that ends where nobody goes on, in a sentence.
+ * A ring of waits, or a way that ends where no one continues, in a sentence.
  *
  * @param {import("./protocol.js").Ring} ring
  */

@@ -45,7 +45,7 @@ export function nameOf({ name, part }, most = Infinity) {
 export const rateOf = (/** @type {Series} */ { period }) =>
   period ? `${Number((1 / period).toPrecision(4))} Hz` : "irregular"
 
-/** By how much the period is longer than one that somebody may have chosen; "" if there is none near. */
+/** By how much the period is longer than one that someone may have chosen; "" if there is none near. */
 export function driftOf(/** @type {Series} */ { period, chosen, drift }) {
   if (!period || !chosen || Math.abs(drift) >= 0.2) return ""
   const percent = Number((100 * drift).toFixed(2))

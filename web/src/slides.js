@@ -1,5 +1,5 @@
 // A page as slides. "?slides" in its address shows it section by section, "?slides=notes" shows the notes in a window of
-// the speaker's own; the two follow each other. No key is a letter, which somebody who speaks to the computer could not
+// the speaker's own; the two follow each other. No key is a letter, which someone who speaks to the computer could not
 // keep from being pressed.
 
 import { find, make } from "./make.js"
@@ -119,6 +119,6 @@ if (asked === null) {
   const link = make("a", { textContent: "Show as slides" })
   link.href = "?slides"
   const line = make("p", {})
-  line.append(link, "; page keys, arrow keys or a clicker go on and back, F11 fills the screen, Notes opens a window for you.")
+  line.append(link, "; page keys, arrow keys or a clicker move forwards and back, F11 fills the screen, Notes opens a window for you.")
   find("h1", root).after(line)
 } else begin()

@@ -172,7 +172,7 @@ export class Stepper {
 const box = (name, ...children) => make("div", { className: "stepper-box" }, make("b", { textContent: name }), ...children)
 
 /**
- * A callback, known by its number wherever it stands.
+ * A callback, known by its number wherever it is.
  *
  * @param {string} className
  * @param {Callback} callback
@@ -189,7 +189,7 @@ const row = (/** @type {Callback} */ callback) => named("stepper-row", callback,
 /**
  * Let the reader go through what a run did; who waits for whom is drawn immediately. Returned is what takes that away.
  *
- * @param {HTMLElement} next what it is to stand before
+ * @param {HTMLElement} next what it should be before
  * @param {string} name
  * @param {import("./protocol.js").Scenes} scenes
  * @param {HTMLElement | null} pre the listing

@@ -1,6 +1,6 @@
 // The answers of a student, as the browser keeps them: by exercise, whichever page, tab or link shows it.
 //
-// An answer is a list of versions, newest first. Typing goes on in the newest one; a new one begins where another page
+// An answer is a list of versions, newest first. Typing continues in the newest one; a new one begins where another page
 // or tab wrote that, after Reset, and where a text that solved the exercise is changed. So no text is written over
 // unseen. A version whose text is null is the cell as it comes with its page.
 
@@ -80,7 +80,7 @@ export class Answer {
   #browser
   #known = NONE // the record, as this page knows it
   /** @type {string | null} */
-  #draft = null // the version that typing goes on in
+  #draft = null // the version that typing continues in
   /** @type {(string | null)[] | null} */
   #round = null // the texts that Restore earlier version goes through, the one that is shown first
 
@@ -100,7 +100,7 @@ export class Answer {
     this.#known = this.#latest()
   }
 
-  /** What the student wrote; null if the cell stands as it comes with its page. */
+  /** What the student wrote; null if the cell is as it comes with its page. */
   get text() {
     return this.#known.versions[0]?.text ?? null
   }
@@ -179,7 +179,7 @@ export class Answer {
     const { versions } = this.#latest()
     const round = this.#round ?? versions.map(({ text }) => text)
     round.push(...round.splice(0, 1))
-    this.#draft = null // the text that stands there stays a version
+    this.#draft = null // the text that is there stays a version
     const time = versions.find(({ text }) => text === round[0])?.time
     this.write(round[0])
     this.#round = round

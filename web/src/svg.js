@@ -150,7 +150,7 @@ export function lanesOf(ticks) {
 }
 
 /**
- * How far down the ticks of a row are. Those at the same time stand one above the other, as far as there is room.
+ * How far down the ticks of a row are. Those at the same time are one above the other, as far as there is room.
  *
  * @param {number} number of the row
  * @param {When[]} ticks

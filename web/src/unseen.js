@@ -1,5 +1,5 @@
-// Code that somebody else wrote shows what would not be seen: characters that have no look or turn the direction of a text,
-// and what stands far to the right.
+// Code that someone else wrote shows what would not be seen: characters that have no look or turn the direction of a text,
+// and what is far to the right.
 
 import { make } from "./make.js"
 

@@ -13,7 +13,7 @@ __all__ = ["BEGINS_AT_0", "LATE", "NS", "Clock", "WallClock", "nanoseconds"]
 
 NS = 1_000_000_000
 
-# How much later (ns) than usual a connection may stand, where orders are explored. Nothing says when it does, and a
+# How much later (ns) than usual a connection may be made, where orders are explored. Nothing says when it is, and a
 # computer that is busy easily takes a second.
 LATE = NS
 
@@ -71,7 +71,7 @@ class Clock(Protocol):
         """Return the place of what happens, of several things that ROS leaves open: the first unless it explores."""
 
     def give_way(self) -> None:
-        """Let another thread of the caller's process go on if it explores: a real one could here, too."""
+        """Let another thread of the caller's process continue if it explores: a real one could here, too."""
 
 
 class WallClock:

@@ -1,4 +1,4 @@
-"""End code that refuses to end, because it catches every exception and goes on."""
+"""End code that refuses to end, because it catches every exception and continues."""
 
 from __future__ import annotations
 
@@ -73,7 +73,7 @@ def _is_spared(frame: FrameType) -> bool:
 
 @contextmanager
 def ending_here() -> Iterator[None]:
-    """Confine an ending to this context: once :class:`Ended` has left it, the thread goes on as before."""
+    """Confine an ending to this context: once :class:`Ended` has left it, the thread continues as before."""
     trace = sys.gettrace()
     try:
         yield
@@ -113,7 +113,7 @@ def spare_me() -> None:
     """Withdraw an :class:`Ended` that ``end_thread`` has sent to the calling thread, if it has not been raised yet."""
     try:
         with ending_here():
-            # Given None instead, CPython 3.11 would go on looking for an exception at every step.
+            # Given None instead, CPython 3.11 would continue looking for an exception at every step.
             ctypes.pythonapi.PyThreadState_SetAsyncExc(ctypes.c_ulong(get_ident()), ctypes.py_object(_Nothing))
             while True:
                 pass  # it comes immediately

@@ -20,7 +20,7 @@ from .stacks import Program, Stack, current
 __all__ = ["Decide", "Deviation", "ExploredSimulation", "Order", "Turn", "name_of"]
 
 # A token: the version of what is counted, whether inside of lines too, and where and how the order deviates. A ``t``
-# stands before the number of a point at which a test goes on first.
+# stands before the number of a point at which a test continues first.
 _VERSION = 1
 _TOKEN = re.compile(r"(\d+)(d?)((?:-t?\d+\.\d+)*)")
 
@@ -28,7 +28,7 @@ _TOKEN = re.compile(r"(\d+)(d?)((?:-t?\d+\.\d+)*)")
 # thread that only looks again and again does not keep another one from its turn.
 _PATIENCE = 200
 
-# What comes instead of a stack if a test goes on before it.
+# What comes instead of a stack if a test continues before it.
 _TEST = "the test"
 
 Due = tuple[int, int, Stack]
@@ -72,7 +72,7 @@ class Order:
         self.acts: set[int] | None = None  # the steps of a test after which it may act early; None: all of them
         self.acted: set[int] = set()  # those after which it did something to a node, before it looked at anything
         self._steps = 0
-        self._ends: list[int] = []  # the steps at whose end the test could go on first, once for each time
+        self._ends: list[int] = []  # the steps at whose end the test could continue first, once for each time
         self._unseen: int | None = None  # the newest step, unless the test has looked at what came of it
         self._decide = decide
         self._known: set[Hashable] = set()  # what there was to choose among
@@ -96,7 +96,7 @@ class Order:
         return f"{_VERSION}{'d' * self.deep}{pairs}"
 
     def begin_step(self, is_looked_at: bool) -> None:
-        """A test lets the time of a node go on; ``is_looked_at`` says whether it takes what that returns."""
+        """A test lets the time of a node pass; ``is_looked_at`` says whether it takes what that returns."""
         self._steps += 1
         self._unseen = None if is_looked_at else self._steps
 
@@ -116,7 +116,7 @@ class Order:
         return [-number for number, step in enumerate(self._ends, 1) if step in steps]
 
     def lets_test_go_on(self, due: Hashable, now: int) -> bool:
-        """Whether a test goes on at a time (ns) before something that is due then, the end of its step."""
+        """Whether a test continues at a time (ns) before something that is due then, the end of its step."""
         self._ends.append(self._steps)
         point = -len(self._ends)
         if self._decide:
@@ -155,7 +155,7 @@ class Order:
             if self.made.get(point) != choice:
                 at = f"{_name(point)}.{choice}"
                 there = (
-                    f"a test's step has {len(self._ends)} points at which the test could go on first"
+                    f"a test's step has {len(self._ends)} points at which the test could continue first"
                     if point < 0
                     else f"{self.options[point]} things can happen next"
                     if point < len(self.options)
@@ -168,7 +168,7 @@ class Order:
 
 
 class ExploredSimulation(Simulation):
-    """A simulation in which an order decides which of the stacks that are due at one instant goes on.
+    """A simulation in which an order decides which of the stacks that are due at one instant continues.
 
     It does so until Ctrl-C; what comes after that is in the usual order. Functions that were to be called ``at`` a time
     come after all stacks, as usual.
@@ -180,7 +180,7 @@ class ExploredSimulation(Simulation):
         super().__init__(start)
         self.order = order
         self._due: list[Due] = []  # wake-ups that are due together, off the heap, in their usual order
-        self.in_steps = False  # whether a test lets it go on: at the end of a step, that may go on first
+        self.in_steps = False  # whether a test lets it continue: at the end of a step, that may continue first
         self._until: int | None = None
 
     def advance(self, until: int | None = None) -> None:

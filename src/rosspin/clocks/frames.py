@@ -30,7 +30,7 @@ _FOLDER = os.path.dirname(os.path.dirname(__file__)) + os.sep
 # The function with which a stack begins in a web page (clocks/jspi.py).
 _BASE = "_run_stack"
 
-# The modules that start threads. In a thread's traceback their frames stand above the node's.
+# The modules that start threads. In a thread's traceback their frames are above the node's.
 _STARTERS = {"threading", "concurrent.futures.thread"}
 
 
@@ -156,7 +156,7 @@ Trail = list[tuple[CodeType, int, int]]
 
 
 def trail(frame: FrameType | None) -> Trail:
-    """Note where a stack of frames is, in a form that stays true while the stack goes on."""
+    """Note where a stack of frames is, in a form that stays true while the stack continues."""
     return [(each.f_code, each.f_lasti, each.f_lineno or 0) for each in outwards(frame)]
 
 

@@ -35,7 +35,7 @@ _LATEST = threading.TIMEOUT_MAX / 2
 
 @contextmanager
 def guard(until: float | None, patience: float, last_words: LastWords) -> Iterator[Callable[[], None]]:
-    """Start a process that kills this one if it goes on for ``patience`` seconds after a Ctrl-C, whatever it does.
+    """Start a process that kills this one if it continues for ``patience`` seconds after a Ctrl-C, whatever it does.
 
     A thread would not do: code in C may keep all others from running. ``until`` is in how many seconds Ctrl-C will
     come, if that is known. The guardian hears a Ctrl-C from a terminal by itself; the function that this context yields

@@ -1,4 +1,4 @@
-"""Suspend one Python call stack and go on with another in a web page, where there are no threads and no greenlet.
+"""Suspend one Python call stack and continue with another in a web page, where there are no threads and no greenlet.
 
 There Python is WebAssembly, whose call stacks the browser can suspend until a promise is kept (JSPI, JavaScript Promise
 Integration). Each stack is a task of its own; all but one of them wait for a promise.
@@ -38,7 +38,7 @@ class Switched:
         return self._started and not self.dead
 
     def switch(self) -> None:
-        """Suspend the caller and go on with this stack."""
+        """Suspend the caller and continue with this stack."""
         _switch(self, None)
 
     def throw(self, error: BaseException | type[BaseException]) -> None:
@@ -85,7 +85,7 @@ _trace: Trace | None = None
 
 
 def settrace(trace: Trace | None) -> Trace | None:
-    """Call ``trace("switch", (_, stack))`` on each stack that goes on. Returns what was called until now."""
+    """Call ``trace("switch", (_, stack))`` on each stack that continues. Returns what was called until now."""
     global _trace
     before, _trace = _trace, trace
     return before

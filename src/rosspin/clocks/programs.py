@@ -72,7 +72,7 @@ class Killed(Exception):
 
 
 class SimulatedProgram:
-    """Runs ``main`` as a program on a simulated clock, in steps. Between steps it is in nobody's way.
+    """Runs ``main`` as a program on a simulated clock, in steps. Between steps it is in no one's way.
 
     A step raises :class:`Died`, and what :class:`Simulation` and :class:`Watchdog` raise.
     """
@@ -92,12 +92,12 @@ class SimulatedProgram:
             self._end(patience)
 
     def advance(self, until: int) -> None:
-        """Go on until all that is due by ``until`` (ns) has run, or until ``main`` has returned."""
+        """Continue until all that is due by ``until`` (ns) has run, or until ``main`` has returned."""
         with self._step():
             self._simulation.advance(until)
 
     def end(self, patience: int | None) -> None:
-        """Press Ctrl-C and go on to the end. Raises :class:`Killed` if that takes longer than ``patience`` ns."""
+        """Press Ctrl-C and continue to the end. Raises :class:`Killed` if that takes longer than ``patience`` ns."""
         with self._step():
             self._end(patience)
 
@@ -295,7 +295,7 @@ class _Alarm:
             signal.pthread_kill(self._ident, _END)
 
     def _wait_for_ctrl_c(self, timeout: float | None) -> bool | None:
-        """Wait ``timeout`` seconds: True if somebody presses Ctrl-C, False if nobody does, None if the program ends."""
+        """Wait ``timeout`` seconds: True if someone presses Ctrl-C, False if no one does, None if the program ends."""
         deadline = None if timeout is None else time.monotonic() + timeout
         while select.select([self._read], [], [], None if deadline is None else max(deadline - time.monotonic(), 0))[0]:
             received = os.read(self._read, 4096)

@@ -34,7 +34,7 @@ class Died(BaseException):
 
 
 def send(program: Program, number: int) -> None:
-    """Send a signal to a program; it is handled when its main stack goes on."""
+    """Send a signal to a program; it is handled when its main stack continues."""
     program.main.clock.interrupt(program.main, lambda: _handle(program, number))
 
 
@@ -75,7 +75,7 @@ def _raise_signal(stack: Stack, number: int) -> None:
 
 
 def _interrupt_main(stack: Stack, number: int = signal.SIGINT) -> None:
-    """Send a signal that wakes nobody: the main stack handles it when it next goes on by itself."""
+    """Send a signal that wakes no one: the main stack handles it when it next continues by itself."""
     program = stack.program
     if stack is program.main:
         _handle(program, number)

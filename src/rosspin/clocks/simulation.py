@@ -1,7 +1,7 @@
 """Simulated time: a heap of wake-ups of suspended stacks. Time jumps to the next wake-up, or is paced.
 
 Nothing runs in parallel and nothing waits: a stack runs until it sleeps or waits for another, then the stack that is
-due next goes on, and the time is what that stack was waiting for. Of several due at the same time, the one that began
+due next continues, and the time is what that stack was waiting for. Of several due at the same time, the one that began
 to wait first goes first, so that the same run gives the same result every time.
 """
 
@@ -75,7 +75,7 @@ def _unlimited() -> Iterator[Callable[[], bool]]:
 class Simulation:
     """A clock on which sleeping takes no time. ``now`` and ``sleep`` are those of :class:`rosspin.clocks.clock.Clock`.
 
-    It begins at ``start`` (ns). The system's clock is ``ahead`` of it by so many ns, once somebody has set that.
+    It begins at ``start`` (ns). The system's clock is ``ahead`` of it by so many ns, once someone has set that.
 
     From outside, ``run`` it; or ``begin`` it and ``advance`` it in steps, until it ``is_over`` or you ``close`` it.
     ``now``, ``at``, ``pause``, ``wake`` and ``interrupt`` also work from outside. The rest is for its stacks.
@@ -96,12 +96,12 @@ class Simulation:
         self._home: Switched = current()
         self._stacks: dict[Stack, None] = {}  # those that have not ended, in the order of their beginning
         self._most = 0  # how many there were at a time, in a page
-        self.beside = 0  # grows while a stack waits for a program that computes beside it
+        self.beside = 0  # grows while a stack waits for a program that computes meanwhile
         self._idents = count(_FIRST_IDENT)
         self._pauses = 0  # how many were asked for; only the newest ends a step
         self._paused = False
         self._closed = False
-        self._to_end: list[tuple[Program, Stack | None]] = []  # what end() was asked for, and the stack that goes on
+        self._to_end: list[tuple[Program, Stack | None]] = []  # what end() was asked for, and the stack that continues
         # Makes a context in which stacks are ended; it yields a function that says whether the time for that is up.
         self.taking_down: Callable[[], AbstractContextManager[Callable[[], bool]]] = _unlimited
         self.main: Stack
@@ -124,7 +124,7 @@ class Simulation:
         """Return a number that changes when the time moves on.
 
         In a page, where stacks are slow to begin, it also changes when there are more of them than ever before, and it
-        does while a stack waits for a program beside it.
+        does while a stack waits for such a program.
         """
         return self._now // _LEAST_STEP + self._most + self.beside
 
@@ -211,10 +211,10 @@ class Simulation:
             return woken
 
     def wake(self, stack: Stack) -> None:
-        """Let a waiting stack go on."""
+        """Let a waiting stack continue."""
         if stack.waits:
             stack.waits = False
-            # A stack that is running, in a signal handler, goes on by itself.
+            # A stack that is running, in a signal handler, continues by itself.
             if not stack.resumed and stack is not current():
                 self._resume(stack)
 
@@ -249,7 +249,7 @@ class Simulation:
         heappush(self._heap, (self._now, FROM_OUTSIDE + self._order, self._stack(function, Program(), 0, "")))
 
     def interrupt(self, stack: Stack, handler: Callable[[], None]) -> None:
-        """Call ``handler`` on a suspended stack, as a signal handler: its sleep, or its wait, goes on afterwards."""
+        """Call ``handler`` on a suspended stack, as a signal handler: its sleep, or its wait, continues afterwards."""
         if not stack.resumed:
             if not stack.waits:
                 self._keep(lambda stack: True)  # now all are in the heap
@@ -260,7 +260,7 @@ class Simulation:
         stack.resumed = True
 
     def interrupt_later(self, stack: Stack, handler: Callable[[], None]) -> None:
-        """Do the same without waking the stack: ``handler`` is called when it goes on by itself."""
+        """Do the same without waking the stack: ``handler`` is called when it continues by itself."""
         earlier = stack.interrupt
 
         def both() -> None:
@@ -287,13 +287,13 @@ class Simulation:
         self._schedule(self._now, program.main)
 
     def advance(self, until: int | None = None) -> None:
-        """Go on until all that is due by ``until`` (ns) has run, or until ``main`` has returned.
+        """Continue until all that is due by ``until`` (ns) has run, or until ``main`` has returned.
 
         If ``main`` has returned, or anything is raised, the simulation is over, and all other stacks are ended. Raises
-        what ``main`` raises, :class:`Standstill`, and RuntimeError if no stack can go on, or in another thread.
+        what ``main`` raises, :class:`Standstill`, and RuntimeError if no stack can continue, or in another thread.
         """
         if current() is not self._home:
-            raise RuntimeError("a node can go on only in the thread that started it")
+            raise RuntimeError("a node can continue only in the thread that started it")
         if until is not None:
             self._pause_at(until)
         self._paused = False
@@ -382,7 +382,7 @@ class Simulation:
         return due
 
     def _go_on(self, me: Stack) -> None:
-        """Go on with the stack that is due next."""
+        """Continue with the stack that is due next."""
         due = self._next()
         if due and due[2] is me:
             return
@@ -395,7 +395,7 @@ class Simulation:
             self._switch_to(due)
 
     def _switch_to(self, due: tuple[int, int, Stack] | None) -> None:
-        """Go on with the stack that is due, or at home if it is one that has not begun, or none."""
+        """Continue with the stack that is due, or at home if it is one that has not begun, or none."""
         if due and due[2]:
             due[2].switch()
         else:
@@ -468,7 +468,7 @@ class Simulation:
                         except BaseException:
                             pass
                     if not stack.dead:
-                        stack.waits = False  # nobody can wake it
+                        stack.waits = False  # no one can wake it
                         _abandoned.append(stack)
                     self._stacks.pop(stack, None)
 

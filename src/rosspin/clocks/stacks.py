@@ -35,7 +35,7 @@ class Program:
 
     ``main`` is its main stack, if it is simulated, and ``handlers`` are its signal handlers. ``interrupted`` is true
     once Ctrl-C has come at the end of its time, ``ending`` once it waits for its last threads, as Python does at the
-    end of a program, and ``over`` once it has ended among others that go on.
+    end of a program, and ``over`` once it has ended among others that continue.
     """
 
     main: Stack
@@ -65,9 +65,9 @@ else:
     class Switched(greenlet):
         """A call stack that can be suspended; it begins at its first ``switch()``.
 
-        ``switch()`` suspends the caller and goes on with this stack; ``throw(exception)`` also raises in it. When
-        ``function`` returns (or raises), this stack is ``dead`` and the stack ``home`` goes on (or raises). A stack is
-        true from its beginning to its end.
+        ``switch()`` suspends the caller and continues with this stack; ``throw(exception)`` also raises in it. When
+        ``function`` returns (or raises), this stack is ``dead`` and the stack ``home`` continues (or raises). A stack
+        is true from its beginning to its end.
         """
 
         __slots__ = ()
@@ -118,15 +118,15 @@ class Stack(Switched):
         self.ident = ident
         self.place = place
         self.ticket = 0  # the number of its wake-up, while it waits with a time limit
-        self.waits = False  # whether it waits for somebody to wake it
+        self.waits = False  # whether it waits for someone to wake it
         self.lock: Any = None  # the lock for which it waits, or last waited, without a limit
         self.needs: tuple[str, Callable[[], Switched | None]] | None = (
             None  # what else it waits for, and who is to give it
         )
         self.polled = -1  # when (ns) it last looked in vain for something
         self.polls = 0  # how often in a row it has
-        self.interrupt: Callable[[], None] | None = None  # what it is to call as soon as it goes on
-        self.resumed = False  # whether it was scheduled to go on for its interrupt
+        self.interrupt: Callable[[], None] | None = None  # what it is to call as soon as it continues
+        self.resumed = False  # whether it was scheduled to continue for its interrupt
         self.ended: Any = None  # a lock that is released when it has ended
 
 
@@ -188,7 +188,7 @@ _tell_turn: Callable[[Program], None] = _tell_nobody
 
 @contextmanager
 def telling_turns(tell: Callable[[Program], None]) -> Iterator[None]:
-    """Within this context ``tell(program)`` is called whenever code of a program goes on, even if it ran last.
+    """Within this context ``tell(program)`` is called whenever code of a program continues, even if it ran last.
 
     Only runs of several programs need this: the switches of all others cost nothing more for it.
     """

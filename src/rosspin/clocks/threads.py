@@ -82,7 +82,7 @@ class Lock:
     __enter__ = acquire
 
     def wait(self, stack: Stack, ns: int | None) -> bool:
-        """Acquire it on a stack once it is released, within ``ns`` nanoseconds; None stands for ever."""
+        """Acquire it on a stack once it is released, within ``ns`` nanoseconds; None is without limit."""
         clock = stack.clock
         until = None if ns is None else clock.now() + ns
         stack.lock = self if ns is None else None
@@ -125,7 +125,7 @@ class Lock:
         return type(self._lock)
 
     def locked(self) -> bool:
-        """Whether somebody has it."""
+        """Whether someone has it."""
         return self._lock.locked()
 
     def _at_fork_reinit(self) -> None:
@@ -517,6 +517,6 @@ def followed_threads() -> Iterator[None]:
 
 @contextmanager
 def simulated_threads(program: Program) -> Iterator[None]:
-    """Within this context the threads, locks and queues that stacks make are simulated; those of ``program`` go on."""
+    """Within this context the threads, locks and queues that stacks make are simulated; ``program``'s continue."""
     with patched(PATCHES), _listed(program):
         yield

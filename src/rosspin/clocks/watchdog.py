@@ -1,4 +1,4 @@
-"""End a simulated run whose node does not let the time go on; nothing else could end it."""
+"""End a simulated run whose node does not let the time pass; nothing else could end it."""
 
 from __future__ import annotations
 
@@ -67,7 +67,7 @@ class Watchdog:
         self._looks = 0.0
         self._worked = self._busy_until_now()
         self._stuck: Stuck | None = None
-        self._interrupted = False  # by somebody's Ctrl-C
+        self._interrupted = False  # by someone's Ctrl-C
         self._due = False  # whether what is running is to be ended
         self._taking_down = False
 
@@ -140,8 +140,8 @@ class Watchdog:
 class _FromAThread(Watchdog):
     """Looks, from a thread of its own, at the thread that made it.
 
-    Code in C may let no other thread run. For the main thread, each look therefore sets a timer of the process anew. It
-    rings if there is no look for long, and its signal asks the code to end. Most calls that can last for ever heed it.
+    Code in C may let no other thread run. For the main thread, each look therefore resets a timer of the process. It
+    rings if there is no look for long, and its signal asks the code to end. Most endless calls heed it.
     """
 
     def __init__(self, sign_of_life: Callable[[], int]) -> None:

@@ -160,7 +160,7 @@ class Crash(Fault):
 
 @dataclass(frozen=True, repr=False)
 class Late(Fault):
-    """Each connection between a node and the nodes of other processes stands ``by`` so much later than it would.
+    """Each connection between a node and the nodes of other processes is made ``by`` so much later than it would be.
 
     What is published before is lost, or kept, as by any subscriber that comes late.
     """
@@ -212,7 +212,7 @@ class Slow(Fault):
 
 @dataclass(frozen=True, repr=False)
 class Jitter(Fault):
-    """Threads that sleep, or wait with a limit, go on late by up to ``by``, and callbacks begin late.
+    """Threads that sleep, or wait with a limit, are late by up to ``by``, and callbacks begin late.
 
     Each time it is another number. Without it, two timers that fall due at one instant tick at that instant, which no
     robot sees.

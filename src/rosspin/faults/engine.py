@@ -153,7 +153,7 @@ class Engine:
         return bool(self._of(Slow) or self._of(Jitter))
 
     def _draw(self, fault: Jitter) -> int:
-        """Draw how late (ns) the caller goes on. Each process has a row of its own."""
+        """Draw how late (ns) the caller continues. Each process has a row of its own."""
         number = getattr(whose(), "number", -1)
         if (id(fault), number) not in self._rows:
             self._happened.add(id(fault))

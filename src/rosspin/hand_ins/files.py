@@ -97,7 +97,7 @@ def _text(data: bytes) -> str:
 
 
 def _whole(text: str) -> str:
-    """Return a text in which no half of a character stands alone, as JSON may have it."""
+    """Return a text in which no half of a character is alone, as JSON may have it."""
     return text.encode("utf-16", "surrogatepass").decode("utf-16", "replace")
 
 

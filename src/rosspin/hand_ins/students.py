@@ -26,7 +26,7 @@ _CANVAS = re.compile(r"(?P<name>[^_]+)(?P<late>_LATE)?_(?P<id>\d+)_\d+_(?P<rest>
 _GRADESCOPE = re.compile(r"(?P<name>submission_(?P<id>\d+))(?P<rest>)")
 
 
-# So many files are named that are refused; and of the names beside a row, so many.
+# So many files are named that are refused; and of the names next to a row, so many.
 _MOST_REFUSED = 500
 _MOST_NAMES = 5
 
@@ -229,7 +229,7 @@ class Class:
             self.refused[_MOST_REFUSED:] = [("...", f"{more} more files, for such reasons")]
 
     def _leave(self, owner: _Owner, file: Found, why: str, having: Collection[_Owner], top: str) -> None:
-        """Refuse what holds no answers. Whatever else lies beside someone's answers does not matter."""
+        """Refuse what holds no answers. Whatever else lies next to someone's answers does not matter."""
         name = file.parts[-1]
         if owner in having and not (name.startswith("rosspin-answers") or name.endswith(".zip")):
             return

@@ -160,7 +160,7 @@ class _Stream:
 
     @contextmanager
     def unpacked(self, size: int, how: str) -> Iterator[_Stream]:
-        """Give what the next bytes unpack to, and go on behind them."""
+        """Give what the next bytes unpack to, and continue behind them."""
         module, name = _UNPACKERS[how]
         try:
             unpacker = getattr(import_module(module), name)
@@ -293,7 +293,7 @@ def _db3(file: BinaryIO, progress: Callable[[float], None]) -> Iterator[_Message
 
 
 def _open_database(file: BinaryIO) -> sqlite3.Connection:
-    """Open a file, or what is in memory, such that nothing is written: neither to it, nor beside it, nor elsewhere."""
+    """Open a file, or what is in memory, such that nothing is written: neither to it, nor next to it, nor elsewhere."""
     if isinstance(file, io.BytesIO):
         database = sqlite3.connect(":memory:")
         database.deserialize(file.getvalue())

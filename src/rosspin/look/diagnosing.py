@@ -116,7 +116,7 @@ class _Diagnosis:
                         continue
                     where.append(series)
                     back = one - other + (series.period or 0)
-                    goes_on = f", while the count goes on from {count[0]} to {count[1]}" if _follow(count) else ""
+                    goes_on = f", while the count continues from {count[0]} to {count[1]}" if _follow(count) else ""
                     evidence.append(
                         f"“{series.name}” goes back by {say_time(back / NS)}, to {self.at(other)}{goes_on}."
                     )
@@ -125,7 +125,7 @@ class _Diagnosis:
             return
         if not evidence:
             return
-        told = [text for text in evidence if "goes on" in text]
+        told = [text for text in evidence if "continues" in text]
         most = max(where.count(series) for series in where)
         if most > 3 or not told and len(evidence) > 3:
             self.say(
@@ -236,7 +236,7 @@ class _Diagnosis:
             if sum(map(bool, gone)) >= max(2, 0.5 * len(gone)):
                 evidence = [
                     f"“{series.name}” leaves out {sum(gone)} of {sum(gone) + len(series.times)} numbers, and each time "
-                    "there is a gap of just their length: the sender went on."
+                    "there is a gap of just their length: the sender kept sending."
                 ]
                 self.say("lost", "likely", evidence, [series])
 
@@ -297,7 +297,7 @@ class _Diagnosis:
     def _say_forward(self, windows: list[Window]) -> None:
         evidence = [
             f"At {self.at(w.start)} the times of {_list(_places(w.lines))} step forward by "
-            f"{say_time(median(gap.excess for _, gap in w.late) / NS)}, each by the same, and go on as before."
+            f"{say_time(median(gap.excess for _, gap in w.late) / NS)}, each by the same, and continue as before."
             for w in windows[:3]
         ]
         evidence.append("Nothing that was due came together afterwards, as it does when a machine has stalled.")
@@ -479,7 +479,7 @@ def _left_out(series: Series, gap: Gap) -> int:
 
 
 def _skips(series: Series) -> list[int]:
-    """By how much the count goes on where it leaves numbers out but no time; none unless that is how the line is."""
+    """By how much the count continues where it leaves numbers out but no time; none unless that is how the line is."""
     counts = series.counts
     if len(counts) < FEWEST or series.part or series.per_pass > 1:
         return []
@@ -494,7 +494,7 @@ def _skips(series: Series) -> list[int]:
     # Every tenth value, say, is left out on purpose.
     if len({count for count, _ in steps}) == 1:
         return []
-    # A quantity that grows, such as an odometer's, counts nothing. A count goes on by one now and then.
+    # A quantity that grows, such as an odometer's, counts nothing. A count continues by one now and then.
     if len(skipped) == len(steps) and max(skipped) - min(skipped) > max(2, 0.5 * median(skipped)):
         return []
     return skipped

@@ -1,4 +1,4 @@
-"""What a log shows as a node and a test: which lines come at which period, and how far beside it."""
+"""What a log shows as a node and a test: which lines come at which period, and how far off."""
 
 from __future__ import annotations
 
@@ -19,7 +19,7 @@ __all__ = ["NODE", "TEST", "as_files"]
 
 NS = 10**9
 
-# What the two files are called. The test finds the node beside it.
+# What the two files are called. The test finds the node next to it.
 NODE, TEST = "node_of_the_log.py", "test_the_log.py"
 
 _MOST = 3  # lines; a node of more is no one's example
@@ -116,7 +116,7 @@ def as_files(found: Look) -> dict[str, str]:
     """Write a node that logs the regular lines of a log as they should come, and a pytest test that it passes.
 
     Returns the texts by the names of the files; none if nothing in the log is regular. The lines are those of one
-    node, the one of the first verdict; of a table or a bag, the line is of our making. The period is the one that the
+    node, namely of the first verdict; of a table or a bag, the line is of our making. The period is the one that the
     log has, or where a sleep came after the work, the one that was meant. So late as 98% of the log's lines they may
     be, but no later than a tenth of the period; at least 1 ms.
     """
@@ -175,7 +175,7 @@ def _round(seconds: float) -> float:
 
 
 def _counted(text: str, n: int) -> str:
-    """Return a text as an f-string in which a count stands in place of its first number."""
+    """Return a text as an f-string in which a count replaces the first number."""
     line, numbers = shape(text)
     if not numbers:
         return _quoted(text)

@@ -1,4 +1,4 @@
-"""Read a stranger's log: what stands in it, when, and who said so.
+"""Read a stranger's log: what it says, when, and who said so.
 
 A log is the console of ROS 1 or ROS 2, also with colours, under a launch, or pasted with what stood around it; a table
 of ``ros2 topic echo --csv`` or ``rostopic echo -p``; or a bag, which :mod:`.bags` reads.

@@ -162,7 +162,7 @@ def nice(period: float, close: float = _CLOSE) -> float:
 def first_run(entries: list[Entry]) -> tuple[list[Entry], list[Entry]]:
     """Split off what comes after the first run: where times go back and lines begin with the numbers of the beginning.
 
-    That is a file to which another one was added, or itself. Where only a clock was set back, numbers go on.
+    That is a file to which another one was added, or itself. Where only a clock was set back, numbers continue.
     """
     begin: dict[tuple[str, str, str], list[Entry]] = {}  # the first entries of each line
     for place, entry in enumerate(entries):

@@ -1,6 +1,6 @@
 """ROS 2's binary format, CDR in its first version, as Fast CDR writes it (measured on Jazzy; source: Fast-CDR).
 
-Each number stands at a multiple of its size, counted from behind the head; what lies between is 0.
+Each number is at a multiple of its size, counted from behind the head; what lies between is 0.
 """
 
 from __future__ import annotations

@@ -205,7 +205,7 @@ def _line(code: str, line: str, number: int, package: str, ros: int) -> Field | 
             raise ValueError(f"a constant is a number, a bool or a string, not {base}{array or ''}")
         if ros == 2 and not ROS2_CONSTANT.fullmatch(name):
             raise ValueError(f"ROS 2 wants constants in upper case, as in MAX_SPEED, not {name}")
-        # In ROS 1 a string goes on to the end of its line, a # belongs to it.
+        # In ROS 1 a string continues to the end of its line, a # belongs to it.
         written = (line.partition("=")[2] if base == "string" and ros == 1 else rest[1:]).strip()
         return Constant(base, name, _value(base, written, ros), written)
     if ros == 2 and not ROS2_FIELD.fullmatch(name):

@@ -22,7 +22,7 @@ class MessageFinder(MetaPathFinder, Loader):
     ``ros`` is 1 or 2; ``folder`` is the node file's, whose package and workspace are searched, too. It finds
     ``std_msgs``, ``std_msgs.msg`` and a module for each class, named as a generated one: ``std_msgs.msg._UInt32``
     (ROS 2: ``std_msgs.msg._u_int32``); likewise ``std_srvs.srv`` and, for ROS 2, ``action``. A package's own Python
-    modules are found beside its messages. At the end, what was imported through this finder is taken out of
+    modules are found next to its messages. At the end, what was imported through this finder is taken out of
     ``sys.modules``, and what was there before is put back. When the context is entered again, these modules change
     places once more.
 

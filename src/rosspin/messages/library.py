@@ -57,7 +57,7 @@ class Library:
 
     ``folder`` is the node file's. As ROS does, a file's package is the nearest folder upwards that has a package.xml;
     its workspace is the folder ``src`` around it, where the other packages are, up to four folders deep and not inside
-    of each other. Without a workspace, the packages right beside it count; of code that was installed, those that were
+    of each other. Without a workspace, the packages right next to it count; of code that was installed, those that were
     installed with it.
     """
 
@@ -203,7 +203,7 @@ def _installed_around(folder: Path) -> Iterator[tuple[str, Path]]:
     """Names and folders of the packages that were installed with the code in a folder, as by colcon.
 
     That puts code below ``lib``, and the rest of a package into ``share``, in a prefix that the packages of a workspace
-    share, or have each for itself, beside the others.
+    share, or have each for itself, next to the others.
     """
     for prefix in folder.parents:
         own = [*prefix.glob("share/*/package.xml")] if folder.is_relative_to(prefix / "lib") else []

@@ -1,4 +1,4 @@
-"""Take messages to another process, where their classes are made anew."""
+"""Take messages to another process, where their classes are made again."""
 
 from __future__ import annotations
 
@@ -26,7 +26,7 @@ def pack(records: Sequence[Message | Call]) -> list[Packed]:
 
 
 def unpack(packed: Sequence[Sequence[Packed]], kinds: Sequence[Any], folder: Path | None) -> list[tuple[Any, ...]]:
-    """Make records of these kinds anew, of a node whose file is in ``folder``; a field that is not packed is None."""
+    """Make records of these kinds again, of a node whose file is in ``folder``; a field that is not packed is None."""
     find = cache(lambda ros: MessageFinder(ros, folder).messages)
 
     class Unpickler(pickle.Unpickler):

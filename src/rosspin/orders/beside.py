@@ -48,7 +48,7 @@ def _step(turn: Turn, several: bool) -> Step:
 
 
 def side_by_side(found: Orders) -> Iterator[str]:
-    """Yield lines that show an order beside the usual one: their instants, and their consoles."""
+    """Yield lines that show an order next to the usual one: their instants, and their consoles."""
     for instant in found.instants:
         for usually, here in instant.deviations:
             yield f"  at {instant.time:.10g} s usually {usually}, here {here}"

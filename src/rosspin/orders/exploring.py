@@ -112,7 +112,7 @@ def explore(
 
     What may happen in another order is what ROS leaves open:
 
-    * which of the threads and processes that are due at one instant goes on, where another waits or ends. In rospy
+    * which of the threads and processes that are due at one instant continues, where another waits or ends. In rospy
       that is also in which order callbacks of several topics, publishers or timers are called;
     * of messages that come, and timers that are due, at the instant at which an executor of rclpy looks: which it sees.
       What it sees it calls in the order of rclpy: timers, subscriptions, ..., each in the order of their creation;
@@ -121,7 +121,7 @@ def explore(
       one second later.
 
     With ``deep`` it is also where Python takes its turn from a thread in the node's own code, for another one of its
-    process; its own are the modules beside the node's file, and in its package, too. In ROS 1 (Python 3.8) that may be
+    process; its own are the modules next to the node's file, and in its package, too. In ROS 1 (Python 3.8) that may be
     between any two statements, and after any value that was looked up or calculated; in ROS 2 (from 3.10 on) where a
     function begins, a call has returned, or a loop goes round.
 

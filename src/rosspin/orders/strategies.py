@@ -81,7 +81,7 @@ class _Random:
 
 
 def by_priority(usual: Order, seed: int, deep: bool) -> Iterator[list[Order]]:
-    """Yield orders in which the thread with the highest of random priorities goes on. These change at random points.
+    """Yield orders in which the thread with the highest of random priorities continues. These change at random points.
 
     Source: PCT, in Burckhardt, Kothari, Musuvathi and Nagarakatte, a "scheduler with probabilistic guarantees of
     finding bugs" (ASPLOS 2010), algorithm 1. Of things that are no threads, such as what an executor has seen, one has

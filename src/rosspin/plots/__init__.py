@@ -122,7 +122,7 @@ def drive(run: Run, *, caption: str | None = None) -> Figure:
 
 
 def drive_beside(shown: Drive, ticks: Mapping[str, Sequence[Tick]], end: float, caption: str) -> Figure:
-    """Draw a drive up to its ``end`` (s), beside these ticks, as :func:`drive` does."""
+    """Draw a drive up to its ``end`` (s), next to these ticks, as :func:`drive` does."""
     if not shown.spots:
         raise ValueError("no vehicle says where it is in this run: rosspin.simulate([my_node, vehicle], ...)")
     groups = dict(ticks)
@@ -177,7 +177,7 @@ def lateness(ticks: Ticks, *, caption: str | None = None, ax: Axes | None = None
 
 
 def period_histogram(ticks: Ticks, *, caption: str | None = None, ax: Axes | None = None) -> Axes:
-    """Plot how often each period (ms) between two ticks occurred. The bars of several groups stand side by side."""
+    """Plot how often each period (ms) between two ticks occurred. The bars of several groups are side by side."""
     groups = _groups(ticks)
     words = [f"{name}: {describe_periods(group)}" for name, group in groups.items()]
     times = [[period * 1e3 for period in periods(group)] for group in groups.values()]
@@ -225,7 +225,7 @@ def with_handle(
     ``label`` and ``unit`` say what the position is. ``at`` is the position shown first, and the only one in print or
     without the page's script, which draws the others. ``period`` and ``kinds`` are those of :func:`timeline`; with a
     period, each row says whether the grid was kept and how many ticks were lost. ``sets`` names the variable that has
-    the position as its value in the code beside the plot.
+    the position as its value in the code next to the plot.
 
     Raises ValueError if ``at`` is no position, or if there is one without ticks.
     """

@@ -41,7 +41,7 @@ _CSS = (
     "@container(min-width:530.01px){.rosspin-narrow{display:none!important}}</style>"
 )
 _MARGIN = 10  # px, in a file of its own
-_PAD = 0.03  # in, beside the axes: see rosspin.mplstyle
+_PAD = 0.03  # in, next to the axes: see rosspin.mplstyle
 STANDALONE = (  # the style of an SVG that is a file
     "svg{color:#1b1b1b;background:#fff;font-family:system-ui,sans-serif}"
     "@media(prefers-color-scheme:dark){svg{color:#eee;background:#14181e}}"
@@ -144,7 +144,7 @@ def alternative(figure: Figure) -> str:
 def page(figure: Figure, handle: str = "", data: str = "") -> str:
     """Turn a figure into HTML, with the captions of its Axes. It fits any width; without ids, a page can have many.
 
-    ``handle`` (HTML) stands above it, and ``data`` are for the page's script.
+    ``handle`` (HTML) is above it, and ``data`` are for the page's script.
     """
     captions = dict.fromkeys(filter(None, (_captions.get(ax) for ax in figure.axes)))
     caption = f"<figcaption>{html.escape('; '.join(captions))}</figcaption>" if captions else ""
@@ -186,7 +186,7 @@ def _svg(figure: Figure, name: str, standalone: bool = False) -> str:
     box = [round(float(number)) for number in root.attrib["viewBox"].split()]
     for parent in root.iter():
         for mark in [child for child in parent if child.tag.endswith("}use") and not _is_inside(child, box)]:
-            parent.remove(mark)  # of data beyond the limits, which matplotlib puts beside the picture
+            parent.remove(mark)  # of data beyond the limits, which matplotlib puts next to the picture
     if standalone:
         box = [-_MARGIN, -_MARGIN, box[2] + 2 * _MARGIN, box[3] + 2 * _MARGIN]
     attributes = {

@@ -103,7 +103,7 @@ def make_row(name: str, group: Sequence[Tick], period: float | None, coming: Seq
 
 
 def fault_rows(faults: Mapping[str, Sequence[Mishap]]) -> list[Row]:
-    """Make a row for each fault, by the names of the runs; one without a name stands alone."""
+    """Make a row for each fault, by the names of the runs; one without a name is alone."""
     rows = []
     for run, mishaps in faults.items():
         for name, group in mishaps_by_name(mishaps).items():
@@ -120,7 +120,7 @@ def times_of(rows: Iterable[Row]) -> Iterator[float]:
 
 
 def title(period: Period) -> str:
-    """Return what stands below the axis of time."""
+    """Return what is written below the axis of time."""
     return TITLE + (", cross: lost" if period else "")
 
 

@@ -27,7 +27,7 @@ _CHARACTERS = 50  # of such a line on a phone
 def orders(found: Orders, *, caption: str | None = None, ax: Axes | None = None) -> Axes:
     """Plot an order that :func:`rosspin.explore` has found below the usual one, step by step, where they differ.
 
-    Each order has a row for each thread. A mark is a line of the node, with its number; a bar goes on for as long as
+    Each order has a row for each thread. A mark is a line of the node, with its number; a bar continues for as long as
     its thread does. What comes first is on the left, also within an instant; each instant has a ground of its own, with
     its time below. A dashed line shows where the orders part, and what was chosen there. Up to 16 steps are drawn.
 
@@ -56,7 +56,7 @@ def orders(found: Orders, *, caption: str | None = None, ax: Axes | None = None)
             ax.vlines([window.at - 0.5] * 2, tops, bottoms, colors="black", alpha=0.55, lw=1, ls="--")
         down, end = len(threads) + 0.1, shown[-1].end
         for window in shown:
-            # Beside its line if there is room for it on a phone.
+            # Next to its line if there is room for it on a phone.
             at, width = window.at, end * max(map(len, window.parting)) / _CHARACTERS
             x, side = (at - 0.4, "left") if at + width < end else (at - 0.6, "right") if at > width else (-0.5, "left")
             ax.text(x, down, "\n".join(window.parting), ha=side, va="top", fontsize=12.5)
@@ -161,7 +161,7 @@ def _describe_orders(window: _Window) -> str:
 def _draw_steps(
     ax: Axes, window: _Window, column: Sequence[Step | None], rows: Mapping[str, float], threads: Sequence[str]
 ) -> None:
-    """Draw the steps of one order in one instant, and a bar for as long as the same thread goes on."""
+    """Draw the steps of one order in one instant, and a bar for as long as the same thread continues."""
     known = [(n, step) for n, step in enumerate(column, window.first) if step]
     for thread, group in groupby(known, lambda each: each[1].thread):
         steps, down, kind = list(group), rows[thread] + TICKS / ROW, threads.index(thread) % KINDS

@@ -167,7 +167,7 @@ def spin(node: node.Node, executor: _Executor | None = None) -> None:
 
 
 def spin_once(node: node.Node, *, executor: _Executor | None = None, timeout_sec: float | None = None) -> None:
-    """Wait until a call of a node is due, for at most ``timeout_sec`` (None: for ever), and make it."""
+    """Wait until a call of a node is due, for at most ``timeout_sec`` (None: no limit), and make it."""
     executor = executor or get_global_executor()
     added = False
     try:
@@ -203,7 +203,7 @@ IN_PART = {
     "Context": "There is no network: ``domain_id`` has no effect.",
     "MultiThreadedExecutor": "Without ``num_threads`` it has 4 threads, not as many as there are processors.",
     "Client": "What was asked before the service is known is lost, also with ``TRANSIENT_LOCAL``.",
-    "JumpHandle": "One that a node drops goes on; on a real ROS the next jump then calls what is no longer there.",
+    "JumpHandle": "One that a node drops continues; on a real ROS the next jump then calls what is no longer there.",
     "LifecycleNode": "Managed entities come in the order in which they were added; on a real ROS in any.",
     "Node": "The service that describes its types is only named.",
     "Publisher": "Fields are always checked, as with ``ROS_PYTHON_CHECK_FIELDS=1``.",
@@ -291,15 +291,15 @@ for _name, _lacking in LACKING.items():
 for _name, _sources in PASSED_ON.items():
     MODULES[_name].__getattr__ = passing_on(_name, _sources)  # type: ignore[method-assign]
 
-# Says why something waits for ever.
+# Says why something waits without end.
 explain_waits = deadlock.explain
 
 
 def _end_of_process() -> None:
-    """Abort if a thread that still spins goes on while the process ends, as daemon threads may.
+    """Abort if a thread that still spins continues while the process ends, as daemon threads may.
 
     On a real ROS such a thread takes Python's lock back within C++ code, and Python ends it there, which C++ does not
-    allow. Whoever goes on later finds the process gone.
+    allow. Whoever continues later finds the process gone.
     """
     own = current_world().part(context.State)
     if any(executor._rosspin_wakes_within(_ENDING) for executor in list(own.executors)):
@@ -307,7 +307,7 @@ def _end_of_process() -> None:
         os._exit(128 + signal.SIGABRT)
 
 
-# How long (ns) a process goes on once its main thread has ended: 0.1 to 0.2 s were measured.
+# How long (ns) a process continues once its main thread has ended: 0.1 to 0.2 s were measured.
 _ENDING = 150_000_000
 
 # What importing rclpy registers with atexit.

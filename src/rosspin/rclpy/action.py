@@ -282,7 +282,7 @@ class ServerGoalHandle:
         self._update_state("ABORT")
 
     def canceled(self) -> None:
-        """Say that it has been cancelled. Raises RCLError unless somebody asked for that."""
+        """Say that it has been cancelled. Raises RCLError unless someone asked for that."""
         self._update_state("CANCELED")
 
     def destroy(self) -> None:
@@ -428,7 +428,7 @@ class ActionServer(_ActionEnd):
     def _rosspin_expire_later(self) -> None:
         """Look for expired goals later (source: _recalculate_expire_timer in rcl_action/action_server.c).
 
-        As there, the timer begins anew with its old period, so that each goal that ends puts the look off.
+        As there, the timer begins again with its old period, so that each goal that ends puts the look off.
         """
         ended = [handle._rosspin_ended for handle in self._goal_handles.values() if not handle.is_active]
         if ended:
@@ -762,7 +762,7 @@ class ActionClient(_ActionEnd):
         return all(client.is_served() for client in clients) and all(each.peers for each in heard)
 
     def wait_for_server(self, timeout_sec: float | None = None) -> bool:
-        """Look for a server every 0.25 s, until these pauses add up to ``timeout_sec`` (default: for ever)."""
+        """Look for a server every 0.25 s, until these pauses add up to ``timeout_sec`` (default: no limit)."""
         return look_until(self.server_is_ready, self._node.context, timeout_sec)
 
 

@@ -34,7 +34,7 @@ class ClockChange(IntEnum):
 
 
 class JumpThreshold:
-    """Of which jumps somebody wants to be told: of at least this much forward, or back, and of changes of the source.
+    """Of which jumps someone wants to be told: of at least this much forward, or back, and of changes of the source.
 
     Raises ValueError if the one is not above 0, if the other is not below, and if there is neither, nor a change.
     """
@@ -156,7 +156,7 @@ class Clock(Held):
         self._rosspin_ns: Callable[[], int] = self._rosspin_state.clock.system
         if clock_type is ClockType.STEADY_TIME:
             self._rosspin_ns = time.monotonic_ns
-        self._rosspin_flows = True  # whether its time goes on by itself
+        self._rosspin_flows = True  # whether its time passes by itself
         self._rosspin_changes = 0  # how often the source of its time has changed
         self._rosspin_watchers: list[Gate] = []  # opened when the time jumps
         self._rosspin_jump_handles: list[JumpHandle] = []  # who is told of it
@@ -187,7 +187,7 @@ class Clock(Held):
     ) -> JumpHandle:
         """Call ``pre_callback()`` before a jump that meets the threshold, and ``post_callback(jump)`` after it.
 
-        Only ROS time jumps in this way, when /clock tells it or ceases to: nobody is told that a system's clock is set.
+        Only ROS time jumps in this way, when /clock tells it or ceases to: no one is told that a system's clock is set.
         Raises ValueError if neither can be called.
         """
         post = post_callback if callable(post_callback) else None

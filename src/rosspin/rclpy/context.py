@@ -97,7 +97,7 @@ class RclContext:
 
 
 class Context:
-    """What nodes share: the command line, and whether to go on. A ``with`` block begins and ends it."""
+    """What nodes share: the command line, and whether to continue. A ``with`` block begins and ends it."""
 
     def __init__(self) -> None:
         self._rosspin = RclContext()

@@ -1,9 +1,9 @@
-"""Why something waits for ever: who would give it what it waits for, and what keeps that one from it.
+"""Why something waits without end: who would give it what it waits for, and what keeps that one from it.
 
 A callback, or a thread, waits for a future or a Rate. An executor ends that wait by calling another entity: a service
 that has the request, a client that has the answer, the Rate's timer. Another callback may hold that call up, because it
 holds the entity's callback group or the executor's thread. If that callback waits, too, perhaps for a lock, the search
-goes on from there, until it comes round, or to something that nobody does.
+continues from there, until it comes round, or to something that no one does.
 """
 
 from __future__ import annotations
@@ -35,12 +35,12 @@ _THREAD = f"{_DONE.capitalize()}. Or spin with a MultiThreadedExecutor, and {_OW
 _GROUP = f"{_OWN.capitalize()}, or {_DONE}."
 _MORE = f"Give the executor more threads, or {_DONE}."
 _GROUP_OF_AWAIT = "An async callback keeps its group while it awaits: put that callback into a group of its own."
-_RING = "No executor and no group helps here: let one of these callbacks answer without asking."
+_RING = "No executor or group helps here: one of these callbacks has to answer without asking."
 _HOLDING = "Hold no lock while you wait for what needs it."
 _SPIN = "Spin the node meanwhile: with rclpy.spin_until_future_complete, or in another thread."
 _KEEP = "Keep the node in a variable as long as it is needed."
 _SERVE = "Start the node that offers it, and wait for that with a time limit before you ask."
-_RATE = "Let a timer call what the loop does, or keep the loop in a thread of its own, beside the one that spins."
+_RATE = "Do the work of the loop in a timer, or run the loop in a thread of its own, next to the one that spins."
 
 # What the services of an action give.
 _OF_ACTIONS = {
@@ -69,7 +69,7 @@ class _Step(NamedTuple):
 
 
 def explain(graph: Graph, tell: Callable[..., None] | None = None) -> str:
-    """Say which callbacks and threads of a run wait for ever, as lines; nothing if all may go on.
+    """Say which callbacks and threads of a run wait without end, as lines; nothing if all may continue.
 
     ``tell("ring", way)`` is called with each way that is followed, for a picture of it.
     """
@@ -142,7 +142,7 @@ class _Run:
         return next((self._in_thread(wait) for wait in reversed(self._waits) if wait.stack is stack), None)
 
     def way(self, waiter: _Waiter) -> list[_Step]:
-        """Follow what a waiter waits for; no steps if it may still go on."""
+        """Follow what a waiter waits for; no steps if it may still continue."""
         steps: list[_Step] = []
         passed: list[Any] = []
         following: _Waiter | None = waiter
@@ -178,7 +178,7 @@ class _Run:
         return None
 
     def _blocked(self, waiter: _Waiter, at: list[str], holder: object, is_end: bool) -> _Step | None:
-        """Say who has the lock, or has not ended; None if that one may go on."""
+        """Say who has the lock, or has not ended; None if that one may continue."""
         if (following := self._on(holder)) is None:
             return None
         what, advice = ("the end of {}", "") if is_end else ("a lock that {} holds", _HOLDING)
@@ -229,7 +229,7 @@ class _Run:
         return None
 
     def _after(self, lines: list[str], task: Task, advice: str) -> _Step | None:
-        """Go on with what a task waits for; None if it waits for nothing."""
+        """Continue with what a task waits for; None if it waits for nothing."""
         following = next((each for each in self.waiters if each.task is task), None) or self._on(task._rosspin_stack)
         return following and _Step(lines, following, advice)
 

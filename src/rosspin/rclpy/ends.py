@@ -97,7 +97,7 @@ class Owner:
             end.world.at(max(end.made, another.made + ENDPOINT, met) + lag, partial(end.meet, another, *more))
 
     def withdraw(self) -> None:
-        """Let nobody find it any more."""
+        """Let no one find it any more."""
         raise NotImplementedError()
 
     def destroy(self) -> None:

@@ -45,7 +45,7 @@ __all__ = [
 # How long (ns) a look in vain with a timeout of 0 takes. Without it, a loop that only looks would stop the time.
 _LOOK = 1_000
 
-# So many calls at one time take no time. More are a loop, such as one that waits for a coroutine to go on: each then
+# So many calls at one time take no time. More are a loop, such as one that waits for a coroutine to continue: each then
 # takes about as long (ns) as on a real machine.
 _FREE_CALLS = 1_000
 _CALL = 100_000
@@ -125,7 +125,7 @@ class Executor:
         self._rosspin_is_triggered = False  # something has changed: look again at what to wait for
         self._rosspin_waited_until = -1
         self._rosspin_deadline: int | None = None  # until when a thread waits in it, at most
-        self._rosspin_calls = 0  # calls handed out since the time last went on by itself
+        self._rosspin_calls = 0  # calls handed out since the time last passed by itself
         self._rosspin_called_at = 0
         self._context._rosspin.state.executors.add(self)
         self._context._rosspin.state.waiting[self._rosspin_gate] = None
@@ -196,7 +196,7 @@ class Executor:
             self._rosspin_gate.open()
 
     def _rosspin_wakes_within(self, ns: int) -> bool:
-        """Whether a thread that waits in it is about to go on, or will within a time, as far as is known."""
+        """Whether a thread that waits in it is about to continue, or will within a time, as far as is known."""
         if not self._rosspin_waits or not self._context.ok():
             return False
         nodes = list(self._nodes)
@@ -220,7 +220,7 @@ class Executor:
             self.spin_once()
 
     def spin_once(self, timeout_sec: float | None = None) -> None:
-        """Wait for one call, for at most ``timeout_sec`` (None, or negative: for ever), and make it."""
+        """Wait for one call, for at most ``timeout_sec`` (None, or negative: no limit), and make it."""
         self._rosspin_spin_once(timeout_sec)
 
     def spin_once_until_future_complete(self, future: Future, timeout_sec: Any = None) -> None:

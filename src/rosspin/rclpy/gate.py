@@ -18,7 +18,7 @@ class Gate:
         self._lock.acquire()
 
     def open(self) -> None:
-        """Let the thread that waits, or the next one that will, go on."""
+        """Let the thread that waits, or the next one that will, continue."""
         try:
             self._lock.release()
         except RuntimeError:
@@ -29,6 +29,6 @@ class Gate:
         if ns is not None and ns <= 0:
             return bool(self._lock.acquire(False))
         if hasattr(self._lock, "wait") and self._lock.locked():
-            self._lock.holder = None  # whoever made it, or waited last, does not keep others from going on
+            self._lock.holder = None  # whoever made it, or waited last, does not keep others from continuing
             return bool(self._lock.wait(current(), ns))  # exactly, and at a lower cost than by way of seconds
         return bool(self._lock.acquire(True, -1 if ns is None else min(ns / 1e9, threading.TIMEOUT_MAX)))

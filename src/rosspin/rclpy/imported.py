@@ -51,7 +51,7 @@ _IMPORTS = {
 }
 
 
-# Likewise of packages beside rclpy (sources: tf2_ros_py/tf2_ros/buffer_client.py, message_filters/__init__.py).
+# Likewise of packages next to rclpy (sources: tf2_ros_py/tf2_ros/buffer_client.py, message_filters/__init__.py).
 _IMPORTS_BESIDE = {"message_filters": "node", "tf2_geometry_msgs": "action", "tf2_ros": "action"}
 
 

@@ -35,7 +35,7 @@ class Countdown:
         return self._due is not None
 
     def restart(self) -> None:
-        """Begin anew."""
+        """Begin again."""
         self._due = self._world.clock.now() + self.period
         self._look_later()
 

@@ -117,7 +117,7 @@ class ManagedEntity:
         return TransitionCallbackReturn.SUCCESS
 
     def on_error(self, state: LifecycleState) -> TransitionCallbackReturn:
-        """Mend what went wrong in a transition."""
+        """Repair what went wrong in a transition."""
         return TransitionCallbackReturn.SUCCESS
 
 
@@ -231,14 +231,14 @@ class _StateMachine:
 
 
 class LifecycleNodeMixin(ManagedEntity):
-    """What a managed node has beside what every node has. A class that uses it inherits from Node, too.
+    """What a managed node has besides what every node has. A class that uses it inherits from Node, too.
 
     Its callbacks, such as ``on_configure``, call those of the entities that it manages, up to the first that does not
     succeed. Unless ``enable_communication_interface`` is false, it has services by which others change and ask its
     state, in a group of callbacks. Initialise it after Node. Raises TypeError for what is no bool.
     """
 
-    # Of the Node beside it.
+    # Of the other base class, Node.
     default_callback_group: CallbackGroup
     handle: Any
 

@@ -249,7 +249,7 @@ def _write(own: Logs, severity: LoggingSeverity, name: str, message: str, frame:
     publish = own.rosout.get(name) if own.rosout else None
     if publish and not own.is_over:
         publish(severity, name, message, frame)
-    elif publish:  # a signal has come, and nobody has shut down
+    elif publish:  # a signal has come, and no one has shut down
         sys.stderr.write("Failed to publish log message to rosout: publisher's context is invalid\n")
 
 

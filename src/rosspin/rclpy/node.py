@@ -232,12 +232,12 @@ class Node(Parameters):
 
     @property
     def publishers(self) -> Iterator[Publisher]:
-        """Its publishers, the one of /parameter_events among them."""
+        """Its publishers, also for /parameter_events."""
         self._rosspin.topics.make(own_topics.PARAMETER_EVENTS)
         yield from self._publishers
 
     def _rosspin_add_event_publisher(self, end: PublisherEnd) -> None:
-        """Keep the publisher of /parameter_events, which is made when somebody looks."""
+        """Keep the publisher of /parameter_events, which is made when someone looks."""
         events, group = PublisherEventCallbacks(), self._default_callback_group
         publisher = Publisher(end, end.msg_type, end.end.topic, end.qos_profile, events, group)
         self._rosspin_expect(publisher.event_handlers)
@@ -261,7 +261,7 @@ class Node(Parameters):
         yield from self._services
 
     def _rosspin_start_services(self) -> None:
-        """Make the services for its parameters, which few nodes are asked for: there are none until somebody looks."""
+        """Make the services for its parameters, which few nodes are asked for: there are none until someone looks."""
         types, self._rosspin_lacking = self._rosspin_lacking, None
         if types and self._context.ok():
             own, self._services = self._services, []
@@ -388,7 +388,7 @@ class Node(Parameters):
         clock: Clock | None = None,
         autostart: bool = True,
     ) -> Timer:
-        """Call ``callback()`` every ``timer_period_sec``, while somebody spins; see :class:`Timer`.
+        """Call ``callback()`` every ``timer_period_sec``, while someone spins; see :class:`Timer`.
 
         Raises RCLError for a negative period, ValueError for NaN, OverflowError for infinity.
         """
@@ -463,7 +463,7 @@ class Node(Parameters):
         qos_overriding_options: QoSOverridingOptions | None = None,
         raw: bool = False,
     ) -> Subscription:
-        """Call ``callback(message)`` for messages on a topic, while somebody spins; ``raw`` ones are bytes.
+        """Call ``callback(message)`` for messages on a topic, while someone spins; ``raw`` ones are bytes.
 
         Raises as ``create_publisher``.
         """
@@ -657,7 +657,7 @@ class Node(Parameters):
         qos_profile: QoSProfile = qos_profile_services_default,
         callback_group: CallbackGroup | None = None,
     ) -> Service:
-        """Call ``callback(request, response)`` for requests, while somebody spins, and send what it returns.
+        """Call ``callback(request, response)`` for requests, while someone spins, and send what it returns.
 
         Raises as ``create_client``.
         """

@@ -1,6 +1,6 @@
 """The topics on which every node publishes (sources: rclpy/node.py, rcl/logging_rosout.c).
 
-Few nodes are listened to there: a publisher is made when somebody subscribes to the topic or counts its publishers.
+Few nodes are listened to there: a publisher is made when someone subscribes to the topic or counts its publishers.
 """
 
 from __future__ import annotations
@@ -36,7 +36,7 @@ _QOS = {
 
 
 class _Looked(set[str]):
-    """The topics at which somebody has looked in this run. Its processes share them."""
+    """The topics at which someone has looked in this run. Its processes share them."""
 
 
 class OwnTopics:
@@ -47,11 +47,11 @@ class OwnTopics:
         self._types = types
         self._topics = [PARAMETER_EVENTS, ROSOUT] if on_rosout else [PARAMETER_EVENTS]
         self._rosout: PublisherEnd | None = None
-        # What was logged before somebody listens: when (ns), level, logger, text, line, code.
+        # What was logged before someone listens: when (ns), level, logger, text, line, code.
         self._early: deque[tuple[int, int, str, str, int, CodeType]] = deque(maxlen=_QOS[ROSOUT].depth)
 
     def look(self) -> None:
-        """Make the publishers of the topics at which somebody has looked in this run."""
+        """Make the publishers of the topics at which someone has looked in this run."""
         for topic in self._node.context.state.world.graph.part(_Looked):
             self.make(topic)
 
@@ -89,7 +89,7 @@ class OwnTopics:
         parameters: list[Parameter],
         declared: bool,
     ) -> None:
-        """Publish which parameters are set, or ``declared``, now, beside those that were ``before``."""
+        """Publish which parameters are set, or ``declared``, now, next to those that were ``before``."""
         if publisher:
             event = self._types.ParameterEvent(node=self._node.full_name)
             event.stamp = stamp.to_msg()

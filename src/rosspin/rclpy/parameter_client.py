@@ -55,7 +55,7 @@ class AsyncParameterClient:
         return all(client.service_is_ready() for client in self._rosspin_clients.values())
 
     def wait_for_services(self, timeout_sec: float | None = None) -> bool:
-        """Look every 0.25 s whether all services are there, for ``timeout_sec`` (None: for ever). Return whether."""
+        """Look every 0.25 s whether all services are there, for ``timeout_sec`` (None: no limit). Return whether."""
         return look_until(self.services_are_ready, None, timeout_sec)  # also after rclpy.shutdown()
 
     def _rosspin_ask(self, name: str, callback: Callback | None, **fields: Any) -> Future:

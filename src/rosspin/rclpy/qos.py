@@ -148,7 +148,7 @@ class rmw_qos_profile_t:
 class QoSProfile(Held):
     """The policies of a publisher or a subscription, given by keyword: ``depth`` at least, or ``history``.
 
-    A length of 0 is for ever. Raises InvalidQoSProfileException if neither depth nor history is given, AssertionError
+    A length of 0 has no end. Raises InvalidQoSProfileException if neither depth nor history is given, AssertionError
     for wrong names and types.
     """
 

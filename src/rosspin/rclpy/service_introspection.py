@@ -40,7 +40,7 @@ class Events:
         self._clock: Clock | None = None
 
     def configure(self, clock: Any, qos: Any, state: Any) -> None:
-        """Begin, go on otherwise, or stop. Raises AttributeError and TypeError for what is none of these."""
+        """Begin, continue otherwise, or stop. Raises AttributeError and TypeError for what is none of these."""
         if not isinstance(clock, Clock):
             raise AttributeError(f"{type(clock).__name__!r} object has no attribute 'handle'")
         if not isinstance(qos, QoSProfile):

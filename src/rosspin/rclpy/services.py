@@ -47,7 +47,7 @@ _LOOK = 0.25
 class Ends:
     """The clients and services of a run, by name. Its processes share them.
 
-    ``asked`` are the full names of the nodes whose parameters somebody has a client for, ``numbers`` those of clients.
+    ``asked`` are the full names of the nodes whose parameters someone has a client for, ``numbers`` those of clients.
     """
 
     def __init__(self) -> None:
@@ -304,7 +304,7 @@ class Client(_OfService):
     def call(self, request: Message, timeout_sec: float | None = None) -> Any:
         """Ask, wait for the answer while another thread spins, and return it; None if ``timeout_sec`` is over.
 
-        Raises as ``call_async``. In a callback it waits for ever if the answer has to wait for the callback's end.
+        Raises as ``call_async``. In a callback it waits without end if the answer has to wait for the callback's end.
         """
         if not isinstance(request, self.srv_type.Request):
             raise TypeError()
@@ -349,7 +349,7 @@ class Client(_OfService):
         return self._rosspin.is_served()
 
     def wait_for_service(self, timeout_sec: float | None = None) -> bool:
-        """Look for a service every 0.25 s, until these pauses add up to ``timeout_sec`` (default: for ever).
+        """Look for a service every 0.25 s, until these pauses add up to ``timeout_sec`` (default: no limit).
 
         Return whether it is known. Raises as ``service_is_ready``.
         """

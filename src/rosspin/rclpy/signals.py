@@ -76,7 +76,7 @@ def _handle(number: int, frame: Any) -> None:
     if not callable(before):
         return
     if tell:
-        tell("says", "goes on with what the signal does in Python: at Ctrl-C it raises KeyboardInterrupt here.")
+        tell("says", "continues with what the signal does in Python: at Ctrl-C it raises KeyboardInterrupt here.")
     if own.asleep:
         own.pending = lambda: before(number, frame)
     else:

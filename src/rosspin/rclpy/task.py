@@ -33,7 +33,7 @@ _PENDING, _CANCELLED, _FINISHED = FutureState  # looked up at each tick
 class Future:
     """A result that is still to come. ``await`` it in a callback that is a coroutine.
 
-    A result wakes nobody: a coroutine that awaits it goes on in the executor's next round, whenever that comes. Done
+    A result wakes no one: a coroutine that awaits it continues in the executor's next round, whenever that comes. Done
     callbacks are run by the future's executor, if it has one, else immediately.
     """
 
@@ -52,7 +52,7 @@ class Future:
         self._executor: Callable[[], Executor | None] = _nobody if executor is None else ref(executor)
 
     def __del__(self) -> None:
-        # A future collected after its run has nobody to tell.
+        # A future collected after its run has no one to tell.
         if self._exception is not None and not self._rosspin_fetched and _world_here() is self._rosspin_world:
             sys.stderr.write(f"The following exception was never retrieved: {self._exception}\n")
 
@@ -217,7 +217,7 @@ class Task(Future):
             else:
                 self.set_result(result)
             self._handler = self._rosspin_coroutine = None
-            # An exception that ends the program, such as SystemExit, leaves the task executing for ever.
+            # An exception that ends the program, such as SystemExit, leaves the task executing without end.
             self._executing = False
             if self._rosspin_tell:
                 self._rosspin_tell("ends", self)

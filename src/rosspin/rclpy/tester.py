@@ -119,7 +119,7 @@ class Tester(tester.Tester):
 
 
 def _fields_of(value: Any) -> Any:
-    """Take a message of a real ROS apart: a test beside which one is installed may have imported its class."""
+    """Take a message of a real ROS apart: a test next to which one is installed may have imported its class."""
     if hasattr(value, "get_fields_and_field_types"):
         return {name: _fields_of(getattr(value, name)) for name in value.get_fields_and_field_types()}
     return [_fields_of(each) for each in value] if isinstance(value, list) else value
@@ -148,7 +148,7 @@ class _Counterpart:
         """Do nothing: the run has recorded the message."""
 
     def hear(self, publisher: PublisherEnd) -> None:
-        """Do nothing: nobody asks."""
+        """Do nothing: no one asks."""
 
     def send(self, message: Message) -> None:
         """Publish a message."""
@@ -226,7 +226,7 @@ class _Service(_ServiceEnd):
 
 
 def give_parameters(world: World, parameters: Mapping[str, Any]) -> None:
-    """Give a process's nodes parameters before it runs, on its command line. What stands there takes precedence.
+    """Give a process's nodes parameters before it runs, on its command line. What is there takes precedence.
 
     Raises TypeError for a value that a parameter cannot have.
     """

@@ -218,7 +218,7 @@ _SENT = "The LookupTransform goal sent to the BufferServer did not come back"
 
 
 class TransformListener:
-    """Puts into a buffer what is published on /tf and /tf_static, while somebody spins the node.
+    """Puts into a buffer what is published on /tf and /tf_static, while someone spins the node.
 
     With ``spin_thread`` a thread of its own does, on an executor of its own.
     """

@@ -137,7 +137,7 @@ class Timer(Held):
         self._rosspin_cancelled = True
 
     def reset(self) -> None:
-        """Begin anew, even if cancelled: the next call is due after one period."""
+        """Begin again, even if cancelled: the next call is due after one period."""
         self._rosspin_check()
         self._rosspin_next = self._clock._rosspin_ns() + self._rosspin_period
         self._rosspin_cancelled = False
@@ -255,11 +255,11 @@ class Timer(Held):
     def _rosspin_before_switch(self) -> None:
         """Keep what is left of the period: ROS time is about to switch to another source."""
         now = self._clock._rosspin_ns()
-        if now or self._clock._rosspin_flows:  # 0: nobody has told the time yet
+        if now or self._clock._rosspin_flows:  # 0: no one has told the time yet
             self._rosspin_credit = self._rosspin_next - now
 
     def _rosspin_after_switch(self) -> None:
-        """Go on with what was left of the period, on the time of the new source."""
+        """Continue with what was left of the period, on the time of the new source."""
         now = self._clock._rosspin_ns()
         if self._rosspin_credit is not None and (now or self._clock._rosspin_flows):
             self._rosspin_next, self._rosspin_last = (
@@ -270,7 +270,7 @@ class Timer(Held):
             self._rosspin_moved()
 
     def _rosspin_after_jump(self) -> None:
-        """Begin anew if ROS time went back before the last call: the next call is due after one period."""
+        """Begin again if ROS time went back before the last call: the next call is due after one period."""
         now = self._clock._rosspin_ns()
         if self._rosspin_next > now and now < self._rosspin_last:
             self._rosspin_next, self._rosspin_last = now + self._rosspin_period, now
@@ -280,8 +280,8 @@ class Timer(Held):
 class Rate:
     """Sleeps in a loop so that its passes begin at a fixed rate. Made by ``Node.create_rate``.
 
-    A timer wakes whoever sleeps, so another thread has to spin, or the sleep lasts for ever. If a pass takes too long,
-    one ``sleep`` returns immediately; then the grid goes on.
+    A timer wakes whoever sleeps, so another thread has to spin, or the sleep has no end. If a pass takes too long, one
+    ``sleep`` returns immediately; then the grid continues.
     """
 
     def __init__(self, timer: Timer, *, context: Context) -> None:
@@ -310,7 +310,7 @@ class Rate:
         self.destroy()
 
     def destroy(self) -> None:
-        """Wake whoever sleeps, and let nobody sleep any more."""
+        """Wake whoever sleeps, and let no one sleep any more."""
         self._is_destroyed = True
         self._event.set()
 
@@ -357,7 +357,7 @@ class Rate:
     def _rosspin_coming(self, trails: Mapping[int, Trail]) -> list[tuple[str, int, int, int]]:
         """The next passes: see ``world.graph.Looping``.
 
-        What the timer was due to wake while a pass went on is one pass, which begins late: the others are lost.
+        What the timer was due to wake while a pass continued is one pass, which begins late: the others are lost.
         """
         thread, code, call = self._rosspin_slept
         is_asleep = asleep_in_loop(trails.get(thread, []), code, call)

@@ -87,7 +87,7 @@ class TopicEnd(Owner):
         self.tell(self.INCOMPATIBLE, policy, total=1)
 
     def _countdown(self, event_type: IntEnum, period: int, again: bool = False) -> list[Countdown]:
-        """Make what tells an event after a period (ns), in a list; none if that is for ever, or of no interest."""
+        """Make what tells an event after a period (ns), in a list; none if that has no end, or of no interest."""
         if period == FOR_EVER or not self._handler(event_type):
             return []
         return [Countdown(self.world, period, lambda: self.tell(event_type, total=1), again)]
@@ -447,7 +447,7 @@ class Publisher(_OnTopic):
     def wait_for_all_acked(self, timeout: Any = None) -> bool:
         """Wait until what was published has arrived, which it has immediately unless a fault delays it.
 
-        Return whether it has; ``timeout`` is a Duration, for ever if None or negative.
+        Return whether it has; ``timeout`` is a Duration, without limit if None or negative.
         """
         self._rosspin.check_context("Failed to wait for all acknowledgements")
         return self._rosspin.wait_for_all_acked(timeout)
@@ -533,7 +533,7 @@ class _OutOfReach(ReentrantCallbackGroup):
 def wait_for_message(
     msg_type: type[Message], node: Node, topic: str, *, qos_profile: QoSProfile | int = 1, time_to_wait: float = -1
 ) -> tuple[bool, Message | None]:
-    """Subscribe to a topic and wait for a message, for at most ``time_to_wait`` seconds (negative: for ever).
+    """Subscribe to a topic and wait for a message, for at most ``time_to_wait`` seconds (negative: no limit).
 
     Return whether one came, and the message. A signal ends the wait; ``rclpy.shutdown()`` does not.
     """

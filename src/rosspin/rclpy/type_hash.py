@@ -89,7 +89,7 @@ def _describe(data_class: Any, found: dict[str, Any]) -> str:
     if name not in found:
         fields: list[Any] = []
         found[name] = {"type_name": name, "fields": fields}
-        # One without fields has one that nobody sees.
+        # One without fields has one that no one sees.
         types = data_class.get_fields_and_field_types() or {"structure_needs_at_least_one_member": "uint8"}
         for field, kind in types.items():
             match = _FIELD.fullmatch(kind)

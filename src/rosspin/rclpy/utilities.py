@@ -44,7 +44,7 @@ def remove_ros_args(args: list[str] | None = None) -> list[str]:
 
 
 def timeout_sec_to_nsec(timeout_sec: float | None) -> int:
-    """Return a timeout in ns; -1 (for ever) for None or one below 0."""
+    """Return a timeout in ns; -1 (no limit) for None or one below 0."""
     return -1 if timeout_sec is None or timeout_sec < 0 else int(float(timeout_sec) * NS)
 
 

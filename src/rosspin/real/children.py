@@ -200,7 +200,7 @@ class _Reader:
         try:
             self._onward.write(line)
             self._onward.flush()
-        except OSError:  # nobody listens any more, as after `| head`
+        except OSError:  # no one listens any more, as after `| head`
             self._onward = None
             threading.Thread(target=_end, args=(self._process, self._patience), daemon=True).start()
 

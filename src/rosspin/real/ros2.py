@@ -28,7 +28,7 @@ __all__ = ["Nodes", "Ros2Missing", "launch", "missing", "python", "remedy", "una
 
 NS = 10**9
 
-# Where `make ros2` puts it: in an environment of its own, because its packages restart every Python beside them.
+# Where `make ros2` puts it: in an environment of its own, because its packages restart every Python there.
 _CHECKOUT = Path(__file__).parents[3]
 _MADE = _CHECKOUT / "build" / "ros2" / "bin" / "python"
 
@@ -185,7 +185,7 @@ class Nodes(Children):
         command = [python(), *words_of(str(file)), *args]
         begins = None if seconds is None else _BEGIN
         output = self.run(command, seconds, onward, begins, patience, told, {"PYTHONPATH": path})
-        # Python itself has reported an interrupt; nobody has reported an abort or a kill.
+        # Python itself has reported an interrupt; no one has reported an abort or a kill.
         silent = output.status > 128 and output.status != 128 + signal.SIGINT
         said = say_deaths({file.name: output.status} if silent else {}, onward) + _say_lacking(output.console, onward)
         return Run(

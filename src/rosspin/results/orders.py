@@ -1,4 +1,4 @@
-"""An order of events beside the usual one: what the threads of nodes did where the two differ. Pure data."""
+"""An order of events next to the usual one: what the threads of nodes did where the two differ. Pure data."""
 
 from __future__ import annotations
 

@@ -19,7 +19,7 @@ def as_test(
 ) -> str:
     """Write a test that a node still does what it did in a simulated run of ``seconds``, which ended with status 0.
 
-    It carries the node's ``source``, so it stands by itself.
+    It carries the node's ``source``, so it needs nothing else.
     """
     name = PurePath(filename).stem
     source = _COOKIE.sub(r"\1utf-8", source)

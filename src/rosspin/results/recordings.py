@@ -86,7 +86,7 @@ def _ticks(file: Path) -> Iterator[Tick]:
         if reader.fieldnames != COLUMNS:
             raise ValueError(f"{file}: the columns must be {','.join(COLUMNS)}")
         rows = list(reader)
-    # How long a tick took stands in the row of the next one of its source.
+    # How long a tick took is in the row of the next one of its source.
     durations = {(row["source"], int(row["number"]) - 1): float(row["last_duration"] or "nan") for row in rows}
     for row in rows:
         key = row["source"], int(row["number"])

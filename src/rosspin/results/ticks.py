@@ -31,7 +31,7 @@ class Tick(NamedTuple):
 class Message(NamedTuple):
     """One message as it was published: the full name of the ``topic`` and of the ``node``, when, and a copy of it.
 
-    ``time`` is in seconds since the run began. Whether anybody received it is another question.
+    ``time`` is in seconds since the run began. Whether anyone received it is another question.
     """
 
     topic: str
@@ -82,9 +82,9 @@ class Run:
     were asked, in the order of asking (none of both if it ran on a real ROS); ``faults`` are what ``faults=`` did.
 
     ``coming`` are calls that the timers of a simulated run would have made next, had nothing more delayed them: of each
-    timer that went on, the one that was overdue at the end, if one was, and those after it, until one is on time. Of
-    a loop that still went on, they are the pass that had not ended, and the next ones, had it ended then. What was due
-    in between is lost.
+    timer that continued, the one that was overdue at the end, if one was, and those after it, until one is on time. Of
+    a loop that still continued, they are the pass that had not ended, and the next ones, had it ended then. What was
+    due in between is lost.
     """
 
     console: str = field(repr=False)

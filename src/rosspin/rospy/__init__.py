@@ -76,7 +76,7 @@ IN_PART = {
     "Service": "There is no network: ``buff_size`` has no effect.",
     "Subscriber": "There is no network: ``buff_size`` and ``tcp_nodelay`` have no effect.",
     "get_master": "It tells of the nodes of the run, and sets parameters; it registers nothing, and has no ``target``.",
-    "get_node_uri": "Nobody listens there: it only differs from node to node.",
+    "get_node_uri": "No one listens there: it only differs from node to node.",
     "init_node": "There is no network: ``disable_rosout`` and the ports have no effect.",
 }
 

@@ -380,7 +380,7 @@ class ActionClient:
         self.pub_cancel.publish(import_module("actionlib_msgs.msg").GoalID(stamp=time, id=""))
 
     def wait_for_server(self, timeout: Duration = Duration(0.0)) -> bool:
-        """Wait until a server is connected, for at most ``timeout`` (0: for ever). Return whether one is."""
+        """Wait until a server is connected, for at most ``timeout`` (0: no limit). Return whether one is."""
         end = get_rostime() + timeout
         while not is_shutdown():
             if self.last_status_msg and self._is_connected(self.last_status_msg._connection_header["callerid"]):
@@ -425,11 +425,11 @@ class SimpleActionClient:
         self.done_condition = threading.Condition()
 
     def wait_for_server(self, timeout: Duration = Duration()) -> bool:
-        """Wait until a server is connected, for at most ``timeout`` (0: for ever). Return whether one is."""
+        """Wait until a server is connected, for at most ``timeout`` (0: no limit). Return whether one is."""
         return self.action_client.wait_for_server(timeout)
 
     def send_goal(self, goal: Any, done_cb: Any = None, active_cb: Any = None, feedback_cb: Any = None) -> None:
-        """Send a goal, and forget the one before, which goes on.
+        """Send a goal, and forget the one before, which continues.
 
         ``done_cb(status, result)``, ``active_cb()`` and ``feedback_cb(feedback)`` are told of it.
         """
@@ -453,7 +453,7 @@ class SimpleActionClient:
         return self.get_state()
 
     def wait_for_result(self, timeout: Duration = Duration()) -> bool:
-        """Wait until the goal is done, for at most ``timeout`` (0: for ever). Return whether it is."""
+        """Wait until the goal is done, for at most ``timeout`` (0: no limit). Return whether it is."""
         if not self.gh:
             logerr("Called wait_for_result when no goal exists")
             return False
@@ -504,7 +504,7 @@ class SimpleActionClient:
             self.gh.cancel()
 
     def stop_tracking_goal(self) -> None:
-        """Forget the goal, which goes on."""
+        """Forget the goal, which continues."""
         self.gh = None
 
     def _handle_transition(self, gh: ClientGoalHandle) -> None:

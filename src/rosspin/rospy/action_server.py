@@ -37,7 +37,7 @@ class _Count:
 
 
 class GoalIDGenerator:
-    """Makes names of goals that nobody else has."""
+    """Makes names of goals that no one else has."""
 
     def __init__(self, name: str | None = None) -> None:
         self.set_name(get_name() if name is None else name)

@@ -146,7 +146,7 @@ def _throttle_elapsed(site: Hashable, period: float) -> bool:
     if last is None or now - last > Duration(period):
         node.log_times[site] = now
         return True
-    if last > now:  # time went back: begin anew
+    if last > now:  # time went back: begin again
         node.log_times = {site: now}
         return True
     return False
@@ -261,7 +261,7 @@ def is_topic(param_name: str) -> Validator:
 
 
 def get_node_uri() -> str | None:
-    """Return where the node would be found on a network, where nobody listens; None before ``init_node``."""
+    """Return where the node would be found on a network, where no one listens; None before ``init_node``."""
     return state().uri
 
 

@@ -97,7 +97,7 @@ is_online = is_master_online
 
 
 def get_master_uri(env: Any = None, argv: Any = None) -> str:
-    """Return where the master of the run would be found, whatever stands in the environment."""
+    """Return where the master of the run would be found, whatever the environment says."""
     return URI
 
 

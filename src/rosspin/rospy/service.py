@@ -110,7 +110,7 @@ class Services:
             self._accept(connection)
 
     def _accept(self, connection: Connection | None) -> None:
-        """Accept a connection; None is somebody who only looks. Raises TransportInitError if it is of another type.
+        """Accept a connection; None is someone who only looks. Raises TransportInitError if it is of another type.
 
         One whose thread has ended without an answer is closed only now: rospy's server holds on to the last socket.
         """
@@ -164,7 +164,7 @@ class Connection:
         self._is_closed = False
         self._requests: queue.SimpleQueue[tuple[bytes, CallMade] | None] = queue.SimpleQueue()
         self._answers: queue.SimpleQueue[tuple[bool, bytes] | None] = queue.SimpleQueue()
-        self._spoilt: set[type[Message]] = set()  # what cannot be read any more: half a message stands before it
+        self._spoilt: set[type[Message]] = set()  # what cannot be read any more: half a message is before it
 
     def ask(self, name: str, recording: Recording, seq: int, request: Message) -> None:
         """Send a request of a node. Raises what ``Message.serialize`` does; nothing can be sent after that."""
@@ -226,7 +226,7 @@ class Connection:
         self._end("request", self._requests)
 
     def read(self, data_class: type[Message], data: bytes) -> Message:
-        """Make a message from bytes. Raises TransportException if half of another stands before it."""
+        """Make a message from bytes. Raises TransportException if half of another is before it."""
         try:
             return data_class().deserialize(b"" if data_class in self._spoilt else data)
         except DeserializationError as error:

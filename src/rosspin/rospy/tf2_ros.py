@@ -121,7 +121,7 @@ class BufferClient(buffer_.BufferClient):
             logwarn("Argument check_frequency is deprecated and should not be used.")
 
     def wait_for_server(self, timeout: Duration = Duration()) -> bool:
-        """Wait until the server is connected, for at most ``timeout`` (0: for ever). Return whether it is."""
+        """Wait until the server is connected, for at most ``timeout`` (0: no limit). Return whether it is."""
         return self.client.wait_for_server(timeout)
 
     def _ask(self, **goal: Any) -> Any:

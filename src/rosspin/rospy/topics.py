@@ -125,7 +125,7 @@ class Publication:
                 recording.add_message(self.topic, self.node.name, _copy(message, data))
 
     def _send(self, message: Message, connections: list[Connection]) -> bytes | None:
-        """Send a message and return its bytes; None if nobody is connected, as then it is not even looked at."""
+        """Send a message and return its bytes; None if no one is connected, as then it is not even looked at."""
         if not connections:
             return None
         self._sequence += 1
@@ -393,7 +393,7 @@ def _copy(message: Message, data: bytes | None) -> Callable[[], Any]:
         try:
             data = serialize_message(getattr(getattr(message, "header", None), "seq", 0), message)
         except Exception:
-            kept = deepcopy(message)  # it cannot be sent, but nobody was connected
+            kept = deepcopy(message)  # it cannot be sent, but no one was connected
             return lambda: kept
     return partial(_received, type(message), data)
 
@@ -546,7 +546,7 @@ class Publisher(Topic):
         """Publish a message, or one made from field values: all of them in order, or some by keyword.
 
         Raises ROSException before ``init_node`` and after ``unregister``, and TypeError or AttributeError for arguments
-        that make no message. If anybody is connected, values of the wrong type raise ROSSerializationException and
+        that make no message. If anyone is connected, values of the wrong type raise ROSSerializationException and
         break the connections. After shutdown nothing happens.
         """
         if self.impl is None:
@@ -573,7 +573,7 @@ class Subscriber(Topic):
     If ``callback_args`` is not None, it is the callback's second argument. Messages that come while a callback runs
     wait; the last ``queue_size`` of them are taken next, or all. A node's Subscribers to one topic share its threads
     and its ``queue_size``; their callbacks are called one after the other. An exception in a callback is logged, and
-    all goes on. ``buff_size`` and ``tcp_nodelay`` have no effect. Raises ROSException for a ``queue_size`` of 0.
+    all continues. ``buff_size`` and ``tcp_nodelay`` have no effect. Raises ROSException for a ``queue_size`` of 0.
     """
 
     impl: Subscription | None

@@ -1,4 +1,4 @@
-"""Run a node beside others, each as in a terminal of its own."""
+"""Run a node together with others, each as in a terminal of its own."""
 
 from __future__ import annotations
 
@@ -17,7 +17,7 @@ __all__ = ["run_beside"]
 def run_beside(
     node: Code, args: Sequence[str], others: Sequence[NodeLike], seconds: float, clock: Simulation, ticks: TickLog
 ) -> Result:
-    """Run a loaded node for ``seconds`` on a simulated clock, beside others. The status is its own.
+    """Run a loaded node for ``seconds`` on a simulated clock, together with others. The status is its own.
 
     Unlike :func:`rosspin.simulate`, it does so for nodes of ROS 1, too, without a roslaunch that speaks.
     """

@@ -14,7 +14,7 @@ _LOCK = "a lock that"
 
 _ORDER = "Take the locks in the same order everywhere."
 _HOLDING = "Hold no lock while you wait for a thread that needs it."
-_NEITHER = "Let one of them go on without waiting for the other."
+_NEITHER = "One of them has to continue without waiting for the other."
 _TWICE = "A threading.Lock cannot be taken twice by one thread: release it first, or use an RLock."
 
 

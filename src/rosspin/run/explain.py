@@ -28,7 +28,7 @@ __all__ = [
 
 
 class TimeStandsStill(RuntimeError):
-    """The node keeps simulated time from going on. The message says where and how."""
+    """The node keeps simulated time from passing. The message says where and how."""
 
 
 def say_killed(node: Code, ros: int, seconds: float | None, waited: Sequence[Whereabouts], patience: int) -> str:

@@ -1,4 +1,4 @@
-"""A run: processes on one clock. Whenever one of them goes on, it finds its own modules, streams and environment."""
+"""A run: processes on one clock. Whenever one of them continues, it finds its own modules, streams and environment."""
 
 from __future__ import annotations
 
@@ -66,7 +66,7 @@ class Supervisor(Protocol):
 
 
 class Host:
-    """Runs processes on a clock, simulated or on the wall. :meth:`add` them before the run, or while it goes on.
+    """Runs processes on a clock, simulated or on the wall. :meth:`add` them before the run, or while it lasts.
 
     ``ticks`` is the log to record in; with None nothing is recorded. On a simulated clock the run may go in steps:
     :meth:`advance`, then :meth:`interrupt`. ``several`` processes need a ``supervisor``. Each of them has its own
@@ -142,7 +142,7 @@ class Host:
 
     @contextmanager
     def outside(self) -> Iterator[None]:
-        """Within this context code finds what it would find outside of all processes. Time must not go on in it."""
+        """Within this context code finds what it would find outside of all processes. Time must not pass in it."""
         here = self._current
         self._go_on(self._outside)
         try:
@@ -160,7 +160,7 @@ class Host:
         return self._graphs[ros]
 
     def _stand_in(self, ros: int, package: str = "") -> Mapping[str, ModuleType]:
-        """Return the modules that stand in for a ROS, or for a package beside it, by their names."""
+        """Return the modules that stand in for a ROS, or for a package next to it, by their names."""
         home = ROSES[ros].home(package)
         if home not in self._stand_ins:
             known = home in sys.modules
@@ -346,7 +346,7 @@ class Host:
         return None if self.supervisor else PATIENCE * NS
 
     def run(self, until: int) -> None:
-        """Let the simulated time go on to ``until`` (ns after its start), press Ctrl-C, and let the processes end.
+        """Let the simulated time pass to ``until`` (ns after its start), press Ctrl-C, and let the processes end.
 
         This does what :meth:`advance` and :meth:`interrupt` do. All three are to be called within :meth:`inside`.
         """
@@ -357,7 +357,7 @@ class Host:
         self._tell_idle_faults()
 
     def advance(self, until: int) -> None:
-        """Let the simulated time go on until all that is due by ``until`` (ns after its start) has run."""
+        """Let the simulated time pass until all that is due by ``until`` (ns after its start) has run."""
         with self._explained(until / NS):
             self._program.advance(self.recording.start + until)
 
@@ -467,7 +467,7 @@ class Result(NamedTuple):
         return self.host.processes[0].world
 
     def run(self, console: str, runtime: str, seconds: float) -> Run:
-        """Return the run, whose console and whose runtime these are, and which was to go on for ``seconds``."""
+        """Return the run, whose console and whose runtime these are, and which was to continue for ``seconds``."""
         recording = self.host.recording
         return Run(
             console,

@@ -36,7 +36,7 @@ class Imports(MetaPathFinder):
         self._node = node
         self._own = own_folders(node)
         self._world = world
-        self._stand_in = stand_in  # the modules of a ROS, or of a package beside it, by their names
+        self._stand_in = stand_in  # the modules of a ROS, or of a package next to it, by their names
         self._hidden = hidden  # is told of the modules that made way for messages
         self._finder = self._new_finder(node.hint or 1)
         if not node.hint:

@@ -48,7 +48,7 @@ _environ: Any = os.environ
 
 
 class Slots:
-    """What one of several processes has for itself, to be put in place whenever it goes on."""
+    """What one of several processes has for itself, to be put in place whenever it continues."""
 
     def __init__(self) -> None:
         """Begin with what this process has now."""
@@ -132,7 +132,7 @@ class Process(Slots):
         self.loggers = dict(self.loggers)
 
     def owns(self, module: object) -> bool:
-        """Whether a module, or its package, lies beside the node or its package, and is not installed there."""
+        """Whether a module, or its package, lies next to the node or its package, and is not installed there."""
         if not isinstance(module, ModuleType):  # a node can put anything into sys.modules
             return False
         return is_own(module.__name__, getattr(module, "__file__", None) or "", self._own)
@@ -166,7 +166,7 @@ class Process(Slots):
             self.world.at_bind.append(give)
 
     def namesakes(self) -> set[str]:
-        """Return the names of imported modules that a file beside the node has, too, and that are not that file."""
+        """Return the names of imported modules that a file next to the node has, too, and that are not that file."""
         folder = self.node.folder
         names = {entry.partition(".")[0] for entry in os.listdir(folder)} if folder else set()
         loaded = {name: module for name in names - {"__main__", "rosspin"} if (module := sys.modules.get(name))}
@@ -296,7 +296,7 @@ def _run_at_exit(world: World) -> None:
 
 
 def _excepthook(real: Callable[[Any], None]) -> Callable[[Any], None]:
-    """``threading.excepthook`` for the threads of nodes: what ends a run goes on, the rest is printed."""
+    """``threading.excepthook`` for the threads of nodes: what ends a run continues, the rest is printed."""
 
     def excepthook(args: Any) -> None:
         world, error = whose(), args.exc_value

@@ -15,7 +15,7 @@ class Ros(NamedTuple):
 
     Importing one of the packages ``roots`` makes a process one of this ROS; the first root is the stand-in's own.
     ``beside`` are packages that its nodes may import, too, and the modules here that stand in for them.
-    ``needed`` are the modules that its nodes need beside Python's own. ``naming`` is what names a node on its command
+    ``needed`` are the modules that its nodes need besides Python's own. ``naming`` is what names a node on its command
     line, and ``sets`` the option before what is set there, if there is one. ``raises`` says whether Ctrl-C raises
     KeyboardInterrupt in a node, which ends it if no one catches that. ``steps`` is the class that notes its steps. The
     rest completes sentences about a node: what kills it if it does not end, what its loops should check, what its main

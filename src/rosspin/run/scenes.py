@@ -47,7 +47,7 @@ class _Asked:
 
 
 class Scenes(StepsSeen):
-    """The steps of a run of ROS 2, in which a step is noted whenever an executor does something or the time goes on."""
+    """The steps of a run of ROS 2, in which a step is noted whenever an executor does something or the time passes."""
 
     def __init__(self, *args: Any, **more: Any) -> None:
         super().__init__(*args, **more)
@@ -92,7 +92,7 @@ class Scenes(StepsSeen):
                 self._note(f"{self._say([subject])} ends.")
             case "wakes":
                 why = "the event is set" if isinstance(subject, Timer) else "what it waited for is there"
-                self._note(f"{here} goes on: {why}.")
+                self._note(f"{here} continues: {why}.")
             case "says":
                 self._note(f"{here} {subject}")
 

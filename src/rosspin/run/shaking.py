@@ -35,7 +35,7 @@ _LEFT = ("annotation", "returns", "pattern", "type", "type_params")
 def shaken(node: Code) -> Code:
     """Make a node give way where its run's order says so, and note the lines that it runs if they are wanted.
 
-    So do the modules of its own that it imports: what lies beside it, or in its package. Raises ValueError for a node
+    So do the modules of its own that it imports: what lies next to it, or in its package. Raises ValueError for a node
     that is a function: only a file can be read.
     """
     if node.source is None:

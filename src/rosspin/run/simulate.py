@@ -55,7 +55,7 @@ def simulate(
     with status 130 if nothing catches it. The run ends earlier if the node does. As on a real ROS, an exception in the
     node is printed and gives status 1.
 
-    What the node changes in modules or in the process is undone afterwards. Modules that lie beside its file, or hold
+    What the node changes in modules or in the process is undone afterwards. Modules that lie next to its file, or hold
     something of ROS, such as a class of messages, are imported again in the next run. From ``random`` it draws the
     numbers that the caller would have drawn next, and still will: two runs in a row draw the same unless you set a seed
     in between.
@@ -71,11 +71,11 @@ def simulate(
 
     ``faults`` are what is to go wrong, from :mod:`rosspin.faults`; ``run.faults`` says what they did. A line on the
     console names each that did nothing. ``jitter`` is short for one of them, ``Jitter(jitter)``: threads and callbacks
-    go on late by up to so many seconds, as on a real computer, drawn in the same way in each run.
+    are late by up to so many seconds, as on a real computer, drawn in the same way in each run.
 
     Raises OSError if the file cannot be read, SyntaxError if it is not Python, ValueError if C++ does not compile, if
     ``seconds`` or ``start`` is negative, too large or not a number, or if the ``schedule`` is none of this node,
-    :class:`TimeStandsStill` if the node never lets the time go on, and :class:`NotSimulated` if it needs a real ROS.
+    :class:`TimeStandsStill` if the node never lets the time pass, and :class:`NotSimulated` if it needs a real ROS.
     Raises TypeError for ``faults`` that are none, and ValueError for one that asks a transport for what it cannot do,
     that names what the run does not have, or that comes after its end.
     """

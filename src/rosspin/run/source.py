@@ -43,7 +43,7 @@ class Code(NamedTuple):
     folder: str | None  # of the node file: its neighbours can be imported
     source: str | None = None  # the text that it was made from, if any
     hint: int = 0  # 1 or 2: the ROS that its code seems to name, or 0; what it imports decides
-    loader: Callable[[str, str], Loader] | None = None  # of a module beside it, by name and path, if not Python's own
+    loader: Callable[[str, str], Loader] | None = None  # of a module next to it, by name and path, if not Python's own
     is_entry_point: bool = False  # whether the file is imported as a module, whose function is then called
 
     @property
@@ -244,7 +244,7 @@ def split_words(words: Sequence[str]) -> tuple[Sequence[str], Sequence[str]]:
 
 
 def warn_of_files(nodes: Sequence[Code]) -> None:
-    """Say on ``sys.stderr`` which files beside nodes hide modules of Python or of a real ROS."""
+    """Say on ``sys.stderr`` which files next to nodes hide modules of Python or of a real ROS."""
     for line in dict.fromkeys(line for node in nodes for line in _in_the_way(node)):
         sys.stderr.write(f"rosspin: {line}\n")
 

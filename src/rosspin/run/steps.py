@@ -189,7 +189,7 @@ class StartedNode:
         What is due exactly at the end has run. If the node ends with status 0, the time passes without it.
 
         An exception that the node does not catch, in its main program, a callback, a timer or another thread, is raised
-        here, and the time stops at that instant. As on a real ROS, the node goes on unless it was its main program.
+        here, and the time stops at that instant. As on a real ROS, the node continues unless it was its main program.
 
         Also raises :class:`NodeFailed` if the node ends with another status, ValueError if ``seconds`` is negative, too
         large or not a number, RuntimeError after :meth:`close` or in another thread than before, and

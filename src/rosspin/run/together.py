@@ -42,7 +42,7 @@ class Together:
         self._interrupted = False
 
     def run(self) -> None:
-        """Start the nodes, and go on with them."""
+        """Start the nodes, and continue with them."""
         self.go_on([self._start(node, code) for node, code in self._nodes])
 
     def go_on(self, processes: Sequence[Process]) -> None:

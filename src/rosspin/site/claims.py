@@ -12,7 +12,7 @@ from dataclasses import dataclass
 
 __all__ = ["MIME", "Edit", "Facts", "Stale", "one_line", "report", "sentence_near"]
 
-# A notebook's cell hands its findings to the build as this: a list of (line, what stands there, what the run says now).
+# A notebook's cell hands its findings to the build as this: a list of (line, the text there, what the run says now).
 MIME = "application/vnd.rosspin.stale+json"
 
 _WIDTH = 200  # characters of a value or a sentence: no one would read more
@@ -30,7 +30,7 @@ class Edit:
 
 @dataclass(frozen=True)
 class Stale:
-    """Something that no longer holds: where it stands, what stands there, and what the run says now.
+    """Something that no longer holds: where it is, the text there, and what the run says now.
 
     ``text`` is the sentence that a fact is about; ``edits`` are what ``make outputs`` would do about it. ``failed``
     says that it cannot, as the run ended in an error.
@@ -179,8 +179,8 @@ def report(found: Iterable[Stale]) -> str:
     followed = sum(bool(entry.edits) for entry in stale)
     end = f"Places: {len(stale)}, pages: {len({entry.page for entry in stale})}."
     if followed:
-        end += f" `make outputs` writes {followed} of the places anew."
-    parts.append(f"{end} docs/how-to/adapt-a-page.rst says how to go on.")
+        end += f" `make outputs` rewrites {followed} of the places."
+    parts.append(f"{end} docs/how-to/adapt-a-page.rst says how to continue.")
     return "\n\n".join(part.rstrip("\n") for part in parts)
 
 

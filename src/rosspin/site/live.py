@@ -57,7 +57,7 @@ SECONDS = 10.0
 _NO_SCRIPT = '<p class="live-missing">To run this listing here, the page needs JavaScript.</p>'
 
 # Names by which the theme and myst-nb hide the visible words from a screen reader, and their replacements.
-_MENDED = {
+_CORRECTED = {
     r'(<button [^>]*\bsearch-button-field\b[^>]*) aria-label="Search"': r"\1",
     '<summary aria-label="Toggle hidden content">': "<summary>",
 }
@@ -174,7 +174,7 @@ def _add_files(app: Sphinx, page: str, template: str, context: dict[str, Any], d
 
 
 def _finish_pages(app: Sphinx, error: Exception | None) -> None:
-    """Give each written page its Content-Security-Policy, mend the names in it, and drop programs that no page runs."""
+    """Give each written page its Content-Security-Policy, correct the names in it, and drop programs that no page runs."""
     if error is not None or app.builder.format != "html":
         return
     programs: set[str] = set()
@@ -182,8 +182,8 @@ def _finish_pages(app: Sphinx, error: Exception | None) -> None:
         text = path.read_text(encoding="utf-8")
         programs.update(_PROGRAM.findall(text))
         if "_static" not in path.parts and "Content-Security-Policy" not in text:
-            for found, mended in _MENDED.items():
-                text = re.sub(found, mended, text)
+            for found, corrected in _CORRECTED.items():
+                text = re.sub(found, corrected, text)
             head = f'{_CHARSET}\n    <meta http-equiv="Content-Security-Policy" content="{policy(text)}" />'
             path.write_text(text.replace(_CHARSET, head, 1), encoding="utf-8")
     for path in Path(app.outdir, _PROGRAMS).glob("*"):

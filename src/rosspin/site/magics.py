@@ -105,14 +105,14 @@ class Magics(BaseMagics):
 
     @cell_magic
     def drive(self, line: str, cell: str) -> None:
-        """``%%drive SECONDS [--name NAME] [--quiet] [-- NODE ARGS]``: run the cell beside a vehicle, and draw it."""
+        """``%%drive SECONDS [--name NAME] [--quiet] [-- NODE ARGS]``: run the cell with a vehicle, and draw it."""
         self._display(plots.drive(self._run("drive", _beside_a_vehicle, line, cell)))
 
     @cell_magic
     def facts(self, line: str, cell: str) -> None:
         """``%%facts``: statements that hold if the text around the cell is true. Those that fail are reported, no more.
 
-        A build of the site then fails; a reader who has changed a node goes on.
+        A build of the site then fails; a reader who has changed a node continues.
         """
         shell: Any = self.shell
         found = list(Facts(shell.user_ns).run(_below_its_magic(cell), f"<cell {shell.execution_count}>"))

@@ -67,8 +67,8 @@ class TicksDirective(SphinxDirective):
 
     ``:handle: LABEL, FROM to TO by STEP UNIT`` lets the reader move a number; a run is made now for each value. The
     number replaces ``{}`` in ARGS, or what the file assigns to the variable named by ``:sets:``. It begins with
-    ``:at:``, or as the file has it. ``:lines: FROM-TO`` shows these lines of the file beside the plot, where the number
-    follows the handle.
+    ``:at:``, or as the file has it. ``:lines: FROM-TO`` shows these lines of the file next to the plot, where the
+    number follows the handle.
 
     The only C++ files can be the probes whose rules are known.
     """
@@ -219,7 +219,7 @@ def _by_rule(path: str, seconds: float, args: Sequence[str], period: float) -> R
     coming = list[Tick]()
     for source, later in by_source(calculated(path, seconds + _BEYOND, args)[len(ticks) :]).items():
         grid = next((tick for tick in ticks if tick.source == source), later[0]).expected
-        # What a call that goes on makes the timer lose after the end is no concern of this run.
+        # What a call that continues makes the timer lose after the end is no concern of this run.
         place = grid + period * ((seconds - grid + 1e-9) // period + 1)
         for tick in later[: 1 + (later[0].expected <= seconds)]:
             expected = min(tick.expected, place)
@@ -230,7 +230,7 @@ def _by_rule(path: str, seconds: float, args: Sequence[str], period: float) -> R
 class ScenesDirective(TicksDirective):
     """``.. scenes:: FILE ARGS`` with ``:seconds: S``: runs a node of ROS 2 in simulated time, to be gone through.
 
-    The file stands beside what its executor does, step by step. Where no script runs, the steps are a list. With
+    The file is next to what its executor does, step by step. Where no script runs, the steps are a list. With
     ``:rings:`` only the picture of what waits for what is shown.
     """
 
@@ -254,7 +254,7 @@ class ScenesDirective(TicksDirective):
 
 
 class OrdersDirective(TicksDirective):
-    """``.. orders:: FILE ARGS`` with ``:seconds: S`` and ``:schedule: TOKEN``: this order beside the usual one."""
+    """``.. orders:: FILE ARGS`` with ``:seconds: S`` and ``:schedule: TOKEN``: this order next to the usual one."""
 
     has_content = False
     required_arguments, optional_arguments = 1, 0
@@ -542,7 +542,7 @@ class CellLexer(PythonLexer):
 def offer_download(app: Sphinx, page: str, source: list[str]) -> None:
     """End the introduction of a notebook with a link to the notebook that was run.
 
-    The link is made here because JupyterLab would show the role as it stands. No line is added: line numbers stay true,
+    The link is made here because JupyterLab would show the role as it is. No line is added: line numbers stay true,
     and what ends there, such as a directive, keeps its last line.
     """
     if page.startswith("notebooks/"):

@@ -33,7 +33,7 @@ def figure(path: str, seconds: float, args: Sequence[str], rings: bool = False) 
         status = run_node(load(path), seconds, args, scenes.clock, log).status
     data = scenes.data(status)
     if not data or (rings and not data["rings"]):
-        what = "nothing waits for ever" if data else "no executor of ROS 2 has spun, or the node has too many callbacks"
+        what = "nothing hangs" if data else "no executor of ROS 2 has spun, or the node has too many callbacks"
         raise ValueError(what)
     if rings:
         data |= {"steps": []}
@@ -48,7 +48,7 @@ def figure(path: str, seconds: float, args: Sequence[str], rings: bool = False) 
 
 
 class Shown:
-    """The same beside the file, as what a cell of a notebook ends with."""
+    """The same next to the file, as what a cell of a notebook ends with."""
 
     def __init__(self, path: str, seconds: float) -> None:
         listing = highlight(Path(path).read_text(encoding="utf-8"), PythonLexer(), HtmlFormatter())

@@ -23,7 +23,7 @@ _LEFT_OUT = {".buildinfo", ".buildinfo.bak"}
 
 
 def zipped(site: Path, start: Path, target: Path) -> int:
-    """Write the ``site``, in a folder beside the page ``start``, into the file ``target``; return its size in bytes."""
+    """Write the ``site``, in a folder next to the page ``start``, into the file ``target``; return its size (bytes)."""
     files = {path.relative_to(site).as_posix(): path for path in site.rglob("*") if path.is_file()}
     named = {f"site/{name}": path for name, path in files.items() if name not in _LEFT_OUT} | {START: start}
     packed = io.BytesIO()

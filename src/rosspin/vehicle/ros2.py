@@ -1,4 +1,4 @@
-"""The vehicle as a node of ROS 2, and somebody else who sends it commands."""
+"""The vehicle as a node of ROS 2, and someone else who sends it commands."""
 
 # mypy: disable-error-code="import-not-found"
 
@@ -63,7 +63,7 @@ def vehicle(silent: tuple[float, float] = (0.0, 0.0)) -> None:
 
 
 def joystick(pressed: tuple[float, float] = (3.0, 5.0)) -> None:
-    """Be a joystick, with which somebody stops the vehicle: from one time of ``pressed`` (s) to the other.
+    """Be a joystick, with which someone stops the vehicle: from one time of ``pressed`` (s) to the other.
 
     It has a publisher of ``/cmd_vel`` only meanwhile, and sends a speed of 0 four times a second.
     """

@@ -105,7 +105,7 @@ class Looping(Protocol):
     """A Rate whose passes are recorded."""
 
     def _rosspin_coming(self, trails: Mapping[int, Trail]) -> list[tuple[str, int, int, int]]:
-        """List the pass that goes on and the next ones, in the same form; none if the loop has ended.
+        """List the pass that continues and the next ones, in the same form; none if the loop has ended.
 
         ``trails`` are where threads are, by their idents.
         """
@@ -123,7 +123,7 @@ class TickLog:
 
     def __init__(self) -> None:
         self._fields: list[Any] = []  # source, number, expected, real, duration, source, number, ...
-        self.timers: WeakSet[Ticking] = WeakSet()  # those that may go on when the run ends
+        self.timers: WeakSet[Ticking] = WeakSet()  # those that may continue when the run ends
         self.rates: WeakSet[Looping] = WeakSet()
         self.periods: dict[str, int] = {}  # ns, of each source; 0: its grid was moved
         self.coming: list[tuple[str, int, int, int]] = []  # source, number, expected, real: see results.ticks.Run

@@ -77,10 +77,10 @@ class Tester(ABC):
 
     @abstractmethod
     def _publish(self, name: str, args: tuple[Any, ...], fields: Mapping[str, Any]) -> bool:
-        """Publish a message. Returns whether anybody subscribes."""
+        """Publish a message. Returns whether anyone subscribes."""
 
     def call(self, service: str, args: tuple[Any, ...], fields: Mapping[str, Any], then: Then | None = None) -> None:
-        """Ask a service as soon as the time goes on, and call ``then`` with the response.
+        """Ask a service as soon as the time passes, and call ``then`` with the response.
 
         Raises LookupError if no node offers it, and what this ROS raises for a request that cannot be sent.
         """
@@ -104,7 +104,7 @@ class Tester(ABC):
 
     @abstractmethod
     def send_goal(self, action: str, fields: Mapping[str, Any]) -> None:
-        """Send a goal as soon as the time goes on, and ask for its result later. Raises what ``call`` raises."""
+        """Send a goal as soon as the time passes, and ask for its result later. Raises what ``call`` raises."""
 
     def serve(self, service: str, type_: str, handler: Handler) -> None:
         """Offer a service of a type such as std_srvs/SetBool. Raises LookupError if unknown."""

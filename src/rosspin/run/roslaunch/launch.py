@@ -21,7 +21,7 @@ from ..tags import Tag, parse
 
 __all__ = ["Launch", "Node", "read_launch"]
 
-# How deep files may include one another. Nobody means more.
+# How deep files may include one another. No one means more.
 _DEEPEST = 100
 
 

@@ -59,7 +59,7 @@ class _Member:
 class Monitor:
     """Runs the nodes of a launch file, whose code is ``codes``, in a host.
 
-    Most nodes whose code does not name their ROS import it at time 0. If that is ROS 2, :class:`Together` goes on.
+    Most nodes whose code does not name their ROS import it at time 0. If that is ROS 2, :class:`Together` continues.
     """
 
     status = 0  # whatever becomes of the nodes of ROS 1
