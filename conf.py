@@ -47,6 +47,7 @@ if (root / "build/web").exists():  # what runs in the page, from `make html`; th
     html_static_path.append("build/web")
 html_css_files = ["site.css"]
 html_js_files = ["edition.js"]
+html_search_scorer = "docs/_static/scorer.js"
 templates_path = ["docs/_templates"]
 html_sidebars = {"**": ["pages"]}
 html_theme_options = {

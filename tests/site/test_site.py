@@ -437,6 +437,22 @@ def test_the_pages_for_teachers_name_exercises_that_there_are(name: str, named_i
     assert set(named) <= {re.sub(r"^\d+\. ", "", title) for title in titles}
 
 
+FOUND = {
+    **{"deadlock": "why-does-it-hang", "hangs": "why-does-it-hang", "lock": "shared-data", "race": "shared-data"},
+    **{"timer": "timer-or-rate", "test": "test-timing", "pytest": "test-timing", "rostopic hz": "irregular-loop"},
+    **{"log": "look-at-your-log", "use_sim_time": "info-lines", "parameter": "frequency-from-parameter"},
+}
+
+
+@pytest.mark.parametrize("word", FOUND)
+def test_a_word_that_a_student_types_leads_to_its_page_first(word: str) -> None:
+    """The search lists a main entry of the index before all text; the rest is ranked by ``scorer.js``."""
+    index = json.loads((SITE / "searchindex.js").read_text(encoding="utf-8").partition("(")[2].rpartition(")")[0])
+    entries = {(index["docnames"][page], is_main) for page, _, is_main in index["indexentries"][word]}
+    assert (f"docs/how-to/{FOUND[word]}", True) in entries
+    assert "LATER.test(page)" in (SITE / "_static/language_data.js").read_text(encoding="utf-8")
+
+
 def test_every_page_has_a_language_and_one_main_heading(pages: dict[Path, BeautifulSoup]) -> None:
     for path, page in pages.items():
         assert page.html and page.html["lang"] == "en", path

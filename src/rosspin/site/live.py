@@ -174,7 +174,7 @@ def _add_files(app: Sphinx, page: str, template: str, context: dict[str, Any], d
 
 
 def _finish_pages(app: Sphinx, error: Exception | None) -> None:
-    """Give each written page its Content-Security-Policy, correct the names in it, and drop programs that no page runs."""
+    """Give each page its Content-Security-Policy, correct the names in it, and drop programs that no page runs."""
     if error is not None or app.builder.format != "html":
         return
     programs: set[str] = set()
