@@ -115,6 +115,32 @@ def test_the_launch_file_shows_lines_at_once(ros1: Workspace, cpp_nodes: CppNode
     assert max(tick.number for tick in read_ticks(run.console)) < NEVER  # when the time is up it would be twice that
 
 
+CHATTY = """import rospy
+
+rospy.init_node("chatty")
+while True:
+    rospy.loginfo("a line")
+    rospy.sleep(0.01)
+"""
+
+
+def test_info_lines_come_in_blocks_while_a_chatty_node_of_ros_1_runs(ros1: Workspace, tmp_path: Path) -> None:
+    """The node is still running when the first ones are read."""
+    node = tmp_path / "chatty.py"
+    node.write_text(CHATTY)
+    elsewhere = [path for path in ros1.environment["PYTHONPATH"].split(os.pathsep) if path != str(ros1.folder)]
+    environment = ros1.environment | {"PYTHONPATH": os.pathsep.join(elsewhere)}
+    child = subprocess.Popen(["/usr/bin/python3", node], env=environment, stdout=subprocess.PIPE)
+    try:
+        assert child.stdout
+        block = os.read(child.stdout.fileno(), 2**16)
+        assert child.poll() is None
+    finally:
+        child.kill()  # a node of the real rospy that Ctrl-C meets as it logs does not always end
+        child.communicate()
+    assert block.count(b"\n") > 100
+
+
 @pytest.mark.parametrize("runtime", ["wall", "ros2"])
 def test_lines_of_ros_2_come_at_once_on_stderr(require: Callable[[str], None], tmp_path: Path, runtime: str) -> None:
     """Lines that came only at the end would never be read: the node goes on until one was."""
