@@ -782,6 +782,15 @@ rospy.spin()
         ),
         ({'"~frequency"': "~frequency"}, "NameError: name 'frequency' is not defined", "Python names"),
         ({'"~frequency"': '"~period"'}, "With `_frequency:=10`: counter 1 came at 0.5 s", PRIVATE),
+        (
+            {
+                'rospy.get_param("~frequency", 2.0)': "float(dict(map(lambda each: each.split(':='), sys.argv[1:]))"
+                ".get('_frequency', 2))",
+                "import rospy\n": "import sys\n\nimport rospy\n",
+            },
+            "With `_frequency:=10`: the node asked for no parameter",
+            "in a launch file as well",
+        ),
     ],
     "two-rates": [
         ({"slow_counter": "fast_counter"}, "where counter 5 was due, counter 6 came", OWN_COUNTER),

@@ -1502,6 +1502,11 @@ WRONG: dict[str, list[tuple[Answer, str, str]]] = {
             "Not cancelled: the goal was aborted (6) at 3.5 s",
             "",
         ),
+        (
+            {"if goal.is_cancel_requested": "if len(numbers) == 7 and goal.is_cancel_requested"},
+            "Cancelled at 2.2 s: the goal was cancelled (5) at 3.5 s, not at 2.5 s",
+            "Look before each number",
+        ),
         (FOR_ROS_1, "This node is for ROS 1", "This exercise is on ROS 2"),
     ],
 }

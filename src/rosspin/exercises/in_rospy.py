@@ -45,8 +45,8 @@ def heard_in(frame: FrameType) -> Any:
 
 
 def parameters(world: World) -> list[str]:
-    """Return nothing: no one declares parameters."""
-    return []
+    """Return the parameters that it has asked for, which no one declares."""
+    return sorted(world.part(State).sought - {"/use_sim_time"})
 
 
 def in_words(qos: None) -> str:

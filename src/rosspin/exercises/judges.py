@@ -393,6 +393,15 @@ def declares(seen: Seen, when: str, name: str) -> Finding | None:
 
 
 @_check
+def asks_for_a_parameter(seen: Seen, when: str) -> Finding | None:
+    """Whether a node of ROS 1 has asked for a parameter. Nothing is said of one that has."""
+    if seen.parameters or not seen.interrupted:
+        return None
+    text = f"{when}: the node asked for no parameter."
+    return Finding(False, text, "`rospy.get_param` finds a parameter wherever it was set, in a launch file as well.")
+
+
+@_check
 def refuses(seen: Seen, when: str, name: str) -> Finding:
     """Whether a node has refused a parameter in words, with a status other than 0 and without a traceback."""
     look = f"Look at the {name} before you make the timer: write an error line, and end with `sys.exit(1)`."
@@ -594,8 +603,9 @@ def answered(
 
 def cancels(answer: Answer) -> Iterator[Finding]:
     """Whether an action server cancels a goal within a step of 0.5 s, and else reaches it."""
-    seen = answer.run(7.0, "cancel_at:=3.2", has_to_end=False)
-    yield _ended(seen, "Cancelled at 3.2 s", "5", 3.5, 7)
+    for at, ends, length in (3.2, 3.5, 7), (2.2, 2.5, 5):
+        seen = answer.run(7.0, f"cancel_at:={at}", has_to_end=False)
+        yield _ended(seen, f"Cancelled at {at} s", "5", ends, length)
     seen = answer.run(7.0, "cancel_at:=9.0")
     yield _ended(seen, "Not cancelled", "4", 5.0, 10)
 
@@ -623,7 +633,7 @@ def _ended(seen: Seen, when: str, status: str, at: float, length: int) -> Findin
         if asked:
             hint = f"`execute_callback` failed: `{plain(asked[0].rpartition('callback: ')[2])}`."
         elif status == "5" and not cancelled:
-            hint = "The client cancels the goal at 3.2 s. It is to stay as it is."
+            hint = "The client cancels the goal. It is to stay as it is."
         elif found[0].text == "4" and numbers[0].text != "10":
             hint = "It succeeded early: `goal.succeed()` in place of `goal.canceled()`, or a client that asks for less."
         elif status == "5" and cancelled[0].text == "0":

@@ -117,7 +117,7 @@ _CHANGE = {
         "too.",
         judge=by.every(
             by.run(2.0, by.ticks(0.5), when="Without the parameter"),
-            by.run(1.0, by.ticks(0.1, hint=_PRIVATE), given="_frequency:=10"),
+            by.run(1.0, by.ticks(0.1, hint=_PRIVATE), by.asks_for_a_parameter(), given="_frequency:=10"),
             by.run(4.0, by.ticks(2.0, hint=_PRIVATE), given="_frequency:=0.5"),
         ),
     ),

@@ -98,7 +98,7 @@ class Ros(Protocol):
         """Return the message with which a subscription calls back from a frame; None if none does."""
 
     def parameters(self, world: World) -> list[str]:
-        """Return the parameters that were declared."""
+        """Return the parameters that were declared, or asked for where none is declared."""
 
     def in_words(self, qos: Any) -> str:
         """Return the QoS of an end of a topic in words; empty if there is none."""

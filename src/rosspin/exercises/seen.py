@@ -116,12 +116,12 @@ class Seen(NamedTuple):
 
     ``printed`` are the lines that it printed, even after Ctrl-C; ``timers`` are those that it had started by then.
     ``loops`` are the lines of the answer in which something other than a timer's callback slept again and again.
-    ``ends`` are its publishers and subscriptions, ``parameters`` those that it had declared in ROS 2, ``sent`` the
-    messages that it published, ``calls`` the requests to its services. ``status`` is its exit status, ``errors`` are
-    the exceptions whose tracebacks were printed, and ``interrupted`` says whether it ran until Ctrl-C. If it had to be
-    killed, ``kept_at`` is where it was, and ``kept_by_rate`` says that it waited for a Rate of ROS 2 and nothing else.
-    ``variables`` are the names and values of those requested variables that it has. If a vehicle ran beside it,
-    ``drive`` is what that did.
+    ``ends`` are its publishers and subscriptions, ``parameters`` those that it had declared in ROS 2, or asked for in
+    ROS 1, ``sent`` the messages that it published, ``calls`` the requests to its services. ``status`` is its exit
+    status, ``errors`` are the exceptions whose tracebacks were printed, and ``interrupted`` says whether it ran until
+    Ctrl-C. If it had to be killed, ``kept_at`` is where it was, and ``kept_by_rate`` says that it waited for a Rate of
+    ROS 2 and nothing else. ``variables`` are the names and values of those requested variables that it has. If a
+    vehicle ran beside it, ``drive`` is what that did.
     """
 
     seconds: float

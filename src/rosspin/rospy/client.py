@@ -247,7 +247,9 @@ def _find(node: State, path: list[str]) -> Any:
 def get_param(param_name: str, default: Any = _unspecified) -> Any:
     """Return a parameter's value, or a namespace as a dict; else ``default``. Raises KeyError if there is neither."""
     try:
-        return deepcopy(_find(state(), _path(param_name)))
+        node = state()
+        node.sought.add(names.resolve_name(param_name))
+        return deepcopy(_find(node, _path(param_name)))
     except KeyError:
         if default is _unspecified:
             raise KeyError(param_name) from None

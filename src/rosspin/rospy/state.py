@@ -67,6 +67,7 @@ class State:
         self.namespace = rosgraph.get_ros_namespace(argv=argv)
         self.name = self.namespace + "unnamed"
         self.master = world.graph.part(Master)
+        self.sought: set[str] = set()  # the parameters that were asked for, by their full names
         self.private_parameters: dict[str, Any] = {}  # set by ``init_node``, unless the command line sets them
 
         self.init_args: tuple[Any, ...] | None = None
